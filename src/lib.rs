@@ -1,0 +1,4 @@
+//! Bézier curves and surfaces.
+
+#[cfg(feature = "wasm")]
+mod wasm;
