@@ -1,1 +1,56 @@
-fn main() {}
+//! The one driver: `cargo xtask build | site | serve | test [step …] | test-deep | bench | size`.
+
+mod bench;
+mod browser;
+mod build;
+mod encode;
+mod glue;
+mod serve;
+mod setup;
+mod shell;
+mod size;
+mod stamp;
+mod test;
+
+use anyhow::{Result, bail};
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+cargo xtask <command>
+
+  build            dist/, the npm package
+  site             site/, the static site
+  serve            build, and serve the site on localhost
+  test [step …]    all tests, or the named steps
+  test-deep        the long sweeps
+  bench            the benchmarks: JavaScript and native
+  size             the gzip size of each part, against the limit";
+
+fn main() -> ExitCode {
+    match dispatch(&std::env::args().skip(1).collect::<Vec<_>>()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("\nerror: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn dispatch(args: &[String]) -> Result<()> {
+    let (command, rest) = args.split_first().map_or(("help", &[][..]), |(first, rest)| (first.as_str(), rest));
+    match command {
+        "build" => build::build(),
+        "site" => build::site(),
+        "serve" => serve::serve(rest),
+        "test" => test::test(rest),
+        "test-deep" => test::deep(),
+        "bench" => bench::bench(rest),
+        "size" => size::size(),
+        test::RUNNER => test::run_wasm(rest),
+        "help" | "--help" | "-h" => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        other => bail!("no command {other}\n\n{USAGE}"),
+    }
+}

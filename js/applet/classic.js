@@ -1,0 +1,3 @@
+import { bezierApp } from "./index.js";
+
+Object.assign(globalThis, { bezierApp });

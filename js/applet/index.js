@@ -1,0 +1,6 @@
+import { init } from "../index.js";
+
+/** Placeholder. */
+export function bezierApp() {
+  return init();
+}

@@ -1,0 +1,47 @@
+// The site: every index.html below www/ is a page. Built into site/ with relative URLs, so that it works in any folder.
+import { createReadStream, readdirSync } from "node:fs";
+import { readFile } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+
+const www = fileURLToPath(new URL(".", import.meta.url));
+const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
+
+const pages = readdirSync(www, { recursive: true, encoding: "utf8" })
+  .filter((name) => /(^|[\\/])index\.html$/.test(name))
+  .map((name) => www + name);
+
+/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. */
+const classicScript = {
+  name: "classic-script",
+  configureServer({ middlewares }) {
+    middlewares.use("/bezier-app.js", (_request, response) => {
+      response.setHeader("Content-Type", "text/javascript");
+      createReadStream(dist("bezier-app.js")).pipe(response);
+    });
+  },
+  async generateBundle() {
+    this.emitFile({ type: "asset", fileName: "bezier-app.js", source: await readFile(dist("bezier-app.js")) });
+  },
+};
+
+export default defineConfig({
+  root: www,
+  base: "./",
+  publicDir: "public",
+  resolve: {
+    alias: [
+      { find: /^casteljau$/, replacement: dist("index.js") },
+      { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
+    ],
+  },
+  plugins: [classicScript],
+  server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
+  build: {
+    outDir: "../site",
+    emptyOutDir: true,
+    target: "es2022",
+    modulePreload: { polyfill: false },
+    rollupOptions: { input: pages },
+  },
+});

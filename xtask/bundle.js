@@ -1,0 +1,56 @@
+// Bundles js/ into dist/ with esbuild. Called by `cargo xtask build`; runs from the repository's root.
+import { build } from "esbuild";
+import { readFile } from "node:fs/promises";
+import { dirname, relative, resolve, sep } from "node:path";
+
+const sources = resolve("js");
+const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
+const banner = { js: `/*! casteljau ${version} | ${license} */` };
+
+/** Replaces the inlined bytes by nothing: the slim bundle is told where they are by `init`. */
+const withoutBytes = {
+  name: "without-bytes",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]wasm-bytes\.js$/ }, () => ({ contents: "export const wasmBytes = null;" }));
+  },
+};
+
+/**
+ * Keeps the facade out of the applet's bundle, so that a page which imports both has one core and one wasm module.
+ * The applet must therefore go through js/index.js and nothing else of js/.
+ */
+const facadeExternal = {
+  name: "facade-external",
+  setup(build) {
+    build.onResolve({ filter: /^\.\.?\// }, ({ path, importer, resolveDir }) => {
+      const target = resolve(resolveDir, path);
+      if (target === resolve(sources, "index.js")) return { path: "./index.js", external: true };
+      const inside = dirname(target).startsWith(resolve(sources, "applet"));
+      if (inside || !importer) return undefined;
+      const from = relative(sources, importer).split(sep).join("/");
+      return { errors: [{ text: `js/${from} imports ${path}: the applet may import only ../index.js of the package` }] };
+    });
+  },
+};
+
+/** Bundles one entry of js/ into one file of dist/. */
+const bundle = (entry, name, options = {}) =>
+  build({
+    entryPoints: [resolve(sources, entry)],
+    outfile: `dist/${name}`,
+    bundle: true,
+    format: "esm",
+    target: "es2022",
+    charset: "utf8",
+    legalComments: "none",
+    logLevel: "warning",
+    banner,
+    ...options,
+  });
+
+await Promise.all([
+  bundle("index.js", "index.js"),
+  bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
+  bundle("applet/index.js", "applet.js", { plugins: [facadeExternal] }),
+  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true }),
+]);

@@ -1,0 +1,33 @@
+// Weighs the parts of dist/: minified, then gzip -9. Called by `cargo xtask size`; fails above the limit.
+import { transform } from "esbuild";
+import { readFile } from "node:fs/promises";
+import { gzipSync } from "node:zlib";
+
+/** For everything but the elements: the package with the wasm inside, and the applet on it. */
+const LIMIT_KB = 40;
+const KB = 1000;
+
+const gzip = (bytes) => gzipSync(bytes, { level: 9 }).length;
+
+async function weigh(name) {
+  const bytes = await readFile(`dist/${name}`);
+  if (name.endsWith(".wasm")) return { name, raw: bytes.length, gzip: gzip(bytes) };
+  const { code } = await transform(bytes.toString(), { minify: true, charset: "utf8", legalComments: "none" });
+  return { name, raw: Buffer.byteLength(code), gzip: gzip(code) };
+}
+
+const kB = (bytes) => `${(bytes / KB).toFixed(1)} kB`.padStart(9);
+const row = ({ name, raw, gzip }) => console.log(`${name.padEnd(28)}${kB(raw)}${kB(gzip)}`);
+
+const parts = await Promise.all(["casteljau.wasm", "slim.js", "index.js", "applet.js", "bezier-app.js"].map(weigh));
+console.log(`${"".padEnd(28)} minified  gzip -9`);
+parts.forEach(row);
+
+const counted = parts.filter(({ name }) => name === "index.js" || name === "applet.js");
+const total = { name: "index.js + applet.js", raw: 0, gzip: 0 };
+for (const part of counted) (total.raw += part.raw), (total.gzip += part.gzip);
+row(total);
+if (total.gzip > LIMIT_KB * KB) {
+  console.error(`\n${total.name}: ${kB(total.gzip).trim()} is above the limit of ${LIMIT_KB} kB`);
+  process.exitCode = 1;
+}

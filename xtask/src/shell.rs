@@ -1,0 +1,71 @@
+//! Running other programs, always from the repository's root, and saying which one failed.
+
+use anyhow::{Context, Result, bail};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The repository's root: the driver may be started from any folder below it.
+pub(crate) fn root() -> PathBuf {
+    let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let here = manifest.unwrap_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")));
+    here.parent().map_or(here.clone(), Path::to_path_buf)
+}
+
+/// Where cargo puts its output.
+pub(crate) fn target_dir() -> PathBuf {
+    root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
+/// A command that starts in the root.
+pub(crate) fn command(program: &str, args: &[&str]) -> Command {
+    let mut command = Command::new(program);
+    command.args(args).current_dir(root());
+    command
+}
+
+/// A plain `cargo`, without the settings that the outer cargo gave to the driver.
+pub(crate) fn cargo(args: &[&str]) -> Command {
+    let mut command = command("cargo", args);
+    command.env_remove("CARGO_MANIFEST_DIR");
+    command
+}
+
+/// `npm`, which on Windows is a script.
+pub(crate) fn npm(args: &[&str]) -> Command {
+    command(if cfg!(windows) { "npm.cmd" } else { "npm" }, args)
+}
+
+/// A script under node, its path relative to the root.
+pub(crate) fn node(args: &[&str]) -> Command {
+    command("node", args)
+}
+
+/// Runs a command whose output the reader sees.
+pub(crate) fn run(command: &mut Command) -> Result<()> {
+    let status = command.status().with_context(|| format!("could not start {}", line(command)))?;
+    if !status.success() {
+        bail!("{} ended with {status}", line(command));
+    }
+    Ok(())
+}
+
+/// Runs a command and shows its output only if it fails.
+pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
+    let output = command.output().with_context(|| format!("could not start {}", line(command)))?;
+    if !output.status.success() {
+        eprint!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        bail!("{} ended with {}", line(command), output.status);
+    }
+    Ok(())
+}
+
+/// What a command prints, trimmed; nothing if it cannot be started or fails.
+pub(crate) fn output_of(command: &mut Command) -> Option<String> {
+    let output = command.output().ok().filter(|output| output.status.success())?;
+    Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+fn line(command: &Command) -> String {
+    let words = std::iter::once(command.get_program()).chain(command.get_args());
+    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
+}
