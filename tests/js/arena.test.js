@@ -1,0 +1,29 @@
+// The arena's view, from the sources: it is no part of the public interface.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { arena } from "../../js/arena.js";
+import { core, memory } from "../../js/init.js";
+
+test("the view is long enough and stays the same", () => {
+  const view = arena(8);
+  assert.ok(view.length >= 8);
+  assert.equal(arena(8), view);
+  assert.equal(arena(view.length), view);
+  assert.equal(view.length, core().arena_length());
+});
+
+test("a longer view keeps the contents", () => {
+  const view = arena(8);
+  view.set([1, 2, 3]);
+  const longer = arena(view.length + 1);
+  assert.notEqual(longer, view);
+  assert.deepEqual([...longer.subarray(0, 3)], [1, 2, 3]);
+});
+
+test("a view that memory growth emptied is replaced", () => {
+  const view = arena(8);
+  view[0] = 42;
+  memory().grow(1);
+  assert.equal(view.length, 0);
+  assert.equal(arena(8)[0], 42);
+});

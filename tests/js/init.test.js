@@ -1,0 +1,109 @@
+// Starting the core: at the first call, ahead of it, and from outside bytes.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { serve } from "../page/server.js";
+
+const dist = new URL("../../dist/", import.meta.url);
+const wasm = await readFile(new URL("casteljau.wasm", dist));
+const TRIANGLE = [[0, 0], [1, 2], [2, 0]];
+
+/** A copy of the package with no state yet. */
+const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);
+
+/** Counts the compilations that an action causes. */
+async function compilations(act) {
+  const { Module, compile } = WebAssembly;
+  let count = 0;
+  WebAssembly.Module = new Proxy(Module, { construct: (target, args) => (count++, new target(...args)) });
+  WebAssembly.compile = (...args) => (count++, compile(...args));
+  try {
+    await act();
+  } finally {
+    Object.assign(WebAssembly, { Module, compile });
+  }
+  return count;
+}
+
+test("import compiles nothing, the first call does, once", async () => {
+  let casteljau;
+  assert.equal(await compilations(async () => (casteljau = await fresh("index.js"))), 0);
+  const curve = () => new casteljau.Curve(TRIANGLE).eval(0.5);
+  assert.equal(await compilations(curve), 1);
+  assert.equal(await compilations(curve), 0);
+});
+
+test("init is optional and idempotent", async () => {
+  const { init, Curve } = await fresh("index.js");
+  assert.equal(await compilations(init), 1);
+  assert.equal(await compilations(init), 0);
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+});
+
+test("a first call while init is under way does no harm", async () => {
+  const { init, Curve } = await fresh("index.js");
+  const pending = [init(), init()];
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+  await Promise.all(pending);
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+});
+
+test("slim refuses a call before init, and works after it", async () => {
+  const { init, Curve } = await fresh("slim.js");
+  assert.throws(() => new Curve(TRIANGLE).eval(0.5), { name: "Error", message: /init/ });
+  await init(wasm);
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+});
+
+const typed = { headers: { "Content-Type": "application/wasm" } };
+const sources = {
+  "a module": () => new WebAssembly.Module(wasm),
+  bytes: () => wasm,
+  "an ArrayBuffer": () => new Uint8Array(wasm).buffer,
+  "a typed Response": () => new Response(wasm, typed),
+  "a Response without a type": () => new Response(wasm),
+  "a promise of a Response": () => Promise.resolve(new Response(wasm, typed)),
+};
+for (const [name, source] of Object.entries(sources)) {
+  test(`slim takes ${name}`, async () => {
+    const { init, Curve } = await fresh("slim.js");
+    await init(source());
+    assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+  });
+}
+
+test("slim takes a URL", async () => {
+  const server = await serve({ "/": new URL(".", dist).pathname });
+  const { init, Curve } = await fresh("slim.js");
+  await assert.rejects(init(new URL("/none.wasm", server.url)), /404/);
+  await init(new URL("/casteljau.wasm", server.url));
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+  server.close();
+});
+
+test("what is no source is refused by kind, and init can be called again", async () => {
+  const { init, Curve } = await fresh("slim.js");
+  await assert.rejects(init(), { name: "TypeError", message: /got nothing/ });
+  await assert.rejects(init("casteljau.wasm"), { name: "TypeError", message: /got string/ });
+  await assert.rejects(init(7), { name: "TypeError", message: /got number/ });
+  await assert.rejects(init({}), { name: "TypeError", message: /got Object/ });
+  await assert.rejects(init(new Uint8Array(3)), WebAssembly.CompileError);
+  await assert.rejects(init(Promise.reject(new Error("offline"))), /offline/);
+  await init(wasm);
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+});
+
+test("the bundles are loadable anywhere: no import.meta, no top-level await, no URL of another file", async () => {
+  for (const name of ["index.js", "slim.js", "bezier-app.js"]) {
+    const text = await readFile(new URL(name, dist), "utf8");
+    assert.doesNotMatch(text, /import\.meta|^await |new URL\(|\bimport\s*["'(]/m, name);
+  }
+  assert.equal(typeof createRequire(import.meta.url)("casteljau").init, "function");
+});
+
+test("slim carries no wasm", async () => {
+  const slim = await readFile(new URL("slim.js", dist));
+  const index = await readFile(new URL("index.js", dist));
+  assert.ok(index.length - slim.length > wasm.length);
+});

@@ -1,0 +1,103 @@
+// Opens pages of the built site in a real Chromium. A test that leaves an error in the console fails.
+import { AxeBuilder } from "@axe-core/playwright";
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { delimiter, join } from "node:path";
+import { after } from "node:test";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { serve } from "./server.js";
+
+/** The repository's root, with a slash at its end. */
+export const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** The same as in xtask/src/browser.rs, and WebGL2 in software. */
+const FLAGS = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+];
+const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+
+/** One browser and one server for all tests of a file. */
+const shared = { browser: undefined, site: undefined, count: 0 };
+
+after(async () => {
+  await (await shared.browser)?.close();
+  (await shared.site)?.close();
+});
+
+/** CHROME_PATH (which xtask sets), else a browser on PATH, else Playwright's own download. */
+export function chromePath() {
+  const folders = (process.env.PATH ?? "").split(delimiter);
+  const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
+  return process.env.CHROME_PATH ?? onPath ?? chromium.executablePath();
+}
+
+/** The running browser; started at the first call. */
+export function launch() {
+  shared.browser ??= chromium.launch({ executablePath: chromePath(), args: FLAGS });
+  return shared.browser;
+}
+
+/**
+ * Opens a page of the built site (site/, and dist/ under /dist/), and closes it when the test ends.
+ *
+ *     test("…", async (t) => {
+ *       const page = await openPage(t, "/applet/", { colorScheme: "dark", viewport: { width: 360, height: 640 } });
+ *       const other = await openPage(t, { html: `<script src="bezier-app.js"></script>…` });   // at the site's root
+ *
+ * When the test ends it fails if the console showed an error, unless `page.problems` was emptied by the test itself.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {string | { html: string }} what a path of the site, or a page as text
+ * @param {import("playwright-core").BrowserContextOptions & { baseURL?: string }} [options] baseURL: another server
+ * @returns {Promise<import("playwright-core").Page & { problems: string[] }>}
+ */
+export async function openPage(t, what, options = {}) {
+  const baseURL = options.baseURL ?? (await site()).url;
+  const context = await (await launch()).newContext({ ...options, baseURL });
+  const page = Object.assign(await context.newPage(), { problems: watch(context) });
+  t.after(async () => {
+    await context.close();
+    assert.deepEqual(page.problems, [], "the page's console is clean");
+  });
+  await page.goto(typeof what === "string" ? what : await written(what.html));
+  return page;
+}
+
+/**
+ * Fails unless axe finds nothing to object to.
+ *
+ * @param {import("playwright-core").Page} page
+ */
+export async function assertAccessible(page) {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const found = violations.map(({ id, help, nodes }) => `${id}: ${help} at ${nodes.map((n) => n.target).join(", ")}`);
+  assert.deepEqual(found, []);
+}
+
+/** Collects what goes wrong in any page of a context. */
+function watch(context) {
+  const problems = [];
+  context.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  context.on("weberror", (error) => problems.push(String(error.error())));
+  return problems;
+}
+
+function site() {
+  shared.site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
+  return shared.site;
+}
+
+async function written(html) {
+  const path = `/page-${++shared.count}.html`;
+  (await site()).pages.set(path, html);
+  return path;
+}
