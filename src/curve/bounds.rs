@@ -1,0 +1,110 @@
+//! The smallest box around the curve.
+
+use super::roots::roots_inside;
+use super::{Curve, Scalars, evaluate_scalar};
+use crate::point::Point;
+
+/// An axis-parallel box: all points p with min ≤ p ≤ max in each coordinate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds<P> {
+    /// The least coordinates.
+    pub min: P,
+    /// The greatest coordinates.
+    pub max: P,
+}
+
+impl<P: Point> Bounds<P> {
+    /// The box of some points; `None` of none.
+    pub(crate) fn of(points: &[P]) -> Option<Self> {
+        let (&first, rest) = points.split_first()?;
+        let start = Self {
+            min: first,
+            max: first,
+        };
+        Some(rest.iter().fold(start, |bounds, &p| bounds.including(p)))
+    }
+
+    /// The smallest box around this one and a point.
+    #[must_use]
+    pub(crate) fn including(self, p: P) -> Self {
+        Self {
+            min: self.min.min(p),
+            max: self.max.max(p),
+        }
+    }
+
+    /// The smallest box around both.
+    #[must_use]
+    pub(crate) fn union(self, other: Self) -> Self {
+        Self {
+            min: self.min.min(other.min),
+            max: self.max.max(other.max),
+        }
+    }
+
+    /// The length of the diagonal.
+    pub fn diagonal(&self) -> f64 {
+        // Halves first: max − min of ±1e308 would overflow.
+        (self.max * 0.5 - self.min * 0.5).norm() * 2.0
+    }
+}
+
+impl<P: Point> Curve<P> {
+    /// The smallest box that contains the curve, from its ends and its extrema.
+    ///
+    /// Exact to rounding: an extremum is a root of one coordinate of B′, and the coordinate is flat there.
+    pub fn bounds(&self) -> Bounds<P> {
+        let mut bounds = Bounds {
+            min: self.start(),
+            max: self.start(),
+        }
+        .including(self.end());
+        for axis in 0..P::DIMENSION {
+            if self.monotone(axis) {
+                continue;
+            }
+            for t in self.extrema_on(axis) {
+                bounds = bounds.including(self.only_axis(axis, t, bounds.min));
+            }
+        }
+        bounds
+    }
+
+    /// The box of the control points, which contains the curve and is cheaper than [`bounds`](Self::bounds).
+    pub fn control_bounds(&self) -> Bounds<P> {
+        let first = Bounds {
+            min: self.start(),
+            max: self.start(),
+        };
+        self.points
+            .iter()
+            .fold(first, |bounds, &p| bounds.including(p))
+    }
+
+    /// The parameters inside (0, 1) where one coordinate of B′ vanishes, sorted.
+    pub(crate) fn extrema_on(&self, axis: usize) -> Scalars {
+        // Halved, so that differences of ±1e308 stay finite; roots do not see the factor.
+        let half = |p: &P| p.coordinate(axis) * 0.5;
+        let slopes: Scalars = self
+            .points
+            .windows(2)
+            .map(|pair| half(&pair[1]) - half(&pair[0]))
+            .collect();
+        roots_inside(&slopes)
+    }
+
+    /// Whether the control points already run one way along an axis.
+    fn monotone(&self, axis: usize) -> bool {
+        let mut pairs = self
+            .points
+            .windows(2)
+            .map(|pair| (pair[0].coordinate(axis), pair[1].coordinate(axis)));
+        pairs.clone().all(|(a, b)| a <= b) || pairs.all(|(a, b)| a >= b)
+    }
+
+    /// The point `inside` with one coordinate replaced by that of B(t).
+    fn only_axis(&self, axis: usize, t: f64, inside: P) -> P {
+        let values: Scalars = self.points.iter().map(|p| p.coordinate(axis)).collect();
+        inside.with_coordinate(axis, evaluate_scalar(&values, t))
+    }
+}

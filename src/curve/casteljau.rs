@@ -1,0 +1,160 @@
+//! De Casteljau's algorithm: repeated linear interpolation between neighbours.
+//!
+//! Start with the control points; between each two neighbours put the point that divides their segment as t divides
+//! [0, 1]. That gives one point fewer. Repeat until one point is left: it is the point of the curve at t. The first
+//! points of all the rows are the control points of the piece before t, the last ones those of the piece after it.
+//! Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, §4.2.
+
+use super::{Curve, Points};
+use crate::error::MAX_DEGREE;
+use crate::point::Point;
+
+/// The point at t by de Casteljau's algorithm, for one to 65 control points.
+pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
+    let mut row = [P::default(); MAX_DEGREE + 1];
+    let count = points.len();
+    row[..count].copy_from_slice(points);
+    for last in (1..count).rev() {
+        for i in 0..last {
+            row[i] = row[i].mix(row[i + 1], t);
+        }
+    }
+    row[0]
+}
+
+/// Writes the control points of the pieces before and after t; both slices are as long as `points`.
+#[inline]
+pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: &mut [P]) {
+    right.copy_from_slice(points);
+    left[0] = points[0];
+    for level in 1..points.len() {
+        for i in 0..points.len() - level {
+            right[i] = right[i].mix(right[i + 1], t);
+        }
+        left[level] = right[0];
+    }
+}
+
+impl<P: Point> Curve<P> {
+    /// All levels of de Casteljau's triangle at t: the control points first, the point of the curve last.
+    ///
+    /// Level k has n + 1 − k points; each lies on the segment between two neighbours of the level before.
+    pub fn scaffold(&self, t: f64) -> Vec<Vec<P>> {
+        let mut levels = vec![self.points.to_vec()];
+        for level in 0..self.degree() {
+            let next = levels[level]
+                .windows(2)
+                .map(|pair| pair[0].mix(pair[1], t))
+                .collect();
+            levels.push(next);
+        }
+        levels
+    }
+
+    /// The two pieces before and after t, as curves of the same degree.
+    ///
+    /// They join at B(t), where they share one point, and keep the outer ends exactly. t outside [0, 1] gives a piece
+    /// that reaches beyond the curve and one that runs back.
+    #[inline]
+    pub fn split(&self, t: f64) -> (Self, Self) {
+        if let [p0, p1, p2, p3] = *self.points {
+            let (p01, p12, p23) = (p0.mix(p1, t), p1.mix(p2, t), p2.mix(p3, t));
+            let (p012, p123) = (p01.mix(p12, t), p12.mix(p23, t));
+            let p = p012.mix(p123, t);
+            return (
+                Self::from_slice(&[p0, p01, p012, p]),
+                Self::from_slice(&[p, p123, p23, p3]),
+            );
+        }
+        let mut left = self.points.clone();
+        let mut right = self.points.clone();
+        split_into(&self.points, t, &mut left, &mut right);
+        (Self::from_points(left), Self::from_points(right))
+    }
+
+    /// The two halves at t = ½, by sums and halvings only.
+    ///
+    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images. The same as
+    /// `split(0.5)`, with fewer operations.
+    pub fn halve(&self) -> (Self, Self) {
+        if let [p0, p1, p2, p3] = *self.points {
+            // Halving first keeps the sums of huge coordinates finite; powers of two round nothing.
+            let (p01, p12, p23) = (half_way(p0, p1), half_way(p1, p2), half_way(p2, p3));
+            let (p012, p123) = (half_way(p01, p12), half_way(p12, p23));
+            let p = half_way(p012, p123);
+            return (
+                Self::from_slice(&[p0, p01, p012, p]),
+                Self::from_slice(&[p, p123, p23, p3]),
+            );
+        }
+        let (mut left, mut right): (Points<P>, Points<P>) =
+            (self.points.clone(), self.points.clone());
+        for level in 1..left.len() {
+            for i in 0..left.len() - level {
+                right[i] = half_way(right[i], right[i + 1]);
+            }
+            left[level] = right[0];
+        }
+        (Self::from_points(left), Self::from_points(right))
+    }
+
+    /// The piece from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives it backwards.
+    ///
+    /// Its ends are B(t₀) and B(t₁). With t₀ = t₁ the piece is a point.
+    #[must_use]
+    pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
+        if t0 > t1 {
+            return self.subsegment(t1, t0).reverse();
+        }
+        let mut piece = self.points.clone();
+        blossom_piece(&mut piece, t0, t1);
+        // The same numbers as eval gives, so that pieces made apart join without a gap.
+        let last = piece.len() - 1;
+        piece[0] = self.eval(t0);
+        piece[last] = self.eval(t1);
+        Self::from_points(piece)
+    }
+}
+
+/// Replaces control points by those of the piece from t₀ to t₁.
+///
+/// Cuts first at the end that is nearer to the middle in such a way that no parameter leaves [0, 1] if t₀ and t₁ do
+/// not, so every step is a convex combination.
+pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
+    if 1.0 - t0 > t1 {
+        keep_after(points, t0);
+        let t = if t0 == 1.0 {
+            1.0
+        } else {
+            (t1 - t0) / (1.0 - t0)
+        };
+        keep_before(points, t);
+    } else {
+        keep_before(points, t1);
+        keep_after(points, if t1 == 0.0 { 0.0 } else { t0 / t1 });
+    }
+}
+
+/// The piece before t, in place.
+fn keep_before<P: Point>(points: &mut [P], t: f64) {
+    for level in 1..points.len() {
+        for i in (level..points.len()).rev() {
+            points[i] = points[i - 1].mix(points[i], t);
+        }
+    }
+}
+
+/// The piece after t, in place.
+fn keep_after<P: Point>(points: &mut [P], t: f64) {
+    for level in 1..points.len() {
+        for i in 0..points.len() - level {
+            points[i] = points[i].mix(points[i + 1], t);
+        }
+    }
+}
+
+/// (a + b) / 2, without overflow.
+#[inline]
+fn half_way<P: Point>(a: P, b: P) -> P {
+    a * 0.5 + b * 0.5
+}

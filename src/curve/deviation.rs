@@ -1,0 +1,157 @@
+//! How far is a piece of a quadratic or cubic from its chord?
+//!
+//! Let B(t₀ + τ) = B(t₀) + D₁τ + D₂τ² + D₃τ³. Crossed with its chord of step h, the piece is, with s = τ/h,
+//!
+//!   h³ s (1 − s) [ (a + bh) + s h (b + ch) ],   a = D₁×D₂, b = D₁×D₃, c = D₂×D₃:
+//!
+//! s(1−s) times a linear function. Divided by the length of the chord, h|u| with u = D₁ + hD₂ + h²D₃, it is the
+//! distance from the chord's line, whose maximum has a closed form. Where the piece runs past the ends of its chord,
+//! the overshoot counts too.
+
+use super::flatten::Deviation;
+use super::roots::roots_inside;
+use crate::point::{Cross, Point};
+
+/// [`Deviation`] of a curve of degree 1 to 3.
+pub(crate) struct CubicDeviation<P: Point> {
+    /// The Taylor coefficients at t = 0.
+    taylor: [P; 3],
+    /// The same at the current start, with their cross products.
+    d: [P; 3],
+    a: P::Cross,
+    b: P::Cross,
+    c: P::Cross,
+    per_squared_tolerance: f64,
+}
+
+impl<P: Point> CubicDeviation<P> {
+    /// `points`: 2 to 4 control points of moderate size.
+    pub(crate) fn new(points: &[P], tolerance: f64) -> Self {
+        let taylor = match *points {
+            [p0, p1] => [p1 - p0, P::default(), P::default()],
+            [p0, p1, p2] => [(p1 - p0) * 2.0, (p2 - p1) - (p1 - p0), P::default()],
+            [p0, p1, p2, p3, ..] => {
+                let (e0, e1, e2) = (p1 - p0, p2 - p1, p3 - p2);
+                [e0 * 3.0, (e1 - e0) * 3.0, (e2 - e1) - (e1 - e0)]
+            }
+            _ => [P::default(); 3],
+        };
+        let zero = P::default().cross(P::default());
+        let per_squared_tolerance = 1.0 / (tolerance * tolerance);
+        Self {
+            taylor,
+            d: taylor,
+            a: zero,
+            b: zero,
+            c: zero,
+            per_squared_tolerance,
+        }
+    }
+
+    /// The square of the greatest distance from the chord's line, times |u|².
+    #[inline]
+    fn across_squared(&self, h: f64) -> f64 {
+        let first = self.a + self.b * h;
+        let last = first + (self.b + self.c * h) * h;
+        let square = h * h;
+        square * square * greatest_squared(first, last)
+    }
+
+    /// The overshoot past the ends of the chord, squared.
+    fn overshoot_squared(&self, h: f64, u: P) -> f64 {
+        let [d1, d2, d3] = self.d;
+        let direction = u.unit();
+        let (a, b, c) = (
+            d1.dot(direction) * h,
+            d2.dot(direction) * h * h,
+            d3.dot(direction) * h * h * h,
+        );
+        let length = a + b + c;
+        let along = |s: f64| ((c * s + b) * s + a) * s;
+        // B′ along the chord in Bernstein form.
+        let turns = roots_inside(&[a, a + b, a + 2.0 * b + 3.0 * c]);
+        turns
+            .iter()
+            .map(|&s| (along(s) - length).max(-along(s)).max(0.0).powi(2))
+            .fold(0.0, f64::max)
+    }
+}
+
+impl<P: Point> Deviation for CubicDeviation<P> {
+    #[inline]
+    fn start_at(&mut self, t: f64) {
+        let [d1, d2, d3] = self.taylor;
+        self.d = [
+            (d3 * (1.5 * t) + d2) * (2.0 * t) + d1,
+            d3 * (3.0 * t) + d2,
+            d3,
+        ];
+        let [d1, d2, d3] = self.d;
+        (self.a, self.b, self.c) = (d1.cross(d2), d1.cross(d3), d2.cross(d3));
+    }
+
+    #[inline]
+    fn squared(&mut self, h: f64) -> f64 {
+        let [d1, d2, d3] = self.d;
+        let u = d1 + (d2 + d3 * h) * h;
+        let end = d1 + (d2 * 2.0 + d3 * (3.0 * h)) * h;
+        let length = u.dot(u);
+        let (along_start, along_end) = (d1.dot(u), end.dot(u));
+        // The inner control points project into the chord: then so does the piece.
+        let within = 0.0..=3.0 * length;
+        if within.contains(&along_start) && within.contains(&along_end) && length > 0.0 {
+            return self.across_squared(h) / length * self.per_squared_tolerance;
+        }
+        if length > 0.0 {
+            let across = self.across_squared(h) / length;
+            return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
+        }
+        // The chord is a point; the piece is no farther from it than its control points.
+        let farthest = (d1.norm() / 3.0).max((d1 * (2.0 / 3.0) + d2 * (h / 3.0)).norm()) * h;
+        farthest * farthest * self.per_squared_tolerance
+    }
+
+    #[inline]
+    fn guess(&self) -> f64 {
+        // h²|a| / (4|D₁|) = tolerance
+        let bend = self.a.size() / self.d[0].norm() * 0.25;
+        let h = (1.0 / (bend * self.per_squared_tolerance.sqrt())).sqrt();
+        if h > 0.0 { h } else { 1.0 }
+    }
+}
+
+/// The square of the maximum over [0, 1] of |s(1−s)((1−s)·first + s·last)|: exact for parallel vectors, else a close
+/// upper bound.
+#[inline]
+pub(crate) fn greatest_squared<C: Cross>(first: C, last: C) -> f64 {
+    let (large, small) = if first.size_squared() >= last.size_squared() {
+        (first, last)
+    } else {
+        (last, first)
+    };
+    let square = large.size_squared();
+    if square == 0.0 {
+        return 0.0;
+    }
+    let (along, rest) = small.squared_parts(large);
+    // Relative to the larger end: the other is `along` times it, and √rest sideways.
+    let r = along / square;
+    let parallel = lobe(r);
+    if rest == 0.0 {
+        return square * parallel * parallel;
+    }
+    let sideways = rest / square;
+    let apart = parallel * parallel + sideways * LOBE_OF_ONE_END * LOBE_OF_ONE_END;
+    let total = lobe((r * r + sideways).sqrt().min(1.0));
+    square * apart.min(total * total)
+}
+
+/// The maximum of s(1−s)·s, at s = ⅔.
+const LOBE_OF_ONE_END: f64 = 4.0 / 27.0;
+
+/// The maximum over [0, 1] of |s(1−s)((1−s) + r s)| for r in [−1, 1], at s = 1/(2 − r + √(1 − r + r²)).
+#[inline]
+fn lobe(r: f64) -> f64 {
+    let s = 1.0 / (2.0 - r + (1.0 - r + r * r).sqrt());
+    s * (1.0 - s) * ((1.0 - s) + r * s)
+}

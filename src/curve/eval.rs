@@ -1,0 +1,127 @@
+//! Where is the point at t?
+//!
+//! Degrees 1 to 3 weigh their control points with the Bernstein polynomials written out. In [0, 1] the weights are
+//! positive and sum to 1, so nothing cancels and nothing overflows that is not too large itself. Higher degrees use
+//! de Casteljau's algorithm, which the closed forms agree with.
+
+use super::{Curve, Scalars, evaluate_by_casteljau, ratio};
+use crate::error::Error;
+use crate::point::Point;
+
+/// The most numbers that one bulk result may hold: 1 GiB of f64.
+pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;
+
+/// The point at t of the curve with these control points (at least one).
+#[inline]
+pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
+    match *points {
+        [p0, p1] => p0.mix(p1, t),
+        [p0, p1, p2] => weigh3([p0, p1, p2], t),
+        [p0, p1, p2, p3] => weigh4([p0, p1, p2, p3], t),
+        _ => evaluate_by_casteljau(points, t),
+    }
+}
+
+#[inline]
+fn weigh3<P: Point>([p0, p1, p2]: [P; 3], t: f64) -> P {
+    let s = 1.0 - t;
+    p0 * (s * s) + p1 * (2.0 * s * t) + p2 * (t * t)
+}
+
+#[inline]
+fn weigh4<P: Point>([p0, p1, p2, p3]: [P; 4], t: f64) -> P {
+    let s = 1.0 - t;
+    let (ss, tt) = (s * s, t * t);
+    p0 * (ss * s) + p1 * (3.0 * ss * t) + p2 * (3.0 * s * tt) + p3 * (tt * t)
+}
+
+/// The value at t of a polynomial with these Bernstein coefficients (at least one).
+pub(crate) fn evaluate_scalar(coefficients: &[f64], t: f64) -> f64 {
+    let s = 1.0 - t;
+    match *coefficients {
+        [a, b] => a * s + b * t,
+        [a, b, c] => a * (s * s) + b * (2.0 * s * t) + c * (t * t),
+        [a, b, c, d] => {
+            a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t)
+        }
+        _ => {
+            let mut row = Scalars::from_slice(coefficients);
+            for last in (1..row.len()).rev() {
+                for i in 0..last {
+                    row[i] = row[i] * s + row[i + 1] * t;
+                }
+            }
+            row[0]
+        }
+    }
+}
+
+impl<P: Point> Curve<P> {
+    /// The point B(t).
+    ///
+    /// t in [0, 1] runs along the curve, other values extrapolate; the end points come back exactly. Agrees with de
+    /// Casteljau's algorithm to 2 ulps of the largest coordinate. Source: Farin, *Curves and Surfaces for CAGD*,
+    /// 5th ed., §4.2 and §5.1.
+    #[inline]
+    pub fn eval(&self, t: f64) -> P {
+        evaluate(&self.points, t)
+    }
+
+    /// `segments` + 1 points at t = i / `segments`, both ends included.
+    ///
+    /// Even steps of t are not even steps along the curve.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
+    pub fn sample(&self, segments: usize) -> Result<Vec<P>, Error> {
+        check_segments(segments, P::DIMENSION)?;
+        let mut points = vec![P::default(); segments + 1];
+        self.sample_into(&mut points);
+        Ok(points)
+    }
+
+    /// As [`sample`](Self::sample), into a buffer: its length less one is the number of segments. Nothing is written
+    /// into an empty buffer; a buffer of one gets the start.
+    pub fn sample_into(&self, out: &mut [P]) {
+        let segments = out.len().saturating_sub(1);
+        match *self.points {
+            [p0, p1, p2] => fill(out, segments, |t| weigh3([p0, p1, p2], t)),
+            [p0, p1, p2, p3] => fill(out, segments, |t| weigh4([p0, p1, p2, p3], t)),
+            _ => fill(out, segments, |t| self.eval(t)),
+        }
+    }
+
+    /// The points at the given parameters.
+    pub fn eval_at(&self, ts: &[f64]) -> Vec<P> {
+        ts.iter().map(|&t| self.eval(t)).collect()
+    }
+}
+
+#[inline]
+fn fill<P: Point>(out: &mut [P], segments: usize, eval: impl Fn(f64) -> P) {
+    // i / n, not a running sum, so that the last t is 1.
+    for (i, point) in out.iter_mut().enumerate() {
+        *point = eval(ratio(i, segments.max(1)));
+    }
+}
+
+/// Refuses 0 segments, and more than the limit on output allows.
+pub(crate) fn check_segments(segments: usize, dimension: usize) -> Result<(), Error> {
+    let limit = MAX_OUTPUT_F64 / dimension - 1;
+    if segments < 1 {
+        return Err(Error::Range {
+            what: "segments",
+            expected: "a whole number from 1",
+            got: 0.0,
+        });
+    }
+    if segments > limit {
+        Err(Error::TooMany {
+            what: "segments",
+            limit,
+            needed: segments,
+        })
+    } else {
+        Ok(())
+    }
+}

@@ -1,0 +1,232 @@
+//! Which polyline is close enough?
+//!
+//! Flattening replaces a curve by chords. A tolerance promises that no point of the curve is farther from the
+//! polyline than that; it costs about √(size / tolerance) chords. The walk here takes, from each vertex, a chord that
+//! is nearly as long as the tolerance allows: the greatest distance of the piece from its chord is known in closed
+//! form up to degree 3 (see `deviation`) and bounded closely above (see `flatten_any`), so a guess is corrected
+//! once or twice and then kept. Uneven curvature, inflections, cusps and turn-backs need no cases of their own.
+
+use super::deviation::CubicDeviation;
+use super::flatten_any::PieceDeviation;
+use super::{Curve, check_tolerance, ulp};
+use crate::error::Error;
+use crate::point::Point;
+
+/// The most vertices that flattening returns.
+pub(crate) const MAX_VERTICES: usize = 1 << 24;
+
+/// A chord is kept when its squared deviation, as a part of the squared tolerance, lies between these. The lower
+/// bound holds the number of chords to 1.1 times the fewest: chords grow with the square root of the deviation.
+const KEPT_FROM: f64 = 0.83;
+const AIMED_AT: f64 = 0.93;
+
+/// Corrections of one chord before the best safe one is taken.
+const MOST_CORRECTIONS: usize = 8;
+
+/// Outside of this range of coordinates, squares of products leave the range of f64 and a scaled copy is measured.
+const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
+
+/// A polyline on a curve.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polyline<P> {
+    /// The vertices: the curve's start, points of the curve, its end.
+    pub points: Vec<P>,
+    /// The parameters of the vertices: 0, increasing, 1.
+    pub ts: Vec<f64>,
+}
+
+/// What the walk asks of a curve.
+pub(crate) trait Deviation {
+    /// Prepares for chords that start at `t`.
+    fn start_at(&mut self, t: f64);
+    /// (greatest distance of the piece from its chord / tolerance)², or a close upper bound, for a step `h`.
+    fn squared(&mut self, h: f64) -> f64;
+    /// A first step to try.
+    fn guess(&self) -> f64;
+}
+
+impl<P: Point> Curve<P> {
+    /// A polyline from which the curve is nowhere farther than `tolerance`, in the input's unit.
+    ///
+    /// The number of chords is at most one more, or a tenth more, than the fewest by longest-chord search. The first
+    /// and the last vertex are the end points; where a straight curve turns back there is a vertex (unless a vertex
+    /// lies within the tolerance of it). A curve that is a point gives that point twice. Source of the distance: the
+    /// cubic relative to its chord is s(1−s) times a linear function; see Filip, Magedson and Markot, "Surface
+    /// algorithms using bounds on derivatives", CAGD 3 (1986), for bounds of this kind.
+    ///
+    /// # Errors
+    /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
+    /// coordinate, [`Error::TooMany`] above 2²⁴ vertices.
+    pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
+        self.check_flatten(tolerance)?;
+        let mut line = Polyline::default();
+        self.walk(tolerance, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
+        Ok(line)
+    }
+
+    /// As [`flatten`](Self::flatten), handing each vertex to `vertex` instead of collecting them.
+    ///
+    /// # Errors
+    /// As `flatten`; the limit is checked before the first vertex.
+    pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
+        self.check_flatten(tolerance)?;
+        self.walk(tolerance, vertex)
+    }
+
+    /// Refuses what would fail, before anything is allocated.
+    fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        if self.chords_by_wang(tolerance) > MAX_VERTICES as f64 {
+            // A safe bound, often far too high: count before refusing.
+            self.walk(tolerance, |_, _| ())?;
+        }
+        Ok(())
+    }
+
+    /// Enough even steps of t for a tolerance: √(n(n−1)/8 · max|Δ²P| / tolerance) (Wang, 1984).
+    pub(crate) fn chords_by_wang(&self, tolerance: f64) -> f64 {
+        let n = self.degree() as f64;
+        let second = |w: &[P]| (w[0] - w[1]).norm() + (w[2] - w[1]).norm();
+        let bend = self.points.windows(3).map(second).fold(0.0, f64::max);
+        (n * (n - 1.0) / 8.0 * (bend / tolerance)).sqrt()
+    }
+
+    fn walk(&self, tolerance: f64, mut vertex: impl FnMut(f64, P)) -> Result<(), Error> {
+        vertex(0.0, self.start());
+        if let Some(ts) = self.turns_of_straight(tolerance) {
+            ts.iter().for_each(|&t| vertex(t, self.eval(t)));
+            vertex(1.0, self.end());
+            return Ok(());
+        }
+        let mut inside = |t: f64| vertex(t, if t == 1.0 { self.end() } else { self.eval(t) });
+        let size = self.max_abs();
+        // Rounding of a vertex takes its share of the tolerance first.
+        let budget = tolerance - 2.0 * ulp(size);
+        if PLAIN_RANGE.contains(&size) {
+            walk_points(&self.points, budget, &mut inside)
+        } else {
+            let scaled: super::Points<P> = self.points.iter().map(|&p| p / size).collect();
+            walk_points(&scaled, budget / size, &mut inside)
+        }
+    }
+
+    /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
+    fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
+        let noise = 2.0 * ulp(self.max_abs());
+        let (start, end) = (self.start(), self.end());
+        let farthest = |p: P, q: P| {
+            if (q - start).max_abs() > (p - start).max_abs() {
+                q
+            } else {
+                p
+            }
+        };
+        let direction = (self.points.iter().fold(end, |p, &q| farthest(p, q)) - start).unit();
+        let across = |p: P| ((p - start) - direction * (p - start).dot(direction)).max_abs();
+        if self.points.iter().any(|&p| across(p) > noise) {
+            return None;
+        }
+        // Along the line only one coordinate is needed: the one that varies most.
+        let axis = (0..P::DIMENSION).max_by(|&a, &b| {
+            direction
+                .coordinate(a)
+                .abs()
+                .total_cmp(&direction.coordinate(b).abs())
+        })?;
+        let mut kept = Vec::new();
+        let mut last = start;
+        for t in self.extrema_on(axis) {
+            let turn = self.eval(t);
+            if (turn - last).norm() > tolerance && (turn - end).norm() > tolerance {
+                kept.push(t);
+                last = turn;
+            }
+        }
+        Some(kept)
+    }
+}
+
+fn walk_points<P: Point>(
+    points: &[P],
+    tolerance: f64,
+    vertex: &mut impl FnMut(f64),
+) -> Result<(), Error> {
+    if points.len() <= 4 {
+        walk_chords(&mut CubicDeviation::new(points, tolerance), vertex)
+    } else {
+        walk_chords(&mut PieceDeviation::new(points, tolerance), vertex)
+    }
+}
+
+/// From vertex to vertex until t = 1.
+fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> Result<(), Error> {
+    let mut t = 0.0;
+    let (mut previous, mut step): (f64, f64) = (0.0, 0.0);
+    for _ in 0..MAX_VERTICES - 1 {
+        deviation.start_at(t);
+        // The change of the last two steps goes on, within reason.
+        let guess = if previous > 0.0 {
+            step * (step / previous).clamp(0.5, 2.0)
+        } else {
+            deviation.guess()
+        };
+        previous = step;
+        step = longest_step(deviation, guess, 1.0 - t);
+        let next = if step >= 1.0 - t {
+            1.0
+        } else {
+            (t + step).max(t.next_up())
+        };
+        t = next;
+        vertex(t);
+        if t >= 1.0 {
+            return Ok(());
+        }
+    }
+    Err(Error::TooMany {
+        what: "vertices",
+        limit: MAX_VERTICES,
+        needed: MAX_VERTICES + 1,
+    })
+}
+
+/// A step that keeps the tolerance and uses most of it, or the whole rest.
+fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
+    let mut h = if guess < rest { guess } else { rest };
+    let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
+    for correction in 0.. {
+        let squared = deviation.squared(h);
+        if squared <= 1.0 {
+            if squared >= KEPT_FROM || h >= rest {
+                return h;
+            }
+            safe = h;
+        } else {
+            unsafe_from = h;
+        }
+        if (correction >= MOST_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
+            break;
+        }
+        h = correct(h, squared, safe, unsafe_from).min(rest);
+    }
+    safe
+}
+
+/// The next step to try, from the last one and its squared deviation, strictly between a safe one and one that fails.
+fn correct(h: f64, squared: f64, safe: f64, unsafe_from: f64) -> f64 {
+    // The deviation grows with h², its square with h⁴.
+    let factor = (AIMED_AT / squared).sqrt().sqrt();
+    let next = h * if factor.is_nan() {
+        0.5
+    } else {
+        factor.clamp(0.01, 4.0)
+    };
+    if next > safe && next < unsafe_from {
+        next
+    } else {
+        0.5 * (safe + unsafe_from)
+    }
+}

@@ -1,0 +1,93 @@
+//! How far is a piece of a curve of any degree from its chord?
+//!
+//! Relative to its chord a piece has control points fᵢ with f₀ = fₙ = 0, so it is s(1−s) Σ gᵢ Bᵢⁿ⁻²(s) with
+//! gᵢ = n(n−1) / ((i+1)(n−1−i)) · fᵢ₊₁. As the piece gets shorter the gᵢ approach a linear function; the bound is the
+//! exact maximum for that linear function plus what the gᵢ differ from it.
+
+use super::casteljau::blossom_piece;
+use super::deviation::greatest_squared;
+use super::flatten::Deviation;
+use super::roots::roots_inside;
+use super::{Points, Scalars, evaluate_scalar, ratio};
+use crate::point::{Cross, Point};
+
+/// [`Deviation`] of a curve of degree 2 to 64.
+pub(crate) struct PieceDeviation<P: Point> {
+    points: Points<P>,
+    start: f64,
+    tolerance: f64,
+}
+
+impl<P: Point> PieceDeviation<P> {
+    /// `points`: control points of moderate size.
+    pub(crate) fn new(points: &[P], tolerance: f64) -> Self {
+        Self {
+            points: Points::from_slice(points),
+            start: 0.0,
+            tolerance,
+        }
+    }
+
+    /// The greatest distance of the piece from the line through its chord; `direction` has length 1.
+    fn across(piece: &[P], direction: P) -> f64 {
+        let n = piece.len() - 1;
+        let bend = |i: usize| {
+            let factor = ratio(n * (n - 1), (i + 1) * (n - 1 - i));
+            direction.cross(piece[i + 1] - piece[0]) * factor
+        };
+        let (first, last) = (bend(0), bend(n - 2));
+        let beside_linear = |i: usize| {
+            let s = ratio(i, (n - 2).max(1));
+            (bend(i) + (first * (1.0 - s) + last * s) * -1.0).size()
+        };
+        greatest_squared(first, last).sqrt()
+            + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
+    }
+
+    /// How far the piece runs past the ends of its chord.
+    fn overshoot(piece: &[P], direction: P, length: f64) -> f64 {
+        let along: Scalars = piece
+            .iter()
+            .map(|&p| (p - piece[0]).dot(direction))
+            .collect();
+        if along.iter().all(|a| (0.0..=length).contains(a)) {
+            return 0.0;
+        }
+        let slopes: Scalars = along.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let past = |&s: &f64| {
+            let a = evaluate_scalar(&along, s);
+            (a - length).max(-a).max(0.0)
+        };
+        roots_inside(&slopes).iter().map(past).fold(0.0, f64::max)
+    }
+}
+
+impl<P: Point> Deviation for PieceDeviation<P> {
+    fn start_at(&mut self, t: f64) {
+        self.start = t;
+    }
+
+    fn squared(&mut self, h: f64) -> f64 {
+        let mut piece = self.points.clone();
+        blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
+        let chord = piece[piece.len() - 1] - piece[0];
+        let direction = chord.unit();
+        let distance = if direction == P::default() {
+            piece
+                .iter()
+                .map(|&p| (p - piece[0]).norm())
+                .fold(0.0, f64::max)
+        } else {
+            Self::across(&piece, direction).hypot(Self::overshoot(&piece, direction, chord.norm()))
+        };
+        (distance / self.tolerance).powi(2)
+    }
+
+    fn guess(&self) -> f64 {
+        // The whole curve's second differences, as if they were those of the start.
+        let n = ratio(self.points.len() - 1, 1);
+        let second = |w: &[P]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
+        let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
+        (8.0 * self.tolerance / bend).sqrt().min(1.0)
+    }
+}

@@ -1,0 +1,97 @@
+//! Handing a curve to something that draws lines, quadratics and cubics.
+
+use super::{Curve, Points, ratio};
+use crate::error::Error;
+use glam::DVec2;
+
+/// What draws: an HTML canvas, a path builder, a plotter.
+pub trait Pen {
+    /// Lifts the pen and puts it down at `p`.
+    fn move_to(&mut self, p: DVec2);
+    /// Draws a line to `p`.
+    fn line_to(&mut self, p: DVec2);
+    /// Draws a quadratic Bézier curve to `p`.
+    fn quad_to(&mut self, p1: DVec2, p: DVec2);
+    /// Draws a cubic Bézier curve to `p`.
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2);
+    /// Closes the figure.
+    fn close(&mut self);
+}
+
+impl Curve<DVec2> {
+    /// Draws the curve with `pen`, from a `move_to` its start.
+    ///
+    /// Degrees 1 to 3 go out as they are. Higher degrees become cubics with the same end tangents, none farther from
+    /// the curve than `tolerance` (by default 10⁻⁴ of the diagonal of the control points' box).
+    ///
+    /// # Errors
+    /// As [`flatten`](Self::flatten) for the tolerance.
+    pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
+        self.check_trace(tolerance)?;
+        pen.move_to(self.start());
+        self.trace_on(pen, tolerance);
+        Ok(())
+    }
+
+    /// Refuses a tolerance that cannot be kept.
+    pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
+        tolerance.map_or(Ok(()), |tolerance| {
+            super::check_tolerance(tolerance, self.max_abs())
+        })
+    }
+
+    /// Draws on from where the pen is.
+    pub(crate) fn trace_on(&self, pen: &mut impl Pen, tolerance: Option<f64>) {
+        match *self.points {
+            [_, p1] => pen.line_to(p1),
+            [_, p1, p2] => pen.quad_to(p1, p2),
+            [_, p1, p2, p3] => pen.cubic_to(p1, p2, p3),
+            _ => {
+                let default = || 1e-4 * self.control_bounds().diagonal();
+                self.trace_cubics(pen, tolerance.unwrap_or_else(default), MOST_HALVINGS);
+            }
+        }
+    }
+
+    /// Halves until a cubic fits.
+    fn trace_cubics(&self, pen: &mut impl Pen, tolerance: f64, halvings: usize) {
+        let cubic = self.cubic_of_same_tangents();
+        if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
+            pen.cubic_to(cubic[1], cubic[2], cubic[3]);
+            return;
+        }
+        let (left, right) = self.halve();
+        left.trace_cubics(pen, tolerance, halvings - 1);
+        right.trace_cubics(pen, tolerance, halvings - 1);
+    }
+
+    /// The cubic with the same ends and the same derivatives there.
+    fn cubic_of_same_tangents(&self) -> [DVec2; 4] {
+        let n = self.degree();
+        let reach = ratio(n, 3);
+        let (start, end) = (self.start(), self.end());
+        let (p1, p2) = (self.points[1], self.points[n - 1]);
+        [
+            start,
+            start + (p1 - start) * reach,
+            end + (p2 - end) * reach,
+            end,
+        ]
+    }
+
+    /// A bound on the distance to a cubic: the greatest one between control points at equal degree.
+    fn distance_of_controls(&self, cubic: &[DVec2; 4]) -> f64 {
+        let mut raised = Self::from_points(Points::from_buf(*cubic));
+        while raised.degree() < self.degree() {
+            raised = raised.elevated();
+        }
+        self.points
+            .iter()
+            .zip(&raised.points)
+            .map(|(&a, &b)| (a - b).length())
+            .fold(0.0, f64::max)
+    }
+}
+
+/// The cubic's error falls by 16 with each halving: 13 exhaust the 52 bits of f64.
+const MOST_HALVINGS: usize = 13;

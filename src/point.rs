@@ -1,0 +1,251 @@
+//! What curves need of a point: the sealed trait [`Point`] for `DVec2` and `DVec3`.
+
+use glam::{DAffine2, DAffine3, DVec2, DVec3};
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for glam::DVec2 {}
+    impl Sealed for glam::DVec3 {}
+}
+
+/// A point or a vector in the plane or in space: glam's `DVec2` or `DVec3`, and nothing else.
+pub trait Point:
+    sealed::Sealed
+    + Copy
+    + Debug
+    + Default
+    + PartialEq
+    + bytemuck::Pod
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// 2 or 3.
+    const DIMENSION: usize;
+    /// The affine maps of this space.
+    type Affine: Copy + Debug;
+    /// A×B: the signed area in the plane (a number), the vector product in space.
+    type Cross: Cross;
+
+    /// One coordinate: 0 is x, 1 is y, 2 is z.
+    fn coordinate(self, axis: usize) -> f64;
+    /// This point with one coordinate replaced.
+    #[must_use]
+    fn with_coordinate(self, axis: usize, value: f64) -> Self;
+    /// The scalar product.
+    fn dot(self, other: Self) -> f64;
+    /// The cross product.
+    fn cross(self, other: Self) -> Self::Cross;
+    /// The largest absolute coordinate.
+    fn max_abs(self) -> f64;
+    /// The smaller of each coordinate.
+    fn min(self, other: Self) -> Self;
+    /// The larger of each coordinate.
+    fn max(self, other: Self) -> Self;
+    /// The image of this point under an affine map.
+    fn transform(self, map: &Self::Affine) -> Self;
+    /// The tangent turned into a normal: by +90° in the plane; in space the unit part of `bend` that is perpendicular
+    /// to it (zero if there is none).
+    fn normal_of(tangent: Self, bend: Self) -> Self;
+
+    /// (1 − t)·self + t·other, which is exact at both ends and cannot overflow for t in [0, 1].
+    #[inline]
+    fn mix(self, other: Self, t: f64) -> Self {
+        self * (1.0 - t) + other * t
+    }
+
+    /// The Euclidean length; it neither overflows nor vanishes before the true value does.
+    #[inline]
+    fn norm(self) -> f64 {
+        let square = self.dot(self);
+        if (1e-280..1e280).contains(&square) {
+            return square.sqrt();
+        }
+        let scale = self.max_abs();
+        if scale == 0.0 {
+            return 0.0;
+        }
+        let unit = self / scale;
+        unit.dot(unit).sqrt() * scale
+    }
+
+    /// The vector of length 1 in this direction; zero for the zero vector.
+    #[inline]
+    fn unit(self) -> Self {
+        let scale = self.max_abs();
+        if scale == 0.0 {
+            return Self::default();
+        }
+        let direction = self / scale;
+        direction / direction.dot(direction).sqrt()
+    }
+
+    /// Whether every coordinate is finite.
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.max_abs().is_finite()
+    }
+}
+
+/// The result of a cross product, of which the algorithms only need the size and linear combinations.
+pub trait Cross: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
+    /// The size: absolute value or length.
+    fn size(self) -> f64;
+    /// The curvature numerator that is reported: signed in the plane, not negative in space.
+    fn curvature_sign(self) -> f64;
+    /// The square of the size.
+    fn size_squared(self) -> f64;
+    /// The scalar product with `other`, and the square of the part that is perpendicular to it (for |other| > 0).
+    fn squared_parts(self, other: Self) -> (f64, f64);
+}
+
+impl Cross for f64 {
+    #[inline]
+    fn size(self) -> f64 {
+        self.abs()
+    }
+    #[inline]
+    fn curvature_sign(self) -> f64 {
+        if self < 0.0 { -1.0 } else { 1.0 }
+    }
+    #[inline]
+    fn size_squared(self) -> f64 {
+        self * self
+    }
+    #[inline]
+    fn squared_parts(self, other: Self) -> (f64, f64) {
+        (self * other, 0.0)
+    }
+}
+
+impl Cross for DVec3 {
+    #[inline]
+    fn size(self) -> f64 {
+        self.norm()
+    }
+    #[inline]
+    fn curvature_sign(self) -> f64 {
+        1.0
+    }
+    #[inline]
+    fn size_squared(self) -> f64 {
+        self.length_squared()
+    }
+    #[inline]
+    fn squared_parts(self, other: Self) -> (f64, f64) {
+        let along = self.dot(other);
+        (
+            along,
+            (self - other * (along / other.length_squared())).length_squared(),
+        )
+    }
+}
+
+impl Point for DVec2 {
+    const DIMENSION: usize = 2;
+    type Affine = DAffine2;
+    type Cross = f64;
+
+    #[inline]
+    fn coordinate(self, axis: usize) -> f64 {
+        if axis == 0 { self.x } else { self.y }
+    }
+    #[inline]
+    fn with_coordinate(self, axis: usize, value: f64) -> Self {
+        if axis == 0 {
+            Self::new(value, self.y)
+        } else {
+            Self::new(self.x, value)
+        }
+    }
+    #[inline]
+    fn dot(self, other: Self) -> f64 {
+        self.x * other.x + self.y * other.y
+    }
+    #[inline]
+    fn cross(self, other: Self) -> f64 {
+        self.perp_dot(other)
+    }
+    #[inline]
+    fn max_abs(self) -> f64 {
+        nan_max(self.x.abs(), self.y.abs())
+    }
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        DVec2::min(self, other)
+    }
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        DVec2::max(self, other)
+    }
+    #[inline]
+    fn transform(self, map: &DAffine2) -> Self {
+        map.transform_point2(self)
+    }
+    #[inline]
+    fn normal_of(tangent: Self, _bend: Self) -> Self {
+        // 0 − y, so that a zero tangent does not become a normal of −0.
+        DVec2::new(0.0 - tangent.y, tangent.x)
+    }
+}
+
+impl Point for DVec3 {
+    const DIMENSION: usize = 3;
+    type Affine = DAffine3;
+    type Cross = DVec3;
+
+    #[inline]
+    fn coordinate(self, axis: usize) -> f64 {
+        match axis {
+            0 => self.x,
+            1 => self.y,
+            _ => self.z,
+        }
+    }
+    #[inline]
+    fn with_coordinate(mut self, axis: usize, value: f64) -> Self {
+        self[axis.min(2)] = value;
+        self
+    }
+    #[inline]
+    fn dot(self, other: Self) -> f64 {
+        DVec3::dot(self, other)
+    }
+    #[inline]
+    fn cross(self, other: Self) -> DVec3 {
+        DVec3::cross(self, other)
+    }
+    #[inline]
+    fn max_abs(self) -> f64 {
+        nan_max(nan_max(self.x.abs(), self.y.abs()), self.z.abs())
+    }
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        DVec3::min(self, other)
+    }
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        DVec3::max(self, other)
+    }
+    #[inline]
+    fn transform(self, map: &DAffine3) -> Self {
+        map.transform_point3(self)
+    }
+    #[inline]
+    fn normal_of(tangent: Self, bend: Self) -> Self {
+        let direction = bend.unit();
+        (direction - tangent * direction.dot(tangent)).unit()
+    }
+}
+
+/// The larger of two numbers, NaN if either is NaN (f64::max would hide it).
+#[inline]
+fn nan_max(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
