@@ -11,5 +11,10 @@ pub(crate) fn bench(args: &[String]) -> Result<()> {
     } else {
         println!("benches/js/run.js does not exist yet");
     }
-    shell::run(&mut shell::cargo(&["bench", "--package", "casteljau", "--benches"]))
+    shell::run(&mut shell::cargo(&[
+        "bench",
+        "--package",
+        "casteljau",
+        "--benches",
+    ]))
 }

@@ -6,7 +6,12 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+const BROWSERS: [&str; 4] = [
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+];
 const DRIVERS: [&str; 2] = ["chromedriver", "chromium.chromedriver"];
 const MAC_CHROME: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
@@ -33,32 +38,47 @@ pub(crate) fn find() -> Result<Browser> {
     if let Some(browser) = found() {
         return Ok(browser);
     }
-    if can_apt() && apt().is_ok()
+    if can_apt()
+        && apt().is_ok()
         && let Some(browser) = found()
     {
         return Ok(browser);
     }
     if let Some(chrome) = playwright() {
-        return Ok(Browser { chrome, driver: driver() });
+        return Ok(Browser {
+            chrome,
+            driver: driver(),
+        });
     }
-    bail!("no browser: install Chromium and its driver (Debian: apt-get install chromium chromium-driver), or set CHROME_PATH")
+    bail!(
+        "no browser: install Chromium and its driver (Debian: apt-get install chromium chromium-driver), or set CHROME_PATH"
+    )
 }
 
 fn found() -> Option<Browser> {
     let given = env::var_os("CHROME_PATH").map(PathBuf::from);
     let mac = Some(PathBuf::from(MAC_CHROME)).filter(|path| path.exists());
     let chrome = given.or_else(|| on_path(&BROWSERS)).or(mac)?;
-    Some(Browser { chrome, driver: driver() })
+    Some(Browser {
+        chrome,
+        driver: driver(),
+    })
 }
 
 fn driver() -> Option<PathBuf> {
-    env::var_os("CHROMEDRIVER").map(PathBuf::from).or_else(|| on_path(&DRIVERS))
+    env::var_os("CHROMEDRIVER")
+        .map(PathBuf::from)
+        .or_else(|| on_path(&DRIVERS))
 }
 
 fn on_path(names: &[&str]) -> Option<PathBuf> {
     let folders = env::split_paths(&env::var_os("PATH")?).collect::<Vec<_>>();
-    let candidates = names.iter().flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
-    candidates.map(|path| path.with_extension(env::consts::EXE_EXTENSION)).find(|path| path.is_file())
+    let candidates = names
+        .iter()
+        .flat_map(|name| folders.iter().map(move |folder| folder.join(name)));
+    candidates
+        .map(|path| path.with_extension(env::consts::EXE_EXTENSION))
+        .find(|path| path.is_file())
 }
 
 fn can_apt() -> bool {
@@ -73,7 +93,13 @@ fn apt() -> Result<()> {
     };
     apt(&["update"])?;
     // Ubuntu has no chromium-driver; its chromium-browser is a snap that may not run as root in a container.
-    apt(&["install", "-y", "--no-install-recommends", "chromium", "chromium-driver"])
+    apt(&[
+        "install",
+        "-y",
+        "--no-install-recommends",
+        "chromium",
+        "chromium-driver",
+    ])
 }
 
 /// Downloads the Chromium that belongs to the pinned playwright-core, and asks where it is.
@@ -90,7 +116,8 @@ fn playwright() -> Option<PathBuf> {
 pub(crate) fn driver_settings(browser: &Browser) -> Result<PathBuf> {
     let path = shell::target_dir().join("webdriver.json");
     let chrome = browser.chrome.to_string_lossy();
-    let json = format!("{{\"goog:chromeOptions\": {{\"binary\": {chrome:?}, \"args\": {FLAGS:?}}}}}\n");
+    let json =
+        format!("{{\"goog:chromeOptions\": {{\"binary\": {chrome:?}, \"args\": {FLAGS:?}}}}}\n");
     fs::write(&path, json)?;
     Ok(path)
 }

@@ -18,12 +18,31 @@ pub(crate) fn build() -> Result<()> {
 
 /// js/glue: the bindings and the optimised module.
 fn bindings() -> Result<()> {
-    let release = ["build", "--quiet", "--lib", "--release", "--target", "wasm32-unknown-unknown", "--features", "wasm"];
+    let release = [
+        "build",
+        "--quiet",
+        "--lib",
+        "--release",
+        "--target",
+        "wasm32-unknown-unknown",
+        "--features",
+        "wasm",
+    ];
     shell::run(&mut shell::cargo(&release))?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/release/casteljau.wasm");
-    let names = ["casteljau.js", "casteljau.d.ts", "casteljau.wasm", "core.js", "bytes.js"];
+    let names = [
+        "casteljau.js",
+        "casteljau.d.ts",
+        "casteljau.wasm",
+        "core.js",
+        "bytes.js",
+    ];
     let outputs = names.map(|name| glue::folder().join(name));
-    let work = Work { name: "glue", inputs: std::slice::from_ref(&compiled), outputs: &outputs };
+    let work = Work {
+        name: "glue",
+        inputs: std::slice::from_ref(&compiled),
+        outputs: &outputs,
+    };
     stamp::unless_current(&work, || glue::generate(&compiled))
 }
 
@@ -31,31 +50,66 @@ fn bindings() -> Result<()> {
 fn bundles() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("js"));
-    inputs.extend(["xtask/bundle.js", "package.json", "package-lock.json"].map(|name| root.join(name)));
-    let names = ["index.js", "slim.js", "applet.js", "bezier-app.js", "casteljau.wasm"];
+    inputs.extend(
+        ["xtask/bundle.js", "package.json", "package-lock.json"].map(|name| root.join(name)),
+    );
+    let names = [
+        "index.js",
+        "slim.js",
+        "applet.js",
+        "bezier-app.js",
+        "casteljau.wasm",
+    ];
     let outputs = names.map(|name| root.join("dist").join(name));
-    stamp::unless_current(&Work { name: "bundles", inputs: &inputs, outputs: &outputs }, || {
-        fs::create_dir_all(root.join("dist"))?;
-        shell::run(&mut shell::node(&["xtask/bundle.js"]))?;
-        fs::copy(glue::folder().join("casteljau.wasm"), root.join("dist/casteljau.wasm"))?;
-        Ok(())
-    })
+    stamp::unless_current(
+        &Work {
+            name: "bundles",
+            inputs: &inputs,
+            outputs: &outputs,
+        },
+        || {
+            fs::create_dir_all(root.join("dist"))?;
+            shell::run(&mut shell::node(&["xtask/bundle.js"]))?;
+            fs::copy(
+                glue::folder().join("casteljau.wasm"),
+                root.join("dist/casteljau.wasm"),
+            )?;
+            Ok(())
+        },
+    )
 }
 
 /// dist/types, derived from the JSDoc of js/; a type error fails the build.
 fn types() -> Result<()> {
     let root = shell::root();
-    let bytes = [glue::folder().join("bytes.js"), glue::folder().join("casteljau.wasm")];
+    let bytes = [
+        glue::folder().join("bytes.js"),
+        glue::folder().join("casteljau.wasm"),
+    ];
     let mut inputs: Vec<PathBuf> = files_below(&root.join("js"));
     inputs.retain(|path| !bytes.contains(path)); // no types depend on them
     inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
-    let outputs = [root.join("dist/types/index.d.ts"), root.join("dist/types/applet/classic.d.ts")];
-    stamp::unless_current(&Work { name: "types", inputs: &inputs, outputs: &outputs }, || {
-        if root.join("dist/types").exists() {
-            fs::remove_dir_all(root.join("dist/types"))?; // no declaration of a file that is gone
-        }
-        shell::run(&mut shell::node(&["node_modules/typescript/bin/tsc", "--project", "tsconfig.json"]))
-    })
+    let outputs = [
+        root.join("dist/types/index.d.ts"),
+        root.join("dist/types/applet/classic.d.ts"),
+    ];
+    stamp::unless_current(
+        &Work {
+            name: "types",
+            inputs: &inputs,
+            outputs: &outputs,
+        },
+        || {
+            if root.join("dist/types").exists() {
+                fs::remove_dir_all(root.join("dist/types"))?; // no declaration of a file that is gone
+            }
+            shell::run(&mut shell::node(&[
+                "node_modules/typescript/bin/tsc",
+                "--project",
+                "tsconfig.json",
+            ]))
+        },
+    )
 }
 
 /// The static site, with relative URLs, in site/.
@@ -63,11 +117,22 @@ pub(crate) fn site() -> Result<()> {
     build()?;
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
-    inputs.extend(["index.js", "applet.js", "bezier-app.js"].map(|name| root.join("dist").join(name)));
+    inputs.extend(
+        ["index.js", "applet.js", "bezier-app.js"].map(|name| root.join("dist").join(name)),
+    );
     inputs.push(root.join("package-lock.json"));
-    let work = Work { name: "site", inputs: &inputs, outputs: &[root.join("site/index.html")] };
+    let work = Work {
+        name: "site",
+        inputs: &inputs,
+        outputs: &[root.join("site/index.html")],
+    };
     let _alone = stamp::lock()?;
     stamp::unless_current(&work, || {
-        shell::run(&mut shell::node(&["node_modules/vite/bin/vite.js", "build", "--config", "www/vite.config.js"]))
+        shell::run(&mut shell::node(&[
+            "node_modules/vite/bin/vite.js",
+            "build",
+            "--config",
+            "www/vite.config.js",
+        ]))
     })
 }

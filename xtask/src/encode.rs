@@ -31,7 +31,10 @@ pub(crate) fn encode(bytes: &[u8]) -> Encoded {
             text.push(char::from(ALPHABET[index % ALPHABET.len()]));
         }
     }
-    Encoded { frequent: frequent.to_vec(), text }
+    Encoded {
+        frequent: frequent.to_vec(),
+        text,
+    }
 }
 
 /// All byte values, the most frequent first; equal counts in ascending order, so that builds repeat.
@@ -65,14 +68,24 @@ mod tests {
 
     /// The decoder of `js/decode.js`, written again from the description.
     fn decode(encoded: &Encoded) -> Vec<u8> {
-        let rank = |c: u8| ALPHABET.iter().position(|&a| a == c).expect("a character of the alphabet");
-        let rest: Vec<u8> = (0..=u8::MAX).filter(|b| !encoded.frequent.contains(b)).collect();
+        let rank = |c: u8| {
+            ALPHABET
+                .iter()
+                .position(|&a| a == c)
+                .expect("a character of the alphabet")
+        };
+        let rest: Vec<u8> = (0..=u8::MAX)
+            .filter(|b| !encoded.frequent.contains(b))
+            .collect();
         let mut characters = encoded.text.bytes();
         let mut bytes = Vec::new();
         while let Some(c) = characters.next() {
             bytes.push(match rank(c) {
                 r if r < SINGLES => encoded.frequent[r],
-                r => rest[(r - SINGLES) * ALPHABET.len() + rank(characters.next().expect("a second character"))],
+                r => {
+                    rest[(r - SINGLES) * ALPHABET.len()
+                        + rank(characters.next().expect("a second character"))]
+                }
             });
         }
         bytes
@@ -80,7 +93,10 @@ mod tests {
 
     #[test]
     fn every_byte_value_survives() {
-        let all: Vec<u8> = (0..=u8::MAX).chain((0..=u8::MAX).rev()).chain([7; 1000]).collect();
+        let all: Vec<u8> = (0..=u8::MAX)
+            .chain((0..=u8::MAX).rev())
+            .chain([7; 1000])
+            .collect();
         assert_eq!(decode(&encode(&all)), all);
     }
 
@@ -97,7 +113,11 @@ mod tests {
 
     #[test]
     fn no_character_needs_an_escape() {
-        assert!(ALPHABET.iter().all(|c| c.is_ascii_graphic() && !b"\"'`\\<$".contains(c)));
+        assert!(
+            ALPHABET
+                .iter()
+                .all(|c| c.is_ascii_graphic() && !b"\"'`\\<$".contains(c))
+        );
         let mut sorted = ALPHABET.to_vec();
         sorted.sort_unstable();
         sorted.dedup();

@@ -6,6 +6,10 @@ use anyhow::Result;
 /// Runs until it is stopped; further arguments go to Vite (`--port 8080`).
 pub(crate) fn serve(args: &[String]) -> Result<()> {
     build::build()?;
-    let vite = ["node_modules/vite/bin/vite.js", "--config", "www/vite.config.js"];
+    let vite = [
+        "node_modules/vite/bin/vite.js",
+        "--config",
+        "www/vite.config.js",
+    ];
     shell::run(shell::node(&vite).args(args))
 }

@@ -14,18 +14,28 @@ const LEAST_NODE: (u32, u32) = (20, 19);
 pub(crate) fn wasm_target() -> Result<()> {
     let sysroot = shell::output_of(&mut shell::command("rustc", &["--print", "sysroot"]));
     let sysroot = sysroot.context("rustc does not run: install Rust from https://rustup.rs")?;
-    if PathBuf::from(sysroot).join("lib/rustlib").join(WASM_TARGET).exists() {
+    if PathBuf::from(sysroot)
+        .join("lib/rustlib")
+        .join(WASM_TARGET)
+        .exists()
+    {
         return Ok(());
     }
     println!("adding the Rust target {WASM_TARGET}");
-    shell::run(&mut shell::command("rustup", &["target", "add", WASM_TARGET]))
+    shell::run(&mut shell::command(
+        "rustup",
+        &["target", "add", WASM_TARGET],
+    ))
 }
 
 /// rustfmt and clippy, which a minimal toolchain lacks.
 pub(crate) fn components() -> Result<()> {
     for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
         if shell::output_of(&mut shell::cargo(&[command, "--version"])).is_none() {
-            shell::run(&mut shell::command("rustup", &["component", "add", component]))?;
+            shell::run(&mut shell::command(
+                "rustup",
+                &["component", "add", component],
+            ))?;
         }
     }
     Ok(())
@@ -44,14 +54,23 @@ pub(crate) fn node_modules() -> Result<()> {
         return Ok(());
     }
     println!("installing the JavaScript tools (npm ci)");
-    shell::run(&mut shell::npm(&["ci", "--no-audit", "--no-fund", "--loglevel=error"]))?;
+    shell::run(&mut shell::npm(&[
+        "ci",
+        "--no-audit",
+        "--no-fund",
+        "--loglevel=error",
+    ]))?;
     Ok(fs::write(stamp, key)?)
 }
 
 fn node_version() -> Result<()> {
     let version = shell::output_of(&mut shell::node(&["--version"]));
-    let version = version.context("node does not run: install Node 20.19 or newer from https://nodejs.org")?;
-    let mut numbers = version.trim_start_matches('v').split('.').map_while(|part| part.parse::<u32>().ok());
+    let version = version
+        .context("node does not run: install Node 20.19 or newer from https://nodejs.org")?;
+    let mut numbers = version
+        .trim_start_matches('v')
+        .split('.')
+        .map_while(|part| part.parse::<u32>().ok());
     let found = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0));
     if found < LEAST_NODE {
         bail!("Node {version} is too old: 20.19 or newer is needed");

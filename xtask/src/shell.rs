@@ -42,7 +42,9 @@ pub(crate) fn node(args: &[&str]) -> Command {
 
 /// Runs a command whose output the reader sees.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
-    let status = command.status().with_context(|| format!("could not start {}", line(command)))?;
+    let status = command
+        .status()
+        .with_context(|| format!("could not start {}", line(command)))?;
     if !status.success() {
         bail!("{} ended with {status}", line(command));
     }
@@ -51,9 +53,15 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
 
 /// Runs a command and shows its output only if it fails.
 pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
-    let output = command.output().with_context(|| format!("could not start {}", line(command)))?;
+    let output = command
+        .output()
+        .with_context(|| format!("could not start {}", line(command)))?;
     if !output.status.success() {
-        eprint!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        eprint!(
+            "{}{}",
+            String::from_utf8_lossy(&output.stdout),
+            String::from_utf8_lossy(&output.stderr)
+        );
         bail!("{} ended with {}", line(command), output.status);
     }
     Ok(())
@@ -61,11 +69,17 @@ pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
 
 /// What a command prints, trimmed; nothing if it cannot be started or fails.
 pub(crate) fn output_of(command: &mut Command) -> Option<String> {
-    let output = command.output().ok().filter(|output| output.status.success())?;
+    let output = command
+        .output()
+        .ok()
+        .filter(|output| output.status.success())?;
     Some(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 fn line(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
-    words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
+    words
+        .map(|word| word.to_string_lossy())
+        .collect::<Vec<_>>()
+        .join(" ")
 }

@@ -40,26 +40,36 @@ pub(crate) fn lock() -> Result<File> {
 /// All files below a folder, sorted; `node_modules` and hidden files are left out.
 pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
-    let Ok(entries) = fs::read_dir(folder) else { return files };
+    let Ok(entries) = fs::read_dir(folder) else {
+        return files;
+    };
     for path in entries.flatten().map(|entry| entry.path()) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         if name.starts_with('.') || name == "node_modules" {
             continue;
         }
-        if path.is_dir() { files.extend(files_below(&path)) } else { files.push(path) }
+        if path.is_dir() {
+            files.extend(files_below(&path))
+        } else {
+            files.push(path)
+        }
     }
     files.sort();
     files
 }
 
 fn stamp_path(name: &str) -> PathBuf {
-    shell::target_dir().join("xtask-stamps").join(name.replace(' ', "-"))
+    shell::target_dir()
+        .join("xtask-stamps")
+        .join(name.replace(' ', "-"))
 }
 
 /// The driver itself counts as an input: a changed encoder must encode again.
 fn fingerprint(inputs: &[PathBuf]) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
-    fs::metadata(std::env::current_exe()?)?.modified()?.hash(&mut hasher);
+    fs::metadata(std::env::current_exe()?)?
+        .modified()?
+        .hash(&mut hasher);
     for path in inputs {
         path.hash(&mut hasher);
         let bytes = fs::read(path).with_context(|| format!("reading {}", path.display()))?;

@@ -1,0 +1,66 @@
+// The installed tarball through the bundlers; what they make is run.
+import assert from "node:assert/strict";
+import { build as esbuild } from "esbuild";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { rollup } from "rollup";
+import { build as vite } from "vite";
+import { openPage } from "../page/browser.js";
+import { serve } from "../page/server.js";
+import { PRINTED, PROGRAM, installed, run } from "./fixture.js";
+
+/** All that a page has to allow. */
+const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
+
+const fixture = await installed();
+after(fixture.remove);
+const entry = await fixture.write("src/main.js", PROGRAM);
+const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
+
+for (const [format, name] of [["esm", "esbuild.mjs"], ["iife", "esbuild.cjs"]]) {
+  test(`esbuild, ${format}, minified`, async () => {
+    const outfile = join(fixture.folder, "out", name);
+    const { warnings } = await esbuild({ entryPoints: [entry], bundle: true, format, minify: true, outfile, logLevel: "silent" });
+    assert.deepEqual(warnings, []);
+    assert.equal(await node(outfile), PRINTED);
+  });
+}
+
+for (const format of ["es", "iife"]) {
+  test(`Rollup, ${format}`, async () => {
+    const resolve = createRequire(entry).resolve;
+    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
+    const onwarn = (warning) => assert.fail(warning.message);
+    const bundle = await rollup({ input: entry, plugins: [plugin], onwarn });
+    const file = join(fixture.folder, "out", format === "es" ? "rollup.mjs" : "rollup.cjs");
+    await bundle.write({ file, format });
+    assert.equal(await node(file), PRINTED);
+  });
+}
+
+/** Serves a built folder under the policy and gives back what the page prints. */
+async function printedBy(t, folder) {
+  const server = await serve({ "/": folder }, { "Content-Security-Policy": CSP });
+  t.after(server.close);
+  const page = await openPage(t, "about:blank", { baseURL: server.url });
+  const printed = page.waitForEvent("console");
+  await page.goto("/index.html");
+  return (await printed).text();
+}
+
+const html = (script) => `<!doctype html><html lang="en"><title>A page</title>${script}</html>`;
+
+test("Vite, the built page in Chromium under a strict policy", async (t) => {
+  await fixture.write("index.html", html('<script type="module" src="/src/main.js"></script>'));
+  const outDir = join(fixture.folder, "out/vite");
+  await vite({ root: fixture.folder, configFile: false, logLevel: "error", build: { outDir } });
+  assert.equal(await printedBy(t, outDir), PRINTED);
+});
+
+test("no bundler, the package's own file in Chromium under a strict policy", async (t) => {
+  const folder = join(fixture.installed, "dist");
+  await fixture.write("node_modules/casteljau/dist/main.js", PROGRAM.replace('"casteljau"', '"./index.js"'));
+  await fixture.write("node_modules/casteljau/dist/index.html", html('<script type="module" src="main.js"></script>'));
+  assert.equal(await printedBy(t, folder), PRINTED);
+});

@@ -1,0 +1,49 @@
+// A program that has installed the packed tarball, as a user would, in a folder of its own.
+import { execFile } from "node:child_process";
+import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+const execute = promisify(execFile);
+
+/** A use of the package, and what it prints. */
+export const PROGRAM = `import { Curve } from "casteljau";
+console.log(JSON.stringify(new Curve([[0, 0], [1, 2], [2, 0]]).eval(0.5)));
+`;
+export const PRINTED = '{"x":1,"y":1}';
+
+/** Runs a program; its output, trimmed. Fails with what it wrote if it ends badly. */
+export async function run(program, args, options = {}) {
+  const shell = process.platform === "win32" && program === "npm";
+  try {
+    return (await execute(program, args, { ...options, shell })).stdout.trim();
+  } catch (error) {
+    throw new Error([error.message, error.stdout, error.stderr].join("\n"), { cause: error });
+  }
+}
+
+/**
+ * Packs the repository and installs the tarball (offline: it has no dependencies).
+ *
+ * @returns {Promise<{ folder: string, tarball: string, installed: string, write(name: string, text: string): Promise<string>, remove(): Promise<void> }>}
+ */
+export async function installed() {
+  const folder = await mkdtemp(join(tmpdir(), "casteljau-packaging-"));
+  const report = await run("npm", ["pack", "--json", "--ignore-scripts", "--pack-destination", folder], { cwd: root });
+  const { version } = JSON.parse(await readFile(join(root, "package.json"), "utf8"));
+  const tarball = join(folder, `casteljau-${version}.tgz`);
+  if (!report) throw new Error("npm pack reported nothing");
+  await writeFile(join(folder, "package.json"), '{ "name": "fixture", "private": true, "type": "module" }\n');
+  await run("npm", ["install", "--offline", "--ignore-scripts", "--no-audit", "--no-fund", tarball], { cwd: folder });
+  const write = async (name, text) => {
+    const path = join(folder, name);
+    await mkdir(join(path, ".."), { recursive: true });
+    await writeFile(path, text);
+    return path;
+  };
+  const remove = () => rm(folder, { recursive: true, force: true });
+  return { folder, tarball, installed: join(folder, "node_modules/casteljau"), write, remove };
+}
