@@ -35,24 +35,27 @@ pub(crate) struct Browser {
 
 /// One that is there; else from apt, as root on Debian and its kin; else Playwright's download.
 pub(crate) fn find() -> Result<Browser> {
-    if let Some(browser) = found() {
-        return Ok(browser);
-    }
-    if can_apt()
-        && apt().is_ok()
-        && let Some(browser) = found()
-    {
+    if let Some(browser) = found().or_else(|| apt().and_then(|()| found())) {
         return Ok(browser);
     }
     if let Some(chrome) = playwright() {
-        return Ok(Browser {
-            chrome,
-            driver: driver(),
-        });
+        let driver = driver();
+        return Ok(Browser { chrome, driver });
     }
     bail!(
-        "no browser: install Chromium and its driver (Debian: apt-get install chromium chromium-driver), or set CHROME_PATH"
+        "no browser to test in: install Chromium and its driver \
+         (Debian: apt-get install chromium chromium-driver), or set CHROME_PATH and CHROMEDRIVER"
     )
+}
+
+/// The same, but a browser without its driver is not enough where apt has one.
+pub(crate) fn find_with_driver() -> Result<Browser> {
+    let browser = find()?;
+    let complete = browser.driver.is_some() || std::env::var_os("CHROME_PATH").is_some();
+    if complete || apt().is_none() {
+        return Ok(browser);
+    }
+    find()
 }
 
 fn found() -> Option<Browser> {
@@ -82,31 +85,32 @@ fn on_path(names: &[&str]) -> Option<PathBuf> {
 }
 
 fn can_apt() -> bool {
-    Path::new("/etc/debian_version").exists()
-        && shell::output_of(&mut shell::command("id", &["-u"])).is_some_and(|id| id == "0")
+    let root = || shell::output_of(&mut shell::command("id", &["-u"])).is_some_and(|id| id == "0");
+    Path::new("/etc/debian_version").exists() && root()
 }
 
-fn apt() -> Result<()> {
+/// Ubuntu has no chromium-driver (its chromium is a snap, useless in a container): there this fails.
+fn apt() -> Option<()> {
+    if !can_apt() {
+        return None;
+    }
     println!("installing chromium and chromium-driver (apt-get)");
     let apt = |args: &[&str]| {
-        shell::run_quietly(shell::command("apt-get", args).env("DEBIAN_FRONTEND", "noninteractive"))
+        let mut command = shell::command("apt-get", args);
+        shell::run_quietly(command.env("DEBIAN_FRONTEND", "noninteractive")).ok()
     };
     apt(&["update"])?;
-    // Ubuntu has no chromium-driver; its chromium-browser is a snap that may not run as root in a container.
-    apt(&[
-        "install",
-        "-y",
-        "--no-install-recommends",
-        "chromium",
-        "chromium-driver",
-    ])
+    apt(&["install", "-y", "chromium", "chromium-driver"])
 }
 
 /// Downloads the Chromium that belongs to the pinned playwright-core, and asks where it is.
 fn playwright() -> Option<PathBuf> {
     println!("downloading Chromium (playwright)");
-    let cli = "node_modules/playwright-core/cli.js";
-    shell::run(&mut shell::node(&[cli, "install", "chromium"])).ok()?;
+    let mut install = shell::node(&["node_modules/playwright-core/cli.js", "install", "chromium"]);
+    if can_apt() {
+        install.arg("--with-deps"); // the shared libraries that it needs
+    }
+    shell::run(&mut install).ok()?;
     let ask = "import('playwright-core').then(p => console.log(p.chromium.executablePath()))";
     let path = PathBuf::from(shell::output_of(&mut shell::node(&["-e", ask]))?);
     path.is_file().then_some(path)

@@ -11,6 +11,7 @@ mod shell;
 mod size;
 mod stamp;
 mod test;
+mod wasm_test;
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;
@@ -48,7 +49,7 @@ fn dispatch(args: &[String]) -> Result<()> {
         "test-deep" => test::deep(),
         "bench" => bench::bench(rest),
         "size" => size::size(),
-        test::RUNNER => test::run_wasm(rest),
+        wasm_test::RUNNER => wasm_test::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");
             Ok(())

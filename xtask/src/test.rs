@@ -1,17 +1,9 @@
 //! `test`: every test there is, step by step, with the command to repeat the one that failed.
 
-use crate::{browser, build, setup, shell, stamp};
+use crate::{browser, build, setup, shell, stamp, wasm_test};
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
-use std::process::Command;
 use std::time::Instant;
-
-/// The hidden command by which cargo starts the driver as the runner of wasm tests.
-pub(crate) const RUNNER: &str = "run-wasm-test";
-
-const WASM: [&str; 4] = ["--target", "wasm32-unknown-unknown", "--features", "wasm"];
-/// For one wasm test binary in one browser; the runner's own 20 s are short for a shared machine.
-const WASM_TIMEOUT_S: &str = "300";
 
 struct Step {
     name: &'static str,
@@ -53,12 +45,12 @@ const STEPS: [Step; 13] = [
     Step {
         name: "wasm-node",
         title: "Rust tests as wasm, in Node",
-        act: wasm_node,
+        act: wasm_test::in_node,
     },
     Step {
         name: "wasm-chromium",
         title: "Rust tests as wasm, in Chromium",
-        act: wasm_chromium,
+        act: wasm_test::in_chromium,
     },
     Step {
         name: "build",
@@ -159,7 +151,7 @@ fn clippy_wasm() -> Result<()> {
     let targets = ["--quiet", "--package", "casteljau", "--lib", "--tests"];
     shell::run(
         shell::cargo(&["clippy"])
-            .args(WASM)
+            .args(wasm_test::TARGET)
             .args(targets)
             .args(["--", "--deny", "warnings"]),
     )
@@ -196,51 +188,6 @@ fn driver() -> Result<()> {
         "--profile",
         "xtask",
     ]))
-}
-
-fn wasm_node() -> Result<()> {
-    shell::run(&mut wasm_tests()?)
-}
-
-fn wasm_chromium() -> Result<()> {
-    let browser = browser::find()?;
-    let Some(driver) = &browser.driver else {
-        println!(
-            "SKIPPED: {} has no chromedriver; set CHROMEDRIVER",
-            browser.chrome.display()
-        );
-        return Ok(());
-    };
-    let mut tests = wasm_tests()?;
-    tests
-        .env("WASM_BINDGEN_USE_BROWSER", "1")
-        .env("CHROMEDRIVER", driver);
-    shell::run(tests.env(
-        "WASM_BINDGEN_TEST_WEBDRIVER_JSON",
-        browser::driver_settings(&browser)?,
-    ))
-}
-
-/// `cargo test` for wasm32 with this executable as the runner.
-fn wasm_tests() -> Result<Command> {
-    let exe = std::env::current_exe()?;
-    // Cargo splits the setting at blanks and takes a relative path from the root: so blanks in the root do no harm.
-    let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
-    let mut tests = shell::cargo(&["test", "--package", "casteljau", "--lib", "--tests"]);
-    tests.args(WASM);
-    tests.env(
-        "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER",
-        format!("{exe} {RUNNER}"),
-    );
-    tests.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIMEOUT_S);
-    Ok(tests)
-}
-
-/// The other end of [`wasm_tests`].
-pub(crate) fn run_wasm(args: &[String]) -> Result<()> {
-    let name = String::from("wasm-bindgen-test-runner");
-    let all = std::iter::once(name).chain(args.iter().cloned());
-    wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(all)
 }
 
 /// The build has checked the types already; here they are checked whether or not something changed.

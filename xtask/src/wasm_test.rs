@@ -1,0 +1,55 @@
+//! The Rust tests as wasm: cargo builds them and starts this very executable to run each.
+
+use crate::{browser, shell};
+use anyhow::Result;
+use std::process::Command;
+
+/// The hidden command by which cargo starts the driver as the runner of wasm tests.
+pub(crate) const RUNNER: &str = "run-wasm-test";
+
+/// Overrides the runner of .cargo/config.toml.
+const RUNNER_SETTING: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER";
+
+/// What selects the bindings for wasm32.
+pub(crate) const TARGET: [&str; 4] = ["--target", "wasm32-unknown-unknown", "--features", "wasm"];
+/// For one wasm test binary in one browser; the runner's own 20 s are short for a shared machine.
+const WASM_TIMEOUT_S: &str = "300";
+
+/// The Rust tests as wasm in Node.
+pub(crate) fn in_node() -> Result<()> {
+    shell::run(&mut tests()?)
+}
+
+/// The Rust tests as wasm in Chromium, through its driver.
+pub(crate) fn in_chromium() -> Result<()> {
+    let browser = browser::find_with_driver()?;
+    let Some(driver) = &browser.driver else {
+        let chrome = browser.chrome.display();
+        println!("SKIPPED: no chromedriver for {chrome}; install it or set CHROMEDRIVER");
+        return Ok(());
+    };
+    let settings = browser::driver_settings(&browser)?;
+    let mut command = tests()?;
+    command.env("WASM_BINDGEN_USE_BROWSER", "1");
+    command.env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", settings);
+    shell::run(command.env("CHROMEDRIVER", driver))
+}
+
+/// `cargo test` for wasm32 with this executable as the runner.
+fn tests() -> Result<Command> {
+    let exe = std::env::current_exe()?;
+    // Cargo splits the setting at blanks and takes a relative path from the root: so blanks in the root do no harm.
+    let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
+    let mut tests = shell::cargo(&["test", "--package", "casteljau", "--lib", "--tests"]);
+    tests.args(TARGET);
+    tests.env(RUNNER_SETTING, format!("{exe} {RUNNER}"));
+    tests.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIMEOUT_S);
+    Ok(tests)
+}
+
+/// The other end of [`tests`].
+pub(crate) fn run(args: &[String]) -> Result<()> {
+    let name = String::from("wasm-bindgen-test-runner");
+    let all = std::iter::once(name).chain(args.iter().cloned());
+    wasm_bindgen_cli::wasm_bindgen_test_runner::run_cli_with_args(all)
+}
