@@ -28,6 +28,7 @@ const classicScript = {
 export default defineConfig({
   root: www,
   base: "./",
+  appType: "mpa", // what is not there is a 404, not the first page
   publicDir: "public",
   resolve: {
     alias: [

@@ -1,10 +1,11 @@
 //! `build`: from the Rust sources and js/ to dist/, which is what gets published.
 
 use crate::stamp::{self, Work, files_below};
-use crate::{glue, setup, shell};
+use crate::{glue, setup, shell, wasm_test};
 use anyhow::Result;
-use std::fs;
 use std::path::PathBuf;
+use std::process::Command;
+use std::{env, fs};
 
 /// Builds all of dist/; what is up to date is left alone.
 pub(crate) fn build() -> Result<()> {
@@ -18,17 +19,7 @@ pub(crate) fn build() -> Result<()> {
 
 /// js/glue: the bindings and the optimised module.
 fn bindings() -> Result<()> {
-    let release = [
-        "build",
-        "--quiet",
-        "--lib",
-        "--release",
-        "--target",
-        "wasm32-unknown-unknown",
-        "--features",
-        "wasm",
-    ];
-    shell::run(&mut shell::cargo(&release))?;
+    shell::run(&mut compilation())?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/release/casteljau.wasm");
     let names = [
         "casteljau.js",
@@ -44,6 +35,25 @@ fn bindings() -> Result<()> {
         outputs: &outputs,
     };
     stamp::unless_current(&work, || glue::generate(&compiled))
+}
+
+/// Panic messages name source files; without the remapping they would name this machine's folders.
+fn compilation() -> Command {
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home
+        .or_else(|| Some(env::home_dir()?.join(".cargo")))
+        .unwrap_or_default();
+    let remap = format!("--remap-path-prefix={}=cargo", home.display());
+    let mut cargo = shell::cargo(&["build", "--quiet", "--lib", "--release"]);
+    cargo.args(wasm_test::TARGET);
+    // Joined to the flags of .cargo/config.toml, which the variables would replace.
+    cargo
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+    cargo.arg("--config").arg(format!(
+        "target.wasm32-unknown-unknown.rustflags=[{remap:?}]"
+    ));
+    cargo
 }
 
 /// The four bundles and the wasm file.

@@ -6,10 +6,22 @@ use anyhow::Result;
 /// Runs until it is stopped; further arguments go to Vite (`--port 8080`).
 pub(crate) fn serve(args: &[String]) -> Result<()> {
     build::build()?;
-    let vite = [
+    let mut vite = shell::node(&[
         "node_modules/vite/bin/vite.js",
         "--config",
         "www/vite.config.js",
-    ];
-    shell::run(shell::node(&vite).args(args))
+    ]);
+    become_it(vite.args(args))
+}
+
+/// On Unix the server takes the driver's place: whoever stops the driver stops the server.
+#[cfg(unix)]
+fn become_it(server: &mut std::process::Command) -> Result<()> {
+    use std::os::unix::process::CommandExt;
+    Err(server.exec().into())
+}
+
+#[cfg(not(unix))]
+fn become_it(server: &mut std::process::Command) -> Result<()> {
+    shell::run(server)
 }

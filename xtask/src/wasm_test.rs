@@ -41,7 +41,7 @@ fn tests() -> Result<Command> {
     // Cargo splits the setting at blanks and takes a relative path from the root: so blanks in the root do no harm.
     let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
     let mut tests = shell::cargo(&["test", "--package", "casteljau", "--lib", "--tests"]);
-    tests.args(TARGET);
+    tests.args(TARGET).env_remove("RUSTFLAGS"); // it would replace those of .cargo/config.toml
     tests.env(RUNNER_SETTING, format!("{exe} {RUNNER}"));
     tests.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIMEOUT_S);
     Ok(tests)
