@@ -75,53 +75,115 @@ pub enum Error {
     },
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+/// A piece of a message: the words are ours, the numbers are written by whoever shows it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Part {
+    /// Words.
+    Text(&'static str),
+    /// A number.
+    Number(f64),
+}
+
+impl Error {
+    /// The message in pieces. One wording serves `Display` and JavaScript, which writes its own numbers (the code that
+    /// prints an f64 would be a tenth of the wasm module).
+    pub(crate) fn parts(&self) -> [Part; 7] {
+        use Part::{Number, Text};
+        let count = |n: usize| Number(n as f64);
+        let none = Text("");
         match *self {
             Self::Count {
                 what,
                 expected,
                 got,
-            } => write!(f, "{what}: expected {expected}, got {got}"),
-            Self::NotFinite { what, index, got } => {
-                write!(f, "{what}[{index}]: expected a finite number, got {got}")
-            }
+            } => [
+                Text(what),
+                Text(": expected "),
+                Text(expected),
+                Text(", got "),
+                count(got),
+                none,
+                none,
+            ],
+            Self::NotFinite { what, index, got } => [
+                Text(what),
+                Text("["),
+                count(index),
+                Text("]: expected a finite number, got "),
+                Number(got),
+                none,
+                none,
+            ],
             Self::Index {
                 what,
                 first,
                 last,
                 got,
-            } => {
-                write!(
-                    f,
-                    "{what}: expected an index from {first} to {last}, got {got}"
-                )
-            }
+            } => [
+                Text(what),
+                Text(": expected an index from "),
+                count(first),
+                Text(" to "),
+                count(last),
+                Text(", got "),
+                count(got),
+            ],
             Self::Range {
                 what,
                 expected,
                 got,
-            } => write!(f, "{what}: expected {expected}, got {got}"),
-            Self::Tolerance { least, got } => {
-                write!(
-                    f,
-                    "tolerance: expected at least {least:e} for coordinates of this size, got {got:e}"
-                )
-            }
+            } => [
+                Text(what),
+                Text(": expected "),
+                Text(expected),
+                Text(", got "),
+                Number(got),
+                none,
+                none,
+            ],
+            Self::Tolerance { least, got } => [
+                Text("tolerance: expected at least "),
+                Number(least),
+                Text(" (4 ulps of the largest coordinate)"),
+                Text(", got "),
+                Number(got),
+                none,
+                none,
+            ],
             Self::TooMany {
                 what,
                 limit,
                 needed,
-            } => {
-                write!(f, "{what}: expected at most {limit}, this needs {needed}")
-            }
-            Self::Gap { index, got } => {
-                write!(
-                    f,
-                    "curves[{index}]: expected to start where the curve before it ends, got a gap of {got:e}"
-                )
-            }
+            } => [
+                Text(what),
+                Text(": expected at most "),
+                count(limit),
+                Text(", this needs "),
+                count(needed),
+                none,
+                none,
+            ],
+            Self::Gap { index, got } => [
+                Text("curves["),
+                count(index),
+                Text("]: expected to start where the curve before it ends"),
+                Text(", got a gap of "),
+                Number(got),
+                none,
+                none,
+            ],
         }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.parts().iter().try_for_each(|part| match part {
+            Part::Text(text) => f.write_str(text),
+            // Counts without a decimal point, measures with an exponent where they need one.
+            Part::Number(n) if n.fract() == 0.0 && n.abs() < 1e15 => write!(f, "{n:.0}"),
+            Part::Number(n) => write!(f, "{n:?}"),
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 pub mod curve;
 mod error;
 mod point;
+pub mod spline;
 
 #[cfg(feature = "wasm")]
 mod wasm;
@@ -11,3 +12,4 @@ pub use curve::Curve;
 pub use error::{Error, MAX_DEGREE};
 pub use glam;
 pub use point::{Cross, Point};
+pub use spline::Spline;

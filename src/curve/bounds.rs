@@ -14,16 +14,6 @@ pub struct Bounds<P> {
 }
 
 impl<P: Point> Bounds<P> {
-    /// The box of some points; `None` of none.
-    pub(crate) fn of(points: &[P]) -> Option<Self> {
-        let (&first, rest) = points.split_first()?;
-        let start = Self {
-            min: first,
-            max: first,
-        };
-        Some(rest.iter().fold(start, |bounds, &p| bounds.including(p)))
-    }
-
     /// The smallest box around this one and a point.
     #[must_use]
     pub(crate) fn including(self, p: P) -> Self {

@@ -25,7 +25,8 @@ pub use subdivide::Subdivision;
 pub use trace::Pen;
 
 pub(crate) use casteljau::evaluate_by_casteljau;
-pub(crate) use eval::{evaluate, evaluate_scalar};
+pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
+pub(crate) use flatten::MAX_VERTICES;
 
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;

@@ -1,31 +1,113 @@
 //! The arena: one block of f64 in wasm memory through which all numbers pass both ways.
 //!
-//! JavaScript writes the control points at its start, calls, and reads the result from its start. Nothing is
-//! allocated on the small calls; bulk results grow it, and JavaScript then asks for the address again.
+//! JavaScript writes the arguments at its start, calls, and reads the result from its start. Small calls allocate
+//! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
+use crate::point::Point;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest small result.
+/// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
 const LEAST_LENGTH: usize = 8192;
 
 thread_local! {
-    static ARENA: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+    static ARENA: RefCell<Arena> = const { RefCell::new(Arena(Vec::new())) };
+}
+
+/// The block, with the encodings of what lies in it.
+pub(super) struct Arena(Vec<f64>);
+
+/// Runs `f` on the arena.
+#[inline]
+pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
+    ARENA.with_borrow_mut(f)
 }
 
 /// Makes the arena hold at least `length` numbers and returns its address.
 #[wasm_bindgen]
 pub fn arena_reserve(length: usize) -> *const f64 {
-    ARENA.with_borrow_mut(|arena| {
-        if arena.len() < length.max(LEAST_LENGTH) {
-            arena.resize(length.max(LEAST_LENGTH), 0.0);
-        }
-        arena.as_ptr()
+    with(|arena| {
+        arena.grow(length.max(LEAST_LENGTH));
+        arena.0.as_ptr()
     })
 }
 
 /// The number of f64 that the arena holds.
 #[wasm_bindgen]
 pub fn arena_length() -> usize {
-    ARENA.with_borrow(Vec::len)
+    with(|arena| arena.0.len())
+}
+
+/// Gives the memory of a large result back.
+#[wasm_bindgen]
+pub fn arena_trim() {
+    with(|arena| {
+        arena.0.truncate(LEAST_LENGTH);
+        arena.0.shrink_to_fit();
+    });
+}
+
+impl Arena {
+    fn grow(&mut self, length: usize) {
+        if self.0.len() < length {
+            self.0.resize(length, 0.0);
+        }
+    }
+
+    /// `count` points from number `at` on.
+    #[inline]
+    pub(super) fn points<P: Point>(&self, at: usize, count: usize) -> &[P] {
+        bytemuck::cast_slice(self.numbers(at, count * P::DIMENSION))
+    }
+
+    /// `count` numbers from number `at` on.
+    #[inline]
+    pub(super) fn numbers(&self, at: usize, count: usize) -> &[f64] {
+        &self.0[at..at + count]
+    }
+
+    /// One number.
+    pub(super) fn number(&self, at: usize) -> f64 {
+        self.0[at]
+    }
+
+    /// A count or an index, written as a number.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "JavaScript has checked that it is a count"
+    )]
+    #[allow(
+        clippy::cast_sign_loss,
+        reason = "JavaScript has checked that it is a count"
+    )]
+    pub(super) fn count(&self, at: usize) -> usize {
+        self.0[at] as usize
+    }
+
+    /// Writes one point at the start.
+    #[inline]
+    pub(super) fn put_point<P: Point>(&mut self, point: P) {
+        self.0[..P::DIMENSION].copy_from_slice(bytemuck::cast_slice(&[point]));
+    }
+
+    /// Writes points from number `at` on and returns where they end.
+    #[inline]
+    pub(super) fn put<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
+        self.put_numbers(at, bytemuck::cast_slice(points))
+    }
+
+    /// Writes numbers from number `at` on and returns where they end.
+    #[inline]
+    pub(super) fn put_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
+        let end = at + numbers.len();
+        self.grow(end);
+        self.0[at..end].copy_from_slice(numbers);
+        end
+    }
+
+    /// A place for `count` points at the start, to be written in place.
+    pub(super) fn place<P: Point>(&mut self, count: usize) -> &mut [P] {
+        self.grow(count * P::DIMENSION);
+        bytemuck::cast_slice_mut(&mut self.0[..count * P::DIMENSION])
+    }
 }

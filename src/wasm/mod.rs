@@ -1,7 +1,8 @@
-//! The bindings: plain numbers in, plain numbers out, through one arena of f64 (see `arena`).
+//! The bindings: numbers in, numbers out, through one arena of f64 (see `arena`).
 //!
-//! Each function decodes, calls the core and encodes. The JavaScript classes in `js/` have checked every
-//! argument before; what is left to refuse comes back from the core as an [`Error`](crate::Error).
+//! Each function decodes, calls the core and encodes. The JavaScript classes in `js/` have checked every argument
+//! before; what is left to refuse comes back from the core as an [`Error`](crate::Error) and becomes a `RangeError`.
+//! `dimension` is 2 or 3; a result that is a number of f64 says how far the arena is filled.
 
 #![allow(
     unsafe_code,
@@ -13,3 +14,21 @@
 )]
 
 mod arena;
+mod curve;
+mod error;
+mod pen;
+mod spline;
+
+/// Runs the body with `$P` being the point type of a dimension.
+macro_rules! by_dimension {
+    ($dimension:expr, $P:ident => $body:expr) => {
+        if $dimension == 3 {
+            type $P = glam::DVec3;
+            $body
+        } else {
+            type $P = glam::DVec2;
+            $body
+        }
+    };
+}
+use by_dimension;

@@ -1,0 +1,215 @@
+//! Splines from curves, longer ones, cut and healed ones.
+
+use super::Spline;
+use crate::curve::{Curve, ratio};
+use crate::error::Error;
+use crate::point::Point;
+
+/// Ends within this part of the size of the whole count as the same point: what parsing and printing lose.
+const JOINT_GAP_RATIO: f64 = 1e-9;
+
+impl<P: Point> Spline<P> {
+    /// A spline from curves that follow each other.
+    ///
+    /// Ends may differ by 10⁻⁹ of the largest coordinate; the end of the earlier curve is kept.
+    ///
+    /// # Errors
+    /// [`Error::Count`] for no curve, [`Error::Gap`] where a curve does not start at the end of the one before (for a
+    /// closed spline, the first at the end of the last).
+    pub fn from_curves(curves: &[Curve<P>], closed: bool) -> Result<Self, Error> {
+        let Some((first, last)) = curves.first().zip(curves.last()) else {
+            return Err(Error::Count {
+                what: "curves",
+                expected: "at least 1 curve",
+                got: 0,
+            });
+        };
+        let size = curves.iter().map(Curve::max_abs).fold(0.0, f64::max);
+        let check = |index: usize, end: P, start: P| {
+            let got = (start - end).norm();
+            if got > JOINT_GAP_RATIO * size {
+                Err(Error::Gap { index, got })
+            } else {
+                Ok(())
+            }
+        };
+        for (k, pair) in curves.windows(2).enumerate() {
+            check(k + 1, pair[0].end(), pair[1].start())?;
+        }
+        let mut points = vec![first.start()];
+        points.extend(curves.iter().flat_map(|curve| &curve.control_points()[1..]));
+        if closed {
+            check(0, last.end(), first.start())?;
+            points.pop();
+        }
+        let degrees: Vec<usize> = curves.iter().map(Curve::degree).collect();
+        Ok(Self::from_parts(points, &degrees, closed))
+    }
+
+    /// The spline with one more segment that ends at `point`; its handles continue the last direction.
+    ///
+    /// The new segment has the degree of the last one, at most 3. It leaves in the direction of arrival (G1) and
+    /// bends evenly to `point`, like a quadratic curve; after a line comes a line.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a closed spline, [`Error::NotFinite`] for a NaN or an infinity.
+    pub fn append(&self, point: P) -> Result<Self, Error> {
+        if self.closed {
+            return Err(Error::Range {
+                what: "closed",
+                expected: "an open spline, which has an end",
+                got: 1.0,
+            });
+        }
+        crate::curve::check_finite("point", &[point])?;
+        let last = self.curve(self.segment_count() - 1);
+        let from = last.end();
+        let corner = from + last.tangent(1.0) * (0.5 * (point - from).norm());
+        let mut points = self.points.clone();
+        match last.degree() {
+            1 => points.push(point),
+            2 => points.extend([corner, point]),
+            _ => points.extend([
+                from.mix(corner, 2.0 / 3.0),
+                point.mix(corner, 2.0 / 3.0),
+                point,
+            ]),
+        }
+        let mut degrees = self.degrees();
+        degrees.push(last.degree().min(3));
+        Ok(Self::from_parts(points, &degrees, false))
+    }
+
+    /// The same curve with a joint at t: the segment there is split exactly.
+    ///
+    /// At a joint, or at an end, nothing changes.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for t outside of 0 to the number of segments.
+    pub fn insert(&self, t: f64) -> Result<Self, Error> {
+        if !(0.0..=ratio(self.segment_count(), 1)).contains(&t) {
+            return Err(Error::Range {
+                what: "t",
+                expected: "0 to the number of segments",
+                got: t,
+            });
+        }
+        let (k, rest) = self.locate(t);
+        if rest == 0.0 || rest == 1.0 {
+            return Ok(self.clone());
+        }
+        let (left, right) = self.curve(k).split(rest);
+        Ok(self.replace(k, 1, &[left, right]))
+    }
+
+    /// The spline without a joint: its two segments become one that runs through neither handle in general, but is
+    /// exactly the curve from before an [`insert`](Self::insert).
+    ///
+    /// With a and b the lengths of the derivatives before and after the joint and t₀ = a/(a + b), the first half of
+    /// the new control points continues the left piece to the parameter 1/t₀, the second half the right one
+    /// backwards; the middle one of an even degree is the mean of both. Where a or b vanishes, t₀ =
+    /// √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|); if that fails too, ½. The lower degree is elevated first. On a closed spline
+    /// joint 0 may go as well: the list then starts at the joint after it.
+    ///
+    /// # Errors
+    /// [`Error::Index`] unless `joint` lies between two segments.
+    pub fn remove(&self, joint: usize) -> Result<Self, Error> {
+        self.check_joint(joint)?;
+        if self.segment_count() < 2 {
+            return Err(Error::Count {
+                what: "segments",
+                expected: "at least 2 to remove a joint",
+                got: 1,
+            });
+        }
+        if joint == 0 {
+            return self.rotate().remove(self.segment_count() - 1);
+        }
+        let healed = heal(self.curve(joint - 1), self.curve(joint));
+        Ok(self.replace(joint - 1, 2, &[healed]))
+    }
+
+    /// Puts curves in the place of `count` segments from k on; the outer ends stay.
+    fn replace(&self, k: usize, count: usize, curves: &[Curve<P>]) -> Self {
+        let mut degrees = self.degrees();
+        degrees.splice(k..k + count, curves.iter().map(Curve::degree));
+        let inner: Vec<P> = curves
+            .iter()
+            .flat_map(|curve| &curve.control_points()[1..])
+            .copied()
+            .collect();
+        let mut points = self.points.clone();
+        // Without the last end, which stands in the list already (or is the first point of a closed spline).
+        points.splice(
+            self.starts[k] + 1..self.starts[k + count],
+            inner[..inner.len() - 1].iter().copied(),
+        );
+        Self::from_parts(points, &degrees, self.closed)
+    }
+
+    /// A closed spline that starts one segment later.
+    fn rotate(&self) -> Self {
+        let mut points = self.points.clone();
+        points.rotate_left(self.starts[1]);
+        let mut degrees = self.degrees();
+        degrees.rotate_left(1);
+        Self::from_parts(points, &degrees, self.closed)
+    }
+}
+
+/// One curve in the place of two that follow each other.
+fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
+    while left.degree() < right.degree() {
+        left = left.elevated();
+    }
+    while right.degree() < left.degree() {
+        right = right.elevated();
+    }
+    let t = split_parameter(&left, &right);
+    let n = left.degree();
+    let (whole, halves) = extrapolate(&left, &right, t);
+    let ends = (left.start(), right.end());
+    let point = |i: usize| match i {
+        0 => ends.0,
+        _ if i == n => ends.1,
+        _ if 2 * i < n => whole[i],
+        _ if 2 * i > n => halves[i],
+        _ => whole[i].mix(halves[i], 0.5),
+    };
+    Curve::from_points((0..=n).map(point).collect())
+}
+
+/// The control points of the curve of which `left` is the piece up to t, and of that of which `right` is the rest.
+fn extrapolate<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> (Vec<P>, Vec<P>) {
+    let whole = left.split(1.0 / t).0;
+    let back = right.split(-t / (1.0 - t)).1;
+    (
+        whole.control_points().to_vec(),
+        back.control_points().to_vec(),
+    )
+}
+
+/// Where the joint of two curves of the same degree would lie on one curve.
+fn split_parameter<P: Point>(left: &Curve<P>, right: &Curve<P>) -> f64 {
+    let n = left.degree();
+    let (l, r) = (left.control_points(), right.control_points());
+    let joint = left.end();
+    let share = |a: f64, b: f64| {
+        if a > 0.0 && b > 0.0 {
+            a / (a + b)
+        } else {
+            f64::NAN
+        }
+    };
+    let by_handles = share((joint - l[n - 1]).norm(), (r[1] - joint).norm());
+    if by_handles > 0.0 && by_handles < 1.0 {
+        return by_handles;
+    }
+    let second = |p: P| (p - joint).norm().sqrt();
+    let by_next = share(second(l[n.saturating_sub(2)]), second(r[2.min(n)]));
+    if by_next > 0.0 && by_next < 1.0 {
+        by_next
+    } else {
+        0.5
+    }
+}

@@ -1,0 +1,119 @@
+//! Where is the point at t, which polyline is close, how large is it?
+
+use super::Spline;
+use crate::curve::{
+    Bounds, MAX_OUTPUT_F64, MAX_VERTICES, Pen, Polyline, check_segments, check_tolerance,
+};
+use crate::error::Error;
+use crate::point::Point;
+use glam::DVec2;
+
+impl<P: Point> Spline<P> {
+    /// The point at t: segment ⌊t⌋ at the rest. t runs from 0 to the number of segments; values outside extrapolate
+    /// the first and the last segment.
+    pub fn eval(&self, t: f64) -> P {
+        let (k, rest) = self.locate(t);
+        self.curve(k).eval(rest)
+    }
+
+    /// The segment of t and the parameter on it; the end belongs to the last segment.
+    pub(crate) fn locate(&self, t: f64) -> (usize, f64) {
+        let last = self.segment_count() - 1;
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "floored, clamped to the segments; NaN becomes 0"
+        )]
+        #[allow(clippy::cast_sign_loss, reason = "clamped at 0")]
+        let k = (t.floor().max(0.0) as usize).min(last);
+        (k, t - k as f64)
+    }
+
+    /// Points at even steps of t, `per_curve` steps a segment, both ends included.
+    ///
+    /// # Errors
+    /// As [`Curve::sample`](crate::Curve::sample).
+    pub fn sample(&self, per_curve: usize) -> Result<Vec<P>, Error> {
+        check_segments(per_curve, P::DIMENSION)?;
+        let limit = MAX_OUTPUT_F64 / P::DIMENSION - 1;
+        let total = per_curve.saturating_mul(self.segment_count());
+        if total > limit {
+            return Err(Error::TooMany {
+                what: "segments",
+                limit,
+                needed: total,
+            });
+        }
+        let mut points = vec![P::default(); total + 1];
+        for k in 0..self.segment_count() {
+            self.curve(k)
+                .sample_into(&mut points[k * per_curve..=(k + 1) * per_curve]);
+        }
+        Ok(points)
+    }
+
+    /// The points at the given parameters.
+    pub fn eval_at(&self, ts: &[f64]) -> Vec<P> {
+        ts.iter().map(|&t| self.eval(t)).collect()
+    }
+
+    /// A polyline from which the spline is nowhere farther than `tolerance`; every joint is a vertex.
+    ///
+    /// # Errors
+    /// As [`Curve::flatten`](crate::Curve::flatten).
+    pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        let mut line = Polyline::default();
+        for k in 0..self.segment_count() {
+            let piece = self.curve(k).flatten(tolerance)?;
+            let skip = usize::from(k > 0);
+            line.points.extend(&piece.points[skip..]);
+            line.ts
+                .extend(piece.ts[skip..].iter().map(|t| k as f64 + t));
+            if line.ts.len() > MAX_VERTICES {
+                return Err(Error::TooMany {
+                    what: "vertices",
+                    limit: MAX_VERTICES,
+                    needed: line.ts.len(),
+                });
+            }
+        }
+        Ok(line)
+    }
+
+    /// The smallest box that contains the spline.
+    pub fn bounds(&self) -> Bounds<P> {
+        let first = self.curve(0).bounds();
+        (1..self.segment_count()).fold(first, |bounds, k| bounds.union(self.curve(k).bounds()))
+    }
+
+    /// The box of the control points.
+    pub fn control_bounds(&self) -> Bounds<P> {
+        let first = Bounds {
+            min: self.points[0],
+            max: self.points[0],
+        };
+        self.points
+            .iter()
+            .fold(first, |bounds, &p| bounds.including(p))
+    }
+}
+
+impl Spline<DVec2> {
+    /// Draws the spline with `pen`: one `move_to`, then its segments; a closed spline is closed.
+    ///
+    /// # Errors
+    /// As [`Curve::trace`](crate::Curve::trace).
+    pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
+        if let Some(tolerance) = tolerance {
+            check_tolerance(tolerance, self.max_abs())?;
+        }
+        pen.move_to(self.points[0]);
+        for k in 0..self.segment_count() {
+            self.curve(k).trace_on(pen, tolerance);
+        }
+        if self.closed {
+            pen.close();
+        }
+        Ok(())
+    }
+}

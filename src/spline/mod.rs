@@ -1,0 +1,207 @@
+//! Bézier curves joined end to end.
+//!
+//! Segment k covers t from k to k + 1 and keeps its own degree; where two segments meet is a joint. The control points
+//! are one list: neighbours share the point of their joint, and a closed spline ends where its list begins.
+
+mod build;
+mod continuity;
+mod edit;
+mod joint;
+mod measure;
+
+pub use continuity::Continuity;
+pub use joint::JointMode;
+
+use crate::curve::{Curve, check_finite, max_abs};
+use crate::error::{Error, MAX_DEGREE};
+use crate::point::Point;
+
+/// A chain of Bézier curves, open or closed.
+///
+/// ```
+/// use casteljau::{Spline, glam::DVec2};
+///
+/// let points = [(0, 0), (0, 2), (2, 2), (2, 0), (2, -2), (4, -2), (4, 0)].map(|(x, y)| DVec2::new(x.into(), y.into()));
+/// let spline = Spline::new(&points, 3, false)?;
+/// assert_eq!(spline.segment_count(), 2);
+/// assert_eq!(spline.eval(1.0), points[3]);
+/// assert!(spline.continuity(1, None)?.c1);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline<P: Point> {
+    points: Vec<P>,
+    /// The index of the first control point of each segment, and one past: where the next would start.
+    starts: Vec<usize>,
+    closed: bool,
+}
+
+impl<P: Point> Spline<P> {
+    /// A spline whose segments all have the same degree.
+    ///
+    /// An open one of n segments takes n · degree + 1 points, a closed one n · degree.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a degree of 0 or above 64, [`Error::Count`] for a number of points that does not fit,
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    pub fn new(points: &[P], degree: usize, closed: bool) -> Result<Self, Error> {
+        if degree < 1 || degree > MAX_DEGREE {
+            return Err(Error::Range {
+                what: "degree",
+                expected: "1 to 64",
+                got: degree as f64,
+            });
+        }
+        let open_end = usize::from(!closed);
+        if points.len() < degree + open_end || (points.len() - open_end) % degree != 0 {
+            let expected = if closed {
+                "n · degree points (closed)"
+            } else {
+                "n · degree + 1 points (open)"
+            };
+            return Err(Error::Count {
+                what: "points",
+                expected,
+                got: points.len(),
+            });
+        }
+        let segments = (points.len() - open_end) / degree;
+        Self::with_degrees(points.to_vec(), &vec![degree; segments], closed)
+    }
+
+    /// A spline from all its control points and a degree for each segment.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_degrees(points: Vec<P>, degrees: &[usize], closed: bool) -> Result<Self, Error> {
+        if let Some(&bad) = degrees.iter().find(|&&d| !(1..=MAX_DEGREE).contains(&d)) {
+            return Err(Error::Range {
+                what: "degrees",
+                expected: "1 to 64",
+                got: bad as f64,
+            });
+        }
+        let needed = degrees.iter().sum::<usize>() + usize::from(!closed);
+        if degrees.is_empty() || points.len() != needed {
+            let expected = "the sum of the degrees (and one more for an open spline)";
+            return Err(Error::Count {
+                what: "points",
+                expected,
+                got: points.len(),
+            });
+        }
+        check_finite("points", &points)?;
+        Ok(Self::from_parts(points, degrees, closed))
+    }
+
+    /// A spline from parts that fit.
+    pub(crate) fn from_parts(points: Vec<P>, degrees: &[usize], closed: bool) -> Self {
+        let mut starts = Vec::with_capacity(degrees.len() + 1);
+        starts.push(0);
+        starts.extend(degrees.iter().scan(0, |start, degree| {
+            *start += degree;
+            Some(*start)
+        }));
+        Self {
+            points,
+            starts,
+            closed,
+        }
+    }
+
+    /// All control points, the joints once each.
+    pub fn control_points(&self) -> &[P] {
+        &self.points
+    }
+
+    /// Whether the end joins the start.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The number of segments, which is the t of the end.
+    pub fn segment_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The degree of each segment.
+    pub fn degrees(&self) -> Vec<usize> {
+        self.starts
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect()
+    }
+
+    /// Segment k as a curve.
+    ///
+    /// # Errors
+    /// [`Error::Index`] for k past the last segment.
+    pub fn segment(&self, k: usize) -> Result<Curve<P>, Error> {
+        let last = self.segment_count() - 1;
+        if k > last {
+            return Err(Error::Index {
+                what: "segment",
+                first: 0,
+                last,
+                got: k,
+            });
+        }
+        Ok(self.curve(k))
+    }
+
+    /// All segments as curves.
+    pub fn segments(&self) -> Vec<Curve<P>> {
+        (0..self.segment_count()).map(|k| self.curve(k)).collect()
+    }
+
+    /// Segment k, which exists.
+    pub(crate) fn curve(&self, k: usize) -> Curve<P> {
+        let (from, to) = (self.starts[k], self.starts[k + 1]);
+        if to < self.points.len() {
+            return Curve::from_slice(&self.points[from..=to]);
+        }
+        // The last segment of a closed spline ends at the first point.
+        Curve::from_points(
+            self.points[from..to]
+                .iter()
+                .copied()
+                .chain([self.points[0]])
+                .collect(),
+        )
+    }
+
+    /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
+    pub fn equals(&self, other: &Self, tolerance: f64) -> bool {
+        let near = |(&a, &b): (&P, &P)| a == b || (a - b).norm() <= tolerance;
+        self.closed == other.closed
+            && self.starts == other.starts
+            && self.points.iter().zip(&other.points).all(near)
+    }
+
+    /// The same spline run through backwards.
+    #[must_use]
+    pub fn reverse(&self) -> Self {
+        let degrees: Vec<usize> = self.degrees().into_iter().rev().collect();
+        let mut points: Vec<P> = self.points.iter().rev().copied().collect();
+        if self.closed {
+            // The first point stays the first.
+            points.rotate_right(1);
+        }
+        Self::from_parts(points, &degrees, self.closed)
+    }
+
+    /// The image under an affine map.
+    #[must_use]
+    pub fn transform(&self, map: &P::Affine) -> Self {
+        let points = self.points.iter().map(|p| p.transform(map)).collect();
+        Self {
+            points,
+            ..self.clone()
+        }
+    }
+
+    /// The largest absolute coordinate.
+    pub(crate) fn max_abs(&self) -> f64 {
+        max_abs(&self.points)
+    }
+}
