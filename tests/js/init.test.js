@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { serve } from "../page/server.js";
 
 const dist = new URL("../../dist/", import.meta.url);
@@ -74,7 +75,7 @@ for (const [name, source] of Object.entries(sources)) {
 }
 
 test("slim takes a URL", async () => {
-  const server = await serve({ "/": new URL(".", dist).pathname });
+  const server = await serve({ "/": fileURLToPath(dist) });
   const { init, Curve } = await fresh("slim.js");
   await assert.rejects(init(new URL("/none.wasm", server.url)), /404/);
   await init(new URL("/casteljau.wasm", server.url));

@@ -44,7 +44,7 @@ fn compilation() -> Command {
         .or_else(|| Some(env::home_dir()?.join(".cargo")))
         .unwrap_or_default();
     let remap = format!("--remap-path-prefix={}=cargo", home.display());
-    let mut cargo = shell::cargo(&["build", "--quiet", "--lib", "--release"]);
+    let mut cargo = shell::cargo(&["build", "--lib", "--release"]);
     cargo.args(wasm_test::TARGET);
     // Joined to the flags of .cargo/config.toml, which the variables would replace.
     cargo
