@@ -33,6 +33,10 @@ pub trait Point:
     /// A×B: the signed area in the plane (a number), the vector product in space.
     type Cross: Cross;
 
+    /// The point itself in space; a point of the plane at z = 0.
+    fn in_space(self) -> DVec3;
+    /// The point itself in the plane; a point of space without its z.
+    fn in_plane(self) -> DVec2;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
     /// This point with one coordinate replaced.
@@ -153,6 +157,14 @@ impl Point for DVec2 {
     type Cross = f64;
 
     #[inline]
+    fn in_space(self) -> DVec3 {
+        self.extend(0.0)
+    }
+    #[inline]
+    fn in_plane(self) -> DVec2 {
+        self
+    }
+    #[inline]
     fn coordinate(self, axis: usize) -> f64 {
         if axis == 0 { self.x } else { self.y }
     }
@@ -200,6 +212,14 @@ impl Point for DVec3 {
     type Affine = DAffine3;
     type Cross = DVec3;
 
+    #[inline]
+    fn in_space(self) -> DVec3 {
+        self
+    }
+    #[inline]
+    fn in_plane(self) -> DVec2 {
+        self.truncate()
+    }
     #[inline]
     fn coordinate(self, axis: usize) -> f64 {
         match axis {

@@ -60,32 +60,20 @@ impl Basis {
             Self::Matrix(matrix) => matrix,
         }
     }
+}
 
-    /// The matrix that takes geometry points of this basis to Bézier points: the rows belong to P₀ … P₃.
-    pub(crate) fn to_bezier(self) -> Matrix {
-        let [a, b, c, d] = rows(&self.matrix());
-        // The inverse of the Bézier matrix: P₀ = d, P₁ = d + c/3, P₂ = d + 2c/3 + b/3, P₃ = d + c + b + a.
-        let mut out = [0.0; 16];
-        for k in 0..4 {
-            out[k] = d[k];
-            out[4 + k] = (3.0 * d[k] + c[k]) / 3.0;
-            out[8 + k] = (3.0 * d[k] + 2.0 * c[k] + b[k]) / 3.0;
-            out[12 + k] = a[k] + b[k] + c[k] + d[k];
-        }
-        out
+/// The matrix that takes geometry points of a basis to Bézier points: the rows belong to P₀ … P₃.
+fn to_bezier(matrix: &Matrix) -> Matrix {
+    let [a, b, c, d] = rows(matrix);
+    // The inverse of the Bézier matrix: P₀ = d, P₁ = d + c/3, P₂ = d + 2c/3 + b/3, P₃ = d + c + b + a.
+    let mut out = [0.0; 16];
+    for k in 0..4 {
+        out[k] = d[k];
+        out[4 + k] = (3.0 * d[k] + c[k]) / 3.0;
+        out[8 + k] = (3.0 * d[k] + 2.0 * c[k] + b[k]) / 3.0;
+        out[12 + k] = a[k] + b[k] + c[k] + d[k];
     }
-
-    /// The inverse of [`to_bezier`](Self::to_bezier).
-    ///
-    /// # Errors
-    /// [`Error::Range`] for a matrix without an inverse: its four points do not determine a cubic.
-    pub(crate) fn from_bezier(self) -> Result<Matrix, Error> {
-        invert(&self.to_bezier()).ok_or(Error::Range {
-            what: "basis",
-            expected: "a matrix with an inverse",
-            got: 0.0,
-        })
-    }
+    out
 }
 
 /// M·G: four points from four points.
@@ -145,8 +133,8 @@ impl<P: Point> Curve<P> {
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
     pub fn from_basis(basis: Basis, points: [P; 4]) -> Result<Self, Error> {
         super::check_finite("points", &points)?;
-        check_matrix(&basis)?;
-        Self::new(&apply(&basis.to_bezier(), points))
+        let matrix = finite(basis.matrix())?;
+        Self::new(&apply(&to_bezier(&matrix), points))
     }
 
     /// The four geometry points of this cubic in another basis; the inverse of [`from_basis`](Self::from_basis).
@@ -154,10 +142,16 @@ impl<P: Point> Curve<P> {
     /// A curve of a lower degree is elevated first.
     ///
     /// # Errors
-    /// [`Error::Count`] for a degree above 3, [`Error::Range`] for a matrix without an inverse.
+    /// [`Error::Count`] for a degree above 3, [`Error::Range`] for a matrix without an inverse (its four points do
+    /// not determine a cubic), [`Error::NotFinite`] for a NaN or an infinity in it.
     pub fn to_basis(&self, basis: Basis) -> Result<[P; 4], Error> {
-        check_matrix(&basis)?;
-        let inverse = basis.from_bezier()?;
+        let matrix = finite(basis.matrix())?;
+        let singular = Error::Range {
+            what: "basis",
+            expected: "a matrix with an inverse, its determinant",
+            got: 0.0,
+        };
+        let inverse = invert(&to_bezier(&matrix)).ok_or(singular)?;
         Ok(apply(&inverse, self.as_cubic()?))
     }
 
@@ -175,13 +169,13 @@ impl<P: Point> Curve<P> {
     }
 }
 
-fn check_matrix(basis: &Basis) -> Result<(), Error> {
-    match basis.matrix().iter().position(|x| !x.is_finite()) {
+fn finite(matrix: Matrix) -> Result<Matrix, Error> {
+    match matrix.iter().position(|x| !x.is_finite()) {
         Some(index) => Err(Error::NotFinite {
             what: "basis",
             index,
-            got: basis.matrix()[index],
+            got: matrix[index],
         }),
-        None => Ok(()),
+        None => Ok(matrix),
     }
 }

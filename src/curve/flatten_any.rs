@@ -10,26 +10,27 @@ use super::flatten::Deviation;
 use super::roots::roots_inside;
 use super::{Points, Scalars, evaluate_scalar, ratio};
 use crate::point::{Cross, Point};
+use glam::DVec3;
 
 /// [`Deviation`] of a curve of degree 2 to 64.
-pub(crate) struct PieceDeviation<P: Point> {
-    points: Points<P>,
+pub(crate) struct PieceDeviation {
+    points: Points<DVec3>,
     start: f64,
     tolerance: f64,
 }
 
-impl<P: Point> PieceDeviation<P> {
-    /// `points`: control points of moderate size.
-    pub(crate) fn new(points: &[P], tolerance: f64) -> Self {
+impl PieceDeviation {
+    /// `points`: control points of moderate size. Those of the plane are looked at in space: one code for both.
+    pub(crate) fn new<P: Point>(points: &[P], tolerance: f64) -> Self {
         Self {
-            points: Points::from_slice(points),
+            points: points.iter().map(|p| p.in_space()).collect(),
             start: 0.0,
             tolerance,
         }
     }
 
     /// The greatest distance of the piece from the line through its chord; `direction` has length 1.
-    fn across(piece: &[P], direction: P) -> f64 {
+    fn across(piece: &[DVec3], direction: DVec3) -> f64 {
         let n = piece.len() - 1;
         let bend = |i: usize| {
             let factor = ratio(n * (n - 1), (i + 1) * (n - 1 - i));
@@ -45,7 +46,7 @@ impl<P: Point> PieceDeviation<P> {
     }
 
     /// How far the piece runs past the ends of its chord.
-    fn overshoot(piece: &[P], direction: P, length: f64) -> f64 {
+    fn overshoot(piece: &[DVec3], direction: DVec3, length: f64) -> f64 {
         let along: Scalars = piece
             .iter()
             .map(|&p| (p - piece[0]).dot(direction))
@@ -62,7 +63,7 @@ impl<P: Point> PieceDeviation<P> {
     }
 }
 
-impl<P: Point> Deviation for PieceDeviation<P> {
+impl Deviation for PieceDeviation {
     fn start_at(&mut self, t: f64) {
         self.start = t;
     }
@@ -72,7 +73,7 @@ impl<P: Point> Deviation for PieceDeviation<P> {
         blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
         let chord = piece[piece.len() - 1] - piece[0];
         let direction = chord.unit();
-        let distance = if direction == P::default() {
+        let distance = if direction == DVec3::ZERO {
             piece
                 .iter()
                 .map(|&p| (p - piece[0]).norm())
@@ -86,7 +87,7 @@ impl<P: Point> Deviation for PieceDeviation<P> {
     fn guess(&self) -> f64 {
         // The whole curve's second differences, as if they were those of the start.
         let n = ratio(self.points.len() - 1, 1);
-        let second = |w: &[P]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
+        let second = |w: &[DVec3]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
         let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
         (8.0 * self.tolerance / bend).sqrt().min(1.0)
     }

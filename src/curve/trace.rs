@@ -1,7 +1,8 @@
 //! Handing a curve to something that draws lines, quadratics and cubics.
 
-use super::{Curve, Points, ratio};
+use super::{Curve, ratio};
 use crate::error::Error;
+use crate::point::Point;
 use glam::DVec2;
 
 /// What draws: an HTML canvas, a path builder, a plotter.
@@ -32,7 +33,9 @@ impl Curve<DVec2> {
         self.trace_on(pen, tolerance);
         Ok(())
     }
+}
 
+impl<P: Point> Curve<P> {
     /// Refuses a tolerance that cannot be kept.
     pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
         tolerance.map_or(Ok(()), |tolerance| {
@@ -40,12 +43,12 @@ impl Curve<DVec2> {
         })
     }
 
-    /// Draws on from where the pen is.
+    /// Draws on from where the pen is, the curve as seen along z.
     pub(crate) fn trace_on(&self, pen: &mut impl Pen, tolerance: Option<f64>) {
         match *self.points {
-            [_, p1] => pen.line_to(p1),
-            [_, p1, p2] => pen.quad_to(p1, p2),
-            [_, p1, p2, p3] => pen.cubic_to(p1, p2, p3),
+            [_, p1] => pen.line_to(p1.in_plane()),
+            [_, p1, p2] => pen.quad_to(p1.in_plane(), p2.in_plane()),
+            [_, p1, p2, p3] => pen.cubic_to(p1.in_plane(), p2.in_plane(), p3.in_plane()),
             _ => {
                 let default = || 1e-4 * self.control_bounds().diagonal();
                 self.trace_cubics(pen, tolerance.unwrap_or_else(default), MOST_HALVINGS);
@@ -57,7 +60,7 @@ impl Curve<DVec2> {
     fn trace_cubics(&self, pen: &mut impl Pen, tolerance: f64, halvings: usize) {
         let cubic = self.cubic_of_same_tangents();
         if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
-            pen.cubic_to(cubic[1], cubic[2], cubic[3]);
+            cubic.trace_on(pen, None);
             return;
         }
         let (left, right) = self.halve();
@@ -66,29 +69,29 @@ impl Curve<DVec2> {
     }
 
     /// The cubic with the same ends and the same derivatives there.
-    fn cubic_of_same_tangents(&self) -> [DVec2; 4] {
+    fn cubic_of_same_tangents(&self) -> Self {
         let n = self.degree();
         let reach = ratio(n, 3);
         let (start, end) = (self.start(), self.end());
         let (p1, p2) = (self.points[1], self.points[n - 1]);
-        [
+        Self::from_slice(&[
             start,
             start + (p1 - start) * reach,
             end + (p2 - end) * reach,
             end,
-        ]
+        ])
     }
 
-    /// A bound on the distance to a cubic: the greatest one between control points at equal degree.
-    fn distance_of_controls(&self, cubic: &[DVec2; 4]) -> f64 {
-        let mut raised = Self::from_points(Points::from_buf(*cubic));
+    /// A bound on the distance to a curve of a lower degree: the greatest one between control points at equal degree.
+    fn distance_of_controls(&self, other: &Self) -> f64 {
+        let mut raised = other.clone();
         while raised.degree() < self.degree() {
             raised = raised.elevated();
         }
         self.points
             .iter()
             .zip(&raised.points)
-            .map(|(&a, &b)| (a - b).length())
+            .map(|(&a, &b)| (a - b).norm())
             .fold(0.0, f64::max)
     }
 }

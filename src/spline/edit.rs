@@ -153,29 +153,35 @@ impl<P: Point> Spline<P> {
 
     /// The joints by distance from a control point, each with whether it lies ahead of it.
     fn joints_outward(&self, index: usize, done: Option<usize>) -> Vec<(usize, bool)> {
+        let joints: Vec<usize> = self.joints().filter(|&k| Some(k) != done).collect();
+        let split = joints.partition_point(|&k| self.starts[k] <= index);
+        let (before, after) = joints.split_at(split);
+        // Around a closed chain both runs reach every joint; each is taken by the run that is there first.
+        let wrapped = |run: &[usize]| {
+            if self.closed {
+                run.to_vec()
+            } else {
+                Vec::new()
+            }
+        };
+        let ahead: Vec<usize> = [after, &wrapped(before)].concat();
+        let behind: Vec<usize> = [&wrapped(after), before].concat();
         let count = self.points.len();
-        let ahead = |k: usize| (self.starts[k] + count - index) % count;
-        let mut order: Vec<(usize, bool, usize)> = self
-            .joints()
-            .filter(|&k| Some(k) != done)
-            .map(|k| {
-                let forward = if self.closed {
-                    ahead(k) <= count - ahead(k)
-                } else {
-                    self.starts[k] > index
-                };
-                let distance = if forward {
-                    ahead(k)
-                } else {
-                    (count - ahead(k)) % count
-                };
-                (k, forward, distance)
-            })
-            .collect();
-        order.sort_by_key(|&(_, _, distance)| distance);
+        let (mut ahead, mut behind) = (
+            ahead.into_iter().peekable(),
+            behind.into_iter().rev().peekable(),
+        );
+        let distance_ahead = |&k: &usize| (self.starts[k] + count - index) % count;
+        let distance_behind = |&k: &usize| (index + count - self.starts[k]) % count;
+        let mut order = Vec::with_capacity(joints.len());
+        while order.len() < joints.len() {
+            let next = ahead.peek().map_or(usize::MAX, distance_ahead);
+            let last = behind.peek().map_or(usize::MAX, distance_behind);
+            let forward = next <= last;
+            let run: &mut dyn Iterator<Item = usize> =
+                if forward { &mut ahead } else { &mut behind };
+            order.extend(run.next().map(|k| (k, forward)));
+        }
         order
-            .into_iter()
-            .map(|(k, forward, _)| (k, forward))
-            .collect()
     }
 }

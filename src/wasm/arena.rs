@@ -4,6 +4,7 @@
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
 use crate::point::Point;
+use glam::DVec3;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -64,6 +65,33 @@ impl Arena {
     #[inline]
     pub(super) fn numbers(&self, at: usize, count: usize) -> &[f64] {
         &self.0[at..at + count]
+    }
+
+    /// The same as points of space; points of the plane lie at z = 0.
+    ///
+    /// What means the same in both (splitting, derivatives, joints …) is done in space for both, which halves the
+    /// code in the module. Zeros change no result.
+    pub(super) fn points_in_space(&self, at: usize, count: usize, dimension: usize) -> Vec<DVec3> {
+        let in_space = |p: &[f64]| DVec3::new(p[0], p[1], if p.len() == 3 { p[2] } else { 0.0 });
+        self.numbers(at, count * dimension)
+            .chunks_exact(dimension)
+            .map(in_space)
+            .collect()
+    }
+
+    /// Writes points of space, in `dimension` numbers each, from number `at` on and returns where they end.
+    pub(super) fn put_from_space(
+        &mut self,
+        at: usize,
+        points: &[DVec3],
+        dimension: usize,
+    ) -> usize {
+        let end = at + points.len() * dimension;
+        self.grow(end);
+        for (place, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
+            place.copy_from_slice(&point.to_array()[..dimension]);
+        }
+        end
     }
 
     /// One number.

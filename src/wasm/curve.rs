@@ -1,12 +1,12 @@
 //! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::by_dimension;
 use super::error::refuse;
 use super::pen::CanvasPen;
-use crate::curve::{Basis, Curve, Points, Subdivision, bernstein, evaluate};
+use super::{by_dimension, given};
+use crate::curve::{Basis, Curve, Pen, Subdivision, bernstein, evaluate};
 use crate::point::Point;
-use glam::{DAffine2, DAffine3, DMat2, DMat3, DVec2, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -14,9 +14,15 @@ fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
     Curve::from_slice(arena.points(0, count))
 }
 
-fn put_two<P: Point>(arena: &mut Arena, (left, right): (Curve<P>, Curve<P>)) {
-    let end = arena.put(0, left.control_points());
-    arena.put(end, right.control_points());
+/// See [`Arena::points_in_space`].
+fn curve_in_space(arena: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
+    Curve::from_slice(&arena.points_in_space(0, count, dimension))
+}
+
+fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> usize {
+    curves.iter().fold(0, |at, curve| {
+        arena.put_from_space(at, curve.control_points(), dimension)
+    })
 }
 
 /// Leaves the point at t.
@@ -41,75 +47,85 @@ pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> Result<u
 #[wasm_bindgen]
 pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let points = curve::<P>(a, count).eval_at(a.numbers(count * dimension, number));
-            a.put(0, &points)
-        })
+        let points =
+            curve_in_space(a, dimension, count).eval_at(a.numbers(count * dimension, number));
+        a.put_from_space(0, &points, dimension)
     })
 }
 
 /// Leaves the control points of the derivative.
 #[wasm_bindgen]
 pub fn curve_derivative(dimension: usize, count: usize) -> usize {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let c = curve::<P>(a, count).derivative(); a.put(0, c.control_points()) }),
-    )
+    arena::with(|a| {
+        let derivative = curve_in_space(a, dimension, count).derivative();
+        put_curves(a, dimension, &[&derivative])
+    })
 }
 
 /// Leaves the k-th derivative at t.
 #[wasm_bindgen]
 pub fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let d = curve::<P>(a, count).derivative_at(t, k); a.put_point(d) }),
-    );
+    arena::with(|a| a.put_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
 }
 
 /// Leaves the unit tangent at t.
 #[wasm_bindgen]
 pub fn curve_tangent(dimension: usize, count: usize, t: f64) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let d = curve::<P>(a, count).tangent(t); a.put_point(d) }),
-    );
+    arena::with(|a| a.put_point(curve_in_space(a, dimension, count).tangent(t)));
 }
 
 /// Leaves the unit normal at t.
 #[wasm_bindgen]
 pub fn curve_normal(dimension: usize, count: usize, t: f64) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let d = curve::<P>(a, count).normal(t); a.put_point(d) }),
-    );
+    arena::with(|a| {
+        let curve = curve_in_space(a, dimension, count);
+        let turned = || DVec2::normal_of(curve.tangent(t).truncate(), DVec2::ZERO).extend(0.0);
+        a.put_point(if dimension == 2 {
+            turned()
+        } else {
+            curve.normal(t)
+        });
+    });
 }
 
-/// The curvature at t.
+/// The curvature at t; in the plane with its sign.
 #[wasm_bindgen]
 pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
-    arena::with(|a| by_dimension!(dimension, P => curve::<P>(a, count).curvature(t)))
+    arena::with(|a| {
+        let curve = curve_in_space(a, dimension, count);
+        let clockwise = dimension == 2 && curve.tangent(t).cross(curve.normal(t)).z < 0.0;
+        if clockwise {
+            -curve.curvature(t)
+        } else {
+            curve.curvature(t)
+        }
+    })
 }
 
 /// Leaves the control points of both pieces.
 #[wasm_bindgen]
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let pieces = curve::<P>(a, count).split(t); put_two(a, pieces) }),
-    );
+    arena::with(|a| {
+        let (left, right) = curve_in_space(a, dimension, count).split(t);
+        put_curves(a, dimension, &[&left, &right]);
+    });
 }
 
 /// Leaves the control points of both halves.
 #[wasm_bindgen]
 pub fn curve_halve(dimension: usize, count: usize) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let pieces = curve::<P>(a, count).halve(); put_two(a, pieces) }),
-    );
+    arena::with(|a| {
+        let (left, right) = curve_in_space(a, dimension, count).halve();
+        put_curves(a, dimension, &[&left, &right]);
+    });
 }
 
 /// Leaves the control points of the piece.
 #[wasm_bindgen]
 pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let piece = curve::<P>(a, count).subsegment(t0, t1);
-            a.put(0, piece.control_points());
-        });
+        let piece = curve_in_space(a, dimension, count).subsegment(t0, t1);
+        put_curves(a, dimension, &[&piece]);
     });
 }
 
@@ -117,10 +133,10 @@ pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
 #[wasm_bindgen]
 pub fn curve_elevate(dimension: usize, count: usize) -> Result<usize, JsValue> {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let raised = curve::<P>(a, count).elevate().map_err(refuse)?;
-            Ok(a.put(0, raised.control_points()))
-        })
+        let raised = curve_in_space(a, dimension, count)
+            .elevate()
+            .map_err(refuse)?;
+        Ok(put_curves(a, dimension, &[&raised]))
     })
 }
 
@@ -128,10 +144,10 @@ pub fn curve_elevate(dimension: usize, count: usize) -> Result<usize, JsValue> {
 #[wasm_bindgen]
 pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let levels = curve::<P>(a, count).scaffold(t);
-            levels.iter().fold(0, |at, level| a.put(at, level))
-        })
+        let levels = curve_in_space(a, dimension, count).scaffold(t);
+        levels
+            .iter()
+            .fold(0, |at, level| a.put_from_space(at, level, dimension))
     })
 }
 
@@ -154,26 +170,32 @@ pub fn basis_matrix(kind: usize) -> usize {
     arena::with(|a| a.put_numbers(0, &basis.matrix()))
 }
 
-/// In: a basis matrix behind four geometry points. Leaves the Bézier points, or the reverse.
+fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
+    let mut matrix = [0.0; 16];
+    matrix.copy_from_slice(a.numbers(count * dimension, 16));
+    Basis::Matrix(matrix)
+}
+
+/// In: four geometry points and a basis matrix. Leaves the control points.
 #[wasm_bindgen]
-pub fn curve_change_basis(
-    dimension: usize,
-    count: usize,
-    from_bezier: bool,
-) -> Result<usize, JsValue> {
+pub fn curve_from_basis(dimension: usize) -> Result<usize, JsValue> {
     arena::with(|a| {
-        let mut matrix = [0.0; 16];
-        matrix.copy_from_slice(a.numbers(count * dimension, 16));
-        by_dimension!(dimension, P => {
-            let points = if from_bezier {
-                Points::from(curve::<P>(a, count).to_basis(Basis::Matrix(matrix)).map_err(refuse)?)
-            } else {
-                let geometry = a.points::<P>(0, 4);
-                let geometry = [geometry[0], geometry[1], geometry[2], geometry[3]];
-                Points::from_slice(Curve::from_basis(Basis::Matrix(matrix), geometry).map_err(refuse)?.control_points())
-            };
-            Ok(a.put(0, &points))
-        })
+        let points = a.points_in_space(0, 4, dimension);
+        let points = [points[0], points[1], points[2], points[3]];
+        let curve = Curve::from_basis(matrix_behind(a, dimension, 4), points).map_err(refuse)?;
+        Ok(put_curves(a, dimension, &[&curve]))
+    })
+}
+
+/// In: a basis matrix behind the control points. Leaves the four geometry points.
+#[wasm_bindgen]
+pub fn curve_to_basis(dimension: usize, count: usize) -> Result<usize, JsValue> {
+    arena::with(|a| {
+        let basis = matrix_behind(a, dimension, count);
+        let points = curve_in_space(a, dimension, count)
+            .to_basis(basis)
+            .map_err(refuse)?;
+        Ok(a.put_from_space(0, &points, dimension))
     })
 }
 
@@ -181,19 +203,19 @@ pub fn curve_change_basis(
 #[wasm_bindgen]
 pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> Result<usize, JsValue> {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let line = curve::<P>(a, count).flatten(tolerance).map_err(refuse)?;
-            let end = a.put(0, &line.points);
-            a.put_numbers(end, &line.ts);
-            Ok(line.ts.len())
-        })
+        let line = curve_in_space(a, dimension, count)
+            .flatten(tolerance)
+            .map_err(refuse)?;
+        let end = a.put_from_space(0, &line.points, dimension);
+        a.put_numbers(end, &line.ts);
+        Ok(line.ts.len())
     })
 }
 
 /// Leaves the tree of halvings in preorder: t0, t1, D1, D2, 1 if halved (else 0), control points; their number of f64.
 #[wasm_bindgen]
 pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result<usize, JsValue> {
-    fn put<P: Point>(a: &mut Arena, at: usize, node: &Subdivision<P>) -> usize {
+    fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
         let at = a.put_numbers(
             at,
@@ -205,17 +227,17 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result
                 halved,
             ],
         );
-        let at = a.put(at, node.curve.control_points());
+        let at = a.put_from_space(at, node.curve.control_points(), dimension);
         node.halves
             .iter()
             .flat_map(|halves| halves.iter())
-            .fold(at, |at, half| put(a, at, half))
+            .fold(at, |at, half| put(a, dimension, at, half))
     }
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let tree = curve::<P>(a, count).subdivide(tolerance).map_err(refuse)?;
-            Ok(put(a, 0, &tree))
-        })
+        let tree = curve_in_space(a, dimension, count)
+            .subdivide(tolerance)
+            .map_err(refuse)?;
+        Ok(put(a, dimension, 0, &tree))
     })
 }
 
@@ -223,11 +245,13 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result
 #[wasm_bindgen]
 pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let curve = curve::<P>(a, count);
-            let bounds = if exact { curve.bounds() } else { curve.control_bounds() };
-            a.put(0, &[bounds.min, bounds.max]);
-        });
+        let curve = curve_in_space(a, dimension, count);
+        let bounds = if exact {
+            curve.bounds()
+        } else {
+            curve.control_bounds()
+        };
+        a.put_from_space(0, &[bounds.min, bounds.max], dimension);
     });
 }
 
@@ -240,39 +264,29 @@ pub fn curve_hull(count: usize) -> usize {
     })
 }
 
-/// In: an affine map behind any number of points, in columns: 6 numbers in 2D, 12 in 3D. Leaves the images.
+/// In: an affine map behind any number of points, as four columns of 3 numbers. Leaves the images.
 #[wasm_bindgen]
 pub fn points_transform(dimension: usize, count: usize) {
     arena::with(|a| {
-        let m = a.numbers(count * dimension, if dimension == 3 { 12 } else { 6 });
-        if dimension == 3 {
-            let column = |i: usize| DVec3::from_slice(&m[i..i + 3]);
-            let map = DAffine3::from_mat3_translation(
-                DMat3::from_cols(column(0), column(3), column(6)),
-                column(9),
-            );
-            a.place::<DVec3>(count)
-                .iter_mut()
-                .for_each(|p| *p = p.transform(&map));
-        } else {
-            let column = |i: usize| DVec2::new(m[i], m[i + 1]);
-            let map =
-                DAffine2::from_mat2_translation(DMat2::from_cols(column(0), column(2)), column(4));
-            a.place::<DVec2>(count)
-                .iter_mut()
-                .for_each(|p| *p = p.transform(&map));
-        }
+        let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
+        let images: Vec<DVec3> = a
+            .points_in_space(0, count, dimension)
+            .iter()
+            .map(|p| p.transform(&map))
+            .collect();
+        a.put_from_space(0, &images, dimension);
     });
 }
 
 /// Draws a 2D curve on a context or a path; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn curve_trace(count: usize, target: &JsValue, tolerance: f64) -> Result<(), JsValue> {
-    let curve = arena::with(|a| curve::<DVec2>(a, count));
-    curve
-        .trace(
-            &mut CanvasPen::new(target),
-            (tolerance > 0.0).then_some(tolerance),
-        )
-        .map_err(refuse)
+    // Not drawn while the arena is borrowed: a context made in JavaScript may call back.
+    let curve = arena::with(|a| curve_in_space(a, 2, count));
+    let tolerance = given(tolerance);
+    curve.check_trace(tolerance).map_err(refuse)?;
+    let mut pen = CanvasPen::new(target);
+    pen.move_to(curve.start().truncate());
+    curve.trace_on(&mut pen, tolerance);
+    Ok(())
 }

@@ -32,3 +32,8 @@ macro_rules! by_dimension {
     };
 }
 use by_dimension;
+
+/// An optional tolerance: 0 stands for the default.
+fn given(tolerance: f64) -> Option<f64> {
+    (tolerance > 0.0).then_some(tolerance)
+}

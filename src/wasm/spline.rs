@@ -2,44 +2,40 @@
 //! control points; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::by_dimension;
 use super::error::refuse;
+use super::given;
 use super::pen::CanvasPen;
 use crate::error::Error;
-use crate::point::Point;
 use crate::spline::{JointMode, Spline};
-use glam::DVec2;
+use glam::DVec3;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The spline at the start of the arena, and where it ends.
-fn spline<P: Point>(a: &Arena) -> (Spline<P>, usize) {
+/// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
+fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
     let (segments, closed) = (a.count(0), a.number(1) != 0.0);
     let degrees: Vec<usize> = (0..segments).map(|k| a.count(2 + k)).collect();
     let count = degrees.iter().sum::<usize>() + usize::from(!closed);
     let at = 2 + segments;
     (
-        Spline::from_parts(a.points(at, count).to_vec(), &degrees, closed),
-        at + count * P::DIMENSION,
+        Spline::from_parts(a.points_in_space(at, count, dimension), &degrees, closed),
+        at + count * dimension,
     )
 }
 
-/// Writes a spline at the start of the arena; its number of f64.
-fn put<P: Point>(a: &mut Arena, spline: &Spline<P>) -> usize {
-    let closed = if spline.is_closed() { 1.0 } else { 0.0 };
-    let mut head = vec![spline.segment_count() as f64, closed];
-    head.extend(spline.degrees().iter().map(|&degree| degree as f64));
-    let at = a.put_numbers(0, &head);
-    a.put(at, spline.control_points())
-}
-
-fn changed<P: Point>(
-    change: impl FnOnce(&Arena, Spline<P>, usize) -> Result<Spline<P>, Error>,
+/// Leaves a changed spline; its number of f64.
+fn changed(
+    dimension: usize,
+    change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
 ) -> Result<usize, JsValue> {
     arena::with(|a| {
-        let (spline, end) = spline(a);
+        let (spline, end) = spline(a, dimension);
         let result = change(a, spline, end).map_err(refuse)?;
-        Ok(put(a, &result))
+        let closed = if result.is_closed() { 1.0 } else { 0.0 };
+        let mut head = vec![result.segment_count() as f64, closed];
+        head.extend(result.degrees().iter().map(|&degree| degree as f64));
+        let at = a.put_numbers(0, &head);
+        Ok(a.put_from_space(at, result.control_points(), dimension))
     })
 }
 
@@ -56,19 +52,15 @@ fn mode(code: f64) -> JointMode {
 /// Leaves the point at t.
 #[wasm_bindgen]
 pub fn spline_eval(dimension: usize, t: f64) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let p = spline::<P>(a).0.eval(t); a.put_point(p) }),
-    );
+    arena::with(|a| a.put_point(spline(a, dimension).0.eval(t)));
 }
 
 /// Leaves the points at even steps; their number of f64.
 #[wasm_bindgen]
 pub fn spline_sample(dimension: usize, per_curve: usize) -> Result<usize, JsValue> {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let points = spline::<P>(a).0.sample(per_curve).map_err(refuse)?;
-            Ok(a.put(0, &points))
-        })
+        let points = spline(a, dimension).0.sample(per_curve).map_err(refuse)?;
+        Ok(a.put_from_space(0, &points, dimension))
     })
 }
 
@@ -76,11 +68,9 @@ pub fn spline_sample(dimension: usize, per_curve: usize) -> Result<usize, JsValu
 #[wasm_bindgen]
 pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let (spline, end) = spline::<P>(a);
-            let points = spline.eval_at(a.numbers(end, number));
-            a.put(0, &points)
-        })
+        let (spline, end) = spline(a, dimension);
+        let points = spline.eval_at(a.numbers(end, number));
+        a.put_from_space(0, &points, dimension)
     })
 }
 
@@ -88,12 +78,10 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
 #[wasm_bindgen]
 pub fn spline_flatten(dimension: usize, tolerance: f64) -> Result<usize, JsValue> {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let line = spline::<P>(a).0.flatten(tolerance).map_err(refuse)?;
-            let end = a.put(0, &line.points);
-            a.put_numbers(end, &line.ts);
-            Ok(line.ts.len())
-        })
+        let line = spline(a, dimension).0.flatten(tolerance).map_err(refuse)?;
+        let end = a.put_from_space(0, &line.points, dimension);
+        a.put_numbers(end, &line.ts);
+        Ok(line.ts.len())
     })
 }
 
@@ -101,11 +89,13 @@ pub fn spline_flatten(dimension: usize, tolerance: f64) -> Result<usize, JsValue
 #[wasm_bindgen]
 pub fn spline_bounds(dimension: usize, exact: bool) {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let (spline, _) = spline::<P>(a);
-            let bounds = if exact { spline.bounds() } else { spline.control_bounds() };
-            a.put(0, &[bounds.min, bounds.max]);
-        });
+        let (spline, _) = spline(a, dimension);
+        let bounds = if exact {
+            spline.bounds()
+        } else {
+            spline.control_bounds()
+        };
+        a.put_from_space(0, &[bounds.min, bounds.max], dimension);
     });
 }
 
@@ -113,63 +103,62 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 #[wasm_bindgen]
 pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> Result<usize, JsValue> {
     arena::with(|a| {
-        by_dimension!(dimension, P => {
-            let (spline, _) = spline::<P>(a);
-            let c = spline.continuity(joint, (tolerance > 0.0).then_some(tolerance)).map_err(refuse)?;
-            let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
-            let at = a.put_numbers(0, &flags);
-            Ok(a.put_numbers(at, &[c.gap, c.angle]))
-        })
+        let (spline, _) = spline(a, dimension);
+        let c = spline.continuity(joint, given(tolerance)).map_err(refuse)?;
+        let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
+        let at = a.put_numbers(0, &flags);
+        Ok(a.put_numbers(at, &[c.gap, c.angle]))
     })
 }
 
 /// In: a point behind the spline. Leaves the longer spline.
 #[wasm_bindgen]
 pub fn spline_append(dimension: usize) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|a, spline, end| spline.append(a.points(end, 1)[0])))
+    changed(dimension, |a, spline, end| {
+        spline.append(a.points_in_space(end, 1, dimension)[0])
+    })
 }
 
 /// In: the new place behind the spline, then a mode code for each segment's start (0 free, 1 G1, 2 C1).
 #[wasm_bindgen]
 pub fn spline_move_point(dimension: usize, index: usize) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|a, spline, end| {
-        let modes = end + dimension;
-        spline.move_point(index, a.points(end, 1)[0], |joint| mode(a.number(modes + joint)))
-    }))
+    changed(dimension, |a, spline, end| {
+        let to = a.points_in_space(end, 1, dimension)[0];
+        spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
+    })
 }
 
 /// Leaves the spline with a joint made G1 (1) or C1 (2).
 #[wasm_bindgen]
 pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|_, spline, _| spline.set_joint(joint, mode(code))))
+    changed(dimension, |_, spline, _| {
+        spline.set_joint(joint, mode(code))
+    })
 }
 
 /// Leaves the spline with a joint at t.
 #[wasm_bindgen]
 pub fn spline_insert(dimension: usize, t: f64) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|_, spline, _| spline.insert(t)))
+    changed(dimension, |_, spline, _| spline.insert(t))
 }
 
 /// Leaves the spline without a joint.
 #[wasm_bindgen]
 pub fn spline_remove(dimension: usize, joint: usize) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|_, spline, _| spline.remove(joint)))
+    changed(dimension, |_, spline, _| spline.remove(joint))
 }
 
 /// Leaves the spline run through backwards.
 #[wasm_bindgen]
 pub fn spline_reverse(dimension: usize) -> Result<usize, JsValue> {
-    by_dimension!(dimension, P => changed::<P>(|_, spline, _| Ok(spline.reverse())))
+    changed(dimension, |_, spline, _| Ok(spline.reverse()))
 }
 
 /// Draws a 2D spline on a context or a path; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_trace(target: &JsValue, tolerance: f64) -> Result<(), JsValue> {
-    let (spline, _) = arena::with(|a| spline::<DVec2>(a));
+    let (spline, _) = arena::with(|a| spline(a, 2));
     spline
-        .trace(
-            &mut CanvasPen::new(target),
-            (tolerance > 0.0).then_some(tolerance),
-        )
+        .trace_in_plane(&mut CanvasPen::new(target), given(tolerance))
         .map_err(refuse)
 }

@@ -1,0 +1,110 @@
+//! The layout of a grid of samples: which vertices, which faces. It knows no points.
+
+use crate::curve::ratio;
+use crate::error::Error;
+
+/// A grid over a patch: `segments_u` × `segments_v` cells, their corners at even steps of u and v.
+///
+/// There are (segments_u + 1)·(segments_v + 1) vertices; the one at (iu, iv) has the number
+/// iv·(segments_u + 1) + iu. Two triangles make a cell. Faces run counter-clockwise as seen from the side that
+/// ∂u × ∂v points to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// Cells along u, at least 1.
+    pub segments_u: usize,
+    /// Cells along v, at least 1.
+    pub segments_v: usize,
+}
+
+/// The most bytes that one mesh may take: 1 GiB.
+const MAX_MESH_BYTES: u64 = 1 << 30;
+/// Three positions, three normals, two parameters and a patch number, four bytes each.
+const VERTEX_BYTES: u64 = 9 * 4;
+/// Two triangles and a quad per cell, four bytes each; a grid has fewer cells than vertices.
+const CELL_BYTES: u64 = (6 + 4) * 4;
+
+impl From<usize> for Grid {
+    /// As many segments in both directions.
+    fn from(segments: usize) -> Self {
+        Self {
+            segments_u: segments,
+            segments_v: segments,
+        }
+    }
+}
+
+impl Grid {
+    /// The number of vertices, (segments_u + 1)·(segments_v + 1).
+    pub fn vertex_count(&self) -> usize {
+        (self.segments_u + 1) * (self.segments_v + 1)
+    }
+
+    /// The number of triangles, two per cell.
+    pub fn triangle_count(&self) -> usize {
+        2 * self.segments_u * self.segments_v
+    }
+
+    /// The number of the vertex at (iu, iv).
+    pub fn vertex(&self, iu: usize, iv: usize) -> usize {
+        iv * (self.segments_u + 1) + iu
+    }
+
+    /// (u, v) of the vertex at (iu, iv): (iu / segments_u, iv / segments_v).
+    pub fn uv(&self, iu: usize, iv: usize) -> (f64, f64) {
+        (ratio(iu, self.segments_u), ratio(iv, self.segments_v))
+    }
+
+    /// The corners of all cells, row by row: (iu, iv), then counter-clockwise.
+    pub fn quads(&self) -> impl Iterator<Item = [usize; 4]> {
+        let grid = *self;
+        (0..grid.segments_v).flat_map(move |iv| {
+            (0..grid.segments_u).map(move |iu| {
+                let (near, far) = (grid.vertex(iu, iv), grid.vertex(iu, iv + 1));
+                [near, near + 1, far + 1, far]
+            })
+        })
+    }
+
+    /// The triangles of all cells: a cell's quad a b c d gives a b c and a c d.
+    pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
+        self.quads()
+            .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
+    }
+
+    /// Refuses 0 segments, and grids whose mesh of `patches` patches would take more than 1 GiB.
+    ///
+    /// The error's limit holds for the greater number of segments, given the lesser one.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above the limit.
+    pub fn check(&self, patches: usize) -> Result<(), Error> {
+        let (least, most) = if self.segments_u < self.segments_v {
+            (self.segments_u, self.segments_v)
+        } else {
+            (self.segments_v, self.segments_u)
+        };
+        if least == 0 {
+            return Err(Error::Range {
+                what: "segments",
+                expected: "a whole number from 1",
+                got: 0.0,
+            });
+        }
+        let vertices = MAX_MESH_BYTES / (VERTEX_BYTES + CELL_BYTES) / (patches.max(1) as u64);
+        let per_line = if least == most {
+            vertices.isqrt()
+        } else {
+            vertices / (least as u64).saturating_add(1)
+        };
+        let limit = usize::try_from(per_line.saturating_sub(1)).unwrap_or(usize::MAX);
+        if most > limit {
+            Err(Error::TooMany {
+                what: "segments",
+                limit,
+                needed: most,
+            })
+        } else {
+            Ok(())
+        }
+    }
+}

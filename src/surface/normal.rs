@@ -1,0 +1,123 @@
+//! Which way does the surface face where ∂u × ∂v vanishes?
+//!
+//! N(u, v) = ∂S/∂u × ∂S/∂v is itself a polynomial, with vector coefficients of degrees 2m − 1 and 2n − 1: the normal
+//! net, 6 × 6 vectors for a bicubic patch. Where a side has collapsed into a point, the rows of this net along the side
+//! are exactly zero, and the first row that is not gives the limit of the normal's direction. So no step length has to
+//! be chosen, and no noise is normalised. Source: Yamaguchi, "Normal vectors of Bézier patches"; the formula is derived
+//! by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*, §6.9 for products).
+
+use super::net::{Net, transpose};
+use crate::curve::{Points, blossom_piece, evaluate, ratio};
+use glam::DVec3;
+
+/// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
+const VANISHING: f64 = 1e-13;
+
+/// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
+pub(super) struct NormalNet {
+    net: Net,
+    /// 2m − 1 and 2n − 1.
+    degree_u: usize,
+    degree_v: usize,
+}
+
+impl NormalNet {
+    /// From differences along u (m columns) and along v (m + 1 columns):
+    /// N_kl = Σ C(m−1,i) C(n,j) C(m,i′) C(n−1,j′) / (C(2m−1,k) C(2n−1,l)) Δu_ij × Δv_i′j′ over i + i′ = k, j + j′ = l.
+    pub(super) fn new(du: &[DVec3], dv: &[DVec3], m: usize, n: usize) -> Self {
+        let (degree_u, degree_v) = (2 * m - 1, 2 * n - 1);
+        let columns = degree_u + 1;
+        let mut net = Net::from_elem(DVec3::ZERO, columns * (degree_v + 1));
+        let (du, dv) = (weighted(du, m - 1, n), weighted(dv, m, n - 1));
+        for (a, &along_u) in du.iter().enumerate() {
+            for (b, &along_v) in dv.iter().enumerate() {
+                let (k, l) = (a % m + b % (m + 1), a / m + b / (m + 1));
+                net[l * columns + k] += along_u.cross(along_v);
+            }
+        }
+        for (index, coefficient) in net.iter_mut().enumerate() {
+            *coefficient /= binomial(degree_u, index % columns) * binomial(degree_v, index / columns);
+        }
+        Self { net, degree_u, degree_v }
+    }
+
+    /// The unit vector that N's direction tends to at (u, v), coming from the middle of the patch; zero if N is zero.
+    pub(super) fn limit(&self, u: f64, v: f64) -> DVec3 {
+        let inside = |t: f64| t > 0.0 && t < 1.0;
+        let columns = self.degree_u + 1;
+        let on_side = if inside(u) && (v == 0.0 || v == 1.0) {
+            first_row(&self.net, columns, u, v == 1.0)
+        } else if inside(v) && (u == 0.0 || u == 1.0) {
+            let across = transpose(&self.net, columns);
+            first_row(&across, self.degree_v + 1, v, u == 1.0)
+        } else {
+            None
+        };
+        on_side.unwrap_or_else(|| self.toward_middle(u, v))
+    }
+
+    /// The first direction along the straight line from (u, v) to (½, ½): that of the first coefficient of N on this
+    /// line which does not vanish. The coefficients of order k are those of k steps, in u and v together.
+    fn toward_middle(&self, u: f64, v: f64) -> DVec3 {
+        let columns = self.degree_u + 1;
+        let rows = self.degree_v + 1;
+        let narrow = half_toward_middle(&self.net, columns, u);
+        let piece = half_toward_middle(&transpose(&narrow, columns), rows, v);
+        (0..columns + rows - 1)
+            .find_map(|order| {
+                let least = order.saturating_sub(self.degree_v);
+                let sum: DVec3 = (least..=order.min(self.degree_u))
+                    .map(|k| {
+                        let share = binomial(self.degree_u, k) * binomial(self.degree_v, order - k);
+                        piece[k * rows + order - k] * share
+                    })
+                    .sum();
+                direction(sum / binomial(self.degree_u + self.degree_v, order))
+            })
+            .unwrap_or(DVec3::ZERO)
+    }
+}
+
+/// The direction at t of the first row, or of the last one backwards, that does not vanish there.
+fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
+    let at = |row: &[DVec3]| direction(evaluate(row, t));
+    if from_end {
+        net.rchunks(columns).find_map(at)
+    } else {
+        net.chunks(columns).find_map(at)
+    }
+}
+
+/// Restricts every row to the piece from t to ½, starting at t.
+fn half_toward_middle(net: &[DVec3], columns: usize, t: f64) -> Net {
+    net.chunks(columns)
+        .flat_map(|row| {
+            let mut piece = Points::from_slice(row);
+            let (backwards, start) = if t > 0.5 { (true, 1.0 - t) } else { (false, t) };
+            if backwards {
+                piece.reverse();
+            }
+            blossom_piece(&mut piece, start, 0.5);
+            piece
+        })
+        .collect()
+}
+
+/// The unit vector, unless the length is noise.
+fn direction(vector: DVec3) -> Option<DVec3> {
+    (vector.length_squared() > VANISHING * VANISHING).then(|| vector.normalize())
+}
+
+/// Each coefficient of a net of these degrees times its binomials.
+fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
+    let columns = degree_u + 1;
+    net.iter()
+        .enumerate()
+        .map(|(i, &p)| p * (binomial(degree_u, i % columns) * binomial(degree_v, i / columns)))
+        .collect()
+}
+
+/// C(n, k); the same number for k and n − k.
+pub(super) fn binomial(n: usize, k: usize) -> f64 {
+    (0..k.min(n - k)).fold(1.0, |product, i| product * ratio(n - i, 1) / ratio(i + 1, 1))
+}
