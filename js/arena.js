@@ -30,3 +30,13 @@ function reserve(length) {
   const address = core().arena_reserve(length);
   return (instance.view = new Float64Array(memory().buffer, address, core().arena_length()));
 }
+
+/**
+ * Gives the memory of a large result back to the core's allocator. Every earlier view is void: ask again.
+ *
+ * @internal
+ */
+export function trimArena() {
+  core().arena_trim();
+  instance.view = new Float64Array(0);
+}

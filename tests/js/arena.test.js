@@ -1,7 +1,7 @@
 // The arena's view, from the sources: it is no part of the public interface.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arena } from "../../js/arena.js";
+import { arena, trimArena } from "../../js/arena.js";
 import { core, memory } from "../../js/init.js";
 
 test("the view is long enough and stays the same", () => {
@@ -26,4 +26,14 @@ test("a view that memory growth emptied is replaced", () => {
   memory().grow(1);
   assert.equal(view.length, 0);
   assert.equal(arena(8)[0], 42);
+});
+
+test("after trimming a new view is handed out", () => {
+  const large = arena(1_000_000);
+  large[0] = 7;
+  trimArena();
+  const view = arena(8);
+  assert.notEqual(view, large);
+  assert.ok(view.length < large.length);
+  assert.equal(view[0], 7);
 });
