@@ -41,6 +41,15 @@ pub enum Error {
         /// The index that came.
         got: usize,
     },
+    /// A patch that names a vertex which is not there.
+    Vertex {
+        /// The patch.
+        patch: usize,
+        /// The number of vertices.
+        count: usize,
+        /// The index that came.
+        got: usize,
+    },
     /// A value outside of its range.
     Range {
         /// The argument.
@@ -127,6 +136,15 @@ impl Error {
                 count(last),
                 Text(", got "),
                 count(got),
+            ],
+            Self::Vertex { patch, count, got } => [
+                Text("patches["),
+                Number(patch as f64),
+                Text("]: expected vertex indices below "),
+                Number(count as f64),
+                Text(", got "),
+                Number(got as f64),
+                none,
             ],
             Self::Range {
                 what,

@@ -4,6 +4,7 @@ pub mod curve;
 mod error;
 mod point;
 pub mod spline;
+pub mod surface;
 
 #[cfg(feature = "wasm")]
 mod wasm;
@@ -13,3 +14,4 @@ pub use error::{Error, MAX_DEGREE};
 pub use glam;
 pub use point::{Cross, Point};
 pub use spline::Spline;
+pub use surface::{Grid, Indices, Mesh, Patch, Surface, TeapotOptions};

@@ -67,8 +67,7 @@ impl Grid {
 
     /// The triangles of all cells: a cell's quad a b c d gives a b c and a c d.
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
-        self.quads()
-            .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
+        self.quads().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
     }
 
     /// Refuses 0 segments, and grids whose mesh of `patches` patches would take more than 1 GiB.

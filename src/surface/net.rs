@@ -1,7 +1,6 @@
 //! Nets of control points as plain slices: rows run in u, the fast index; `columns` is their length.
 
 use crate::curve::{Points, evaluate};
-use crate::point::Point;
 use glam::DVec3;
 use smallvec::SmallVec;
 

@@ -36,9 +36,14 @@ impl NormalNet {
             }
         }
         for (index, coefficient) in net.iter_mut().enumerate() {
-            *coefficient /= binomial(degree_u, index % columns) * binomial(degree_v, index / columns);
+            *coefficient /=
+                binomial(degree_u, index % columns) * binomial(degree_v, index / columns);
         }
-        Self { net, degree_u, degree_v }
+        Self {
+            net,
+            degree_u,
+            degree_v,
+        }
     }
 
     /// The unit vector that N's direction tends to at (u, v), coming from the middle of the patch; zero if N is zero.
@@ -119,5 +124,7 @@ fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
 
 /// C(n, k); the same number for k and n − k.
 pub(super) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k.min(n - k)).fold(1.0, |product, i| product * ratio(n - i, 1) / ratio(i + 1, 1))
+    (0..k.min(n - k)).fold(1.0, |product, i| {
+        product * ratio(n - i, 1) / ratio(i + 1, 1)
+    })
 }

@@ -69,9 +69,7 @@ impl Patch {
 fn split_rows(net: &[DVec3], columns: usize, t: f64) -> (Net, Net) {
     let mut before = Net::from_elem(DVec3::ZERO, net.len());
     let mut after = before.clone();
-    let pieces = before
-        .chunks_mut(columns)
-        .zip(after.chunks_mut(columns));
+    let pieces = before.chunks_mut(columns).zip(after.chunks_mut(columns));
     for (row, (left, right)) in net.chunks(columns).zip(pieces) {
         split_into(row, t, left, right);
     }

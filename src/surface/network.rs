@@ -1,0 +1,277 @@
+//! A network of patches that share control points.
+
+use super::net::Net;
+use super::patch::{check_degree, checked_point};
+use super::tessellate::fill_mesh;
+use super::{Grid, Mesh, Patch};
+use crate::curve::{Bounds, check_finite};
+use crate::error::Error;
+use crate::point::Point;
+use glam::{DAffine3, DVec3};
+
+/// A network of Bézier patches: vertices, and for each patch the indices of its control points among them.
+///
+/// Patches that name the same vertices along a side stay joined when a vertex moves. A surface without patches is
+/// allowed; its mesh is empty. A surface is a value: every change returns a new one.
+///
+/// ```
+/// use casteljau::{Grid, Surface, TeapotOptions};
+///
+/// let teapot = Surface::teapot(TeapotOptions::default());
+/// assert_eq!(teapot.patch_count(), 32);
+/// let mesh = teapot.grid(Grid::from(16), false)?;
+/// assert_eq!(mesh.vertex_count(), 9_248);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    vertices: Vec<DVec3>,
+    /// The nets of all patches, one after the other.
+    indices: Vec<u32>,
+    patches: Vec<Layout>,
+}
+
+/// Where the net of one patch lies among the indices, and its degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Layout {
+    first: usize,
+    degree_u: usize,
+    degree_v: usize,
+}
+
+impl Layout {
+    fn count(&self) -> usize {
+        (self.degree_u + 1) * (self.degree_v + 1)
+    }
+}
+
+impl Surface {
+    /// A surface whose patches all have the same degrees, (3, 3) for bicubic ones.
+    ///
+    /// `indices` holds (`degree_u` + 1)·(`degree_v` + 1) vertex numbers for each patch, u along the fast index.
+    ///
+    /// # Errors
+    /// As [`with_degrees`](Self::with_degrees).
+    pub fn new(
+        vertices: Vec<DVec3>,
+        indices: Vec<u32>,
+        degree_u: usize,
+        degree_v: usize,
+    ) -> Result<Self, Error> {
+        check_degree("degreeU", degree_u)?;
+        check_degree("degreeV", degree_v)?;
+        let count = indices.len() / ((degree_u + 1) * (degree_v + 1));
+        Self::with_degrees(vertices, indices, &vec![[degree_u, degree_v]; count])
+    }
+
+    /// A surface whose patches have the given degrees `[m, n]`, one pair for each.
+    ///
+    /// `indices` holds the (m + 1)·(n + 1) vertex numbers of the first patch, then those of the next.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a degree that is not 1 to 64, [`Error::Count`] when the indices are not as many as the
+    /// degrees ask for, [`Error::Vertex`] for an index that names no vertex, [`Error::NotFinite`] for a NaN or an
+    /// infinity.
+    pub fn with_degrees(
+        vertices: Vec<DVec3>,
+        indices: Vec<u32>,
+        degrees: &[[usize; 2]],
+    ) -> Result<Self, Error> {
+        let mut first = 0;
+        let mut patches = Vec::with_capacity(degrees.len());
+        for &[degree_u, degree_v] in degrees {
+            check_degree("degreeU", degree_u)?;
+            check_degree("degreeV", degree_v)?;
+            let layout = Layout {
+                first,
+                degree_u,
+                degree_v,
+            };
+            first += layout.count();
+            patches.push(layout);
+        }
+        if first != indices.len() {
+            return Err(Error::Count {
+                what: "patches",
+                expected: "(degreeU + 1)·(degreeV + 1) vertex indices for each patch",
+                got: indices.len(),
+            });
+        }
+        check_finite("vertices", &vertices)?;
+        let surface = Self {
+            vertices,
+            indices,
+            patches,
+        };
+        surface.check_indices()?;
+        Ok(surface)
+    }
+
+    /// The Utah teapot or some of its parts; see [`TeapotOptions`](super::TeapotOptions).
+    pub fn teapot(options: super::TeapotOptions) -> Self {
+        super::sets::teapot(options)
+    }
+
+    /// A surface of bicubic patches whose indices are known to be good.
+    pub(super) fn bicubic(vertices: Vec<DVec3>, indices: Vec<u32>) -> Self {
+        let patches = (0..indices.len() / 16)
+            .map(|patch| Layout {
+                first: 16 * patch,
+                degree_u: 3,
+                degree_v: 3,
+            })
+            .collect();
+        Self {
+            vertices,
+            indices,
+            patches,
+        }
+    }
+
+    /// Refuses the first index that names no vertex.
+    fn check_indices(&self) -> Result<(), Error> {
+        let count = self.vertices.len();
+        for patch in 0..self.patches.len() {
+            for &index in self.patch_indices(patch).unwrap_or_default() {
+                if index as usize >= count {
+                    return Err(Error::Vertex {
+                        patch,
+                        count,
+                        got: index as usize,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// All vertices.
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// The vertex indices of all patches, one net after the other.
+    pub fn indices(&self) -> &[u32] {
+        &self.indices
+    }
+
+    /// How many patches there are.
+    pub fn patch_count(&self) -> usize {
+        self.patches.len()
+    }
+
+    /// The degrees `[m, n]` of a patch; `None` past the last.
+    pub fn degrees(&self, patch: usize) -> Option<[usize; 2]> {
+        let layout = self.patches.get(patch)?;
+        Some([layout.degree_u, layout.degree_v])
+    }
+
+    /// The vertex indices of a patch, u along the fast index; `None` past the last.
+    pub fn patch_indices(&self, patch: usize) -> Option<&[u32]> {
+        let layout = self.patches.get(patch)?;
+        self.indices
+            .get(layout.first..layout.first + layout.count())
+    }
+
+    /// One patch; `None` past the last.
+    pub fn patch(&self, patch: usize) -> Option<Patch> {
+        let columns = self.patches.get(patch)?.degree_u + 1;
+        let points: Net = self.points_of(patch).collect();
+        Some(Patch::from_net(points, columns))
+    }
+
+    /// All patches in turn.
+    pub fn patches(&self) -> impl Iterator<Item = Patch> {
+        (0..self.patch_count()).map_while(|patch| self.patch(patch))
+    }
+
+    /// The control points of a patch; none past the last.
+    fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
+        let indices = self.patch_indices(patch).unwrap_or_default();
+        indices.iter().map(|&index| self.vertices[index as usize])
+    }
+
+    /// The box of the control points that patches use, which contains the surface; `None` without patches.
+    pub fn control_bounds(&self) -> Option<Bounds<DVec3>> {
+        let mut points = self.indices.iter().map(|&i| self.vertices[i as usize]);
+        let first = points.next()?;
+        let start = Bounds {
+            min: first,
+            max: first,
+        };
+        Some(points.fold(start, |bounds, p| bounds.including(p)))
+    }
+
+    /// The image of the surface under an affine map.
+    #[must_use]
+    pub fn transform(&self, map: &DAffine3) -> Self {
+        let mut image = self.clone();
+        for vertex in &mut image.vertices {
+            *vertex = vertex.transform(map);
+        }
+        image
+    }
+
+    /// The surface with one vertex moved, for all patches that share it.
+    ///
+    /// # Errors
+    /// [`Error::Index`] for an index past the vertices, [`Error::NotFinite`] for a target with a NaN or an infinity.
+    pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
+        let mut moved = self.clone();
+        *checked_point(&mut moved.vertices, index, to)? = to;
+        Ok(moved)
+    }
+
+    /// A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
+    ///
+    /// Positions are computed in f64 and rounded to f32, exact at corners and bit-identical along shared sides.
+    /// Normals are limits where a side has collapsed; zero for a patch that is a point or a curve. With `quads` the
+    /// mesh also lists four-sided faces.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 segments, [`Error::TooMany`] when the mesh would take more than 1 GiB.
+    pub fn grid(&self, grid: Grid, quads: bool) -> Result<Mesh, Error> {
+        let mut mesh = Mesh::default();
+        self.grid_into(grid, quads, &mut mesh)?;
+        Ok(mesh)
+    }
+
+    /// As [`grid`](Self::grid), into an earlier mesh whose buffers are reused where they are large enough.
+    ///
+    /// # Errors
+    /// As `grid`; the mesh is then as it was.
+    pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
+        let net_of = |patch: usize, net: &mut Vec<DVec3>| {
+            net.extend(self.points_of(patch));
+            let Layout {
+                degree_u, degree_v, ..
+            } = self.patches[patch];
+            (degree_u, degree_v)
+        };
+        fill_mesh(self.patches.len(), net_of, grid, quads, mesh)
+    }
+}
+
+impl Patch {
+    /// A mesh of one grid over the patch; see [`Surface::grid`].
+    ///
+    /// # Errors
+    /// As `Surface::grid`.
+    pub fn grid(&self, grid: Grid, quads: bool) -> Result<Mesh, Error> {
+        let mut mesh = Mesh::default();
+        self.grid_into(grid, quads, &mut mesh)?;
+        Ok(mesh)
+    }
+
+    /// As [`grid`](Self::grid), into an earlier mesh.
+    ///
+    /// # Errors
+    /// As `grid`; the mesh is then as it was.
+    pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
+        let net_of = |_: usize, net: &mut Vec<DVec3>| {
+            net.extend_from_slice(&self.points);
+            (self.degree_u(), self.degree_v())
+        };
+        fill_mesh(1, net_of, grid, quads, mesh)
+    }
+}
