@@ -1,1 +1,4 @@
+// The public interface. Importing it compiles nothing; the first call does.
 export { init } from "./init.js";
+export { Curve } from "./curve.js";
+export { Spline } from "./spline.js";

@@ -212,21 +212,21 @@ pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> Result<u
     })
 }
 
-/// Leaves the tree of halvings in preorder: t0, t1, D1, D2, 1 if halved (else 0), control points; their number of f64.
+/// Leaves the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
+/// halved (else 0), control points; their number of f64.
 #[wasm_bindgen]
 pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result<usize, JsValue> {
     fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
-        let at = a.put_numbers(
-            at,
-            &[
-                node.t0,
-                node.t1,
-                node.polygon_length,
-                node.chord_length,
-                halved,
-            ],
-        );
+        let head = [
+            node.t0,
+            node.t1,
+            node.polygon_length,
+            node.chord_length,
+            node.deviation_bound(),
+            halved,
+        ];
+        let at = a.put_numbers(at, &head);
         let at = a.put_from_space(at, node.curve.control_points(), dimension);
         node.halves
             .iter()

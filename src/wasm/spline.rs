@@ -5,6 +5,7 @@ use super::arena::{self, Arena};
 use super::error::refuse;
 use super::given;
 use super::pen::CanvasPen;
+use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
 use glam::DVec3;
@@ -23,6 +24,15 @@ fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
     )
 }
 
+/// Leaves a spline; its number of f64.
+fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
+    let closed = if spline.is_closed() { 1.0 } else { 0.0 };
+    let mut head = vec![spline.segment_count() as f64, closed];
+    head.extend(spline.degrees().iter().map(|&degree| degree as f64));
+    let at = a.put_numbers(0, &head);
+    a.put_from_space(at, spline.control_points(), dimension)
+}
+
 /// Leaves a changed spline; its number of f64.
 fn changed(
     dimension: usize,
@@ -31,11 +41,7 @@ fn changed(
     arena::with(|a| {
         let (spline, end) = spline(a, dimension);
         let result = change(a, spline, end).map_err(refuse)?;
-        let closed = if result.is_closed() { 1.0 } else { 0.0 };
-        let mut head = vec![result.segment_count() as f64, closed];
-        head.extend(result.degrees().iter().map(|&degree| degree as f64));
-        let at = a.put_numbers(0, &head);
-        Ok(a.put_from_space(at, result.control_points(), dimension))
+        Ok(put(a, &result, dimension))
     })
 }
 
@@ -47,6 +53,23 @@ fn mode(code: f64) -> JointMode {
     } else {
         JointMode::Free
     }
+}
+
+/// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
+#[wasm_bindgen]
+pub fn spline_from_curves(dimension: usize) -> Result<usize, JsValue> {
+    arena::with(|a| {
+        let (count, closed) = (a.count(0), a.number(1) != 0.0);
+        let mut at = 2 + count;
+        let curve = |k: usize| {
+            let points = a.points_in_space(at, a.count(2 + k) + 1, dimension);
+            at += points.len() * dimension;
+            Curve::from_slice(&points)
+        };
+        let curves: Vec<_> = (0..count).map(curve).collect();
+        let spline = Spline::from_curves(&curves, closed).map_err(refuse)?;
+        Ok(put(a, &spline, dimension))
+    })
 }
 
 /// Leaves the point at t.

@@ -1,0 +1,240 @@
+// The border: everything that comes from a caller is checked here, once. Behind it values are of the right kind,
+// finite and of matching counts.
+
+/**
+ * A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint.
+ *
+ * @typedef {ArrayLike<number> | { x: number, y: number, z?: number }} PointLike
+ */
+
+/**
+ * Points, one by one or as one flat array of coordinates.
+ *
+ * @typedef {ArrayLike<number> | ArrayLike<PointLike>} PointsLike
+ */
+
+/**
+ * An affine map: `[a, b, c, d, e, f]` in SVG order, 16 numbers column-major, or a DOMMatrix.
+ *
+ * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array }} MatrixLike
+ */
+
+/**
+ * What came, in words for a message.
+ *
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function shown(value) {
+  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
+  if (typeof value === "bigint") return `${value}n`;
+  if (typeof value !== "object" || value === null) return String(value);
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  return `an object (${value.constructor?.name ?? "no class"})`;
+}
+
+/**
+ * A finite number.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+export function finite(value, name) {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a number, got ${shown(value)}`);
+  if (!Number.isFinite(value)) throw new RangeError(`${name}: expected a finite number, got ${value}`);
+  return value;
+}
+
+/**
+ * A finite number above 0.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+export function positive(value, name) {
+  const number = finite(value, name);
+  if (number <= 0) throw new RangeError(`${name}: expected a number above 0, got ${number}`);
+  return number;
+}
+
+/**
+ * A tolerance, or 0 for the default.
+ *
+ * @param {unknown} value
+ * @returns {number}
+ */
+export function optionalTolerance(value) {
+  return value === undefined ? 0 : positive(value, "tolerance");
+}
+
+/**
+ * A whole number of a range.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @param {number} least
+ * @param {number} [most]
+ * @returns {number}
+ */
+export function whole(value, name, least, most = Infinity) {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a whole number, got ${shown(value)}`);
+  if (!Number.isInteger(value) || value < least || value > most) {
+    const range = most === Infinity ? `from ${least}` : `from ${least} to ${most}`;
+    throw new RangeError(`${name}: expected a whole number ${range}, got ${value}`);
+  }
+  return value;
+}
+
+/** The most segments that go to the core, which refuses by its own limit: 2³² − 1 is the largest of its counts. */
+const LARGEST_COUNT = 0xffffffff;
+
+/**
+ * A number of segments.
+ *
+ * @param {unknown} value
+ * @param {string} [name]
+ * @returns {number}
+ */
+export function segmentCount(value, name = "segments") {
+  return whole(value, name, 1, LARGEST_COUNT);
+}
+
+/**
+ * One of some words.
+ *
+ * @template {string} T
+ * @param {unknown} value
+ * @param {string} name
+ * @param {readonly T[]} words
+ * @returns {T}
+ */
+export function oneOf(value, name, words) {
+  const list = words.map((word) => JSON.stringify(word)).join(", ");
+  if (typeof value !== "string") throw new TypeError(`${name}: expected one of ${list}, got ${shown(value)}`);
+  const found = words.find((word) => word === value);
+  if (found === undefined) throw new RangeError(`${name}: expected one of ${list}, got ${shown(value)}`);
+  return found;
+}
+
+/**
+ * Options: an object or nothing.
+ *
+ * @template {object} T
+ * @param {T | undefined} value
+ * @param {string} [name]
+ * @returns {Partial<T>}
+ */
+export function options(value, name = "options") {
+  if (value === undefined || value === null) return {};
+  if (typeof value !== "object") throw new TypeError(`${name}: expected an object, got ${shown(value)}`);
+  return value;
+}
+
+/**
+ * An instance of a class of the package.
+ *
+ * @template T
+ * @param {unknown} value
+ * @param {string} name
+ * @param {new (...args: any[]) => T} type
+ * @returns {T}
+ */
+export function instanceOf(value, name, type) {
+  if (value instanceof type) return value;
+  throw new TypeError(`${name}: expected a ${type.name}, got ${shown(value)}`);
+}
+
+/**
+ * A dimension option.
+ *
+ * @param {unknown} value
+ * @returns {2 | 3 | undefined}
+ */
+export function optionalDimension(value) {
+  if (value === undefined || value === 2 || value === 3) return value;
+  if (typeof value !== "number") throw new TypeError(`dimension: expected 2 or 3, got ${shown(value)}`);
+  throw new RangeError(`dimension: expected 2 or 3, got ${value}`);
+}
+
+/**
+ * Whether a value holds numbers or points by index: an array or a typed array.
+ *
+ * @param {unknown} value
+ * @returns {value is ArrayLike<unknown>}
+ */
+export function isList(value) {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+}
+
+/**
+ * Numbers, copied.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function numbers(value, name) {
+  if (!isList(value)) throw new TypeError(`${name}: expected an array of numbers, got ${shown(value)}`);
+  const copy = new Float64Array(value.length);
+  for (let i = 0; i < copy.length; i++) copy[i] = finite(value[i], `${name}[${i}]`);
+  return copy;
+}
+
+/**
+ * The numbers of an affine map of space, as four columns of 3.
+ *
+ * @param {MatrixLike} matrix
+ * @returns {number[]}
+ */
+export function affine(matrix) {
+  const m = matrixNumbers(matrix);
+  if (m.length === 6) return [m[0], m[1], 0, m[2], m[3], 0, 0, 0, 1, m[4], m[5], 0];
+  if (m[3] !== 0 || m[7] !== 0 || m[11] !== 0 || m[15] !== 1) {
+    throw new RangeError(`matrix: expected an affine map (last row 0 0 0 1), got ${[m[3], m[7], m[11], m[15]].join(" ")}`);
+  }
+  return [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]];
+}
+
+/**
+ * The 6 or 16 numbers of a matrix.
+ *
+ * @param {MatrixLike} matrix
+ * @returns {Float64Array}
+ */
+export function matrixNumbers(matrix) {
+  const dom = typeof matrix === "object" && matrix !== null && "toFloat64Array" in matrix;
+  const m = numbers(dom ? matrix.toFloat64Array() : matrix, "matrix");
+  if (m.length === 6 || m.length === 16) return m;
+  throw new RangeError(`matrix: expected 6 or 16 numbers, got ${m.length}`);
+}
+
+/**
+ * A place for results: the caller's array, or a new one.
+ *
+ * @param {unknown} into
+ * @param {number} length
+ * @returns {Float64Array}
+ */
+export function resultArray(into, length) {
+  if (into === undefined) return new Float64Array(length);
+  if (!(into instanceof Float64Array)) throw new TypeError(`into: expected a Float64Array, got ${shown(into)}`);
+  if (into.length < length) throw new RangeError(`into: expected at least ${length} numbers, got ${into.length}`);
+  return into;
+}
+
+/**
+ * What `trace` draws on: a 2D context or a Path2D.
+ *
+ * @param {unknown} value
+ * @returns {object}
+ */
+export function drawingTarget(value) {
+  const methods = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];
+  const target = /** @type {Record<string, unknown> | null} */ (value);
+  if (typeof target === "object" && target !== null && methods.every((name) => typeof target[name] === "function")) {
+    return target;
+  }
+  throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${shown(value)}`);
+}

@@ -1,0 +1,492 @@
+import * as check from "./check.js";
+import { core } from "./init.js";
+import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
+import { Checked, load, take, takeInto, trim } from "./transfer.js";
+import { basisNumbers, BASES } from "./basis.js";
+import { readTree } from "./subdivision.js";
+
+/**
+ * @import { MatrixLike, PointsLike } from "./check.js"
+ * @import { Point } from "./points.js"
+ * @import { BasisLike, BasisName } from "./basis.js"
+ * @import { Subdivision } from "./subdivision.js"
+ */
+
+/**
+ * One Bézier curve of degree 1 to 64, in the plane or in space.
+ *
+ * B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ; t runs from 0 to 1, values outside extrapolate. The end points come back exactly.
+ * A curve is a value: every change returns a new one, and nothing has to be freed.
+ *
+ *     const curve = new Curve([[0, 0], [1, 2], [2, 0]]);
+ *     curve.eval(0.5); // { x: 1, y: 1 }
+ */
+export class Curve {
+  /** @type {Float64Array} */
+  #flat;
+  /** @type {2 | 3} */
+  #dimension;
+
+  /**
+   * @param {PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
+   * @param {{ dimension?: 2 | 3 }} [options]
+   * @throws {RangeError} for a wrong count, a NaN or an infinity
+   * @throws {TypeError} for a value that is no point
+   */
+  constructor(points, options) {
+    const checked = /** @type {unknown} */ (points);
+    if (checked instanceof Checked) {
+      this.#flat = checked.flat;
+      this.#dimension = checked.dimension;
+      return;
+    }
+    const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+    const count = flat.length / dimension;
+    if (count < 2 || count > 65) {
+      throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
+    }
+    this.#flat = flat;
+    this.#dimension = dimension;
+  }
+
+  /**
+   * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
+   *
+   * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
+   * @param {PointsLike} points four points
+   * @param {{ dimension?: 2 | 3 }} [options]
+   * @returns {Curve}
+   */
+  static fromBasis(basis, points, options) {
+    const matrix = basisNumbers(basis);
+    const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+    if (flat.length !== 4 * dimension) {
+      throw new RangeError(`points: expected 4 points, got ${flat.length / dimension}`);
+    }
+    load(flat, 16).set(matrix, flat.length);
+    return made(core().curve_from_basis(dimension), dimension);
+  }
+
+  /**
+   * @param {{ points: PointsLike, dimension?: 2 | 3 }} json what `toJSON` gave
+   * @returns {Curve}
+   */
+  static fromJSON(json) {
+    if (typeof json !== "object" || json === null) {
+      throw new TypeError(`json: expected an object with points, got ${check.shown(json)}`);
+    }
+    return new Curve(json.points, { dimension: json.dimension });
+  }
+
+  /**
+   * The n + 1 Bernstein weights of a degree at t; for t in [0, 1] they sum to 1 within one ulp.
+   *
+   * @param {number} degree 0 to 64
+   * @param {number} t
+   * @returns {Float64Array}
+   */
+  static bernstein(degree, t) {
+    check.whole(degree, "degree", 0, 64);
+    return take(0, core().bernstein_weights(degree, check.finite(t, "t")));
+  }
+
+  /**
+   * The 4×4 matrix of a basis, row-major: rows for t³, t², t and 1, columns for the geometry points.
+   *
+   * @param {BasisName} name
+   * @returns {Float64Array} 16 numbers
+   */
+  static basisMatrix(name) {
+    check.oneOf(name, "basis", BASES);
+    return basisNumbers(name);
+  }
+
+  /** The degree n: one less than the number of control points. */
+  get degree() {
+    return this.#flat.length / this.#dimension - 1;
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#dimension;
+  }
+
+  /**
+   * @returns {Float64Array} the coordinates of P₀ … Pₙ, a copy
+   */
+  controlPoints() {
+    return this.#flat.slice();
+  }
+
+  /**
+   * Whether both have the same degree and each control point lies within a distance of its counterpart.
+   *
+   * @param {Curve} other
+   * @param {number} [tolerance] 0 for equal numbers
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const o = check.instanceOf(other, "other", Curve);
+    return this.#dimension === o.#dimension && samePoints(this.#flat, o.#flat, this.#dimension, tolerance);
+  }
+
+  /**
+   * The point at t.
+   *
+   * @param {number} t
+   * @returns {Point}
+   */
+  eval(t) {
+    if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
+    const flat = this.#flat;
+    const a = load(flat);
+    if (this.#dimension === 2) {
+      core().curve_eval(2, flat.length >> 1, t);
+      return { x: a[0], y: a[1] };
+    }
+    core().curve_eval(3, flat.length / 3, t);
+    return { x: a[0], y: a[1], z: a[2] };
+  }
+
+  /**
+   * `segments` + 1 points at t = i / segments.
+   *
+   * @param {number} segments
+   * @param {{ into?: Float64Array }} [options] `into`: at least (segments + 1) · dimension numbers long
+   * @returns {Float64Array}
+   */
+  sample(segments, options) {
+    check.segmentCount(segments);
+    const given = check.options(options).into;
+    const length = (segments + 1) * this.#dimension;
+    if (given !== undefined) check.resultArray(given, length);
+    const used = core().curve_sample(this.#dimension, this.#load(), segments);
+    if (given !== undefined) return takeInto(given, used);
+    return largeTake(used);
+  }
+
+  /**
+   * The points at some parameters.
+   *
+   * @param {ArrayLike<number>} ts
+   * @param {{ into?: Float64Array }} [options] `into`: at least ts.length · dimension numbers long
+   * @returns {Float64Array}
+   */
+  evalAt(ts, options) {
+    const parameters = check.numbers(ts, "ts");
+    const length = parameters.length * this.#dimension;
+    const into = check.resultArray(check.options(options).into, length);
+    const count = this.#load(parameters);
+    core().curve_eval_at(this.#dimension, count, parameters.length);
+    return takeInto(into, length);
+  }
+
+  /**
+   * The derivative as a curve of degree n − 1; of a line a constant line.
+   *
+   * @returns {Curve}
+   */
+  derivative() {
+    return this.#made(core().curve_derivative(this.#dimension, this.#load()));
+  }
+
+  /**
+   * The k-th derivative at t; zero beyond the degree.
+   *
+   * @param {number} t
+   * @param {number} [k]
+   * @returns {Point}
+   */
+  derivativeAt(t, k = 1) {
+    check.finite(t, "t");
+    check.whole(k, "k", 0, 0xffffffff);
+    core().curve_derivative_at(this.#dimension, this.#load(), t, k);
+    return this.#point();
+  }
+
+  /**
+   * The unit tangent at t; at zero-length handles and cusps its limit, of a point zero.
+   *
+   * @param {number} t
+   * @returns {Point}
+   */
+  tangent(t) {
+    check.finite(t, "t");
+    core().curve_tangent(this.#dimension, this.#load(), t);
+    return this.#point();
+  }
+
+  /**
+   * The unit normal at t: in 2D the tangent turned by +90°, (x, y) → (−y, x); in 3D the principal normal, zero where the
+   * curve is straight.
+   *
+   * @param {number} t
+   * @returns {Point}
+   */
+  normal(t) {
+    check.finite(t, "t");
+    core().curve_normal(this.#dimension, this.#load(), t);
+    return this.#point();
+  }
+
+  /**
+   * The curvature at t: in 2D positive when turning counter-clockwise (x right, y up), in 3D never negative. Infinite at
+   * a cusp.
+   *
+   * @param {number} t
+   * @returns {number}
+   */
+  curvature(t) {
+    check.finite(t, "t");
+    return core().curve_curvature(this.#dimension, this.#load(), t);
+  }
+
+  /**
+   * The pieces before and after t.
+   *
+   * @param {number} t
+   * @returns {[Curve, Curve]}
+   */
+  split(t) {
+    if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
+    core().curve_split(this.#dimension, this.#load(), t);
+    return this.#two();
+  }
+
+  /**
+   * The pieces before and after t = ½.
+   *
+   * @returns {[Curve, Curve]}
+   */
+  halve() {
+    core().curve_halve(this.#dimension, this.#load());
+    return this.#two();
+  }
+
+  /**
+   * The piece from t0 to t1; backwards if t0 > t1.
+   *
+   * @param {number} t0
+   * @param {number} t1
+   * @returns {Curve}
+   */
+  subsegment(t0, t1) {
+    check.finite(t0, "t0");
+    check.finite(t1, "t1");
+    core().curve_subsegment(this.#dimension, this.#load(), t0, t1);
+    return this.#made(this.#flat.length);
+  }
+
+  /**
+   * The same curve run through backwards.
+   *
+   * @returns {Curve}
+   */
+  reverse() {
+    const d = this.#dimension;
+    const flat = new Float64Array(this.#flat.length);
+    for (let i = 0; i < flat.length; i += d) flat.set(this.#flat.subarray(i, i + d), flat.length - d - i);
+    return curveOf(flat, d);
+  }
+
+  /**
+   * The same curve with one more control point.
+   *
+   * @returns {Curve}
+   * @throws {RangeError} at degree 64
+   */
+  elevate() {
+    return this.#made(core().curve_elevate(this.#dimension, this.#load()));
+  }
+
+  /**
+   * The image under an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {Curve}
+   */
+  transform(matrix) {
+    core().points_transform(this.#dimension, this.#load(check.affine(matrix)));
+    return this.#made(this.#flat.length);
+  }
+
+  /**
+   * All levels of de Casteljau's triangle at t: first the control points, last the point of the curve.
+   *
+   * @param {number} t
+   * @returns {Float64Array[]}
+   */
+  scaffold(t) {
+    check.finite(t, "t");
+    core().curve_scaffold(this.#dimension, this.#load(), t);
+    const levels = [];
+    for (let length = this.#flat.length, from = 0; length > 0; length -= this.#dimension) {
+      levels.push(take(from, from + length));
+      from += length;
+    }
+    return levels;
+  }
+
+  /**
+   * The four geometry points of this curve (degree at most 3) in another basis.
+   *
+   * @param {BasisLike} basis
+   * @returns {Float64Array}
+   */
+  toBasis(basis) {
+    const matrix = basisNumbers(basis);
+    return take(0, core().curve_to_basis(this.#dimension, this.#load(matrix)));
+  }
+
+  /**
+   * A polyline from which the curve is nowhere farther than `tolerance`.
+   *
+   * @param {number} tolerance in the unit of the points
+   * @returns {{ points: Float64Array, ts: Float64Array }} vertices and their parameters
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  flatten(tolerance) {
+    check.positive(tolerance, "tolerance");
+    const vertices = core().curve_flatten(this.#dimension, this.#load(), tolerance);
+    return takePolyline(vertices, this.#dimension);
+  }
+
+  /**
+   * The tree of recursive halving until D1 − D2 < tolerance, D1 the length of the control polygon and D2 that of the
+   * chord. For teaching: D1 − D2 is no distance, `deviationBound` is.
+   *
+   * @param {number} tolerance
+   * @returns {Subdivision}
+   */
+  subdivide(tolerance) {
+    check.positive(tolerance, "tolerance");
+    const used = core().curve_subdivide(this.#dimension, this.#load(), tolerance);
+    return readTree(take(0, used), this.#flat.length, (flat) => curveOf(flat, this.#dimension));
+  }
+
+  /**
+   * The smallest box that contains the curve.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  bounds() {
+    return this.#box(true);
+  }
+
+  /**
+   * The box of the control points, which contains the curve.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  controlBounds() {
+    return this.#box(false);
+  }
+
+  /**
+   * The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only.
+   *
+   * @returns {Float64Array}
+   */
+  hull() {
+    this.#plane("hull");
+    return take(0, core().curve_hull(this.#load()));
+  }
+
+  /**
+   * Draws the curve on a canvas context or a Path2D: `moveTo` its start, then the curve. 2D only.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    this.#plane("trace");
+    const pen = check.drawingTarget(target);
+    const tolerance = check.optionalTolerance(check.options(options).tolerance);
+    core().curve_trace(this.#load(), pen, tolerance);
+  }
+
+  /**
+   * @returns {{ points: number[][] }}
+   */
+  toJSON() {
+    return { points: nested(this.#flat, this.#dimension) };
+  }
+
+  /**
+   * Writes the control points, and numbers behind them, to the arena.
+   *
+   * @param {ArrayLike<number>} [behind]
+   * @returns {number} the number of points
+   */
+  #load(behind) {
+    const view = load(this.#flat, behind?.length);
+    if (behind) view.set(behind, this.#flat.length);
+    return this.#flat.length / this.#dimension;
+  }
+
+  /** @param {number} length */
+  #made(length) {
+    return made(length, this.#dimension);
+  }
+
+  /** @returns {[Curve, Curve]} */
+  #two() {
+    const n = this.#flat.length;
+    return [curveOf(take(0, n), this.#dimension), curveOf(take(n, 2 * n), this.#dimension)];
+  }
+
+  #point() {
+    return pointAt(take(0, 3), 0, this.#dimension);
+  }
+
+  /** @param {boolean} exact */
+  #box(exact) {
+    core().curve_bounds(this.#dimension, this.#load(), exact);
+    return boxAt(take(0, 6), this.#dimension);
+  }
+
+  /** @param {string} method */
+  #plane(method) {
+    if (this.#dimension === 3) throw new TypeError(`${method}: expected a 2D curve, got a 3D one`);
+  }
+}
+
+/**
+ * @param {Float64Array} flat
+ * @param {2 | 3} dimension
+ */
+function curveOf(flat, dimension) {
+  return new Curve(/** @type {any} */ (new Checked(flat, dimension)));
+}
+
+/**
+ * The curve whose control points the core left.
+ *
+ * @param {number} length
+ * @param {2 | 3} dimension
+ */
+function made(length, dimension) {
+  return curveOf(take(0, length), dimension);
+}
+
+/** @param {number} length */
+function largeTake(length) {
+  const result = take(0, length);
+  trim();
+  return result;
+}
+
+/**
+ * The polyline that the core left.
+ *
+ * @internal
+ * @param {number} vertices
+ * @param {2 | 3} dimension
+ * @returns {{ points: Float64Array, ts: Float64Array }}
+ */
+export function takePolyline(vertices, dimension) {
+  const end = vertices * dimension;
+  const line = { points: take(0, end), ts: take(end, end + vertices) };
+  trim();
+  return line;
+}

@@ -1,0 +1,439 @@
+import * as check from "./check.js";
+import { Curve, takePolyline } from "./curve.js";
+import { core } from "./init.js";
+import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
+import { Checked, load, take, takeInto, trim } from "./transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { Point } from "./points.js"
+ */
+
+/**
+ * What is kept at a joint while points move.
+ *
+ * @typedef {"free" | "g1" | "c1"} JointMode
+ */
+
+/**
+ * What is true at a joint.
+ *
+ * @typedef {object} Continuity
+ * @property {boolean} c0 the segments meet
+ * @property {boolean} g1 they have the same tangent direction
+ * @property {boolean} c1 they have the same first derivative
+ * @property {boolean} g2 they have the same tangent and curvature
+ * @property {boolean} c2 they have the same first and second derivative
+ * @property {number} gap the distance between the two ends
+ * @property {number} angle the angle between the two tangents, in radians
+ */
+
+/**
+ * The structure of a spline: its points, the degree of each segment, whether it is closed.
+ *
+ * @typedef {{ flat: Float64Array, dimension: 2 | 3, degrees: number[], closed: boolean }} Parts
+ */
+
+/** @type {readonly JointMode[]} in the order of the core */
+const MODES = ["free", "g1", "c1"];
+
+/**
+ * Bézier curves joined end to end: segment k covers t from k to k + 1 and keeps its own degree.
+ *
+ *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
+ *     spline.continuity(1).c1; // true
+ */
+export class Spline {
+  /** @type {Parts} */
+  #parts;
+
+  /**
+   * @param {PointsLike} points n · degree + 1 control points, closed n · degree
+   * @param {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} [options] degree 3 and open by default
+   * @throws {RangeError} for a count that does not fit, a NaN or an infinity
+   */
+  constructor(points, options) {
+    const inside = /** @type {unknown} */ (points);
+    if (inside instanceof CheckedParts) {
+      this.#parts = inside.parts;
+      return;
+    }
+    const { degree = 3, closed = false, dimension: wanted } = check.options(options);
+    check.whole(degree, "degree", 1, 64);
+    const { flat, dimension } = flatten(points, wanted, 2);
+    const count = flat.length / dimension;
+    const segments = (count - (closed ? 0 : 1)) / degree;
+    if (segments < 1 || !Number.isInteger(segments)) {
+      const rule = closed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
+      throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}`);
+    }
+    this.#parts = { flat, dimension, degrees: new Array(segments).fill(degree), closed: Boolean(closed) };
+  }
+
+  /**
+   * A spline from curves that follow each other; the degrees may differ.
+   *
+   * @param {Curve[]} curves
+   * @param {{ closed?: boolean }} [options]
+   * @returns {Spline}
+   * @throws {RangeError} where a curve does not start at the end of the one before it
+   */
+  static fromCurves(curves, options) {
+    if (!Array.isArray(curves)) throw new TypeError(`curves: expected an array of curves, got ${check.shown(curves)}`);
+    if (curves.length === 0) throw new RangeError("curves: expected at least 1 curve, got 0");
+    curves.forEach((curve, k) => check.instanceOf(curve, `curves[${k}]`, Curve));
+    const dimension = curves[0].dimension;
+    const other = curves.findIndex((curve) => curve.dimension !== dimension);
+    if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a 3D one`.replace("3D one", `${curves[other].dimension}D one`));
+    const closed = Boolean(check.options(options).closed);
+    const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
+    load(Float64Array.of(curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers));
+    return made(core().spline_from_curves(dimension), dimension);
+  }
+
+  /**
+   * @param {{ points: PointsLike, degrees: number[], closed: boolean, dimension?: 2 | 3 }} json what `toJSON` gave
+   * @returns {Spline}
+   */
+  static fromJSON(json) {
+    if (typeof json !== "object" || json === null) {
+      throw new TypeError(`json: expected an object with points, degrees and closed, got ${check.shown(json)}`);
+    }
+    const { flat, dimension } = flatten(json.points, json.dimension, 2);
+    const degrees = [...check.numbers(json.degrees, "degrees")];
+    degrees.forEach((degree, k) => check.whole(degree, `degrees[${k}]`, 1, 64));
+    const closed = Boolean(json.closed);
+    const needed = degrees.reduce((sum, degree) => sum + degree, closed ? 0 : 1);
+    if (degrees.length === 0 || needed !== flat.length / dimension) {
+      throw new RangeError(`points: expected ${needed} (the sum of the degrees), got ${flat.length / dimension}`);
+    }
+    return splineOf({ flat, dimension, degrees, closed });
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#parts.dimension;
+  }
+
+  /** Whether the end joins the start. */
+  get closed() {
+    return this.#parts.closed;
+  }
+
+  /** The number of segments, which is the t of the end. */
+  get segmentCount() {
+    return this.#parts.degrees.length;
+  }
+
+  /** The degree of each segment. */
+  get degrees() {
+    return [...this.#parts.degrees];
+  }
+
+  /**
+   * @returns {Float64Array} the coordinates of all control points, joints once each; a copy
+   */
+  controlPoints() {
+    return this.#parts.flat.slice();
+  }
+
+  /**
+   * @returns {Curve[]}
+   */
+  segments() {
+    const { flat, dimension, degrees, closed } = this.#parts;
+    const ring = closed ? Float64Array.of(...flat.subarray(0, dimension)) : flat.subarray(0, 0);
+    let from = 0;
+    return degrees.map((degree) => {
+      const to = from + degree * dimension;
+      const points = new Float64Array((degree + 1) * dimension);
+      points.set(flat.subarray(from, to + dimension));
+      if (to === flat.length) points.set(ring, degree * dimension);
+      from = to;
+      return new Curve(/** @type {any} */ (new Checked(points, dimension)));
+    });
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param {Spline} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const [a, b] = [this.#parts, check.instanceOf(other, "other", Spline).#parts];
+    const alike = a.closed === b.closed && a.dimension === b.dimension && `${a.degrees}` === `${b.degrees}`;
+    return alike && samePoints(a.flat, b.flat, a.dimension, tolerance);
+  }
+
+  /**
+   * The point at t, from 0 to the number of segments.
+   *
+   * @param {number} t
+   * @returns {Point}
+   */
+  eval(t) {
+    check.finite(t, "t");
+    core().spline_eval(this.#load(), t);
+    return pointAt(take(0, 3), 0, this.dimension);
+  }
+
+  /**
+   * Points at even steps of t, both ends included.
+   *
+   * @param {number} segmentsPerCurve
+   * @param {{ into?: Float64Array }} [options]
+   * @returns {Float64Array}
+   */
+  sample(segmentsPerCurve, options) {
+    check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
+    const into = check.options(options).into;
+    const length = (segmentsPerCurve * this.segmentCount + 1) * this.dimension;
+    if (into !== undefined) check.resultArray(into, length);
+    const used = core().spline_sample(this.#load(), segmentsPerCurve);
+    const result = into ? takeInto(into, used) : take(0, used);
+    trim();
+    return result;
+  }
+
+  /**
+   * The points at some parameters.
+   *
+   * @param {ArrayLike<number>} ts
+   * @param {{ into?: Float64Array }} [options]
+   * @returns {Float64Array}
+   */
+  evalAt(ts, options) {
+    const parameters = check.numbers(ts, "ts");
+    const length = parameters.length * this.dimension;
+    const into = check.resultArray(check.options(options).into, length);
+    core().spline_eval_at(this.#load(parameters), parameters.length);
+    return takeInto(into, length);
+  }
+
+  /**
+   * A polyline from which the spline is nowhere farther than `tolerance`; joints are vertices.
+   *
+   * @param {number} tolerance
+   * @returns {{ points: Float64Array, ts: Float64Array }}
+   */
+  flatten(tolerance) {
+    check.positive(tolerance, "tolerance");
+    return takePolyline(core().spline_flatten(this.#load(), tolerance), this.dimension);
+  }
+
+  /**
+   * The smallest box that contains the spline.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  bounds() {
+    core().spline_bounds(this.#load(), true);
+    return boxAt(take(0, 6), this.dimension);
+  }
+
+  /**
+   * The box of the control points.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  controlBounds() {
+    core().spline_bounds(this.#load(), false);
+    return boxAt(take(0, 6), this.dimension);
+  }
+
+  /**
+   * What is true at the joint t = `joint` (closed splines have a joint 0 too).
+   *
+   * @param {number} joint
+   * @param {number} [tolerance] a distance, by default 1e-9 of the extent of the two segments
+   * @returns {Continuity}
+   */
+  continuity(joint, tolerance) {
+    this.#checkJoint(joint);
+    const used = core().spline_continuity(this.#load(), joint, check.optionalTolerance(tolerance));
+    const [c0, g1, c1, g2, c2, gap, angle] = take(0, used);
+    return { c0: c0 === 1, g1: g1 === 1, c1: c1 === 1, g2: g2 === 1, c2: c2 === 1, gap, angle };
+  }
+
+  /**
+   * The spline with one more segment that ends at `point`, its handles automatic.
+   *
+   * @param {PointLike} point
+   * @returns {Spline}
+   */
+  append(point) {
+    if (this.closed) throw new RangeError("append: expected an open spline, which has an end, got a closed one");
+    return this.#made(core().spline_append(this.#load(this.#coordinates(point, "point"))));
+  }
+
+  /**
+   * The spline with a control point moved and the joints repaired outwards from it.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @param {{ joints?: ArrayLike<JointMode | undefined> | Record<number, JointMode> }} [options] `joints[k]`: the mode of
+   *   the joint at t = k, "free" where not given
+   * @returns {Spline}
+   */
+  movePoint(index, to, options) {
+    const last = this.#parts.flat.length / this.dimension - 1;
+    check.whole(index, "index", 0, last);
+    const modes = this.#modes(check.options(options).joints);
+    const behind = Float64Array.of(...this.#coordinates(to, "to"), ...modes);
+    return this.#made(core().spline_move_point(this.#load(behind), index));
+  }
+
+  /**
+   * The spline with a joint made what the mode says; the handle before it is kept.
+   *
+   * @param {number} joint
+   * @param {JointMode} mode
+   * @returns {Spline}
+   */
+  setJoint(joint, mode) {
+    this.#checkJoint(joint);
+    const code = MODES.indexOf(check.oneOf(mode, "mode", MODES));
+    return this.#made(core().spline_set_joint(this.#load(), joint, code));
+  }
+
+  /**
+   * The same curve with a joint at t.
+   *
+   * @param {number} t 0 to the number of segments
+   * @returns {Spline}
+   */
+  insert(t) {
+    check.finite(t, "t");
+    return this.#made(core().spline_insert(this.#load(), t));
+  }
+
+  /**
+   * The spline without a joint; undoes an insert exactly.
+   *
+   * @param {number} joint
+   * @returns {Spline}
+   */
+  remove(joint) {
+    this.#checkJoint(joint);
+    return this.#made(core().spline_remove(this.#load(), joint));
+  }
+
+  /**
+   * The same spline run through backwards.
+   *
+   * @returns {Spline}
+   */
+  reverse() {
+    return this.#made(core().spline_reverse(this.#load()));
+  }
+
+  /**
+   * The image under an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {Spline}
+   */
+  transform(matrix) {
+    const { flat, dimension } = this.#parts;
+    load(flat, 12).set(check.affine(matrix), flat.length);
+    core().points_transform(dimension, flat.length / dimension);
+    return splineOf({ ...this.#parts, flat: take(0, flat.length) });
+  }
+
+  /**
+   * Draws the spline on a canvas context or a Path2D; 2D only.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    if (this.dimension === 3) throw new TypeError("trace: expected a 2D spline, got a 3D one");
+    const pen = check.drawingTarget(target);
+    const tolerance = check.optionalTolerance(check.options(options).tolerance);
+    this.#load();
+    core().spline_trace(pen, tolerance);
+  }
+
+  /**
+   * @returns {{ points: number[][], degrees: number[], closed: boolean }}
+   */
+  toJSON() {
+    const { flat, dimension, degrees, closed } = this.#parts;
+    return { points: nested(flat, dimension), degrees: [...degrees], closed };
+  }
+
+  /**
+   * Writes the spline, and numbers behind it, to the arena.
+   *
+   * @param {ArrayLike<number>} [behind]
+   * @returns {2 | 3} the dimension
+   */
+  #load(behind) {
+    const { flat, dimension, degrees, closed } = this.#parts;
+    const head = 2 + degrees.length;
+    const view = load(Float64Array.of(degrees.length, closed ? 1 : 0), head + flat.length + (behind?.length ?? 0));
+    view.set(degrees, 2);
+    view.set(flat, head);
+    if (behind) view.set(behind, head + flat.length);
+    return dimension;
+  }
+
+  /** @param {number} length */
+  #made(length) {
+    return made(length, this.dimension);
+  }
+
+  /**
+   * @param {PointLike} point
+   * @param {string} name
+   */
+  #coordinates(point, name) {
+    const place = new Float64Array(this.dimension);
+    writePoint(place, 0, point, this.dimension, name);
+    return place;
+  }
+
+  /** @param {unknown} joint */
+  #checkJoint(joint) {
+    check.whole(joint, "joint", this.closed ? 0 : 1, this.segmentCount - 1);
+  }
+
+  /**
+   * @param {ArrayLike<JointMode | undefined> | Record<number, JointMode> | undefined} joints
+   * @returns {number[]} a code for each segment's start
+   */
+  #modes(joints) {
+    const modes = /** @type {Record<number, JointMode | undefined>} */ (check.options(joints, "joints"));
+    return this.#parts.degrees.map((_, k) => {
+      const mode = modes[k];
+      return mode === undefined ? 0 : MODES.indexOf(check.oneOf(mode, `joints[${k}]`, MODES));
+    });
+  }
+}
+
+/** Parts that were checked: what the constructor takes from inside. */
+class CheckedParts {
+  /** @param {Parts} parts */
+  constructor(parts) {
+    this.parts = parts;
+  }
+}
+
+/** @param {Parts} parts */
+function splineOf(parts) {
+  return new Spline(/** @type {any} */ (new CheckedParts(parts)));
+}
+
+/**
+ * The spline that the core left.
+ *
+ * @param {number} length
+ * @param {2 | 3} dimension
+ */
+function made(length, dimension) {
+  const numbers = take(0, length);
+  const head = 2 + numbers[0];
+  return splineOf({ flat: numbers.slice(head), dimension, degrees: [...numbers.subarray(2, head)], closed: numbers[1] === 1 });
+}

@@ -1,0 +1,72 @@
+import { arena, trimArena } from "./arena.js";
+import { instance } from "./init.js";
+
+/** Above this many numbers the arena gives its memory back after a result was read. */
+const LARGE_RESULT = 1 << 20;
+
+/**
+ * Control points that were checked: what the constructors take from inside the package.
+ *
+ * @internal
+ */
+export class Checked {
+  /**
+   * @param {Float64Array} flat
+   * @param {2 | 3} dimension
+   */
+  constructor(flat, dimension) {
+    this.flat = flat;
+    this.dimension = dimension;
+  }
+}
+
+/**
+ * Writes numbers at the start of the arena, with room for `extra` more behind them.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {number} [extra]
+ * @returns {Float64Array} the arena
+ */
+export function load(flat, extra = 0) {
+  const view = arena(flat.length + extra);
+  // A call of `set` costs more than a few stores.
+  if (flat.length > 32) view.set(flat);
+  else for (let i = 0; i < flat.length; i++) view[i] = flat[i];
+  return view;
+}
+
+/**
+ * Reads numbers from the arena into a new array.
+ *
+ * @internal
+ * @param {number} from
+ * @param {number} to
+ * @returns {Float64Array}
+ */
+export function take(from, to) {
+  return arena(to).slice(from, to);
+}
+
+/**
+ * Reads the first numbers of the arena into an array that is long enough.
+ *
+ * @internal
+ * @param {Float64Array} into
+ * @param {number} length
+ * @returns {Float64Array} `into`
+ */
+export function takeInto(into, length) {
+  into.set(arena(length).subarray(0, length));
+  if (length > LARGE_RESULT) trim();
+  return into;
+}
+
+/**
+ * Gives the memory of a large result back, after it was read.
+ *
+ * @internal
+ */
+export function trim() {
+  if (instance.view.length > LARGE_RESULT) trimArena();
+}
