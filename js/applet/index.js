@@ -1,6 +1,86 @@
-import { init } from "../index.js";
+import { BezierApp } from "./app.js";
+import { kindOf } from "./check.js";
+import { DEFAULT_BOX } from "./state.js";
 
-/** Placeholder. */
-export function bezierApp() {
-  return init();
+/** Where nothing else is given. */
+const DEFAULT_ID = "beziercanvas";
+
+/** The applets that live. @type {WeakMap<HTMLCanvasElement, BezierApp>} */
+const apps = new WeakMap();
+
+/**
+ * Turns a canvas into the applet: seven control points to drag, two cubic Bézier curves that share P3.
+ *
+ *     <canvas id="beziercanvas" width="670" height="480"></canvas>
+ *     <script type="module">
+ *       import { bezierApp } from "casteljau/applet";
+ *       const app = bezierApp("beziercanvas");
+ *     </script>
+ *
+ * The canvas's width and height are the picture's own size, in whose units the points are given; on the page it takes
+ * that width or, where there is less room, all there is. A second call on the same canvas returns the same applet.
+ *
+ * @param {unknown} [target] a canvas or its id; anything else, as the load event, means the canvas `#beziercanvas`
+ * @returns {BezierApp}
+ * @throws {TypeError} where there is no such canvas, or it is no canvas, or one that shows no 2D pictures
+ */
+export function bezierApp(target) {
+  const canvas = findCanvas(target);
+  const known = apps.get(canvas);
+  if (known) return known;
+  const app = new BezierApp(canvas, contextOf(canvas), boxOf(canvas), () => apps.delete(canvas));
+  apps.set(canvas, app);
+  return app;
 }
+
+/**
+ * @param {unknown} target
+ * @returns {HTMLCanvasElement}
+ */
+function findCanvas(target) {
+  const id = typeof target === "string" ? target : DEFAULT_ID;
+  const found = isElement(target) ? target : document.getElementById(id);
+  const wanted = isElement(target) ? "a canvas, its id or nothing" : `a canvas with the id ${JSON.stringify(id)}`;
+  if (found?.localName !== "canvas") {
+    const came = found ? kindOf(found) : "none in this document";
+    throw new TypeError(`bezierApp: expected ${wanted}, got ${came}`);
+  }
+  if (!found.parentNode) throw new TypeError("bezierApp: expected a canvas that is in a document, got one that is in none");
+  return /** @type {HTMLCanvasElement} */ (found);
+}
+
+/**
+ * @param {unknown} value
+ * @returns {value is Element}
+ */
+function isElement(value) {
+  return typeof value === "object" && value !== null && "nodeType" in value && "localName" in value;
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @returns {CanvasRenderingContext2D}
+ */
+function contextOf(canvas) {
+  try {
+    const context = canvas.getContext("2d");
+    if (context) return context;
+  } catch {
+    // handed over to a worker
+  }
+  throw new TypeError("bezierApp: expected a canvas for 2D pictures, got one that is used otherwise (WebGL or a worker)");
+}
+
+/**
+ * The canvas's stated size, "670px" as well as "670".
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @returns {import("./state.js").Box}
+ */
+function boxOf(canvas) {
+  const { width, height } = canvas;
+  const stated = canvas.hasAttribute("width") && canvas.hasAttribute("height") && width > 0 && height > 0;
+  return stated ? { width, height } : DEFAULT_BOX;
+}
+
+export { BezierApp };

@@ -1,0 +1,183 @@
+// Pointers that move points: any number at once. A move only notes the pointer's place; the next frame uses it.
+
+/** @typedef {[number, number]} Place */
+
+/**
+ * What dragging needs to know and may do.
+ *
+ * @typedef {object} DragPort
+ * @property {(index: number) => Place} placeOf where a handle stands, in the view box
+ * @property {(event: PointerEvent) => Place} toBox a pointer's place in the view box
+ * @property {(index: number) => HTMLElement} boxOf a handle's element
+ * @property {() => number} count how many handles there are
+ * @property {(index: number) => void} grabbed
+ * @property {() => void} schedule asks for a frame, which calls `apply`
+ * @property {(index: number, to: Place) => void} move
+ * @property {() => void} begun the first pointer has come down: what is now may have to be restored
+ * @property {() => void} restored Esc, or the only pointer was taken away: back to what was at the beginning
+ * @property {(moved: number[]) => void} ended the last pointer has gone up; the points that have been moved
+ */
+
+/** @typedef {{ index: number, grip: Place, from: Place, to: Place | null }} Drag */
+
+/** A second press within this distance of the last one is on the same stack. */
+const SAME_PLACE_PX = 4;
+
+export class Drags {
+  /** @type {Map<number, Drag>} by pointerId */
+  #drags = new Map();
+  /** Points that have moved since the first pointer came down. @type {Set<number>} */
+  #moved = new Set();
+  /** The last press that has not moved anything. @type {{ x: number, y: number, index: number } | null} */
+  #lastPress = null;
+  #port;
+
+  /**
+   * @param {HTMLElement} overlay
+   * @param {DragPort} port
+   */
+  constructor(overlay, port) {
+    this.#port = port;
+    overlay.addEventListener("pointerdown", (event) => this.#down(event));
+    overlay.addEventListener("pointermove", (event) => this.#move(event));
+    overlay.addEventListener("pointerup", (event) => this.#up(event));
+    overlay.addEventListener("pointercancel", (event) => this.#lost(event));
+    overlay.addEventListener("lostpointercapture", (event) => this.#lost(event));
+    overlay.addEventListener("mousedown", (event) => event.preventDefault()); // focus stays where `grabbed` puts it
+  }
+
+  get active() {
+    return this.#drags.size > 0;
+  }
+
+  /**
+   * Moves the points to where their pointers are by now.
+   *
+   * @returns {boolean} whether any has moved
+   */
+  apply() {
+    const waiting = [...this.#drags.values()].filter(({ to }) => to);
+    for (const drag of waiting) {
+      this.#moved.add(drag.index);
+      this.#port.move(drag.index, drag.to ?? drag.from);
+      drag.to = null;
+    }
+    return waiting.length > 0;
+  }
+
+  /** Lets all points go where they are. */
+  end() {
+    if (!this.active) return;
+    this.#release();
+    this.#port.ended([...this.#moved]);
+  }
+
+  /**
+   * Lets all points go; they return to where they were.
+   *
+   * @returns {boolean} whether there was one
+   */
+  cancel() {
+    if (!this.active) return false;
+    this.#release();
+    this.#port.restored();
+    return true;
+  }
+
+  #release() {
+    const ids = [...this.#drags];
+    this.#drags.clear(); // first, since releasing a capture is reported as a loss
+    for (const [id, { index }] of ids) {
+      if (index < this.#port.count() && this.#port.boxOf(index).hasPointerCapture(id)) {
+        this.#port.boxOf(index).releasePointerCapture(id);
+      }
+    }
+  }
+
+  /** @param {PointerEvent} event */
+  #down(event) {
+    if (event.button !== 0 || this.#drags.has(event.pointerId)) return;
+    const index = this.#choose(this.#stackUnder(event), event);
+    if (index === undefined) return;
+    if (!this.active) this.#begin();
+    const from = this.#port.placeOf(index);
+    const [x, y] = this.#port.toBox(event);
+    this.#drags.set(event.pointerId, { index, grip: [x - from[0], y - from[1]], from, to: null });
+    this.#port.boxOf(index).setPointerCapture(event.pointerId);
+    this.#port.grabbed(index);
+  }
+
+  #begin() {
+    this.#moved.clear();
+    this.#port.begun();
+  }
+
+  /**
+   * The free handles whose boxes contain the pointer, the nearest first.
+   *
+   * @param {PointerEvent} event
+   * @returns {number[]}
+   */
+  #stackUnder({ clientX, clientY }) {
+    const taken = new Set([...this.#drags.values()].map(({ index }) => index));
+    const found = [];
+    for (let index = 0; index < this.#port.count(); index++) {
+      const { left, top, width, height } = this.#port.boxOf(index).getBoundingClientRect();
+      const [dx, dy] = [clientX - left - width / 2, clientY - top - height / 2];
+      const inside = Math.abs(dx) <= width / 2 && Math.abs(dy) <= height / 2;
+      if (inside && !taken.has(index)) found.push({ index, distance: Math.hypot(dx, dy) });
+    }
+    return found.sort((a, b) => a.distance - b.distance).map(({ index }) => index);
+  }
+
+  /**
+   * The nearest; but a second press at the same place takes the next of the stack.
+   *
+   * @param {number[]} stack
+   * @param {PointerEvent} event
+   * @returns {number | undefined}
+   */
+  #choose(stack, event) {
+    const last = isNear(this.#lastPress, event) ? stack.indexOf(this.#lastPress?.index ?? -1) : -1;
+    const index = stack[(last + 1) % stack.length];
+    this.#lastPress = index === undefined ? null : { x: event.clientX, y: event.clientY, index };
+    return index;
+  }
+
+  /** @param {PointerEvent} event */
+  #move(event) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    const [x, y] = this.#port.toBox(event);
+    drag.to = [x - drag.grip[0], y - drag.grip[1]];
+    if (!isNear(this.#lastPress, event)) this.#lastPress = null;
+    this.#port.schedule();
+  }
+
+  /** @param {PointerEvent} event */
+  #up(event) {
+    if (!this.#drags.has(event.pointerId)) return;
+    this.apply();
+    this.#drags.delete(event.pointerId);
+    if (!this.active) this.#port.ended([...this.#moved]);
+  }
+
+  /** @param {PointerEvent} event */
+  #lost(event) {
+    const drag = this.#drags.get(event.pointerId);
+    if (!drag) return;
+    if (this.#drags.size === 1) return void this.cancel();
+    this.#drags.delete(event.pointerId);
+    this.#port.move(drag.index, drag.from); // others are still moving
+    this.#port.schedule();
+  }
+}
+
+/**
+ * @param {{ x: number, y: number } | null} press
+ * @param {PointerEvent} event
+ * @returns {boolean}
+ */
+function isNear(press, { clientX, clientY }) {
+  return press !== null && Math.hypot(clientX - press.x, clientY - press.y) <= SAME_PLACE_PX;
+}

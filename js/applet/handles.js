@@ -1,0 +1,106 @@
+// One HTML handle for each shown point, over the canvas: two range inputs inside a hit box.
+import { element } from "./dom.js";
+import { clamped } from "./state.js";
+import { isOnCurve } from "./words.js";
+
+/** @typedef {import("./state.js").Box} Box */
+/** @typedef {{ box: HTMLElement, x: HTMLInputElement, y: HTMLInputElement }} Handle */
+
+/** The inputs' step: what Alt and an arrow key do. */
+const FINEST_STEP = 0.1;
+
+export class Handles {
+  /** @type {Handle[]} */
+  #handles = [];
+  #overlay;
+  #box;
+
+  /**
+   * @param {HTMLElement} overlay
+   * @param {Box} box
+   */
+  constructor(overlay, box) {
+    this.#overlay = overlay;
+    this.#box = box;
+  }
+
+  get count() {
+    return this.#handles.length;
+  }
+
+  /**
+   * @param {number} index
+   * @returns {HTMLElement}
+   */
+  boxOf(index) {
+    return this.#handles[index].box;
+  }
+
+  /**
+   * @param {EventTarget | null} input
+   * @returns {number} −1 for what is no input of a point
+   */
+  indexOf(input) {
+    return this.#handles.findIndex(({ x, y }) => x === input || y === input);
+  }
+
+  /**
+   * Puts the keyboard on a point.
+   *
+   * @param {number} index
+   */
+  focus(index) {
+    this.#handles[index]?.x.focus({ preventScroll: true });
+  }
+
+  /**
+   * As many handles as points, each at its place.
+   *
+   * @param {[number, number][]} points
+   */
+  update(points) {
+    while (this.#handles.length > points.length) this.#handles.pop()?.box.remove();
+    while (this.#handles.length < points.length) this.#add(this.#handles.length);
+    points.forEach((point, i) => this.#place(this.#handles[i], point));
+  }
+
+  /** @param {number} index */
+  #add(index) {
+    const page = this.#overlay.ownerDocument;
+    const input = (/** @type {"x" | "y"} */ axis) =>
+      element(page, "input", { type: "range", "aria-label": `P${index} ${axis}`, "data-axis": axis });
+    const [x, y] = [input("x"), input("y")];
+    y.tabIndex = -1; // all four arrows work on x; a screen reader finds both
+    const kind = isOnCurve(index) ? "on" : "off";
+    const box = element(page, "div", { className: "handle", part: "handle", "data-index": index, "data-kind": kind }, x, y);
+    this.#overlay.append(box);
+    this.#handles.push({ box, x, y });
+  }
+
+  /**
+   * @param {Handle} handle
+   * @param {[number, number]} point
+   */
+  #place({ box, x, y }, point) {
+    const { width, height } = this.#box;
+    const at = clamped(this.#box, point);
+    box.style.left = `${(100 * at[0]) / width}%`;
+    box.style.top = `${(100 * at[1]) / height}%`;
+    setRange(x, point[0], point[0], width);
+    setRange(y, height - point[1], point[1], height); // more is higher up
+  }
+}
+
+/**
+ * @param {HTMLInputElement} input
+ * @param {number} value
+ * @param {number} spoken
+ * @param {number} size of the view box; points outside stretch the range
+ */
+function setRange(input, value, spoken, size) {
+  input.min = String(Math.min(0, Math.floor(value)));
+  input.max = String(Math.max(size, Math.ceil(value)));
+  input.step = String(FINEST_STEP);
+  input.value = String(value);
+  input.setAttribute("aria-valuetext", String(Math.round(10 * spoken) / 10));
+}

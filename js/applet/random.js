@@ -1,0 +1,127 @@
+// Chance, and places for new points.
+import { Spline } from "../index.js";
+import { clamped, cubics, pairs, pointCount, POINTS_PER_SEGMENT } from "./state.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./state.js").Box} Box */
+
+/** Random points keep this share of the box's smaller side as a margin, so that handles are not cut. */
+const MARGIN_RATIO = 0.06;
+/** About three draws in four put a C1 handle outside: the chance that 64 draws all fail is 1e-8. */
+const MOST_DRAWS = 64;
+/** Of so many random places the one with most room is taken: points that lie on each other teach nothing. */
+const CANDIDATES = 5;
+/** Columns and rows of the candidates for a new point. */
+const GRID = { columns: 12, rows: 9 };
+
+/**
+ * The small generator "mulberry32" (Tommy Ettinger, public domain): equal seeds, equal numbers in [0, 1).
+ *
+ * @param {number} seed an integer
+ * @returns {() => number}
+ */
+export function generator(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/**
+ * All points at random places inside the box, the lock held, by which no point leaves the box either.
+ *
+ * @param {State} state
+ * @param {() => number} random
+ * @returns {State}
+ */
+export function randomized(state, random) {
+  const draw = (/** @type {number[][]} */ others) =>
+    roomiest(Array.from({ length: CANDIDATES }, () => randomPlace(state.box, random)), others);
+  /** @type {[number, number][]} */
+  const points = [];
+  while (points.length < pointCount(state)) points.push(draw(points));
+  let spline = cubics(points);
+  const segments = (pointCount(state) - 1) / POINTS_PER_SEGMENT;
+  for (let joint = 1; joint < segments; joint++) spline = withJointInside(spline, joint, state, draw);
+  return { ...state, spline };
+}
+
+/**
+ * Draws the three points of a joint anew until its lock leaves them inside.
+ *
+ * @param {Spline} spline
+ * @param {number} joint
+ * @param {State} state
+ * @param {(others: number[][]) => [number, number]} draw
+ * @returns {Spline}
+ */
+function withJointInside(spline, joint, state, draw) {
+  const anchor = POINTS_PER_SEGMENT * joint;
+  for (let draws = 0; ; draws++) {
+    const held = spline.setJoint(joint, state.joint);
+    if (isInside(state.box, pairs(held.controlPoints())[anchor + 1])) return held;
+    const points = pairs(spline.controlPoints());
+    const others = points.filter((_, index) => Math.abs(index - anchor) > 1);
+    for (const index of [anchor - 1, anchor, anchor + 1]) points[index] = draw(others);
+    // The mirror image in the centre of what is inside is inside.
+    if (draws >= MOST_DRAWS) points[anchor] = [state.box.width / 2, state.box.height / 2];
+    if (draws >= MOST_DRAWS) points[anchor + 1] = points[anchor - 1];
+    spline = cubics(points);
+  }
+}
+
+/**
+ * @param {Box} box
+ * @param {() => number} random
+ * @returns {[number, number]}
+ */
+function randomPlace({ width, height }, random) {
+  const margin = MARGIN_RATIO * Math.min(width, height);
+  return [margin + random() * (width - 2 * margin), margin + random() * (height - 2 * margin)];
+}
+
+/**
+ * @param {Box} box
+ * @param {[number, number]} point
+ * @returns {boolean}
+ */
+function isInside(box, point) {
+  const [x, y] = clamped(box, point);
+  return x === point[0] && y === point[1];
+}
+
+/**
+ * The place of a coarse grid that is farthest from all points: where there is room for a new one.
+ *
+ * @param {State} state
+ * @returns {[number, number]}
+ */
+export function roomiestPlace(state) {
+  return roomiest(gridPlaces(state.box), pairs(state.spline.controlPoints()));
+}
+
+/**
+ * @param {[number, number][]} places
+ * @param {number[][]} others
+ * @returns {[number, number]} the place with the greatest distance to the nearest of the others
+ */
+function roomiest(places, others) {
+  const room = (/** @type {number[]} */ [x, y]) => Math.min(...others.map(([px, py]) => Math.hypot(x - px, y - py)));
+  const rooms = places.map((place) => ({ place, room: room(place) }));
+  return rooms.reduce((best, next) => (next.room > best.room ? next : best)).place;
+}
+
+/**
+ * @param {Box} box
+ * @returns {[number, number][]}
+ */
+function gridPlaces({ width, height }) {
+  const { columns, rows } = GRID;
+  return Array.from({ length: columns * rows }, (_, i) => [
+    ((1 + (i % columns)) * width) / (columns + 1),
+    ((1 + Math.floor(i / columns)) * height) / (rows + 1),
+  ]);
+}

@@ -1,0 +1,110 @@
+// The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
+
+const CSS = `
+:host {
+  --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
+  --bz-curve: #0072b2; --bz-handle: #d55e00; --bz-first: #0072b2; --bz-second: #d55e00; --bz-level1: #009e73; --bz-level2: #cc79a7;
+  --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
+  display: block; box-sizing: border-box; max-inline-size: 100%;
+  color-scheme: light dark; color: var(--bz-ink);
+  font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
+}
+@media (prefers-color-scheme: dark) {
+  :host {
+    --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
+    --bz-curve: #56b4e9; --bz-handle: #e69f00; --bz-first: #56b4e9; --bz-second: #e69f00;
+    --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
+  }
+}
+@media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
+@media (forced-colors: active) {
+  :host {
+    --bz-ink: CanvasText; --bz-quiet: CanvasText; --bz-paper: Canvas; --bz-panel: Canvas; --bz-rim: CanvasText; --bz-field: CanvasText;
+    --bz-curve: CanvasText; --bz-handle: LinkText; --bz-first: CanvasText; --bz-second: Highlight;
+    --bz-level1: GrayText; --bz-level2: LinkText; --bz-accent: Highlight; --bz-on-accent: HighlightText;
+  }
+  .probe { forced-color-adjust: none; }
+}
+* { box-sizing: border-box; }
+.frame { outline: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); }
+.stage { position: relative; background: var(--bz-paper); border-radius: 10px 10px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
+::slotted(canvas) {
+  display: block !important; margin: 0 !important; padding: 0 !important; inline-size: 100%; max-inline-size: 100%;
+  block-size: auto !important; aspect-ratio: var(--bz-box) !important;
+}
+.overlay { position: absolute; user-select: none; -webkit-user-select: none; }
+.handle {
+  position: absolute; inline-size: var(--bz-hit); block-size: var(--bz-hit); margin: calc(var(--bz-hit) / -2) 0 0 calc(var(--bz-hit) / -2);
+  touch-action: none; cursor: grab;
+}
+.handle:active { cursor: grabbing; }
+.handle::after {
+  content: ""; position: absolute; inset: 0; margin: auto; inline-size: 24px; block-size: 24px;
+  border: 2px solid transparent; border-radius: 50%; pointer-events: none;
+}
+.handle[data-kind="off"]::after { border-radius: 6px; }
+.handle:hover::after { border-color: var(--bz-field); }
+.handle:focus-within { z-index: 1; }
+.handle:focus-within::after { border-color: var(--bz-accent); }
+.handle:has(:focus-visible)::after { outline: 2px solid var(--bz-paper); box-shadow: 0 0 0 4px var(--bz-accent); }
+.handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
+.status { display: flex; gap: 0.6rem; align-items: baseline; margin: 0; padding: 0.6rem 0.9rem; border-block: 1px solid var(--bz-rim); min-block-size: 4.1em; }
+.verdict { flex: none; min-inline-size: 2.6em; padding: 0 0.45em; border-radius: 5px; text-align: center; font-weight: 650; border: 1.5px solid currentColor; }
+.verdict[data-verdict="C0"] { color: var(--bz-broken, #b34700); }
+.verdict[data-verdict="G1"], .verdict[data-verdict="C1"] { color: var(--bz-smooth, #00704f); }
+.verdict:empty { display: none; }
+@media (prefers-color-scheme: dark) {
+  .verdict[data-verdict="C0"] { color: var(--bz-broken, #f0b13c); }
+  .verdict[data-verdict="G1"], .verdict[data-verdict="C1"] { color: var(--bz-smooth, #3ecf9f); }
+}
+.controls { display: flex; flex-wrap: wrap; gap: 0.75rem 1.4rem; align-items: center; padding: 0.8rem 0.9rem; }
+.row { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; }
+fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; align-items: center; }
+legend { float: left; padding: 0; margin-inline-end: 0.1rem; font-weight: 600; }
+button {
+  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px;
+  padding: 0.32rem 0.7rem; min-block-size: 2.25rem; cursor: pointer;
+}
+button:hover { border-color: var(--bz-accent); color: var(--bz-accent); }
+button:disabled { opacity: 0.55; cursor: default; }
+kbd {
+  font: 600 0.8em/1 ui-monospace, "SF Mono", Menlo, Consolas, monospace; color: var(--bz-quiet); border: 1px solid var(--bz-rim);
+  border-block-end-width: 2px; border-radius: 4px; padding: 0.1em 0.4em; margin-inline-start: 0.25em;
+}
+label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
+input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
+.t { font-weight: 600; flex: 1 1 15rem; }
+.t input { flex: 1; min-inline-size: 6rem; accent-color: var(--bz-accent); }
+.t output { min-inline-size: 2.4em; font-weight: 400; font-variant-numeric: tabular-nums; }
+.t i { font-family: ui-serif, Georgia, serif; font-size: 1.1em; }
+:focus-visible { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
+.handle :focus-visible { outline: none; }
+.hint { flex: 1 1 100%; display: flex; flex-wrap: wrap; gap: 0.2rem 1.4rem; margin: 0; align-items: center; color: var(--bz-quiet); font-size: 0.875rem; }
+.away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+@media (prefers-reduced-motion: no-preference) { .handle::after { transition: border-color 0.12s; } }
+`;
+
+/** One sheet for each document. @type {WeakMap<Document, CSSStyleSheet>} */
+const sheets = new WeakMap();
+
+/**
+ * Gives a shadow root its styles.
+ *
+ * @param {ShadowRoot} root
+ */
+export function adoptStyle(root) {
+  const page = root.ownerDocument;
+  const known = sheets.get(page) ?? makeSheet(page);
+  root.adoptedStyleSheets = [known];
+}
+
+/**
+ * @param {Document} page
+ * @returns {CSSStyleSheet}
+ */
+function makeSheet(page) {
+  const sheet = new (page.defaultView ?? globalThis).CSSStyleSheet();
+  sheet.replaceSync(CSS);
+  sheets.set(page, sheet);
+  return sheet;
+}

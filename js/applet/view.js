@@ -1,0 +1,150 @@
+// The frame around the canvas: a host element with a shadow root, in which the canvas is slotted.
+import { element } from "./dom.js";
+import { adoptStyle } from "./style.js";
+import { INSTRUCTIONS, TITLE } from "./words.js";
+
+/** @typedef {import("./state.js").Box} Box */
+
+/**
+ * @typedef {object} View
+ * @property {HTMLElement} host stands where the canvas stood
+ * @property {HTMLElement} stage the picture with its handles
+ * @property {HTMLElement} overlay lies exactly over the canvas; holds the handles
+ * @property {HTMLElement} description the picture in words, for screen readers
+ * @property {HTMLElement} verdict the short form of what holds at P3
+ * @property {HTMLElement} label the long form
+ * @property {HTMLElement} live where changes are announced
+ * @property {HTMLElement} probe from which colours are read
+ * @property {HTMLElement} controls empty at first
+ * @property {() => void} unwrap puts the page back as it was
+ */
+
+/** The host carries this attribute, so that pages can style it. */
+const HOST_ATTRIBUTE = "data-bezier-applet";
+
+/**
+ * Wraps the canvas.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {Box} box
+ * @returns {View}
+ */
+export function createView(canvas, box) {
+  const page = canvas.ownerDocument;
+  const parts = createParts(page);
+  const host = element(page, "div", { [HOST_ATTRIBUTE]: "" });
+  host.style.setProperty("inline-size", `${box.width}px`);
+  host.style.setProperty("--bz-box", `${box.width} / ${box.height}`);
+  host.style.margin = margins(canvas);
+  const root = host.attachShadow({ mode: "open" });
+  adoptStyle(root);
+  root.append(parts.frame);
+  const unwrap = wrap(canvas, host);
+  return { host, ...parts, unwrap };
+}
+
+/** @param {Document} page */
+function createParts(page) {
+  const make = element.bind(null, page);
+  const overlay = make("div", { className: "overlay", part: "overlay" });
+  const description = make("p", { className: "away", id: "description" });
+  const verdict = make("span", { className: "verdict", part: "verdict" });
+  const label = make("span", {});
+  const live = make("p", { className: "away", role: "status" });
+  const probe = make("span", { className: "probe", hidden: true });
+  const controls = make("div", { className: "controls", part: "controls" });
+  const stage = make(
+    "div",
+    { className: "stage", part: "stage", role: "figure", "aria-label": TITLE, "aria-describedby": "description" },
+    make("p", { className: "away" }, INSTRUCTIONS),
+    description,
+    make("slot"),
+    overlay,
+  );
+  const status = make("p", { className: "status", part: "status" }, verdict, label);
+  const frame = make("div", { className: "frame", part: "frame" }, stage, status, controls, live, probe);
+  return { frame, stage, overlay, description, verdict, label, live, probe, controls };
+}
+
+/**
+ * The canvas's own margins, which the host takes over; a block with equal ones at its sides is taken to be centred.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @returns {string}
+ */
+function margins(canvas) {
+  const { display, marginTop, marginRight, marginBottom, marginLeft } = getComputedStyle(canvas);
+  const centred = display === "block" && marginLeft === marginRight && marginLeft !== "0px";
+  return centred ? `${marginTop} auto ${marginBottom}` : `${marginTop} ${marginRight} ${marginBottom} ${marginLeft}`;
+}
+
+/**
+ * Puts the host in the canvas's place and the canvas into the host; returns what undoes it.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {HTMLElement} host
+ * @returns {() => void}
+ */
+function wrap(canvas, host) {
+  const changed = ["width", "height", "aria-hidden"].map((name) => ({ name, value: canvas.getAttribute(name) }));
+  canvas.replaceWith(host);
+  canvas.setAttribute("aria-hidden", "true"); // else its fallback text is read, though the picture is there
+  host.append(canvas);
+  return () => {
+    for (const { name, value } of changed) {
+      if (value === null) canvas.removeAttribute(name);
+      else canvas.setAttribute(name, value);
+    }
+    host.replaceWith(canvas);
+  };
+}
+
+/**
+ * Keeps the canvas as sharp as the display, and the overlay over it.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {View} view
+ * @param {(width: number) => void} resized called with the width in CSS pixels after every change of size, and once at the start
+ * @returns {() => void} ends it
+ */
+export function followSize(canvas, view, resized) {
+  const observer = new ResizeObserver((entries) => {
+    const { width, height } = devicePixels(canvas, entries[entries.length - 1]);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    coverCanvas(canvas, view.overlay);
+    resized(canvas.clientWidth);
+  });
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas); // Safari before 26 does not know device pixels
+  }
+  return () => observer.disconnect();
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {ResizeObserverEntry} entry
+ * @returns {{ width: number, height: number }}
+ */
+function devicePixels(canvas, entry) {
+  const exact = entry.devicePixelContentBoxSize?.[0];
+  if (exact) return { width: Math.max(1, exact.inlineSize), height: Math.max(1, exact.blockSize) };
+  const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
+  const { width, height } = entry.contentRect;
+  return { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) };
+}
+
+/**
+ * The canvas lies at the stage's upper left corner; the overlay leaves a border of it free.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {HTMLElement} overlay
+ */
+function coverCanvas({ clientLeft, clientTop, clientWidth, clientHeight }, overlay) {
+  overlay.style.left = `${clientLeft}px`;
+  overlay.style.top = `${clientTop}px`;
+  overlay.style.width = `${clientWidth}px`;
+  overlay.style.height = `${clientHeight}px`;
+}
