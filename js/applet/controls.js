@@ -35,6 +35,8 @@ const JOINT_TITLES = {
 /** @type {Record<keyof Layers, string>} */
 const LAYER_NAMES = { polygon: "control polygon", hull: "hull", scaffold: "de Casteljau at t", halves: "two halves at t" };
 const T_STEP = 0.01;
+/** Up to so many points P3 is the only joint. */
+const TWO_CUBICS = 7;
 
 /**
  * Fills the bar.
@@ -87,7 +89,10 @@ function jointSwitch(page, port) {
   const labels = JOINT_MODES.map((mode, i) => element(page, "label", { title: JOINT_TITLES[mode] }, radios[i], JOINT_NAMES[mode]));
   const legend = element(page, "legend", {}, "At P3 hold");
   const group = element(page, "fieldset", {}, legend, ...labels);
-  const update = (/** @type {State} */ state) => radios.forEach((radio) => (radio.checked = radio.value === state.joint));
+  const update = (/** @type {State} */ state) => {
+    legend.textContent = state.shown > TWO_CUBICS ? "At every joint hold" : "At P3 hold";
+    for (const radio of radios) radio.checked = radio.value === state.joint;
+  };
   return { group, update };
 }
 
@@ -99,7 +104,7 @@ function tSlider(page, port) {
   const slider = element(page, "input", { type: "range", min: "0", max: "1", step: String(T_STEP), "aria-label": "t" });
   slider.addEventListener("input", () => port.setT(Number(slider.value), false));
   slider.addEventListener("change", () => port.setT(Number(slider.value), true));
-  const output = element(page, "output");
+  const output = element(page, "span", { className: "value", "aria-hidden": "true" }); // the slider tells its value itself
   const label = element(page, "label", { className: "t" }, element(page, "i", {}, "t"), slider, output);
   const update = (/** @type {State} */ { t }) => {
     slider.value = String(t);

@@ -75,7 +75,7 @@ label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 
 input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
 .t { font-weight: 600; flex: 1 1 15rem; }
 .t input { flex: 1; min-inline-size: 6rem; accent-color: var(--bz-accent); }
-.t output { min-inline-size: 2.4em; font-weight: 400; font-variant-numeric: tabular-nums; }
+.t .value { min-inline-size: 2.4em; font-weight: 400; font-variant-numeric: tabular-nums; }
 .t i { font-family: ui-serif, Georgia, serif; font-size: 1.1em; }
 :focus-visible { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
 .handle :focus-visible { outline: none; }

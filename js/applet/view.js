@@ -124,16 +124,22 @@ export function followSize(canvas, view, resized) {
 }
 
 /**
+ * The exact number of device pixels where the browser tells it. The tools that pretend to be another display do not
+ * (Chromium then reports CSS pixels): what differs from the ratio by more than rounding is not believed.
+ *
  * @param {HTMLCanvasElement} canvas
  * @param {ResizeObserverEntry} entry
  * @returns {{ width: number, height: number }}
  */
 function devicePixels(canvas, entry) {
-  const exact = entry.devicePixelContentBoxSize?.[0];
-  if (exact) return { width: Math.max(1, exact.inlineSize), height: Math.max(1, exact.blockSize) };
   const ratio = canvas.ownerDocument.defaultView?.devicePixelRatio ?? 1;
-  const { width, height } = entry.contentRect;
-  return { width: Math.max(1, Math.round(width * ratio)), height: Math.max(1, Math.round(height * ratio)) };
+  const [width, height] = [entry.contentRect.width * ratio, entry.contentRect.height * ratio];
+  const told = entry.devicePixelContentBoxSize?.[0];
+  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
+  return {
+    width: Math.max(1, exact ? told.inlineSize : Math.round(width)),
+    height: Math.max(1, exact ? told.blockSize : Math.round(height)),
+  };
 }
 
 /**

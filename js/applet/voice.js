@@ -31,8 +31,11 @@ export class Voice {
     this.#view.verdict.dataset.verdict = verdict;
     setText(this.#view.label, text);
     if (this.#shown?.state === state) return;
+    const first = this.#shown === null;
     this.#shown = { state, derived };
-    this.#wait();
+    if (!first) return this.#wait();
+    this.#told = verdict; // what is there from the start is described, not announced
+    this.#speak();
   }
 
   /** @param {string} words announced together with what has changed at P3 */
@@ -56,9 +59,8 @@ export class Voice {
     setText(this.#view.description, description(state, derived));
     const { verdict, text } = jointLabel(state, derived);
     const news = verdict === this.#told ? "" : text;
-    const first = this.#told === "" && this.#words === ""; // nobody asked yet
     this.#told = verdict;
-    if (!first && (this.#words || news)) this.#view.live.textContent = [this.#words, news].filter(Boolean).join(". ");
+    if (this.#words || news) this.#view.live.textContent = [this.#words, news].filter(Boolean).join(". ");
     this.#words = "";
   }
 }

@@ -1,0 +1,158 @@
+// Keyboard, touch, double clicks, stacks of handles.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertNear, centre, drawn, handle, openTutorial, points } from "./applet-page.js";
+
+/** The accessible name of what has the focus, inside the shadow root. */
+const focused = (page) =>
+  page.evaluate(() => document.activeElement?.shadowRoot?.activeElement?.getAttribute("aria-label") ?? "");
+
+test("keyboard only: Tab goes along the curve, arrows move by 1, 10 and 0.1 pixels", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  await page.keyboard.press("Tab");
+  const names = [];
+  for (let i = 0; i < 7; i++) (names.push(await focused(page)), await page.keyboard.press("Tab"));
+  assert.deepEqual(names, ["P0 x", "P1 x", "P2 x", "P3 x", "P4 x", "P5 x", "P6 x"]);
+  await page.getByLabel("P4 x").focus();
+  for (const keys of ["ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight"]) await page.keyboard.press(keys);
+  await drawn(page);
+  assertNear((await points(page))[4], [before[4][0] + 2.1, before[4][1] + 1 - 10], 1e-9);
+  await page.getByLabel("P4 y").focus();
+  await page.keyboard.press("ArrowUp");
+  assertNear((await points(page))[4], [before[4][0] + 2.1, before[4][1] - 10], 1e-9, "up is up on the y slider too");
+});
+
+test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
+  const page = await openTutorial(t);
+  const press = async (locator, key) => (await locator.focus(), await page.keyboard.press(key), await drawn(page));
+  const app = (name) => page.evaluate((name) => bezierApp()[name], name);
+  await press(page.getByRole("button", { name: /Show 4 points/ }), "Enter");
+  assert.equal(await app("mode"), 4);
+  await press(page.getByRole("button", { name: /Show 7 points/ }), "Space");
+  assert.equal(await app("mode"), 7);
+  await press(page.getByLabel("Free"), "ArrowRight");
+  assert.equal(await app("joint"), "g1");
+  await press(page.getByLabel("t", { exact: true }), "ArrowRight");
+  assertNear([await app("t")], [0.51], 1e-9);
+  await press(page.getByLabel("hull"), "Space");
+  assert.equal((await app("layers")).hull, true);
+  const before = await points(page);
+  await press(page.getByRole("button", { name: /Randomize/ }), "Enter");
+  assert.notDeepEqual(await points(page), before);
+});
+
+test("a slider moved by a screen reader moves its point; changes are announced once", async (t) => {
+  const page = await openTutorial(t);
+  const set = (name, value) =>
+    page.getByLabel(name).evaluate((input, value) => {
+      input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+    }, value);
+  await set("P1 x", "200");
+  await set("P1 y", "400"); // from below: 80 from the top
+  assertNear((await points(page))[1], [200, 80], 1e-9);
+  assert.equal(await page.getByLabel("P1 y").getAttribute("aria-valuetext"), "80");
+  const live = page.getByRole("status");
+  await page.waitForFunction(() => document.querySelector("canvas").parentNode.shadowRoot.querySelector("[role=status]").textContent);
+  assert.equal(await live.textContent(), "P1 at 200, 80");
+  const description = await page.getByRole("figure").evaluate((figure) => figure.getRootNode().getElementById("description").textContent);
+  assert.match(description, /^2 cubic Bézier curves .* P0 at 70, 330, P3 at .* P1 at 200, 80/);
+});
+
+test("a double click on an empty place appends a segment that ends there; on a point it does not", async (t) => {
+  const page = await openTutorial(t);
+  const { x, y } = await page.locator("canvas").boundingBox();
+  await page.mouse.dblclick(x + 420, y + 60);
+  await drawn(page);
+  const after = await points(page);
+  assert.equal(after.length, 10);
+  assertNear(after[9], [420, 60], 1);
+  assert.equal(await page.locator('[part="handle"]').count(), 10);
+  assert.equal(await focused(page), "P9 x");
+  const [px, py] = await centre(page, 0);
+  await page.mouse.dblclick(px, py);
+  await page.mouse.click(x + 20, y + 20);
+  await page.mouse.click(x + 300, y + 20);
+  assert.equal((await points(page)).length, 10, "neither a point nor two places apart count");
+});
+
+test("the button adds where there is room", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Add a point" }).click();
+  await drawn(page);
+  const after = await points(page);
+  assert.equal(after.length, 13);
+  assert.deepEqual(after.slice(0, 7), before);
+  for (const index of [9, 12]) {
+    const others = after.filter((_, i) => i < index - 2);
+    const room = Math.min(...others.map(([x, y]) => Math.hypot(x - after[index][0], y - after[index][1])));
+    assert.ok(room > 60, `P${index} has ${room} pixels around it`);
+  }
+  assert.equal(await page.locator('[part="handle"]').count(), 13);
+});
+
+test("of two overlapping handles the nearer is taken; a second press takes the other", async (t) => {
+  const page = await openTutorial(t);
+  const all = (await points(page)).with(4, [335, 236]); // 11.7 from P3
+  await page.evaluate((all) => (bezierApp().points = all), all);
+  await drawn(page);
+  const [x, y] = await centre(page, 3);
+  await page.mouse.click(x + 3, y + 2);
+  assert.equal(await focused(page), "P3 x");
+  await page.mouse.click(x + 3, y + 2);
+  assert.equal(await focused(page), "P4 x");
+  await page.mouse.click(x + 3, y + 2);
+  assert.equal(await focused(page), "P3 x", "and round again");
+  assert.deepEqual(await points(page), all, "pressing moves nothing");
+  await page.mouse.click(x + 11, y + 7);
+  assert.equal(await focused(page), "P4 x", "nearer to P4");
+});
+
+test("hit boxes are 24 pixels, 44 where fingers point", async (t) => {
+  const fine = await handle(await openTutorial(t), 2).boundingBox();
+  const coarse = await handle(await openTutorial(t, { hasTouch: true, isMobile: true }), 2).boundingBox();
+  assertNear([fine.width, fine.height, coarse.width, coarse.height], [24, 24, 44, 44], 0.01);
+});
+
+test("touch: two fingers move two points at once, and neither scrolls the page", async (t) => {
+  const page = await openTutorial(t, { hasTouch: true, isMobile: true, viewport: { width: 700, height: 600 } });
+  const before = await points(page);
+  const [a, b] = [await centre(page, 1), await centre(page, 4)];
+  const finger = ([x, y], id) => ({ x: Math.round(x), y: Math.round(y), id });
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
+  await touch("touchStart", [finger(a, 1)]);
+  await touch("touchStart", [finger(a, 1), finger(b, 2)]);
+  for (let i = 1; i <= 5; i++) {
+    await touch("touchMove", [finger([a[0] + 10 * i, a[1] + 8 * i], 1), finger([b[0] - 9 * i, b[1] - 12 * i], 2)]);
+  }
+  await touch("touchEnd", []);
+  await drawn(page);
+  const after = await points(page);
+  assertNear(after[1], [before[1][0] + 50, before[1][1] + 40], 1.01);
+  assertNear(after[4], [before[4][0] - 45, before[4][1] - 60], 1.01);
+  assert.deepEqual(after.with(1, before[1]).with(4, before[4]), before);
+  assert.equal(await page.evaluate(() => scrollY), 0);
+});
+
+test("touch: a double tap on an empty place appends; a cancelled touch restores", async (t) => {
+  const page = await openTutorial(t, { hasTouch: true, isMobile: true });
+  const { x, y } = await page.locator("canvas").boundingBox();
+  await page.touchscreen.tap(x + 400, y + 70);
+  await page.touchscreen.tap(x + 402, y + 71);
+  await drawn(page);
+  const before = await points(page);
+  assert.equal(before.length, 10);
+  assertNear(before[9], [402, 71], 2);
+  const [px, py] = await centre(page, 1);
+  const client = await page.context().newCDPSession(page);
+  await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x: px, y: py }] });
+  await client.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: px + 60, y: py + 50 }] });
+  await drawn(page);
+  assert.notDeepEqual(await points(page), before);
+  await client.send("Input.dispatchTouchEvent", { type: "touchCancel", touchPoints: [] });
+  await drawn(page);
+  assert.deepEqual(await points(page), before);
+});

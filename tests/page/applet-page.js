@@ -1,0 +1,103 @@
+// What the tests of the applet share: the tutorial's page, hands and eyes.
+import assert from "node:assert/strict";
+import { openPage } from "./browser.js";
+
+/** The tutorial's own two lines, to the letter. */
+export const TUTORIAL = `<canvas style="margin-bottom: 10px;" id="beziercanvas" width="670px" height="480px">You don't support canvas</canvas>
+<script type="text/javascript">window.addEventListener("load", bezierApp, false);</script>`;
+
+/** A page with the classic script and the tutorial's lines; `more` stands between or after them. */
+export const tutorialPage = (more = "") =>
+  `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>Tutorial</title>
+<body style="margin: 8px"><main><h1>A lesson</h1><script src="bezier-app.js"></script>${TUTORIAL}${more}</main></body></html>`;
+
+/**
+ * Opens the tutorial's page; warnings count as errors.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {import("playwright-core").BrowserContextOptions & { more?: string }} [options]
+ */
+export async function openTutorial(t, { more, ...options } = {}) {
+  const viewport = { width: 800, height: 1000 };
+  const page = await openPage(t, { html: tutorialPage(more) }, { viewport, ...options });
+  page.on("console", (message) => message.type() === "warning" && page.problems.push(message.text()));
+  await handle(page, 0).waitFor();
+  return page;
+}
+
+/** The HTML handle of a point. */
+export const handle = (page, index) => page.locator(`[part="handle"][data-index="${index}"]`);
+
+/** All points, from the applet. */
+export const points = (page) => page.evaluate(() => bezierApp().points);
+
+/** Waits until what was changed has been drawn. */
+export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Where a handle's centre is in the window. */
+export async function centre(page, index) {
+  const { x, y, width, height } = await handle(page, index).boundingBox();
+  return [x + width / 2, y + height / 2];
+}
+
+/** Presses on a point and moves it by so many pixels, in steps; the button stays down. */
+export async function pull(page, index, dx, dy) {
+  const [x, y] = await centre(page, index);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 6 });
+  await drawn(page);
+}
+
+/** Drags a point by so many pixels. */
+export async function drag(page, index, dx, dy) {
+  await pull(page, index, dx, dy);
+  await page.mouse.up();
+  await drawn(page);
+}
+
+/** How many pixels of a colour (red, green, blue) lie within `reach` of a place of the picture, in CSS pixels. */
+export function countColour(page, [x, y], colour, reach = 2) {
+  const look = ([x, y, red, green, blue, reach]) => {
+    const canvas = document.querySelector("canvas");
+    const scale = canvas.width / canvas.clientWidth;
+    const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+    const context = copy.getContext("2d", { willReadFrequently: true });
+    context.drawImage(canvas, 0, 0);
+    const size = Math.max(1, Math.round(2 * reach * scale));
+    const { data } = context.getImageData(Math.round((x - reach) * scale), Math.round((y - reach) * scale), size, size);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const far = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
+      if (data[i + 3] > 200 && far < 40) count++;
+    }
+    return count;
+  };
+  return page.evaluate(look, [x, y, ...colour, reach]);
+}
+
+/** Colours of the light theme. */
+export const BLUE = [0, 114, 178];
+export const VERMILION = [213, 94, 0];
+export const GREEN = [0, 158, 115];
+
+/** A cubic's point by the Bernstein polynomials, written out here so that nothing under test computes it. */
+export function cubicAt([p0, p1, p2, p3], t) {
+  const s = 1 - t;
+  return [0, 1].map((k) => s ** 3 * p0[k] + 3 * s * s * t * p1[k] + 3 * s * t * t * p2[k] + t ** 3 * p3[k]);
+}
+
+/** Each pair of coordinates within a distance. */
+export function assertNear(actual, expected, within, words) {
+  assert.equal(actual.length, expected.length, words);
+  const far = Math.max(...actual.map((value, i) => Math.abs(value - expected[i])));
+  assert.ok(far <= within, `${words ?? "near"}: ${JSON.stringify(actual)} and ${JSON.stringify(expected)} differ by ${far}`);
+}
+
+/** What P2, P3, P4 are to each other: the sine of the angle between P2P3 and P3P4, its cosine, the two lengths. */
+export function joint([, , p2, p3, p4]) {
+  const [a, b] = [[p3[0] - p2[0], p3[1] - p2[1]], [p4[0] - p3[0], p4[1] - p3[1]]];
+  const [before, after] = [Math.hypot(...a), Math.hypot(...b)];
+  const [cross, dot] = [a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]];
+  return { sine: cross / before / after, cosine: dot / before / after, before, after };
+}

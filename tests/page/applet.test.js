@@ -1,0 +1,296 @@
+// The tutorial's applet: its HTML, dragging, r and m, the handle for pages that embed it.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openPage } from "./browser.js";
+import {
+  assertNear, BLUE, centre, countColour, cubicAt, drag, drawn, GREEN, handle, openTutorial, points, pull, tutorialPage, VERMILION,
+} from "./applet-page.js";
+
+test("the tutorial's HTML, to the letter, shows seven points and two smooth cubics", async (t) => {
+  const page = await openTutorial(t);
+  assert.equal(await page.locator('[part="handle"]').count(), 7);
+  const box = await page.locator("canvas").boundingBox();
+  assert.deepEqual([box.width, box.height], [670, 480]);
+  const all = await points(page);
+  for (const [first, at] of [[0, 0.3], [0, 0.8], [3, 0.3], [3, 0.8]]) {
+    const place = cubicAt(all.slice(first, first + 4), at);
+    assert.ok((await countColour(page, place, BLUE)) >= 4, `the curve runs through ${place}`);
+  }
+  const continuity = await page.evaluate(() => bezierApp().continuity);
+  assert.deepEqual([continuity.g1, continuity.c1], [true, false]);
+  assert.match(await page.locator('[part="status"]').innerText(), /G1.*aligned \(the tutorial’s C1\)/s);
+});
+
+test("a dragged point takes its handle, its coordinates and the curve along", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  const at = await centre(page, 1);
+  await drag(page, 1, 120, 60);
+  const after = await points(page);
+  assertNear(after[1], [before[1][0] + 120, before[1][1] + 60], 0.01, "P1");
+  assert.deepEqual(after.with(1, before[1]), before, "the others stay");
+  assertNear(await centre(page, 1), [at[0] + 120, at[1] + 60], 0.6, "the handle");
+  const [here, there] = [after, before].map((all) => cubicAt(all.slice(0, 4), 0.4));
+  assert.ok((await countColour(page, here, BLUE)) >= 4, "the curve is where it belongs");
+  assert.equal(await countColour(page, there, BLUE), 0, "and no longer where it was");
+});
+
+test("the grip is kept: a point pressed off its centre does not jump", async (t) => {
+  const page = await openTutorial(t);
+  const [[x, y], before] = [await centre(page, 6), await points(page)];
+  await page.mouse.move(x + 7, y - 6);
+  await page.mouse.down();
+  await page.mouse.move(x + 17, y + 4);
+  await page.mouse.up();
+  await drawn(page);
+  assertNear((await points(page))[6], [before[6][0] + 10, before[6][1] + 10], 0.01);
+});
+
+test("points cannot be dragged out of the picture", async (t) => {
+  const page = await openTutorial(t);
+  await drag(page, 0, -400, 400);
+  assert.deepEqual((await points(page))[0], [0, 480]);
+  await drag(page, 0, 50, -50);
+  assertNear((await points(page))[0], [50, 430], 1);
+});
+
+test("moving P3 breaks the joint, and the label says so", async (t) => {
+  const page = await openTutorial(t);
+  await drag(page, 3, 40, -30);
+  assert.match(await page.locator('[part="status"]').innerText(), /C0.*Broken at P3: the tangent turns by \d+°/s);
+  assert.equal(await page.evaluate(() => bezierApp().continuity.g1), false);
+});
+
+test("r puts the points at random places inside, from anywhere on the page", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  await page.keyboard.press("r");
+  await drawn(page);
+  const after = await points(page);
+  assert.equal(after.length, 7);
+  for (let i = 0; i < 7; i++) assert.notDeepEqual(after[i], before[i]);
+  for (const [x, y] of after) assert.ok(x >= 0 && x <= 670 && y >= 0 && y <= 480);
+  const blue = await Promise.all([0.2, 0.3, 0.4, 0.6, 0.7, 0.8].map((at) => countColour(page, cubicAt(after.slice(0, 4), at), BLUE)));
+  assert.ok(blue.filter((count) => count >= 3).length >= 3, `the curve goes along (in part below other lines): ${blue}`);
+});
+
+test("m shows four points, m again all of them; nothing is lost", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  await page.keyboard.press("m");
+  await drawn(page);
+  assert.equal(await page.locator('[part="handle"]').count(), 4);
+  assert.deepEqual(await points(page), before, "all seven are still given");
+  assert.equal(await page.evaluate(() => bezierApp().continuity), null);
+  assert.equal(await countColour(page, cubicAt(before.slice(3), 0.3), BLUE), 0, "the second cubic is not drawn");
+  await page.keyboard.press("m");
+  await drawn(page);
+  assert.equal(await page.locator('[part="handle"]').count(), 7);
+  assert.ok((await countColour(page, cubicAt(before.slice(3), 0.3), BLUE)) >= 4);
+});
+
+test("r and m are left alone in fields, with modifiers, and when switched off", async (t) => {
+  const more = `<input aria-label="name"><textarea aria-label="words"></textarea><select aria-label="one"><option>r</option></select>
+    <div contenteditable="true" role="textbox" aria-label="rich"><b id="rich">x</b></div><x-field></x-field>
+    <script>document.querySelector("x-field").attachShadow({ mode: "open" }).innerHTML = '<input id="deep" aria-label="deep">';</script>`;
+  const page = await openTutorial(t, { more });
+  const before = await points(page);
+  for (const field of ['[aria-label="name"]', "textarea", "select", "[contenteditable]", "#deep"]) {
+    await page.locator(field).focus();
+    await page.keyboard.press("r");
+    await page.keyboard.press("m");
+  }
+  await page.locator("h1").click();
+  for (const keys of ["Control+m", "Alt+r", "Shift+R"]) await page.keyboard.press(keys);
+  await page.getByLabel("r and m on the whole page").uncheck();
+  await page.locator('[aria-label="name"]').focus();
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press("r");
+  assert.deepEqual(await points(page), before);
+  assert.equal(await page.evaluate(() => bezierApp().mode), 7);
+  await page.getByLabel("P0 x").focus(); // inside the applet they always count
+  await page.keyboard.press("m");
+  assert.equal(await page.evaluate(() => bezierApp().mode), 4);
+});
+
+test("Esc takes a drag back; so does a lost pointer", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  await pull(page, 2, 60, 60);
+  assert.notDeepEqual(await points(page), before);
+  await page.keyboard.press("Escape");
+  await page.mouse.move(300, 300);
+  await page.mouse.up();
+  await drawn(page);
+  assert.deepEqual(await points(page), before);
+  await pull(page, 2, 60, 60);
+  await handle(page, 2).dispatchEvent("lostpointercapture", { pointerId: 1 });
+  await page.mouse.up();
+  assert.deepEqual(await points(page), before);
+});
+
+test("at most one redraw a frame, however many moves", async (t) => {
+  const page = await openTutorial(t);
+  const [x, y] = await centre(page, 1);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const [inputs, frames] = await page.evaluate(async () => {
+    const counts = [0, 0];
+    const box = document.querySelector("canvas").parentNode.shadowRoot.querySelector('[data-index="1"]');
+    bezierApp().addEventListener("input", () => counts[0]++);
+    for (let frame = 0; frame < 5; frame++) {
+      await new Promise(requestAnimationFrame);
+      counts[1]++;
+      for (let i = 0; i < 20; i++) {
+        box.dispatchEvent(new PointerEvent("pointermove", { bubbles: true, pointerId: 1, clientX: 200 + i, clientY: 200 }));
+      }
+    }
+    await new Promise(requestAnimationFrame);
+    return counts;
+  });
+  assert.ok(inputs >= 4 && inputs <= frames + 1, `${inputs} inputs in ${frames} frames`);
+  await page.mouse.up();
+});
+
+test("events: input while moving, change at the end, none for what the page writes", async (t) => {
+  const page = await openTutorial(t);
+  await page.evaluate(() => {
+    globalThis.log = [];
+    for (const type of ["input", "change"]) bezierApp().addEventListener(type, () => log.push(type));
+  });
+  await page.evaluate(() => {
+    const app = bezierApp();
+    Object.assign(app, { points: app.points, t: 0.2, joint: "g1", mode: 4, layers: { hull: true } });
+    app.toggleMode();
+    app.randomize(1);
+    app.append([10, 10]);
+  });
+  await drawn(page);
+  assert.deepEqual(await page.evaluate(() => log), []);
+  await drag(page, 0, 10, 10);
+  const log = await page.evaluate(() => log);
+  assert.ok(log.length >= 2 && log.at(-1) === "change");
+  assert.deepEqual([...new Set(log.slice(0, -1))], ["input"]);
+});
+
+test("the handle: assigned values show, a seed repeats, layers are drawn", async (t) => {
+  const page = await openTutorial(t);
+  const seeded = await page.evaluate(() => {
+    const app = bezierApp();
+    const draw = (seed) => (app.randomize(seed), JSON.stringify(app.points));
+    return [draw(7), draw(8), draw(7)];
+  });
+  assert.equal(seeded[0], seeded[2]);
+  assert.notEqual(seeded[0], seeded[1]);
+  const cubic = [[100, 400], [100, 100], [500, 100], [500, 400]];
+  await page.evaluate((all) => Object.assign(bezierApp(), { points: all, t: 0.25, layers: { scaffold: true, halves: true, polygon: false } }), cubic);
+  await drawn(page);
+  assert.deepEqual(await points(page), cubic);
+  assert.equal(await page.locator('[part="handle"]').count(), 4);
+  assert.ok((await countColour(page, cubicAt(cubic, 0.1), BLUE)) >= 6, "the first half");
+  assert.ok((await countColour(page, cubicAt(cubic, 0.6), VERMILION)) >= 6, "the second half");
+  const level = [[100, 325], [200, 100]]; // a quarter of the way on the first two sides
+  assert.ok((await countColour(page, [130, 257.5], GREEN)) >= 2, `the scaffold from ${level.join(" to ")}`);
+  assert.equal(await page.getByLabel("t", { exact: true }).inputValue(), "0.25");
+  assert.equal(await page.getByLabel("two halves at t").isChecked(), true);
+});
+
+test("what cannot be is refused by name, and the state stays", async (t) => {
+  const page = await openTutorial(t);
+  const before = await points(page);
+  const errors = await page.evaluate(() => {
+    const app = bezierApp();
+    const seven = app.points;
+    const assignments = [
+      ["points", []], ["points", seven.slice(1)], ["points", seven.with(2, [NaN, 1])], ["points", seven.with(2, [1, Infinity])],
+      ["points", "seven"], ["points", null], ["points", seven.with(2, [1])], ["points", seven.with(2, ["1", 2])], ["points", new Array(7)],
+      ["mode", 5], ["mode", 10], ["mode", NaN], ["mode", "7"], ["joint", "G9"], ["joint", 1], ["t", 2], ["t", NaN], ["t", "half"],
+      ["layers", { bones: true }], ["layers", { hull: 1 }], ["layers", null], ["layers", { toString: true }],
+    ];
+    const calls = [() => app.append([1]), () => app.append([NaN, 0]), () => app.append("x"), () => app.randomize(0.5), () => app.randomize("x")];
+    const all = [...assignments.map(([name, value]) => [name, () => (app[name] = value)]), ...calls.map((call) => ["", call])];
+    return all.map(([name, act]) => {
+      try {
+        act();
+        return `${name}: no error`;
+      } catch (error) {
+        return `${error.name}: ${error.message}`;
+      }
+    });
+  });
+  for (const error of errors) assert.match(error, /^(RangeError|TypeError): .+: expected .+, got .+/);
+  assert.match(errors[0], /^RangeError: points: expected 4, 7, 10 … points \(3n \+ 1\), got 0/);
+  assert.match(errors[2], /^RangeError: x of points\[2\]: expected a finite number, got NaN/);
+  assert.match(errors[4], /^TypeError: points: expected an array of \[x, y\], got "seven"/);
+  await drawn(page);
+  assert.deepEqual(await points(page), before);
+  await drag(page, 0, 5, 5);
+  assert.notDeepEqual(await points(page), before, "and it works on");
+});
+
+test("huge, tiny and coincident points are no errors", async (t) => {
+  const page = await openTutorial(t);
+  for (const value of [1e300, 1e-300, 0, -1e12]) {
+    await page.evaluate((value) => (bezierApp().points = new Array(7).fill([value, value])), value);
+    await drawn(page);
+    assert.deepEqual((await points(page))[3], [value, value]);
+  }
+  assert.ok(!/NaN/.test(await page.locator('[part="status"]').innerText()));
+  await drag(page, 6, 30, 0);
+  assert.ok((await points(page)).flat().every(Number.isFinite));
+});
+
+test("bezierApp takes a canvas, its id, or means #beziercanvas; the second call returns the same applet", async (t) => {
+  const page = await openTutorial(t, { more: '<canvas id="other" width="300" height="200"></canvas><p id="text"></p>' });
+  const found = await page.evaluate(() => {
+    const other = bezierApp("other");
+    const app = bezierApp();
+    return [
+      app === bezierApp(new Event("load")), app === bezierApp("beziercanvas"), app === bezierApp(document.getElementById("beziercanvas")),
+      other === bezierApp(document.getElementById("other")), other !== app, app === bezierApp(42),
+    ];
+  });
+  assert.deepEqual(found, new Array(6).fill(true));
+  const inside = await page.evaluate(() => bezierApp("other").points.every(([x, y]) => x <= 300 && y <= 200));
+  assert.ok(inside, "the points fit a smaller canvas");
+});
+
+test("bezierApp on something that is no canvas says what was expected and what came", async (t) => {
+  const page = await openPage(t, { html: '<!doctype html><html lang="en"><title>No canvas</title><p id="text">x</p><canvas id="gl"></canvas><script src="bezier-app.js"></script></html>' });
+  const messages = await page.evaluate(() => {
+    const text = document.getElementById("text");
+    document.getElementById("gl").getContext("webgl2");
+    return [undefined, "nowhere", "text", text, new Event("load"), 7, document.createElement("canvas"), "gl"].map((target) => {
+      try {
+        return bezierApp(target) && "no error";
+      } catch (error) {
+        return `${error.name}: ${error.message}`;
+      }
+    });
+  });
+  assert.match(messages[0], /^TypeError: bezierApp: expected a canvas with the id "beziercanvas", got none in this document/);
+  assert.match(messages[1], /^TypeError: .*"nowhere", got none/);
+  assert.match(messages[2], /^TypeError: .*"text", got a <p> element/);
+  assert.match(messages[3], /^TypeError: .*expected a canvas, its id or nothing, got a <p> element/);
+  for (const message of messages) assert.match(message, /^TypeError: bezierApp: expected .* got /);
+  assert.equal(await page.locator("#text").innerText(), "x");
+});
+
+test("destroy leaves the page as it was, and a new applet can follow", async (t) => {
+  const plain = tutorialPage().replace('window.addEventListener("load", bezierApp, false);', "");
+  const page = await openPage(t, { html: plain });
+  const html = () => page.evaluate(() => document.documentElement.outerHTML);
+  const before = await html();
+  await page.evaluate(() => (globalThis.app = bezierApp()));
+  await drawn(page);
+  assert.notEqual(await html(), before);
+  await page.evaluate(() => app.destroy());
+  assert.equal(await html(), before);
+  await page.keyboard.press("m");
+  await page.evaluate(() => ((app.points = app.points), app.destroy()));
+  await drawn(page);
+  assert.equal(await html(), before);
+  assert.equal(await page.evaluate(() => app.mode), 7, "its keys are gone");
+  assert.equal(await page.evaluate(() => bezierApp() !== app && bezierApp().mode), 7);
+  await handle(page, 6).waitFor();
+});
