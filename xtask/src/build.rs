@@ -20,7 +20,7 @@ pub(crate) fn build() -> Result<()> {
 /// js/glue: the bindings and the optimised module.
 fn bindings() -> Result<()> {
     shell::run(&mut compilation())?;
-    let compiled = shell::target_dir().join("wasm32-unknown-unknown/release/casteljau.wasm");
+    let compiled = shell::target_dir().join("wasm32-unknown-unknown/wasm/casteljau.wasm");
     let names = [
         "casteljau.js",
         "casteljau.d.ts",
@@ -44,7 +44,7 @@ fn compilation() -> Command {
         .or_else(|| Some(env::home_dir()?.join(".cargo")))
         .unwrap_or_default();
     let remap = format!("--remap-path-prefix={}=cargo", home.display());
-    let mut cargo = shell::cargo(&["build", "--lib", "--release"]);
+    let mut cargo = shell::cargo(&["build", "--lib", "--profile", "wasm"]);
     cargo.args(wasm_test::TARGET);
     // Joined to the flags of .cargo/config.toml, which the variables would replace.
     cargo
