@@ -105,8 +105,8 @@ pub trait Cross: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
     fn curvature_sign(self) -> f64;
     /// The square of the size.
     fn size_squared(self) -> f64;
-    /// The scalar product with `other`, and the square of the part that is perpendicular to it (for |other| > 0).
-    fn squared_parts(self, other: Self) -> (f64, f64);
+    /// The scalar product.
+    fn dot(self, other: Self) -> f64;
 }
 
 impl Cross for f64 {
@@ -123,8 +123,8 @@ impl Cross for f64 {
         self * self
     }
     #[inline]
-    fn squared_parts(self, other: Self) -> (f64, f64) {
-        (self * other, 0.0)
+    fn dot(self, other: Self) -> f64 {
+        self * other
     }
 }
 
@@ -142,12 +142,8 @@ impl Cross for DVec3 {
         self.length_squared()
     }
     #[inline]
-    fn squared_parts(self, other: Self) -> (f64, f64) {
-        let along = self.dot(other);
-        (
-            along,
-            (self - other * (along / other.length_squared())).length_squared(),
-        )
+    fn dot(self, other: Self) -> f64 {
+        DVec3::dot(self, other)
     }
 }
 

@@ -12,6 +12,12 @@ use super::flatten::Deviation;
 use super::roots::roots_inside;
 use crate::point::{Cross, Point};
 
+/// When no more chords than these are left by the guess, the whole rest is tried first.
+const FEW_CHORDS: f64 = 3.0;
+
+/// (chord / speed)² below which the chord of a loop is only rounding and has no direction.
+const CLOSED_RATIO: f64 = 1e-20;
+
 /// [`Deviation`] of a curve of degree 1 to 3.
 pub(crate) struct CubicDeviation<P: Point> {
     /// The Taylor coefficients at t = 0.
@@ -102,12 +108,12 @@ impl<P: Point> Deviation for CubicDeviation<P> {
         if within.contains(&along_start) && within.contains(&along_end) && length > 0.0 {
             return self.across_squared(h) / length * self.per_squared_tolerance;
         }
-        if length > 0.0 {
+        if length > CLOSED_RATIO * (d1.dot(d1) + end.dot(end)) {
             let across = self.across_squared(h) / length;
             return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
         }
-        // The chord is a point; the piece is no farther from it than its control points.
-        let farthest = (d1.norm() / 3.0).max((d1 * (2.0 / 3.0) + d2 * (h / 3.0)).norm()) * h;
+        // The chord is next to nothing; the piece is no farther from it than its control points.
+        let farthest = (d1.norm() / 3.0).max((u - end * (1.0 / 3.0)).norm()) * h;
         farthest * farthest * self.per_squared_tolerance
     }
 
@@ -118,39 +124,52 @@ impl<P: Point> Deviation for CubicDeviation<P> {
         let h = (1.0 / (bend * self.per_squared_tolerance.sqrt())).sqrt();
         if h > 0.0 { h } else { 1.0 }
     }
+
+    #[inline]
+    fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
+        if guess * FEW_CHORDS < rest {
+            guess
+        } else {
+            rest
+        }
+    }
 }
 
-/// The square of the maximum over [0, 1] of |s(1−s)((1−s)·first + s·last)|: exact for parallel vectors, else a close
-/// upper bound.
+/// The square of the maximum over [0, 1] of |s(1−s)((1−s)·first + s·last)|, or up to 1.5 % more.
+///
+/// Where the two point the same way, K(E(|first|² + |last|²) + 2M first·last) bounds it without a root: each
+/// s²(1−s)²|…|² is linear in the three products, so it is enough that the bound holds for orthogonal vectors, where E
+/// is the maximum, and for parallel ones, where M makes it exact for equal vectors and K is the largest ratio.
 #[inline]
 pub(crate) fn greatest_squared<C: Cross>(first: C, last: C) -> f64 {
+    const E: f64 = LOBE_OF_ONE_END * LOBE_OF_ONE_END;
+    const M: f64 = 1.0 / 32.0 - E;
+    const K: f64 = 1.01466;
+    let dot = first.dot(last);
+    if dot >= 0.0 {
+        return K * (E * (first.size_squared() + last.size_squared()) + 2.0 * M * dot);
+    }
+    greatest_squared_of_opposed(first, last)
+}
+
+/// The same for vectors that point against each other, as about an inflection: exact for parallel ones.
+fn greatest_squared_of_opposed<C: Cross>(first: C, last: C) -> f64 {
     let (large, small) = if first.size_squared() >= last.size_squared() {
         (first, last)
     } else {
         (last, first)
     };
     let square = large.size_squared();
-    if square == 0.0 {
-        return 0.0;
-    }
-    let (along, rest) = small.squared_parts(large);
-    // Relative to the larger end: the other is `along` times it, and √rest sideways.
-    let r = along / square;
-    let parallel = lobe(r);
-    if rest == 0.0 {
-        return square * parallel * parallel;
-    }
-    let sideways = rest / square;
-    let apart = parallel * parallel + sideways * LOBE_OF_ONE_END * LOBE_OF_ONE_END;
-    let total = lobe((r * r + sideways).sqrt().min(1.0));
-    square * apart.min(total * total)
+    let along = small.dot(large) / square;
+    let sideways = (small + large * -along).size_squared() / square;
+    let parallel = lobe(along);
+    square * (parallel * parallel + sideways * LOBE_OF_ONE_END * LOBE_OF_ONE_END)
 }
 
 /// The maximum of s(1−s)·s, at s = ⅔.
 const LOBE_OF_ONE_END: f64 = 4.0 / 27.0;
 
 /// The maximum over [0, 1] of |s(1−s)((1−s) + r s)| for r in [−1, 1], at s = 1/(2 − r + √(1 − r + r²)).
-#[inline]
 fn lobe(r: f64) -> f64 {
     let s = 1.0 / (2.0 - r + (1.0 - r + r * r).sqrt());
     s * (1.0 - s) * ((1.0 - s) + r * s)

@@ -15,10 +15,11 @@ use crate::point::Point;
 /// The most vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
 
-/// A chord is kept when its squared deviation, as a part of the squared tolerance, lies between these. The lower
-/// bound holds the number of chords to 1.1 times the fewest: chords grow with the square root of the deviation.
-const KEPT_FROM: f64 = 0.83;
-const AIMED_AT: f64 = 0.93;
+/// A chord is kept when its squared deviation, as a part of the squared tolerance, is at least this: chords grow with
+/// the square root of the deviation, so there are at most 0.8^-¼ = 1.06 times as many as could be. A correction aims
+/// a little below the tolerance.
+const KEPT_FROM: f64 = 0.8;
+const AIMED_AT: f64 = 0.94;
 
 /// Corrections of one chord before the best safe one is taken.
 const MOST_CORRECTIONS: usize = 8;
@@ -41,8 +42,11 @@ pub(crate) trait Deviation {
     fn start_at(&mut self, t: f64);
     /// (greatest distance of the piece from its chord / tolerance)², or a close upper bound, for a step `h`.
     fn squared(&mut self, h: f64) -> f64;
-    /// A first step to try.
+    /// About how long a step from t = 0 may be.
     fn guess(&self) -> f64;
+    /// The first step to try where one of about `guess` is expected. It may be longer: a curve may bend away and come
+    /// back to a chord that is much longer than the longest one that fails.
+    fn first_try(&mut self, guess: f64, rest: f64) -> f64;
 }
 
 impl<P: Point> Curve<P> {
@@ -140,10 +144,13 @@ impl<P: Point> Curve<P> {
         let mut last = start;
         for t in self.extrema_on(axis) {
             let turn = self.eval(t);
-            if (turn - last).norm() > tolerance && (turn - end).norm() > tolerance {
+            if (turn - last).norm() > tolerance {
                 kept.push(t);
                 last = turn;
             }
+        }
+        if last != start && (last - end).norm() <= tolerance {
+            kept.pop();
         }
         Some(kept)
     }
@@ -164,27 +171,23 @@ fn walk_points<P: Point>(
 /// From vertex to vertex until t = 1.
 fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> Result<(), Error> {
     let mut t = 0.0;
-    let (mut previous, mut step): (f64, f64) = (0.0, 0.0);
+    deviation.start_at(t);
+    let (mut ideal, mut change) = (deviation.guess(), 1.0);
     for _ in 0..MAX_VERTICES - 1 {
-        deviation.start_at(t);
-        // The change of the last two steps goes on, within reason.
-        let guess = if previous > 0.0 {
-            step * (step / previous).clamp(0.5, 2.0)
-        } else {
-            deviation.guess()
-        };
-        previous = step;
-        step = longest_step(deviation, guess, 1.0 - t);
-        let next = if step >= 1.0 - t {
-            1.0
-        } else {
-            (t + step).max(t.next_up())
-        };
-        t = next;
-        vertex(t);
-        if t >= 1.0 {
+        let rest = 1.0 - t;
+        let (step, squared) = longest_step(deviation, ideal * change, rest);
+        if step >= rest {
+            vertex(1.0);
             return Ok(());
         }
+        let next = t + step;
+        t = if next > t { next } else { t.next_up() };
+        vertex(t);
+        deviation.start_at(t);
+        // What the step should have been (the fourth root about 1); its change from the last one goes on.
+        let hit = step * (1.0 + (AIMED_AT - squared) * (0.25 / AIMED_AT));
+        change = (hit / ideal).clamp(0.5, 2.0);
+        ideal = hit;
     }
     Err(Error::TooMany {
         what: "vertices",
@@ -193,40 +196,37 @@ fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> 
     })
 }
 
-/// A step that keeps the tolerance and uses most of it, or the whole rest.
-fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
-    let mut h = if guess < rest { guess } else { rest };
-    let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
+/// A step that keeps the tolerance and uses most of it, or the whole rest; and its squared deviation.
+fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> (f64, f64) {
+    let mut h = deviation.first_try(guess, rest);
+    let mut safe = (0.0, 0.0);
+    let mut unsafe_from = f64::INFINITY;
     for correction in 0.. {
         let squared = deviation.squared(h);
         if squared <= 1.0 {
             if squared >= KEPT_FROM || h >= rest {
-                return h;
+                return (h, squared);
             }
-            safe = h;
+            safe = (h, squared);
         } else {
             unsafe_from = h;
         }
-        if (correction >= MOST_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
+        if (correction >= MOST_CORRECTIONS && safe.0 > 0.0) || h < f64::EPSILON * f64::EPSILON {
             break;
         }
-        h = correct(h, squared, safe, unsafe_from).min(rest);
+        h = correct(h, squared, safe.0, unsafe_from).min(rest);
     }
     safe
 }
 
 /// The next step to try, from the last one and its squared deviation, strictly between a safe one and one that fails.
 fn correct(h: f64, squared: f64, safe: f64, unsafe_from: f64) -> f64 {
-    // The deviation grows with h², its square with h⁴.
+    // The deviation grows with h², its square with h⁴. NaN, of an overflow, shrinks.
     let factor = (AIMED_AT / squared).sqrt().sqrt();
-    let next = h * if factor.is_nan() {
-        0.5
-    } else {
-        factor.clamp(0.01, 4.0)
-    };
+    let next = h * factor.clamp(0.01, 4.0);
     if next > safe && next < unsafe_from {
         next
     } else {
-        0.5 * (safe + unsafe_from)
+        0.5 * (safe + unsafe_from.min(4.0 * h))
     }
 }

@@ -8,9 +8,12 @@ use super::casteljau::blossom_piece;
 use super::deviation::greatest_squared;
 use super::flatten::Deviation;
 use super::roots::roots_inside;
-use super::{Points, Scalars, evaluate_scalar, ratio};
-use crate::point::{Cross, Point};
+use super::{Curve, Points, Scalars, evaluate, evaluate_scalar, ratio};
+use crate::point::Point;
 use glam::DVec3;
+
+/// After four, the bound of a parabola is 0.4 % above its height.
+const MOST_HALVINGS: usize = 4;
 
 /// [`Deviation`] of a curve of degree 2 to 64.
 pub(crate) struct PieceDeviation {
@@ -30,19 +33,19 @@ impl PieceDeviation {
     }
 
     /// The greatest distance of the piece from the line through its chord; `direction` has length 1.
-    fn across(piece: &[DVec3], direction: DVec3) -> f64 {
-        let n = piece.len() - 1;
-        let bend = |i: usize| {
-            let factor = ratio(n * (n - 1), (i + 1) * (n - 1 - i));
-            direction.cross(piece[i + 1] - piece[0]) * factor
-        };
-        let (first, last) = (bend(0), bend(n - 2));
-        let beside_linear = |i: usize| {
-            let s = ratio(i, (n - 2).max(1));
-            (bend(i) + (first * (1.0 - s) + last * s) * -1.0).size()
-        };
-        greatest_squared(first, last).sqrt()
-            + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
+    fn across(&self, piece: &[DVec3], direction: DVec3) -> f64 {
+        let distances: Points<DVec3> = piece
+            .iter()
+            .map(|&p| direction.cross(p - piece[0]))
+            .collect();
+        let bound = nearly_cubic_bound(&distances);
+        let undecided =
+            bound > self.tolerance && evaluate(&distances, 0.5).norm() <= self.tolerance;
+        if undecided {
+            bound.min(halved_bound(&distances, MOST_HALVINGS))
+        } else {
+            bound
+        }
     }
 
     /// How far the piece runs past the ends of its chord.
@@ -63,6 +66,25 @@ impl PieceDeviation {
     }
 }
 
+/// A bound on Σ fᵢ Bᵢ(s) with f₀ = fₙ = 0, which is the closer the nearer the curve is to a cubic.
+fn nearly_cubic_bound(f: &[DVec3]) -> f64 {
+    let n = f.len() - 1;
+    let bend = |i: usize| f[i + 1] * ratio(n * (n - 1), (i + 1) * (n - 1 - i));
+    let (first, last) = (bend(0), bend(n - 2));
+    let beside_linear = |i: usize| (bend(i) - first.mix(last, ratio(i, (n - 2).max(1)))).norm();
+    greatest_squared(first, last).sqrt() + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
+}
+
+/// The greatest control point after some halvings; each brings it four times nearer to the curve.
+fn halved_bound(f: &[DVec3], halvings: usize) -> f64 {
+    if halvings == 0 {
+        return f.iter().map(|p| p.norm()).fold(0.0, f64::max);
+    }
+    let (left, right) = Curve::from_slice(f).halve();
+    halved_bound(left.control_points(), halvings - 1)
+        .max(halved_bound(right.control_points(), halvings - 1))
+}
+
 impl Deviation for PieceDeviation {
     fn start_at(&mut self, t: f64) {
         self.start = t;
@@ -79,7 +101,8 @@ impl Deviation for PieceDeviation {
                 .map(|&p| (p - piece[0]).norm())
                 .fold(0.0, f64::max)
         } else {
-            Self::across(&piece, direction).hypot(Self::overshoot(&piece, direction, chord.norm()))
+            self.across(&piece, direction)
+                .hypot(Self::overshoot(&piece, direction, chord.norm()))
         };
         (distance / self.tolerance).powi(2)
     }
@@ -90,5 +113,14 @@ impl Deviation for PieceDeviation {
         let second = |w: &[DVec3]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
         let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
         (8.0 * self.tolerance / bend).sqrt().min(1.0)
+    }
+
+    /// A curve of a high degree may come back more than once: from the whole rest down.
+    fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
+        let mut h = rest;
+        while h > 2.0 * guess && self.squared(h) > 1.0 {
+            h *= 0.5;
+        }
+        h
     }
 }
