@@ -54,15 +54,17 @@ impl Grid {
         (ratio(iu, self.segments_u), ratio(iv, self.segments_v))
     }
 
-    /// The corners of all cells, row by row: (iu, iv), then counter-clockwise.
+    /// The corners of the cell at (iu, iv), counter-clockwise from there.
+    pub fn quad(&self, iu: usize, iv: usize) -> [usize; 4] {
+        let (near, far) = (self.vertex(iu, iv), self.vertex(iu, iv + 1));
+        [near, near + 1, far + 1, far]
+    }
+
+    /// The corners of all cells, row by row.
     pub fn quads(&self) -> impl Iterator<Item = [usize; 4]> {
         let grid = *self;
-        (0..grid.segments_v).flat_map(move |iv| {
-            (0..grid.segments_u).map(move |iu| {
-                let (near, far) = (grid.vertex(iu, iv), grid.vertex(iu, iv + 1));
-                [near, near + 1, far + 1, far]
-            })
-        })
+        (0..grid.segments_v)
+            .flat_map(move |iv| (0..grid.segments_u).map(move |iu| grid.quad(iu, iv)))
     }
 
     /// The triangles of all cells: a cell's quad a b c d gives a b c and a c d.

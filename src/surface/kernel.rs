@@ -15,6 +15,8 @@ use glam::DVec3;
 /// Samples that are computed side by side.
 const LANES: usize = 4;
 type Lanes = [f64; LANES];
+/// x, y, z of one sample after the other, as buffers hold them.
+type Triples = [f32; 3 * LANES];
 
 /// The numbers of a bicubic patch, which are known when compiling: its degree and the one of its derivatives.
 const CUBIC: usize = 3;
@@ -143,30 +145,43 @@ fn fill_line(
     fill_line_of(weights, points, along_u, along_v, positions, normals)
 }
 
-/// Evaluates one line, group by group.
+/// Evaluates one line, group by group; the last group may have room for fewer samples.
 #[inline(always)]
 fn fill_line_of<'a>(
-    weights: impl Iterator<Item = (&'a [Lanes], &'a [Lanes])>,
+    mut weights: impl Iterator<Item = (&'a [Lanes], &'a [Lanes])>,
     points: &[DVec3],
     along_u: &[DVec3],
     along_v: &[DVec3],
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> bool {
+    let net = [points, along_u, along_v];
     let mut missing = false;
-    let buffers = positions
-        .chunks_mut(3 * LANES)
-        .zip(normals.chunks_mut(3 * LANES));
-    for ((values, slopes), (positions, normals)) in weights.zip(buffers) {
-        let at = blend(values, points);
-        let u = blend(slopes, along_u);
-        let v = blend(values, along_v);
-        store(at.map(|lanes| lanes.map(to_f32)), positions);
-        let (unit, degenerate) = normalise(cross(u, v));
-        missing |= degenerate;
-        store(unit, normals);
+    let (positions, last_positions) = positions.as_chunks_mut();
+    let (normals, last_normals) = normals.as_chunks_mut();
+    for ((position, normal), weights) in positions.iter_mut().zip(normals).zip(&mut weights) {
+        let irregular;
+        (*position, *normal, irregular) = group(weights, net);
+        missing |= irregular;
+    }
+    if let Some(weights) = weights.next() {
+        let (position, normal, irregular) = group(weights, net);
+        last_positions.copy_from_slice(&position[..last_positions.len()]);
+        last_normals.copy_from_slice(&normal[..last_normals.len()]);
+        missing |= irregular;
     }
     missing
+}
+
+/// The samples of one group of lanes: positions, normals, and whether a normal is missing.
+#[inline(always)]
+fn group(
+    (values, slopes): (&[Lanes], &[Lanes]),
+    [points, along_u, along_v]: [&[DVec3]; 3],
+) -> (Triples, Triples, bool) {
+    let position = blend(values, points).map(|lanes| lanes.map(to_f32));
+    let (unit, irregular) = normalise(cross(blend(slopes, along_u), blend(values, along_v)));
+    (triples(position), triples(unit), irregular)
 }
 
 /// Σ wᵢ·Pᵢ in each lane, summed from both ends towards the middle, so that reversed weights and points give the same.
@@ -228,21 +243,16 @@ fn normalise(cross: [Lanes; 3]) -> ([[f32; LANES]; 3], bool) {
     ([scaled(x), scaled(y), scaled(z)], irregular)
 }
 
-/// Writes lanes as x, y, z triples; the last group of a line may have room for fewer.
+/// x, y, z of one lane after the other.
 #[inline(always)]
-fn store([x, y, z]: [[f32; LANES]; 3], out: &mut [f32]) {
+fn triples([x, y, z]: [[f32; LANES]; 3]) -> Triples {
     let mut triples = [0.0; 3 * LANES];
     for lane in 0..LANES {
         triples[3 * lane] = x[lane];
         triples[3 * lane + 1] = y[lane];
         triples[3 * lane + 2] = z[lane];
     }
-    if out.len() == triples.len() {
-        out.copy_from_slice(&triples);
-    } else {
-        let room = out.len().min(triples.len());
-        out[..room].copy_from_slice(&triples[..room]);
-    }
+    triples
 }
 
 impl Weights {
@@ -265,30 +275,27 @@ impl Weights {
         Self { degree, groups }
     }
 
-    /// The weights at sample k.
-    #[inline]
-    fn at(&self, k: usize) -> impl Fn(usize) -> f64 {
-        let first = k / LANES * (self.degree + 1);
-        move |i| self.groups[first + i][k % LANES]
-    }
-
     /// Blends the rows of a net at sample k: one point per column, summed like [`blend`].
     fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
-        let weight = self.at(k);
-        let rows = self.degree + 1;
+        let weights = &self.groups[k / LANES * (self.degree + 1)..][..=self.degree];
+        let lane = k % LANES;
         out.clear();
-        out.extend((0..columns).map(|column| {
-            let term = |row: usize| net[row * columns + column] * weight(row);
-            let mut sum = DVec3::ZERO;
-            for row in 0..rows / 2 {
-                sum += term(row) + term(rows - 1 - row);
+        out.resize(columns, DVec3::ZERO);
+        let mut rows = net.chunks_exact(columns).zip(weights);
+        while let (Some((a, wa)), last) = (rows.next(), rows.next_back()) {
+            match last {
+                Some((b, wb)) => {
+                    for ((sum, &a), &b) in out.iter_mut().zip(a).zip(b) {
+                        *sum += a * wa[lane] + b * wb[lane];
+                    }
+                }
+                None => {
+                    for (sum, &a) in out.iter_mut().zip(a) {
+                        *sum += a * wa[lane];
+                    }
+                }
             }
-            if rows % 2 == 1 {
-                sum + term(rows / 2)
-            } else {
-                sum
-            }
-        }));
+        }
     }
 }
 

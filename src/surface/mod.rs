@@ -15,9 +15,12 @@ mod network;
 mod normal;
 mod patch;
 mod pieces;
+mod projected;
 mod sets;
+mod sides;
 mod teapot_data;
 mod tessellate;
+mod wireframe;
 
 pub use grid::Grid;
 pub use mesh::{Indices, Mesh, PatchRange};

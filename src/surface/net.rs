@@ -29,9 +29,11 @@ pub(crate) fn differences_u(net: &[DVec3], columns: usize) -> Net {
     if columns < 2 {
         return Net::from_elem(DVec3::ZERO, net.len());
     }
-    net.chunks(columns)
-        .flat_map(|row| row.windows(2).map(|pair| pair[1] - pair[0]))
-        .collect()
+    let mut differences = Net::with_capacity(net.len());
+    for row in net.chunks(columns) {
+        differences.extend(row.iter().zip(&row[1..]).map(|(&a, &b)| b - a));
+    }
+    differences
 }
 
 /// The differences of neighbours along v: one row fewer; of a single row, zeros.

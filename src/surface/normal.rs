@@ -7,7 +7,7 @@
 //! by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*, §6.9 for products).
 
 use super::net::{Net, transpose};
-use crate::curve::{Points, blossom_piece, evaluate, ratio};
+use crate::curve::{blossom_piece, evaluate, ratio};
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
@@ -66,8 +66,8 @@ impl NormalNet {
     fn toward_middle(&self, u: f64, v: f64) -> DVec3 {
         let columns = self.degree_u + 1;
         let rows = self.degree_v + 1;
-        let narrow = half_toward_middle(&self.net, columns, u);
-        let piece = half_toward_middle(&transpose(&narrow, columns), rows, v);
+        let narrow = toward_half(&self.net, columns, u);
+        let piece = toward_half(&transpose(&narrow, columns), rows, v);
         (0..columns + rows - 1)
             .find_map(|order| {
                 let least = order.saturating_sub(self.degree_v);
@@ -85,7 +85,10 @@ impl NormalNet {
 
 /// The direction at t of the first row, or of the last one backwards, that does not vanish there.
 fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
-    let at = |row: &[DVec3]| direction(evaluate(row, t));
+    let at = |row: &[DVec3]| {
+        let some = row.iter().any(|&p| p != DVec3::ZERO);
+        some.then(|| direction(evaluate(row, t))).flatten()
+    };
     if from_end {
         net.rchunks(columns).find_map(at)
     } else {
@@ -93,19 +96,19 @@ fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DV
     }
 }
 
-/// Restricts every row to the piece from t to ½, starting at t.
-fn half_toward_middle(net: &[DVec3], columns: usize, t: f64) -> Net {
-    net.chunks(columns)
-        .flat_map(|row| {
-            let mut piece = Points::from_slice(row);
-            let (backwards, start) = if t > 0.5 { (true, 1.0 - t) } else { (false, t) };
-            if backwards {
-                piece.reverse();
-            }
-            blossom_piece(&mut piece, start, 0.5);
-            piece
-        })
-        .collect()
+/// Every row from t toward ½, starting at t: the piece up to there, or from an end the whole row, which starts alike.
+fn toward_half(net: &[DVec3], columns: usize, t: f64) -> Net {
+    let mut rows = Net::from_slice(net);
+    for row in rows.chunks_mut(columns) {
+        if t > 0.5 {
+            row.reverse();
+        }
+        let start = t.min(1.0 - t);
+        if start != 0.0 {
+            blossom_piece(row, start, 0.5);
+        }
+    }
+    rows
 }
 
 /// The unit vector, unless the length is noise.

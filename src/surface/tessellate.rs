@@ -45,11 +45,11 @@ fn fill_layout(patches: usize, grid: Grid, quads: bool, mesh: &mut Mesh) {
     for (id, part) in (0..).zip(mesh.patch_ids.chunks_exact_mut(count)) {
         part.fill(id);
     }
-    let triangles = || grid.triangles().flatten();
-    fill_indices(patches, count, triangles, &mut mesh.indices);
+    let [a, b, c, d] = grid.quad(0, 0);
+    fill_indices(patches, grid, [a, b, c, a, c, d], &mut mesh.indices);
     mesh.quads = quads.then(|| {
         let mut faces = mesh.quads.take().unwrap_or_default();
-        fill_indices(patches, count, || grid.quads().flatten(), &mut faces);
+        fill_indices(patches, grid, [a, b, c, d], &mut faces);
         faces
     });
     let (vertices, indices) = (to_u32(count), to_u32(3 * grid.triangle_count()));
@@ -81,44 +81,58 @@ fn fill_uvs(patches: usize, grid: Grid, uvs: &mut Vec<f32>) {
     }
 }
 
-/// The faces of one patch, repeated with the vertex numbers of each.
-fn fill_indices<I: Iterator<Item = usize>>(
+/// The vertex numbers of all cells: those of the cell at (0, 0), in the `cell`, moved along the rows and the patches.
+fn fill_indices<const N: usize>(
     patches: usize,
-    vertices: usize,
-    pattern: impl Fn() -> I,
+    grid: Grid,
+    cell: [usize; N],
     indices: &mut Indices,
 ) {
-    if patches * vertices <= MAX_U16_VERTICES {
+    let count = grid.vertex_count();
+    if patches * count <= MAX_U16_VERTICES {
         let mut list = match std::mem::take(indices) {
             Indices::U16(list) => list,
             Indices::U32(_) => Vec::new(),
         };
-        list.clear();
-        list.extend(pattern().map(to_u16));
-        repeat(&mut list, patches, to_u16(vertices), u16::wrapping_add);
+        fill_list(patches, grid, cell, &mut list, to_u16, u16::wrapping_add);
         *indices = Indices::U16(list);
     } else {
         let mut list = match std::mem::take(indices) {
             Indices::U16(_) => Vec::new(),
             Indices::U32(list) => list,
         };
-        list.clear();
-        list.extend(pattern().map(to_u32));
-        repeat(&mut list, patches, to_u32(vertices), u32::wrapping_add);
+        fill_list(patches, grid, cell, &mut list, to_u32, u32::wrapping_add);
         *indices = Indices::U32(list);
     }
 }
 
-/// Appends the first pattern `patches` − 1 times, each time with numbers `step` higher than before.
-fn repeat<T: Copy>(list: &mut Vec<T>, patches: usize, step: T, add: impl Fn(T, T) -> T) {
+/// [`fill_indices`] for one type of numbers.
+fn fill_list<T: Copy, const N: usize>(
+    patches: usize,
+    grid: Grid,
+    cell: [usize; N],
+    list: &mut Vec<T>,
+    number: impl Fn(usize) -> T,
+    add: impl Fn(T, T) -> T,
+) {
+    list.clear();
+    list.extend(cell.map(&number));
+    repeat(list, grid.segments_u, number(1), &add);
+    repeat(list, grid.segments_v, number(grid.segments_u + 1), &add);
+    repeat(list, patches, number(grid.vertex_count()), &add);
+}
+
+/// Repeats the list `times` in all, each time with numbers `step` higher than before.
+fn repeat<T: Copy>(list: &mut Vec<T>, times: usize, step: T, add: impl Fn(T, T) -> T) {
     let count = list.len();
-    for patch in 1..patches {
-        list.extend_from_within((patch - 1) * count..);
-        for index in &mut list[patch * count..] {
+    list.reserve_exact(count * times.saturating_sub(1));
+    for copy in 1..times {
+        list.extend_from_within((copy - 1) * count..);
+        for index in &mut list[copy * count..] {
             *index = add(*index, step);
         }
     }
-    list.truncate(patches * count);
+    list.truncate(count * times);
 }
 
 /// A number below 2¹⁶; the caller has counted.

@@ -1,0 +1,98 @@
+//! A surface as lines: curves of constant u and of constant v.
+
+use super::Surface;
+use super::projected::Projection;
+use crate::curve::{Curve, MAX_OUTPUT_F64, Pen, check_tolerance, ratio};
+use crate::error::Error;
+use glam::{DMat4, DVec3};
+
+/// How far drawn lines may be from the true projection, where nothing else is asked for: less than a screen shows.
+const TOLERANCE_PX: f64 = 0.1;
+
+impl Surface {
+    /// The isocurves that divide every patch into `lines` strips each way: at u and v = k / `lines`, sides included.
+    ///
+    /// A side that patches share (by the same vertices) comes once, a side that is one vertex not at all. For each
+    /// patch first the curves of constant u, then those of constant v.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 lines, [`Error::TooMany`] above 1 GiB of numbers.
+    pub fn isocurves(&self, lines: usize) -> Result<Vec<Curve<DVec3>>, Error> {
+        let mut curves = Vec::new();
+        self.each_isocurve(lines, |curve| curves.push(curve))?;
+        Ok(curves)
+    }
+
+    /// Draws the [`isocurves`](Self::isocurves) as `matrix` projects them to a canvas: all lines in one call.
+    ///
+    /// `matrix` takes (x, y, z, 1) to (X, Y, ·, W), drawn at (X/W, Y/W) in pixels. Where W is constant along a curve,
+    /// as under every affine matrix, degrees 1 to 3 go out as they are. Other lines become cubics which stay within
+    /// `tolerance` pixels of the true ones (0.1 by default). What lies behind the eye, or nearer to it than a
+    /// thousandth of the farthest vertex's W, is left out, to within 1/4096 of a curve. The caller strokes.
+    ///
+    /// # Errors
+    /// As `isocurves`; [`Error::NotFinite`] for the matrix, [`Error::Range`] for the tolerance.
+    pub fn trace_projected(
+        &self,
+        pen: &mut impl Pen,
+        matrix: &DMat4,
+        lines: usize,
+        tolerance: Option<f64>,
+    ) -> Result<(), Error> {
+        if let Some(tolerance) = tolerance {
+            check_tolerance(tolerance, 0.0)?;
+        }
+        let numbers = matrix.to_cols_array();
+        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
+            return Err(Error::NotFinite {
+                what: "matrix",
+                index,
+                got: numbers[index],
+            });
+        }
+        let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
+        let projection = Projection::new(matrix, self.vertices(), tolerance);
+        self.each_isocurve(lines, |curve| projection.draw(&curve, pen))
+    }
+
+    /// Hands out the isocurves one by one.
+    fn each_isocurve(&self, lines: usize, mut draw: impl FnMut(Curve<DVec3>)) -> Result<(), Error> {
+        self.check_lines(lines)?;
+        let distinct = self.distinct_sides();
+        for (patch, [u0, u1, v0, v1]) in self.patches().zip(distinct) {
+            let wanted =
+                |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
+            for k in (0..=lines).filter(|&k| wanted(k, u0, u1)) {
+                draw(patch.isocurve_at_u(ratio(k, lines)));
+            }
+            for k in (0..=lines).filter(|&k| wanted(k, v0, v1)) {
+                draw(patch.isocurve_at_v(ratio(k, lines)));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses 0 lines, and more than the limit on output allows.
+    fn check_lines(&self, lines: usize) -> Result<(), Error> {
+        if lines < 1 {
+            return Err(Error::Range {
+                what: "lines",
+                expected: "a whole number from 1",
+                got: 0.0,
+            });
+        }
+        let per_line: usize = (0..self.patch_count())
+            .filter_map(|patch| self.degrees(patch))
+            .map(|[degree_u, degree_v]| 3 * (degree_u + degree_v + 2))
+            .sum();
+        let limit = (MAX_OUTPUT_F64 / per_line.max(1)).saturating_sub(1);
+        if lines > limit {
+            return Err(Error::TooMany {
+                what: "lines",
+                limit,
+                needed: lines,
+            });
+        }
+        Ok(())
+    }
+}
