@@ -8,9 +8,12 @@
 //! distance from the chord's line, whose maximum has a closed form. Where the piece runs past the ends of its chord,
 //! the overshoot counts too.
 
-use super::flatten::Deviation;
+use super::flatten::{Deviation, Fraction, fourth_root};
 use super::roots::roots_inside;
 use crate::point::{Cross, Point};
+
+/// 16 · 0.92: h⁴ |D₁×D₂|² / |D₁|² for a parabola that uses 0.92 of the squared tolerance.
+const AIMED_BEND: f64 = 14.7;
 
 /// When no more chords than these are left by the guess, the whole rest is tried first.
 const FEW_CHORDS: f64 = 3.0;
@@ -63,6 +66,19 @@ impl<P: Point> CubicDeviation<P> {
         square * square * greatest_squared(first, last)
     }
 
+    /// The whole deviation, as a part of the tolerance and squared, of a piece that may run past the ends of its chord.
+    fn squared_past_ends(&self, h: f64, u: P, end: P) -> f64 {
+        let d1 = self.d[0];
+        let length = u.dot(u);
+        if length > CLOSED_RATIO * (d1.dot(d1) + end.dot(end)) {
+            let across = self.across_squared(h) / length;
+            return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
+        }
+        // The chord is next to nothing; the piece is no farther from it than its control points.
+        let farthest = (d1.norm() / 3.0).max((u - end * (1.0 / 3.0)).norm()) * h;
+        farthest * farthest * self.per_squared_tolerance
+    }
+
     /// The overshoot past the ends of the chord, squared.
     fn overshoot_squared(&self, h: f64, u: P) -> f64 {
         let [d1, d2, d3] = self.d;
@@ -97,40 +113,53 @@ impl<P: Point> Deviation for CubicDeviation<P> {
     }
 
     #[inline]
-    fn squared(&mut self, h: f64) -> f64 {
+    fn squared(&mut self, h: f64) -> Fraction {
         let [d1, d2, d3] = self.d;
         let u = d1 + (d2 + d3 * h) * h;
         let end = d1 + (d2 * 2.0 + d3 * (3.0 * h)) * h;
         let length = u.dot(u);
         let (along_start, along_end) = (d1.dot(u), end.dot(u));
         // The inner control points project into the chord: then so does the piece.
-        let within = 0.0..=3.0 * length;
-        if within.contains(&along_start) && within.contains(&along_end) && length > 0.0 {
-            return self.across_squared(h) / length * self.per_squared_tolerance;
+        let inside =
+            along_start.min(along_end) >= 0.0 && along_start.max(along_end) <= 3.0 * length;
+        if inside && length > 0.0 {
+            return Fraction {
+                over: self.across_squared(h) * self.per_squared_tolerance,
+                under: length,
+            };
         }
-        if length > CLOSED_RATIO * (d1.dot(d1) + end.dot(end)) {
-            let across = self.across_squared(h) / length;
-            return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
+        Fraction {
+            over: self.squared_past_ends(h, u, end),
+            under: 1.0,
         }
-        // The chord is next to nothing; the piece is no farther from it than its control points.
-        let farthest = (d1.norm() / 3.0).max((u - end * (1.0 / 3.0)).norm()) * h;
-        farthest * farthest * self.per_squared_tolerance
     }
 
     #[inline]
-    fn guess(&self) -> f64 {
-        // h²|a| / (4|D₁|) = tolerance
-        let bend = self.a.size() / self.d[0].norm() * 0.25;
-        let h = (1.0 / (bend * self.per_squared_tolerance.sqrt())).sqrt();
+    fn guess(&self, expected: f64) -> f64 {
+        // About the middle of the step the piece is nearly a parabola: h²|D₁×D₂| / (4|D₁|) is the tolerance.
+        let [d1, d2, d3] = self.d;
+        let x = 0.5 * expected;
+        let bend = d2 + d3 * (3.0 * x);
+        let speed = d1 + (d2 + bend) * x;
+        let across = speed.cross(bend).size_squared() * self.per_squared_tolerance;
+        let square = AIMED_BEND * speed.dot(speed);
+        if expected > 0.0 {
+            return expected
+                * fourth_root(
+                    square,
+                    across * (expected * expected) * (expected * expected),
+                );
+        }
+        let h = (square / across).sqrt().sqrt();
         if h > 0.0 { h } else { 1.0 }
     }
 
     #[inline]
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
-        if guess * FEW_CHORDS < rest {
-            guess
-        } else {
+        if guess >= rest || (guess * FEW_CHORDS >= rest && self.squared(rest).at_most(1.0)) {
             rest
+        } else {
+            guess
         }
     }
 }

@@ -16,10 +16,10 @@ use crate::point::Point;
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
 
 /// A chord is kept when its squared deviation, as a part of the squared tolerance, is at least this: chords grow with
-/// the square root of the deviation, so there are at most 0.8^-¼ = 1.06 times as many as could be. A correction aims
+/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as could be. A correction aims
 /// a little below the tolerance.
-const KEPT_FROM: f64 = 0.8;
-const AIMED_AT: f64 = 0.94;
+const KEPT_FROM: f64 = 0.72;
+const AIMED_AT: f64 = 0.92;
 
 /// Corrections of one chord before the best safe one is taken.
 const MOST_CORRECTIONS: usize = 8;
@@ -41,12 +41,26 @@ pub(crate) trait Deviation {
     /// Prepares for chords that start at `t`.
     fn start_at(&mut self, t: f64);
     /// (greatest distance of the piece from its chord / tolerance)², or a close upper bound, for a step `h`.
-    fn squared(&mut self, h: f64) -> f64;
-    /// About how long a step from t = 0 may be.
-    fn guess(&self) -> f64;
+    fn squared(&mut self, h: f64) -> Fraction;
+    /// About how long a step may be, a first idea being given (0 at the start).
+    fn guess(&self, last: f64) -> f64;
     /// The first step to try where one of about `guess` is expected. It may be longer: a curve may bend away and come
     /// back to a chord that is much longer than the longest one that fails.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64;
+}
+
+/// A number not yet divided: most chords are kept without its value.
+#[derive(Clone, Copy)]
+pub(crate) struct Fraction {
+    pub(crate) over: f64,
+    pub(crate) under: f64,
+}
+
+impl Fraction {
+    #[inline]
+    pub(crate) fn at_most(self, bound: f64) -> bool {
+        self.over <= bound * self.under
+    }
 }
 
 impl<P: Point> Curve<P> {
@@ -172,10 +186,13 @@ fn walk_points<P: Point>(
 fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> Result<(), Error> {
     let mut t = 0.0;
     deviation.start_at(t);
-    let (mut ideal, mut change) = (deviation.guess(), 1.0);
+    let (mut previous, mut step): (f64, f64) = (f64::INFINITY, 0.0);
     for _ in 0..MAX_VERTICES - 1 {
         let rest = 1.0 - t;
-        let (step, squared) = longest_step(deviation, ideal * change, rest);
+        // The change of the last two steps goes on, within reason.
+        let expected = step * (step / previous).clamp(0.6, 1.6);
+        previous = step;
+        step = longest_step(deviation, deviation.guess(expected), rest);
         if step >= rest {
             vertex(1.0);
             return Ok(());
@@ -184,10 +201,6 @@ fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> 
         t = if next > t { next } else { t.next_up() };
         vertex(t);
         deviation.start_at(t);
-        // What the step should have been (the fourth root about 1); its change from the last one goes on.
-        let hit = step * (1.0 + (AIMED_AT - squared) * (0.25 / AIMED_AT));
-        change = (hit / ideal).clamp(0.5, 2.0);
-        ideal = hit;
     }
     Err(Error::TooMany {
         what: "vertices",
@@ -196,37 +209,57 @@ fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> 
     })
 }
 
-/// A step that keeps the tolerance and uses most of it, or the whole rest; and its squared deviation.
-fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> (f64, f64) {
-    let mut h = deviation.first_try(guess, rest);
-    let mut safe = (0.0, 0.0);
-    let mut unsafe_from = f64::INFINITY;
+/// A step that keeps the tolerance and uses most of it, or the whole rest.
+#[inline]
+fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
+    let h = deviation.first_try(guess, rest);
+    let squared = deviation.squared(h);
+    if squared.at_most(1.0) && (h >= rest || !squared.at_most(KEPT_FROM)) {
+        return h;
+    }
+    corrected_step(deviation, h, squared, rest)
+}
+
+/// The same after a first step `h` that was too long or too short.
+fn corrected_step(
+    deviation: &mut impl Deviation,
+    mut h: f64,
+    mut squared: Fraction,
+    rest: f64,
+) -> f64 {
+    let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
     for correction in 0.. {
-        let squared = deviation.squared(h);
-        if squared <= 1.0 {
-            if squared >= KEPT_FROM || h >= rest {
-                return (h, squared);
+        if squared.at_most(1.0) {
+            if h >= rest || !squared.at_most(KEPT_FROM) {
+                return h;
             }
-            safe = (h, squared);
+            safe = h;
         } else {
             unsafe_from = h;
         }
-        if (correction >= MOST_CORRECTIONS && safe.0 > 0.0) || h < f64::EPSILON * f64::EPSILON {
+        if (correction >= MOST_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
             break;
         }
-        h = correct(h, squared, safe.0, unsafe_from).min(rest);
+        let next = h * fourth_root(AIMED_AT * squared.under, squared.over);
+        let between = next > safe && next < unsafe_from;
+        h = if between {
+            next
+        } else {
+            0.5 * (safe + unsafe_from.min(4.0 * h))
+        }
+        .min(rest);
+        squared = deviation.squared(h);
     }
     safe
 }
 
-/// The next step to try, from the last one and its squared deviation, strictly between a safe one and one that fails.
-fn correct(h: f64, squared: f64, safe: f64, unsafe_from: f64) -> f64 {
-    // The deviation grows with h², its square with h⁴. NaN, of an overflow, shrinks.
-    let factor = (AIMED_AT / squared).sqrt().sqrt();
-    let next = h * factor.clamp(0.01, 4.0);
-    if next > safe && next < unsafe_from {
-        next
-    } else {
-        0.5 * (safe + unsafe_from.min(4.0 * h))
+/// (a/b)^¼, since the squared deviation grows with h⁴: near 1 its Padé approximant, else within reason. NaN, of an
+/// overflow, shrinks.
+#[inline]
+pub(crate) fn fourth_root(a: f64, b: f64) -> f64 {
+    if b > 0.25 * a && b < 4.0 * a {
+        return (5.0 * a + 3.0 * b) / (3.0 * a + 5.0 * b);
     }
+    let root = (a / b).sqrt().sqrt();
+    if root > 0.01 { root.min(4.0) } else { 0.01 }
 }

@@ -6,7 +6,7 @@
 
 use super::casteljau::blossom_piece;
 use super::deviation::greatest_squared;
-use super::flatten::Deviation;
+use super::flatten::{Deviation, Fraction};
 use super::roots::roots_inside;
 use super::{Curve, Points, Scalars, evaluate, evaluate_scalar, ratio};
 use crate::point::Point;
@@ -90,7 +90,7 @@ impl Deviation for PieceDeviation {
         self.start = t;
     }
 
-    fn squared(&mut self, h: f64) -> f64 {
+    fn squared(&mut self, h: f64) -> Fraction {
         let mut piece = self.points.clone();
         blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
         let chord = piece[piece.len() - 1] - piece[0];
@@ -104,10 +104,16 @@ impl Deviation for PieceDeviation {
             self.across(&piece, direction)
                 .hypot(Self::overshoot(&piece, direction, chord.norm()))
         };
-        (distance / self.tolerance).powi(2)
+        Fraction {
+            over: (distance / self.tolerance).powi(2),
+            under: 1.0,
+        }
     }
 
-    fn guess(&self) -> f64 {
+    fn guess(&self, expected: f64) -> f64 {
+        if expected > 0.0 {
+            return expected;
+        }
         // The whole curve's second differences, as if they were those of the start.
         let n = ratio(self.points.len() - 1, 1);
         let second = |w: &[DVec3]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
@@ -118,7 +124,7 @@ impl Deviation for PieceDeviation {
     /// A curve of a high degree may come back more than once: from the whole rest down.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
         let mut h = rest;
-        while h > 2.0 * guess && self.squared(h) > 1.0 {
+        while h > 2.0 * guess && !self.squared(h).at_most(1.0) {
             h *= 0.5;
         }
         h
