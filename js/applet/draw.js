@@ -28,7 +28,7 @@ const SQUARE_HALF = 5;
 const HOLLOW_RADIUS = 3.5;
 const DIAMOND_HALF = 7;
 const FONT = 13;
-const LABEL_DISTANCE = 17;
+const LABEL_DISTANCE = 19;
 /** Labels keep this far from the edge of the picture. */
 const LABEL_MARGIN = 11;
 
@@ -139,8 +139,8 @@ function drawScaffold(paper, levels) {
  */
 function drawPoint(paper, state, point, onCurve) {
   const { ctx, theme, px } = paper;
-  const [x, y] = clamped(state.box, point);
-  const inside = x === point[0] && y === point[1];
+  const inside = clamped(state.box, point).every((coordinate, k) => coordinate === point[k]);
+  const [x, y] = inside ? point : atEdge(state.box, point, DISC_RADIUS * px);
   ctx.beginPath();
   if (onCurve) ctx.arc(x, y, DISC_RADIUS * px, 0, 2 * Math.PI);
   else ctx.rect(x - SQUARE_HALF * px, y - SQUARE_HALF * px, 2 * SQUARE_HALF * px, 2 * SQUARE_HALF * px);
@@ -148,6 +148,16 @@ function drawPoint(paper, state, point, onCurve) {
   ctx.fillStyle = inside ? colour : theme.paper;
   ctx.fill();
   stroke(paper, inside ? theme.paper : colour, RIM_WIDTH);
+}
+
+/**
+ * @param {import("./state.js").Box} box
+ * @param {Place} point
+ * @param {number} margin
+ * @returns {Place} just inside the picture
+ */
+function atEdge(box, [x, y], margin) {
+  return [Math.min(Math.max(x, margin), box.width - margin), Math.min(Math.max(y, margin), box.height - margin)];
 }
 
 /**
@@ -190,9 +200,8 @@ function drawDiamond(paper, [x, y]) {
 function drawLabel(paper, { box }, at, index, points) {
   const { ctx, theme, px } = paper;
   const [dx, dy] = awayFrom(at, [points[index - 1], points[index + 1]]);
-  const margin = LABEL_MARGIN * px;
-  const x = Math.min(Math.max(at[0] + dx * LABEL_DISTANCE * px, margin), box.width - margin);
-  const y = Math.min(Math.max(at[1] + dy * LABEL_DISTANCE * px, margin), box.height - margin);
+  const away = LABEL_DISTANCE * px;
+  const [x, y] = atEdge(box, [at[0] + dx * away, at[1] + dy * away], LABEL_MARGIN * px);
   ctx.font = `600 ${FONT * px}px system-ui, sans-serif`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";

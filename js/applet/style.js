@@ -25,7 +25,7 @@ const CSS = `
   }
   .probe { forced-color-adjust: none; }
 }
-* { box-sizing: border-box; }
+*, ::after { box-sizing: border-box; }
 .frame { outline: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); }
 .stage { position: relative; background: var(--bz-paper); border-radius: 10px 10px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
 ::slotted(canvas) {
@@ -39,14 +39,14 @@ const CSS = `
 }
 .handle:active { cursor: grabbing; }
 .handle::after {
-  content: ""; position: absolute; inset: 0; margin: auto; inline-size: 24px; block-size: 24px;
-  border: 2px solid transparent; border-radius: 50%; pointer-events: none;
+  content: ""; display: none; position: absolute; inset: 0; margin: auto; inline-size: 22px; block-size: 22px;
+  border: 2px solid var(--bz-field); border-radius: 50%; pointer-events: none;
 }
 .handle[data-kind="off"]::after { border-radius: 6px; }
-.handle:hover::after { border-color: var(--bz-field); }
+.handle:hover::after, .handle:focus-within::after { display: block; }
 .handle:focus-within { z-index: 1; }
 .handle:focus-within::after { border-color: var(--bz-accent); }
-.handle:has(:focus-visible)::after { outline: 2px solid var(--bz-paper); box-shadow: 0 0 0 4px var(--bz-accent); }
+.handle:has(:focus-visible)::after { border-width: 3px; outline: 2px solid var(--bz-paper); }
 .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
 .status { display: flex; gap: 0.6rem; align-items: baseline; margin: 0; padding: 0.6rem 0.9rem; border-block: 1px solid var(--bz-rim); min-block-size: 4.1em; }
 .verdict { flex: none; min-inline-size: 2.6em; padding: 0 0.45em; border-radius: 5px; text-align: center; font-weight: 650; border: 1.5px solid currentColor; }
@@ -81,7 +81,6 @@ input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 
 .handle :focus-visible { outline: none; }
 .hint { flex: 1 1 100%; display: flex; flex-wrap: wrap; gap: 0.2rem 1.4rem; margin: 0; align-items: center; color: var(--bz-quiet); font-size: 0.875rem; }
 .away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
-@media (prefers-reduced-motion: no-preference) { .handle::after { transition: border-color 0.12s; } }
 `;
 
 /** One sheet for each document. @type {WeakMap<Document, CSSStyleSheet>} */

@@ -52,12 +52,22 @@ test("a slider moved by a screen reader moves its point; changes are announced o
   await set("P1 x", "200");
   await set("P1 y", "400"); // from below: 80 from the top
   assertNear((await points(page))[1], [200, 80], 1e-9);
+  await drawn(page);
   assert.equal(await page.getByLabel("P1 y").getAttribute("aria-valuetext"), "80");
+  assert.equal(await page.getByLabel("P1 y").inputValue(), "400");
   const live = page.getByRole("status");
   await page.waitForFunction(() => document.querySelector("canvas").parentNode.shadowRoot.querySelector("[role=status]").textContent);
   assert.equal(await live.textContent(), "P1 at 200, 80");
+  const texts = live.evaluate((element) => {
+    const said = [];
+    new MutationObserver(() => said.push(element.textContent)).observe(element, { childList: true });
+    return new Promise((done) => setTimeout(() => done(said), 1200));
+  });
+  await page.getByLabel("P1 x").focus();
+  for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowLeft");
+  assert.deepEqual(await texts, ["P1 at 195, 80"]);
   const description = await page.getByRole("figure").evaluate((figure) => figure.getRootNode().getElementById("description").textContent);
-  assert.match(description, /^2 cubic Bézier curves .* P0 at 70, 330, P3 at .* P1 at 200, 80/);
+  assert.match(description, /^2 cubic Bézier curves .* P0 at 70, 330, P3 at .* P1 at 195, 80/);
 });
 
 test("a double click on an empty place appends a segment that ends there; on a point it does not", async (t) => {

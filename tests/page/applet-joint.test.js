@@ -91,9 +91,11 @@ test("the lock holds at hidden joints and at those added later", async (t) => {
   assertNear([joint(await points(page)).sine], [0], 1e-12);
   await page.evaluate(() => (bezierApp().toggleMode(), bezierApp().append([300, 60])));
   await drawn(page);
-  await drag(page, 5, -30, 10);
-  const later = joint((await points(page)).slice(3)); // at P6
-  assertNear([later.sine, later.before], [0, later.after], 1e-9);
+  for (const act of [() => {}, () => drag(page, 5, -30, 10)]) {
+    await act();
+    const later = joint((await points(page)).slice(3)); // at P6
+    assertNear([later.sine, later.before], [0, later.after], 1e-9);
+  }
 });
 
 test("a partner pushed out of the picture waits at its edge and can be fetched back", async (t) => {
