@@ -1,5 +1,5 @@
 // The picture: a function of its arguments only. Lengths are in CSS pixels, turned into the view box's units by `px`.
-import { clamped, POINTS_PER_SEGMENT } from "./state.js";
+import { clamped, isInside, POINTS_PER_SEGMENT } from "./state.js";
 import { isOnCurve } from "./words.js";
 
 /** @typedef {import("./state.js").State} State */
@@ -49,7 +49,7 @@ export function draw(paper, state, derived) {
   drawCurve(paper, derived);
   drawTangents(paper, derived.points);
   for (const levels of derived.scaffolds) drawScaffold(paper, levels);
-  derived.points.forEach((point, i) => drawLabel(paper, state, clamped(state.box, point), i, derived.points));
+  derived.points.forEach((point, i) => drawLabel(paper, state, point, i, derived.points));
   derived.points.forEach((point, i) => drawPoint(paper, state, point, isOnCurve(i)));
   for (const at of derived.atT) drawDiamond(paper, at);
 }
@@ -139,7 +139,7 @@ function drawScaffold(paper, levels) {
  */
 function drawPoint(paper, state, point, onCurve) {
   const { ctx, theme, px } = paper;
-  const inside = clamped(state.box, point).every((coordinate, k) => coordinate === point[k]);
+  const inside = isInside(state.box, point);
   const [x, y] = inside ? point : atEdge(state.box, point, DISC_RADIUS * px);
   ctx.beginPath();
   if (onCurve) ctx.arc(x, y, DISC_RADIUS * px, 0, 2 * Math.PI);
@@ -193,15 +193,17 @@ function drawDiamond(paper, [x, y]) {
  *
  * @param {Paper} paper
  * @param {State} state
- * @param {Place} at
+ * @param {Place} point
  * @param {number} index
  * @param {Place[]} points
  */
-function drawLabel(paper, { box }, at, index, points) {
+function drawLabel(paper, { box }, point, index, points) {
   const { ctx, theme, px } = paper;
+  const at = clamped(box, point);
   const [dx, dy] = awayFrom(at, [points[index - 1], points[index + 1]]);
   const away = LABEL_DISTANCE * px;
-  const [x, y] = atEdge(box, [at[0] + dx * away, at[1] + dy * away], LABEL_MARGIN * px);
+  const margin = isInside(box, point) ? LABEL_MARGIN * px : LABEL_MARGIN * px + away;
+  const [x, y] = atEdge(box, [at[0] + dx * away, at[1] + dy * away], margin);
   ctx.font = `600 ${FONT * px}px system-ui, sans-serif`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";

@@ -47,7 +47,7 @@ export function listenToKeys(port) {
  */
 function pressed(event, port) {
   if (event.key === "Escape" && port.escape()) return event.preventDefault();
-  const act = { r: port.randomize, m: port.toggle }[event.key.toLowerCase()];
+  const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()]; // a browser that fills in a form sends events without a key
   if (!act || !isPlain(event) || isForText(event)) return;
   const frame = event.composedPath().find((target) => hosts.has(target));
   if (frame ? frame !== port.host : !port.pageWide()) return;

@@ -1,6 +1,6 @@
 // Chance, and places for new points.
 import { Spline } from "../index.js";
-import { clamped, cubics, pairs, pointCount, POINTS_PER_SEGMENT } from "./state.js";
+import { cubics, isInside, pairs, pointCount, POINTS_PER_SEGMENT } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Box} Box */
@@ -81,16 +81,6 @@ function withJointInside(spline, joint, state, draw) {
 function randomPlace({ width, height }, random) {
   const margin = MARGIN_RATIO * Math.min(width, height);
   return [margin + random() * (width - 2 * margin), margin + random() * (height - 2 * margin)];
-}
-
-/**
- * @param {Box} box
- * @param {[number, number]} point
- * @returns {boolean}
- */
-function isInside(box, point) {
-  const [x, y] = clamped(box, point);
-  return x === point[0] && y === point[1];
 }
 
 /**

@@ -232,3 +232,12 @@ export function appended(state, point) {
 export function clamped({ width, height }, point) {
   return [Math.min(Math.max(point[0], 0), width), Math.min(Math.max(point[1], 0), height)];
 }
+
+/**
+ * @param {Box} box
+ * @param {ArrayLike<number>} point
+ * @returns {boolean}
+ */
+export function isInside({ width, height }, point) {
+  return point[0] >= 0 && point[0] <= width && point[1] >= 0 && point[1] <= height;
+}

@@ -1,7 +1,8 @@
 // The tutorial's applet: its HTML, dragging, r and m, the handle for pages that embed it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { openPage, root } from "./browser.js";
+import { serve } from "./server.js";
 import {
   assertNear, BLUE, centre, countColour, cubicAt, drag, drawn, GREEN, handle, openTutorial, points, pull, tutorialPage, VERMILION,
 } from "./applet-page.js";
@@ -293,4 +294,30 @@ test("destroy leaves the page as it was, and a new applet can follow", async (t)
   assert.equal(await page.evaluate(() => app.mode), 7, "its keys are gone");
   assert.equal(await page.evaluate(() => bezierApp() !== app && bezierApp().mode), 7);
   await handle(page, 6).waitFor();
+});
+
+test("two applets on a page: letters typed inside one are for that one, others for both", async (t) => {
+  const page = await openTutorial(t, { more: '<canvas id="other" width="670" height="480"></canvas>' });
+  await page.evaluate(() => bezierApp("other"));
+  const modes = () => page.evaluate(() => [bezierApp().mode, bezierApp("other").mode]);
+  await page.keyboard.press("m");
+  assert.deepEqual(await modes(), [4, 4]);
+  await page.getByLabel("P0 x").last().focus();
+  await page.keyboard.press("m");
+  assert.deepEqual(await modes(), [4, 7]);
+});
+
+test("a strict content security policy is enough for the applet from npm", async (t) => {
+  const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
+  const strict = await serve({ "/dist/": `${root}dist` }, { "Content-Security-Policy": policy });
+  t.after(() => strict.close());
+  strict.pages.set("/", '<!doctype html><html lang="en"><title>Strict</title><canvas id="beziercanvas" width="670" height="480"></canvas></html>');
+  const page = await openPage(t, "/", { baseURL: strict.url });
+  await page.evaluate(async () => (await import("/dist/applet.js")).bezierApp());
+  assert.equal((await handle(page, 3).boundingBox()).width, 24, "the styles are in force");
+});
+
+test("importing the applet on Node touches no page", async () => {
+  const { bezierApp } = await import(`${root}dist/applet.js`);
+  assert.equal(typeof bezierApp, "function");
 });
