@@ -14,6 +14,9 @@
 /** Every frame that an applet lives in: letters typed inside one are not for the others. @type {WeakSet<EventTarget>} */
 const hosts = new WeakSet();
 
+/** Events that an applet has used, which is no reason for the next one to leave them alone. @type {WeakSet<Event>} */
+const used = new WeakSet();
+
 /** Input types in which letters are not text. */
 const TEXTLESS = new Set(["button", "checkbox", "color", "file", "image", "radio", "range", "reset", "submit"]);
 
@@ -52,6 +55,7 @@ function pressed(event, port) {
   const frame = event.composedPath().find((target) => hosts.has(target));
   if (frame ? frame !== port.host : !port.pageWide()) return;
   event.preventDefault();
+  used.add(event);
   act();
 }
 
@@ -61,7 +65,7 @@ function pressed(event, port) {
  */
 function isPlain(event) {
   const modified = event.ctrlKey || event.altKey || event.metaKey || event.shiftKey;
-  return !modified && !event.repeat && !event.isComposing && !event.defaultPrevented;
+  return !modified && !event.repeat && !event.isComposing && (!event.defaultPrevented || used.has(event));
 }
 
 /**
