@@ -66,6 +66,12 @@ impl Patch {
         Ok(Self::from_net(Net::from_slice(net), degree_u + 1))
     }
 
+    /// A patch from points that were checked before.
+    #[cfg(feature = "wasm")]
+    pub(crate) fn from_checked(net: &[DVec3], degree_u: usize) -> Self {
+        Self::from_net(Net::from_slice(net), degree_u + 1)
+    }
+
     /// A patch from a net that was checked before.
     pub(super) fn from_net(points: Net, columns: usize) -> Self {
         Self { points, columns }
@@ -134,7 +140,7 @@ impl Patch {
         let along_v = evaluate_net(&dv, self.columns, u, v);
         let cross = along_u.cross(along_v);
         if cross.length_squared() > REGULAR_RATIO * REGULAR_RATIO {
-            return cross.normalize();
+            return cross.unit();
         }
         NormalNet::new(&du, &dv, self.degree_u(), self.degree_v()).limit(u, v)
     }

@@ -112,6 +112,19 @@ impl Arena {
         self.0[at] as usize
     }
 
+    /// Indices, written as numbers.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "JavaScript has checked that they are indices"
+    )]
+    #[allow(
+        clippy::cast_sign_loss,
+        reason = "JavaScript has checked that they are indices"
+    )]
+    pub(super) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
+        self.numbers(at, count).iter().map(|&n| n as u32).collect()
+    }
+
     /// Writes one point at the start.
     #[inline]
     pub(super) fn put_point<P: Point>(&mut self, point: P) {

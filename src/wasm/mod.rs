@@ -18,6 +18,7 @@ mod curve;
 mod error;
 mod pen;
 mod spline;
+mod surface;
 
 /// Runs the body with `$P` being the point type of a dimension.
 macro_rules! by_dimension {

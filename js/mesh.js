@@ -1,0 +1,132 @@
+import * as check from "./check.js";
+import { core, memory } from "./init.js";
+
+/**
+ * Where the part of one patch lies in a mesh.
+ *
+ * @typedef {{ firstVertex: number, vertices: number, firstIndex: number, indices: number }} PatchRange
+ */
+
+/**
+ * What a grid is made of.
+ *
+ * @typedef {object} GridOptions
+ * @property {number | { u: number, v: number }} segments cells along each direction of a patch
+ * @property {boolean} [quads] list four-sided faces too
+ * @property {Mesh} [into] an earlier mesh, whose arrays are reused where they are large enough
+ */
+
+/** Above this many bytes the core gives the memory of a mesh back after it was read. */
+const LARGE_MESH = 1 << 24;
+
+/** The buffers of a mesh in the order of the core. */
+const POSITIONS = 0;
+const NORMALS = 1;
+const UVS = 2;
+const PATCH_IDS = 3;
+const INDICES = 4;
+const QUADS = 5;
+const PATCH_RANGES = 6;
+
+/**
+ * A triangle mesh as plain data, ready for a graphics card. Triangles run counter-clockwise as seen from the side that
+ * ∂u × ∂v points to.
+ */
+export class Mesh {
+  /**
+   * @param {object} data
+   * @param {Float32Array} data.positions
+   * @param {Float32Array} data.normals
+   * @param {Float32Array | null} data.uvs
+   * @param {Uint32Array | null} data.patchIds
+   * @param {Uint16Array | Uint32Array} data.indices
+   * @param {Uint16Array | Uint32Array} [data.quads]
+   * @param {PatchRange[]} data.patchRanges
+   */
+  constructor({ positions, normals, uvs, patchIds, indices, quads, patchRanges }) {
+    /** x, y, z of each vertex. */
+    this.positions = positions;
+    /** The unit normal of each vertex. */
+    this.normals = normals;
+    /** u, v of each vertex in its patch. */
+    this.uvs = uvs;
+    /** The patch that each vertex belongs to. */
+    this.patchIds = patchIds;
+    /** Three vertices per triangle, in the smallest type that fits. */
+    this.indices = indices;
+    /** Four vertices per face, where they were asked for. */
+    this.quads = quads;
+    /** Where each patch lies in the arrays. */
+    this.patchRanges = patchRanges;
+  }
+}
+
+/**
+ * Grid options, checked.
+ *
+ * @internal
+ * @param {GridOptions} options
+ * @returns {{ u: number, v: number, quads: boolean, into: Mesh | undefined }}
+ */
+export function gridOptions(options) {
+  const { segments, quads = false, into } = check.options(options);
+  const each = typeof segments === "object" && segments !== null ? segments : { u: segments, v: segments };
+  const u = check.segmentCount(each.u, each === segments ? "segments.u" : "segments");
+  const v = check.segmentCount(each.v, each === segments ? "segments.v" : "segments");
+  return { u, v, quads: Boolean(quads), into: into === undefined ? into : check.instanceOf(into, "into", Mesh) };
+}
+
+/**
+ * The mesh that the core left, in the arrays of an earlier one where they are large enough.
+ *
+ * @internal
+ * @param {Mesh | undefined} into
+ * @returns {Mesh}
+ */
+export function takeMesh(into) {
+  const wide = core().mesh_length(POSITIONS) / 3 > 0x10000;
+  /** @type {any} */
+  const Indices = wide ? Uint32Array : Uint16Array;
+  const data = {
+    positions: read(POSITIONS, Float32Array, into?.positions),
+    normals: read(NORMALS, Float32Array, into?.normals),
+    uvs: read(UVS, Float32Array, into?.uvs),
+    patchIds: read(PATCH_IDS, Uint32Array, into?.patchIds),
+    indices: read(INDICES, Indices, into?.indices),
+    quads: core().mesh_length(QUADS) ? read(QUADS, Indices, into?.quads) : undefined,
+    patchRanges: ranges(into?.patchRanges ?? []),
+  };
+  if (data.positions.byteLength > LARGE_MESH) core().mesh_drop();
+  return into ? Object.assign(into, data) : new Mesh(data);
+}
+
+/**
+ * One buffer of the core's last mesh, copied.
+ *
+ * @template {Float32Array | Uint16Array | Uint32Array} T
+ * @param {number} buffer
+ * @param {new (buffer: ArrayBuffer, byteOffset: number, length: number) => T} Type
+ * @param {Float32Array | Uint16Array | Uint32Array | null | undefined} into
+ * @returns {T}
+ */
+function read(buffer, Type, into) {
+  const length = core().mesh_length(buffer);
+  const view = new Type(/** @type {ArrayBuffer} */ (memory().buffer), core().mesh_address(buffer), length);
+  if (!(into instanceof Type) || into.length < length) return /** @type {T} */ (view.slice());
+  into.set(view);
+  return /** @type {T} */ (into.length === length ? into : into.subarray(0, length));
+}
+
+/**
+ * @param {PatchRange[]} into
+ * @returns {PatchRange[]}
+ */
+function ranges(into) {
+  const numbers = read(PATCH_RANGES, Uint32Array, undefined);
+  into.length = numbers.length / 4;
+  for (let k = 0; k < into.length; k++) {
+    const [firstVertex, vertices, firstIndex, indices] = numbers.subarray(4 * k, 4 * k + 4);
+    into[k] = { firstVertex, vertices, firstIndex, indices };
+  }
+  return into;
+}

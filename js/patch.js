@@ -1,0 +1,269 @@
+import * as check from "./check.js";
+import { Curve } from "./curve.js";
+import { core } from "./init.js";
+import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
+import { gridOptions, takeMesh } from "./mesh.js";
+import { Checked, load, take } from "./transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { GridOptions, Mesh } from "./mesh.js"
+ * @import { Point } from "./points.js"
+ */
+
+/**
+ * The partial derivatives of a patch.
+ *
+ * @typedef {{ u: Point, v: Point, uu: Point, uv: Point, vv: Point }} Partials
+ */
+
+/**
+ * One tensor-product Bézier patch of degrees 1 to 64, in space.
+ *
+ * S(u, v) = Σ Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the net index j·(degreeU + 1) + i: u runs along the fast index. The corners come back
+ * exactly. A patch is a value: every change returns a new one.
+ */
+export class Patch {
+  /** @type {Float64Array} */
+  #flat;
+  /** @type {number} */
+  #degreeU;
+  /** @type {number} */
+  #degreeV;
+
+  /**
+   * @param {PointsLike} net (degreeU + 1)·(degreeV + 1) control points; a flat array holds three numbers each
+   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @throws {RangeError} for a wrong count, a NaN or an infinity
+   */
+  constructor(net, options) {
+    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
+    this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
+    const inside = /** @type {unknown} */ (net);
+    this.#flat = inside instanceof Checked ? inside.flat : flatten(net, 3, 3, "net").flat;
+    const [count, needed] = [this.#flat.length / 3, (degreeU + 1) * (degreeV + 1)];
+    if (count !== needed) {
+      throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
+    }
+  }
+
+  /**
+   * @param {{ net: PointsLike, degreeU?: number, degreeV?: number }} json what `toJSON` gave
+   * @returns {Patch}
+   */
+  static fromJSON(json) {
+    if (typeof json !== "object" || json === null) {
+      throw new TypeError(`json: expected an object with net, got ${check.shown(json)}`);
+    }
+    return new Patch(json.net, { degreeU: json.degreeU, degreeV: json.degreeV });
+  }
+
+  /** The degree in u. */
+  get degreeU() {
+    return this.#degreeU;
+  }
+
+  /** The degree in v. */
+  get degreeV() {
+    return this.#degreeV;
+  }
+
+  /**
+   * @returns {Float64Array} the coordinates of the net, a copy
+   */
+  controlPoints() {
+    return this.#flat.slice();
+  }
+
+  /**
+   * Whether both have the same degrees and each control point lies within a distance of its counterpart.
+   *
+   * @param {Patch} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const o = check.instanceOf(other, "other", Patch);
+    return this.#degreeU === o.#degreeU && samePoints(this.#flat, o.#flat, 3, tolerance);
+  }
+
+  /**
+   * The point at (u, v), by de Casteljau's algorithm along u and then along v.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {Point}
+   */
+  eval(u, v) {
+    core().patch_eval(...this.#at(u, v));
+    return pointAt(take(0, 3), 0, 3);
+  }
+
+  /**
+   * The first and second partial derivatives at (u, v).
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {Partials}
+   */
+  partials(u, v) {
+    core().patch_partials(...this.#at(u, v));
+    const numbers = take(0, 15);
+    const at = (/** @type {number} */ k) => pointAt(numbers, 3 * k, 3);
+    return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
+  }
+
+  /**
+   * The unit normal at (u, v), along ∂u × ∂v; at collapsed sides its limit, zero for a patch that is a curve or a point.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {Point}
+   */
+  normal(u, v) {
+    core().patch_normal(...this.#at(u, v));
+    return pointAt(take(0, 3), 0, 3);
+  }
+
+  /**
+   * The curve of constant u: it runs along v.
+   *
+   * @param {number} u
+   * @returns {Curve}
+   */
+  isocurveAtU(u) {
+    return this.#isocurve(true, check.finite(u, "u"));
+  }
+
+  /**
+   * The curve of constant v: it runs along u.
+   *
+   * @param {number} v
+   * @returns {Curve}
+   */
+  isocurveAtV(v) {
+    return this.#isocurve(false, check.finite(v, "v"));
+  }
+
+  /**
+   * The pieces before and after u.
+   *
+   * @param {number} u
+   * @returns {[Patch, Patch]}
+   */
+  splitU(u) {
+    return this.#split(true, check.finite(u, "u"));
+  }
+
+  /**
+   * The pieces before and after v.
+   *
+   * @param {number} v
+   * @returns {[Patch, Patch]}
+   */
+  splitV(v) {
+    return this.#split(false, check.finite(v, "v"));
+  }
+
+  /**
+   * The four pieces about (u, v): (u−, v−), (u+, v−), (u−, v+), (u+, v+).
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {[Patch, Patch, Patch, Patch]}
+   */
+  split(u, v) {
+    check.finite(u, "u");
+    const [below, above] = this.splitV(v);
+    return [...below.splitU(u), ...above.splitU(u)];
+  }
+
+  /**
+   * The image under an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {Patch}
+   */
+  transform(matrix) {
+    load(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
+    core().points_transform(3, this.#flat.length / 3);
+    return this.#like(take(0, this.#flat.length));
+  }
+
+  /**
+   * The patch with one control point moved.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @returns {Patch}
+   */
+  movePoint(index, to) {
+    check.whole(index, "index", 0, this.#flat.length / 3 - 1);
+    const flat = this.#flat.slice();
+    writePoint(flat, 3 * index, to, 3, "to");
+    return this.#like(flat);
+  }
+
+  /**
+   * A mesh of one grid over the patch.
+   *
+   * @param {GridOptions} options
+   * @returns {Mesh}
+   */
+  grid(options) {
+    const { u, v, quads, into } = gridOptions(options);
+    load(this.#flat);
+    core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads);
+    return takeMesh(into);
+  }
+
+  /**
+   * @returns {{ net: number[][], degreeU: number, degreeV: number }}
+   */
+  toJSON() {
+    return { net: nested(this.#flat, 3), degreeU: this.#degreeU, degreeV: this.#degreeV };
+  }
+
+  /**
+   * Writes the net to the arena.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {[number, number, number, number]} what the core's functions of (u, v) take
+   */
+  #at(u, v) {
+    check.finite(u, "u");
+    check.finite(v, "v");
+    load(this.#flat);
+    return [this.#degreeU, this.#degreeV, u, v];
+  }
+
+  /**
+   * @param {boolean} constantU
+   * @param {number} at
+   */
+  #isocurve(constantU, at) {
+    load(this.#flat);
+    const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU, at);
+    return new Curve(/** @type {any} */ (new Checked(take(0, length), 3)));
+  }
+
+  /**
+   * @param {boolean} alongU
+   * @param {number} at
+   * @returns {[Patch, Patch]}
+   */
+  #split(alongU, at) {
+    load(this.#flat);
+    core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
+    const n = this.#flat.length;
+    return [this.#like(take(0, n)), this.#like(take(n, 2 * n))];
+  }
+
+  /** @param {Float64Array} flat */
+  #like(flat) {
+    const net = /** @type {any} */ (new Checked(flat, 3));
+    return new Patch(net, { degreeU: this.#degreeU, degreeV: this.#degreeV });
+  }
+}

@@ -1,0 +1,228 @@
+import * as check from "./check.js";
+import { core } from "./init.js";
+import { gridOptions, takeMesh } from "./mesh.js";
+import { Patch } from "./patch.js";
+import { flatten, writePoint } from "./points.js";
+import { Checked, load, take } from "./transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { GridOptions, Mesh } from "./mesh.js"
+ */
+
+/**
+ * The teapot's parts (all there by default), its height ("squashed", 3.15, by default; "original", 4/3 as tall) and the
+ * axis that points up ("z" by default).
+ *
+ * @typedef {{ rim?: boolean, body?: boolean, handle?: boolean, spout?: boolean, lid?: boolean, bottom?: boolean,
+ *   height?: "squashed" | "original", up?: "z" | "y" }} TeapotOptions
+ */
+
+/**
+ * The nets of a surface: vertices, two degrees for each patch, and the vertex indices of all nets in turn.
+ *
+ * @typedef {{ vertices: Float64Array, degrees: number[], indices: Uint32Array }} Network
+ */
+
+/** In the order of the core's bits. */
+const PARTS = /** @type {const} */ (["rim", "body", "handle", "spout", "lid", "bottom"]);
+
+/**
+ * A network of Bézier patches that share control points.
+ *
+ *     const mesh = Surface.teapot().grid({ segments: 16 });
+ */
+export class Surface {
+  /** @type {Network} */
+  #network;
+
+  /**
+   * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data for each patch its
+   *   (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index
+   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @throws {RangeError} for an index that names no vertex, a wrong count, a NaN or an infinity
+   */
+  constructor(data, options) {
+    const inside = /** @type {unknown} */ (data);
+    if (inside instanceof CheckedNetwork) {
+      this.#network = inside.network;
+      return;
+    }
+    const { vertices, patches } = check.options(data, "data");
+    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    check.whole(degreeU, "degreeU", 1, 64);
+    check.whole(degreeV, "degreeV", 1, 64);
+    const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
+    const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
+    const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) => (k % 2 ? degreeV : degreeU));
+    this.#network = { vertices: flat, degrees, indices };
+  }
+
+  /**
+   * The Utah teapot: 32 patches; rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31.
+   *
+   * @param {TeapotOptions} [options]
+   * @returns {Surface}
+   */
+  static teapot(options) {
+    const given = check.options(options);
+    const height = check.oneOf(given.height ?? "squashed", "height", ["squashed", "original"]);
+    const up = check.oneOf(given.up ?? "z", "up", ["z", "y"]);
+    const bits = PARTS.reduce((sum, part, k) => (given[part] === false ? sum : sum | (1 << k)), 0);
+    const numbers = take(0, core().surface_teapot(bits, height === "original", up === "y"));
+    const [vertices, patches] = numbers;
+    const from = 2 + 2 * patches;
+    const to = from + 3 * vertices;
+    const degrees = [...numbers.subarray(2, from)];
+    return surfaceOf({ vertices: numbers.slice(from, to), degrees, indices: Uint32Array.from(numbers.subarray(to)) });
+  }
+
+  /** The coordinates of the vertices, a copy. */
+  get vertices() {
+    return this.#network.vertices.slice();
+  }
+
+  /** For each patch the indices of its control points, copies. */
+  get patches() {
+    let from = 0;
+    return Array.from({ length: this.patchCount }, (_, k) => {
+      const to = from + this.#netLength(k);
+      const indices = this.#network.indices.slice(from, to);
+      from = to;
+      return indices;
+    });
+  }
+
+  /** The number of patches. */
+  get patchCount() {
+    return this.#network.degrees.length / 2;
+  }
+
+  /**
+   * One patch.
+   *
+   * @param {number} k
+   * @returns {Patch}
+   */
+  patch(k) {
+    check.whole(k, "patch", 0, this.patchCount - 1);
+    const { vertices, degrees } = this.#network;
+    const indices = this.patches[k];
+    const net = new Float64Array(3 * indices.length);
+    indices.forEach((index, i) => net.set(vertices.subarray(3 * index, 3 * index + 3), 3 * i));
+    const checked = /** @type {any} */ (new Checked(net, 3));
+    return new Patch(checked, { degreeU: degrees[2 * k], degreeV: degrees[2 * k + 1] });
+  }
+
+  /**
+   * The surface with one vertex moved; patches that share it stay joined.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @returns {Surface}
+   */
+  movePoint(index, to) {
+    check.whole(index, "index", 0, this.#network.vertices.length / 3 - 1);
+    const vertices = this.vertices;
+    writePoint(vertices, 3 * index, to, 3, "to");
+    return surfaceOf({ ...this.#network, vertices });
+  }
+
+  /**
+   * The image under an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {Surface}
+   */
+  transform(matrix) {
+    const { vertices } = this.#network;
+    load(vertices, 12).set(check.affine(matrix), vertices.length);
+    core().points_transform(3, vertices.length / 3);
+    return surfaceOf({ ...this.#network, vertices: take(0, vertices.length) });
+  }
+
+  /**
+   * A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
+   *
+   * @param {GridOptions} options
+   * @returns {Mesh}
+   */
+  grid(options) {
+    const { u, v, quads, into } = gridOptions(options);
+    this.#load();
+    core().surface_grid(u, v, quads);
+    return takeMesh(into);
+  }
+
+  /**
+   * Draws curves of constant u and v of all patches on a canvas context or a Path2D, projected: all lines in one call.
+   * The caller strokes.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ matrix: MatrixLike, lines?: number, tolerance?: number }} options `matrix`: from the surface's coordinates
+   *   to pixels, 16 numbers column-major; (X, Y, ·, W) is drawn at (X/W, Y/W). `lines`: strips per patch, 4 by default;
+   *   `tolerance`: in pixels, 0.1 by default
+   */
+  trace(target, options) {
+    const pen = check.drawingTarget(target);
+    const { matrix, lines = 4, tolerance } = check.options(options);
+    const m = check.matrixNumbers(/** @type {MatrixLike} */ (matrix));
+    check.segmentCount(lines, "lines");
+    const px = check.optionalTolerance(tolerance);
+    const end = this.#load(16);
+    end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
+    core().surface_trace(pen, lines, px);
+  }
+
+  /** @param {number} k */
+  #netLength(k) {
+    const { degrees } = this.#network;
+    return (degrees[2 * k] + 1) * (degrees[2 * k + 1] + 1);
+  }
+
+  /**
+   * Writes the surface to the arena, with room behind it.
+   *
+   * @param {number} [extra]
+   */
+  #load(extra = 0) {
+    const { vertices, degrees, indices } = this.#network;
+    const from = 2 + degrees.length;
+    const at = from + vertices.length + indices.length;
+    const view = load(Float64Array.of(vertices.length / 3, degrees.length / 2), at + extra);
+    view.set(degrees, 2);
+    view.set(vertices, from);
+    view.set(indices, from + vertices.length);
+    return { view, at };
+  }
+}
+
+/** A network that was checked: what the constructor takes from inside. */
+class CheckedNetwork {
+  /** @param {Network} network */
+  constructor(network) {
+    this.network = network;
+  }
+}
+
+/** @param {Network} network */
+function surfaceOf(network) {
+  return new Surface(/** @type {any} */ (new CheckedNetwork(network)));
+}
+
+/**
+ * @param {unknown} patches
+ * @param {number} count of one net
+ * @param {number} vertices
+ * @returns {Uint32Array}
+ */
+function patchIndices(patches, count, vertices) {
+  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.shown(patches)}`);
+  const all = new Uint32Array(patches.length * count);
+  patches.forEach((net, k) => {
+    if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.shown(net)}`);
+    if (net.length !== count) throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
+    for (let i = 0; i < count; i++) all[k * count + i] = check.whole(net[i], `patches[${k}][${i}]`, 0, vertices - 1);
+  });
+  return all;
+}

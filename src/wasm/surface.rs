@@ -1,0 +1,215 @@
+//! Bindings of patches and surfaces.
+//!
+//! Patches: the net at the start of the arena. Surfaces: the number of vertices and of patches, the degrees u and v
+//! of each patch, the vertices, the indices of all nets; further arguments behind them.
+
+use super::arena::{self, Arena};
+use super::error::refuse;
+use super::given;
+use super::pen::CanvasPen;
+use crate::surface::{Grid, Height, Indices, Mesh, Patch, Surface, TeapotOptions, Up};
+use glam::{DMat4, DVec3};
+use std::cell::RefCell;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+thread_local! {
+    /// The last mesh, whose buffers the next one reuses.
+    static MESH: RefCell<Mesh> = RefCell::new(Mesh::default());
+}
+
+fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
+    Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
+}
+
+/// Leaves the point at (u, v).
+#[wasm_bindgen]
+pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+    arena::with(|a| a.put_point(patch(a, degree_u, degree_v).eval(u, v)));
+}
+
+/// Leaves ∂u, ∂v, ∂uu, ∂uv, ∂vv.
+#[wasm_bindgen]
+pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+    arena::with(|a| {
+        let p = patch(a, degree_u, degree_v).partials(u, v);
+        a.put(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
+    });
+}
+
+/// Leaves the unit normal at (u, v).
+#[wasm_bindgen]
+pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+    arena::with(|a| a.put_point(patch(a, degree_u, degree_v).normal(u, v)));
+}
+
+/// Leaves the control points of the curve of constant u (or v); their number of f64.
+#[wasm_bindgen]
+pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f64) -> usize {
+    arena::with(|a| {
+        let patch = patch(a, degree_u, degree_v);
+        let curve = if constant_u {
+            patch.isocurve_at_u(at)
+        } else {
+            patch.isocurve_at_v(at)
+        };
+        a.put(0, curve.control_points())
+    })
+}
+
+/// Leaves the nets of the two pieces before and after u (or v).
+#[wasm_bindgen]
+pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
+    arena::with(|a| {
+        let patch = patch(a, degree_u, degree_v);
+        let (before, after) = if along_u {
+            patch.split_u(at)
+        } else {
+            patch.split_v(at)
+        };
+        let end = a.put(0, before.control_points());
+        a.put(end, after.control_points());
+    });
+}
+
+/// Makes the mesh of one patch.
+#[wasm_bindgen]
+pub fn patch_grid(
+    degree_u: usize,
+    degree_v: usize,
+    segments_u: usize,
+    segments_v: usize,
+    quads: bool,
+) -> Result<(), JsValue> {
+    let patch = arena::with(|a| patch(a, degree_u, degree_v));
+    let grid = Grid {
+        segments_u,
+        segments_v,
+    };
+    MESH.with_borrow_mut(|mesh| patch.grid_into(grid, quads, mesh))
+        .map_err(refuse)
+}
+
+/// The surface at the start of the arena, and where it ends.
+fn surface(a: &Arena) -> Result<(Surface, usize), JsValue> {
+    let (vertices, patches) = (a.count(0), a.count(1));
+    let degrees: Vec<[usize; 2]> = (0..patches)
+        .map(|k| [a.count(2 + 2 * k), a.count(3 + 2 * k)])
+        .collect();
+    let at = 2 + 2 * patches;
+    let indices_at = at + 3 * vertices;
+    let count = degrees
+        .iter()
+        .map(|[u, v]| (u + 1) * (v + 1))
+        .sum::<usize>();
+    let indices = a.small_counts(indices_at, count);
+    let points = a.points::<DVec3>(at, vertices).to_vec();
+    let surface = Surface::with_degrees(points, indices, &degrees).map_err(refuse)?;
+    Ok((surface, indices_at + count))
+}
+
+/// Leaves the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
+#[wasm_bindgen]
+pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
+    let part = |bit: u32| parts >> bit & 1 == 1;
+    let teapot = Surface::teapot(TeapotOptions {
+        rim: part(0),
+        body: part(1),
+        handle: part(2),
+        spout: part(3),
+        lid: part(4),
+        bottom: part(5),
+        height: if original_height {
+            Height::Original
+        } else {
+            Height::Squashed
+        },
+        up: if y_up { Up::Y } else { Up::Z },
+    });
+    arena::with(|a| put(a, &teapot))
+}
+
+fn put(a: &mut Arena, surface: &Surface) -> usize {
+    let mut head = vec![
+        surface.vertices().len() as f64,
+        surface.patch_count() as f64,
+    ];
+    head.extend(
+        (0..surface.patch_count())
+            .filter_map(|k| surface.degrees(k))
+            .flatten()
+            .map(|d| d as f64),
+    );
+    let at = a.put_numbers(0, &head);
+    let at = a.put(at, surface.vertices());
+    let indices: Vec<f64> = surface.indices().iter().map(|&i| f64::from(i)).collect();
+    a.put_numbers(at, &indices)
+}
+
+/// Makes the mesh of a surface.
+#[wasm_bindgen]
+pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> Result<(), JsValue> {
+    let (surface, _) = arena::with(|a| surface(a))?;
+    let grid = Grid {
+        segments_u,
+        segments_v,
+    };
+    MESH.with_borrow_mut(|mesh| surface.grid_into(grid, quads, mesh))
+        .map_err(refuse)
+}
+
+/// In: a 4×4 matrix behind the surface, in columns. Draws all isocurves, projected.
+#[wasm_bindgen]
+pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> Result<(), JsValue> {
+    let (surface, matrix) = arena::with(|a| {
+        let (surface, end) = surface(a)?;
+        Ok::<_, JsValue>((surface, DMat4::from_cols_slice(a.numbers(end, 16))))
+    })?;
+    surface
+        .trace_projected(
+            &mut CanvasPen::new(target),
+            &matrix,
+            lines,
+            given(tolerance),
+        )
+        .map_err(refuse)
+}
+
+/// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
+/// 5 quads (0 where there are none), 6 patch ranges (four each).
+#[wasm_bindgen]
+pub fn mesh_length(buffer: usize) -> usize {
+    MESH.with_borrow(|mesh| match buffer {
+        0 => mesh.positions.len(),
+        1 => mesh.normals.len(),
+        2 => mesh.uvs.len(),
+        3 => mesh.patch_ids.len(),
+        4 => mesh.indices.len(),
+        6 => 4 * mesh.patch_ranges.len(),
+        _ => mesh.quads.as_ref().map_or(0, Indices::len),
+    })
+}
+
+/// The address of a buffer of the last mesh.
+#[wasm_bindgen]
+pub fn mesh_address(buffer: usize) -> *const u8 {
+    let of = |indices: &Indices| match indices {
+        Indices::U16(list) => list.as_ptr().cast(),
+        Indices::U32(list) => list.as_ptr().cast(),
+    };
+    MESH.with_borrow(|mesh| match buffer {
+        0 => mesh.positions.as_ptr().cast(),
+        1 => mesh.normals.as_ptr().cast(),
+        2 => mesh.uvs.as_ptr().cast(),
+        3 => mesh.patch_ids.as_ptr().cast(),
+        4 => of(&mesh.indices),
+        6 => mesh.patch_ranges.as_ptr().cast(),
+        _ => mesh.quads.as_ref().map_or(std::ptr::null(), of),
+    })
+}
+
+/// Gives the memory of the last mesh back.
+#[wasm_bindgen]
+pub fn mesh_drop() {
+    MESH.set(Mesh::default());
+}
