@@ -8,6 +8,7 @@
 
 use super::net::{Net, transpose};
 use crate::curve::{blossom_piece, evaluate, ratio};
+use crate::point::Point;
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
@@ -113,7 +114,7 @@ fn toward_half(net: &[DVec3], columns: usize, t: f64) -> Net {
 
 /// The unit vector, unless the length is noise.
 fn direction(vector: DVec3) -> Option<DVec3> {
-    (vector.length_squared() > VANISHING * VANISHING).then(|| vector.normalize())
+    (vector.length_squared() > VANISHING * VANISHING).then(|| vector.unit())
 }
 
 /// Each coefficient of a net of these degrees times its binomials.

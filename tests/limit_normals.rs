@@ -1,0 +1,67 @@
+//! Normals where ∂u × ∂v vanishes, on the hardest net there is: Gumbo's many degenerate corners and sides.
+#![cfg(not(target_family = "wasm"))]
+
+use casteljau::glam::DVec3;
+use casteljau::{Patch, Surface, TeapotOptions};
+
+/// Gumbo, if the fixture is there: it is not part of the project.
+fn gumbo() -> Option<Surface> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data/gumbo.json");
+    let Ok(text) = std::fs::read_to_string(path) else {
+        println!("skipped: {path} is not there");
+        return None;
+    };
+    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let list = |name: &str| data[name].as_array().unwrap().clone();
+    let vertices = list("vertices").into_iter().map(|p| {
+        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
+        DVec3::new(x, y, z)
+    });
+    let patches = list("patches").into_iter();
+    let indices = patches.flat_map(|net| net.as_array().unwrap().clone());
+    let indices = indices.map(|i| u32::try_from(i.as_u64().unwrap()).unwrap());
+    Some(Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap())
+}
+
+/// The normal's limit by other means: Richardson extrapolation of plain normals on the way to the middle.
+fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
+    let step = |h: f64| {
+        let p = patch.partials(u + h * (0.5 - u), v + h * (0.5 - v));
+        p.u.cross(p.v).normalize()
+    };
+    let h = 1.0 / 4096.0;
+    (step(h) * 8.0 / 3.0 - step(2.0 * h) * 2.0 + step(4.0 * h) / 3.0).normalize()
+}
+
+/// Compares all degenerate points of a 16 × 16 grid; returns how many there are.
+fn compare(surface: &Surface, most_degrees: f64) -> usize {
+    let mut degenerate = 0;
+    for (index, patch) in surface.patches().enumerate() {
+        let size = patch.control_bounds().diagonal();
+        for sample in 0..17 * 17_u32 {
+            let (u, v) = (f64::from(sample % 17) / 16.0, f64::from(sample / 17) / 16.0);
+            let p = patch.partials(u, v);
+            if p.u.cross(p.v).length() > 1e-9 * size * size {
+                continue;
+            }
+            degenerate += 1;
+            let expected = limit_by_extrapolation(&patch, u, v);
+            let angle = patch.normal(u, v).angle_between(expected).to_degrees();
+            assert!(angle < most_degrees, "patch {index} ({u}, {v}): {angle}°");
+        }
+    }
+    degenerate
+}
+
+#[test]
+fn teapot() {
+    let surface = Surface::teapot(TeapotOptions::default());
+    assert_eq!(compare(&surface, 1e-4), 136);
+}
+
+#[test]
+fn gumbo_s_degenerate_corners() {
+    if let Some(surface) = gumbo() {
+        assert_eq!(compare(&surface, 1e-3), 315);
+    }
+}

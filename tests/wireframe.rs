@@ -1,0 +1,266 @@
+//! A surface as lines: which ones, and what a projection draws of them.
+
+mod nets;
+
+use casteljau::curve::Pen;
+use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
+use casteljau::{Curve, Error, Surface, TeapotOptions};
+use nets::{Random, assert_near};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn teapot() -> Surface {
+    Surface::teapot(TeapotOptions::default())
+}
+
+/// A surface of one patch.
+fn single(net: Vec<DVec3>, m: usize, n: usize) -> Surface {
+    let indices = (0..u32::try_from(net.len()).unwrap()).collect();
+    Surface::new(net, indices, m, n).unwrap()
+}
+
+/// What was drawn: a list of strokes, each a list of curves that join.
+#[derive(Default)]
+struct Record(Vec<Vec<Curve<DVec2>>>, DVec2);
+
+impl Record {
+    fn add(&mut self, points: &[DVec2]) {
+        self.1 = points[points.len() - 1];
+        let curve = Curve::new(points).unwrap();
+        self.0.last_mut().unwrap().push(curve);
+    }
+}
+
+impl Pen for Record {
+    fn move_to(&mut self, p: DVec2) {
+        self.0.push(Vec::new());
+        self.1 = p;
+    }
+    fn line_to(&mut self, p: DVec2) {
+        self.add(&[self.1, p]);
+    }
+    fn quad_to(&mut self, p1: DVec2, p: DVec2) {
+        self.add(&[self.1, p1, p]);
+    }
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+        self.add(&[self.1, p1, p2, p]);
+    }
+    fn close(&mut self) {
+        unreachable!("isocurves are open");
+    }
+}
+
+fn draw(surface: &Surface, matrix: &DMat4, lines: usize, tolerance: f64) -> Record {
+    let mut record = Record::default();
+    surface
+        .trace_projected(&mut record, matrix, lines, Some(tolerance))
+        .unwrap();
+    record
+}
+
+fn project(matrix: &DMat4, p: DVec3) -> DVec2 {
+    let q = *matrix * p.extend(1.0);
+    DVec2::new(q.x / q.w, q.y / q.w)
+}
+
+/// To a canvas of 800 × 800 from an eye at (0, −`distance`, 1.5) that looks along +y.
+fn perspective(distance: f64) -> DMat4 {
+    let zoom = 900.0;
+    // X = 400·w + zoom·x, Y = 400·w − zoom·(z − 1.5), w = y + distance.
+    DMat4::from_cols(
+        dvec4(zoom, 0.0, 0.0, 0.0),
+        dvec4(400.0, 400.0, 0.0, 1.0),
+        dvec4(0.0, -zoom, 0.0, 0.0),
+        dvec4(
+            400.0 * distance,
+            400.0 * distance + 1.5 * zoom,
+            0.0,
+            distance,
+        ),
+    )
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn each_line_once() {
+    // 32 patches with lines + 1 curves each way, less 52 shared sides and 8 collapsed ones.
+    for lines in [1, 2, 5] {
+        let curves = teapot().isocurves(lines).unwrap();
+        assert_eq!(curves.len(), 32 * 2 * (lines + 1) - 52 - 8);
+        for (k, curve) in curves.iter().enumerate() {
+            let backwards = curve.reverse();
+            let same = |other: &Curve<DVec3>| other == curve || *other == backwards;
+            assert!(!curves[k + 1..].iter().any(same));
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn lines_are_isocurves_of_the_patch() {
+    let net = Random(1).net(2, 4);
+    let surface = single(net, 2, 4);
+    let patch = surface.patch(0).unwrap();
+    let curves = surface.isocurves(4).unwrap();
+    assert_eq!(curves.len(), 10);
+    for (k, curve) in curves.iter().enumerate() {
+        for t in [0.0, 0.3, 1.0] {
+            let fixed = (k % 5) as f64 / 4.0;
+            let (u, v) = if k < 5 { (fixed, t) } else { (t, fixed) };
+            assert_near(curve.eval(t), patch.eval(u, v), 1e-14);
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn affine_maps_draw_the_mapped_control_points() {
+    let matrix = DMat4::from_cols(
+        dvec4(30.0, 7.0, 1.0, 0.0),
+        dvec4(-5.0, 40.0, 2.0, 0.0),
+        dvec4(9.0, -11.0, 3.0, 0.0),
+        dvec4(400.0, 300.0, 0.0, 2.0),
+    );
+    let curves = teapot().isocurves(3).unwrap();
+    let drawn = draw(&teapot(), &matrix, 3, 0.1);
+    assert_eq!(drawn.0.len(), curves.len());
+    for (stroke, curve) in drawn.0.iter().zip(&curves) {
+        let points = curve.control_points().iter();
+        let expected: Vec<DVec2> = points.map(|&p| project(&matrix, p)).collect();
+        assert_eq!(stroke.len(), 1);
+        for (&a, &b) in stroke[0].control_points().iter().zip(&expected) {
+            assert!((a - b).length() <= 1e-12, "{a} {b}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn perspective_keeps_the_tolerance() {
+    let mut random = Random(2);
+    let mut surfaces = vec![teapot()];
+    for (m, n) in [(1, 1), (2, 3), (5, 6)] {
+        let net = random.net(m, n).iter().map(|&p| 2.0 * p).collect();
+        surfaces.push(single(net, m, n));
+    }
+    for surface in &surfaces {
+        let curves = surface.isocurves(2).unwrap();
+        for (distance, tolerance) in [(12.0, 0.1), (12.0, 1e-3), (3.6, 1.0), (3.6, 0.01)] {
+            let matrix = perspective(distance);
+            let drawn = draw(surface, &matrix, 2, tolerance);
+            assert_eq!(drawn.0.len(), curves.len());
+            for (stroke, curve) in drawn.0.iter().zip(&curves) {
+                check_stroke(stroke, curve, &matrix, tolerance);
+            }
+        }
+    }
+}
+
+/// Asserts that every drawn point is near the true projection, measured against a dense polyline, and the reverse.
+fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, tolerance: f64) {
+    const DENSE: usize = 2000;
+    let truth: Vec<DVec2> = (0..=DENSE)
+        .map(|k| project(matrix, curve.eval(k as f64 / DENSE as f64)))
+        .collect();
+    let per_piece = DENSE / stroke.len();
+    let drawn: Vec<DVec2> = stroke
+        .iter()
+        .flat_map(|piece| piece.sample(per_piece.max(8)).unwrap())
+        .collect();
+    // How far a polyline of samples is from its curve: a quarter of what leaving out every other sample would cost.
+    let sag = |line: &[DVec2]| {
+        let bends = line
+            .windows(3)
+            .map(|p| distance_to_line(p[1], &[p[0], p[2]]));
+        bends.fold(0.0, f64::max)
+    };
+    let slack = 1e-9 + 0.5 * sag(&truth).max(sag(&drawn));
+    assert!(slack < 0.5 * tolerance, "too few samples: {slack}");
+    for (line, other) in [(&truth, &drawn), (&drawn, &truth)] {
+        for &p in line.iter().step_by(97) {
+            let distance = distance_to_line(p, other);
+            assert!(distance <= tolerance + slack, "{distance} > {tolerance}");
+        }
+    }
+    assert!((truth[0] - drawn[0]).length() < 1e-9);
+    assert!((truth[DENSE] - drawn[drawn.len() - 1]).length() < 1e-9);
+}
+
+fn distance_to_line(p: DVec2, line: &[DVec2]) -> f64 {
+    let to_chord = |pair: &[DVec2]| {
+        let along = pair[1] - pair[0];
+        let t = (p - pair[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+        (p - pair[0] - along * t.clamp(0.0, 1.0)).length()
+    };
+    line.windows(2).map(to_chord).fold(f64::INFINITY, f64::min)
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_lies_behind_the_eye_is_left_out() {
+    // The eye stands inside the teapot, on its axis.
+    let matrix = perspective(0.0);
+    let far = teapot().vertices().iter().map(|p| p.y).fold(0.0, f64::max);
+    let drawn = draw(&teapot(), &matrix, 4, 0.1);
+    assert!(!drawn.0.is_empty());
+    let before: Vec<DVec3> = (teapot().isocurves(4).unwrap().iter())
+        .flat_map(|curve| curve.sample(400).unwrap())
+        .filter(|p| p.y > 0.05 * far)
+        .collect();
+    let lines: Vec<Vec<DVec2>> = drawn
+        .0
+        .iter()
+        .map(|stroke| stroke.iter().flat_map(|c| c.sample(32).unwrap()).collect())
+        .collect();
+    for p in before.iter().step_by(331).map(|&p| project(&matrix, p)) {
+        let distances = lines.iter().map(|line| distance_to_line(p, line));
+        let distance = distances.fold(f64::INFINITY, f64::min);
+        assert!(distance < 2.0, "{p} is {distance} px from all lines");
+    }
+    // From behind, nothing at all.
+    assert!(draw(&teapot(), &perspective(-10.0), 4, 0.1).0.is_empty());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn extreme_surfaces_draw_numbers_or_nothing() {
+    for size in [1e-300, 1e300] {
+        let net = Random(3).net(3, 3).iter().map(|&p| p * size).collect();
+        let surface = single(net, 3, 3);
+        for matrix in [DMat4::IDENTITY, perspective(5.0), DMat4::ZERO] {
+            for stroke in draw(&surface, &matrix, 2, 0.1).0 {
+                for piece in stroke {
+                    assert!(piece.control_points().iter().all(|p| p.is_finite()));
+                }
+            }
+        }
+    }
+    let point = single(vec![DVec3::ONE; 16], 3, 3);
+    assert!(draw(&point, &DMat4::IDENTITY, 2, 0.1).0.len() <= 6);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn refusals() {
+    let surface = teapot();
+    let message = |error: Error| error.to_string();
+    assert_eq!(
+        message(surface.isocurves(0).unwrap_err()),
+        "lines: expected a whole number from 1, got 0"
+    );
+    let error = surface.isocurves(usize::MAX).unwrap_err();
+    assert!(matches!(error, Error::TooMany { what: "lines", .. }));
+    let mut pen = Record::default();
+    let mut matrix = DMat4::IDENTITY;
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = surface
+            .trace_projected(&mut pen, &matrix, 4, Some(tolerance))
+            .unwrap_err();
+        assert!(matches!(
+            error,
+            Error::Range {
+                what: "tolerance",
+                ..
+            }
+        ));
+    }
+    matrix.z_axis.y = f64::NAN;
+    let error = surface
+        .trace_projected(&mut pen, &matrix, 4, None)
+        .unwrap_err();
+    let expected = "matrix[9]: expected a finite number, got NaN";
+    assert_eq!(message(error), expected);
+    assert!(pen.0.is_empty());
+}
