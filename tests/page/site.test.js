@@ -1,0 +1,96 @@
+// The site's pages: what is on them, accessible in light and dark, on a narrow screen too.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { assertAccessible, openPage, root } from "./browser.js";
+import { drag, drawn, handle, openTutorial, points, TUTORIAL } from "./applet-page.js";
+
+const PAGES = ["/", "/applet/", "/teapot/"];
+const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+
+for (const path of PAGES) {
+  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+    test(`${path} is accessible, ${colorScheme}`, async (t) => {
+      const page = await openPage(t, path, { colorScheme });
+      await drawn(page);
+      await assertAccessible(page);
+    });
+  }
+
+  test(`${path} fits a narrow phone`, async (t) => {
+    const page = await openPage(t, path, PHONE);
+    await drawn(page);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+    await assertAccessible(page);
+  });
+}
+
+test("the applet with everything switched on is accessible in both themes and forced colours", async (t) => {
+  for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }]) {
+    const page = await openTutorial(t, options);
+    await page.evaluate(() => {
+      Object.assign(bezierApp(), { joint: "g1", layers: { hull: true, scaffold: true, halves: true } });
+      bezierApp().append([300, 40]);
+    });
+    await handle(page, 9).waitFor();
+    await assertAccessible(page);
+  }
+});
+
+test("the picture changes with the colour scheme, and is as sharp as the display", async (t) => {
+  const page = await openTutorial(t, { deviceScaleFactor: 2 });
+  const picture = () => page.evaluate(() => document.querySelector("canvas").toDataURL());
+  await drawn(page);
+  assert.deepEqual(await page.evaluate(() => [document.querySelector("canvas").width, document.querySelector("canvas").height]), [1340, 960]);
+  const light = await picture();
+  await page.emulateMedia({ colorScheme: "dark" });
+  await drawn(page);
+  assert.notEqual(await picture(), light);
+});
+
+test("the first page holds the applet and the code that embeds it, to the letter", async (t) => {
+  const page = await openPage(t, "/");
+  await handle(page, 6).waitFor();
+  const shown = await page.locator("pre").first().innerText();
+  assert.ok(shown.includes(TUTORIAL), shown);
+  for (const [name, title] of [["The applet on a plain page", /applet/], ["The teapot", /teapot/i]]) {
+    await page.goto("/");
+    await page.getByRole("link", { name }).click();
+    assert.match(await page.title(), title);
+  }
+});
+
+test("the page to copy shows the coordinates live", async (t) => {
+  const page = await openPage(t, "/applet/", { viewport: { width: 900, height: 1400 } });
+  await handle(page, 6).waitFor();
+  await drag(page, 0, 25, -15);
+  const row = await page.getByRole("row", { name: "P0" }).innerText();
+  assert.match(row, /95\.0\s+315\.0/);
+  assert.equal(await page.locator("#event").innerText(), "change");
+  await page.keyboard.press("r");
+  await drawn(page);
+  const [x, y] = (await points(page))[5];
+  assert.match(await page.getByRole("row", { name: "P5" }).innerText(), new RegExp(`${x.toFixed(1)}\\s+${y.toFixed(1)}`));
+});
+
+test("the page to copy is short and carries the tutorial's lines", async () => {
+  const files = await Promise.all(["index.html", "main.js", "style.css"].map((name) => readFile(`${root}www/applet/${name}`, "utf8")));
+  const lines = files.reduce((sum, text) => sum + text.split("\n").length, 0);
+  assert.ok(lines <= 300, `${lines} lines`);
+  const unindented = files[0].replaceAll(/^ +/gm, "");
+  assert.ok(unindented.includes(TUTORIAL));
+});
+
+test("on a narrow phone the picture keeps its shape and fingers their aim", async (t) => {
+  const page = await openTutorial(t, PHONE);
+  const box = await page.locator("canvas").boundingBox();
+  await page.locator("canvas").evaluate((canvas) => (canvas.style.cssText = "width: 670px; height: 480px")); // as many pages do
+  await drawn(page);
+  assert.deepEqual(await page.locator("canvas").boundingBox(), box);
+  assert.ok(Math.abs(box.width - 344) < 0.5 && Math.abs(box.height - (344 * 480) / 670) < 0.5, JSON.stringify(box));
+  const before = await points(page);
+  await drag(page, 5, -50, -20);
+  const after = await points(page);
+  const scale = 670 / box.width;
+  assert.ok(Math.abs(after[5][0] - before[5][0] + 50 * scale) < 0.1 && Math.abs(after[5][1] - before[5][1] + 20 * scale) < 0.1);
+});

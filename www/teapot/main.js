@@ -1,0 +1,99 @@
+// The teapot turns: each frame is one matrix and one call of the core.
+import { Surface } from "casteljau";
+import { pixelsFromSurface, sphereAround } from "./matrix.js";
+
+const TURN_DEGREES_PER_SECOND = 24;
+const DEGREES_PER_DRAGGED_PIXEL = 0.5;
+const DEGREES_PER_KEY = 5;
+/** Above and below, the picture ends: no standing on the head. */
+const MOST_TILT = 90;
+/** A frame after a pause (a hidden tab) does not make the teapot jump. */
+const LONGEST_FRAME_MS = 100;
+
+const canvas = document.getElementById("teapot");
+const context = canvas.getContext("2d");
+const [button, turnSlider, tiltSlider, lineSlider] = ["rotate", "turn", "tilt", "lines"].map((id) => document.getElementById(id));
+
+const teapot = Surface.teapot({ up: "z" });
+const sphere = sphereAround(teapot.vertices);
+const view = { turn: -35, tilt: 24, rotating: !matchMedia("(prefers-reduced-motion: reduce)").matches };
+let frame = 0;
+let before = 0;
+
+function draw() {
+  const { width, height } = canvas;
+  const matrix = pixelsFromSurface(sphere, view, width, height);
+  context.clearRect(0, 0, width, height);
+  context.beginPath();
+  teapot.trace(context, { matrix, lines: Number(lineSlider.value) });
+  context.strokeStyle = getComputedStyle(canvas).color;
+  context.lineWidth = devicePixelRatio;
+  context.lineJoin = "round";
+  context.stroke();
+}
+
+function step(now) {
+  frame = 0;
+  const passed = Math.min(now - before, LONGEST_FRAME_MS);
+  before = now;
+  if (view.rotating) turnTo(view.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000, view.tilt);
+  draw();
+  if (view.rotating) schedule();
+}
+
+function schedule() {
+  frame ||= requestAnimationFrame(step);
+}
+
+function turnTo(turn, tilt) {
+  view.turn = ((((turn + 180) % 360) + 360) % 360) - 180; // −180 … 180
+  view.tilt = Math.min(Math.max(tilt, -MOST_TILT), MOST_TILT);
+  turnSlider.value = view.turn;
+  tiltSlider.value = view.tilt;
+  schedule();
+}
+
+function setRotating(rotating) {
+  view.rotating = rotating;
+  button.textContent = rotating ? "Pause" : "Rotate";
+  schedule();
+}
+
+button.addEventListener("click", () => setRotating(!view.rotating));
+lineSlider.addEventListener("input", schedule);
+for (const slider of [turnSlider, tiltSlider]) {
+  slider.addEventListener("input", () => {
+    setRotating(false);
+    turnTo(Number(turnSlider.value), Number(tiltSlider.value));
+  });
+}
+
+canvas.addEventListener("pointerdown", (event) => {
+  if (event.button !== 0) return;
+  canvas.setPointerCapture(event.pointerId);
+  setRotating(false);
+});
+canvas.addEventListener("pointermove", (event) => {
+  if (!canvas.hasPointerCapture(event.pointerId)) return;
+  const [dx, dy] = [event.movementX, event.movementY].map((pixels) => pixels * DEGREES_PER_DRAGGED_PIXEL);
+  turnTo(view.turn + dx, view.tilt + dy);
+});
+
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+canvas.addEventListener("keydown", (event) => {
+  const arrow = ARROWS[event.key];
+  if (!arrow || event.ctrlKey || event.altKey || event.metaKey) return;
+  event.preventDefault();
+  setRotating(false);
+  turnTo(view.turn + arrow[0] * DEGREES_PER_KEY, view.tilt + arrow[1] * DEGREES_PER_KEY);
+});
+
+new ResizeObserver(() => {
+  canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
+  canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
+  draw();
+}).observe(canvas);
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", schedule);
+
+turnTo(view.turn, view.tilt);
+setRotating(view.rotating);
