@@ -19,6 +19,7 @@ const sphere = sphereAround(teapot.vertices);
 const view = { turn: -35, tilt: 24, rotating: !matchMedia("(prefers-reduced-motion: reduce)").matches };
 let frame = 0;
 let before = 0;
+let lastPlace = [0, 0];
 
 function draw() {
   const { width, height } = canvas;
@@ -38,7 +39,6 @@ function step(now) {
   before = now;
   if (view.rotating) turnTo(view.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000, view.tilt);
   draw();
-  if (view.rotating) schedule();
 }
 
 function schedule() {
@@ -71,12 +71,14 @@ for (const slider of [turnSlider, tiltSlider]) {
 canvas.addEventListener("pointerdown", (event) => {
   if (event.button !== 0) return;
   canvas.setPointerCapture(event.pointerId);
+  lastPlace = [event.clientX, event.clientY];
   setRotating(false);
 });
 canvas.addEventListener("pointermove", (event) => {
   if (!canvas.hasPointerCapture(event.pointerId)) return;
-  const [dx, dy] = [event.movementX, event.movementY].map((pixels) => pixels * DEGREES_PER_DRAGGED_PIXEL);
-  turnTo(view.turn + dx, view.tilt + dy);
+  const [x, y] = lastPlace;
+  lastPlace = [event.clientX, event.clientY];
+  turnTo(view.turn + (event.clientX - x) * DEGREES_PER_DRAGGED_PIXEL, view.tilt + (event.clientY - y) * DEGREES_PER_DRAGGED_PIXEL);
 });
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
