@@ -92,8 +92,8 @@ export function takeMesh(into) {
     normals: read(NORMALS, Float32Array, into?.normals),
     uvs: read(UVS, Float32Array, into?.uvs),
     patchIds: read(PATCH_IDS, Uint32Array, into?.patchIds),
-    indices: read(INDICES, Indices, into?.indices),
-    quads: core().mesh_length(QUADS) ? read(QUADS, Indices, into?.quads) : undefined,
+    indices: /** @type {Uint16Array | Uint32Array} */ (read(INDICES, Indices, into?.indices)),
+    quads: core().mesh_length(QUADS) ? /** @type {Uint16Array | Uint32Array} */ (read(QUADS, Indices, into?.quads)) : undefined,
     patchRanges: ranges(into?.patchRanges ?? []),
   };
   if (data.positions.byteLength > LARGE_MESH) core().mesh_drop();
