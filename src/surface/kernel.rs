@@ -1,9 +1,9 @@
 //! The inner loop: positions and normals of one patch on a grid.
 //!
-//! For each v the rows of the net are blended into one curve in u, then that curve is evaluated along u, a few
-//! samples at a time. The arithmetic is f64; only results are rounded to f32. Weights are built and summed so that t
-//! and 1 − t exchange their roles exactly: two patches that share a side, in the same direction or reversed, get
-//! bit-identical samples there.
+//! For each v the rows of the net are blended into one curve in u, then that curve is evaluated along u. Weights are
+//! computed once per grid. The arithmetic is f64; only results are rounded to f32. Weights are built and summed so
+//! that t and 1 − t exchange their roles exactly: two patches that share a side, in the same direction or reversed,
+//! get bit-identical samples there. The bicubic sums are written out, because a build for small size unrolls nothing.
 
 use super::Grid;
 use super::normal::{NormalNet, binomial};
@@ -12,13 +12,10 @@ use super::tessellate::to_f32;
 use crate::curve::ratio;
 use glam::DVec3;
 
-/// Samples that are computed side by side.
-const LANES: usize = 4;
-type Lanes = [f64; LANES];
-/// x, y, z of one sample after the other, as buffers hold them.
-type Triples = [f32; 3 * LANES];
+/// The square of the length below which a normal is not regular.
+const LEAST_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
 
-/// The numbers of a bicubic patch, which are known when compiling: its degree and the one of its derivatives.
+/// The degree to prepare for; another one costs a second preparation.
 const CUBIC: usize = 3;
 
 /// Evaluates patches on one grid; weights and buffers are kept from patch to patch.
@@ -30,10 +27,10 @@ pub(super) struct Kernel {
     row: Row,
 }
 
-/// The Bernstein weights of one degree at k/n, k = 0 … n: for each group of lanes, `degree` + 1 of them.
+/// The Bernstein weights of one degree at k/n, k = 0 … n: `degree` + 1 of them for each k.
 struct Weights {
     degree: usize,
-    groups: Vec<Lanes>,
+    values: Vec<f64>,
 }
 
 /// The patch along one line of constant v: control points in u of the position and of both derivatives' directions.
@@ -96,32 +93,37 @@ impl Kernel {
             along_u,
             along_v,
         } = &self.row;
-        let groups = |k: usize| &self.u[k].groups[..];
-        // Written twice so that the loops of the common case are unrolled.
+        let (values, slopes) = (&self.u[0].values[..], &self.u[1].values[..]);
         if let (Ok(points), Ok(along_u), Ok(along_v)) = (
-            <&[DVec3; CUBIC + 1]>::try_from(&points[..]),
-            <&[DVec3; CUBIC]>::try_from(&along_u[..]),
-            <&[DVec3; CUBIC + 1]>::try_from(&along_v[..]),
+            <&[DVec3; 4]>::try_from(&points[..]),
+            <&[DVec3; 3]>::try_from(&along_u[..]),
+            <&[DVec3; 4]>::try_from(&along_v[..]),
         ) {
-            let (values, slopes) = (groups(0).as_chunks().0, groups(1).as_chunks().0);
-            fill_line(values, slopes, points, along_u, along_v, positions, normals)
+            let weights = values.as_chunks().0.iter().zip(slopes.as_chunks().0);
+            let samples = weights.map(|(values, slopes)| Sample {
+                point: blend4(values, points),
+                along_u: blend3(slopes, along_u),
+                along_v: blend4(values, along_v),
+            });
+            store_line(samples, positions, normals)
         } else {
-            let values = groups(0).chunks_exact(points.len());
-            let slopes = groups(1).chunks_exact(along_u.len());
-            fill_line_of(
-                values.zip(slopes),
-                points,
-                along_u,
-                along_v,
-                positions,
-                normals,
-            )
+            let weights = values.chunks_exact(points.len());
+            let samples = weights.zip(slopes.chunks_exact(along_u.len()));
+            let samples = samples.map(|(values, slopes)| Sample {
+                point: blend(values, points),
+                along_u: blend(slopes, along_u),
+                along_v: blend(values, along_v),
+            });
+            store_line(samples, positions, normals)
         }
     }
 
     /// Puts limits where the line has no normal.
     #[cold]
     fn repair(&self, iv: usize, limits: &NormalNet, normals: &mut [f32]) {
+        if limits.vanishes() {
+            return;
+        }
         for (iu, normal) in normals.chunks_exact_mut(3).enumerate() {
             if normal == [0.0; 3] {
                 let (u, v) = self.grid.uv(iu, iv);
@@ -131,128 +133,83 @@ impl Kernel {
     }
 }
 
-/// The bicubic line: [`fill_line_of`] with all lengths known.
-fn fill_line(
-    values: &[[Lanes; CUBIC + 1]],
-    slopes: &[[Lanes; CUBIC]],
-    points: &[DVec3; CUBIC + 1],
-    along_u: &[DVec3; CUBIC],
-    along_v: &[DVec3; CUBIC + 1],
-    positions: &mut [f32],
-    normals: &mut [f32],
-) -> bool {
-    let weights = values.iter().zip(slopes).map(|(a, b)| (&a[..], &b[..]));
-    fill_line_of(weights, points, along_u, along_v, positions, normals)
+/// Position and derivatives' directions at one place.
+struct Sample {
+    point: DVec3,
+    along_u: DVec3,
+    along_v: DVec3,
 }
 
-/// Evaluates one line, group by group; the last group may have room for fewer samples.
+/// Rounds and writes one line of samples. True if a normal is missing.
 #[inline(always)]
-fn fill_line_of<'a>(
-    mut weights: impl Iterator<Item = (&'a [Lanes], &'a [Lanes])>,
-    points: &[DVec3],
-    along_u: &[DVec3],
-    along_v: &[DVec3],
+fn store_line(
+    samples: impl Iterator<Item = Sample>,
     positions: &mut [f32],
     normals: &mut [f32],
 ) -> bool {
-    let net = [points, along_u, along_v];
     let mut missing = false;
-    let (positions, last_positions) = positions.as_chunks_mut();
-    let (normals, last_normals) = normals.as_chunks_mut();
-    for ((position, normal), weights) in positions.iter_mut().zip(normals).zip(&mut weights) {
-        let irregular;
-        (*position, *normal, irregular) = group(weights, net);
-        missing |= irregular;
-    }
-    if let Some(weights) = weights.next() {
-        let (position, normal, irregular) = group(weights, net);
-        last_positions.copy_from_slice(&position[..last_positions.len()]);
-        last_normals.copy_from_slice(&normal[..last_normals.len()]);
-        missing |= irregular;
+    let (positions, normals) = (positions.as_chunks_mut().0, normals.as_chunks_mut().0);
+    for ((sample, position), normal) in samples.zip(positions).zip(normals) {
+        *position = round(sample.point);
+        let facing = unit(round(sample.along_u.cross(sample.along_v)));
+        missing |= facing.is_none();
+        *normal = facing.unwrap_or_default();
     }
     missing
 }
 
-/// The samples of one group of lanes: positions, normals, and whether a normal is missing.
 #[inline(always)]
-fn group(
-    (values, slopes): (&[Lanes], &[Lanes]),
-    [points, along_u, along_v]: [&[DVec3]; 3],
-) -> (Triples, Triples, bool) {
-    let position = blend(values, points).map(|lanes| lanes.map(to_f32));
-    let (unit, irregular) = normalise(cross(blend(slopes, along_u), blend(values, along_v)));
-    (triples(position), triples(unit), irregular)
+fn round(p: DVec3) -> [f32; 3] {
+    [to_f32(p.x), to_f32(p.y), to_f32(p.z)]
 }
 
-/// Σ wᵢ·Pᵢ in each lane, summed from both ends towards the middle, so that reversed weights and points give the same.
+/// The unit vector; none where the point is not regular.
 #[inline(always)]
-fn blend(weights: &[Lanes], points: &[DVec3]) -> [Lanes; 3] {
-    let mut sum = [[0.0; LANES]; 3];
-    let count = points.len().min(weights.len());
-    for i in 0..count / 2 {
-        let (a, b) = (points[i].to_array(), points[count - 1 - i].to_array());
-        let (wa, wb) = (&weights[i], &weights[count - 1 - i]);
-        for axis in 0..3 {
-            for lane in 0..LANES {
-                sum[axis][lane] += wa[lane] * a[axis] + wb[lane] * b[axis];
-            }
-        }
+fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
+    let square = x * x + y * y + z * z;
+    let factor = 1.0 / square.sqrt();
+    (square > LEAST_SQUARE).then_some([x * factor, y * factor, z * factor])
+}
+
+/// [`blend`] for a cubic.
+#[inline(always)]
+fn blend4(w: &[f64; 4], [p0, p1, p2, p3]: &[DVec3; 4]) -> DVec3 {
+    DVec3 {
+        x: sum4(w, p0.x, p1.x, p2.x, p3.x),
+        y: sum4(w, p0.y, p1.y, p2.y, p3.y),
+        z: sum4(w, p0.z, p1.z, p2.z, p3.z),
     }
-    if count % 2 == 1 {
-        let (a, wa) = (points[count / 2].to_array(), &weights[count / 2]);
-        for axis in 0..3 {
-            for lane in 0..LANES {
-                sum[axis][lane] += wa[lane] * a[axis];
-            }
-        }
+}
+
+#[inline(always)]
+fn sum4([w0, w1, w2, w3]: &[f64; 4], a: f64, b: f64, c: f64, d: f64) -> f64 {
+    // From 0, which turns −0 into 0.
+    0.0 + (w0 * a + w3 * d) + (w1 * b + w2 * c)
+}
+
+/// [`blend`] for a cubic's derivative.
+#[inline(always)]
+fn blend3(w: &[f64; 3], [p0, p1, p2]: &[DVec3; 3]) -> DVec3 {
+    DVec3 {
+        x: sum3(w, p0.x, p1.x, p2.x),
+        y: sum3(w, p0.y, p1.y, p2.y),
+        z: sum3(w, p0.z, p1.z, p2.z),
+    }
+}
+
+#[inline(always)]
+fn sum3([w0, w1, w2]: &[f64; 3], a: f64, b: f64, c: f64) -> f64 {
+    0.0 + (w0 * a + w2 * c) + w1 * b
+}
+
+/// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same.
+fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
+    let mut sum = DVec3::ZERO;
+    let mut terms = weights.iter().zip(points).map(|(&w, &p)| p * w);
+    while let (Some(first), last) = (terms.next(), terms.next_back()) {
+        sum += last.map_or(first, |last| first + last);
     }
     sum
-}
-
-/// The cross product in each lane.
-#[inline(always)]
-fn cross([ax, ay, az]: [Lanes; 3], [bx, by, bz]: [Lanes; 3]) -> [Lanes; 3] {
-    let mut product = [[0.0; LANES]; 3];
-    for lane in 0..LANES {
-        product[0][lane] = ay[lane] * bz[lane] - az[lane] * by[lane];
-        product[1][lane] = az[lane] * bx[lane] - ax[lane] * bz[lane];
-        product[2][lane] = ax[lane] * by[lane] - ay[lane] * bx[lane];
-    }
-    product
-}
-
-/// Unit vectors in f32, zero where the point is not regular, and whether there is such a point.
-#[inline(always)]
-fn normalise(cross: [Lanes; 3]) -> ([[f32; LANES]; 3], bool) {
-    let least = to_f32(REGULAR_RATIO * REGULAR_RATIO);
-    let [x, y, z] = cross.map(|lanes| lanes.map(to_f32));
-    let mut factor = [0.0; LANES];
-    let mut irregular = false;
-    for lane in 0..LANES {
-        let square = x[lane] * x[lane] + y[lane] * y[lane] + z[lane] * z[lane];
-        let regular = square > least;
-        irregular |= !regular;
-        factor[lane] = if regular { 1.0 / square.sqrt() } else { 0.0 };
-    }
-    let scaled = |mut lanes: [f32; LANES]| {
-        for lane in 0..LANES {
-            lanes[lane] *= factor[lane];
-        }
-        lanes
-    };
-    ([scaled(x), scaled(y), scaled(z)], irregular)
-}
-
-/// x, y, z of one lane after the other.
-#[inline(always)]
-fn triples([x, y, z]: [[f32; LANES]; 3]) -> Triples {
-    let mut triples = [0.0; 3 * LANES];
-    for lane in 0..LANES {
-        triples[3 * lane] = x[lane];
-        triples[3 * lane + 1] = y[lane];
-        triples[3 * lane + 2] = z[lane];
-    }
-    triples
 }
 
 impl Weights {
@@ -262,23 +219,16 @@ impl Weights {
     }
 
     fn new(degree: usize, segments: usize) -> Self {
-        let count = (segments + 1).div_ceil(LANES);
-        let mut groups = Vec::with_capacity(count * (degree + 1));
-        for group in 0..count {
-            for i in 0..=degree {
-                // Lanes past the end repeat the last sample.
-                groups.push(std::array::from_fn(|lane| {
-                    weight(degree, i, (group * LANES + lane).min(segments), segments)
-                }));
-            }
+        let at = |k| (0..=degree).map(move |i| weight(degree, i, k, segments));
+        Self {
+            degree,
+            values: (0..=segments).flat_map(at).collect(),
         }
-        Self { degree, groups }
     }
 
     /// Blends the rows of a net at sample k: one point per column, summed like [`blend`].
     fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
-        let weights = &self.groups[k / LANES * (self.degree + 1)..][..=self.degree];
-        let lane = k % LANES;
+        let weights = &self.values[k * (self.degree + 1)..][..=self.degree];
         out.clear();
         out.resize(columns, DVec3::ZERO);
         let mut rows = net.chunks_exact(columns).zip(weights);
@@ -286,12 +236,12 @@ impl Weights {
             match last {
                 Some((b, wb)) => {
                     for ((sum, &a), &b) in out.iter_mut().zip(a).zip(b) {
-                        *sum += a * wa[lane] + b * wb[lane];
+                        *sum += a * *wa + b * *wb;
                     }
                 }
                 None => {
                     for (sum, &a) in out.iter_mut().zip(a) {
-                        *sum += a * wa[lane];
+                        *sum += a * *wa;
                     }
                 }
             }

@@ -47,6 +47,11 @@ impl NormalNet {
         }
     }
 
+    /// Whether N is zero everywhere: the patch is a point or a curve.
+    pub(super) fn vanishes(&self) -> bool {
+        self.net.iter().all(|&p| direction(p).is_none())
+    }
+
     /// The unit vector that N's direction tends to at (u, v), coming from the middle of the patch; zero if N is zero.
     pub(super) fn limit(&self, u: f64, v: f64) -> DVec3 {
         let inside = |t: f64| t > 0.0 && t < 1.0;

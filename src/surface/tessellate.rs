@@ -151,6 +151,6 @@ fn to_u32(number: usize) -> u32 {
     reason = "rounding to f32 is what meshes are for"
 )]
 #[inline(always)]
-pub(super) fn to_f32(number: f64) -> f32 {
+pub(super) const fn to_f32(number: f64) -> f32 {
     number as f32
 }
