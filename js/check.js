@@ -228,13 +228,13 @@ export function resultArray(into, length) {
  * What `trace` draws on: a 2D context or a Path2D.
  *
  * @param {unknown} value
- * @returns {object}
+ * @returns {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D}
  */
 export function drawingTarget(value) {
   const methods = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];
   const target = /** @type {Record<string, unknown> | null} */ (value);
   if (typeof target === "object" && target !== null && methods.every((name) => typeof target[name] === "function")) {
-    return target;
+    return /** @type {any} */ (value);
   }
   throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${shown(value)}`);
 }

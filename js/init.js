@@ -1,5 +1,7 @@
-import { functions, initSync } from "./glue/core.js";
+import { initSync } from "./glue/casteljau.js";
 import { wasmBytes } from "./wasm-bytes.js";
+
+/** @import { InitOutput } from "./glue/casteljau.js" */
 
 /**
  * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
@@ -11,7 +13,7 @@ import { wasmBytes } from "./wasm-bytes.js";
  * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
  *
  * @internal
- * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array }}
+ * @type {{ functions: InitOutput | null, memory: WebAssembly.Memory | null, view: Float64Array }}
  */
 export const instance = { functions: null, memory: null, view: new Float64Array(0) };
 
@@ -35,10 +37,11 @@ export async function init(source) {
 }
 
 /**
- * The functions of the Rust core, started at the first call.
+ * The functions of the Rust core, started at the first call: the module's own exports. Only numbers cross the border, so
+ * generated wrappers would add nothing; a count of −1 says that the core refused (see `take`).
  *
  * @internal
- * @returns {typeof functions}
+ * @returns {InitOutput}
  * @throws {Error} with `casteljau/slim`, before `init` has ended
  */
 export function core() {
@@ -55,7 +58,7 @@ export function memory() {
   return instance.memory ?? (startNow(), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (instance.memory)));
 }
 
-/** @returns {typeof functions} */
+/** @returns {InitOutput} */
 function startNow() {
   if (!wasmBytes) {
     throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
@@ -65,10 +68,11 @@ function startNow() {
 
 /**
  * @param {WebAssembly.Module} module
- * @returns {typeof functions}
+ * @returns {InitOutput}
  */
 function start(module) {
-  instance.memory = initSync({ module }).memory;
+  const functions = initSync({ module });
+  instance.memory = functions.memory;
   return (instance.functions = functions);
 }
 

@@ -3,6 +3,7 @@ import { Curve } from "./curve.js";
 import { core } from "./init.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, takeMesh } from "./mesh.js";
+import { done } from "./refusal.js";
 import { Checked, load, take } from "./transfer.js";
 
 /**
@@ -214,7 +215,7 @@ export class Patch {
   grid(options) {
     const { u, v, quads, into } = gridOptions(options);
     load(this.#flat);
-    core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads);
+    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads ? 1 : 0));
     return takeMesh(into);
   }
 
@@ -245,7 +246,7 @@ export class Patch {
    */
   #isocurve(constantU, at) {
     load(this.#flat);
-    const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU, at);
+    const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU ? 1 : 0, at);
     return new Curve(/** @type {any} */ (new Checked(take(0, length), 3)));
   }
 
@@ -256,7 +257,7 @@ export class Patch {
    */
   #split(alongU, at) {
     load(this.#flat);
-    core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
+    core().patch_split(this.#degreeU, this.#degreeV, alongU ? 1 : 0, at);
     const n = this.#flat.length;
     return [this.#like(take(0, n)), this.#like(take(n, 2 * n))];
   }

@@ -1,6 +1,7 @@
 import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { core } from "./init.js";
+import { draw } from "./pen.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
@@ -229,7 +230,7 @@ export class Spline {
    * @returns {{ min: Point, max: Point }}
    */
   bounds() {
-    core().spline_bounds(this.#load(), true);
+    core().spline_bounds(this.#load(), 1);
     return boxAt(take(0, 6), this.dimension);
   }
 
@@ -239,7 +240,7 @@ export class Spline {
    * @returns {{ min: Point, max: Point }}
    */
   controlBounds() {
-    core().spline_bounds(this.#load(), false);
+    core().spline_bounds(this.#load(), 0);
     return boxAt(take(0, 6), this.dimension);
   }
 
@@ -353,7 +354,7 @@ export class Spline {
     const pen = check.drawingTarget(target);
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
     this.#load();
-    core().spline_trace(pen, tolerance);
+    draw(pen, core().spline_trace(tolerance));
   }
 
   /**

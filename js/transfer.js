@@ -1,5 +1,6 @@
 import { arena, trimArena } from "./arena.js";
 import { instance } from "./init.js";
+import { done } from "./refusal.js";
 
 /** Above this many numbers the arena gives its memory back after a result was read. */
 const LARGE_RESULT = 1 << 20;
@@ -41,11 +42,12 @@ export function load(flat, extra = 0) {
  *
  * @internal
  * @param {number} from
- * @param {number} to
+ * @param {number} to as a call to the core returned it: negative when the core refused
  * @returns {Float64Array}
+ * @throws {RangeError} with the core's message, when it refused
  */
 export function take(from, to) {
-  return arena(to).slice(from, to);
+  return arena(done(to)).slice(from, to);
 }
 
 /**
@@ -53,11 +55,12 @@ export function take(from, to) {
  *
  * @internal
  * @param {Float64Array} into
- * @param {number} length
+ * @param {number} length as a call to the core returned it: negative when the core refused
  * @returns {Float64Array} `into`
+ * @throws {RangeError} with the core's message, when it refused
  */
 export function takeInto(into, length) {
-  into.set(arena(length).subarray(0, length));
+  into.set(arena(done(length)).subarray(0, length));
   if (length > LARGE_RESULT) trim();
   return into;
 }

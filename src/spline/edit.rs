@@ -178,9 +178,8 @@ impl<P: Point> Spline<P> {
             let next = ahead.peek().map_or(usize::MAX, distance_ahead);
             let last = behind.peek().map_or(usize::MAX, distance_behind);
             let forward = next <= last;
-            let run: &mut dyn Iterator<Item = usize> =
-                if forward { &mut ahead } else { &mut behind };
-            order.extend(run.next().map(|k| (k, forward)));
+            let nearest = if forward { ahead.next() } else { behind.next() };
+            order.extend(nearest.map(|k| (k, forward)));
         }
         order
     }

@@ -3,6 +3,7 @@
 //! JavaScript writes the arguments at its start, calls, and reads the result from its start. Small calls allocate
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
+use crate::error::{Error, Part};
 use crate::point::Point;
 use glam::DVec3;
 use std::cell::RefCell;
@@ -22,6 +23,18 @@ pub(super) struct Arena(Vec<f64>);
 #[inline]
 pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
     ARENA.with_borrow_mut(f)
+}
+
+/// Runs `f` on the arena and returns its count; a refusal leaves its message instead and returns −1.
+#[inline]
+pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> usize {
+    const REFUSED: usize = usize::MAX;
+    with(|arena| {
+        f(arena).unwrap_or_else(|error| {
+            arena.put_message(&error);
+            REFUSED
+        })
+    })
 }
 
 /// Makes the arena hold at least `length` numbers and returns its address.
@@ -144,6 +157,19 @@ impl Arena {
         self.grow(end);
         self.0[at..end].copy_from_slice(numbers);
         end
+    }
+
+    /// Leaves the pieces of a message: address and length of words, or a number and −1. JavaScript joins them.
+    #[inline(never)]
+    fn put_message(&mut self, error: &Error) {
+        let mut at = 0;
+        for part in error.parts() {
+            let pair = match part {
+                Part::Text(text) => [text.as_ptr().addr() as f64, text.len() as f64],
+                Part::Number(number) => [number, -1.0],
+            };
+            at = self.put_numbers(at, &pair);
+        }
     }
 
     /// A place for `count` points at the start, to be written in place.

@@ -1,13 +1,11 @@
 //! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::error::refuse;
-use super::pen::CanvasPen;
+use super::pen::ArenaPen;
 use super::{by_dimension, given};
 use crate::curve::{Basis, Curve, Pen, Subdivision, bernstein, evaluate};
 use crate::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
@@ -35,12 +33,12 @@ pub fn curve_eval(dimension: usize, count: usize, t: f64) {
 
 /// Leaves `segments` + 1 points; their number of f64.
 #[wasm_bindgen]
-pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> Result<usize, JsValue> {
-    crate::curve::check_segments(segments, dimension).map_err(refuse)?;
-    arena::with(
-        |a| by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.place(segments + 1))),
-    );
-    Ok((segments + 1) * dimension)
+pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> usize {
+    arena::answer(|a| {
+        crate::curve::check_segments(segments, dimension)?;
+        by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.place(segments + 1)));
+        Ok((segments + 1) * dimension)
+    })
 }
 
 /// In: `number` parameters behind the points. Leaves their points.
@@ -131,11 +129,9 @@ pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
 
 /// Leaves the control points of the elevated curve.
 #[wasm_bindgen]
-pub fn curve_elevate(dimension: usize, count: usize) -> Result<usize, JsValue> {
-    arena::with(|a| {
-        let raised = curve_in_space(a, dimension, count)
-            .elevate()
-            .map_err(refuse)?;
+pub fn curve_elevate(dimension: usize, count: usize) -> usize {
+    arena::answer(|a| {
+        let raised = curve_in_space(a, dimension, count).elevate()?;
         Ok(put_curves(a, dimension, &[&raised]))
     })
 }
@@ -153,9 +149,8 @@ pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
 
 /// Leaves the Bernstein weights.
 #[wasm_bindgen]
-pub fn bernstein_weights(degree: usize, t: f64) -> Result<usize, JsValue> {
-    let weights = bernstein(degree, t).map_err(refuse)?;
-    Ok(arena::with(|a| a.put_numbers(0, &weights)))
+pub fn bernstein_weights(degree: usize, t: f64) -> usize {
+    arena::answer(|a| Ok(a.put_numbers(0, &bernstein(degree, t)?)))
 }
 
 /// Leaves the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
@@ -178,34 +173,30 @@ fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
 
 /// In: four geometry points and a basis matrix. Leaves the control points.
 #[wasm_bindgen]
-pub fn curve_from_basis(dimension: usize) -> Result<usize, JsValue> {
-    arena::with(|a| {
+pub fn curve_from_basis(dimension: usize) -> usize {
+    arena::answer(|a| {
         let points = a.points_in_space(0, 4, dimension);
         let points = [points[0], points[1], points[2], points[3]];
-        let curve = Curve::from_basis(matrix_behind(a, dimension, 4), points).map_err(refuse)?;
+        let curve = Curve::from_basis(matrix_behind(a, dimension, 4), points)?;
         Ok(put_curves(a, dimension, &[&curve]))
     })
 }
 
 /// In: a basis matrix behind the control points. Leaves the four geometry points.
 #[wasm_bindgen]
-pub fn curve_to_basis(dimension: usize, count: usize) -> Result<usize, JsValue> {
-    arena::with(|a| {
+pub fn curve_to_basis(dimension: usize, count: usize) -> usize {
+    arena::answer(|a| {
         let basis = matrix_behind(a, dimension, count);
-        let points = curve_in_space(a, dimension, count)
-            .to_basis(basis)
-            .map_err(refuse)?;
+        let points = curve_in_space(a, dimension, count).to_basis(basis)?;
         Ok(a.put_from_space(0, &points, dimension))
     })
 }
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
 #[wasm_bindgen]
-pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> Result<usize, JsValue> {
-    arena::with(|a| {
-        let line = curve_in_space(a, dimension, count)
-            .flatten(tolerance)
-            .map_err(refuse)?;
+pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> usize {
+    arena::answer(|a| {
+        let line = curve_in_space(a, dimension, count).flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
         a.put_numbers(end, &line.ts);
         Ok(line.ts.len())
@@ -215,7 +206,7 @@ pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> Result<u
 /// Leaves the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
 /// halved (else 0), control points; their number of f64.
 #[wasm_bindgen]
-pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result<usize, JsValue> {
+pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> usize {
     fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
         let head = [
@@ -233,10 +224,8 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> Result
             .flat_map(|halves| halves.iter())
             .fold(at, |at, half| put(a, dimension, at, half))
     }
-    arena::with(|a| {
-        let tree = curve_in_space(a, dimension, count)
-            .subdivide(tolerance)
-            .map_err(refuse)?;
+    arena::answer(|a| {
+        let tree = curve_in_space(a, dimension, count).subdivide(tolerance)?;
         Ok(put(a, dimension, 0, &tree))
     })
 }
@@ -278,15 +267,17 @@ pub fn points_transform(dimension: usize, count: usize) {
     });
 }
 
-/// Draws a 2D curve on a context or a path; a tolerance of 0 stands for the default.
+/// Leaves the steps of a pen that draws the curve (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
+/// the default.
 #[wasm_bindgen]
-pub fn curve_trace(count: usize, target: &JsValue, tolerance: f64) -> Result<(), JsValue> {
-    // Not drawn while the arena is borrowed: a context made in JavaScript may call back.
-    let curve = arena::with(|a| curve_in_space(a, 2, count));
-    let tolerance = given(tolerance);
-    curve.check_trace(tolerance).map_err(refuse)?;
-    let mut pen = CanvasPen::new(target);
-    pen.move_to(curve.start().truncate());
-    curve.trace_on(&mut pen, tolerance);
-    Ok(())
+pub fn curve_trace(count: usize, tolerance: f64) -> usize {
+    arena::answer(|a| {
+        let curve = curve_in_space(a, 2, count);
+        let tolerance = given(tolerance);
+        curve.check_trace(tolerance)?;
+        let mut pen = ArenaPen::new(a);
+        pen.move_to(curve.start().truncate());
+        curve.trace_on(&mut pen, tolerance);
+        Ok(pen.end())
+    })
 }

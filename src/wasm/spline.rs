@@ -2,14 +2,12 @@
 //! control points; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::error::refuse;
 use super::given;
-use super::pen::CanvasPen;
+use super::pen::ArenaPen;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
 use glam::DVec3;
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
@@ -37,10 +35,10 @@ fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
 fn changed(
     dimension: usize,
     change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
-) -> Result<usize, JsValue> {
-    arena::with(|a| {
+) -> usize {
+    arena::answer(|a| {
         let (spline, end) = spline(a, dimension);
-        let result = change(a, spline, end).map_err(refuse)?;
+        let result = change(a, spline, end)?;
         Ok(put(a, &result, dimension))
     })
 }
@@ -57,8 +55,8 @@ fn mode(code: f64) -> JointMode {
 
 /// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
 #[wasm_bindgen]
-pub fn spline_from_curves(dimension: usize) -> Result<usize, JsValue> {
-    arena::with(|a| {
+pub fn spline_from_curves(dimension: usize) -> usize {
+    arena::answer(|a| {
         let (count, closed) = (a.count(0), a.number(1) != 0.0);
         let mut at = 2 + count;
         let curve = |k: usize| {
@@ -67,7 +65,7 @@ pub fn spline_from_curves(dimension: usize) -> Result<usize, JsValue> {
             Curve::from_slice(&points)
         };
         let curves: Vec<_> = (0..count).map(curve).collect();
-        let spline = Spline::from_curves(&curves, closed).map_err(refuse)?;
+        let spline = Spline::from_curves(&curves, closed)?;
         Ok(put(a, &spline, dimension))
     })
 }
@@ -80,9 +78,9 @@ pub fn spline_eval(dimension: usize, t: f64) {
 
 /// Leaves the points at even steps; their number of f64.
 #[wasm_bindgen]
-pub fn spline_sample(dimension: usize, per_curve: usize) -> Result<usize, JsValue> {
-    arena::with(|a| {
-        let points = spline(a, dimension).0.sample(per_curve).map_err(refuse)?;
+pub fn spline_sample(dimension: usize, per_curve: usize) -> usize {
+    arena::answer(|a| {
+        let points = spline(a, dimension).0.sample(per_curve)?;
         Ok(a.put_from_space(0, &points, dimension))
     })
 }
@@ -99,9 +97,9 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
 #[wasm_bindgen]
-pub fn spline_flatten(dimension: usize, tolerance: f64) -> Result<usize, JsValue> {
-    arena::with(|a| {
-        let line = spline(a, dimension).0.flatten(tolerance).map_err(refuse)?;
+pub fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
+    arena::answer(|a| {
+        let line = spline(a, dimension).0.flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
         a.put_numbers(end, &line.ts);
         Ok(line.ts.len())
@@ -124,10 +122,10 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 
 /// Leaves c0, g1, c1, g2, c2 as 0 or 1, the gap and the angle; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
-pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> Result<usize, JsValue> {
-    arena::with(|a| {
+pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> usize {
+    arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
-        let c = spline.continuity(joint, given(tolerance)).map_err(refuse)?;
+        let c = spline.continuity(joint, given(tolerance))?;
         let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
         let at = a.put_numbers(0, &flags);
         Ok(a.put_numbers(at, &[c.gap, c.angle]))
@@ -136,7 +134,7 @@ pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> Resu
 
 /// In: a point behind the spline. Leaves the longer spline.
 #[wasm_bindgen]
-pub fn spline_append(dimension: usize) -> Result<usize, JsValue> {
+pub fn spline_append(dimension: usize) -> usize {
     changed(dimension, |a, spline, end| {
         spline.append(a.points_in_space(end, 1, dimension)[0])
     })
@@ -144,7 +142,7 @@ pub fn spline_append(dimension: usize) -> Result<usize, JsValue> {
 
 /// In: the new place behind the spline, then a mode code for each segment's start (0 free, 1 G1, 2 C1).
 #[wasm_bindgen]
-pub fn spline_move_point(dimension: usize, index: usize) -> Result<usize, JsValue> {
+pub fn spline_move_point(dimension: usize, index: usize) -> usize {
     changed(dimension, |a, spline, end| {
         let to = a.points_in_space(end, 1, dimension)[0];
         spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
@@ -153,7 +151,7 @@ pub fn spline_move_point(dimension: usize, index: usize) -> Result<usize, JsValu
 
 /// Leaves the spline with a joint made G1 (1) or C1 (2).
 #[wasm_bindgen]
-pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> Result<usize, JsValue> {
+pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> usize {
     changed(dimension, |_, spline, _| {
         spline.set_joint(joint, mode(code))
     })
@@ -161,27 +159,30 @@ pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> Result<usi
 
 /// Leaves the spline with a joint at t.
 #[wasm_bindgen]
-pub fn spline_insert(dimension: usize, t: f64) -> Result<usize, JsValue> {
+pub fn spline_insert(dimension: usize, t: f64) -> usize {
     changed(dimension, |_, spline, _| spline.insert(t))
 }
 
 /// Leaves the spline without a joint.
 #[wasm_bindgen]
-pub fn spline_remove(dimension: usize, joint: usize) -> Result<usize, JsValue> {
+pub fn spline_remove(dimension: usize, joint: usize) -> usize {
     changed(dimension, |_, spline, _| spline.remove(joint))
 }
 
 /// Leaves the spline run through backwards.
 #[wasm_bindgen]
-pub fn spline_reverse(dimension: usize) -> Result<usize, JsValue> {
+pub fn spline_reverse(dimension: usize) -> usize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))
 }
 
-/// Draws a 2D spline on a context or a path; a tolerance of 0 stands for the default.
+/// Leaves the steps of a pen that draws the spline (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
+/// the default.
 #[wasm_bindgen]
-pub fn spline_trace(target: &JsValue, tolerance: f64) -> Result<(), JsValue> {
-    let (spline, _) = arena::with(|a| spline(a, 2));
-    spline
-        .trace_in_plane(&mut CanvasPen::new(target), given(tolerance))
-        .map_err(refuse)
+pub fn spline_trace(tolerance: f64) -> usize {
+    arena::answer(|a| {
+        let (spline, _) = spline(a, 2);
+        let mut pen = ArenaPen::new(a);
+        spline.trace_in_plane(&mut pen, given(tolerance))?;
+        Ok(pen.end())
+    })
 }

@@ -4,13 +4,12 @@
 //! of each patch, the vertices, the indices of all nets; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::error::refuse;
 use super::given;
-use super::pen::CanvasPen;
+use super::pen::ArenaPen;
+use crate::error::Error;
 use crate::surface::{Grid, Height, Indices, Mesh, Patch, Surface, TeapotOptions, Up};
 use glam::{DMat4, DVec3};
 use std::cell::RefCell;
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 thread_local! {
@@ -72,7 +71,7 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     });
 }
 
-/// Makes the mesh of one patch.
+/// Makes the mesh of one patch; 0.
 #[wasm_bindgen]
 pub fn patch_grid(
     degree_u: usize,
@@ -80,18 +79,20 @@ pub fn patch_grid(
     segments_u: usize,
     segments_v: usize,
     quads: bool,
-) -> Result<(), JsValue> {
-    let patch = arena::with(|a| patch(a, degree_u, degree_v));
-    let grid = Grid {
-        segments_u,
-        segments_v,
-    };
-    MESH.with_borrow_mut(|mesh| patch.grid_into(grid, quads, mesh))
-        .map_err(refuse)
+) -> usize {
+    arena::answer(|a| {
+        let patch = patch(a, degree_u, degree_v);
+        let grid = Grid {
+            segments_u,
+            segments_v,
+        };
+        MESH.with_borrow_mut(|mesh| patch.grid_into(grid, quads, mesh))?;
+        Ok(0)
+    })
 }
 
 /// The surface at the start of the arena, and where it ends.
-fn surface(a: &Arena) -> Result<(Surface, usize), JsValue> {
+fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
     let (vertices, patches) = (a.count(0), a.count(1));
     let degrees: Vec<[usize; 2]> = (0..patches)
         .map(|k| [a.count(2 + 2 * k), a.count(3 + 2 * k)])
@@ -104,7 +105,7 @@ fn surface(a: &Arena) -> Result<(Surface, usize), JsValue> {
         .sum::<usize>();
     let indices = a.small_counts(indices_at, count);
     let points = a.points::<DVec3>(at, vertices).to_vec();
-    let surface = Surface::with_degrees(points, indices, &degrees).map_err(refuse)?;
+    let surface = Surface::with_degrees(points, indices, &degrees)?;
     Ok((surface, indices_at + count))
 }
 
@@ -146,33 +147,30 @@ fn put(a: &mut Arena, surface: &Surface) -> usize {
     a.put_numbers(at, &indices)
 }
 
-/// Makes the mesh of a surface.
+/// Makes the mesh of a surface; 0.
 #[wasm_bindgen]
-pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> Result<(), JsValue> {
-    let (surface, _) = arena::with(|a| surface(a))?;
-    let grid = Grid {
-        segments_u,
-        segments_v,
-    };
-    MESH.with_borrow_mut(|mesh| surface.grid_into(grid, quads, mesh))
-        .map_err(refuse)
+pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> usize {
+    arena::answer(|a| {
+        let (surface, _) = surface(a)?;
+        let grid = Grid {
+            segments_u,
+            segments_v,
+        };
+        MESH.with_borrow_mut(|mesh| surface.grid_into(grid, quads, mesh))?;
+        Ok(0)
+    })
 }
 
-/// In: a 4×4 matrix behind the surface, in columns. Draws all isocurves, projected.
+/// In: a 4×4 matrix behind the surface, in columns. Leaves the steps of a pen that draws all isocurves, projected.
 #[wasm_bindgen]
-pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> Result<(), JsValue> {
-    let (surface, matrix) = arena::with(|a| {
+pub fn surface_trace(lines: usize, tolerance: f64) -> usize {
+    arena::answer(|a| {
         let (surface, end) = surface(a)?;
-        Ok::<_, JsValue>((surface, DMat4::from_cols_slice(a.numbers(end, 16))))
-    })?;
-    surface
-        .trace_projected(
-            &mut CanvasPen::new(target),
-            &matrix,
-            lines,
-            given(tolerance),
-        )
-        .map_err(refuse)
+        let matrix = DMat4::from_cols_slice(a.numbers(end, 16));
+        let mut pen = ArenaPen::new(a);
+        surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))?;
+        Ok(pen.end())
+    })
 }
 
 /// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,

@@ -25,7 +25,6 @@ fn bindings() -> Result<()> {
         "casteljau.js",
         "casteljau.d.ts",
         "casteljau.wasm",
-        "core.js",
         "bytes.js",
     ];
     let outputs = names.map(|name| glue::folder().join(name));

@@ -9,6 +9,7 @@ mod serve;
 mod setup;
 mod shell;
 mod size;
+mod snip;
 mod stamp;
 mod test;
 mod wasm_test;

@@ -1,0 +1,33 @@
+import { arena } from "./arena.js";
+import { memory } from "./init.js";
+
+/** The most pieces of a message, two numbers each; see `Error::parts` in src/error.rs. */
+const PARTS = 7;
+
+/**
+ * What a call to the core returned; a count of −1 says that it refused and left a message.
+ *
+ * @internal
+ * @param {number} count
+ * @returns {number} the count
+ * @throws {RangeError} with the core's message, when it refused
+ */
+export function done(count) {
+  if (count < 0) throw refusal();
+  return count;
+}
+
+/**
+ * The message that the core left in place of a result: words by address and length, numbers with −1 behind them.
+ *
+ * @returns {RangeError}
+ */
+function refusal() {
+  const parts = arena(2 * PARTS);
+  let message = "";
+  for (let i = 0; i < 2 * PARTS; i += 2) {
+    const [value, length] = [parts[i], parts[i + 1]];
+    message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory().buffer, value, length));
+  }
+  return new RangeError(message);
+}
