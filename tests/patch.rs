@@ -77,17 +77,19 @@ fn isocurves_lie_on_the_patch() {
 #[wasm_bindgen_test(unsupported = test)]
 fn partials_of_a_polynomial() {
     // z = u³v² − 2uv + 5v³ over the unit square, whose derivatives are known.
-    let patch = graph(3, 3, &[(1.0, 3, 2), (-2.0, 1, 1), (5.0, 0, 3)]);
-    for u in TS {
-        for v in TS {
-            let got = patch.partials(u, v);
-            let z = |value: f64| DVec3::new(0.0, 0.0, value);
-            assert_near(got.u, z(3.0 * u * u * v * v - 2.0 * v) + DVec3::X, 1e-13);
-            let along_v = 2.0 * u * u * u * v - 2.0 * u + 15.0 * v * v;
-            assert_near(got.v, z(along_v) + DVec3::Y, 1e-13);
-            assert_near(got.uu, z(6.0 * u * v * v), 1e-13);
-            assert_near(got.uv, z(6.0 * u * u * v - 2.0), 1e-13);
-            assert_near(got.vv, z(2.0 * u * u * u + 30.0 * v), 1e-13);
+    for (m, n) in [(3, 3), (4, 3), (3, 6)] {
+        let patch = graph(m, n, &[(1.0, 3, 2), (-2.0, 1, 1), (5.0, 0, 3)]);
+        for u in TS {
+            for v in TS {
+                let got = patch.partials(u, v);
+                let z = |value: f64| DVec3::new(0.0, 0.0, value);
+                assert_near(got.u, z(3.0 * u * u * v * v - 2.0 * v) + DVec3::X, 1e-13);
+                let along_v = 2.0 * u * u * u * v - 2.0 * u + 15.0 * v * v;
+                assert_near(got.v, z(along_v) + DVec3::Y, 1e-13);
+                assert_near(got.uu, z(6.0 * u * v * v), 1e-13);
+                assert_near(got.uv, z(6.0 * u * u * v - 2.0), 1e-13);
+                assert_near(got.vv, z(2.0 * u * u * u + 30.0 * v), 1e-13);
+            }
         }
     }
 }
