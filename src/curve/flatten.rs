@@ -133,7 +133,9 @@ impl<P: Point> Curve<P> {
 
     /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
     fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
-        let noise = 2.0 * ulp(self.max_abs());
+        // Rounding of points on a line, and of this test: up to 8 ulps. It takes its share of the tolerance.
+        let noise = (8.0 * ulp(self.max_abs())).min(0.5 * tolerance);
+        let tolerance = tolerance - noise;
         let (start, end) = (self.start(), self.end());
         let farthest = |p: P, q: P| {
             if (q - start).max_abs() > (p - start).max_abs() {
@@ -154,19 +156,21 @@ impl<P: Point> Curve<P> {
                 .abs()
                 .total_cmp(&direction.coordinate(b).abs())
         })?;
-        let mut kept = Vec::new();
+        // Each turn that is left out lies within the tolerance of the end of its own chord.
+        let mut turns = self.extrema_on(axis).to_vec();
+        let near = |t: f64, p: P| (self.eval(t) - p).norm() <= tolerance;
+        while turns.last().is_some_and(|&t| near(t, end)) {
+            turns.pop();
+        }
         let mut last = start;
-        for t in self.extrema_on(axis) {
-            let turn = self.eval(t);
-            if (turn - last).norm() > tolerance {
-                kept.push(t);
-                last = turn;
+        turns.retain(|&t| {
+            let kept = !near(t, last);
+            if kept {
+                last = self.eval(t);
             }
-        }
-        if last != start && (last - end).norm() <= tolerance {
-            kept.pop();
-        }
-        Some(kept)
+            kept
+        });
+        Some(turns)
     }
 }
 

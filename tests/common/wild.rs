@@ -1,0 +1,185 @@
+//! Curves where numbers break: coincident, collinear, cusped, looped, a few ulps apart, huge, tiny.
+
+use super::{Rng, real};
+use casteljau::glam::DVec3;
+
+/// What is wrong with a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Random,
+    Integers,
+    Closed,
+    Collinear,
+    NearlyCollinear,
+    ZeroHandles,
+    Cusp,
+    Loop,
+    FlatS,
+    FewUlps,
+    OneAway,
+    Coincident,
+    Mixed,
+    FarAway,
+    Elevated,
+    LongHandle,
+    Spike,
+    Huge,
+    Tiny,
+}
+
+pub(crate) const ORDINARY: [Kind; 17] = [
+    Kind::Random,
+    Kind::Integers,
+    Kind::Closed,
+    Kind::Collinear,
+    Kind::NearlyCollinear,
+    Kind::ZeroHandles,
+    Kind::Cusp,
+    Kind::Loop,
+    Kind::FlatS,
+    Kind::FewUlps,
+    Kind::OneAway,
+    Kind::Coincident,
+    Kind::Mixed,
+    Kind::FarAway,
+    Kind::Elevated,
+    Kind::LongHandle,
+    Kind::Spike,
+];
+
+pub(crate) const ALL: [Kind; 19] = {
+    let mut all = [Kind::Huge; 19];
+    let mut i = 0;
+    while i < 17 {
+        all[i] = ORDINARY[i];
+        i += 1;
+    }
+    all[18] = Kind::Tiny;
+    all
+};
+
+/// Control points of a kind and a degree; z = 0 where `dimension` is 2.
+pub(crate) fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec<DVec3> {
+    let mut p: Vec<DVec3> = (0..=degree).map(|_| rng.point(dimension)).collect();
+    let n = degree;
+    match kind {
+        Kind::Random => {}
+        Kind::Integers => p.iter_mut().for_each(|p| *p = (*p * 2.5).round()),
+        Kind::Closed => p[n] = p[0],
+        Kind::Collinear => on_a_line(rng, &mut p, dimension),
+        Kind::NearlyCollinear => {
+            on_a_line(rng, &mut p, dimension);
+            let off = rng.magnitude(-16.0, -1.0);
+            p.iter_mut().for_each(|p| *p += rng.point(dimension) * off);
+        }
+        Kind::ZeroHandles => {
+            let count = 1 + rng.below(n);
+            let at = if rng.chance(0.5) { 0 } else { n + 1 - count };
+            let same = p[if at == 0 { 0 } else { n }];
+            p[at..at + count].fill(same);
+        }
+        Kind::Cusp | Kind::Loop => cross_handles(rng, &mut p, kind),
+        Kind::FlatS => {
+            let height = rng.magnitude(-7.0, -0.5);
+            for (i, p) in p.iter_mut().enumerate() {
+                let up = if i % 2 == 0 { height } else { -height };
+                *p = DVec3::new(real(i) * (0.5 + rng.unit()), up * rng.unit(), p.z * height);
+            }
+        }
+        Kind::FewUlps => {
+            let centre = rng.point(dimension);
+            p.iter_mut()
+                .for_each(|p| *p = centre + (*p * 6.0).round() * f64::EPSILON);
+        }
+        Kind::OneAway => {
+            let (centre, at, away) = (rng.point(dimension), rng.below(n + 1), p[0]);
+            p.fill(centre);
+            p[at] = away;
+        }
+        Kind::Coincident => p = vec![p[0]; n + 1],
+        Kind::Mixed => p.iter_mut().for_each(|p| *p *= rng.magnitude(-12.0, 3.0)),
+        Kind::FarAway => {
+            let offset = rng.point(dimension) * rng.magnitude(1.0, 7.0);
+            p.iter_mut().for_each(|p| *p += offset);
+        }
+        Kind::Elevated => {
+            p.truncate(1 + n.div_ceil(2));
+            while p.len() < n + 1 {
+                p = elevated(&p);
+            }
+        }
+        Kind::LongHandle => {
+            let at = if rng.chance(0.5) { 1 } else { n - 1 };
+            p[at.clamp(1, n)] *= rng.magnitude(0.0, 4.0);
+        }
+        Kind::Spike => {
+            // There and back again, all but on the same way.
+            let thin = rng.magnitude(-9.0, -2.0);
+            p.iter_mut().for_each(|p| p.y *= thin);
+            p[n] = p[0] + rng.point(dimension) * thin;
+        }
+        Kind::Huge => p.iter_mut().for_each(|p| *p *= 1e300),
+        Kind::Tiny => p.iter_mut().for_each(|p| *p *= 1e-300),
+    }
+    p
+}
+
+fn on_a_line(rng: &mut Rng, p: &mut [DVec3], dimension: usize) {
+    let mut direction = rng.point(dimension);
+    if rng.chance(0.4) {
+        direction = rng.pick(&[DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)]);
+    }
+    let origin = if rng.chance(0.5) {
+        DVec3::ZERO
+    } else {
+        rng.point(dimension)
+    };
+    for p in p.iter_mut() {
+        let along = if rng.chance(0.3) {
+            (p.x * 3.0).round()
+        } else {
+            p.x
+        };
+        *p = origin + direction * along;
+    }
+    let n = p.len() - 1;
+    if rng.chance(0.2) {
+        p[n] = p[0];
+    }
+}
+
+/// Handles that cross: a cusp in the middle, or past it a loop; somewhere in the plane.
+fn cross_handles(rng: &mut Rng, p: &mut [DVec3], kind: Kind) {
+    let (u, v) = (p[0], p[1]);
+    let off = rng.pick(&[0.0, 1e-15, 1e-9, 1e-4]);
+    let reach = if kind == Kind::Cusp {
+        1.0 + off
+    } else {
+        1.0 + rng.magnitude(-6.0, 0.5)
+    };
+    let (low, high) = (0.5 - 0.5 * reach, 0.5 + 0.5 * reach);
+    let corners = [(0.0, 0.0), (high, 1.0), (low, 1.0), (1.0, 0.0)];
+    let n = p.len() - 1;
+    for (i, p) in p.iter_mut().enumerate().take(4.min(n + 1)) {
+        let (a, b) = corners[if n < 3 { (i * 3) / n } else { i }];
+        *p = u * a + v * b;
+    }
+    if n > 3 {
+        // The same cubic, elevated to the degree.
+        let mut raised = p[..4].to_vec();
+        while raised.len() < n + 1 {
+            raised = elevated(&raised);
+        }
+        p.copy_from_slice(&raised);
+    }
+}
+
+/// Degree elevation as the books have it.
+pub(crate) fn elevated(p: &[DVec3]) -> Vec<DVec3> {
+    let n = real(p.len());
+    let inner = (1..p.len()).map(|i| p[i - 1] * (real(i) / n) + p[i] * (1.0 - real(i) / n));
+    let mut raised = vec![p[0]];
+    raised.extend(inner);
+    raised.push(p[p.len() - 1]);
+    raised
+}

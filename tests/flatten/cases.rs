@@ -1,0 +1,105 @@
+//! Hostile curves with a tolerance each, and what is measured on them.
+
+use crate::common::wild::{self, Kind};
+use crate::common::{Rng, Space, curve, in_space, largest, real, ulp};
+use crate::measure::{Ruler, farthest};
+use casteljau::curve::Polyline;
+use casteljau::glam::{DVec2, DVec3};
+
+#[derive(Debug)]
+pub(crate) struct Case {
+    pub(crate) kind: Kind,
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) dimension: usize,
+    pub(crate) tolerance: f64,
+}
+
+impl Case {
+    /// The i-th curve; the tolerance is a part from 1 to 10⁻⁶ of its size, if the coordinates can resolve that.
+    pub(crate) fn new(i: usize) -> Self {
+        let mut rng = Rng(i as u64);
+        let dimension = 2 + i % 2;
+        let kind = wild::ALL[(i / 2) % wild::ALL.len()];
+        let degree = degree(&mut rng);
+        let points = wild::points(&mut rng, kind, degree, dimension);
+        let least = 4.0 * ulp(largest(&points)).max(f64::MIN_POSITIVE);
+        let tolerance = (size(&points) * rng.magnitude(-6.0, 0.0)).max(least);
+        Self {
+            kind,
+            points,
+            dimension,
+            tolerance,
+        }
+    }
+
+    /// What rounding of the vertices may add: an ulp, and more where they take many steps of de Casteljau's algorithm.
+    fn rounding(&self) -> f64 {
+        (1.0 + 0.5 * real(self.points.len() - 1)) * ulp(largest(&self.points))
+    }
+
+    /// The parameters and vertices, after the checks that need no measuring.
+    pub(crate) fn flatten(&self) -> (Vec<f64>, Vec<DVec3>) {
+        if self.dimension == 2 {
+            self.flatten_in::<DVec2>()
+        } else {
+            self.flatten_in::<DVec3>()
+        }
+    }
+
+    fn flatten_in<P: Space>(&self) -> (Vec<f64>, Vec<DVec3>) {
+        let curve = curve::<P>(&self.points);
+        let Polyline { points, ts } = curve.flatten(self.tolerance).expect("a fair tolerance");
+        let last = ts.len() - 1;
+        assert_eq!(points.len(), ts.len());
+        assert_eq!((points[0], points[last]), (curve.start(), curve.end()));
+        assert_eq!((ts[0], ts[last]), (0.0, 1.0));
+        assert!(
+            ts.windows(2).all(|t| t[0] < t[1]),
+            "not increasing: {self:?}"
+        );
+        let on_curve = |k: usize| points[k] == curve.eval(ts[k]);
+        assert!((1..last).all(on_curve), "not on the curve: {self:?}");
+        (ts, in_space(&points))
+    }
+
+    /// Fails where the curve is farther from the polyline than the tolerance.
+    pub(crate) fn check(&self) {
+        let (ts, vertices) = self.flatten();
+        let ruler = Ruler::new(&self.points);
+        let vertices: Vec<DVec3> = vertices.iter().map(|&v| ruler.place(v)).collect();
+        let allowed = ruler.length(self.tolerance + self.rounding()) + ruler.noise();
+        let distance = farthest(&ruler, &ts, &vertices, allowed);
+        let chords = ts.len() - 1;
+        assert!(
+            distance <= allowed,
+            "{} of the tolerance with {chords} chords: {self:?}",
+            distance / ruler.length(self.tolerance)
+        );
+    }
+}
+
+/// Mostly 2 to 5, now and then up to 64.
+fn degree(rng: &mut Rng) -> usize {
+    match rng.below(40) {
+        0 | 1 => 1,
+        2..8 => 2,
+        8..28 => 3,
+        28..34 => 4,
+        34..38 => 5,
+        _ if rng.chance(0.9) => 6 + rng.below(5),
+        _ => 11 + rng.below(54),
+    }
+}
+
+/// The diagonal of the control points' box.
+fn size(points: &[DVec3]) -> f64 {
+    let unit = largest(points);
+    if unit == 0.0 {
+        return 0.0;
+    }
+    let corner = |pick: fn(DVec3, DVec3) -> DVec3| {
+        let all = points.iter().map(|&p| p / unit);
+        all.reduce(pick).unwrap_or_default()
+    };
+    (corner(DVec3::max) - corner(DVec3::min)).length() * unit
+}

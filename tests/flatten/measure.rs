@@ -1,0 +1,193 @@
+//! How far is a curve from a polyline, found without any of the code under test: samples, then the peaks refined.
+
+use crate::common::{largest, real, ulp};
+use casteljau::glam::DVec3;
+
+/// Samples of one chord's piece, in an order that meets a large deviation early.
+const SAMPLES: usize = 24;
+
+/// A curve as it is measured: from its start, scaled by a power of two to about 1. Far from the origin that loses
+/// nothing, and squares stay in range.
+pub(crate) struct Ruler {
+    points: Vec<DVec3>,
+    start: DVec3,
+    scale: f64,
+}
+
+impl Ruler {
+    pub(crate) fn new(points: &[DVec3]) -> Self {
+        let size = largest(points);
+        let scale = if size > 0.0 {
+            (-size.log2().round()).exp2().min(1e300)
+        } else {
+            1.0
+        };
+        let start = points[0] * scale;
+        let points = points.iter().map(|&p| p * scale - start).collect();
+        Self {
+            points,
+            start,
+            scale,
+        }
+    }
+
+    /// A place of the caller's as it is measured.
+    pub(crate) fn place(&self, p: DVec3) -> DVec3 {
+        p * self.scale - self.start
+    }
+
+    /// A length of the caller's as it is measured.
+    pub(crate) fn length(&self, length: f64) -> f64 {
+        length * self.scale
+    }
+
+    /// What rounding adds to a measurement.
+    pub(crate) fn noise(&self) -> f64 {
+        2.0 * ulp(largest(&self.points))
+    }
+
+    /// De Casteljau's algorithm, plainly; short rows for the many cubics.
+    pub(crate) fn at(&self, t: f64) -> DVec3 {
+        if self.points.len() <= 4 {
+            point_at::<4>(&self.points, t)
+        } else {
+            point_at::<65>(&self.points, t)
+        }
+    }
+
+    /// The greatest distance of the piece from t₀ to t₁ from the segment a b (scaled); stops once above `enough`.
+    pub(crate) fn deviation(
+        &self,
+        (t0, t1): (f64, f64),
+        (a, b): (DVec3, DVec3),
+        enough: f64,
+    ) -> f64 {
+        let distance = |s: f64| from_segment(self.at(t0 + (t1 - t0) * s), a, b);
+        let mut samples = [0.0; SAMPLES + 1];
+        let mut most: f64 = 0.0;
+        for k in 1..SAMPLES {
+            // 7 and 24 have no common factor: strides over the whole piece.
+            let i = (k * 7) % SAMPLES;
+            samples[i] = distance(real(i) / real(SAMPLES));
+            most = most.max(samples[i]);
+            if most > enough {
+                return most;
+            }
+        }
+        for i in 1..SAMPLES {
+            let peak = samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1];
+            if peak && samples[i] > 0.7 * most && most > 0.6 * enough {
+                let around = (real(i - 1) / real(SAMPLES), real(i + 1) / real(SAMPLES));
+                most = most.max(highest(distance, around));
+            }
+        }
+        most
+    }
+}
+
+fn point_at<const ROOM: usize>(points: &[DVec3], t: f64) -> DVec3 {
+    let mut row = [DVec3::ZERO; ROOM];
+    let count = points.len();
+    row[..count].copy_from_slice(points);
+    for last in (1..count).rev() {
+        for i in 0..last {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+    row[0]
+}
+
+/// The maximum of a function with one peak, by golden sections.
+fn highest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut x1, mut x2) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
+    let (mut f1, mut f2) = (f(x1), f(x2));
+    for _ in 0..16 {
+        if f1 > f2 {
+            (hi, x2, f2) = (x2, x1, f1);
+            x1 = hi - ratio * (hi - lo);
+            f1 = f(x1);
+        } else {
+            (lo, x1, f1) = (x1, x2, f2);
+            x2 = lo + ratio * (hi - lo);
+            f2 = f(x2);
+        }
+    }
+    f1.max(f2)
+}
+
+/// The distance from a point to a segment.
+pub(crate) fn from_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let chord = b - a;
+    let square = chord.length_squared();
+    let s = if square > 0.0 {
+        ((p - a).dot(chord) / square).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    (p - (a + chord * s)).length()
+}
+
+/// The greatest distance from the curve to a polyline: each piece from its own chord, and where that is more than
+/// `enough`, its samples from all chords.
+pub(crate) fn farthest(ruler: &Ruler, ts: &[f64], vertices: &[DVec3], enough: f64) -> f64 {
+    let mut most: f64 = 0.0;
+    for (t, v) in ts.windows(2).zip(vertices.windows(2)) {
+        let own = ruler.deviation((t[0], t[1]), (v[0], v[1]), enough);
+        most = most.max(if own > enough {
+            from_all(ruler, (t[0], t[1]), vertices)
+        } else {
+            own
+        });
+    }
+    most
+}
+
+fn from_all(ruler: &Ruler, (t0, t1): (f64, f64), vertices: &[DVec3]) -> f64 {
+    let nearest = |p: DVec3| {
+        let chords = vertices.windows(2).map(|v| from_segment(p, v[0], v[1]));
+        chords.fold(f64::INFINITY, f64::min)
+    };
+    let steps = 400;
+    let at = |i: usize| ruler.at(t0 + (t1 - t0) * (real(i) / real(steps)));
+    (0..=steps).map(|i| nearest(at(i))).fold(0.0, f64::max)
+}
+
+/// Greedy longest-chord search: from each vertex the farthest chord that keeps the tolerance (scaled).
+pub(crate) fn fewest(ruler: &Ruler, tolerance: f64) -> usize {
+    const CELLS: usize = 64;
+    let fits = |t0: f64, t1: f64| {
+        ruler.deviation((t0, t1), (ruler.at(t0), ruler.at(t1)), tolerance) <= tolerance
+    };
+    let (mut t, mut count) = (0.0, 0);
+    while t < 1.0 && count < 1_000_000 {
+        let grid = |i: usize| t + (1.0 - t) * (real(i) / real(CELLS));
+        count += 1;
+        if fits(t, 1.0) {
+            break;
+        }
+        let (mut safe, mut failing) = match (1..CELLS).rev().find(|&i| fits(t, grid(i))) {
+            Some(i) => (grid(i), grid(i + 1)),
+            None => below(&fits, t, grid(1)),
+        };
+        for _ in 0..20 {
+            let middle = 0.5 * (safe + failing);
+            if fits(t, middle) {
+                safe = middle;
+            } else {
+                failing = middle;
+            }
+        }
+        t = safe.max(t.next_up());
+    }
+    count
+}
+
+/// Halves a step that fails until it fits.
+fn below(fits: &impl Fn(f64, f64) -> bool, t: f64, failing: f64) -> (f64, f64) {
+    let mut step = failing - t;
+    while step > f64::EPSILON && !fits(t, t + 0.5 * step) {
+        step *= 0.5;
+    }
+    (t + 0.5 * step, t + step)
+}
