@@ -1,8 +1,8 @@
 //! Hostile curves with a tolerance each, and what is measured on them.
 
+use crate::common::measure::{Ruler, farthest};
 use crate::common::wild::{self, Kind};
 use crate::common::{Rng, Space, curve, in_space, largest, real, ulp};
-use crate::measure::{Ruler, farthest};
 use casteljau::curve::Polyline;
 use casteljau::glam::{DVec2, DVec3};
 

@@ -4,14 +4,13 @@
 mod cases;
 #[path = "../common/mod.rs"]
 mod common;
-mod measure;
 mod refused;
 mod straight;
 
 use cases::Case;
+use common::measure::{self, Ruler, fewest};
 use common::wild::Kind;
 use common::{apart, plane, real};
-use measure::{Ruler, fewest};
 use std::ops::Range;
 
 /// CASTELJAU_DEEP=1 asks for many more curves.

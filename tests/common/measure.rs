@@ -1,6 +1,6 @@
 //! How far is a curve from a polyline, found without any of the code under test: samples, then the peaks refined.
 
-use crate::common::{largest, real, ulp};
+use super::{largest, real, ulp};
 use casteljau::glam::DVec3;
 
 /// Samples of one chord's piece, in an order that meets a large deviation early.

@@ -1,0 +1,347 @@
+//! Facts on curves from closed forms and from other libraries' tests: `../shared/data/curve-facts.json`.
+#![cfg(not(target_family = "wasm"))]
+
+mod common;
+
+use casteljau::curve::Basis;
+use casteljau::glam::{DVec2, DVec3};
+use casteljau::{Curve, Spline};
+use common::measure::{Ruler, farthest, from_segment};
+use common::{curve, in_space, largest, real};
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+const PATH: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../shared/data/curve-facts.json"
+);
+
+#[test]
+fn facts_hold() {
+    let Ok(text) = std::fs::read_to_string(PATH) else {
+        println!("SKIPPED: no {PATH}");
+        return;
+    };
+    let facts: Vec<Value> = serde_json::from_str(&text).expect("a list of facts");
+    let (mut held, mut skipped) = (BTreeMap::new(), BTreeMap::new());
+    for fact in &facts {
+        let kind = fact["kind"].as_str().expect("a kind");
+        let table = if holds(kind, fact) {
+            &mut held
+        } else {
+            &mut skipped
+        };
+        *table.entry(kind).or_insert(0) += 1;
+    }
+    println!("held: {held:?}\nskipped, not built yet: {skipped:?}");
+    assert!(held.values().sum::<usize>() >= 77, "{held:?}");
+}
+
+/// Checks a fact; false where nothing here can express it.
+fn holds(kind: &str, fact: &Value) -> bool {
+    let fact = &Fact::new(fact);
+    match kind {
+        "eval" => fact.near(fact.curve().eval(fact.t()), &fact.expect),
+        "derivative" => {
+            let order =
+                usize::try_from(fact.input["order"].as_u64().expect("order")).expect("order");
+            fact.near(fact.curve().derivative_at(fact.t(), order), &fact.expect);
+        }
+        "tangent" => fact.near(fact.curve().tangent(fact.t()), &fact.expect),
+        "curvature" => {
+            let points = fact.points("points");
+            let flat: Curve<DVec2> = curve(&points);
+            fact.number(flat.curvature(fact.t()), &fact.expect);
+        }
+        "bbox" => {
+            let bounds = fact.curve().bounds();
+            fact.near(bounds.min, &fact.expect["min"]);
+            fact.near(bounds.max, &fact.expect["max"]);
+        }
+        "split" => {
+            let (left, right) = fact.curve().split(fact.t());
+            fact.all_near(&left, &fact.expect["left"]);
+            fact.all_near(&right, &fact.expect["right"]);
+        }
+        "subsegment" => {
+            let (t0, t1) = (number(&fact.input["t0"]), number(&fact.input["t1"]));
+            fact.all_near(&fact.curve().subsegment(t0, t1), &fact.expect);
+        }
+        "elevate" => fact.all_near(&fact.curve().elevate().expect("degree 2"), &fact.expect),
+        "convert" => convert(fact),
+        "flatten" => flatten(fact),
+        "continuity" => continuity(fact),
+        "extrema" => extrema(fact),
+        "inflection" => inflections(fact),
+        "circle" => circle(fact),
+        "intersect" | "line_intersect" => return meetings(fact),
+        "selfintersect" => {
+            let ts = numbers(&fact.expect["t"]);
+            ts.iter()
+                .for_each(|&t| fact.place(&fact.curve(), t, &fact.expect["point"]));
+        }
+        "nearest" => fact.place(
+            &fact.curve(),
+            number(&fact.expect["t"]),
+            &fact.expect["point"],
+        ),
+        "min_distance" => {
+            let (a, b) = (fact.named("a"), fact.named("b"));
+            let (t, s) = (number(&fact.expect["t"]), number(&fact.expect["s"]));
+            fact.number((a.eval(t) - b.eval(s)).length(), &fact.expect["distance"]);
+        }
+        "solve_t" => {
+            let x = number(&fact.input["x"]);
+            numbers(&fact.expect)
+                .iter()
+                .for_each(|&t| assert!((fact.curve().eval(t).x - x).abs() < 1e-9));
+        }
+        _ => return false,
+    }
+    true
+}
+
+struct Fact<'a> {
+    id: &'a str,
+    input: &'a Value,
+    expect: Value,
+    tolerance: f64,
+}
+
+impl<'a> Fact<'a> {
+    fn new(fact: &'a Value) -> Self {
+        Self {
+            id: fact["id"].as_str().expect("an id"),
+            input: &fact["input"],
+            expect: fact["expect"].clone(),
+            tolerance: number(&fact["tol"]),
+        }
+    }
+
+    fn points(&self, name: &str) -> Vec<DVec3> {
+        points(&self.input[name])
+    }
+
+    fn named(&self, name: &str) -> Curve<DVec3> {
+        curve(&self.points(name))
+    }
+
+    fn curve(&self) -> Curve<DVec3> {
+        self.named("points")
+    }
+
+    fn t(&self) -> f64 {
+        number(&self.input["t"])
+    }
+
+    fn number(&self, got: f64, expected: &Value) {
+        let expected = number(expected);
+        assert!(
+            (got - expected).abs() <= self.tolerance,
+            "{}: {got}, expected {expected}",
+            self.id
+        );
+    }
+
+    fn near(&self, got: DVec3, expected: &Value) {
+        let difference = (got - point(expected)).abs().max_element();
+        assert!(
+            difference <= self.tolerance,
+            "{}: {got}, expected {expected}",
+            self.id
+        );
+    }
+
+    fn all_near(&self, got: &Curve<DVec3>, expected: &Value) {
+        let expected = expected.as_array().expect("points");
+        assert_eq!(got.control_points().len(), expected.len(), "{}", self.id);
+        got.control_points()
+            .iter()
+            .zip(expected)
+            .for_each(|(&p, e)| self.near(p, e));
+    }
+
+    /// The curve passes a point at a t that is known to the fact's tolerance.
+    fn place(&self, curve: &Curve<DVec3>, t: f64, expected: &Value) {
+        let speed = largest(curve.derivative().control_points());
+        let difference = (curve.eval(t) - point(expected)).length();
+        assert!(
+            difference <= self.tolerance * (1.0 + 2.0 * speed),
+            "{}: {difference} at {t}",
+            self.id
+        );
+    }
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value
+        .as_array()
+        .expect("numbers")
+        .iter()
+        .map(number)
+        .collect()
+}
+
+fn point(value: &Value) -> DVec3 {
+    let coordinates = numbers(value);
+    DVec3::new(
+        coordinates[0],
+        coordinates[1],
+        coordinates.get(2).copied().unwrap_or(0.0),
+    )
+}
+
+fn points(value: &Value) -> Vec<DVec3> {
+    value
+        .as_array()
+        .expect("points")
+        .iter()
+        .map(point)
+        .collect()
+}
+
+fn convert(fact: &Fact) {
+    if fact.input.get("catmull_rom").is_some() {
+        let geometry: [DVec3; 4] = fact.points("catmull_rom").try_into().expect("four points");
+        let curve = Curve::from_basis(Basis::CatmullRom, geometry).expect("finite");
+        return fact.all_near(&curve, &fact.expect);
+    }
+    // The power basis is the unit matrix; the fact lists its coefficients from low to high.
+    let mut unit = [0.0; 16];
+    (0..4).for_each(|k| unit[5 * k] = 1.0);
+    let powers = fact.curve().to_basis(Basis::Matrix(unit)).expect("a cubic");
+    let (x, y) = (numbers(&fact.expect["x"]), numbers(&fact.expect["y"]));
+    for (k, power) in powers.iter().rev().enumerate() {
+        let difference = (*power - DVec3::new(x[k], y[k], 0.0)).abs().max_element();
+        assert!(
+            difference <= 10.0 * fact.tolerance,
+            "{}: {power} for t^{k}",
+            fact.id
+        );
+    }
+}
+
+fn flatten(fact: &Fact) {
+    let tolerance = number(&fact.input["tolerance"]);
+    let line = fact.curve().flatten(tolerance).expect("flat");
+    let ruler = Ruler::new(&fact.points("points"));
+    let vertices: Vec<DVec3> = line.points.iter().map(|&p| ruler.place(p)).collect();
+    let most = ruler.length(tolerance) * (1.0 + 1e-12);
+    assert!(
+        farthest(&ruler, &line.ts, &vertices, most) <= most,
+        "{}",
+        fact.id
+    );
+    let few = real(
+        usize::try_from(fact.expect["greedy_min_segments"].as_u64().expect("count"))
+            .expect("count"),
+    );
+    let ours = real(line.ts.len() - 1);
+    assert!(
+        ours <= (few + 1.0).max(1.1 * few),
+        "{}: {ours} chords, fewest {few}",
+        fact.id
+    );
+    for place in fact.expect.get("must_reach").into_iter().flat_map(points) {
+        let reached = line
+            .points
+            .iter()
+            .any(|&p| from_segment(p, place, place) <= tolerance);
+        assert!(reached, "{}: no vertex at {place}", fact.id);
+    }
+}
+
+fn continuity(fact: &Fact) {
+    let spline = Spline::from_curves(&[fact.named("a"), fact.named("b")], false).expect("joined");
+    let found = spline.continuity(1, None).expect("a joint");
+    let of = |name: &str| fact.expect[name].as_bool();
+    let found = [
+        ("C0", found.c0),
+        ("G1", found.g1),
+        ("C1", found.c1),
+        ("C2", found.c2),
+    ];
+    found
+        .iter()
+        .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
+}
+
+/// At an extremum its coordinate of the derivative vanishes, and the box is touched.
+fn extrema(fact: &Fact) {
+    let (curve, derivative) = (fact.curve(), fact.curve().derivative());
+    let speed = largest(derivative.control_points());
+    for (axis, name) in ["x", "y"].iter().enumerate() {
+        for t in numbers(&fact.expect[name]) {
+            assert!(
+                derivative.eval(t)[axis].abs() < 1e-8 * speed,
+                "{} {name} {t}",
+                fact.id
+            );
+            let (at, bounds) = (curve.eval(t)[axis], curve.bounds());
+            assert!(
+                bounds.min[axis] <= at + 1e-9 && at - 1e-9 <= bounds.max[axis],
+                "{}",
+                fact.id
+            );
+        }
+    }
+}
+
+/// At an inflection the curvature changes its sign.
+fn inflections(fact: &Fact) {
+    let plane: Curve<DVec2> = curve(&fact.points("points"));
+    for t in numbers(&fact.expect) {
+        let (before, after) = (plane.curvature(t - 1e-6), plane.curvature(t + 1e-6));
+        assert!(
+            before * after < 0.0,
+            "{}: {before} and {after} about {t}",
+            fact.id
+        );
+    }
+}
+
+fn circle(fact: &Fact) {
+    let k = number(&fact.input["k"]);
+    let points = [
+        DVec3::X,
+        DVec3::new(1.0, k, 0.0),
+        DVec3::new(k, 1.0, 0.0),
+        DVec3::Y,
+    ];
+    let samples = curve::<DVec3>(&points).sample(100_000).expect("samples");
+    let errors: Vec<f64> = in_space(&samples)
+        .iter()
+        .map(|p| p.length() - 1.0)
+        .collect();
+    fact.number(
+        errors.iter().copied().fold(0.0, f64::max),
+        &fact.expect["max_radial_error"],
+    );
+    fact.number(
+        errors.iter().copied().fold(0.0, f64::min),
+        &fact.expect["min_radial_error"],
+    );
+}
+
+/// Where two curves meet, both pass the point at their parameters. Finding it comes later.
+fn meetings(fact: &Fact) -> bool {
+    let (Some(t), Some(s)) = (
+        fact.expect.get("t"),
+        fact.expect.get("s").or(fact.expect.get("u")),
+    ) else {
+        return false;
+    };
+    let Some(points) = fact.expect.get("points").and_then(Value::as_array) else {
+        return false;
+    };
+    let (a, b) = (fact.named("a"), fact.named("b"));
+    for ((t, s), place) in numbers(t).into_iter().zip(numbers(s)).zip(points) {
+        fact.place(&a, t, place);
+        fact.place(&b, s, place);
+    }
+    true
+}
