@@ -100,8 +100,8 @@ fn invert(matrix: &Matrix) -> Option<Matrix> {
     ]);
     for k in 0..4 {
         let pivot = (k..4).max_by(|&a, &b| left[a][k].abs().total_cmp(&left[b][k].abs()))?;
-        // A NaN or a zero matrix fails this test too.
-        if !(left[pivot][k].abs() > size * f64::EPSILON) {
+        // The entries are finite; a zero matrix fails too.
+        if left[pivot][k].abs() <= size * f64::EPSILON {
             return None;
         }
         left.swap(k, pivot);

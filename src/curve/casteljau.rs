@@ -26,12 +26,11 @@ pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
 #[inline]
 pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: &mut [P]) {
     right.copy_from_slice(points);
-    left[0] = points[0];
-    for level in 1..points.len() {
-        for i in 0..points.len() - level {
-            right[i] = right[i].mix(right[i + 1], t);
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 1..points.len() - level {
+            right[i - 1] = right[i - 1].mix(right[i], t);
         }
-        left[level] = right[0];
     }
 }
 

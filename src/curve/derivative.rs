@@ -64,7 +64,7 @@ impl<P: Point> Curve<P> {
             // Coming from the left, odd powers change their sign.
             P::normal_of(
                 tangent,
-                if local.from_left && order % 2 == 1 {
+                if local.from_left && !order.is_multiple_of(2) {
                     -bend
                 } else {
                     bend
@@ -88,7 +88,7 @@ impl<P: Point> Curve<P> {
         let (a, c) = (local.first as f64, order as f64);
         let first = local.coefficients[local.first - 1];
         let cross = first.cross(local.coefficients[order - 1]);
-        let turned = local.from_left && (local.first + order) % 2 == 0;
+        let turned = local.from_left && (local.first + order).is_multiple_of(2);
         let sign = if turned {
             -cross.curvature_sign()
         } else {
@@ -155,7 +155,7 @@ impl<P: Point> Taylor<P> {
     /// The direction in which the term of this order moves the point, forwards.
     fn direction(&self, order: usize) -> P {
         let unit = self.coefficients[order - 1].unit();
-        if self.from_left && order % 2 == 0 {
+        if self.from_left && order.is_multiple_of(2) {
             -unit
         } else {
             unit

@@ -87,12 +87,11 @@ fn isolate(whole: &[f64], piece: &[f64], lo: f64, hi: f64, roots: &mut Scalars) 
 }
 
 fn halve(piece: &[f64], left: &mut [f64], right: &mut [f64]) {
-    left[0] = piece[0];
-    for level in 1..piece.len() {
-        for i in 0..piece.len() - level {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 1..piece.len() - level {
+            right[i - 1] = 0.5 * (right[i - 1] + right[i]);
         }
-        left[level] = right[0];
     }
 }
 

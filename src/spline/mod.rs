@@ -45,7 +45,7 @@ impl<P: Point> Spline<P> {
     /// [`Error::Range`] for a degree of 0 or above 64, [`Error::Count`] for a number of points that does not fit,
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn new(points: &[P], degree: usize, closed: bool) -> Result<Self, Error> {
-        if degree < 1 || degree > MAX_DEGREE {
+        if !(1..=MAX_DEGREE).contains(&degree) {
             return Err(Error::Range {
                 what: "degree",
                 expected: "1 to 64",
@@ -53,7 +53,7 @@ impl<P: Point> Spline<P> {
             });
         }
         let open_end = usize::from(!closed);
-        if points.len() < degree + open_end || (points.len() - open_end) % degree != 0 {
+        if points.len() < degree + open_end || !(points.len() - open_end).is_multiple_of(degree) {
             let expected = if closed {
                 "n · degree points (closed)"
             } else {
