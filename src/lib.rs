@@ -43,6 +43,8 @@ mod point;
 pub mod spline;
 pub mod surface;
 
+#[cfg(feature = "serde")]
+mod serde;
 #[cfg(feature = "wasm")]
 mod wasm;
 

@@ -162,6 +162,8 @@ fn native() -> Result<()> {
         "test",
         "--package",
         "casteljau",
+        "--features",
+        "serde",
         "--lib",
         "--tests",
         "--examples",

@@ -1,0 +1,86 @@
+//! Reading and writing with serde, behind the feature `serde`: the form that JavaScript's `toJSON` gives.
+//!
+//! What is read is checked as by the constructors.
+
+use crate::point::Point;
+use crate::{Curve, Patch, Spline};
+use glam::DVec3;
+use serde::de::{Deserialize, Deserializer, Error};
+use serde::{Deserialize as Read, Serialize as Write, Serializer};
+
+/// `{ "points": [[x, y], …] }`
+#[derive(Read, Write)]
+struct CurveForm<P> {
+    points: Vec<P>,
+}
+
+/// `{ "points": [[x, y], …], "degrees": [3, …], "closed": false }`
+#[derive(Read, Write)]
+struct SplineForm<P> {
+    points: Vec<P>,
+    degrees: Vec<usize>,
+    closed: bool,
+}
+
+/// `{ "net": [[x, y, z], …], "degreeU": 3, "degreeV": 3 }`
+#[derive(Read, Write)]
+#[serde(rename_all = "camelCase")]
+struct PatchForm {
+    net: Vec<DVec3>,
+    degree_u: usize,
+    degree_v: usize,
+}
+
+impl<P: Point + Write> Write for Curve<P> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        CurveForm {
+            points: self.control_points().to_vec(),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de, P: Point + Read<'de>> Deserialize<'de> for Curve<P> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = CurveForm::deserialize(deserializer)?;
+        Self::new(&form.points).map_err(D::Error::custom)
+    }
+}
+
+impl<P: Point + Write> Write for Spline<P> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (points, degrees) = (self.control_points().to_vec(), self.degrees());
+        SplineForm {
+            points,
+            degrees,
+            closed: self.is_closed(),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de, P: Point + Read<'de>> Deserialize<'de> for Spline<P> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = SplineForm::deserialize(deserializer)?;
+        Self::with_degrees(form.points, &form.degrees, form.closed).map_err(D::Error::custom)
+    }
+}
+
+impl Write for Patch {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (degree_u, degree_v) = (self.degree_u(), self.degree_v());
+        PatchForm {
+            net: self.control_points().to_vec(),
+            degree_u,
+            degree_v,
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Patch {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = PatchForm::deserialize(deserializer)?;
+        Self::new(&form.net, form.degree_u, form.degree_v).map_err(D::Error::custom)
+    }
+}
