@@ -1,7 +1,6 @@
-import { initSync } from "./glue/casteljau.js";
 import { wasmBytes } from "./wasm-bytes.js";
 
-/** @import { InitOutput } from "./glue/casteljau.js" */
+/** @import { Core } from "./glue/core.js" */
 
 /**
  * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
@@ -13,7 +12,7 @@ import { wasmBytes } from "./wasm-bytes.js";
  * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
  *
  * @internal
- * @type {{ functions: InitOutput | null, memory: WebAssembly.Memory | null, view: Float64Array }}
+ * @type {{ functions: Core | null, memory: WebAssembly.Memory | null, view: Float64Array }}
  */
 export const instance = { functions: null, memory: null, view: new Float64Array(0) };
 
@@ -37,11 +36,11 @@ export async function init(source) {
 }
 
 /**
- * The functions of the Rust core, started at the first call: the module's own exports. Only numbers cross the border, so
- * generated wrappers would add nothing; a count of −1 says that the core refused (see `take`).
+ * The functions of the Rust core, started at the first call: the module's own exports. Only numbers cross the
+ * border; a count of −1 says that the core refused (see `take`).
  *
  * @internal
- * @returns {InitOutput}
+ * @returns {Core}
  * @throws {Error} with `casteljau/slim`, before `init` has ended
  */
 export function core() {
@@ -58,7 +57,7 @@ export function memory() {
   return instance.memory ?? (startNow(), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (instance.memory)));
 }
 
-/** @returns {InitOutput} */
+/** @returns {Core} */
 function startNow() {
   if (!wasmBytes) {
     throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
@@ -68,10 +67,11 @@ function startNow() {
 
 /**
  * @param {WebAssembly.Module} module
- * @returns {InitOutput}
+ * @returns {Core}
  */
 function start(module) {
-  const functions = initSync({ module });
+  const { exports } = new WebAssembly.Instance(module);
+  const functions = /** @type {Core} */ (/** @type {unknown} */ (exports));
   instance.memory = functions.memory;
   return (instance.functions = functions);
 }

@@ -3,18 +3,15 @@
 //! JavaScript writes the arguments at its start, calls, and reads the result from its start. Small calls allocate
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
+use super::alone::Alone;
 use crate::error::{Error, Part};
 use crate::point::Point;
 use glam::DVec3;
-use std::cell::RefCell;
-use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
 const LEAST_LENGTH: usize = 8192;
 
-thread_local! {
-    static ARENA: RefCell<Arena> = const { RefCell::new(Arena(Vec::new())) };
-}
+static ARENA: Alone<Arena> = Alone::new(Arena(Vec::new()));
 
 /// The block, with the encodings of what lies in it.
 pub(super) struct Arena(Vec<f64>);
@@ -22,7 +19,7 @@ pub(super) struct Arena(Vec<f64>);
 /// Runs `f` on the arena.
 #[inline]
 pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
-    ARENA.with_borrow_mut(f)
+    ARENA.with(f)
 }
 
 /// Runs `f` on the arena and returns its count; a refusal leaves its message instead and returns −1.
@@ -38,8 +35,8 @@ pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> usiz
 }
 
 /// Makes the arena hold at least `length` numbers and returns its address.
-#[wasm_bindgen]
-pub fn arena_reserve(length: usize) -> *const f64 {
+#[unsafe(no_mangle)]
+pub extern "C" fn arena_reserve(length: usize) -> *const f64 {
     with(|arena| {
         arena.grow(length.max(LEAST_LENGTH));
         arena.0.as_ptr()
@@ -47,14 +44,14 @@ pub fn arena_reserve(length: usize) -> *const f64 {
 }
 
 /// The number of f64 that the arena holds.
-#[wasm_bindgen]
-pub fn arena_length() -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn arena_length() -> usize {
     with(|arena| arena.0.len())
 }
 
 /// Gives the memory of a large result back.
-#[wasm_bindgen]
-pub fn arena_trim() {
+#[unsafe(no_mangle)]
+pub extern "C" fn arena_trim() {
     with(|arena| {
         arena.0.truncate(LEAST_LENGTH);
         arena.0.shrink_to_fit();

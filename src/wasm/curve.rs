@@ -6,7 +6,6 @@ use super::{by_dimension, given};
 use crate::curve::{Basis, Curve, Pen, Subdivision, bernstein, evaluate};
 use crate::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
-use wasm_bindgen::prelude::wasm_bindgen;
 
 fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
     Curve::from_slice(arena.points(0, count))
@@ -24,16 +23,16 @@ fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> 
 }
 
 /// Leaves the point at t.
-#[wasm_bindgen]
-pub fn curve_eval(dimension: usize, count: usize, t: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_eval(dimension: usize, count: usize, t: f64) {
     arena::with(
         |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put_point(p) }),
     );
 }
 
 /// Leaves `segments` + 1 points; their number of f64.
-#[wasm_bindgen]
-pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_sample(dimension: usize, count: usize, segments: usize) -> usize {
     arena::answer(|a| {
         crate::curve::check_segments(segments, dimension)?;
         by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.place(segments + 1)));
@@ -42,8 +41,8 @@ pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> usize {
 }
 
 /// In: `number` parameters behind the points. Leaves their points.
-#[wasm_bindgen]
-pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     arena::with(|a| {
         let points =
             curve_in_space(a, dimension, count).eval_at(a.numbers(count * dimension, number));
@@ -52,8 +51,8 @@ pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
 }
 
 /// Leaves the control points of the derivative.
-#[wasm_bindgen]
-pub fn curve_derivative(dimension: usize, count: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_derivative(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
         let derivative = curve_in_space(a, dimension, count).derivative();
         put_curves(a, dimension, &[&derivative])
@@ -61,20 +60,20 @@ pub fn curve_derivative(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves the k-th derivative at t.
-#[wasm_bindgen]
-pub fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
     arena::with(|a| a.put_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
 }
 
 /// Leaves the unit tangent at t.
-#[wasm_bindgen]
-pub fn curve_tangent(dimension: usize, count: usize, t: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_tangent(dimension: usize, count: usize, t: f64) {
     arena::with(|a| a.put_point(curve_in_space(a, dimension, count).tangent(t)));
 }
 
 /// Leaves the unit normal at t.
-#[wasm_bindgen]
-pub fn curve_normal(dimension: usize, count: usize, t: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_normal(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let turned = || DVec2::normal_of(curve.tangent(t).truncate(), DVec2::ZERO).extend(0.0);
@@ -87,8 +86,8 @@ pub fn curve_normal(dimension: usize, count: usize, t: f64) {
 }
 
 /// The curvature at t; in the plane with its sign.
-#[wasm_bindgen]
-pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let clockwise = dimension == 2 && curve.tangent(t).cross(curve.normal(t)).z < 0.0;
@@ -101,8 +100,8 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 }
 
 /// Leaves the control points of both pieces.
-#[wasm_bindgen]
-pub fn curve_split(dimension: usize, count: usize, t: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let (left, right) = curve_in_space(a, dimension, count).split(t);
         put_curves(a, dimension, &[&left, &right]);
@@ -110,8 +109,8 @@ pub fn curve_split(dimension: usize, count: usize, t: f64) {
 }
 
 /// Leaves the control points of both halves.
-#[wasm_bindgen]
-pub fn curve_halve(dimension: usize, count: usize) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_halve(dimension: usize, count: usize) {
     arena::with(|a| {
         let (left, right) = curve_in_space(a, dimension, count).halve();
         put_curves(a, dimension, &[&left, &right]);
@@ -119,8 +118,8 @@ pub fn curve_halve(dimension: usize, count: usize) {
 }
 
 /// Leaves the control points of the piece.
-#[wasm_bindgen]
-pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
         let piece = curve_in_space(a, dimension, count).subsegment(t0, t1);
         put_curves(a, dimension, &[&piece]);
@@ -128,8 +127,8 @@ pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
 }
 
 /// Leaves the control points of the elevated curve.
-#[wasm_bindgen]
-pub fn curve_elevate(dimension: usize, count: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_elevate(dimension: usize, count: usize) -> usize {
     arena::answer(|a| {
         let raised = curve_in_space(a, dimension, count).elevate()?;
         Ok(put_curves(a, dimension, &[&raised]))
@@ -137,8 +136,8 @@ pub fn curve_elevate(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves all levels of de Casteljau's triangle, one after the other.
-#[wasm_bindgen]
-pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
     arena::with(|a| {
         let levels = curve_in_space(a, dimension, count).scaffold(t);
         levels
@@ -148,14 +147,14 @@ pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
 }
 
 /// Leaves the Bernstein weights.
-#[wasm_bindgen]
-pub fn bernstein_weights(degree: usize, t: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn bernstein_weights(degree: usize, t: f64) -> usize {
     arena::answer(|a| Ok(a.put_numbers(0, &bernstein(degree, t)?)))
 }
 
 /// Leaves the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
-#[wasm_bindgen]
-pub fn basis_matrix(kind: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn basis_matrix(kind: usize) -> usize {
     let basis = [
         Basis::Bezier,
         Basis::Hermite,
@@ -172,8 +171,8 @@ fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
 }
 
 /// In: four geometry points and a basis matrix. Leaves the control points.
-#[wasm_bindgen]
-pub fn curve_from_basis(dimension: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_from_basis(dimension: usize) -> usize {
     arena::answer(|a| {
         let points = a.points_in_space(0, 4, dimension);
         let points = [points[0], points[1], points[2], points[3]];
@@ -183,8 +182,8 @@ pub fn curve_from_basis(dimension: usize) -> usize {
 }
 
 /// In: a basis matrix behind the control points. Leaves the four geometry points.
-#[wasm_bindgen]
-pub fn curve_to_basis(dimension: usize, count: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_to_basis(dimension: usize, count: usize) -> usize {
     arena::answer(|a| {
         let basis = matrix_behind(a, dimension, count);
         let points = curve_in_space(a, dimension, count).to_basis(basis)?;
@@ -193,8 +192,8 @@ pub fn curve_to_basis(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
-#[wasm_bindgen]
-pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> usize {
     arena::answer(|a| {
         let line = curve_in_space(a, dimension, count).flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
@@ -205,8 +204,8 @@ pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> usize {
 
 /// Leaves the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
 /// halved (else 0), control points; their number of f64.
-#[wasm_bindgen]
-pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> usize {
     fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
         let head = [
@@ -231,8 +230,8 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> usize 
 }
 
 /// Leaves the least and the greatest corner, of the curve or of its control points.
-#[wasm_bindgen]
-pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_bounds(dimension: usize, count: usize, exact: bool) {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let bounds = if exact {
@@ -245,8 +244,8 @@ pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
 }
 
 /// Leaves the corners of the convex hull.
-#[wasm_bindgen]
-pub fn curve_hull(count: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_hull(count: usize) -> usize {
     arena::with(|a| {
         let hull = curve::<DVec2>(a, count).hull();
         a.put(0, &hull)
@@ -254,8 +253,8 @@ pub fn curve_hull(count: usize) -> usize {
 }
 
 /// In: an affine map behind any number of points, as four columns of 3 numbers. Leaves the images.
-#[wasm_bindgen]
-pub fn points_transform(dimension: usize, count: usize) {
+#[unsafe(no_mangle)]
+pub extern "C" fn points_transform(dimension: usize, count: usize) {
     arena::with(|a| {
         let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
         let images: Vec<DVec3> = a
@@ -269,8 +268,8 @@ pub fn points_transform(dimension: usize, count: usize) {
 
 /// Leaves the steps of a pen that draws the curve (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
 /// the default.
-#[wasm_bindgen]
-pub fn curve_trace(count: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn curve_trace(count: usize, tolerance: f64) -> usize {
     arena::answer(|a| {
         let curve = curve_in_space(a, 2, count);
         let tolerance = given(tolerance);

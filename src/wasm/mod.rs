@@ -7,18 +7,24 @@
 
 #![allow(
     unsafe_code,
-    reason = "the wasm_bindgen macros expand to exported unsafe functions"
+    reason = "exported names, and statics of a module that has one thread"
 )]
 #![allow(
     unreachable_pub,
-    reason = "wasm_bindgen exports must be pub, though no Rust caller reaches them"
+    reason = "exports must be pub, though no Rust caller reaches them"
 )]
 
+mod alone;
 mod arena;
 mod curve;
 mod pen;
 mod spline;
 mod surface;
+
+/// Small before fast: results are few and large, and the allocator of std would be a sixteenth of the module.
+#[cfg(target_family = "wasm")]
+#[global_allocator]
+static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
 
 /// Runs the body with `$P` being the point type of a dimension.
 macro_rules! by_dimension {

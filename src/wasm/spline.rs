@@ -8,7 +8,6 @@ use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
 use glam::DVec3;
-use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
 fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
@@ -54,8 +53,8 @@ fn mode(code: f64) -> JointMode {
 }
 
 /// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
-#[wasm_bindgen]
-pub fn spline_from_curves(dimension: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_from_curves(dimension: usize) -> usize {
     arena::answer(|a| {
         let (count, closed) = (a.count(0), a.number(1) != 0.0);
         let mut at = 2 + count;
@@ -71,14 +70,14 @@ pub fn spline_from_curves(dimension: usize) -> usize {
 }
 
 /// Leaves the point at t.
-#[wasm_bindgen]
-pub fn spline_eval(dimension: usize, t: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_eval(dimension: usize, t: f64) {
     arena::with(|a| a.put_point(spline(a, dimension).0.eval(t)));
 }
 
 /// Leaves the points at even steps; their number of f64.
-#[wasm_bindgen]
-pub fn spline_sample(dimension: usize, per_curve: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_sample(dimension: usize, per_curve: usize) -> usize {
     arena::answer(|a| {
         let points = spline(a, dimension).0.sample(per_curve)?;
         Ok(a.put_from_space(0, &points, dimension))
@@ -86,8 +85,8 @@ pub fn spline_sample(dimension: usize, per_curve: usize) -> usize {
 }
 
 /// In: `number` parameters behind the spline. Leaves their points.
-#[wasm_bindgen]
-pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_eval_at(dimension: usize, number: usize) -> usize {
     arena::with(|a| {
         let (spline, end) = spline(a, dimension);
         let points = spline.eval_at(a.numbers(end, number));
@@ -96,8 +95,8 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
 }
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
-#[wasm_bindgen]
-pub fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
     arena::answer(|a| {
         let line = spline(a, dimension).0.flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
@@ -107,8 +106,8 @@ pub fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
 }
 
 /// Leaves the least and the greatest corner, of the curve or of its control points.
-#[wasm_bindgen]
-pub fn spline_bounds(dimension: usize, exact: bool) {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_bounds(dimension: usize, exact: bool) {
     arena::with(|a| {
         let (spline, _) = spline(a, dimension);
         let bounds = if exact {
@@ -121,8 +120,8 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 }
 
 /// Leaves c0, g1, c1, g2, c2 as 0 or 1, the gap and the angle; a tolerance of 0 stands for the default.
-#[wasm_bindgen]
-pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> usize {
     arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
         let c = spline.continuity(joint, given(tolerance))?;
@@ -133,16 +132,16 @@ pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> usiz
 }
 
 /// In: a point behind the spline. Leaves the longer spline.
-#[wasm_bindgen]
-pub fn spline_append(dimension: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_append(dimension: usize) -> usize {
     changed(dimension, |a, spline, end| {
         spline.append(a.points_in_space(end, 1, dimension)[0])
     })
 }
 
 /// In: the new place behind the spline, then a mode code for each segment's start (0 free, 1 G1, 2 C1).
-#[wasm_bindgen]
-pub fn spline_move_point(dimension: usize, index: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_move_point(dimension: usize, index: usize) -> usize {
     changed(dimension, |a, spline, end| {
         let to = a.points_in_space(end, 1, dimension)[0];
         spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
@@ -150,35 +149,35 @@ pub fn spline_move_point(dimension: usize, index: usize) -> usize {
 }
 
 /// Leaves the spline with a joint made G1 (1) or C1 (2).
-#[wasm_bindgen]
-pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> usize {
     changed(dimension, |_, spline, _| {
         spline.set_joint(joint, mode(code))
     })
 }
 
 /// Leaves the spline with a joint at t.
-#[wasm_bindgen]
-pub fn spline_insert(dimension: usize, t: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_insert(dimension: usize, t: f64) -> usize {
     changed(dimension, |_, spline, _| spline.insert(t))
 }
 
 /// Leaves the spline without a joint.
-#[wasm_bindgen]
-pub fn spline_remove(dimension: usize, joint: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_remove(dimension: usize, joint: usize) -> usize {
     changed(dimension, |_, spline, _| spline.remove(joint))
 }
 
 /// Leaves the spline run through backwards.
-#[wasm_bindgen]
-pub fn spline_reverse(dimension: usize) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_reverse(dimension: usize) -> usize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))
 }
 
 /// Leaves the steps of a pen that draws the spline (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
 /// the default.
-#[wasm_bindgen]
-pub fn spline_trace(tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn spline_trace(tolerance: f64) -> usize {
     arena::answer(|a| {
         let (spline, _) = spline(a, 2);
         let mut pen = ArenaPen::new(a);

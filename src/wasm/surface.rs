@@ -3,33 +3,38 @@
 //! Patches: the net at the start of the arena. Surfaces: the number of vertices and of patches, the degrees u and v
 //! of each patch, the vertices, the indices of all nets; further arguments behind them.
 
+use super::alone::Alone;
 use super::arena::{self, Arena};
 use super::given;
 use super::pen::ArenaPen;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Indices, Mesh, Patch, Surface, TeapotOptions, Up};
 use glam::{DMat4, DVec3};
-use std::cell::RefCell;
-use wasm_bindgen::prelude::wasm_bindgen;
 
-thread_local! {
-    /// The last mesh, whose buffers the next one reuses.
-    static MESH: RefCell<Mesh> = RefCell::new(Mesh::default());
-}
+/// The last mesh, whose buffers the next one reuses.
+static MESH: Alone<Mesh> = Alone::new(Mesh {
+    positions: Vec::new(),
+    normals: Vec::new(),
+    uvs: Vec::new(),
+    patch_ids: Vec::new(),
+    indices: Indices::U16(Vec::new()),
+    quads: None,
+    patch_ranges: Vec::new(),
+});
 
 fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
     Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
 }
 
 /// Leaves the point at (u, v).
-#[wasm_bindgen]
-pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.put_point(patch(a, degree_u, degree_v).eval(u, v)));
 }
 
 /// Leaves ∂u, ∂v, ∂uu, ∂uv, ∂vv.
-#[wasm_bindgen]
-pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
         let p = patch(a, degree_u, degree_v).partials(u, v);
         a.put(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
@@ -37,14 +42,19 @@ pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
 }
 
 /// Leaves the unit normal at (u, v).
-#[wasm_bindgen]
-pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.put_point(patch(a, degree_u, degree_v).normal(u, v)));
 }
 
 /// Leaves the control points of the curve of constant u (or v); their number of f64.
-#[wasm_bindgen]
-pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_isocurve(
+    degree_u: usize,
+    degree_v: usize,
+    constant_u: bool,
+    at: f64,
+) -> usize {
     arena::with(|a| {
         let patch = patch(a, degree_u, degree_v);
         let curve = if constant_u {
@@ -57,8 +67,8 @@ pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f6
 }
 
 /// Leaves the nets of the two pieces before and after u (or v).
-#[wasm_bindgen]
-pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     arena::with(|a| {
         let patch = patch(a, degree_u, degree_v);
         let (before, after) = if along_u {
@@ -72,8 +82,8 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
 }
 
 /// Makes the mesh of one patch; 0.
-#[wasm_bindgen]
-pub fn patch_grid(
+#[unsafe(no_mangle)]
+pub extern "C" fn patch_grid(
     degree_u: usize,
     degree_v: usize,
     segments_u: usize,
@@ -86,7 +96,7 @@ pub fn patch_grid(
             segments_u,
             segments_v,
         };
-        MESH.with_borrow_mut(|mesh| patch.grid_into(grid, quads, mesh))?;
+        MESH.with(|mesh| patch.grid_into(grid, quads, mesh))?;
         Ok(0)
     })
 }
@@ -110,8 +120,8 @@ fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
 }
 
 /// Leaves the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
-#[wasm_bindgen]
-pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     let part = |bit: u32| parts >> bit & 1 == 1;
     let teapot = Surface::teapot(TeapotOptions {
         rim: part(0),
@@ -148,22 +158,22 @@ fn put(a: &mut Arena, surface: &Surface) -> usize {
 }
 
 /// Makes the mesh of a surface; 0.
-#[wasm_bindgen]
-pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> usize {
     arena::answer(|a| {
         let (surface, _) = surface(a)?;
         let grid = Grid {
             segments_u,
             segments_v,
         };
-        MESH.with_borrow_mut(|mesh| surface.grid_into(grid, quads, mesh))?;
+        MESH.with(|mesh| surface.grid_into(grid, quads, mesh))?;
         Ok(0)
     })
 }
 
 /// In: a 4×4 matrix behind the surface, in columns. Leaves the steps of a pen that draws all isocurves, projected.
-#[wasm_bindgen]
-pub fn surface_trace(lines: usize, tolerance: f64) -> usize {
+#[unsafe(no_mangle)]
+pub extern "C" fn surface_trace(lines: usize, tolerance: f64) -> usize {
     arena::answer(|a| {
         let (surface, end) = surface(a)?;
         let matrix = DMat4::from_cols_slice(a.numbers(end, 16));
@@ -175,9 +185,9 @@ pub fn surface_trace(lines: usize, tolerance: f64) -> usize {
 
 /// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
 /// 5 quads (0 where there are none), 6 patch ranges (four each).
-#[wasm_bindgen]
-pub fn mesh_length(buffer: usize) -> usize {
-    MESH.with_borrow(|mesh| match buffer {
+#[unsafe(no_mangle)]
+pub extern "C" fn mesh_length(buffer: usize) -> usize {
+    MESH.with(|mesh| match buffer {
         0 => mesh.positions.len(),
         1 => mesh.normals.len(),
         2 => mesh.uvs.len(),
@@ -189,13 +199,13 @@ pub fn mesh_length(buffer: usize) -> usize {
 }
 
 /// The address of a buffer of the last mesh.
-#[wasm_bindgen]
-pub fn mesh_address(buffer: usize) -> *const u8 {
+#[unsafe(no_mangle)]
+pub extern "C" fn mesh_address(buffer: usize) -> *const u8 {
     let of = |indices: &Indices| match indices {
         Indices::U16(list) => list.as_ptr().cast(),
         Indices::U32(list) => list.as_ptr().cast(),
     };
-    MESH.with_borrow(|mesh| match buffer {
+    MESH.with(|mesh| match buffer {
         0 => mesh.positions.as_ptr().cast(),
         1 => mesh.normals.as_ptr().cast(),
         2 => mesh.uvs.as_ptr().cast(),
@@ -207,7 +217,7 @@ pub fn mesh_address(buffer: usize) -> *const u8 {
 }
 
 /// Gives the memory of the last mesh back.
-#[wasm_bindgen]
-pub fn mesh_drop() {
-    MESH.set(Mesh::default());
+#[unsafe(no_mangle)]
+pub extern "C" fn mesh_drop() {
+    MESH.with(|mesh| *mesh = Mesh::default());
 }
