@@ -52,6 +52,10 @@ pub trait Point:
     fn min(self, other: Self) -> Self;
     /// The larger of each coordinate.
     fn max(self, other: Self) -> Self;
+    /// Σ wᵢ pᵢ of three points.
+    fn blend3(points: [Self; 3], weights: [f64; 3]) -> Self;
+    /// Σ wᵢ pᵢ of four points.
+    fn blend4(points: [Self; 4], weights: [f64; 4]) -> Self;
     /// The image of this point under an affine map.
     fn transform(self, map: &Self::Affine) -> Self;
     /// The tangent turned into a normal: by +90° in the plane; in space the unit part of `bend` that is perpendicular
@@ -192,6 +196,21 @@ impl Point for DVec2 {
     fn max(self, other: Self) -> Self {
         DVec2::max(self, other)
     }
+    // Written out: a build for small size would call every operator.
+    #[inline(always)]
+    fn blend3([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
+        Self {
+            x: a.x * u + b.x * v + c.x * w,
+            y: a.y * u + b.y * v + c.y * w,
+        }
+    }
+    #[inline(always)]
+    fn blend4([a, b, c, d]: [Self; 4], [u, v, w, s]: [f64; 4]) -> Self {
+        Self {
+            x: a.x * u + b.x * v + c.x * w + d.x * s,
+            y: a.y * u + b.y * v + c.y * w + d.y * s,
+        }
+    }
     #[inline]
     fn transform(self, map: &DAffine2) -> Self {
         map.transform_point2(self)
@@ -248,6 +267,22 @@ impl Point for DVec3 {
     #[inline]
     fn max(self, other: Self) -> Self {
         DVec3::max(self, other)
+    }
+    #[inline(always)]
+    fn blend3([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
+        Self {
+            x: a.x * u + b.x * v + c.x * w,
+            y: a.y * u + b.y * v + c.y * w,
+            z: a.z * u + b.z * v + c.z * w,
+        }
+    }
+    #[inline(always)]
+    fn blend4([a, b, c, d]: [Self; 4], [u, v, w, s]: [f64; 4]) -> Self {
+        Self {
+            x: a.x * u + b.x * v + c.x * w + d.x * s,
+            y: a.y * u + b.y * v + c.y * w + d.y * s,
+            z: a.z * u + b.z * v + c.z * w + d.z * s,
+        }
     }
     #[inline]
     fn transform(self, map: &DAffine3) -> Self {

@@ -4,7 +4,7 @@
 //! positive and sum to 1, so nothing cancels and nothing overflows that is not too large itself. Higher degrees use
 //! de Casteljau's algorithm, which the closed forms agree with.
 
-use super::{Curve, Scalars, evaluate_by_casteljau, ratio};
+use super::{Curve, Scalars, evaluate_by_casteljau};
 use crate::error::Error;
 use crate::point::Point;
 
@@ -22,17 +22,17 @@ pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
     }
 }
 
-#[inline]
-fn weigh3<P: Point>([p0, p1, p2]: [P; 3], t: f64) -> P {
+#[inline(always)]
+fn weigh3<P: Point>(points: [P; 3], t: f64) -> P {
     let s = 1.0 - t;
-    p0 * (s * s) + p1 * (2.0 * s * t) + p2 * (t * t)
+    P::blend3(points, [s * s, 2.0 * s * t, t * t])
 }
 
-#[inline]
-fn weigh4<P: Point>([p0, p1, p2, p3]: [P; 4], t: f64) -> P {
+#[inline(always)]
+fn weigh4<P: Point>(points: [P; 4], t: f64) -> P {
     let s = 1.0 - t;
     let (ss, tt) = (s * s, t * t);
-    p0 * (ss * s) + p1 * (3.0 * ss * t) + p2 * (3.0 * s * tt) + p3 * (tt * t)
+    P::blend4(points, [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t])
 }
 
 /// The value at t of a polynomial with these Bernstein coefficients (at least one).
@@ -97,11 +97,14 @@ impl<P: Point> Curve<P> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn fill<P: Point>(out: &mut [P], segments: usize, eval: impl Fn(f64) -> P) {
-    // i / n, not a running sum, so that the last t is 1.
-    for (i, point) in out.iter_mut().enumerate() {
-        *point = eval(ratio(i, segments.max(1)));
+    let last = segments.max(1) as f64;
+    let mut i = 0.0;
+    for point in out {
+        // i / n, not a running sum of t, so that the last t is 1.
+        *point = eval(i / last);
+        i += 1.0;
     }
 }
 
