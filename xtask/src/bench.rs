@@ -1,20 +1,13 @@
-//! `bench`: the JavaScript benchmarks against their peers, then the native ones.
+//! `bench`: the native benchmarks, then the JavaScript ones against their peers, and one table of both.
 
 use crate::{build, shell};
 use anyhow::Result;
 
-/// Further arguments go to benches/js/run.js.
+/// Further arguments go to both halves, which understand `--quick` and a part of a row's name.
 pub(crate) fn bench(args: &[String]) -> Result<()> {
     build::build()?;
-    if shell::root().join("benches/js/run.js").exists() {
-        shell::run(shell::node(&["benches/js/run.js"]).args(args))?;
-    } else {
-        println!("benches/js/run.js does not exist yet");
-    }
-    shell::run(&mut shell::cargo(&[
-        "bench",
-        "--package",
-        "casteljau",
-        "--benches",
-    ]))
+    let native = ["bench", "--package", "casteljau", "--benches", "--"];
+    shell::run(shell::cargo(&native).args(args))?;
+    // Last, because its table takes up what the native half has found.
+    shell::run(shell::node(&["benches/js/run.js"]).args(args))
 }

@@ -1,0 +1,82 @@
+// The native half: what `cargo bench` has left in its target folder.
+import { readFileSync, statSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+
+const root = new URL("../../", import.meta.url);
+const target = process.env.CARGO_TARGET_DIR ?? fileURLToPath(new URL("target", root));
+
+/** One run holds both halves: what is older was measured in another state of the machine, or of the code. */
+const MOST_MINUTES = 60;
+
+/** The groups of benches/native: the work, and how many items one iteration does. */
+const GROUPS = [
+  { group: "flatten-0.1", work: "native: flatten a cubic, tolerance 0.1", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "flatten-0.01", work: "native: flatten a cubic, tolerance 0.01", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "eval", work: "native: eval(t), one point", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "split", work: "native: split(t)", items: 1000, peers: ["lyon_geom"] },
+  { group: "halve", work: "native: halve", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
+  { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
+];
+
+/** The rows that are there and fresh. */
+export function results() {
+  return [...GROUPS.flatMap(timeRows), ...segmentRows()];
+}
+
+/** @param {(typeof GROUPS)[number]} group */
+function timeRows({ group, work, items, peers }) {
+  const ours = estimate(group, "casteljau", items);
+  if (!ours) return [];
+  const row = (/** @type {string | null} */ peer) => {
+    const their = peer ? estimate(group, peer, items) : null;
+    const [theirs, ratio] = their ? [their.ns, their.ns / ours.ns] : [null, null];
+    return { id: peer ? `${group}-${peer}` : group, work, peer, unit: "ns", theirs, ours: ours.ns, ratio, spread: [their?.spread ?? 0, ours.spread] };
+  };
+  return peers.length ? peers.map(row) : [row(null)];
+}
+
+/** How many segments flattening made of 1,000 cubics, as the benchmark has counted before it took times. */
+function segmentRows() {
+  /** @type {{ tolerance: number, segments: Record<string, number>, worst: Record<string, number> }[]} */
+  const counted = json("tmp/flatten.json") ?? [];
+  return counted.flatMap(({ tolerance, segments, worst }) =>
+    ["kurbo", "lyon_geom"].map((peer) => ({
+      id: `flatten-${tolerance}-${peer}-segments`,
+      work: `native: flatten 1,000 cubics, tolerance ${tolerance}: segments`,
+      peer,
+      unit: "segments",
+      theirs: segments[peer],
+      ours: segments.casteljau,
+      ratio: segments[peer] / segments.casteljau,
+      spread: [0, 0],
+      worstDistanceByTolerance: { theirs: worst[peer], ours: worst.casteljau },
+    })),
+  );
+}
+
+/**
+ * The median of a criterion benchmark.
+ *
+ * @param {string} group
+ * @param {string} side
+ * @param {number} items
+ */
+function estimate(group, side, items) {
+  const found = json(`criterion/${group}/${side}/new/estimates.json`);
+  if (!found) return null;
+  const { median, median_abs_dev: deviation } = found;
+  return { ns: median.point_estimate / items, spread: deviation.point_estimate / median.point_estimate };
+}
+
+/**
+ * A file in the target folder, if it is there and fresh.
+ *
+ * @param {string} name
+ * @returns {any}
+ */
+function json(name) {
+  const path = `${target}/${name}`;
+  const age = Date.now() - (statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? 0);
+  return age < 60_000 * MOST_MINUTES ? JSON.parse(readFileSync(path, "utf8")) : null;
+}

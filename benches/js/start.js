@@ -1,0 +1,63 @@
+// What a visitor waits for: the first call after import, in fresh processes, and the size of the package.
+import { spawnSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { median, spread } from "./harness.js";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** @typedef {{ import: number, firstCall: number, compile: number, instantiate: number }} Times in ms */
+
+/**
+ * @param {import("./harness.js").Effort} effort
+ */
+export function results(effort) {
+  return [...firstCall(effort.rounds), size()];
+}
+
+/**
+ * @param {number} processes
+ */
+function firstCall(processes) {
+  const times = Array.from({ length: processes }, () => /** @type {Times} */ (JSON.parse(run("benches/js/first-call.js"))));
+  const row = (/** @type {string} */ id, /** @type {string} */ work, /** @type {(t: Times) => number} */ of) => {
+    const ns = times.map((time) => 1e6 * of(time));
+    return alone(id, work, "ns", median(ns), spread(ns));
+  };
+  return [
+    row("import", "import in a fresh node process", (t) => t.import),
+    row("first-call", "first call after import", (t) => t.firstCall),
+    row("first-call-wasm", "  of that: compile + instantiate the wasm", (t) => t.compile + t.instantiate),
+  ];
+}
+
+/** xtask/size.js weighs; its last line is the sum that has the limit. */
+function size() {
+  const [, kB] = /index\.js \+ applet\.js +[\d.]+ kB +([\d.]+) kB/.exec(run("xtask/size.js")) ?? [];
+  if (kB === undefined) throw new Error("xtask/size.js did not print a sum");
+  return alone("size", "package without elements, minified, gzip -9", "bytes", 1000 * Number(kB));
+}
+
+/**
+ * A result without a peer.
+ *
+ * @param {string} id
+ * @param {string} work
+ * @param {string} unit
+ * @param {number} ours
+ * @param {number} [ourSpread]
+ */
+function alone(id, work, unit, ours, ourSpread = 0) {
+  return { id, work, peer: null, unit, theirs: null, ours, ratio: null, spread: [0, ourSpread] };
+}
+
+/**
+ * What a script prints.
+ *
+ * @param {string} script
+ */
+function run(script) {
+  const { stdout, stderr, error } = spawnSync(process.execPath, [script], { cwd: root, encoding: "utf8" });
+  // A package above its limit makes size.js fail after it has printed; the row says so too.
+  if (error || !stdout) throw error ?? new Error(`${script}: ${stderr}`);
+  return stdout;
+}

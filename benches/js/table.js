@@ -1,0 +1,89 @@
+// Results as aligned text.
+
+/** @param {number} number @param {number} [digits] */
+const round = (number, digits = 3) => Number(number.toPrecision(digits)).toLocaleString("en-US", { maximumFractionDigits: 3 });
+
+/**
+ * A number with its unit.
+ *
+ * @param {number | null} value
+ * @param {string} unit
+ * @param {number} [spread]
+ */
+function shown(value, unit, spread = 0) {
+  if (value === null) return "–";
+  return `${quantity(value, unit)}${spread ? ` ±${Math.round(100 * spread)}%`.padStart(6) : ""}`;
+}
+
+/**
+ * @param {number} value
+ * @param {string} unit
+ */
+function quantity(value, unit) {
+  if (unit === "bytes") return `${round(value / 1000)} kB`;
+  if (unit !== "ns") return `${value.toLocaleString("en-US")}`;
+  if (value < 1000) return `${round(value)} ns`;
+  return value < 1e6 ? `${round(value / 1000)} µs` : `${round(value / 1e6)} ms`;
+}
+
+/** @param {number | null} ratio */
+const times = (ratio) => (ratio === null ? "" : `${round(ratio)}×`);
+
+/** @param {boolean | null} met */
+const verdict = (met) => (met === null ? "" : met ? "yes" : "NO");
+
+/**
+ * @param {import("./targets.js").Target | null} target
+ * @param {string} unit
+ */
+function asked(target, unit) {
+  if (!target) return "";
+  if (target.least !== undefined) return `≥ ${target.least}×`;
+  return target.most === undefined ? "" : `≤ ${unit === "×" ? times(target.most) : quantity(target.most, unit)}`;
+}
+
+/**
+ * The rows with a peer, and those without.
+ *
+ * @param {any[]} results
+ */
+export function comparisons(results) {
+  const head = ["work", "peer", "peer's", "ours", "ratio", "target", "met?"];
+  const lines = results.map(({ work, peer, unit, theirs, ours, ratio, spread, target, met }) => [
+    work,
+    peer ?? "",
+    peer ? shown(theirs, unit, spread[0]) : "",
+    shown(ours, unit, spread[1]),
+    times(ratio),
+    asked(target, unit),
+    verdict(met),
+  ]);
+  return aligned([head, ...lines], [false, false, true, true, true, true, false]);
+}
+
+/**
+ * Growth: the cost of an item at each size.
+ *
+ * @param {any[]} results
+ */
+export function growths(results) {
+  const head = ["growth", "cost per item at each size", "growth", "target", "met?"];
+  const lines = results.map(({ work, costs, ours, target, met }) => [
+    work,
+    costs.map((/** @type {{ size: number, ns: number }} */ { size, ns }) => `${size.toLocaleString("en-US")}: ${quantity(ns, "ns")}`).join(", "),
+    times(ours),
+    asked(target, "×"),
+    verdict(met),
+  ]);
+  return aligned([head, ...lines], [false, false, true, true, false]);
+}
+
+/**
+ * @param {string[][]} lines
+ * @param {boolean[]} right which columns are flush right
+ */
+function aligned(lines, right) {
+  const widths = right.map((_, k) => Math.max(...lines.map((line) => line[k].length)));
+  const cell = (/** @type {string} */ text, /** @type {number} */ k) => (right[k] ? text.padStart(widths[k]) : text.padEnd(widths[k]));
+  return lines.map((line) => line.map(cell).join("  ").trimEnd()).join("\n");
+}

@@ -1,0 +1,117 @@
+//! One point, and two pieces.
+
+use crate::inputs::{COUNT, Cubics, parameters};
+use casteljau::Curve;
+use casteljau::glam::DVec2;
+use criterion::Criterion;
+use kurbo::{CubicBez, ParamCurve};
+use lyon_geom::CubicBezierSegment;
+use std::hint::black_box;
+
+/// Coordinates are up to 200.
+const TOLERANCE: f64 = 1e-11;
+
+pub(crate) fn bench(criterion: &mut Criterion) {
+    let (cubics, ts) = (Cubics::new(), parameters());
+    eval(criterion, &cubics, &ts);
+    split(criterion, &cubics, &ts);
+    halve(criterion, &cubics);
+}
+
+fn eval(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
+    for (k, &t) in ts.iter().enumerate() {
+        let ours = cubics.ours[k].eval(t);
+        assert_same(of_kurbo(cubics.kurbo[k].eval(t)), ours);
+        assert_same(of_lyon(cubics.lyon[k].sample(t)), ours);
+    }
+    let mut group = criterion.benchmark_group("eval");
+    group.bench_function("kurbo", |b| {
+        b.iter(|| each(&cubics.kurbo, ts, CubicBez::eval));
+    });
+    group.bench_function("lyon_geom", |b| {
+        b.iter(|| each(&cubics.lyon, ts, CubicBezierSegment::sample));
+    });
+    group.bench_function("casteljau", |b| {
+        b.iter(|| each(&cubics.ours, ts, Curve::eval));
+    });
+    group.finish();
+}
+
+/// kurbo has no split at t.
+fn split(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
+    for (k, &t) in ts.iter().enumerate() {
+        let ours = cubics.ours[k].split(t);
+        let (before, after) = cubics.lyon[k].split(t);
+        assert_same_pieces([lyon_points(before), lyon_points(after)], &ours);
+    }
+    let mut group = criterion.benchmark_group("split");
+    group.bench_function("lyon_geom", |b| {
+        b.iter(|| each(&cubics.lyon, ts, CubicBezierSegment::split));
+    });
+    group.bench_function("casteljau", |b| {
+        b.iter(|| each(&cubics.ours, ts, Curve::split));
+    });
+    group.finish();
+}
+
+fn halve(criterion: &mut Criterion, cubics: &Cubics) {
+    for k in 0..COUNT {
+        let ours = cubics.ours[k].halve();
+        let (before, after) = cubics.kurbo[k].subdivide();
+        assert_same_pieces([kurbo_points(before), kurbo_points(after)], &ours);
+        let (before, after) = cubics.lyon[k].split(0.5);
+        assert_same_pieces([lyon_points(before), lyon_points(after)], &ours);
+    }
+    let ts = [0.5; COUNT];
+    let mut group = criterion.benchmark_group("halve");
+    group.bench_function("kurbo", |b| {
+        b.iter(|| each(&cubics.kurbo, &ts, |curve, _| curve.subdivide()));
+    });
+    group.bench_function("lyon_geom", |b| {
+        b.iter(|| each(&cubics.lyon, &ts, |curve, _| curve.split(0.5)));
+    });
+    group.bench_function("casteljau", |b| {
+        b.iter(|| each(&cubics.ours, &ts, |curve, _| curve.halve()));
+    });
+    group.finish();
+}
+
+/// Calls a function with every curve and its parameter.
+#[inline(always)]
+fn each<C, R>(curves: &[C], ts: &[f64], act: impl Fn(&C, f64) -> R) {
+    for (curve, &t) in curves.iter().zip(ts) {
+        black_box(act(curve, t));
+    }
+}
+
+fn assert_same(theirs: DVec2, ours: DVec2) {
+    let apart = (theirs - ours).abs().max_element();
+    assert!(apart <= TOLERANCE, "{theirs}, ours {ours}");
+}
+
+fn assert_same_pieces(theirs: [[DVec2; 4]; 2], ours: &(Curve<DVec2>, Curve<DVec2>)) {
+    let ours = ours
+        .0
+        .control_points()
+        .iter()
+        .chain(ours.1.control_points());
+    for (theirs, &ours) in theirs.as_flattened().iter().zip(ours) {
+        assert_same(*theirs, ours);
+    }
+}
+
+fn kurbo_points(curve: CubicBez) -> [DVec2; 4] {
+    [curve.p0, curve.p1, curve.p2, curve.p3].map(of_kurbo)
+}
+
+fn lyon_points(curve: CubicBezierSegment<f64>) -> [DVec2; 4] {
+    [curve.from, curve.ctrl1, curve.ctrl2, curve.to].map(of_lyon)
+}
+
+fn of_kurbo(p: kurbo::Point) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}
+
+fn of_lyon(p: lyon_geom::Point<f64>) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}

@@ -1,0 +1,21 @@
+//! The native benchmarks, against kurbo and lyon_geom: `cargo bench`.
+//!
+//! Every group first checks that all sides give the same answer. The table of `npm run bench` shows the medians.
+
+mod curves;
+mod flatten;
+mod inputs;
+mod teapot;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::time::Duration;
+
+criterion_group! {
+    name = all;
+    config = Criterion::default()
+        .sample_size(30)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_millis(1500));
+    targets = flatten::bench, curves::bench, teapot::bench
+}
+criterion_main!(all);

@@ -1,0 +1,34 @@
+// The benchmarks check that both sides give the same answers before they take times: this runs the checks.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { TARGETS } from "../../benches/js/targets.js";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** @param {string[]} args */
+const bench = (...args) => spawnSync(process.execPath, ["benches/js/run.js", ...args], { cwd: root, encoding: "utf8" });
+
+test("all sides of the benchmarks give the same answers", () => {
+  const { status, stdout, stderr } = bench("--quick");
+  assert.equal(status, 0, stderr);
+  for (const work of ["1,000 points", "eval(t)", "split(t)", "teapot, 16 segments", "teapot, 64 segments", "first call", "package", "32,000"]) {
+    assert.ok(stdout.includes(work), work);
+  }
+});
+
+test("a part of a name chooses rows", () => {
+  const { status, stdout, stderr } = bench("--quick", "split");
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /bezier-js split/);
+  assert.doesNotMatch(stdout, /TeapotGeometry|first call|per vertex/);
+});
+
+test("each target belongs to a row", async () => {
+  const [curve, teapot] = await Promise.all(["curve", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
+  const ids = [...curve.rows, ...teapot.rows].map(({ id }) => id);
+  assert.equal(new Set(ids).size, ids.length);
+  const other = /^(growth-\w+|flatten-0\.0?1-\w+(-segments)?|first-call|size)$/;
+  for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
+});
