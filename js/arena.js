@@ -27,7 +27,7 @@ export function arena(length) {
  * @returns {Float64Array}
  */
 function reserve(length) {
-  const address = core().arena_reserve(length) >>> 0; // wasm has signed numbers, addresses have no sign
+  const address = core().arena_reserve(length);
   return (instance.view = new Float64Array(memory().buffer, address, core().arena_length()));
 }
 

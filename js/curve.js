@@ -1,7 +1,7 @@
 import * as check from "./check.js";
 import { core } from "./init.js";
-import { draw } from "./pen.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
+import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
@@ -403,7 +403,7 @@ export class Curve {
     this.#plane("trace");
     const pen = check.drawingTarget(target);
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
-    draw(pen, core().curve_trace(this.#load(), tolerance));
+    done(core().curve_trace(this.#load(), pen, tolerance));
   }
 
   /**
@@ -442,7 +442,7 @@ export class Curve {
 
   /** @param {boolean} exact */
   #box(exact) {
-    core().curve_bounds(this.#dimension, this.#load(), exact ? 1 : 0);
+    core().curve_bounds(this.#dimension, this.#load(), exact);
     return boxAt(take(0, 6), this.#dimension);
   }
 

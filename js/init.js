@@ -1,6 +1,5 @@
+import { functions, initSync } from "./glue/core.js";
 import { wasmBytes } from "./wasm-bytes.js";
-
-/** @import { Core } from "./glue/core.js" */
 
 /**
  * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
@@ -12,7 +11,7 @@ import { wasmBytes } from "./wasm-bytes.js";
  * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
  *
  * @internal
- * @type {{ functions: Core | null, memory: WebAssembly.Memory | null, view: Float64Array }}
+ * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array }}
  */
 export const instance = { functions: null, memory: null, view: new Float64Array(0) };
 
@@ -36,11 +35,10 @@ export async function init(source) {
 }
 
 /**
- * The functions of the Rust core, started at the first call: the module's own exports. Only numbers cross the
- * border; a count of −1 says that the core refused (see `take`).
+ * The functions of the Rust core, started at the first call. A count of −1 says that the core refused (see `take`).
  *
  * @internal
- * @returns {Core}
+ * @returns {typeof functions}
  * @throws {Error} with `casteljau/slim`, before `init` has ended
  */
 export function core() {
@@ -57,7 +55,7 @@ export function memory() {
   return instance.memory ?? (startNow(), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (instance.memory)));
 }
 
-/** @returns {Core} */
+/** @returns {typeof functions} */
 function startNow() {
   if (!wasmBytes) {
     throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
@@ -67,12 +65,10 @@ function startNow() {
 
 /**
  * @param {WebAssembly.Module} module
- * @returns {Core}
+ * @returns {typeof functions}
  */
 function start(module) {
-  const { exports } = new WebAssembly.Instance(module);
-  const functions = /** @type {Core} */ (/** @type {unknown} */ (exports));
-  instance.memory = functions.memory;
+  instance.memory = initSync({ module }).memory;
   return (instance.functions = functions);
 }
 

@@ -1,5 +1,5 @@
 import * as check from "./check.js";
-import { core, memory } from "./init.js";
+import { core } from "./init.js";
 
 /**
  * Where the part of one patch lies in a mesh.
@@ -105,16 +105,16 @@ export function takeMesh(into) {
  *
  * @template {Float32Array | Uint16Array | Uint32Array} T
  * @param {number} buffer
- * @param {new (buffer: ArrayBuffer, byteOffset: number, length: number) => T} Type
+ * @param {new (length: number) => T} Type
  * @param {Float32Array | Uint16Array | Uint32Array | null | undefined} into
  * @returns {T}
  */
 function read(buffer, Type, into) {
   const length = core().mesh_length(buffer);
-  const view = new Type(/** @type {ArrayBuffer} */ (memory().buffer), core().mesh_address(buffer), length);
-  if (!(into instanceof Type) || into.length < length) return /** @type {T} */ (view.slice());
-  into.set(view);
-  return /** @type {T} */ (into.length === length ? into : into.subarray(0, length));
+  const fits = into instanceof Type && into.length >= length;
+  const array = /** @type {T} */ (fits ? (into.length === length ? into : into.subarray(0, length)) : new Type(length));
+  core().mesh_copy(buffer, array);
+  return array;
 }
 
 /**

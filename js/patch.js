@@ -215,7 +215,7 @@ export class Patch {
   grid(options) {
     const { u, v, quads, into } = gridOptions(options);
     load(this.#flat);
-    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads ? 1 : 0));
+    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads));
     return takeMesh(into);
   }
 
@@ -246,7 +246,7 @@ export class Patch {
    */
   #isocurve(constantU, at) {
     load(this.#flat);
-    const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU ? 1 : 0, at);
+    const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU, at);
     return new Curve(/** @type {any} */ (new Checked(take(0, length), 3)));
   }
 
@@ -257,7 +257,7 @@ export class Patch {
    */
   #split(alongU, at) {
     load(this.#flat);
-    core().patch_split(this.#degreeU, this.#degreeV, alongU ? 1 : 0, at);
+    core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
     const n = this.#flat.length;
     return [this.#like(take(0, n)), this.#like(take(n, 2 * n))];
   }

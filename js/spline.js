@@ -1,8 +1,8 @@
 import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { core } from "./init.js";
-import { draw } from "./pen.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
+import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
 /**
@@ -230,7 +230,7 @@ export class Spline {
    * @returns {{ min: Point, max: Point }}
    */
   bounds() {
-    core().spline_bounds(this.#load(), 1);
+    core().spline_bounds(this.#load(), true);
     return boxAt(take(0, 6), this.dimension);
   }
 
@@ -240,7 +240,7 @@ export class Spline {
    * @returns {{ min: Point, max: Point }}
    */
   controlBounds() {
-    core().spline_bounds(this.#load(), 0);
+    core().spline_bounds(this.#load(), false);
     return boxAt(take(0, 6), this.dimension);
   }
 
@@ -354,7 +354,7 @@ export class Spline {
     const pen = check.drawingTarget(target);
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
     this.#load();
-    draw(pen, core().spline_trace(tolerance));
+    done(core().spline_trace(pen, tolerance));
   }
 
   /**

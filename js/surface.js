@@ -2,7 +2,6 @@ import * as check from "./check.js";
 import { core } from "./init.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
-import { draw } from "./pen.js";
 import { flatten, writePoint } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take } from "./transfer.js";
@@ -71,7 +70,7 @@ export class Surface {
     const height = check.oneOf(given.height ?? "squashed", "height", ["squashed", "original"]);
     const up = check.oneOf(given.up ?? "z", "up", ["z", "y"]);
     const bits = PARTS.reduce((sum, part, k) => (given[part] === false ? sum : sum | (1 << k)), 0);
-    const numbers = take(0, core().surface_teapot(bits, height === "original" ? 1 : 0, up === "y" ? 1 : 0));
+    const numbers = take(0, core().surface_teapot(bits, height === "original", up === "y"));
     const [vertices, patches] = numbers;
     const from = 2 + 2 * patches;
     const to = from + 3 * vertices;
@@ -152,7 +151,7 @@ export class Surface {
   grid(options) {
     const { u, v, quads, into } = gridOptions(options);
     this.#load();
-    done(core().surface_grid(u, v, quads ? 1 : 0));
+    done(core().surface_grid(u, v, quads));
     return takeMesh(into);
   }
 
@@ -173,7 +172,7 @@ export class Surface {
     const px = check.optionalTolerance(tolerance);
     const end = this.#load(16);
     end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
-    draw(pen, core().surface_trace(lines, px));
+    done(core().surface_trace(pen, lines, px));
   }
 
   /** @param {number} k */

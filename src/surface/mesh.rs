@@ -24,7 +24,6 @@ pub struct Mesh {
 
 /// The part of a mesh that one patch has filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(C)] // read as four u32 from JavaScript
 pub struct PatchRange {
     /// Its first vertex.
     pub first_vertex: u32,

@@ -7,6 +7,7 @@ use super::alone::Alone;
 use crate::error::{Error, Part};
 use crate::point::Point;
 use glam::DVec3;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
 const LEAST_LENGTH: usize = 8192;
@@ -22,21 +23,28 @@ pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
     ARENA.with(f)
 }
 
-/// Runs `f` on the arena and returns its count; a refusal leaves its message instead and returns −1.
+/// Runs `f` on the arena and returns its count; see [`settle`].
 #[inline]
-pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> usize {
-    const REFUSED: usize = usize::MAX;
-    with(|arena| {
-        f(arena).unwrap_or_else(|error| {
-            arena.put_message(&error);
-            REFUSED
-        })
-    })
+pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> isize {
+    settle(with(f))
+}
+
+/// A count for JavaScript; a refusal leaves its message in the arena and is −1.
+///
+/// Not a `Result` of the bindings: their code for values that may be thrown would stand in every function.
+pub(super) fn settle(result: Result<usize, Error>) -> isize {
+    match result {
+        Ok(count) => count.cast_signed(),
+        Err(error) => {
+            with(|arena| arena.put_message(&error));
+            -1
+        }
+    }
 }
 
 /// Makes the arena hold at least `length` numbers and returns its address.
-#[unsafe(no_mangle)]
-pub extern "C" fn arena_reserve(length: usize) -> *const f64 {
+#[wasm_bindgen]
+pub fn arena_reserve(length: usize) -> *const f64 {
     with(|arena| {
         arena.grow(length.max(LEAST_LENGTH));
         arena.0.as_ptr()
@@ -44,14 +52,14 @@ pub extern "C" fn arena_reserve(length: usize) -> *const f64 {
 }
 
 /// The number of f64 that the arena holds.
-#[unsafe(no_mangle)]
-pub extern "C" fn arena_length() -> usize {
+#[wasm_bindgen]
+pub fn arena_length() -> usize {
     with(|arena| arena.0.len())
 }
 
 /// Gives the memory of a large result back.
-#[unsafe(no_mangle)]
-pub extern "C" fn arena_trim() {
+#[wasm_bindgen]
+pub fn arena_trim() {
     with(|arena| {
         arena.0.truncate(LEAST_LENGTH);
         arena.0.shrink_to_fit();

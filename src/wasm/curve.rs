@@ -1,11 +1,14 @@
 //! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::pen::ArenaPen;
+use super::pen::CanvasPen;
 use super::{by_dimension, given};
 use crate::curve::{Basis, Curve, Pen, Subdivision, bernstein, evaluate};
+use crate::error::Error;
 use crate::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
     Curve::from_slice(arena.points(0, count))
@@ -23,16 +26,16 @@ fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> 
 }
 
 /// Leaves the point at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_eval(dimension: usize, count: usize, t: f64) {
+#[wasm_bindgen]
+pub fn curve_eval(dimension: usize, count: usize, t: f64) {
     arena::with(
         |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put_point(p) }),
     );
 }
 
 /// Leaves `segments` + 1 points; their number of f64.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_sample(dimension: usize, count: usize, segments: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
         crate::curve::check_segments(segments, dimension)?;
         by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.place(segments + 1)));
@@ -41,8 +44,8 @@ pub extern "C" fn curve_sample(dimension: usize, count: usize, segments: usize) 
 }
 
 /// In: `number` parameters behind the points. Leaves their points.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     arena::with(|a| {
         let points =
             curve_in_space(a, dimension, count).eval_at(a.numbers(count * dimension, number));
@@ -51,8 +54,8 @@ pub extern "C" fn curve_eval_at(dimension: usize, count: usize, number: usize) -
 }
 
 /// Leaves the control points of the derivative.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_derivative(dimension: usize, count: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_derivative(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
         let derivative = curve_in_space(a, dimension, count).derivative();
         put_curves(a, dimension, &[&derivative])
@@ -60,20 +63,20 @@ pub extern "C" fn curve_derivative(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves the k-th derivative at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
+#[wasm_bindgen]
+pub fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
     arena::with(|a| a.put_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
 }
 
 /// Leaves the unit tangent at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_tangent(dimension: usize, count: usize, t: f64) {
+#[wasm_bindgen]
+pub fn curve_tangent(dimension: usize, count: usize, t: f64) {
     arena::with(|a| a.put_point(curve_in_space(a, dimension, count).tangent(t)));
 }
 
 /// Leaves the unit normal at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_normal(dimension: usize, count: usize, t: f64) {
+#[wasm_bindgen]
+pub fn curve_normal(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let turned = || DVec2::normal_of(curve.tangent(t).truncate(), DVec2::ZERO).extend(0.0);
@@ -86,8 +89,8 @@ pub extern "C" fn curve_normal(dimension: usize, count: usize, t: f64) {
 }
 
 /// The curvature at t; in the plane with its sign.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
+#[wasm_bindgen]
+pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let clockwise = dimension == 2 && curve.tangent(t).cross(curve.normal(t)).z < 0.0;
@@ -100,8 +103,8 @@ pub extern "C" fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64
 }
 
 /// Leaves the control points of both pieces.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_split(dimension: usize, count: usize, t: f64) {
+#[wasm_bindgen]
+pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let (left, right) = curve_in_space(a, dimension, count).split(t);
         put_curves(a, dimension, &[&left, &right]);
@@ -109,8 +112,8 @@ pub extern "C" fn curve_split(dimension: usize, count: usize, t: f64) {
 }
 
 /// Leaves the control points of both halves.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_halve(dimension: usize, count: usize) {
+#[wasm_bindgen]
+pub fn curve_halve(dimension: usize, count: usize) {
     arena::with(|a| {
         let (left, right) = curve_in_space(a, dimension, count).halve();
         put_curves(a, dimension, &[&left, &right]);
@@ -118,8 +121,8 @@ pub extern "C" fn curve_halve(dimension: usize, count: usize) {
 }
 
 /// Leaves the control points of the piece.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
+#[wasm_bindgen]
+pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
         let piece = curve_in_space(a, dimension, count).subsegment(t0, t1);
         put_curves(a, dimension, &[&piece]);
@@ -127,8 +130,8 @@ pub extern "C" fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: 
 }
 
 /// Leaves the control points of the elevated curve.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_elevate(dimension: usize, count: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_elevate(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
         let raised = curve_in_space(a, dimension, count).elevate()?;
         Ok(put_curves(a, dimension, &[&raised]))
@@ -136,8 +139,8 @@ pub extern "C" fn curve_elevate(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves all levels of de Casteljau's triangle, one after the other.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
+#[wasm_bindgen]
+pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
     arena::with(|a| {
         let levels = curve_in_space(a, dimension, count).scaffold(t);
         levels
@@ -147,14 +150,14 @@ pub extern "C" fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usiz
 }
 
 /// Leaves the Bernstein weights.
-#[unsafe(no_mangle)]
-pub extern "C" fn bernstein_weights(degree: usize, t: f64) -> usize {
+#[wasm_bindgen]
+pub fn bernstein_weights(degree: usize, t: f64) -> isize {
     arena::answer(|a| Ok(a.put_numbers(0, &bernstein(degree, t)?)))
 }
 
 /// Leaves the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
-#[unsafe(no_mangle)]
-pub extern "C" fn basis_matrix(kind: usize) -> usize {
+#[wasm_bindgen]
+pub fn basis_matrix(kind: usize) -> usize {
     let basis = [
         Basis::Bezier,
         Basis::Hermite,
@@ -171,8 +174,8 @@ fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
 }
 
 /// In: four geometry points and a basis matrix. Leaves the control points.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_from_basis(dimension: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_from_basis(dimension: usize) -> isize {
     arena::answer(|a| {
         let points = a.points_in_space(0, 4, dimension);
         let points = [points[0], points[1], points[2], points[3]];
@@ -182,8 +185,8 @@ pub extern "C" fn curve_from_basis(dimension: usize) -> usize {
 }
 
 /// In: a basis matrix behind the control points. Leaves the four geometry points.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_to_basis(dimension: usize, count: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_to_basis(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
         let basis = matrix_behind(a, dimension, count);
         let points = curve_in_space(a, dimension, count).to_basis(basis)?;
@@ -192,8 +195,8 @@ pub extern "C" fn curve_to_basis(dimension: usize, count: usize) -> usize {
 }
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> usize {
+#[wasm_bindgen]
+pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let line = curve_in_space(a, dimension, count).flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
@@ -204,8 +207,8 @@ pub extern "C" fn curve_flatten(dimension: usize, count: usize, tolerance: f64) 
 
 /// Leaves the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
 /// halved (else 0), control points; their number of f64.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> usize {
+#[wasm_bindgen]
+pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> isize {
     fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
         let head = [
@@ -230,8 +233,8 @@ pub extern "C" fn curve_subdivide(dimension: usize, count: usize, tolerance: f64
 }
 
 /// Leaves the least and the greatest corner, of the curve or of its control points.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_bounds(dimension: usize, count: usize, exact: bool) {
+#[wasm_bindgen]
+pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let bounds = if exact {
@@ -244,8 +247,8 @@ pub extern "C" fn curve_bounds(dimension: usize, count: usize, exact: bool) {
 }
 
 /// Leaves the corners of the convex hull.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_hull(count: usize) -> usize {
+#[wasm_bindgen]
+pub fn curve_hull(count: usize) -> usize {
     arena::with(|a| {
         let hull = curve::<DVec2>(a, count).hull();
         a.put(0, &hull)
@@ -253,8 +256,8 @@ pub extern "C" fn curve_hull(count: usize) -> usize {
 }
 
 /// In: an affine map behind any number of points, as four columns of 3 numbers. Leaves the images.
-#[unsafe(no_mangle)]
-pub extern "C" fn points_transform(dimension: usize, count: usize) {
+#[wasm_bindgen]
+pub fn points_transform(dimension: usize, count: usize) {
     arena::with(|a| {
         let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
         let images: Vec<DVec3> = a
@@ -266,17 +269,21 @@ pub extern "C" fn points_transform(dimension: usize, count: usize) {
     });
 }
 
-/// Leaves the steps of a pen that draws the curve (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
-/// the default.
-#[unsafe(no_mangle)]
-pub extern "C" fn curve_trace(count: usize, tolerance: f64) -> usize {
-    arena::answer(|a| {
-        let curve = curve_in_space(a, 2, count);
-        let tolerance = given(tolerance);
-        curve.check_trace(tolerance)?;
-        let mut pen = ArenaPen::new(a);
-        pen.move_to(curve.start().truncate());
-        curve.trace_on(&mut pen, tolerance);
-        Ok(pen.end())
-    })
+/// Draws a curve of the plane on a context or a path; a tolerance of 0 stands for the default.
+#[wasm_bindgen]
+pub fn curve_trace(count: usize, target: &JsValue, tolerance: f64) -> isize {
+    // Not drawn from within the arena: the target may be JavaScript that calls back.
+    let curve = arena::with(|a| curve_in_space(a, 2, count));
+    arena::settle(trace(&curve, &mut CanvasPen::new(target), given(tolerance)))
+}
+
+fn trace(
+    curve: &Curve<DVec3>,
+    pen: &mut CanvasPen,
+    tolerance: Option<f64>,
+) -> Result<usize, Error> {
+    curve.check_trace(tolerance)?;
+    pen.move_to(curve.start().truncate());
+    curve.trace_on(pen, tolerance);
+    Ok(0)
 }

@@ -2,12 +2,12 @@
 //!
 //! Each function decodes, calls the core and encodes. The JavaScript classes in `js/` have checked every argument
 //! before; what is left to refuse comes back from the core as an [`Error`](crate::Error) and becomes a `RangeError`. Only
-//! numbers cross the border: no strings, no objects, nothing imported. Code for those would be a third of the module.
+//! numbers cross the border, and the targets of drawing: code for strings and objects would be a third of the module.
 //! `dimension` is 2 or 3; a result that is a number of f64 says how far the arena is filled.
 
 #![allow(
     unsafe_code,
-    reason = "exported names, and statics of a module that has one thread"
+    reason = "the macros of wasm_bindgen, and statics of a module that has one thread"
 )]
 #![allow(
     unreachable_pub,

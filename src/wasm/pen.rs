@@ -1,48 +1,55 @@
-//! A pen that writes its steps down; JavaScript draws them on a canvas.
+//! The pen of an HTML canvas.
 
-use super::arena::Arena;
 use crate::curve::Pen;
 use glam::DVec2;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{CanvasRenderingContext2d, Path2d};
 
-/// Leaves each step in the arena as its code and its coordinates: 0 close, 1 line, 2 quadratic, 3 cubic (the codes are
-/// the numbers of points), 4 move.
-pub(super) struct ArenaPen<'a> {
-    arena: &'a mut Arena,
-    at: usize,
+/// Draws on what JavaScript passed: a `Path2D`, or a 2D context of a canvas or an offscreen canvas (the methods are
+/// looked up by name, so anything with the methods of a context will do).
+pub(super) enum CanvasPen<'a> {
+    Path(&'a Path2d),
+    Context(&'a CanvasRenderingContext2d),
 }
 
-const MOVE: f64 = 4.0;
-
-impl<'a> ArenaPen<'a> {
-    pub(super) fn new(arena: &'a mut Arena) -> Self {
-        Self { arena, at: 0 }
-    }
-
-    /// The number of f64 written so far.
-    pub(super) fn end(&self) -> usize {
-        self.at
-    }
-
-    fn step(&mut self, code: f64, points: &[DVec2]) {
-        self.at = self.arena.put_numbers(self.at, &[code]);
-        self.at = self.arena.put(self.at, points);
+impl<'a> CanvasPen<'a> {
+    pub(super) fn new(target: &'a JsValue) -> Self {
+        match target.dyn_ref::<Path2d>() {
+            Some(path) => Self::Path(path),
+            None => Self::Context(target.unchecked_ref()),
+        }
     }
 }
 
-impl Pen for ArenaPen<'_> {
+impl Pen for CanvasPen<'_> {
     fn move_to(&mut self, p: DVec2) {
-        self.step(MOVE, &[p]);
+        match self {
+            Self::Path(path) => path.move_to(p.x, p.y),
+            Self::Context(context) => context.move_to(p.x, p.y),
+        }
     }
     fn line_to(&mut self, p: DVec2) {
-        self.step(1.0, &[p]);
+        match self {
+            Self::Path(path) => path.line_to(p.x, p.y),
+            Self::Context(context) => context.line_to(p.x, p.y),
+        }
     }
     fn quad_to(&mut self, p1: DVec2, p: DVec2) {
-        self.step(2.0, &[p1, p]);
+        match self {
+            Self::Path(path) => path.quadratic_curve_to(p1.x, p1.y, p.x, p.y),
+            Self::Context(context) => context.quadratic_curve_to(p1.x, p1.y, p.x, p.y),
+        }
     }
     fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
-        self.step(3.0, &[p1, p2, p]);
+        match self {
+            Self::Path(path) => path.bezier_curve_to(p1.x, p1.y, p2.x, p2.y, p.x, p.y),
+            Self::Context(context) => context.bezier_curve_to(p1.x, p1.y, p2.x, p2.y, p.x, p.y),
+        }
     }
     fn close(&mut self) {
-        self.step(0.0, &[]);
+        match self {
+            Self::Path(path) => path.close_path(),
+            Self::Context(context) => context.close_path(),
+        }
     }
 }

@@ -3,11 +3,13 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use super::pen::ArenaPen;
+use super::pen::CanvasPen;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
 use glam::DVec3;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
 fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
@@ -34,7 +36,7 @@ fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
 fn changed(
     dimension: usize,
     change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
-) -> usize {
+) -> isize {
     arena::answer(|a| {
         let (spline, end) = spline(a, dimension);
         let result = change(a, spline, end)?;
@@ -53,8 +55,8 @@ fn mode(code: f64) -> JointMode {
 }
 
 /// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_from_curves(dimension: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_from_curves(dimension: usize) -> isize {
     arena::answer(|a| {
         let (count, closed) = (a.count(0), a.number(1) != 0.0);
         let mut at = 2 + count;
@@ -70,14 +72,14 @@ pub extern "C" fn spline_from_curves(dimension: usize) -> usize {
 }
 
 /// Leaves the point at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_eval(dimension: usize, t: f64) {
+#[wasm_bindgen]
+pub fn spline_eval(dimension: usize, t: f64) {
     arena::with(|a| a.put_point(spline(a, dimension).0.eval(t)));
 }
 
 /// Leaves the points at even steps; their number of f64.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_sample(dimension: usize, per_curve: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_sample(dimension: usize, per_curve: usize) -> isize {
     arena::answer(|a| {
         let points = spline(a, dimension).0.sample(per_curve)?;
         Ok(a.put_from_space(0, &points, dimension))
@@ -85,8 +87,8 @@ pub extern "C" fn spline_sample(dimension: usize, per_curve: usize) -> usize {
 }
 
 /// In: `number` parameters behind the spline. Leaves their points.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_eval_at(dimension: usize, number: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
     arena::with(|a| {
         let (spline, end) = spline(a, dimension);
         let points = spline.eval_at(a.numbers(end, number));
@@ -95,8 +97,8 @@ pub extern "C" fn spline_eval_at(dimension: usize, number: usize) -> usize {
 }
 
 /// Leaves the points and then the parameters of a polyline; the number of its vertices.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
+#[wasm_bindgen]
+pub fn spline_flatten(dimension: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let line = spline(a, dimension).0.flatten(tolerance)?;
         let end = a.put_from_space(0, &line.points, dimension);
@@ -106,8 +108,8 @@ pub extern "C" fn spline_flatten(dimension: usize, tolerance: f64) -> usize {
 }
 
 /// Leaves the least and the greatest corner, of the curve or of its control points.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_bounds(dimension: usize, exact: bool) {
+#[wasm_bindgen]
+pub fn spline_bounds(dimension: usize, exact: bool) {
     arena::with(|a| {
         let (spline, _) = spline(a, dimension);
         let bounds = if exact {
@@ -120,8 +122,8 @@ pub extern "C" fn spline_bounds(dimension: usize, exact: bool) {
 }
 
 /// Leaves c0, g1, c1, g2, c2 as 0 or 1, the gap and the angle; a tolerance of 0 stands for the default.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> usize {
+#[wasm_bindgen]
+pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
         let c = spline.continuity(joint, given(tolerance))?;
@@ -132,16 +134,16 @@ pub extern "C" fn spline_continuity(dimension: usize, joint: usize, tolerance: f
 }
 
 /// In: a point behind the spline. Leaves the longer spline.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_append(dimension: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_append(dimension: usize) -> isize {
     changed(dimension, |a, spline, end| {
         spline.append(a.points_in_space(end, 1, dimension)[0])
     })
 }
 
 /// In: the new place behind the spline, then a mode code for each segment's start (0 free, 1 G1, 2 C1).
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_move_point(dimension: usize, index: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     changed(dimension, |a, spline, end| {
         let to = a.points_in_space(end, 1, dimension)[0];
         spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
@@ -149,39 +151,38 @@ pub extern "C" fn spline_move_point(dimension: usize, index: usize) -> usize {
 }
 
 /// Leaves the spline with a joint made G1 (1) or C1 (2).
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> usize {
+#[wasm_bindgen]
+pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> isize {
     changed(dimension, |_, spline, _| {
         spline.set_joint(joint, mode(code))
     })
 }
 
 /// Leaves the spline with a joint at t.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_insert(dimension: usize, t: f64) -> usize {
+#[wasm_bindgen]
+pub fn spline_insert(dimension: usize, t: f64) -> isize {
     changed(dimension, |_, spline, _| spline.insert(t))
 }
 
 /// Leaves the spline without a joint.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_remove(dimension: usize, joint: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_remove(dimension: usize, joint: usize) -> isize {
     changed(dimension, |_, spline, _| spline.remove(joint))
 }
 
 /// Leaves the spline run through backwards.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_reverse(dimension: usize) -> usize {
+#[wasm_bindgen]
+pub fn spline_reverse(dimension: usize) -> isize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))
 }
 
-/// Leaves the steps of a pen that draws the spline (see [`ArenaPen`]), which is in the plane; a tolerance of 0 stands for
-/// the default.
-#[unsafe(no_mangle)]
-pub extern "C" fn spline_trace(tolerance: f64) -> usize {
-    arena::answer(|a| {
-        let (spline, _) = spline(a, 2);
-        let mut pen = ArenaPen::new(a);
-        spline.trace_in_plane(&mut pen, given(tolerance))?;
-        Ok(pen.end())
-    })
+/// Draws a spline of the plane on a context or a path; a tolerance of 0 stands for the default.
+#[wasm_bindgen]
+pub fn spline_trace(target: &JsValue, tolerance: f64) -> isize {
+    let (spline, _) = arena::with(|a| spline(a, 2));
+    arena::settle(
+        spline
+            .trace_in_plane(&mut CanvasPen::new(target), given(tolerance))
+            .map(|()| 0),
+    )
 }

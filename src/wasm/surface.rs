@@ -6,10 +6,13 @@
 use super::alone::Alone;
 use super::arena::{self, Arena};
 use super::given;
-use super::pen::ArenaPen;
+use super::pen::CanvasPen;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Indices, Mesh, Patch, Surface, TeapotOptions, Up};
 use glam::{DMat4, DVec3};
+use js_sys::{Float32Array, Uint16Array, Uint32Array};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// The last mesh, whose buffers the next one reuses.
 static MESH: Alone<Mesh> = Alone::new(Mesh {
@@ -27,14 +30,14 @@ fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
 }
 
 /// Leaves the point at (u, v).
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[wasm_bindgen]
+pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.put_point(patch(a, degree_u, degree_v).eval(u, v)));
 }
 
 /// Leaves ∂u, ∂v, ∂uu, ∂uv, ∂vv.
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[wasm_bindgen]
+pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
         let p = patch(a, degree_u, degree_v).partials(u, v);
         a.put(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
@@ -42,19 +45,14 @@ pub extern "C" fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f6
 }
 
 /// Leaves the unit normal at (u, v).
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
+#[wasm_bindgen]
+pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.put_point(patch(a, degree_u, degree_v).normal(u, v)));
 }
 
 /// Leaves the control points of the curve of constant u (or v); their number of f64.
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_isocurve(
-    degree_u: usize,
-    degree_v: usize,
-    constant_u: bool,
-    at: f64,
-) -> usize {
+#[wasm_bindgen]
+pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f64) -> usize {
     arena::with(|a| {
         let patch = patch(a, degree_u, degree_v);
         let curve = if constant_u {
@@ -67,8 +65,8 @@ pub extern "C" fn patch_isocurve(
 }
 
 /// Leaves the nets of the two pieces before and after u (or v).
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
+#[wasm_bindgen]
+pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     arena::with(|a| {
         let patch = patch(a, degree_u, degree_v);
         let (before, after) = if along_u {
@@ -82,14 +80,14 @@ pub extern "C" fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, a
 }
 
 /// Makes the mesh of one patch; 0.
-#[unsafe(no_mangle)]
-pub extern "C" fn patch_grid(
+#[wasm_bindgen]
+pub fn patch_grid(
     degree_u: usize,
     degree_v: usize,
     segments_u: usize,
     segments_v: usize,
     quads: bool,
-) -> usize {
+) -> isize {
     arena::answer(|a| {
         let patch = patch(a, degree_u, degree_v);
         let grid = Grid {
@@ -120,8 +118,8 @@ fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
 }
 
 /// Leaves the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
-#[unsafe(no_mangle)]
-pub extern "C" fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
+#[wasm_bindgen]
+pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     let part = |bit: u32| parts >> bit & 1 == 1;
     let teapot = Surface::teapot(TeapotOptions {
         rim: part(0),
@@ -158,8 +156,8 @@ fn put(a: &mut Arena, surface: &Surface) -> usize {
 }
 
 /// Makes the mesh of a surface; 0.
-#[unsafe(no_mangle)]
-pub extern "C" fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> usize {
+#[wasm_bindgen]
+pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> isize {
     arena::answer(|a| {
         let (surface, _) = surface(a)?;
         let grid = Grid {
@@ -171,22 +169,24 @@ pub extern "C" fn surface_grid(segments_u: usize, segments_v: usize, quads: bool
     })
 }
 
-/// In: a 4×4 matrix behind the surface, in columns. Leaves the steps of a pen that draws all isocurves, projected.
-#[unsafe(no_mangle)]
-pub extern "C" fn surface_trace(lines: usize, tolerance: f64) -> usize {
-    arena::answer(|a| {
+/// In: a 4×4 matrix behind the surface, in columns. Draws all isocurves, projected, on a context or a path.
+#[wasm_bindgen]
+pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
+    let read = arena::with(|a| {
         let (surface, end) = surface(a)?;
-        let matrix = DMat4::from_cols_slice(a.numbers(end, 16));
-        let mut pen = ArenaPen::new(a);
-        surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))?;
-        Ok(pen.end())
-    })
+        Ok::<_, Error>((surface, DMat4::from_cols_slice(a.numbers(end, 16))))
+    });
+    let mut pen = CanvasPen::new(target);
+    let draw = |(surface, matrix): (Surface, DMat4)| {
+        surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))
+    };
+    arena::settle(read.and_then(draw).map(|()| 0))
 }
 
 /// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
 /// 5 quads (0 where there are none), 6 patch ranges (four each).
-#[unsafe(no_mangle)]
-pub extern "C" fn mesh_length(buffer: usize) -> usize {
+#[wasm_bindgen]
+pub fn mesh_length(buffer: usize) -> usize {
     MESH.with(|mesh| match buffer {
         0 => mesh.positions.len(),
         1 => mesh.normals.len(),
@@ -198,26 +198,47 @@ pub extern "C" fn mesh_length(buffer: usize) -> usize {
     })
 }
 
-/// The address of a buffer of the last mesh.
-#[unsafe(no_mangle)]
-pub extern "C" fn mesh_address(buffer: usize) -> *const u8 {
-    let of = |indices: &Indices| match indices {
-        Indices::U16(list) => list.as_ptr().cast(),
-        Indices::U32(list) => list.as_ptr().cast(),
-    };
+/// Copies a buffer of the last mesh into a typed array of its kind and of exactly its length.
+#[wasm_bindgen]
+pub fn mesh_copy(buffer: usize, into: &JsValue) {
     MESH.with(|mesh| match buffer {
-        0 => mesh.positions.as_ptr().cast(),
-        1 => mesh.normals.as_ptr().cast(),
-        2 => mesh.uvs.as_ptr().cast(),
-        3 => mesh.patch_ids.as_ptr().cast(),
-        4 => of(&mesh.indices),
-        6 => mesh.patch_ranges.as_ptr().cast(),
-        _ => mesh.quads.as_ref().map_or(std::ptr::null(), of),
-    })
+        0 => into
+            .unchecked_ref::<Float32Array>()
+            .copy_from(&mesh.positions),
+        1 => into
+            .unchecked_ref::<Float32Array>()
+            .copy_from(&mesh.normals),
+        2 => into.unchecked_ref::<Float32Array>().copy_from(&mesh.uvs),
+        3 => into
+            .unchecked_ref::<Uint32Array>()
+            .copy_from(&mesh.patch_ids),
+        4 => copy_indices(&mesh.indices, into),
+        6 => into
+            .unchecked_ref::<Uint32Array>()
+            .copy_from(&range_numbers(mesh)),
+        _ => mesh
+            .quads
+            .iter()
+            .for_each(|quads| copy_indices(quads, into)),
+    });
+}
+
+fn range_numbers(mesh: &Mesh) -> Vec<u32> {
+    mesh.patch_ranges
+        .iter()
+        .flat_map(|r| [r.first_vertex, r.vertices, r.first_index, r.indices])
+        .collect()
+}
+
+fn copy_indices(indices: &Indices, into: &JsValue) {
+    match indices {
+        Indices::U16(list) => into.unchecked_ref::<Uint16Array>().copy_from(list),
+        Indices::U32(list) => into.unchecked_ref::<Uint32Array>().copy_from(list),
+    }
 }
 
 /// Gives the memory of the last mesh back.
-#[unsafe(no_mangle)]
-pub extern "C" fn mesh_drop() {
+#[wasm_bindgen]
+pub fn mesh_drop() {
     MESH.with(|mesh| *mesh = Mesh::default());
 }

@@ -17,11 +17,17 @@ pub(crate) fn build() -> Result<()> {
     types()
 }
 
-/// js/glue: the optimised module and what describes it.
+/// js/glue: the bindings and the optimised module.
 fn bindings() -> Result<()> {
     shell::run(&mut compilation())?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/wasm/casteljau.wasm");
-    let names = ["core.d.ts", "casteljau.wasm", "bytes.js"];
+    let names = [
+        "casteljau.js",
+        "casteljau.d.ts",
+        "casteljau.wasm",
+        "core.js",
+        "bytes.js",
+    ];
     let outputs = names.map(|name| glue::folder().join(name));
     let work = Work {
         name: "glue",
