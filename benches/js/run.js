@@ -1,4 +1,4 @@
-// The benchmarks: `npm run bench` builds, runs `cargo bench`, and then this.
+// The benchmarks: `npm run bench` builds, runs `cargo bench`, and then this. Alone it needs what `npm run build` makes.
 //
 //   node benches/js/run.js            every row; prints a table and writes benches/results.json
 //   node benches/js/run.js teapot     only rows whose id contains "teapot"; writes nothing
