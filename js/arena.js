@@ -6,7 +6,7 @@ import { core, instance, memory } from "./init.js";
  *
  *     const a = arena(8);
  *     a.set(points);
- *     core().curve_eval(2, 4, t);
+ *     core().curve_tangent(2, 4, t);
  *     return { x: a[0], y: a[1] };
  *
  * Where a call may allocate or its result may be longer than the view, ask again with the result's length before

@@ -1,8 +1,8 @@
 import * as check from "./check.js";
-import { core } from "./init.js";
+import { core, running } from "./init.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
-import { Checked, load, take, takeInto, trim } from "./transfer.js";
+import { Checked, load, resident, take, takeInto, trim } from "./transfer.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
@@ -140,13 +140,14 @@ export class Curve {
   eval(t) {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this.#flat;
-    const a = load(flat);
+    const n = flat.length;
+    const a = resident(flat);
     if (this.#dimension === 2) {
-      core().curve_eval(2, flat.length >> 1, t);
-      return { x: a[0], y: a[1] };
+      running().curve_eval(2, n >> 1, t);
+      return { x: a[n], y: a[n + 1] };
     }
-    core().curve_eval(3, flat.length / 3, t);
-    return { x: a[0], y: a[1], z: a[2] };
+    running().curve_eval(3, n / 3, t);
+    return { x: a[n], y: a[n + 1], z: a[n + 2] };
   }
 
   /**

@@ -1,5 +1,5 @@
 import { arena, trimArena } from "./arena.js";
-import { instance } from "./init.js";
+import { core, instance } from "./init.js";
 import { done } from "./refusal.js";
 
 /** Above this many numbers the arena gives its memory back after a result was read. */
@@ -34,6 +34,22 @@ export function load(flat, extra = 0) {
   // A call of `set` costs more than a few stores.
   if (flat.length > 32) view.set(flat);
   else for (let i = 0; i < flat.length; i++) view[i] = flat[i];
+  return view;
+}
+
+/**
+ * Writes control points at the start of the arena, unless they lie there since the last call: `curve_eval` leaves its
+ * result behind them, so a curve that is evaluated again and again is written once.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @returns {Float64Array} the arena
+ */
+export function resident(flat) {
+  if (instance.resident === flat) return instance.view;
+  core();
+  const view = load(flat, 3);
+  instance.resident = flat;
   return view;
 }
 

@@ -29,7 +29,7 @@ fn weigh3<P: Point>(points: [P; 3], t: f64) -> P {
 }
 
 #[inline(always)]
-fn weigh4<P: Point>(points: [P; 4], t: f64) -> P {
+pub(crate) fn weigh4<P: Point>(points: [P; 4], t: f64) -> P {
     let s = 1.0 - t;
     let (ss, tt) = (s * s, t * t);
     P::blend4(points, [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t])

@@ -25,6 +25,8 @@ pub use subdivide::Subdivision;
 pub use trace::Pen;
 
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
+#[cfg(feature = "wasm")]
+pub(crate) use eval::weigh4;
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use flatten::MAX_VERTICES;
 

@@ -4,9 +4,10 @@
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
 use super::alone::Alone;
+use crate::curve::weigh4;
 use crate::error::{Error, Part};
 use crate::point::Point;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
@@ -175,6 +176,22 @@ impl Arena {
             };
             at = self.put_numbers(at, &pair);
         }
+    }
+
+    /// Puts the point at t of a plane cubic behind its control points: the call that is made most, without a function
+    /// call inside. `None` on an arena that is not there yet.
+    #[inline(always)]
+    pub(super) fn evaluate_plane_cubic(&mut self, t: f64) -> Option<()> {
+        let [x0, y0, x1, y1, x2, y2, x3, y3, x, y] = self.0.first_chunk_mut()?;
+        let points = [
+            DVec2 { x: *x0, y: *y0 },
+            DVec2 { x: *x1, y: *y1 },
+            DVec2 { x: *x2, y: *y2 },
+            DVec2 { x: *x3, y: *y3 },
+        ];
+        let point = weigh4(points, t);
+        (*x, *y) = (point.x, point.y);
+        Some(())
     }
 
     /// A place for `count` points at the start, to be written in place.

@@ -25,12 +25,16 @@ fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> 
     })
 }
 
-/// Leaves the point at t.
+/// Leaves the point at t behind the control points.
 #[wasm_bindgen]
 pub fn curve_eval(dimension: usize, count: usize, t: f64) {
-    arena::with(
-        |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put_point(p) }),
-    );
+    arena::with(|a| {
+        if dimension == 2 && count == 4 && a.evaluate_plane_cubic(t).is_some() {
+            return;
+        }
+        let at = count * dimension;
+        by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put(at, &[p]) });
+    });
 }
 
 /// Leaves `segments` + 1 points; their number of f64.
