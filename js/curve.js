@@ -1,8 +1,8 @@
 import * as check from "./check.js";
-import { core, running } from "./init.js";
+import { core } from "./init.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
-import { Checked, load, resident, take, takeInto, trim } from "./transfer.js";
+import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
@@ -140,14 +140,9 @@ export class Curve {
   eval(t) {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this.#flat;
-    const n = flat.length;
-    const a = resident(flat);
-    if (this.#dimension === 2) {
-      running().curve_eval(2, n >> 1, t);
-      return { x: a[n], y: a[n + 1] };
-    }
-    running().curve_eval(3, n / 3, t);
-    return { x: a[n], y: a[n + 1], z: a[n + 2] };
+    if (flat.length === 8 && this.#dimension === 2) return planeCubicAt(flat, t);
+    core().curve_eval(this.#dimension, this.#load(), t);
+    return this.#point();
   }
 
   /**
@@ -451,6 +446,19 @@ export class Curve {
   #plane(method) {
     if (this.#dimension === 3) throw new TypeError(`${method}: expected a 2D curve, got a 3D one`);
   }
+}
+
+/**
+ * The point of the most common kind of curve: its numbers go over as arguments, in a quarter of the time that the way
+ * through the arena takes.
+ *
+ * @param {Float64Array} p
+ * @param {number} t
+ * @returns {Point}
+ */
+function planeCubicAt(p, t) {
+  const { cubic_eval } = core();
+  return { x: cubic_eval(p[0], p[2], p[4], p[6], t), y: cubic_eval(p[1], p[3], p[5], p[7], t) };
 }
 
 /**

@@ -8,14 +8,12 @@ import { wasmBytes } from "./wasm-bytes.js";
  */
 
 /**
- * The one running instance of the core, the arena's view (see `arena`), and the points that lie at the arena's start
- * (see `resident`). All state of the package is here.
+ * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
  *
  * @internal
- * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array,
- *   resident: Float64Array | null }}
+ * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array }}
  */
-export const instance = { functions: null, memory: null, view: new Float64Array(0), resident: null };
+export const instance = { functions: null, memory: null, view: new Float64Array(0) };
 
 /**
  * Compiles the core ahead of its first use, without blocking. Never needed with `casteljau`, where the first call
@@ -44,18 +42,7 @@ export async function init(source) {
  * @throws {Error} with `casteljau/slim`, before `init` has ended
  */
 export function core() {
-  instance.resident = null; // whatever is called next may write to the arena
   return instance.functions ?? startNow();
-}
-
-/**
- * The same for a function that leaves the start of the arena as it is, once the core runs.
- *
- * @internal
- * @returns {typeof functions}
- */
-export function running() {
-  return /** @type {typeof functions} */ (instance.functions);
 }
 
 /**

@@ -1,5 +1,5 @@
 import { arena, trimArena } from "./arena.js";
-import { core, instance } from "./init.js";
+import { instance } from "./init.js";
 import { done } from "./refusal.js";
 
 /** Above this many numbers the arena gives its memory back after a result was read. */
@@ -38,22 +38,6 @@ export function load(flat, extra = 0) {
 }
 
 /**
- * Writes control points at the start of the arena, unless they lie there since the last call: `curve_eval` leaves its
- * result behind them, so a curve that is evaluated again and again is written once.
- *
- * @internal
- * @param {Float64Array} flat
- * @returns {Float64Array} the arena
- */
-export function resident(flat) {
-  if (instance.resident === flat) return instance.view;
-  core();
-  const view = load(flat, 3);
-  instance.resident = flat;
-  return view;
-}
-
-/**
  * Reads numbers from the arena into a new array.
  *
  * @internal
@@ -63,7 +47,12 @@ export function resident(flat) {
  * @throws {RangeError} with the core's message, when it refused
  */
 export function take(from, to) {
-  return arena(done(to)).slice(from, to);
+  const view = arena(done(to));
+  if (to - from > 32) return view.slice(from, to);
+  // As in `load`.
+  const numbers = new Float64Array(to - from);
+  for (let i = 0; i < numbers.length; i++) numbers[i] = view[from + i];
+  return numbers;
 }
 
 /**

@@ -34,6 +34,20 @@ pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: 
     }
 }
 
+/// The same for coordinates in a row, `dimension` for each point; both slices start as the control points.
+#[cfg(feature = "wasm")]
+pub(crate) fn split_numbers(left: &mut [f64], right: &mut [f64], dimension: usize, t: f64) {
+    let s = 1.0 - t;
+    let mut last = right.len();
+    for first in left.chunks_exact_mut(dimension) {
+        first.copy_from_slice(&right[..dimension]);
+        last -= dimension;
+        for i in 0..last {
+            right[i] = right[i] * s + right[i + dimension] * t;
+        }
+    }
+}
+
 impl<P: Point> Curve<P> {
     /// All levels of de Casteljau's triangle at t: the control points first, the point of the curve last.
     ///

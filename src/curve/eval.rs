@@ -29,21 +29,32 @@ fn weigh3<P: Point>(points: [P; 3], t: f64) -> P {
 }
 
 #[inline(always)]
-pub(crate) fn weigh4<P: Point>(points: [P; 4], t: f64) -> P {
-    let s = 1.0 - t;
-    let (ss, tt) = (s * s, t * t);
-    P::blend4(points, [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t])
+fn weigh4<P: Point>(points: [P; 4], t: f64) -> P {
+    P::blend4(points, weights4(t))
 }
 
-/// The value at t of a polynomial with these Bernstein coefficients (at least one).
+#[inline(always)]
+fn weights4(t: f64) -> [f64; 4] {
+    let s = 1.0 - t;
+    let (ss, tt) = (s * s, t * t);
+    [ss * s, 3.0 * ss * t, 3.0 * s * tt, tt * t]
+}
+
+/// One coordinate of a cubic at t.
+#[inline(always)]
+pub(crate) fn cubic_scalar([a, b, c, d]: [f64; 4], t: f64) -> f64 {
+    let [u, v, w, s] = weights4(t);
+    a * u + b * v + c * w + d * s
+}
+
+/// The value at t of a polynomial with these Bernstein coefficients (at least one); the same numbers as a coordinate of
+/// [`evaluate`].
 pub(crate) fn evaluate_scalar(coefficients: &[f64], t: f64) -> f64 {
     let s = 1.0 - t;
     match *coefficients {
         [a, b] => a * s + b * t,
         [a, b, c] => a * (s * s) + b * (2.0 * s * t) + c * (t * t),
-        [a, b, c, d] => {
-            a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t)
-        }
+        [a, b, c, d] => cubic_scalar([a, b, c, d], t),
         _ => {
             let mut row = Scalars::from_slice(coefficients);
             for last in (1..row.len()).rev() {

@@ -25,10 +25,10 @@ pub use subdivide::Subdivision;
 pub use trace::Pen;
 
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
-#[cfg(feature = "wasm")]
-pub(crate) use eval::weigh4;
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use flatten::MAX_VERTICES;
+#[cfg(feature = "wasm")]
+pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;

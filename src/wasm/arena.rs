@@ -4,10 +4,9 @@
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
 use super::alone::Alone;
-use crate::curve::weigh4;
 use crate::error::{Error, Part};
 use crate::point::Point;
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
@@ -178,20 +177,11 @@ impl Arena {
         }
     }
 
-    /// Puts the point at t of a plane cubic behind its control points: the call that is made most, without a function
-    /// call inside. `None` on an arena that is not there yet.
-    #[inline(always)]
-    pub(super) fn evaluate_plane_cubic(&mut self, t: f64) -> Option<()> {
-        let [x0, y0, x1, y1, x2, y2, x3, y3, x, y] = self.0.first_chunk_mut()?;
-        let points = [
-            DVec2 { x: *x0, y: *y0 },
-            DVec2 { x: *x1, y: *y1 },
-            DVec2 { x: *x2, y: *y2 },
-            DVec2 { x: *x3, y: *y3 },
-        ];
-        let point = weigh4(points, t);
-        (*x, *y) = (point.x, point.y);
-        Some(())
+    /// The first `length` numbers and as many behind them, which are equal.
+    pub(super) fn two_places(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
+        self.grow(2 * length);
+        self.0.copy_within(..length, length);
+        self.0[..2 * length].split_at_mut(length)
     }
 
     /// A place for `count` points at the start, to be written in place.

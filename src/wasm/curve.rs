@@ -3,7 +3,9 @@
 use super::arena::{self, Arena};
 use super::pen::CanvasPen;
 use super::{by_dimension, given};
-use crate::curve::{Basis, Curve, Pen, Subdivision, bernstein, evaluate};
+use crate::curve::{
+    Basis, Curve, Pen, Subdivision, bernstein, cubic_scalar, evaluate, split_numbers,
+};
 use crate::error::Error;
 use crate::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
@@ -25,16 +27,18 @@ fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> 
     })
 }
 
-/// Leaves the point at t behind the control points.
+/// Leaves the point at t.
 #[wasm_bindgen]
 pub fn curve_eval(dimension: usize, count: usize, t: f64) {
-    arena::with(|a| {
-        if dimension == 2 && count == 4 && a.evaluate_plane_cubic(t).is_some() {
-            return;
-        }
-        let at = count * dimension;
-        by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put(at, &[p]) });
-    });
+    arena::with(
+        |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put_point(p) }),
+    );
+}
+
+/// One coordinate at t of a cubic with these coordinates: no arena, for the call that is made most.
+#[wasm_bindgen]
+pub fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
+    cubic_scalar([a, b, c, d], t)
 }
 
 /// Leaves `segments` + 1 points; their number of f64.
@@ -110,8 +114,8 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 #[wasm_bindgen]
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
-        let (left, right) = curve_in_space(a, dimension, count).split(t);
-        put_curves(a, dimension, &[&left, &right]);
+        let (left, right) = a.two_places(count * dimension);
+        split_numbers(left, right, dimension, t);
     });
 }
 
