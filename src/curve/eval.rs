@@ -7,6 +7,7 @@
 use super::{Curve, Scalars, evaluate_by_casteljau};
 use crate::error::Error;
 use crate::point::Point;
+use casteljau_kernels::sample_plane_cubic;
 
 /// The most numbers that one bulk result may hold: 1 GiB of f64.
 pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;
@@ -97,6 +98,10 @@ impl<P: Point> Curve<P> {
         let segments = out.len().saturating_sub(1);
         match *self.points {
             [p0, p1, p2] => fill(out, segments, |t| weigh3([p0, p1, p2], t)),
+            [p0, p1, p2, p3] if P::DIMENSION == 2 => {
+                let points = [p0, p1, p2, p3].map(|p| p.in_plane().to_array());
+                sample_plane_cubic(&points, bytemuck::cast_slice_mut(out));
+            }
             [p0, p1, p2, p3] => fill(out, segments, |t| weigh4([p0, p1, p2, p3], t)),
             _ => fill(out, segments, |t| self.eval(t)),
         }
