@@ -290,8 +290,9 @@ impl Point for DVec3 {
     }
     #[inline]
     fn normal_of(tangent: Self, bend: Self) -> Self {
-        let direction = bend.unit();
-        (direction - tangent * direction.dot(tangent)).unit()
+        let across = |v: Self| (v - tangent * v.dot(tangent)).unit();
+        // Of a bend almost along the tangent, rounding leaves some of it: twice is enough (Kahan).
+        across(across(bend.unit()))
     }
 }
 

@@ -50,7 +50,15 @@ pub(crate) fn bernstein_into(weights: &mut [f64], t: f64) {
 
 /// Takes the common factor out that the rounding of 1 − t has left: up to n half ulps.
 fn normalise(weights: &mut [f64]) {
-    let sum: f64 = weights.iter().sum();
+    let (mut sum, mut lost) = (0.0, 0.0);
+    for &weight in &*weights {
+        // What rounding takes from each sum, exactly (Knuth's two-sum), or the result would be some ulps off again.
+        let next = sum + weight;
+        let part = next - sum;
+        lost += (sum - (next - part)) + (weight - part);
+        sum = next;
+    }
+    sum += lost;
     for weight in weights {
         *weight /= sum;
     }

@@ -88,7 +88,8 @@ impl<P: Point> Curve<P> {
         let (a, c) = (local.first as f64, order as f64);
         let first = local.coefficients[local.first - 1];
         let cross = first.cross(local.coefficients[order - 1]);
-        let turned = local.from_left && (local.first + order).is_multiple_of(2);
+        let turned =
+            P::DIMENSION == 2 && local.from_left && (local.first + order).is_multiple_of(2);
         let sign = if turned {
             -cross.curvature_sign()
         } else {
@@ -128,11 +129,14 @@ impl<P: Point> Curve<P> {
             coefficients.push(value * binomial);
             points = differences(&points);
         }
+        // Just before a zero of B′ what is left of it points against the term that takes its place.
+        let term = coefficients[first.max(1) - 1];
+        let from_left = t == 1.0 || coefficients[0].dot(term) < 0.0;
         (first > 0).then_some(Taylor {
             scale,
             coefficients,
             first,
-            from_left: t == 1.0,
+            from_left,
         })
     }
 }
@@ -147,7 +151,7 @@ struct Taylor<P: Point> {
     coefficients: Points<P>,
     /// The order of the first that does not vanish.
     first: usize,
-    /// At t = 1 limits come from the left, where odd powers of τ are negative.
+    /// At t = 1, and just before a zero of B′, limits come from the left, where odd powers of τ are negative.
     from_left: bool,
 }
 

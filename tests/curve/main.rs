@@ -1,0 +1,48 @@
+//! Curves: what must hold for every curve, natively and in wasm, judged by closed forms and by exact arithmetic.
+
+mod basis;
+#[path = "../common/mod.rs"]
+mod common;
+mod eval;
+mod pieces;
+#[cfg(not(target_family = "wasm"))]
+mod properties;
+mod refusals;
+mod shape;
+mod slope;
+mod subdivide;
+mod trace;
+
+use casteljau::glam::DVec3;
+use common::wild::{self, Kind};
+use common::{Rng, real, ulp};
+
+/// Hostile control points of each of the kinds, in the plane and in space, at low degrees and some high ones.
+fn wild_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
+    let mut rng = Rng(1963);
+    for &kind in kinds {
+        for degree in [1, 2, 3, 4, 5, 8, 13, 33, 64] {
+            let low = if cfg!(target_family = "wasm") { 2 } else { 6 };
+            let rounds = if degree <= 8 { low } else { 1 };
+            for round in 0..rounds {
+                check(&wild::points(&mut rng, kind, degree, 2 + round % 2));
+            }
+        }
+    }
+}
+
+/// Two points agree to some ulps of a size.
+fn assert_close(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
+    let difference = (got - expected).abs().max_element();
+    let allowed = ulps * ulp(size);
+    assert!(
+        difference <= allowed,
+        "{got:?} instead of {expected:?}: {} ulps",
+        difference / ulp(size)
+    );
+}
+
+/// How many ulps of the largest coordinate n steps of interpolation may lose.
+fn steps(points: &[DVec3]) -> f64 {
+    2.0 + real(points.len())
+}
