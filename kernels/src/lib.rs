@@ -39,3 +39,81 @@ fn cubic_weights(t: f64x2) -> [f64x2; 4] {
 fn blend(coordinates: &[f64x2; 4], [a, b, c, d]: [f64x2; 4]) -> f64x2 {
     coordinates[0] * a + coordinates[1] * b + coordinates[2] * c + coordinates[3] * d
 }
+
+/// One line of a bicubic grid: the patch at constant v, as curves in u.
+#[derive(Clone, Copy, Debug)]
+pub struct BicubicLine<'a> {
+    /// The control points of the position.
+    pub points: &'a [[f64; 3]; 4],
+    /// Those of the direction of ∂u.
+    pub along_u: &'a [[f64; 3]; 3],
+    /// Those of the direction of ∂v.
+    pub along_v: &'a [[f64; 3]; 4],
+    /// The weights of degree 3 at each sample.
+    pub values: &'a [[f64; 4]],
+    /// The weights of degree 2 at each sample.
+    pub slopes: &'a [[f64; 3]],
+}
+
+impl BicubicLine<'_> {
+    /// Position and ∂u × ∂v at each sample, each rounded to f32; all four lists are equally long.
+    ///
+    /// Sums run from both ends towards the middle, so that reversed weights and points give the same bits.
+    pub fn fill(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
+        let samples = self
+            .values
+            .len()
+            .min(self.slopes.len())
+            .min(positions.len())
+            .min(facings.len());
+        let (values, slopes) = (&self.values[..samples], &self.slopes[..samples]);
+        let (positions, facings) = (&mut positions[..samples], &mut facings[..samples]);
+        let mut k = 0;
+        while k < samples {
+            // An odd last sample is computed twice.
+            let next = (k + 1).min(samples - 1);
+            let w: [f64x2; 4] =
+                std::array::from_fn(|i| f64x2::new([values[k][i], values[next][i]]));
+            let d: [f64x2; 3] =
+                std::array::from_fn(|i| f64x2::new([slopes[k][i], slopes[next][i]]));
+            let point = std::array::from_fn(|axis| sum4(&w, self.points.map(|p| p[axis])));
+            let u: [f64x2; 3] = std::array::from_fn(|axis| sum3(&d, self.along_u.map(|p| p[axis])));
+            let v: [f64x2; 3] = std::array::from_fn(|axis| sum4(&w, self.along_v.map(|p| p[axis])));
+            let facing = [
+                u[1] * v[2] - v[1] * u[2],
+                u[2] * v[0] - v[2] * u[0],
+                u[0] * v[1] - v[0] * u[1],
+            ];
+            [positions[k], positions[next]] = round(point);
+            [facings[k], facings[next]] = round(facing);
+            k += 2;
+        }
+    }
+}
+
+#[inline(always)]
+fn sum4(w: &[f64x2; 4], p: [f64; 4]) -> f64x2 {
+    let [a, b, c, d] = p.map(f64x2::splat);
+    // From 0, which turns −0 into 0.
+    f64x2::splat(0.0) + (w[0] * a + w[3] * d) + (w[1] * b + w[2] * c)
+}
+
+#[inline(always)]
+fn sum3(w: &[f64x2; 3], p: [f64; 3]) -> f64x2 {
+    let [a, b, c] = p.map(f64x2::splat);
+    f64x2::splat(0.0) + (w[0] * a + w[2] * c) + w[1] * b
+}
+
+/// Two points of f32, from the coordinates of both.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is what meshes are made of"
+)]
+fn round(p: [f64x2; 3]) -> [[f32; 3]; 2] {
+    let [x, y, z] = p.map(f64x2::to_array);
+    [
+        [x[0] as f32, y[0] as f32, z[0] as f32],
+        [x[1] as f32, y[1] as f32, z[1] as f32],
+    ]
+}

@@ -3,13 +3,14 @@
 //! For each v the rows of the net are blended into one curve in u, then that curve is evaluated along u. Weights are
 //! computed once per grid. The arithmetic is f64; only results are rounded to f32. Weights are built and summed so
 //! that t and 1 − t exchange their roles exactly: two patches that share a side, in the same direction or reversed,
-//! get bit-identical samples there. The bicubic sums are written out, because a build for small size unrolls nothing.
+//! get bit-identical samples there. Bicubic lines, the common ones, go through a crate of their own, two samples at a time.
 
 use super::Grid;
 use super::normal::{NormalNet, binomial};
 use super::patch::{REGULAR_RATIO, directions};
 use super::tessellate::to_f32;
 use crate::curve::ratio;
+use casteljau_kernels::BicubicLine;
 use glam::DVec3;
 
 /// The square of the length below which a normal is not regular.
@@ -94,28 +95,33 @@ impl Kernel {
             along_v,
         } = &self.row;
         let (values, slopes) = (&self.u[0].values[..], &self.u[1].values[..]);
+        let (positions, normals) = (positions.as_chunks_mut().0, normals.as_chunks_mut().0);
         if let (Ok(points), Ok(along_u), Ok(along_v)) = (
-            <&[DVec3; 4]>::try_from(&points[..]),
-            <&[DVec3; 3]>::try_from(&along_u[..]),
-            <&[DVec3; 4]>::try_from(&along_v[..]),
+            bytemuck::cast_slice(points).try_into(),
+            bytemuck::cast_slice(along_u).try_into(),
+            bytemuck::cast_slice(along_v).try_into(),
         ) {
-            let weights = values.as_chunks().0.iter().zip(slopes.as_chunks().0);
-            let samples = weights.map(|(values, slopes)| Sample {
-                point: blend4(values, points),
-                along_u: blend3(slopes, along_u),
-                along_v: blend4(values, along_v),
-            });
-            store_line(samples, positions, normals)
+            let (values, slopes) = (values.as_chunks().0, slopes.as_chunks().0);
+            BicubicLine {
+                points,
+                along_u,
+                along_v,
+                values,
+                slopes,
+            }
+            .fill(positions, normals);
         } else {
-            let weights = values.chunks_exact(points.len());
-            let samples = weights.zip(slopes.chunks_exact(along_u.len()));
-            let samples = samples.map(|(values, slopes)| Sample {
-                point: blend(values, points),
-                along_u: blend(slopes, along_u),
-                along_v: blend(values, along_v),
-            });
-            store_line(samples, positions, normals)
+            let weights = values
+                .chunks_exact(points.len())
+                .zip(slopes.chunks_exact(along_u.len()));
+            for ((values, slopes), (position, facing)) in
+                weights.zip(positions.iter_mut().zip(normals.iter_mut()))
+            {
+                *position = round(blend(values, points));
+                *facing = round(blend(slopes, along_u).cross(blend(values, along_v)));
+            }
         }
+        make_unit(normals)
     }
 
     /// Puts limits where the line has no normal.
@@ -133,27 +139,13 @@ impl Kernel {
     }
 }
 
-/// Position and derivatives' directions at one place.
-struct Sample {
-    point: DVec3,
-    along_u: DVec3,
-    along_v: DVec3,
-}
-
-/// Rounds and writes one line of samples. True if a normal is missing.
-#[inline(always)]
-fn store_line(
-    samples: impl Iterator<Item = Sample>,
-    positions: &mut [f32],
-    normals: &mut [f32],
-) -> bool {
+/// Makes the vectors ∂u × ∂v unit normals. True if one is not regular, which becomes zero.
+fn make_unit(facings: &mut [[f32; 3]]) -> bool {
     let mut missing = false;
-    let (positions, normals) = (positions.as_chunks_mut().0, normals.as_chunks_mut().0);
-    for ((sample, position), normal) in samples.zip(positions).zip(normals) {
-        *position = round(sample.point);
-        let facing = unit(round(sample.along_u.cross(sample.along_v)));
-        missing |= facing.is_none();
-        *normal = facing.unwrap_or_default();
+    for facing in facings {
+        let normal = unit(*facing);
+        missing |= normal.is_none();
+        *facing = normal.unwrap_or_default();
     }
     missing
 }
@@ -169,37 +161,6 @@ fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
     let square = x * x + y * y + z * z;
     let factor = 1.0 / square.sqrt();
     (square > LEAST_SQUARE).then_some([x * factor, y * factor, z * factor])
-}
-
-/// [`blend`] for a cubic.
-#[inline(always)]
-fn blend4(w: &[f64; 4], [p0, p1, p2, p3]: &[DVec3; 4]) -> DVec3 {
-    DVec3 {
-        x: sum4(w, p0.x, p1.x, p2.x, p3.x),
-        y: sum4(w, p0.y, p1.y, p2.y, p3.y),
-        z: sum4(w, p0.z, p1.z, p2.z, p3.z),
-    }
-}
-
-#[inline(always)]
-fn sum4([w0, w1, w2, w3]: &[f64; 4], a: f64, b: f64, c: f64, d: f64) -> f64 {
-    // From 0, which turns −0 into 0.
-    0.0 + (w0 * a + w3 * d) + (w1 * b + w2 * c)
-}
-
-/// [`blend`] for a cubic's derivative.
-#[inline(always)]
-fn blend3(w: &[f64; 3], [p0, p1, p2]: &[DVec3; 3]) -> DVec3 {
-    DVec3 {
-        x: sum3(w, p0.x, p1.x, p2.x),
-        y: sum3(w, p0.y, p1.y, p2.y),
-        z: sum3(w, p0.z, p1.z, p2.z),
-    }
-}
-
-#[inline(always)]
-fn sum3([w0, w1, w2]: &[f64; 3], a: f64, b: f64, c: f64) -> f64 {
-    0.0 + (w0 * a + w2 * c) + w1 * b
 }
 
 /// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same.
