@@ -8,9 +8,9 @@
 
 use super::deviation::CubicDeviation;
 use super::flatten_any::PieceDeviation;
-use super::{Curve, check_tolerance, ulp};
+use super::{Curve, check_tolerance, ratio, ulp};
 use crate::error::Error;
-use crate::point::Point;
+use crate::point::{Cross, Point};
 
 /// The most vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
@@ -96,39 +96,48 @@ impl<P: Point> Curve<P> {
 
     /// Refuses what would fail, before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
-        check_tolerance(tolerance, self.max_abs())?;
-        if self.chords_by_wang(tolerance) > MAX_VERTICES as f64 {
-            // A safe bound, often far too high: count before refusing.
+        let size = self.max_abs();
+        check_tolerance(tolerance, size)?;
+        // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size.
+        let n = ratio(self.degree(), 1);
+        if n * n * size > tolerance * (MAX_VERTICES as f64).powi(2) {
+            // Often far too high a bound: count before refusing.
             self.walk(tolerance, |_, _| ())?;
         }
         Ok(())
     }
 
-    /// Enough even steps of t for a tolerance: √(n(n−1)/8 · max|Δ²P| / tolerance) (Wang, 1984).
-    pub(crate) fn chords_by_wang(&self, tolerance: f64) -> f64 {
-        let n = self.degree() as f64;
-        let second = |w: &[P]| (w[0] - w[1]).norm() + (w[2] - w[1]).norm();
-        let bend = self.points.windows(3).map(second).fold(0.0, f64::max);
-        (n * (n - 1.0) / 8.0 * (bend / tolerance)).sqrt()
-    }
-
     fn walk(&self, tolerance: f64, mut vertex: impl FnMut(f64, P)) -> Result<(), Error> {
+        let size = self.max_abs();
+        let plain = PLAIN_RANGE.contains(&size);
         vertex(0.0, self.start());
-        if let Some(ts) = self.turns_of_straight(tolerance) {
+        if !(plain && self.bends_by(16.0 * ulp(size)))
+            && let Some(ts) = self.turns_of_straight(tolerance)
+        {
             ts.iter().for_each(|&t| vertex(t, self.eval(t)));
             vertex(1.0, self.end());
             return Ok(());
         }
         let mut inside = |t: f64| vertex(t, if t == 1.0 { self.end() } else { self.eval(t) });
-        let size = self.max_abs();
         // Rounding of a vertex takes its share of the tolerance first.
         let budget = tolerance - 2.0 * ulp(size);
-        if PLAIN_RANGE.contains(&size) {
+        if plain {
             walk_points(&self.points, budget, &mut inside)
         } else {
             let scaled: super::Points<P> = self.points.iter().map(|&p| p / size).collect();
             walk_points(&scaled, budget / size, &mut inside)
         }
+    }
+
+    /// Whether some control point is farther than a distance from the line through the ends: a quick answer to whether a
+    /// curve is straight, which may be no where the ends are close.
+    fn bends_by(&self, distance: f64) -> bool {
+        let start = self.start();
+        let chord = self.end() - start;
+        let least = distance * distance * chord.dot(chord);
+        self.points
+            .iter()
+            .any(|&p| chord.cross(p - start).size_squared() > least)
     }
 
     /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
