@@ -256,8 +256,7 @@ export class Curve {
    * @returns {[Curve, Curve]}
    */
   halve() {
-    core().curve_halve(this.#dimension, this.#load());
-    return this.#two();
+    return this.split(0.5);
   }
 
   /**

@@ -39,6 +39,7 @@
 
 pub mod curve;
 mod error;
+mod list;
 mod point;
 pub mod spline;
 pub mod surface;

@@ -5,7 +5,7 @@
 //! points of all the rows are the control points of the piece before t, the last ones those of the piece after it.
 //! Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, §4.2.
 
-use super::{Curve, Points};
+use super::Curve;
 use crate::error::MAX_DEGREE;
 use crate::point::Point;
 
@@ -85,30 +85,13 @@ impl<P: Point> Curve<P> {
         (Self::from_points(left), Self::from_points(right))
     }
 
-    /// The two halves at t = ½, by sums and halvings only.
+    /// The two halves at t = ½.
     ///
-    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images. The same as
-    /// `split(0.5)`, with fewer operations.
+    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: sums and halvings
+    /// only, and powers of two round nothing.
+    #[inline]
     pub fn halve(&self) -> (Self, Self) {
-        if let [p0, p1, p2, p3] = *self.points {
-            // Halving first keeps the sums of huge coordinates finite; powers of two round nothing.
-            let (p01, p12, p23) = (half_way(p0, p1), half_way(p1, p2), half_way(p2, p3));
-            let (p012, p123) = (half_way(p01, p12), half_way(p12, p23));
-            let p = half_way(p012, p123);
-            return (
-                Self::from_slice(&[p0, p01, p012, p]),
-                Self::from_slice(&[p, p123, p23, p3]),
-            );
-        }
-        let (mut left, mut right): (Points<P>, Points<P>) =
-            (self.points.clone(), self.points.clone());
-        for level in 1..left.len() {
-            for i in 0..left.len() - level {
-                right[i] = half_way(right[i], right[i + 1]);
-            }
-            left[level] = right[0];
-        }
-        (Self::from_points(left), Self::from_points(right))
+        self.split(0.5)
     }
 
     /// The piece from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives it backwards.
@@ -164,10 +147,4 @@ fn keep_after<P: Point>(points: &mut [P], t: f64) {
             points[i] = points[i].mix(points[i + 1], t);
         }
     }
-}
-
-/// (a + b) / 2, without overflow.
-#[inline]
-fn half_way<P: Point>(a: P, b: P) -> P {
-    a * 0.5 + b * 0.5
 }

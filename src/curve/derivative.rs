@@ -182,7 +182,7 @@ impl<P: Point> Taylor<P> {
 /// Pᵢ₊₁ − Pᵢ; one point fewer. Of a single point: zero.
 fn differences<P: Point>(points: &[P]) -> Points<P> {
     if points.len() < 2 {
-        return Points::from_slice(&[P::default()]);
+        return Points::from([P::default()].as_slice());
     }
     points.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }

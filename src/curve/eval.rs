@@ -57,7 +57,7 @@ pub(crate) fn evaluate_scalar(coefficients: &[f64], t: f64) -> f64 {
         [a, b, c] => a * (s * s) + b * (2.0 * s * t) + c * (t * t),
         [a, b, c, d] => cubic_scalar([a, b, c, d], t),
         _ => {
-            let mut row = Scalars::from_slice(coefficients);
+            let mut row = Scalars::from(coefficients);
             for last in (1..row.len()).rev() {
                 for i in 0..last {
                     row[i] = row[i] * s + row[i + 1] * t;

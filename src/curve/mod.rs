@@ -32,13 +32,8 @@ pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;
-use smallvec::SmallVec;
 
-/// The control points of a curve; up to four live without an allocation.
-pub(crate) type Points<P> = SmallVec<[P; 4]>;
-
-/// Numbers that go with control points: coefficients, roots.
-pub(crate) type Scalars = SmallVec<[f64; 4]>;
+pub(crate) use crate::list::{Points, Scalars};
 
 /// A Bézier curve of degree 1 to 64.
 ///
@@ -80,7 +75,7 @@ impl<P: Point> Curve<P> {
     /// A curve from points that were checked before.
     pub(crate) fn from_slice(points: &[P]) -> Self {
         Self {
-            points: Points::from_slice(points),
+            points: Points::from(points),
         }
     }
 

@@ -74,7 +74,7 @@ fn isolate(whole: &[f64], piece: &[f64], lo: f64, hi: f64, roots: &mut Scalars) 
         1 => push_inside(roots, refine(whole, lo, hi, first_sign(piece))),
         _ if hi - lo <= SMALLEST_INTERVAL => push_inside(roots, 0.5 * (lo + hi)),
         _ => {
-            let (mut left, mut right) = (Scalars::from_slice(piece), Scalars::from_slice(piece));
+            let (mut left, mut right) = (Scalars::from(piece), Scalars::from(piece));
             halve(piece, &mut left, &mut right);
             let mid = 0.5 * (lo + hi);
             isolate(whole, &left, lo, mid, roots);

@@ -131,19 +131,19 @@ impl<P: Point> Spline<P> {
 
     /// Puts curves in the place of `count` segments from k on; the outer ends stay.
     fn replace(&self, k: usize, count: usize, curves: &[Curve<P>]) -> Self {
-        let mut degrees = self.degrees();
-        degrees.splice(k..k + count, curves.iter().map(Curve::degree));
-        let inner: Vec<P> = curves
-            .iter()
-            .flat_map(|curve| &curve.control_points()[1..])
-            .copied()
-            .collect();
-        let mut points = self.points.clone();
-        // Without the last end, which stands in the list already (or is the first point of a closed spline).
-        points.splice(
-            self.starts[k] + 1..self.starts[k + count],
-            inner[..inner.len() - 1].iter().copied(),
+        let mut inner = Vec::new();
+        for curve in curves {
+            inner.extend_from_slice(&curve.control_points()[1..]);
+        }
+        // The last end stands in the list already (or is the first point of a closed spline).
+        inner.pop();
+        let (before, after) = (self.starts[k] + 1, self.starts[k + count]);
+        let points = [&self.points[..before], &inner, &self.points[after..]].concat();
+        let (degrees, new) = (
+            self.degrees(),
+            Vec::from_iter(curves.iter().map(Curve::degree)),
         );
+        let degrees = [&degrees[..k], &new, &degrees[k + count..]].concat();
         Self::from_parts(points, &degrees, self.closed)
     }
 

@@ -152,34 +152,32 @@ impl<P: Point> Spline<P> {
     }
 
     /// The joints by distance from a control point, each with whether it lies ahead of it.
+    ///
+    /// Around a closed chain both runs would reach every joint; each is taken by the run that is there first.
     fn joints_outward(&self, index: usize, done: Option<usize>) -> Vec<(usize, bool)> {
         let joints: Vec<usize> = self.joints().filter(|&k| Some(k) != done).collect();
+        let (all, count) = (joints.len(), self.points.len());
         let split = joints.partition_point(|&k| self.starts[k] <= index);
-        let (before, after) = joints.split_at(split);
-        // Around a closed chain both runs reach every joint; each is taken by the run that is there first.
-        let wrapped = |run: &[usize]| {
-            if self.closed {
-                run.to_vec()
-            } else {
-                Vec::new()
-            }
+        let (last_ahead, last_behind) = if self.closed {
+            (all, all)
+        } else {
+            (all - split, split)
         };
-        let ahead: Vec<usize> = [after, &wrapped(before)].concat();
-        let behind: Vec<usize> = [&wrapped(after), before].concat();
-        let count = self.points.len();
-        let (mut ahead, mut behind) = (
-            ahead.into_iter().peekable(),
-            behind.into_iter().rev().peekable(),
-        );
-        let distance_ahead = |&k: &usize| (self.starts[k] + count - index) % count;
-        let distance_behind = |&k: &usize| (index + count - self.starts[k]) % count;
-        let mut order = Vec::with_capacity(joints.len());
-        while order.len() < joints.len() {
-            let next = ahead.peek().map_or(usize::MAX, distance_ahead);
-            let last = behind.peek().map_or(usize::MAX, distance_behind);
-            let forward = next <= last;
-            let nearest = if forward { ahead.next() } else { behind.next() };
-            order.extend(nearest.map(|k| (k, forward)));
+        let mut order = Vec::with_capacity(all);
+        let (mut ahead, mut behind) = (0, 0);
+        while order.len() < all {
+            let next = joints[(split + ahead) % all];
+            let last = joints[(split + all - 1 - behind) % all];
+            let distance_ahead = (self.starts[next] + count - index) % count;
+            let distance_behind = (index + count - self.starts[last]) % count;
+            let forward =
+                ahead < last_ahead && (behind >= last_behind || distance_ahead <= distance_behind);
+            if forward {
+                ahead += 1;
+            } else {
+                behind += 1;
+            }
+            order.push((if forward { next } else { last }, forward));
         }
         order
     }

@@ -2,10 +2,8 @@
 
 use crate::curve::{Points, evaluate};
 use glam::DVec3;
-use smallvec::SmallVec;
 
-/// The control points of a patch; up to sixteen live without an allocation.
-pub(crate) type Net = SmallVec<[DVec3; 16]>;
+pub(crate) use crate::list::Net;
 
 /// The point of the tensor product: each row at u, then the curve of these points at v.
 pub(crate) fn evaluate_net(net: &[DVec3], columns: usize, u: f64, v: f64) -> DVec3 {
@@ -27,7 +25,7 @@ pub(crate) fn transpose(net: &[DVec3], columns: usize) -> Net {
 /// The differences of neighbours along u: one column fewer; of a single column, zeros.
 pub(crate) fn differences_u(net: &[DVec3], columns: usize) -> Net {
     if columns < 2 {
-        return Net::from_elem(DVec3::ZERO, net.len());
+        return std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
     }
     let mut differences = Net::with_capacity(net.len());
     for row in net.chunks(columns) {
@@ -39,7 +37,7 @@ pub(crate) fn differences_u(net: &[DVec3], columns: usize) -> Net {
 /// The differences of neighbours along v: one row fewer; of a single row, zeros.
 pub(crate) fn differences_v(net: &[DVec3], columns: usize) -> Net {
     if net.len() <= columns {
-        return Net::from_elem(DVec3::ZERO, net.len());
+        return std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
     }
     net.iter()
         .zip(&net[columns..])

@@ -28,7 +28,7 @@ impl NormalNet {
     pub(super) fn new(du: &[DVec3], dv: &[DVec3], m: usize, n: usize) -> Self {
         let (degree_u, degree_v) = (2 * m - 1, 2 * n - 1);
         let columns = degree_u + 1;
-        let mut net = Net::from_elem(DVec3::ZERO, columns * (degree_v + 1));
+        let mut net = std::iter::repeat_n(DVec3::ZERO, columns * (degree_v + 1)).collect::<Net>();
         let (du, dv) = (weighted(du, m - 1, n), weighted(dv, m, n - 1));
         for (a, &along_u) in du.iter().enumerate() {
             for (b, &along_v) in dv.iter().enumerate() {
@@ -104,7 +104,7 @@ fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DV
 
 /// Every row from t toward ½, starting at t: the piece up to there, or from an end the whole row, which starts alike.
 fn toward_half(net: &[DVec3], columns: usize, t: f64) -> Net {
-    let mut rows = Net::from_slice(net);
+    let mut rows = Net::from(net);
     for row in rows.chunks_mut(columns) {
         if t > 0.5 {
             row.reverse();

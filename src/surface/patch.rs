@@ -63,13 +63,13 @@ impl Patch {
             });
         }
         check_finite("net", net)?;
-        Ok(Self::from_net(Net::from_slice(net), degree_u + 1))
+        Ok(Self::from_net(Net::from(net), degree_u + 1))
     }
 
     /// A patch from points that were checked before.
     #[cfg(feature = "wasm")]
     pub(crate) fn from_checked(net: &[DVec3], degree_u: usize) -> Self {
-        Self::from_net(Net::from_slice(net), degree_u + 1)
+        Self::from_net(Net::from(net), degree_u + 1)
     }
 
     /// A patch from a net that was checked before.

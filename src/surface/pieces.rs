@@ -67,7 +67,7 @@ impl Patch {
 
 /// Splits every row at t.
 fn split_rows(net: &[DVec3], columns: usize, t: f64) -> (Net, Net) {
-    let mut before = Net::from_elem(DVec3::ZERO, net.len());
+    let mut before = std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
     let mut after = before.clone();
     let pieces = before.chunks_mut(columns).zip(after.chunks_mut(columns));
     for (row, (left, right)) in net.chunks(columns).zip(pieces) {

@@ -1,10 +1,11 @@
 //! Which sides of patches are the same line?
 
 use super::Surface;
-use smallvec::SmallVec;
+use crate::list::Side;
+use std::collections::BinaryHeap;
 
 /// The vertices of a side in one of its two directions, the lesser.
-type Key = SmallVec<[u32; 4]>;
+type Key = Side;
 
 /// The sides of a patch in this order: u = 0, u = 1, v = 0, v = 1.
 pub(super) const SIDES: usize = 4;
@@ -13,10 +14,11 @@ impl Surface {
     /// For each side of each patch whether to draw it: not when an earlier patch has named the same vertices, in the
     /// same order or reversed, and not when all of them are one vertex.
     pub(super) fn distinct_sides(&self) -> Vec<[bool; SIDES]> {
-        let mut sides: Vec<(Key, usize)> = (0..self.patch_count() * SIDES)
+        // Sorted by a heap, whose code is small.
+        let sides: BinaryHeap<(Key, usize)> = (0..self.patch_count() * SIDES)
             .map(|side| (self.side(side), side))
             .collect();
-        sides.sort_unstable();
+        let sides = sides.into_sorted_vec();
         let mut distinct = vec![[false; SIDES]; self.patch_count()];
         let mut before: &[u32] = &[];
         for (key, side) in &sides {
@@ -42,7 +44,7 @@ impl Surface {
                 .copied()
                 .collect(),
             2 => indices.iter().take(columns).copied().collect(),
-            _ => indices[last..].iter().copied().collect(),
+            _ => Key::from(&indices[last..]),
         };
         let backwards: Key = forwards.iter().rev().copied().collect();
         forwards.min(backwards)

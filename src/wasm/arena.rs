@@ -89,12 +89,21 @@ impl Arena {
     ///
     /// What means the same in both (splitting, derivatives, joints …) is done in space for both, which halves the
     /// code in the module. Zeros change no result.
-    pub(super) fn points_in_space(&self, at: usize, count: usize, dimension: usize) -> Vec<DVec3> {
-        let in_space = |p: &[f64]| DVec3::new(p[0], p[1], if p.len() == 3 { p[2] } else { 0.0 });
-        self.numbers(at, count * dimension)
-            .chunks_exact(dimension)
-            .map(in_space)
+    pub(super) fn points_in_space<L: FromIterator<DVec3>>(
+        &self,
+        at: usize,
+        count: usize,
+        dimension: usize,
+    ) -> L {
+        (0..count)
+            .map(|k| self.point_in_space(at + k * dimension, dimension))
             .collect()
+    }
+
+    /// One point of space.
+    pub(super) fn point_in_space(&self, at: usize, dimension: usize) -> DVec3 {
+        let p = self.numbers(at, dimension);
+        DVec3::new(p[0], p[1], p.get(2).copied().unwrap_or(0.0))
     }
 
     /// Writes points of space, in `dimension` numbers each, from number `at` on and returns where they end.
@@ -107,7 +116,11 @@ impl Arena {
         let end = at + points.len() * dimension;
         self.grow(end);
         for (place, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
-            place.copy_from_slice(&point.to_array()[..dimension]);
+            // Written out: a copy of a length that is not known is a call.
+            (place[0], place[1]) = (point.x, point.y);
+            if let Some(z) = place.get_mut(2) {
+                *z = point.z;
+            }
         }
         end
     }

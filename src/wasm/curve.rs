@@ -18,7 +18,7 @@ fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
 
 /// See [`Arena::points_in_space`].
 fn curve_in_space(arena: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
-    Curve::from_slice(&arena.points_in_space(0, count, dimension))
+    Curve::from_points(arena.points_in_space(0, count, dimension))
 }
 
 fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> usize {
@@ -119,15 +119,6 @@ pub fn curve_split(dimension: usize, count: usize, t: f64) {
     });
 }
 
-/// Leaves the control points of both halves.
-#[wasm_bindgen]
-pub fn curve_halve(dimension: usize, count: usize) {
-    arena::with(|a| {
-        let (left, right) = curve_in_space(a, dimension, count).halve();
-        put_curves(a, dimension, &[&left, &right]);
-    });
-}
-
 /// Leaves the control points of the piece.
 #[wasm_bindgen]
 pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
@@ -185,8 +176,7 @@ fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
 #[wasm_bindgen]
 pub fn curve_from_basis(dimension: usize) -> isize {
     arena::answer(|a| {
-        let points = a.points_in_space(0, 4, dimension);
-        let points = [points[0], points[1], points[2], points[3]];
+        let points = [0, 1, 2, 3].map(|k| a.point_in_space(k * dimension, dimension));
         let curve = Curve::from_basis(matrix_behind(a, dimension, 4), points)?;
         Ok(put_curves(a, dimension, &[&curve]))
     })
@@ -268,12 +258,10 @@ pub fn curve_hull(count: usize) -> usize {
 pub fn points_transform(dimension: usize, count: usize) {
     arena::with(|a| {
         let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
-        let images: Vec<DVec3> = a
-            .points_in_space(0, count, dimension)
-            .iter()
-            .map(|p| p.transform(&map))
-            .collect();
-        a.put_from_space(0, &images, dimension);
+        for at in (0..count).map(|k| k * dimension) {
+            let image = a.point_in_space(at, dimension).transform(&map);
+            a.put_from_space(at, &[image], dimension);
+        }
     });
 }
 

@@ -61,9 +61,9 @@ pub fn spline_from_curves(dimension: usize) -> isize {
         let (count, closed) = (a.count(0), a.number(1) != 0.0);
         let mut at = 2 + count;
         let curve = |k: usize| {
-            let points = a.points_in_space(at, a.count(2 + k) + 1, dimension);
-            at += points.len() * dimension;
-            Curve::from_slice(&points)
+            let (start, count) = (at, a.count(2 + k) + 1);
+            at += count * dimension;
+            Curve::from_points(a.points_in_space(start, count, dimension))
         };
         let curves: Vec<_> = (0..count).map(curve).collect();
         let spline = Spline::from_curves(&curves, closed)?;
@@ -137,7 +137,7 @@ pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isiz
 #[wasm_bindgen]
 pub fn spline_append(dimension: usize) -> isize {
     changed(dimension, |a, spline, end| {
-        spline.append(a.points_in_space(end, 1, dimension)[0])
+        spline.append(a.point_in_space(end, dimension))
     })
 }
 
@@ -145,7 +145,7 @@ pub fn spline_append(dimension: usize) -> isize {
 #[wasm_bindgen]
 pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     changed(dimension, |a, spline, end| {
-        let to = a.points_in_space(end, 1, dimension)[0];
+        let to = a.point_in_space(end, dimension);
         spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
     })
 }
