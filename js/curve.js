@@ -1,5 +1,5 @@
 import * as check from "./check.js";
-import { core } from "./init.js";
+import { core, cubicEval } from "./init.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
@@ -456,8 +456,8 @@ export class Curve {
  * @returns {Point}
  */
 function planeCubicAt(p, t) {
-  const { cubic_eval } = core();
-  return { x: cubic_eval(p[0], p[2], p[4], p[6], t), y: cubic_eval(p[1], p[3], p[5], p[7], t) };
+  const at = cubicEval();
+  return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
 }
 
 /**

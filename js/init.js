@@ -8,12 +8,20 @@ import { wasmBytes } from "./wasm-bytes.js";
  */
 
 /**
+ * One coordinate at t of a cubic with the coordinates a, b, c and d.
+ *
+ * @internal
+ * @typedef {(a: number, b: number, c: number, d: number, t: number) => number} CubicEval
+ */
+
+/**
  * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
  *
  * @internal
- * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array }}
+ * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array,
+ *   cubicEval: CubicEval | null }}
  */
-export const instance = { functions: null, memory: null, view: new Float64Array(0) };
+export const instance = { functions: null, memory: null, view: new Float64Array(0), cubicEval: null };
 
 /**
  * Compiles the core ahead of its first use, without blocking. Never needed with `casteljau`, where the first call
@@ -46,6 +54,16 @@ export function core() {
 }
 
 /**
+ * The one function of the core that is exported without a wrapper.
+ *
+ * @internal
+ * @returns {CubicEval}
+ */
+export function cubicEval() {
+  return instance.cubicEval ?? (startNow(), /** @type {CubicEval} */ (/** @type {unknown} */ (instance.cubicEval)));
+}
+
+/**
  * The core's memory. Views of it die when it grows: never keep one across a call.
  *
  * @internal
@@ -68,7 +86,9 @@ function startNow() {
  * @returns {typeof functions}
  */
 function start(module) {
-  instance.memory = initSync({ module }).memory;
+  const exports = initSync({ module });
+  instance.memory = exports.memory;
+  instance.cubicEval = exports.cubic_eval;
   return (instance.functions = functions);
 }
 

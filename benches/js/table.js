@@ -19,7 +19,7 @@ function shown(value, unit, spread = 0) {
  * @param {number} value
  * @param {string} unit
  */
-function quantity(value, unit) {
+export function quantity(value, unit) {
   if (unit === "bytes") return `${round(value / 1000)} kB`;
   if (unit !== "ns") return `${value.toLocaleString("en-US")}`;
   if (value < 1000) return `${round(value)} ns`;

@@ -35,9 +35,10 @@ pub fn curve_eval(dimension: usize, count: usize, t: f64) {
     );
 }
 
-/// One coordinate at t of a cubic with these coordinates: no arena, for the call that is made most.
-#[wasm_bindgen]
-pub fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
+/// One coordinate at t of a cubic with these coordinates: no arena, for the call that is made most. Exported without
+/// `wasm_bindgen`, whose wrapper, compiled for size, would take longer than the formula.
+#[unsafe(no_mangle)]
+pub extern "C" fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
     cubic_scalar([a, b, c, d], t)
 }
 
