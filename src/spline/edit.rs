@@ -92,6 +92,10 @@ impl<P: Point> Spline<P> {
             joint: j,
             after: a,
         } = around;
+        if a == b {
+            // A ring of two lines, or of one quadratic: one point cannot lie on both sides.
+            return self.points[a];
+        }
         let (near, far, near_degree, far_degree) = if forward {
             (b, a, before, after)
         } else {
