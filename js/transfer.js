@@ -48,7 +48,7 @@ export function load(flat, extra = 0) {
  */
 export function take(from, to) {
   const view = arena(done(to));
-  if (to - from > 32) return view.slice(from, to);
+  if (to - from > 32) return new Float64Array(view.subarray(from, to)); // a little faster than slice()
   // As in `load`.
   const numbers = new Float64Array(to - from);
   for (let i = 0; i < numbers.length; i++) numbers[i] = view[from + i];

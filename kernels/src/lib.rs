@@ -11,19 +11,24 @@ pub fn sample_plane_cubic(points: &[[f64; 2]; 4], out: &mut [f64]) {
     let last = f64x2::splat((out.len() / 2).saturating_sub(1).max(1) as f64);
     let x = points.map(|[x, _]| f64x2::splat(x));
     let y = points.map(|[_, y]| f64x2::splat(y));
-    let two = f64x2::splat(2.0);
-    let mut i = f64x2::new([0.0, 1.0]);
-    let mut pairs = out.chunks_exact_mut(4);
-    for pair in &mut pairs {
+    let two_points = |i: f64x2| {
         let weights = cubic_weights(i / last);
         let ([x0, x1], [y0, y1]) = (blend(&x, weights).to_array(), blend(&y, weights).to_array());
-        pair.copy_from_slice(&[x0, y0, x1, y1]);
-        i += two;
+        [x0, y0, x1, y1]
+    };
+    let (two, four) = (f64x2::splat(2.0), f64x2::splat(4.0));
+    let mut i = f64x2::new([0.0, 1.0]);
+    // Two pairs a turn: their divisions overlap.
+    let mut quads = out.chunks_exact_mut(8);
+    for quad in &mut quads {
+        let (near, far) = quad.split_at_mut(4);
+        near.copy_from_slice(&two_points(i));
+        far.copy_from_slice(&two_points(i + two));
+        i += four;
     }
-    if let [last_x, last_y] = pairs.into_remainder() {
-        let weights = cubic_weights(i / last);
-        *last_x = blend(&x, weights).to_array()[0];
-        *last_y = blend(&y, weights).to_array()[0];
+    for pair in quads.into_remainder().chunks_mut(4) {
+        pair.copy_from_slice(&two_points(i)[..pair.len()]);
+        i += two;
     }
 }
 

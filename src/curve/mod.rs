@@ -33,6 +33,7 @@ pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;
 
+use crate::list::points_of;
 pub(crate) use crate::list::{Points, Scalars};
 
 /// A Bézier curve of degree 1 to 64.
@@ -73,9 +74,10 @@ impl<P: Point> Curve<P> {
     }
 
     /// A curve from points that were checked before.
+    #[inline]
     pub(crate) fn from_slice(points: &[P]) -> Self {
         Self {
-            points: Points::from(points),
+            points: points_of(points),
         }
     }
 
