@@ -76,7 +76,7 @@ export class Curve {
     if (typeof json !== "object" || json === null) {
       throw new TypeError(`json: expected an object with points, got ${check.shown(json)}`);
     }
-    return new Curve(json.points, { dimension: json.dimension });
+    return curveFrom(json.points, { dimension: json.dimension });
   }
 
   /**
@@ -127,7 +127,7 @@ export class Curve {
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
-    const o = check.instanceOf(other, "other", Curve);
+    const o = asCurve(other);
     return this.#dimension === o.#dimension && samePoints(this.#flat, o.#flat, this.#dimension, tolerance);
   }
 
@@ -458,6 +458,21 @@ export class Curve {
 function planeCubicAt(p, t) {
   const at = cubicEval();
   return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
+}
+
+// What needs the class by its name stands outside of it: a bundler renames a class that names itself (to _Curve).
+
+/**
+ * @param {PointsLike} points
+ * @param {{ dimension?: 2 | 3 }} options
+ */
+function curveFrom(points, options) {
+  return new Curve(points, options);
+}
+
+/** @param {unknown} other */
+function asCurve(other) {
+  return check.instanceOf(other, "other", Curve);
 }
 
 /**

@@ -57,7 +57,7 @@ export class Patch {
     if (typeof json !== "object" || json === null) {
       throw new TypeError(`json: expected an object with net, got ${check.shown(json)}`);
     }
-    return new Patch(json.net, { degreeU: json.degreeU, degreeV: json.degreeV });
+    return patchOf(json.net, { degreeU: json.degreeU, degreeV: json.degreeV });
   }
 
   /** The degree in u. */
@@ -85,7 +85,7 @@ export class Patch {
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
-    const o = check.instanceOf(other, "other", Patch);
+    const o = asPatch(other);
     return this.#degreeU === o.#degreeU && samePoints(this.#flat, o.#flat, 3, tolerance);
   }
 
@@ -265,6 +265,21 @@ export class Patch {
   /** @param {Float64Array} flat */
   #like(flat) {
     const net = /** @type {any} */ (new Checked(flat, 3));
-    return new Patch(net, { degreeU: this.#degreeU, degreeV: this.#degreeV });
+    return patchOf(net, { degreeU: this.#degreeU, degreeV: this.#degreeV });
   }
+}
+
+// Outside of the class, see curve.js.
+
+/**
+ * @param {PointsLike} net
+ * @param {{ degreeU?: number, degreeV?: number }} degrees
+ */
+function patchOf(net, degrees) {
+  return new Patch(net, degrees);
+}
+
+/** @param {unknown} other */
+function asPatch(other) {
+  return check.instanceOf(other, "other", Patch);
 }

@@ -82,13 +82,13 @@ export class Spline {
   static fromCurves(curves, options) {
     if (!Array.isArray(curves)) throw new TypeError(`curves: expected an array of curves, got ${check.shown(curves)}`);
     if (curves.length === 0) throw new RangeError("curves: expected at least 1 curve, got 0");
-    curves.forEach((curve, k) => check.instanceOf(curve, `curves[${k}]`, Curve));
+    for (let k = 0; k < curves.length; k++) check.instanceOf(curves[k], `curves[${k}]`, Curve); // holes too
     const dimension = curves[0].dimension;
     const other = curves.findIndex((curve) => curve.dimension !== dimension);
-    if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a 3D one`.replace("3D one", `${curves[other].dimension}D one`));
+    if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a ${5 - dimension}D one`);
     const closed = Boolean(check.options(options).closed);
     const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
-    load(Float64Array.of(curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers));
+    load(Float64Array.from([curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers]));
     return made(core().spline_from_curves(dimension), dimension);
   }
 
@@ -163,7 +163,7 @@ export class Spline {
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
-    const [a, b] = [this.#parts, check.instanceOf(other, "other", Spline).#parts];
+    const [a, b] = [this.#parts, asSpline(other).#parts];
     const alike = a.closed === b.closed && a.dimension === b.dimension && `${a.degrees}` === `${b.degrees}`;
     return alike && samePoints(a.flat, b.flat, a.dimension, tolerance);
   }
@@ -282,7 +282,7 @@ export class Spline {
     const last = this.#parts.flat.length / this.dimension - 1;
     check.whole(index, "index", 0, last);
     const modes = this.#modes(check.options(options).joints);
-    const behind = Float64Array.of(...this.#coordinates(to, "to"), ...modes);
+    const behind = Float64Array.from([...this.#coordinates(to, "to"), ...modes]);
     return this.#made(core().spline_move_point(this.#load(behind), index));
   }
 
@@ -420,6 +420,11 @@ class CheckedParts {
   constructor(parts) {
     this.parts = parts;
   }
+}
+
+/** @param {unknown} other */
+function asSpline(other) {
+  return check.instanceOf(other, "other", Spline); // outside of the class, see curve.js
 }
 
 /** @param {Parts} parts */

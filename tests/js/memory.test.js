@@ -1,0 +1,81 @@
+// Results outlive what comes after them, and large ones do not fill the memory: from the sources, to see the memory.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { memory } from "../../js/init.js";
+import { Curve, Spline } from "../../js/index.js";
+import { CUBIC, deCasteljau, near, SEVEN } from "./reference.js";
+
+const cubic = new Curve(CUBIC);
+const MIB = 2 ** 20;
+
+// First, while no other test has made room.
+test("the memory of a large result serves what comes next", () => {
+  const samples = cubic.sample(5_000_000);
+  const before = memory().buffer.byteLength;
+  const { ts } = cubic.flatten(1e-11);
+  assert.ok(ts.length > 500_000 && samples.length > 1e7);
+  assert.equal(memory().buffer.byteLength, before);
+});
+
+test("results stay what they were while the memory grows", () => {
+  const kept = () => [
+    cubic.sample(100), cubic.evalAt([0, 0.3]), cubic.flatten(0.001).points, cubic.flatten(0.001).ts, cubic.hull(),
+    cubic.controlPoints(), ...cubic.scaffold(0.4), new Spline(SEVEN).sample(50), cubic.subdivide(0.01).curve.controlPoints(),
+  ];
+  const results = kept();
+  const copies = results.map((result) => [...result]);
+  const before = memory().buffer;
+  cubic.sample(3_000_000);
+  cubic.flatten(1e-9);
+  memory().grow(7);
+  assert.notEqual(memory().buffer, before);
+  results.forEach((result, i) => assert.deepEqual([...result], copies[i]));
+  kept().forEach((result, i) => assert.deepEqual([...result], copies[i]));
+});
+
+test("ten million numbers, again and again", () => {
+  const segments = 5_000_000;
+  const check = (samples) => {
+    assert.equal(samples.length, 2 * segments + 2);
+    for (const i of [0, 1, 1_234_567, segments]) near(samples.subarray(2 * i, 2 * i + 2), deCasteljau(CUBIC, i / segments));
+  };
+  check(cubic.sample(segments));
+  const once = memory().buffer.byteLength;
+  const into = new Float64Array(2 * segments + 2);
+  for (let round = 0; round < 3; round++) {
+    check(cubic.sample(segments));
+    check(cubic.sample(segments, { into }));
+  }
+  // Memory never shrinks, but what was given back is used again.
+  assert.ok(memory().buffer.byteLength <= once + MIB, `${once} grew to ${memory().buffer.byteLength}`);
+  assert.deepEqual(cubic.eval(0.5), { x: 4, y: 6 });
+});
+
+test("large arguments come through, and their room is used again", () => {
+  const ts = Float64Array.from({ length: 2_000_000 }, (_, i) => i / 2_000_000);
+  const check = (points) => near(points.subarray(2e6, 2e6 + 2), deCasteljau(CUBIC, 0.5));
+  check(cubic.evalAt(ts));
+  const once = memory().buffer.byteLength;
+  for (let round = 0; round < 5; round++) check(cubic.evalAt(ts));
+  assert.ok(memory().buffer.byteLength <= once + MIB);
+});
+
+test("many small calls need no more memory", () => {
+  const act = () => {
+    const [left] = cubic.split(0.3);
+    new Spline(SEVEN).movePoint(3, [1, 1], { joints: { 1: "c1" } }).insert(0.5).flatten(0.01);
+    return left.elevate().bounds();
+  };
+  for (let i = 0; i < 100; i++) act();
+  const before = memory().buffer.byteLength;
+  for (let i = 0; i < 20_000; i++) act();
+  assert.equal(memory().buffer.byteLength, before);
+});
+
+test("many refusals need no more memory", () => {
+  for (let i = 0; i < 100; i++) assert.throws(() => cubic.flatten(1e-16), RangeError);
+  const before = memory().buffer.byteLength;
+  for (let i = 0; i < 20_000; i++) assert.throws(() => cubic.flatten(1e-16), RangeError);
+  for (let i = 0; i < 3; i++) assert.throws(() => cubic.sample(2 ** 26), RangeError);
+  assert.equal(memory().buffer.byteLength, before);
+});

@@ -1,0 +1,53 @@
+// What the tests of the package judge by: definitions, written out.
+import assert from "node:assert/strict";
+
+/** De Casteljau's algorithm on points as arrays. */
+export function deCasteljau(points, t) {
+  let row = points;
+  while (row.length > 1) row = row.slice(1).map((p, i) => p.map((x, k) => row[i][k] * (1 - t) + x * t));
+  return row[0];
+}
+
+/** The coordinates of an object or a flat array. */
+export const coordinates = (p) => (ArrayBuffer.isView(p) || Array.isArray(p) ? [...p] : Object.values(p));
+
+/** Numbers agree to a small part of the larger one, or absolutely below 1. */
+export function near(got, expected, tolerance = 1e-12) {
+  const [a, b] = [coordinates(got), coordinates(expected)];
+  assert.equal(a.length, b.length, `${a} instead of ${b}`);
+  const off = (x, i) => Math.abs(x - b[i]) / Math.max(1, Math.abs(b[i]));
+  assert.ok(a.every((x, i) => x === b[i] || off(x, i) <= tolerance), `${a} instead of ${b}`);
+}
+
+/** Points of a flat array. */
+export function pairs(flat, dimension = 2) {
+  return Array.from({ length: flat.length / dimension }, (_, i) => [...flat.slice(i * dimension, (i + 1) * dimension)]);
+}
+
+/** An array that lives in memory of its own: no view of the core's, nothing shared. */
+export function owned(array) {
+  assert.ok(array instanceof Float64Array);
+  assert.equal(array.buffer.byteLength, array.byteLength);
+}
+
+/** Expects a refusal whose message starts with the argument and names what was expected and what came. */
+export function refused(act, type, message) {
+  assert.throws(act, (error) => {
+    assert.equal(error.constructor, type, `${error}`);
+    assert.match(error.message, message);
+    assert.match(error.message, /expected .*got |expected .*needs /);
+    return true;
+  });
+}
+
+/** A drawing target that writes down what is drawn. */
+export function recorder() {
+  const calls = [];
+  const methods = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];
+  const target = Object.fromEntries(methods.map((name) => [name, (...args) => calls.push([name, ...args])]));
+  return Object.assign(target, { calls });
+}
+
+export const CUBIC = [[0, 0], [0, 8], [8, 8], [8, 0]];
+export const SPACE = [[0, 0, 0], [1, 2, 3], [3, 3, -1], [4, 0, 2]];
+export const SEVEN = [[0, 0], [0, 2], [2, 2], [2, 0], [2, -4], [4, -2], [4, 0]];
