@@ -140,7 +140,7 @@ export class Curve {
   eval(t) {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this.#flat;
-    if (flat.length === 8 && this.#dimension === 2) return planeCubicAt(flat, t);
+    if (flat.length === 4 * this.#dimension) return cubicAt(flat, t);
     core().curve_eval(this.#dimension, this.#load(), t);
     return this.#point();
   }
@@ -448,16 +448,17 @@ export class Curve {
 }
 
 /**
- * The point of the most common kind of curve: its numbers go over as arguments, in a quarter of the time that the way
- * through the arena takes.
+ * The point of a cubic, the most common kind of curve: its numbers go over as arguments, in a quarter of the time that
+ * the way through the arena takes.
  *
  * @param {Float64Array} p
  * @param {number} t
  * @returns {Point}
  */
-function planeCubicAt(p, t) {
+function cubicAt(p, t) {
   const at = cubicEval();
-  return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
+  if (p.length === 8) return { x: at(p[0], p[2], p[4], p[6], t), y: at(p[1], p[3], p[5], p[7], t) };
+  return { x: at(p[0], p[3], p[6], p[9], t), y: at(p[1], p[4], p[7], p[10], t), z: at(p[2], p[5], p[8], p[11], t) };
 }
 
 // What needs the class by its name stands outside of it: a bundler renames a class that names itself (to _Curve).
