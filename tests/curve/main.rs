@@ -4,6 +4,7 @@ mod basis;
 #[path = "../common/mod.rs"]
 mod common;
 mod eval;
+mod limits;
 mod pieces;
 #[cfg(not(target_family = "wasm"))]
 mod properties;

@@ -1,13 +1,16 @@
 //! Facts on curves from closed forms and from other libraries' tests: `../shared/data/curve-facts.json`.
 #![cfg(not(target_family = "wasm"))]
 
+#[path = "../common/mod.rs"]
 mod common;
+mod fact;
 
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
 use common::measure::{Ruler, farthest, from_segment};
 use common::{curve, in_space, largest, real};
+use fact::{Fact, number, numbers, points};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -99,109 +102,6 @@ fn holds(kind: &str, fact: &Value) -> bool {
         _ => return false,
     }
     true
-}
-
-struct Fact<'a> {
-    id: &'a str,
-    input: &'a Value,
-    expect: Value,
-    tolerance: f64,
-}
-
-impl<'a> Fact<'a> {
-    fn new(fact: &'a Value) -> Self {
-        Self {
-            id: fact["id"].as_str().expect("an id"),
-            input: &fact["input"],
-            expect: fact["expect"].clone(),
-            tolerance: number(&fact["tol"]),
-        }
-    }
-
-    fn points(&self, name: &str) -> Vec<DVec3> {
-        points(&self.input[name])
-    }
-
-    fn named(&self, name: &str) -> Curve<DVec3> {
-        curve(&self.points(name))
-    }
-
-    fn curve(&self) -> Curve<DVec3> {
-        self.named("points")
-    }
-
-    fn t(&self) -> f64 {
-        number(&self.input["t"])
-    }
-
-    fn number(&self, got: f64, expected: &Value) {
-        let expected = number(expected);
-        assert!(
-            (got - expected).abs() <= self.tolerance,
-            "{}: {got}, expected {expected}",
-            self.id
-        );
-    }
-
-    fn near(&self, got: DVec3, expected: &Value) {
-        let difference = (got - point(expected)).abs().max_element();
-        assert!(
-            difference <= self.tolerance,
-            "{}: {got}, expected {expected}",
-            self.id
-        );
-    }
-
-    fn all_near(&self, got: &Curve<DVec3>, expected: &Value) {
-        let expected = expected.as_array().expect("points");
-        assert_eq!(got.control_points().len(), expected.len(), "{}", self.id);
-        got.control_points()
-            .iter()
-            .zip(expected)
-            .for_each(|(&p, e)| self.near(p, e));
-    }
-
-    /// The curve passes a point at a t that is known to the fact's tolerance.
-    fn place(&self, curve: &Curve<DVec3>, t: f64, expected: &Value) {
-        let speed = largest(curve.derivative().control_points());
-        let difference = (curve.eval(t) - point(expected)).length();
-        assert!(
-            difference <= self.tolerance * (1.0 + 2.0 * speed),
-            "{}: {difference} at {t}",
-            self.id
-        );
-    }
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value
-        .as_array()
-        .expect("numbers")
-        .iter()
-        .map(number)
-        .collect()
-}
-
-fn point(value: &Value) -> DVec3 {
-    let coordinates = numbers(value);
-    DVec3::new(
-        coordinates[0],
-        coordinates[1],
-        coordinates.get(2).copied().unwrap_or(0.0),
-    )
-}
-
-fn points(value: &Value) -> Vec<DVec3> {
-    value
-        .as_array()
-        .expect("points")
-        .iter()
-        .map(point)
-        .collect()
 }
 
 fn convert(fact: &Fact) {
