@@ -68,14 +68,31 @@ export class Surface {
   static teapot(options) {
     const given = check.options(options);
     const height = check.oneOf(given.height ?? "squashed", "height", ["squashed", "original"]);
-    const up = check.oneOf(given.up ?? "z", "up", ["z", "y"]);
+    const up = upAxis(given);
     const bits = PARTS.reduce((sum, part, k) => (given[part] === false ? sum : sum | (1 << k)), 0);
-    const numbers = take(0, core().surface_teapot(bits, height === "original", up === "y"));
-    const [vertices, patches] = numbers;
-    const from = 2 + 2 * patches;
-    const to = from + 3 * vertices;
-    const degrees = [...numbers.subarray(2, from)];
-    return surfaceOf({ vertices: numbers.slice(from, to), degrees, indices: Uint32Array.from(numbers.subarray(to)) });
+    return readSurface(core().surface_teapot(bits, height === "original", up === "y"));
+  }
+
+  /**
+   * Newell's teacup on its saucer: 26 patches; rim 0–3, outside 4–7, inside 8–11, handle 12–13, saucer 14–25. Of its
+   * sides 46 pairs are shared and 12 open: the bottoms of cup and saucer and the ends of the handle.
+   *
+   * @param {{ up?: "z" | "y" }} [options] the axis that points up, "z" by default; with "y" the axes of the archive
+   * @returns {Surface}
+   */
+  static teacup(options) {
+    return readSurface(core().surface_teaset(false, upAxis(options) === "y"));
+  }
+
+  /**
+   * Newell's teaspoon: 16 patches, lying with its bowl open upwards and its handle along −y. As in the archive the bowl's
+   * end and the tip have small gaps: 28 pairs of sides are shared and 8 sides open.
+   *
+   * @param {{ up?: "z" | "y" }} [options] the axis that points up, "z" by default
+   * @returns {Surface}
+   */
+  static teaspoon(options) {
+    return readSurface(core().surface_teaset(true, upAxis(options) === "y"));
   }
 
   /** The coordinates of the vertices, a copy. */
@@ -209,6 +226,25 @@ class CheckedNetwork {
 /** @param {Network} network */
 function surfaceOf(network) {
   return new Surface(/** @type {any} */ (new CheckedNetwork(network)));
+}
+
+/**
+ * The surface that the core left.
+ *
+ * @param {number} length
+ */
+function readSurface(length) {
+  const numbers = take(0, length);
+  const [vertices, patches] = numbers;
+  const from = 2 + 2 * patches;
+  const to = from + 3 * vertices;
+  const degrees = [...numbers.subarray(2, from)];
+  return surfaceOf({ vertices: numbers.slice(from, to), degrees, indices: Uint32Array.from(numbers.subarray(to)) });
+}
+
+/** @param {{ up?: "z" | "y" } | undefined} options */
+function upAxis(options) {
+  return check.oneOf(check.options(options).up ?? "z", "up", ["z", "y"]);
 }
 
 /**

@@ -18,7 +18,10 @@ mod pieces;
 mod projected;
 mod sets;
 mod sides;
+mod teacup_data;
 mod teapot_data;
+mod teaset;
+mod teaspoon_data;
 mod tessellate;
 mod wireframe;
 

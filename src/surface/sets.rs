@@ -67,7 +67,7 @@ impl Default for TeapotOptions {
 }
 
 /// A control point in whole units; i32, as the tables' sums and turns need no more.
-type Whole = [i32; 3];
+pub(super) type Whole = [i32; 3];
 
 /// The teapot's chosen parts.
 pub(super) fn teapot(options: TeapotOptions) -> Surface {
@@ -96,7 +96,7 @@ pub(super) fn teapot(options: TeapotOptions) -> Surface {
 }
 
 /// Turns profiles around the z axis, a quarter turn per patch; `sense` 1 is clockwise as seen from above.
-fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
+pub(super) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
     for curve in profile.windows(4).step_by(3) {
         for quarter in 0..4 {
             for ring in curve {
@@ -112,7 +112,7 @@ fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
 }
 
 /// Sweeps cross-sections: two curves, each with a patch on the side of −y and its mirror image.
-fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
+pub(super) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
     for curve in sections.windows(4).step_by(3) {
         for section in curve {
             points.extend(half_section(section));
@@ -131,7 +131,7 @@ fn half_section(section: &Section) -> [Whole; 4] {
 }
 
 /// Numbers equal points once, in the order of their first use.
-fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
+pub(super) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
     let mut vertices: Vec<Whole> = Vec::new();
     let mut indices = Vec::with_capacity(points.len());
     for point in points {

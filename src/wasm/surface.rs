@@ -138,6 +138,18 @@ pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     arena::with(|a| put(a, &teapot))
 }
 
+/// Leaves the teacup, or the teaspoon.
+#[wasm_bindgen]
+pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
+    let up = if y_up { Up::Y } else { Up::Z };
+    let surface = if spoon {
+        Surface::teaspoon(up)
+    } else {
+        Surface::teacup(up)
+    };
+    arena::with(|a| put(a, &surface))
+}
+
 fn put(a: &mut Arena, surface: &Surface) -> usize {
     let mut head = vec![
         surface.vertices().len() as f64,

@@ -1,0 +1,46 @@
+// Teacup and teaspoon through the package's door.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { Surface } from "../../dist/index.js";
+import { refused } from "./reference.js";
+
+/** The listing's control points of each patch with v reversed, or nothing where the data are not there. */
+function listed(name, turn) {
+  const url = new URL(`../../../shared/data/${name}.json`, import.meta.url);
+  let data;
+  try {
+    data = JSON.parse(readFileSync(url, "utf8"));
+  } catch {
+    return null;
+  }
+  const rows = (patch) => [12, 8, 4, 0].flatMap((from) => patch.slice(from, from + 4));
+  return data.patches.map((patch) => rows(patch).flatMap((index) => turn(data.vertices[index])));
+}
+
+const all = (surface) => Array.from({ length: surface.patchCount }, (_, k) => [...surface.patch(k).controlPoints()]);
+
+for (const [name, make, turn] of [
+  ["teacup", () => Surface.teacup(), ([x, y, z]) => [x, 0 - z, y]],
+  ["teacup", () => Surface.teacup({ up: "y" }), (p) => p],
+  ["teaspoon", () => Surface.teaspoon({ up: "z" }), (p) => p],
+  ["teaspoon", () => Surface.teaspoon({ up: "y" }), ([x, y, z]) => [x, z, 0 - y]],
+]) {
+  test(`${make} has the listing's figures`, (t) => {
+    const expected = listed(name, turn);
+    if (!expected) return t.skip("no shared data");
+    assert.deepEqual(all(make()), expected);
+  });
+}
+
+test("coincident points are one vertex", () => {
+  assert.deepEqual([Surface.teacup(), Surface.teaspoon()].map((s) => [s.patchCount, s.vertices.length / 3]), [[26, 251], [16, 148]]);
+});
+
+test("refused", () => {
+  for (const make of [(o) => Surface.teacup(o), (o) => Surface.teaspoon(o)]) {
+    refused(() => make({ up: "x" }), RangeError, /^up: expected one of "z", "y", got "x"$/);
+    refused(() => make({ up: 1 }), TypeError, /^up: expected one of "z", "y", got 1$/);
+    refused(() => make("y"), TypeError, /^options: expected an object, got "y"$/);
+  }
+});
