@@ -201,13 +201,14 @@ export function affine(matrix) {
  * The 6 or 16 numbers of a matrix.
  *
  * @param {MatrixLike} matrix
+ * @param {string} [name]
  * @returns {Float64Array}
  */
-export function matrixNumbers(matrix) {
+export function matrixNumbers(matrix, name = "matrix") {
   const dom = typeof matrix === "object" && matrix !== null && "toFloat64Array" in matrix;
-  const m = numbers(dom ? matrix.toFloat64Array() : matrix, "matrix");
+  const m = numbers(dom ? matrix.toFloat64Array() : matrix, name);
   if (m.length === 6 || m.length === 16) return m;
-  throw new RangeError(`matrix: expected 6 or 16 numbers, got ${m.length}`);
+  throw new RangeError(`${name}: expected 6 or 16 numbers, got ${m.length}`);
 }
 
 /**

@@ -27,6 +27,8 @@ const PATCH_IDS = 3;
 const INDICES = 4;
 const QUADS = 5;
 const PATCH_RANGES = 6;
+const PRECISE_POSITIONS = 7;
+const PRECISE_NORMALS = 8;
 
 /**
  * A triangle mesh as plain data, ready for a graphics card. Triangles run counter-clockwise as seen from the side that
@@ -35,8 +37,8 @@ const PATCH_RANGES = 6;
 export class Mesh {
   /**
    * @param {object} data
-   * @param {Float32Array} data.positions
-   * @param {Float32Array} data.normals
+   * @param {Float32Array | Float64Array} data.positions
+   * @param {Float32Array | Float64Array} data.normals
    * @param {Float32Array | null} data.uvs
    * @param {Uint32Array | null} data.patchIds
    * @param {Uint16Array | Uint32Array} data.indices
@@ -48,15 +50,15 @@ export class Mesh {
     this.positions = positions;
     /** The unit normal of each vertex. */
     this.normals = normals;
-    /** u, v of each vertex in its patch. */
+    /** u, v of each vertex in its patch; null where patches share vertices. */
     this.uvs = uvs;
-    /** The patch that each vertex belongs to. */
+    /** The patch that each vertex belongs to; null where patches share vertices. */
     this.patchIds = patchIds;
     /** Three vertices per triangle, in the smallest type that fits. */
     this.indices = indices;
     /** Four vertices per face, where they were asked for. */
     this.quads = quads;
-    /** Where each patch lies in the arrays. */
+    /** Where each patch lies in the arrays; no vertices where patches share them. */
     this.patchRanges = patchRanges;
   }
 }
@@ -70,10 +72,24 @@ export class Mesh {
  */
 export function gridOptions(options) {
   const { segments, quads = false, into } = check.options(options);
-  const each = typeof segments === "object" && segments !== null ? segments : { u: segments, v: segments };
-  const u = check.segmentCount(each.u, each === segments ? "segments.u" : "segments");
-  const v = check.segmentCount(each.v, each === segments ? "segments.v" : "segments");
+  const { u, v } = segmentsOf(segments);
   return { u, v, quads: Boolean(quads), into: into === undefined ? into : check.instanceOf(into, "into", Mesh) };
+}
+
+/**
+ * Segments along u and v, checked.
+ *
+ * @internal
+ * @param {unknown} segments
+ * @returns {{ u: number, v: number }}
+ */
+export function segmentsOf(segments) {
+  const two = typeof segments === "object" && segments !== null;
+  const { u, v } = /** @type {{ u: unknown, v: unknown }} */ (two ? segments : { u: segments, v: segments });
+  return {
+    u: check.segmentCount(u, two ? "segments.u" : "segments"),
+    v: check.segmentCount(v, two ? "segments.v" : "segments"),
+  };
 }
 
 /**
@@ -81,17 +97,21 @@ export function gridOptions(options) {
  *
  * @internal
  * @param {Mesh | undefined} into
+ * @param {{ own?: boolean, precise?: boolean }} [kind] whether each patch has its own vertices; whether positions and
+ *   normals are f64
  * @returns {Mesh}
  */
-export function takeMesh(into) {
-  const wide = core().mesh_length(POSITIONS) / 3 > 0x10000;
+export function takeMesh(into, { own = true, precise = false } = {}) {
+  const [positions, normals] = precise ? [PRECISE_POSITIONS, PRECISE_NORMALS] : [POSITIONS, NORMALS];
+  const Real = /** @type {any} */ (precise ? Float64Array : Float32Array);
+  const wide = core().mesh_length(positions) / 3 > 0x10000;
   /** @type {any} */
   const Indices = wide ? Uint32Array : Uint16Array;
   const data = {
-    positions: read(POSITIONS, Float32Array, into?.positions),
-    normals: read(NORMALS, Float32Array, into?.normals),
-    uvs: read(UVS, Float32Array, into?.uvs),
-    patchIds: read(PATCH_IDS, Uint32Array, into?.patchIds),
+    positions: /** @type {Float32Array | Float64Array} */ (read(positions, Real, into?.positions)),
+    normals: /** @type {Float32Array | Float64Array} */ (read(normals, Real, into?.normals)),
+    uvs: own ? read(UVS, Float32Array, into?.uvs) : null,
+    patchIds: own ? read(PATCH_IDS, Uint32Array, into?.patchIds) : null,
     indices: /** @type {Uint16Array | Uint32Array} */ (read(INDICES, Indices, into?.indices)),
     quads: core().mesh_length(QUADS) ? /** @type {Uint16Array | Uint32Array} */ (read(QUADS, Indices, into?.quads)) : undefined,
     patchRanges: ranges(into?.patchRanges ?? []),
@@ -103,10 +123,10 @@ export function takeMesh(into) {
 /**
  * One buffer of the core's last mesh, copied.
  *
- * @template {Float32Array | Uint16Array | Uint32Array} T
+ * @template {Float32Array | Float64Array | Uint16Array | Uint32Array} T
  * @param {number} buffer
  * @param {new (length: number) => T} Type
- * @param {Float32Array | Uint16Array | Uint32Array | null | undefined} into
+ * @param {Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined} into
  * @returns {T}
  */
 function read(buffer, Type, into) {

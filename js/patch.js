@@ -4,12 +4,14 @@ import { core } from "./init.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { done } from "./refusal.js";
+import { tessellation } from "./tessellation.js";
 import { Checked, load, take } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
+ * @import { Fineness, MeshOptions } from "./tessellation.js"
  */
 
 /**
@@ -217,6 +219,20 @@ export class Patch {
     load(this.#flat);
     done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads));
     return takeMesh(into);
+  }
+
+  /**
+   * A mesh of the patch; see `Surface.tessellate`.
+   *
+   * @param {Fineness} fineness
+   * @param {MeshOptions} [options]
+   * @returns {Mesh}
+   */
+  tessellate(fineness, options) {
+    const { args, extra, into, ...kind } = tessellation(fineness, options);
+    load(this.#flat, extra.length).set(extra, this.#flat.length);
+    done(core().patch_tessellate(this.#degreeU, this.#degreeV, ...args));
+    return takeMesh(into, kind);
   }
 
   /**

@@ -4,11 +4,15 @@ import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
 import { done } from "./refusal.js";
+import { tessellation } from "./tessellation.js";
+import { readTopology } from "./topology.js";
 import { Checked, load, take } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
+ * @import { Fineness, MeshOptions } from "./tessellation.js"
+ * @import { Topology } from "./topology.js"
  */
 
 /**
@@ -20,9 +24,10 @@ import { Checked, load, take } from "./transfer.js";
  */
 
 /**
- * The nets of a surface: vertices, two degrees for each patch, and the vertex indices of all nets in turn.
+ * The nets of a surface: vertices, for each the first that was at the same place when the surface was made, two degrees for
+ * each patch, and the vertex indices of all nets in turn.
  *
- * @typedef {{ vertices: Float64Array, degrees: number[], indices: Uint32Array }} Network
+ * @typedef {{ vertices: Float64Array, joined: Float64Array, degrees: number[], indices: Uint32Array }} Network
  */
 
 /** In the order of the core's bits. */
@@ -56,7 +61,7 @@ export class Surface {
     const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
     const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
     const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) => (k % 2 ? degreeV : degreeU));
-    this.#network = { vertices: flat, degrees, indices };
+    this.#network = { vertices: flat, joined: joinedOf(flat), degrees, indices };
   }
 
   /**
@@ -133,17 +138,34 @@ export class Surface {
   }
 
   /**
-   * The surface with one vertex moved; patches that share it stay joined.
+   * The surface with one vertex moved, for all patches that share it, and with it all vertices that were at the same place
+   * when the surface was made: what was joined stays joined, what was not does not become so.
    *
    * @param {number} index
    * @param {PointLike} to
    * @returns {Surface}
    */
   movePoint(index, to) {
-    check.whole(index, "index", 0, this.#network.vertices.length / 3 - 1);
+    const { joined } = this.#network;
+    check.whole(index, "index", 0, joined.length - 1);
     const vertices = this.vertices;
     writePoint(vertices, 3 * index, to, 3, "to");
+    const moved = vertices.slice(3 * index, 3 * index + 3);
+    joined.forEach((first, k) => {
+      if (first === joined[index]) vertices.set(moved, 3 * k);
+    });
     return surfaceOf({ ...this.#network, vertices });
+  }
+
+  /**
+   * How the patches are joined: sides are the same line when their control points are at the same places, in the same
+   * order or reversed. A side of another degree, or a part of a longer one, is another line.
+   *
+   * @returns {Topology}
+   */
+  topology() {
+    this.#load();
+    return readTopology(take(0, core().surface_topology()));
   }
 
   /**
@@ -167,9 +189,28 @@ export class Surface {
    */
   grid(options) {
     const { u, v, quads, into } = gridOptions(options);
-    this.#load();
+    this.#load(0, false);
     done(core().surface_grid(u, v, quads));
     return takeMesh(into);
+  }
+
+  /**
+   * A mesh without cracks and T-junctions: every edge inside has exactly two triangles. By tolerance, no point of the
+   * surface is farther from the mesh than that; normals are those of the patches, limits where a side has collapsed.
+   *
+   *     const mesh = Surface.teapot().tessellate({ tolerance: 0.01 });
+   *
+   * @param {Fineness} fineness
+   * @param {MeshOptions} [options]
+   * @returns {Mesh}
+   * @throws {RangeError} for a tolerance that f32 (or f64) cannot keep, and for a mesh above 1 GiB
+   */
+  tessellate(fineness, options) {
+    const { args, extra, into, ...kind } = tessellation(fineness, options);
+    const end = this.#load(extra.length);
+    end.view.set(extra, end.at);
+    done(core().surface_tessellate(...args));
+    return takeMesh(into, kind);
   }
 
   /**
@@ -202,15 +243,19 @@ export class Surface {
    * Writes the surface to the arena, with room behind it.
    *
    * @param {number} [extra]
+   * @param {boolean} [withJoined] not needed where patches stand alone
    */
-  #load(extra = 0) {
-    const { vertices, degrees, indices } = this.#network;
-    const from = 2 + degrees.length;
-    const at = from + vertices.length + indices.length;
-    const view = load(Float64Array.of(vertices.length / 3, degrees.length / 2), at + extra);
-    view.set(degrees, 2);
+  #load(extra = 0, withJoined = true) {
+    const { vertices, degrees, indices, joined } = this.#network;
+    const from = 3 + degrees.length;
+    const joinedAt = from + vertices.length + indices.length;
+    const joinedCount = withJoined ? joined.length : 0;
+    const at = joinedAt + joinedCount;
+    const view = load(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
+    view.set(degrees, 3);
     view.set(vertices, from);
     view.set(indices, from + vertices.length);
+    if (withJoined) view.set(joined, joinedAt);
     return { view, at };
   }
 }
@@ -229,17 +274,28 @@ function surfaceOf(network) {
 }
 
 /**
- * The surface that the core left.
+ * The surface that the core left, see `put` in src/wasm/surface.rs.
  *
  * @param {number} length
  */
 function readSurface(length) {
   const numbers = take(0, length);
-  const [vertices, patches] = numbers;
-  const from = 2 + 2 * patches;
+  const [vertices, patches, joined] = numbers;
+  const from = 3 + 2 * patches;
   const to = from + 3 * vertices;
-  const degrees = [...numbers.subarray(2, from)];
-  return surfaceOf({ vertices: numbers.slice(from, to), degrees, indices: Uint32Array.from(numbers.subarray(to)) });
+  const end = numbers.length - joined;
+  return surfaceOf({
+    degrees: [...numbers.subarray(3, from)],
+    vertices: numbers.slice(from, to),
+    indices: Uint32Array.from(numbers.subarray(to, end)),
+    joined: numbers.slice(end),
+  });
+}
+
+/** @param {Float64Array} vertices */
+function joinedOf(vertices) {
+  load(vertices);
+  return take(0, core().points_joined(vertices.length / 3));
 }
 
 /** @param {{ up?: "z" | "y" } | undefined} options */

@@ -16,9 +16,6 @@ pub(crate) type Scalars = List<f64, 4>;
 /// The control points of a patch.
 pub(crate) type Net = List<DVec3, 16>;
 
-/// The vertices of one side of a patch.
-pub(crate) type Side = List<u32, 4>;
-
 /// The control points of a slice; natively a copy of bytes where `From` would go point by point.
 #[inline]
 pub(crate) fn points_of<P: Copy>(slice: &[P]) -> Points<P> {

@@ -1,15 +1,19 @@
 //! What is drawn: plain buffers.
 
+use super::tessellate::{MAX_U16_VERTICES, to_f32};
+use glam::DVec3;
+
 /// A triangle mesh as plain data, ready for a graphics card.
 ///
 /// With `n` vertices and `t` triangles: `positions` and `normals` hold 3n numbers, `uvs` 2n, `patch_ids` n, `indices`
-/// 3t. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to.
+/// 3t. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to. `uvs` and `patch_ids` are empty
+/// where patches share vertices. `T` is f32, or f64 where that was asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
+pub struct Mesh<T = f32> {
     /// x, y, z of each vertex.
-    pub positions: Vec<f32>,
+    pub positions: Vec<T>,
     /// The unit normal of each vertex.
-    pub normals: Vec<f32>,
+    pub normals: Vec<T>,
     /// u, v of each vertex in its patch.
     pub uvs: Vec<f32>,
     /// The patch that each vertex belongs to.
@@ -27,7 +31,7 @@ pub struct Mesh {
 pub struct PatchRange {
     /// Its first vertex.
     pub first_vertex: u32,
-    /// Its number of vertices.
+    /// Its number of vertices; 0 where patches share vertices.
     pub vertices: u32,
     /// Where its first triangle starts in `indices`.
     pub first_index: u32,
@@ -44,7 +48,7 @@ pub enum Indices {
     U32(Vec<u32>),
 }
 
-impl Mesh {
+impl<T> Mesh<T> {
     /// The number of vertices.
     pub fn vertex_count(&self) -> usize {
         self.positions.len() / 3
@@ -56,6 +60,39 @@ impl Mesh {
     }
 }
 
+impl Mesh<f64> {
+    /// Empties all buffers and keeps their memory.
+    pub(super) fn clear(&mut self) {
+        self.positions.clear();
+        self.normals.clear();
+        self.uvs.clear();
+        self.patch_ids.clear();
+        self.indices = Indices::default();
+        self.quads = None;
+        self.patch_ranges.clear();
+    }
+
+    /// One more vertex.
+    pub(super) fn push(&mut self, position: DVec3, normal: DVec3) {
+        self.positions.extend(position.to_array());
+        self.normals.extend(normal.to_array());
+    }
+
+    /// The same mesh in f32.
+    pub fn to_f32(self) -> Mesh {
+        let narrow = |numbers: Vec<f64>| numbers.into_iter().map(to_f32).collect();
+        Mesh {
+            positions: narrow(self.positions),
+            normals: narrow(self.normals),
+            uvs: self.uvs,
+            patch_ids: self.patch_ids,
+            indices: self.indices,
+            quads: self.quads,
+            patch_ranges: self.patch_ranges,
+        }
+    }
+}
+
 impl Default for Indices {
     fn default() -> Self {
         Self::U16(Vec::new())
@@ -63,6 +100,15 @@ impl Default for Indices {
 }
 
 impl Indices {
+    /// Numbers below `vertices`, in the smallest type that fits.
+    pub(super) fn smallest(numbers: Vec<u32>, vertices: usize) -> Self {
+        if vertices > MAX_U16_VERTICES {
+            return Self::U32(numbers);
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "they are below 65,536")]
+        Self::U16(numbers.into_iter().map(|number| number as u16).collect())
+    }
+
     /// How many numbers there are.
     pub fn len(&self) -> usize {
         match self {

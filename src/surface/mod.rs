@@ -7,8 +7,10 @@
 //! Three things are kept apart: a [`Grid`] knows the layout of samples and no points, a [`Patch`] knows points and no
 //! buffers, a [`Mesh`] is buffers and nothing else.
 
+mod first_of;
 mod grid;
 mod kernel;
+mod leaves;
 mod mesh;
 mod net;
 mod network;
@@ -16,17 +18,28 @@ mod normal;
 mod patch;
 mod pieces;
 mod projected;
+mod refine;
+mod sampler;
 mod sets;
-mod sides;
+mod stitch;
+mod stitched;
 mod teacup_data;
 mod teapot_data;
 mod teaset;
 mod teaspoon_data;
 mod tessellate;
+mod topology;
+mod view;
+mod weld;
 mod wireframe;
 
+#[cfg(feature = "wasm")]
+pub(crate) use first_of::joined;
 pub use grid::Grid;
 pub use mesh::{Indices, Mesh, PatchRange};
 pub use network::Surface;
 pub use patch::{Partials, Patch};
 pub use sets::{Height, TeapotOptions, Up};
+pub use topology::{Side, SideName, Topology};
+pub use view::{Fineness, View};
+pub use weld::Weld;

@@ -1,5 +1,6 @@
 //! A network of patches that share control points.
 
+use super::first_of::joined;
 use super::net::Net;
 use super::patch::{check_degree, checked_point};
 use super::tessellate::fill_mesh;
@@ -26,6 +27,8 @@ use glam::{DAffine3, DVec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     vertices: Vec<DVec3>,
+    /// For each vertex the first one that was at the same place when the surface was made.
+    joined: Vec<u32>,
     /// The nets of all patches, one after the other.
     indices: Vec<u32>,
     patches: Vec<Layout>,
@@ -77,6 +80,17 @@ impl Surface {
         indices: Vec<u32>,
         degrees: &[[usize; 2]],
     ) -> Result<Self, Error> {
+        let joined = joined(&vertices);
+        Self::from_parts(vertices, joined, indices, degrees)
+    }
+
+    /// From vertices that are known to be joined in this way.
+    pub(crate) fn from_parts(
+        vertices: Vec<DVec3>,
+        joined: Vec<u32>,
+        indices: Vec<u32>,
+        degrees: &[[usize; 2]],
+    ) -> Result<Self, Error> {
         let mut first = 0;
         let mut patches = Vec::with_capacity(degrees.len());
         for &[degree_u, degree_v] in degrees {
@@ -100,6 +114,7 @@ impl Surface {
         check_finite("vertices", &vertices)?;
         let surface = Self {
             vertices,
+            joined,
             indices,
             patches,
         };
@@ -122,6 +137,7 @@ impl Surface {
             })
             .collect();
         Self {
+            joined: joined(&vertices),
             vertices,
             indices,
             patches,
@@ -212,14 +228,32 @@ impl Surface {
         image
     }
 
-    /// The surface with one vertex moved, for all patches that share it.
+    /// The surface with one vertex moved, for all patches that share it, and all vertices that were at the same place
+    /// when the surface was made: what was joined stays joined, what was not does not become so.
     ///
     /// # Errors
     /// [`Error::Index`] for an index past the vertices, [`Error::NotFinite`] for a target with a NaN or an infinity.
     pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
         let mut moved = self.clone();
-        *checked_point(&mut moved.vertices, index, to)? = to;
+        checked_point(&mut moved.vertices, index, to)?;
+        let place = self.joined[index];
+        for (vertex, &joined) in moved.vertices.iter_mut().zip(&self.joined) {
+            if joined == place {
+                *vertex = to;
+            }
+        }
         Ok(moved)
+    }
+
+    /// The first vertex that is joined to this one.
+    pub(super) fn joined(&self, vertex: u32) -> u32 {
+        self.joined.get(vertex as usize).copied().unwrap_or(vertex)
+    }
+
+    /// The same for all vertices.
+    #[cfg(feature = "wasm")]
+    pub(crate) fn joined_all(&self) -> &[u32] {
+        &self.joined
     }
 
     /// A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
@@ -261,6 +295,21 @@ impl Patch {
         let mut mesh = Mesh::default();
         self.grid_into(grid, quads, &mut mesh)?;
         Ok(mesh)
+    }
+
+    /// A surface of this patch alone.
+    pub(crate) fn alone(&self) -> Surface {
+        let vertices = self.points.to_vec();
+        Surface {
+            joined: joined(&vertices),
+            indices: (0..).take(vertices.len()).collect(),
+            patches: vec![Layout {
+                first: 0,
+                degree_u: self.degree_u(),
+                degree_v: self.degree_v(),
+            }],
+            vertices,
+        }
     }
 
     /// As [`grid`](Self::grid), into an earlier mesh.

@@ -6,7 +6,7 @@ use crate::error::Error;
 use glam::DVec3;
 
 /// The most vertices that 16 bits can number.
-const MAX_U16_VERTICES: usize = 1 << 16;
+pub(super) const MAX_U16_VERTICES: usize = 1 << 16;
 
 /// Fills `mesh` with one grid for each of `patches` patches; `net_of` hands out their nets and degrees in u and v.
 ///

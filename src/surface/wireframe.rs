@@ -2,6 +2,7 @@
 
 use super::Surface;
 use super::projected::Projection;
+use super::topology::SIDES;
 use crate::curve::{Curve, MAX_OUTPUT_F64, Pen, check_tolerance, ratio};
 use crate::error::Error;
 use glam::{DMat4, DVec3};
@@ -12,7 +13,7 @@ const TOLERANCE_PX: f64 = 0.1;
 impl Surface {
     /// The isocurves that divide every patch into `lines` strips each way: at u and v = k / `lines`, sides included.
     ///
-    /// A side that patches share (by the same vertices) comes once, a side that is one vertex not at all. For each
+    /// A side that patches share comes once, a side that is a point not at all (see [`topology`](Self::topology)). For each
     /// patch first the curves of constant u, then those of constant v.
     ///
     /// # Errors
@@ -58,8 +59,13 @@ impl Surface {
     /// Hands out the isocurves one by one.
     fn each_isocurve(&self, lines: usize, mut draw: impl FnMut(Curve<DVec3>)) -> Result<(), Error> {
         self.check_lines(lines)?;
-        let distinct = self.distinct_sides();
-        for (patch, [u0, u1, v0, v1]) in self.patches().zip(distinct) {
+        let uses = self.side_uses();
+        for (k, patch) in self.patches().enumerate() {
+            // A line that an earlier side has drawn, or a point, is left out.
+            let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
+                let number = SIDES * k + side;
+                uses[number].first == number && !uses[number].collapsed
+            });
             let wanted =
                 |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
             for k in (0..=lines).filter(|&k| wanted(k, u0, u1)) {

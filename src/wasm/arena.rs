@@ -177,6 +177,12 @@ impl Arena {
         end
     }
 
+    /// Writes counts from number `at` on and returns where they end.
+    pub(super) fn put_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
+        let numbers: Vec<f64> = counts.map(|count| count as f64).collect();
+        self.put_numbers(at, &numbers)
+    }
+
     /// Leaves the pieces of a message: address and length of words, or a number and −1. JavaScript joins them.
     #[inline(never)]
     fn put_message(&mut self, error: &Error) {

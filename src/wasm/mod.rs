@@ -17,6 +17,7 @@
 mod alone;
 mod arena;
 mod curve;
+mod mesh;
 mod pen;
 mod spline;
 mod surface;

@@ -1,31 +1,20 @@
 //! Bindings of patches and surfaces.
 //!
-//! Patches: the net at the start of the arena. Surfaces: the number of vertices and of patches, the degrees u and v
-//! of each patch, the vertices, the indices of all nets; further arguments behind them.
+//! Patches: the net at the start of the arena. Surfaces: the number of vertices, of patches, and of joined vertices (0
+//! where it does not matter what is joined), the degrees u and v of each patch, the vertices, the indices of all nets,
+//! for each vertex the first that it is joined to; further arguments behind them.
 
-use super::alone::Alone;
 use super::arena::{self, Arena};
 use super::given;
+use super::mesh::MESH;
 use super::pen::CanvasPen;
 use crate::error::Error;
-use crate::surface::{Grid, Height, Indices, Mesh, Patch, Surface, TeapotOptions, Up};
-use glam::{DMat4, DVec3};
-use js_sys::{Float32Array, Uint16Array, Uint32Array};
+use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
+use glam::DMat4;
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-use wasm_bindgen::{JsCast, JsValue};
 
-/// The last mesh, whose buffers the next one reuses.
-static MESH: Alone<Mesh> = Alone::new(Mesh {
-    positions: Vec::new(),
-    normals: Vec::new(),
-    uvs: Vec::new(),
-    patch_ids: Vec::new(),
-    indices: Indices::U16(Vec::new()),
-    quads: None,
-    patch_ranges: Vec::new(),
-});
-
-fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
+pub(super) fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
     Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
 }
 
@@ -100,21 +89,31 @@ pub fn patch_grid(
 }
 
 /// The surface at the start of the arena, and where it ends.
-fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
-    let (vertices, patches) = (a.count(0), a.count(1));
+pub(super) fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
+    let [vertices, patches, joined] = [0, 1, 2].map(|k| a.count(k));
     let degrees: Vec<[usize; 2]> = (0..patches)
-        .map(|k| [a.count(2 + 2 * k), a.count(3 + 2 * k)])
+        .map(|k| [a.count(3 + 2 * k), a.count(4 + 2 * k)])
         .collect();
-    let at = 2 + 2 * patches;
+    let at = 3 + 2 * patches;
     let indices_at = at + 3 * vertices;
-    let count = degrees
-        .iter()
-        .map(|[u, v]| (u + 1) * (v + 1))
-        .sum::<usize>();
-    let indices = a.small_counts(indices_at, count);
-    let points = a.points::<DVec3>(at, vertices).to_vec();
-    let surface = Surface::with_degrees(points, indices, &degrees)?;
-    Ok((surface, indices_at + count))
+    let net = |[u, v]: &[usize; 2]| (u + 1) * (v + 1);
+    let joined_at = indices_at + degrees.iter().map(net).sum::<usize>();
+    let surface = Surface::from_parts(
+        a.points(at, vertices).to_vec(),
+        a.small_counts(joined_at, joined),
+        a.small_counts(indices_at, joined_at - indices_at),
+        &degrees,
+    )?;
+    Ok((surface, joined_at + joined))
+}
+
+/// In: points. Leaves for each the first at the same place.
+#[wasm_bindgen]
+pub fn points_joined(count: usize) -> usize {
+    arena::with(|a| {
+        let joined = joined(a.points(0, count));
+        a.put_counts(0, joined.into_iter().map(|first| first as usize))
+    })
 }
 
 /// Leaves the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
@@ -150,21 +149,15 @@ pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
     arena::with(|a| put(a, &surface))
 }
 
-fn put(a: &mut Arena, surface: &Surface) -> usize {
-    let mut head = vec![
-        surface.vertices().len() as f64,
-        surface.patch_count() as f64,
-    ];
-    head.extend(
-        (0..surface.patch_count())
-            .filter_map(|k| surface.degrees(k))
-            .flatten()
-            .map(|d| d as f64),
-    );
-    let at = a.put_numbers(0, &head);
-    let at = a.put(at, surface.vertices());
-    let indices: Vec<f64> = surface.indices().iter().map(|&i| f64::from(i)).collect();
-    a.put_numbers(at, &indices)
+/// Leaves a surface, in the form in which it comes in.
+pub(super) fn put(a: &mut Arena, surface: &Surface) -> usize {
+    let (vertices, patches) = (surface.vertices(), surface.patch_count());
+    a.put_counts(0, [vertices.len(), patches, vertices.len()].into_iter());
+    let degrees = (0..patches).filter_map(|k| surface.degrees(k)).flatten();
+    let at = a.put_counts(3, degrees);
+    let at = a.put(at, vertices);
+    let at = a.put_counts(at, surface.indices().iter().map(|&i| i as usize));
+    a.put_counts(at, surface.joined_all().iter().map(|&i| i as usize))
 }
 
 /// Makes the mesh of a surface; 0.
@@ -193,64 +186,4 @@ pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
         surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))
     };
     arena::settle(read.and_then(draw).map(|()| 0))
-}
-
-/// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
-/// 5 quads (0 where there are none), 6 patch ranges (four each).
-#[wasm_bindgen]
-pub fn mesh_length(buffer: usize) -> usize {
-    MESH.with(|mesh| match buffer {
-        0 => mesh.positions.len(),
-        1 => mesh.normals.len(),
-        2 => mesh.uvs.len(),
-        3 => mesh.patch_ids.len(),
-        4 => mesh.indices.len(),
-        6 => 4 * mesh.patch_ranges.len(),
-        _ => mesh.quads.as_ref().map_or(0, Indices::len),
-    })
-}
-
-/// Copies a buffer of the last mesh into a typed array of its kind and of exactly its length.
-#[wasm_bindgen]
-pub fn mesh_copy(buffer: usize, into: &JsValue) {
-    MESH.with(|mesh| match buffer {
-        0 => into
-            .unchecked_ref::<Float32Array>()
-            .copy_from(&mesh.positions),
-        1 => into
-            .unchecked_ref::<Float32Array>()
-            .copy_from(&mesh.normals),
-        2 => into.unchecked_ref::<Float32Array>().copy_from(&mesh.uvs),
-        3 => into
-            .unchecked_ref::<Uint32Array>()
-            .copy_from(&mesh.patch_ids),
-        4 => copy_indices(&mesh.indices, into),
-        6 => into
-            .unchecked_ref::<Uint32Array>()
-            .copy_from(&range_numbers(mesh)),
-        _ => mesh
-            .quads
-            .iter()
-            .for_each(|quads| copy_indices(quads, into)),
-    });
-}
-
-fn range_numbers(mesh: &Mesh) -> Vec<u32> {
-    mesh.patch_ranges
-        .iter()
-        .flat_map(|r| [r.first_vertex, r.vertices, r.first_index, r.indices])
-        .collect()
-}
-
-fn copy_indices(indices: &Indices, into: &JsValue) {
-    match indices {
-        Indices::U16(list) => into.unchecked_ref::<Uint16Array>().copy_from(list),
-        Indices::U32(list) => into.unchecked_ref::<Uint32Array>().copy_from(list),
-    }
-}
-
-/// Gives the memory of the last mesh back.
-#[wasm_bindgen]
-pub fn mesh_drop() {
-    MESH.with(|mesh| *mesh = Mesh::default());
 }

@@ -1,0 +1,61 @@
+//! Numbering things by equality, in linear time: the first of each kind stands for all of them.
+
+use glam::DVec3;
+
+/// A slot that holds nothing; no surface has so many vertices or sides.
+const EMPTY: u32 = u32::MAX;
+
+/// A table of the first of each kind: open addressing, at most half full.
+pub(super) struct FirstOf {
+    slots: Vec<u32>,
+}
+
+impl FirstOf {
+    /// A table for up to `count` things.
+    pub(super) fn new(count: usize) -> Self {
+        Self {
+            slots: vec![EMPTY; (2 * count + 1).next_power_of_two()],
+        }
+    }
+
+    /// The first thing that came with this hash and is the same as `thing`; `thing` itself if there was none.
+    pub(super) fn find(&mut self, thing: u32, hash: u64, same: impl Fn(u32) -> bool) -> u32 {
+        let mask = self.slots.len() - 1;
+        // The upper half: multiplication has mixed it best.
+        let mut place = (hash >> 32) as usize & mask;
+        loop {
+            let found = &mut self.slots[place];
+            if *found == EMPTY {
+                *found = thing;
+            }
+            if *found == thing || same(*found) {
+                return *found;
+            }
+            place = (place + 1) & mask;
+        }
+    }
+}
+
+/// Another number into a hash.
+pub(super) fn mix(hash: u64, number: u64) -> u64 {
+    // 2⁶⁴ / the golden ratio, odd: Fibonacci hashing (Knuth, TAOCP 3, §6.4).
+    let product = (hash ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    product ^ (product >> 29)
+}
+
+/// For each point the first one at the same place.
+pub(crate) fn joined(points: &[DVec3]) -> Vec<u32> {
+    let mut first = FirstOf::new(points.len());
+    (0..)
+        .zip(points)
+        .map(|(index, &p)| first.find(index, hash_of(p), |other| points[other as usize] == p))
+        .collect()
+}
+
+fn hash_of(point: DVec3) -> u64 {
+    // −0 + 0 is 0: both zeros are one place.
+    point
+        .to_array()
+        .iter()
+        .fold(0, |hash, x| mix(hash, (x + 0.0).to_bits()))
+}

@@ -1,0 +1,205 @@
+//! Meshes without cracks, as fine as asked for.
+
+use super::leaves::{Cutter, DYADIC, Leaf};
+use super::stitched::{Cut, stitch};
+use super::tessellate::to_f32;
+use super::view::Fineness;
+use super::{Grid, Mesh, Patch, Surface, Weld};
+use crate::curve::{check_tolerance, max_abs};
+use crate::error::Error;
+use glam::DVec3;
+
+/// The most leaves of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
+/// 1 GiB.
+const MAX_LEAVES: usize = (1 << 30) / ((6 + 9) * 4);
+
+/// The least tolerance is four ulps of the largest coordinate.
+const LEAST_ULPS: f64 = 4.0;
+
+/// A mesh's type of numbers.
+#[derive(Clone, Copy)]
+struct Precision {
+    /// The distance of 1 from the next larger number, and the least number above 0.
+    ulp: f64,
+    tiny: f64,
+    /// The largest number.
+    max: f64,
+    round: fn(DVec3) -> DVec3,
+}
+
+const SINGLE: Precision = Precision {
+    ulp: f32::EPSILON as f64,
+    tiny: f32::MIN_POSITIVE as f64 * f32::EPSILON as f64,
+    max: f32::MAX as f64,
+    round: |point| DVec3::from(point.to_array().map(|x| f64::from(to_f32(x)))),
+};
+
+const DOUBLE: Precision = Precision {
+    ulp: f64::EPSILON,
+    tiny: f64::MIN_POSITIVE * f64::EPSILON,
+    max: f64::MAX,
+    round: |point| point,
+};
+
+impl Surface {
+    /// A mesh without cracks and T-junctions: every edge inside of the surface has exactly two triangles.
+    ///
+    /// With [`Fineness::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is cut
+    /// where its second derivatives say so, and rounding to f32 takes its share first. Patches that share a side share
+    /// its vertices, whatever each needs. Normals are those of the patches, limits where a side has collapsed. Triangles
+    /// with two corners at one place are left out; a patch that is a curve or a point gives none.
+    ///
+    /// Source of the bound: Filip, Magedson and Markot, CAGD 3 (1986).
+    ///
+    /// ```
+    /// use casteljau::surface::{Fineness, Weld};
+    /// use casteljau::{Surface, TeapotOptions};
+    ///
+    /// let teapot = Surface::teapot(TeapotOptions::default());
+    /// let mesh = teapot.tessellate(&Fineness::Tolerance(0.01), Weld::Normal)?;
+    /// assert!(mesh.triangle_count() < 10_000);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 segments, a tolerance or a number of pixels that is not above 0; [`Error::Tolerance`] for
+    /// one below 4 ulps (of f32) of the largest coordinate; [`Error::NotFinite`] for a matrix; [`Error::TooMany`] when the
+    /// mesh would take more than 1 GiB.
+    pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
+        let mut mesh = Mesh::default();
+        self.tessellate_with(SINGLE, fineness, weld, &mut mesh)?;
+        Ok(mesh.to_f32())
+    }
+
+    /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
+    ///
+    /// # Errors
+    /// As `tessellate`, with ulps of f64.
+    pub fn tessellate_f64(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh<f64>, Error> {
+        let mut mesh = Mesh::default();
+        self.tessellate_with(DOUBLE, fineness, weld, &mut mesh)?;
+        Ok(mesh)
+    }
+
+    fn tessellate_with(
+        &self,
+        precision: Precision,
+        fineness: &Fineness,
+        weld: Weld,
+        mesh: &mut Mesh<f64>,
+    ) -> Result<(), Error> {
+        let cut = self.cut(precision, fineness)?;
+        stitch(self, &cut, precision.round).weld(weld, mesh);
+        Ok(())
+    }
+
+    /// The leaves of all patches.
+    fn cut(&self, precision: Precision, fineness: &Fineness) -> Result<Cut, Error> {
+        let size = self.max_abs();
+        if size > precision.max {
+            return Err(Error::Range {
+                what: "vertices",
+                expected: "coordinates that f32 can hold, or the precision f64",
+                got: size,
+            });
+        }
+        // Half an ulp along each axis is what rounding moves a vertex: less than one ulp in all.
+        let ulp = (precision.ulp * size).max(precision.tiny);
+        match fineness {
+            Fineness::Segments(grid) => return self.cut_evenly(*grid),
+            Fineness::Tolerance(tolerance) => check_least(*tolerance, LEAST_ULPS * ulp)?,
+            Fineness::Pixels(view) => view.check()?,
+        }
+        self.cut_finely(fineness, ulp)
+    }
+
+    fn cut_finely(&self, fineness: &Fineness, ulp: f64) -> Result<Cut, Error> {
+        let mut cutter = Cutter {
+            fineness,
+            least: LEAST_ULPS * ulp,
+            rounding: ulp,
+            limit: MAX_LEAVES,
+            expected: 0.0,
+            leaves: Vec::new(),
+        };
+        let mut ends = Vec::with_capacity(self.patch_count());
+        for patch in self.patches() {
+            cutter.cut(&patch.points, patch.columns)?;
+            ends.push(cutter.leaves.len());
+        }
+        Ok(Cut {
+            leaves: cutter.leaves,
+            ends,
+            full: DYADIC,
+        })
+    }
+
+    /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.
+    fn cut_evenly(&self, grid: Grid) -> Result<Cut, Error> {
+        grid.check(self.patch_count())?;
+        let common = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+        let (segments_u, segments_v) = (common(grid.segments_u), common(grid.segments_v));
+        // Within u32: the grid's vertices were counted.
+        let full = segments_u / divisor(segments_u, segments_v) * segments_v;
+        let (du, dv) = (full / segments_u, full / segments_v);
+        let cells = || {
+            (0..segments_v).flat_map(move |iv| {
+                let leaf = move |iu| Leaf {
+                    u: iu * du,
+                    v: iv * dv,
+                    du,
+                    dv,
+                };
+                (0..segments_u).map(leaf)
+            })
+        };
+        let leaves: Vec<Leaf> = (0..self.patch_count()).flat_map(|_| cells()).collect();
+        let per_patch = grid.segments_u * grid.segments_v;
+        Ok(Cut {
+            leaves,
+            ends: (1..=self.patch_count()).map(|k| k * per_patch).collect(),
+            full,
+        })
+    }
+
+    /// The largest absolute coordinate of the control points.
+    fn max_abs(&self) -> f64 {
+        self.control_bounds()
+            .map_or(0.0, |b| max_abs(&[b.min, b.max]))
+    }
+}
+
+impl Patch {
+    /// A mesh of the patch; see [`Surface::tessellate`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
+        self.alone().tessellate(fineness, weld)
+    }
+
+    /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn tessellate_f64(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh<f64>, Error> {
+        self.alone().tessellate_f64(fineness, weld)
+    }
+}
+
+/// Refuses a tolerance that is not above 0, or that the mesh's numbers cannot keep.
+fn check_least(tolerance: f64, least: f64) -> Result<(), Error> {
+    check_tolerance(tolerance, 0.0)?;
+    if tolerance < least {
+        return Err(Error::Tolerance {
+            least,
+            got: tolerance,
+        });
+    }
+    Ok(())
+}
+
+/// The greatest common divisor (Euclid).
+fn divisor(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { divisor(b, a % b) }
+}

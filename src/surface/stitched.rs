@@ -1,0 +1,250 @@
+//! Leaves of many patches become triangles that meet without cracks.
+//!
+//! Each line that patches share gets one list of samples: all that any of its patches needs. They are evaluated once,
+//! from the side's own control points, and belong to all its patches. A point of the surface that several patches
+//! share is one *node*; a *corner* is a node as one patch sees it, with its own u, v and normal.
+
+use super::Surface;
+use super::leaves::Leaf;
+use super::sampler::Sampler;
+use super::stitch::{Chains, Lattice, first, pair, place, second, sort_distinct};
+use super::topology::{SIDES, SideUse};
+use crate::curve::{Points, evaluate};
+use glam::DVec3;
+
+/// No node yet.
+const NONE: u32 = u32::MAX;
+
+/// A node as one patch sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub(super) node: u32,
+    pub(super) u: f64,
+    pub(super) v: f64,
+    pub(super) normal: DVec3,
+}
+
+/// Where the part of one patch ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PatchEnd {
+    pub(super) corners: usize,
+    pub(super) triangles: usize,
+}
+
+/// The triangles of a surface before vertices are made of their corners.
+#[derive(Debug, Default)]
+pub(super) struct Stitched {
+    /// Where each node is.
+    pub(super) nodes: Vec<DVec3>,
+    pub(super) corners: Vec<Corner>,
+    /// Three corners each.
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) ends: Vec<PatchEnd>,
+}
+
+/// The leaves of all patches.
+pub(super) struct Cut {
+    pub(super) leaves: Vec<Leaf>,
+    /// Where the leaves of each patch end.
+    pub(super) ends: Vec<usize>,
+    /// The whole number that stands for the parameter 1.
+    pub(super) full: u32,
+}
+
+/// Work in progress.
+struct Stitcher<'a> {
+    surface: &'a Surface,
+    cut: &'a Cut,
+    round: fn(DVec3) -> DVec3,
+    uses: Vec<SideUse>,
+    /// The samples inside of shared lines, sorted: the line's first side, and the parameter along it.
+    samples: Vec<u64>,
+    /// The node of each vertex that is a corner of patches; the nodes of `samples` come first.
+    node_of_vertex: Vec<u32>,
+    out: Stitched,
+}
+
+impl Cut {
+    fn of_patch(&self, patch: usize) -> &[Leaf] {
+        let from = if patch == 0 { 0 } else { self.ends[patch - 1] };
+        &self.leaves[from..self.ends[patch]]
+    }
+}
+
+/// Stitches the leaves together; `round` is what the mesh's type of numbers does to a point.
+pub(super) fn stitch(surface: &Surface, cut: &Cut, round: fn(DVec3) -> DVec3) -> Stitched {
+    let mut stitcher = Stitcher {
+        surface,
+        cut,
+        round,
+        uses: surface.side_uses(),
+        samples: Vec::new(),
+        node_of_vertex: vec![NONE; surface.vertices().len()],
+        out: Stitched::default(),
+    };
+    stitcher.sample_sides();
+    let (mut lattice, mut chains) = (Lattice::default(), Chains::default());
+    for (k, patch) in surface.patches().enumerate() {
+        let mut sampler = Sampler::new(patch.points, patch.columns);
+        if sampler.has_area() {
+            lattice.fill(cut.of_patch(k), stitcher.side_vertices(k));
+            let base = stitcher.out.corners.len();
+            stitcher.add_corners(k, &lattice, &mut sampler);
+            stitcher.add_triangles(k, &lattice, &mut chains, base);
+        }
+        let (corners, triangles) = (stitcher.out.corners.len(), stitcher.out.triangles.len());
+        stitcher.out.ends.push(PatchEnd { corners, triangles });
+    }
+    stitcher.out
+}
+
+impl Stitcher<'_> {
+    /// One node for each sample inside of a line.
+    fn sample_sides(&mut self) {
+        for patch in 0..self.surface.patch_count() {
+            for leaf in self.cut.of_patch(patch) {
+                for (side, from, length) in self.sides_of(leaf).into_iter().flatten() {
+                    for k in [from, from + length] {
+                        let sample = self.sample(SIDES * patch + side, k);
+                        self.samples.extend(sample);
+                    }
+                }
+            }
+        }
+        sort_distinct(&mut self.samples);
+        let (mut side, mut line) = (NONE, Points::new());
+        for &sample in &self.samples {
+            if first(sample) != side {
+                side = first(sample);
+                let vertices = self.surface.side(side as usize);
+                line = vertices
+                    .map(|v| self.surface.vertices()[v as usize])
+                    .collect();
+            }
+            let point = evaluate(&line, self.parameter(second(sample)));
+            self.out.nodes.push((self.round)(point));
+        }
+    }
+
+    /// The sides that a leaf lies on, with the part of each that it covers.
+    fn sides_of(&self, leaf: &Leaf) -> [Option<(usize, u32, u32)>; SIDES] {
+        let Leaf { u, v, du, dv } = *leaf;
+        let full = self.cut.full;
+        [
+            (u == 0).then_some((0, v, dv)),
+            (u + du == full).then_some((1, v, dv)),
+            (v == 0).then_some((2, u, du)),
+            (v + dv == full).then_some((3, u, du)),
+        ]
+    }
+
+    /// The sample at k of a side; none at its ends and on a side that is a point.
+    fn sample(&self, side: usize, k: u32) -> Option<u64> {
+        let used = self.uses[side];
+        if used.collapsed || k == 0 || k == self.cut.full {
+            return None;
+        }
+        let along = if used.reversed { self.cut.full - k } else { k };
+        Some(pair(number(used.first), along))
+    }
+
+    /// (u, v) of all samples on the sides of a patch.
+    fn side_vertices(&self, patch: usize) -> impl Iterator<Item = (u32, u32)> {
+        let full = self.cut.full;
+        (0..SIDES).flat_map(move |side| {
+            let used = self.uses[SIDES * patch + side];
+            let line = number(used.first);
+            let from = place(&self.samples, pair(line, 0));
+            let to = place(&self.samples, pair(line + 1, 0));
+            // The list of a side that is a point is empty: it is the first of none.
+            self.samples[from..to].iter().map(move |&sample| {
+                let along = second(sample);
+                let k = if used.reversed { full - along } else { along };
+                match side {
+                    0 => (0, k),
+                    1 => (full, k),
+                    2 => (k, 0),
+                    _ => (k, full),
+                }
+            })
+        })
+    }
+
+    fn add_corners(&mut self, patch: usize, lattice: &Lattice, sampler: &mut Sampler) {
+        for (u, v) in lattice.vertices() {
+            let (at_u, at_v) = (self.parameter(u), self.parameter(v));
+            let (point, normal) = sampler.point_and_normal(at_u, at_v);
+            let node = match self.shared_node(patch, u, v) {
+                Some(node) => node,
+                None => self.add_node(point),
+            };
+            self.out.corners.push(Corner {
+                node,
+                u: at_u,
+                v: at_v,
+                normal,
+            });
+        }
+    }
+
+    fn add_node(&mut self, point: DVec3) -> u32 {
+        self.out.nodes.push((self.round)(point));
+        number(self.out.nodes.len() - 1)
+    }
+
+    /// The node of a vertex on a side; none inside.
+    fn shared_node(&mut self, patch: usize, u: u32, v: u32) -> Option<u32> {
+        let full = self.cut.full;
+        let inside = |k: u32| k != 0 && k != full;
+        let (side, k) = match (inside(u), inside(v)) {
+            (true, true) => return None,
+            (false, _) => (usize::from(u == full), v),
+            (true, false) => (2 + usize::from(v == full), u),
+        };
+        let side = SIDES * patch + side;
+        if let Some(sample) = self.sample(side, k) {
+            return Some(number(place(&self.samples, sample)));
+        }
+        let mut ends = self.surface.side(side);
+        let vertex = if k == full {
+            ends.next_back()
+        } else {
+            ends.next()
+        }?;
+        let place = vertex as usize;
+        if self.node_of_vertex[place] == NONE {
+            let point = self.surface.vertices()[place];
+            self.node_of_vertex[place] = self.add_node(point);
+        }
+        Some(self.node_of_vertex[place])
+    }
+
+    /// The triangles of a patch, without those that have two corners at one place.
+    fn add_triangles(&mut self, patch: usize, lattice: &Lattice, chains: &mut Chains, base: usize) {
+        let Stitched {
+            nodes,
+            corners,
+            triangles,
+            ..
+        } = &mut self.out;
+        let corners = &corners[base..];
+        let point_of = |vertex: u32| nodes[corners[vertex as usize].node as usize];
+        for leaf in self.cut.of_patch(patch) {
+            lattice.triangulate(leaf, chains, point_of, |triangle| {
+                let [a, b, c] = triangle.map(point_of);
+                if a != b && b != c && c != a {
+                    triangles.push(triangle.map(|vertex| vertex + number(base)));
+                }
+            });
+        }
+    }
+
+    fn parameter(&self, k: u32) -> f64 {
+        f64::from(k) / f64::from(self.cut.full)
+    }
+}
+
+/// A count that the limits keep below 2³².
+pub(super) fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,180 @@
+//! Which patches are joined, and along which sides?
+//!
+//! Two sides are the same line when their control points are at the same places, in the same order or reversed. What
+//! was joined when the surface was made stays joined when a point moves. A side whose points are all at one place is
+//! collapsed: the side is a point.
+
+use super::Surface;
+use super::first_of::{FirstOf, mix};
+
+/// The sides of a patch.
+pub(super) const SIDES: usize = 4;
+
+/// A side of a patch, by the parameter that is constant along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SideName {
+    /// u = 0; it runs along v.
+    U0,
+    /// u = 1; it runs along v.
+    U1,
+    /// v = 0; it runs along u.
+    V0,
+    /// v = 1; it runs along u.
+    V1,
+}
+
+/// One side of one patch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side {
+    /// The patch.
+    pub patch: usize,
+    /// Which of its sides.
+    pub side: SideName,
+    /// Whether it runs against the first side of those that it is shared with.
+    pub reversed: bool,
+}
+
+/// How the patches of a surface are joined; every side of every patch is in exactly one of the first four lists.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Topology {
+    /// Pairs of sides that are the same line.
+    pub shared: Vec<Vec<Side>>,
+    /// Three and more sides that are the same line.
+    pub non_manifold: Vec<Vec<Side>>,
+    /// Sides with one patch: the boundary.
+    pub open: Vec<Side>,
+    /// Sides that are a point.
+    pub collapsed: Vec<Side>,
+    /// The patches of each connected part, joined by shared sides; each list ascends.
+    pub components: Vec<Vec<usize>>,
+}
+
+/// What a side is among all sides of a surface, numbered patch · 4 + side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct SideUse {
+    /// The first side that is the same line; the side itself if no earlier one is.
+    pub(super) first: usize,
+    /// Whether it runs against that one.
+    pub(super) reversed: bool,
+    /// Whether it is a point.
+    pub(super) collapsed: bool,
+}
+
+impl SideName {
+    /// In the order of their numbers.
+    const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
+}
+
+impl Surface {
+    /// How the patches are joined; see [`Topology`].
+    ///
+    /// Sides are compared by their control points: the same places in the same order or reversed. A side of another
+    /// degree, or a part of a longer side, is another line. Patches that meet in single points only are not connected.
+    pub fn topology(&self) -> Topology {
+        let uses = self.side_uses();
+        let mut topology = Topology {
+            components: self.components(&uses),
+            ..Topology::default()
+        };
+        let mut groups: Vec<Vec<Side>> = vec![Vec::new(); uses.len()];
+        for (number, used) in uses.iter().enumerate() {
+            let side = Side {
+                patch: number / SIDES,
+                side: SideName::ALL[number % SIDES],
+                reversed: used.reversed,
+            };
+            if used.collapsed {
+                topology.collapsed.push(side);
+            } else {
+                groups[used.first].push(side);
+            }
+        }
+        for group in groups {
+            match group.len() {
+                0 => {}
+                1 => topology.open.extend(group),
+                2 => topology.shared.push(group),
+                _ => topology.non_manifold.push(group),
+            }
+        }
+        topology
+    }
+
+    /// What each side is among all.
+    pub(super) fn side_uses(&self) -> Vec<SideUse> {
+        let count = self.patch_count() * SIDES;
+        let mut first = FirstOf::new(count);
+        (0..count)
+            .map(|number| {
+                let side = || self.side(number);
+                let start = side().next();
+                let collapsed = side().all(|vertex| Some(vertex) == start);
+                let hash = line_hash(side(), side().count());
+                let number_u32 = u32::try_from(number).unwrap_or(u32::MAX);
+                let found = first.find(number_u32, hash, |other| {
+                    let other = self.side(other as usize);
+                    side().eq(other.clone()) || side().rev().eq(other)
+                });
+                let found = found as usize;
+                SideUse {
+                    first: found,
+                    reversed: !side().eq(self.side(found)),
+                    collapsed,
+                }
+            })
+            .collect()
+    }
+
+    /// The vertices of side `number % 4` of patch `number / 4` in the direction of u or v; of joined ones the first.
+    pub(super) fn side(
+        &self,
+        number: usize,
+    ) -> impl DoubleEndedIterator<Item = u32> + ExactSizeIterator + Clone {
+        let (patch, side) = (number / SIDES, number % SIDES);
+        let indices = self.patch_indices(patch).unwrap_or_default();
+        let columns = self.degrees(patch).map_or(1, |[degree_u, _]| degree_u + 1);
+        let last = indices.len().saturating_sub(columns);
+        let (from, to, step) = match side {
+            0 => (0, indices.len(), columns),
+            1 => (columns - 1, indices.len(), columns),
+            2 => (0, columns, 1),
+            _ => (last, indices.len(), 1),
+        };
+        let line = indices.get(from..to).unwrap_or_default();
+        line.iter().step_by(step).map(|&vertex| self.joined(vertex))
+    }
+
+    /// The patches of each part that shared sides connect.
+    fn components(&self, uses: &[SideUse]) -> Vec<Vec<usize>> {
+        let mut parent: Vec<usize> = (0..self.patch_count()).collect();
+        for (number, used) in uses.iter().enumerate().filter(|(_, used)| !used.collapsed) {
+            let a = root(&mut parent, number / SIDES);
+            let b = root(&mut parent, used.first / SIDES);
+            parent[a.max(b)] = a.min(b);
+        }
+        let mut parts: Vec<Vec<usize>> = vec![Vec::new(); parent.len()];
+        for patch in 0..parent.len() {
+            let part = root(&mut parent, patch);
+            parts[part].push(patch);
+        }
+        parts.retain(|part| !part.is_empty());
+        parts
+    }
+}
+
+/// The first patch of the part, shortening the way there.
+fn root(parent: &mut [usize], mut patch: usize) -> usize {
+    while parent[patch] != patch {
+        parent[patch] = parent[parent[patch]];
+        patch = parent[patch];
+    }
+    patch
+}
+
+/// A hash of a line's vertices, the same for both directions.
+fn line_hash(line: impl DoubleEndedIterator<Item = u32> + Clone, count: usize) -> u64 {
+    let one_way = |hash, vertex| mix(hash, u64::from(vertex));
+    let forwards = line.clone().fold(count as u64, one_way);
+    let backwards = line.rev().fold(count as u64, one_way);
+    mix(0, forwards.wrapping_add(backwards))
+}

@@ -1,0 +1,124 @@
+//! How fine must a mesh be?
+
+use super::Grid;
+use crate::error::Error;
+use crate::point::Point;
+use glam::{DMat4, DVec2, DVec3, DVec4};
+
+/// How fine a mesh must be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fineness {
+    /// So many segments along u and v of every patch.
+    Segments(Grid),
+    /// No point of the surface farther from the mesh than this, in the surface's unit.
+    Tolerance(f64),
+    /// The same on the screen, in pixels.
+    Pixels(View),
+}
+
+/// A tolerance as a camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The greatest distance in pixels.
+    pub pixels: f64,
+    /// From the surface's coordinates to clip space: (x, y, z, 1) to (X, Y, Z, W), seen at (X/W, Y/W) in −1 … 1.
+    pub view_projection: DMat4,
+    /// Width and height of the picture in pixels.
+    pub viewport: DVec2,
+}
+
+/// What is nearer to the eye than this part of its own distance from there is treated as if it were no nearer: a piece
+/// that the eye looks out of would have to be infinitely fine.
+const NEAR_RATIO: f64 = 1e-2;
+
+impl Fineness {
+    /// Whether [`tolerance_for`](Self::tolerance_for) looks at the piece.
+    pub(super) fn depends_on_place(&self) -> bool {
+        matches!(self, Self::Pixels(_))
+    }
+
+    /// The tolerance for a piece with these control points.
+    pub(super) fn tolerance_for(&self, net: &[DVec3]) -> f64 {
+        match self {
+            Self::Segments(_) => f64::INFINITY,
+            Self::Tolerance(tolerance) => *tolerance,
+            Self::Pixels(view) => view.tolerance_for(net),
+        }
+    }
+}
+
+impl View {
+    /// Refuses what is no view.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let positive = |what, got: f64| {
+            if got > 0.0 && got.is_finite() {
+                return Ok(());
+            }
+            Err(Error::Range {
+                what,
+                expected: "a number above 0",
+                got,
+            })
+        };
+        positive("pixels", self.pixels)?;
+        positive("viewport[0]", self.viewport.x)?;
+        positive("viewport[1]", self.viewport.y)?;
+        let numbers = self.view_projection.to_cols_array();
+        numbers
+            .iter()
+            .position(|x| !x.is_finite())
+            .map_or(Ok(()), |index| {
+                Err(Error::NotFinite {
+                    what: "viewProjection",
+                    index,
+                    got: numbers[index],
+                })
+            })
+    }
+
+    /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the
+    /// projection at the piece's middle, at the least W in its bounding sphere. Infinite behind the eye.
+    fn tolerance_for(&self, net: &[DVec3]) -> f64 {
+        let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
+        let (middle, radius) = sphere(net);
+        let depth = w.dot(middle.extend(1.0));
+        let reach = radius * w.truncate().norm();
+        if depth + reach <= 0.0 {
+            return f64::INFINITY;
+        }
+        let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
+        let slope = |row: DVec4, half: f64| {
+            // ∂(X/W) = (∂X − X/W·∂W)/W; what is outside of the picture counts as on its rim.
+            let place = row.dot(middle.extend(1.0)) / depth.max(near);
+            (row - w * place.clamp(-1.0, 1.0)).truncate() * (half / near)
+        };
+        let stretch = longest(
+            slope(x, self.viewport.x / 2.0),
+            slope(y, self.viewport.y / 2.0),
+        );
+        let tolerance = self.pixels / stretch;
+        // Not a number where the matrix's own numbers overflow: nothing can be seen then.
+        if tolerance.is_nan() {
+            f64::INFINITY
+        } else {
+            tolerance
+        }
+    }
+}
+
+/// A sphere around points: the middle of their box, and the farthest from there.
+fn sphere(points: &[DVec3]) -> (DVec3, f64) {
+    let first = points.first().copied().unwrap_or_default();
+    let (low, high) = points.iter().fold((first, first), |(low, high), &p| {
+        (Point::min(low, p), Point::max(high, p))
+    });
+    let middle = low * 0.5 + high * 0.5;
+    let radius = points.iter().map(|&p| (p - middle).norm());
+    (middle, radius.fold(0.0, f64::max))
+}
+
+/// The length of the longest image of a unit vector under the map with these two rows: its spectral norm.
+fn longest(x: DVec3, y: DVec3) -> f64 {
+    let (a, b, c) = (x.dot(x), x.dot(y), y.dot(y));
+    (f64::midpoint(a, c) + ((a - c) / 2.0).hypot(b)).sqrt()
+}

@@ -1,0 +1,184 @@
+//! Bindings of meshes: making them without cracks, and copying their buffers.
+
+use super::alone::Alone;
+use super::arena::{self, Arena};
+use super::surface::{patch, surface};
+use crate::error::Error;
+use crate::surface::{Fineness, Grid, Indices, Mesh, Side, Surface, View, Weld};
+use glam::{DMat4, DVec2};
+use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+
+/// The last mesh, whose buffers the next one reuses.
+pub(super) static MESH: Alone<Mesh> = Alone::new(Mesh {
+    positions: Vec::new(),
+    normals: Vec::new(),
+    uvs: Vec::new(),
+    patch_ids: Vec::new(),
+    indices: Indices::U16(Vec::new()),
+    quads: None,
+    patch_ranges: Vec::new(),
+});
+
+/// Its positions and normals, where they are f64.
+static PRECISE: Alone<[Vec<f64>; 2]> = Alone::new([Vec::new(), Vec::new()]);
+
+/// Makes a mesh without cracks; 0. `kind` 0: `a` × `b` segments; 1: within the tolerance `a`; 2: within `a` pixels, with
+/// the matrix (in columns), width and height behind the surface. `weld`: 0 position, 1 normal, 2 none.
+#[wasm_bindgen]
+pub fn surface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -> isize {
+    arena::answer(|arena| {
+        let (surface, end) = surface(arena)?;
+        let fineness = fineness(arena, end, kind, [a, b]);
+        keep(&surface, &fineness, WELDS[weld as usize % 3], precise)
+    })
+}
+
+/// As `surface_tessellate`, of a patch.
+#[wasm_bindgen]
+pub fn patch_tessellate(
+    degree_u: usize,
+    degree_v: usize,
+    kind: u32,
+    a: f64,
+    b: f64,
+    weld: u32,
+    precise: bool,
+) -> isize {
+    arena::answer(|arena| {
+        let patch = patch(arena, degree_u, degree_v);
+        let end = 3 * patch.control_points().len();
+        let fineness = fineness(arena, end, kind, [a, b]);
+        keep(&patch.alone(), &fineness, WELDS[weld as usize % 3], precise)
+    })
+}
+
+const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
+
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "JavaScript has checked that they are counts"
+)]
+fn fineness(arena: &Arena, end: usize, kind: u32, [a, b]: [f64; 2]) -> Fineness {
+    match kind {
+        0 => Fineness::Segments(Grid {
+            segments_u: a as usize,
+            segments_v: b as usize,
+        }),
+        1 => Fineness::Tolerance(a),
+        _ => Fineness::Pixels(View {
+            pixels: a,
+            view_projection: DMat4::from_cols_slice(arena.numbers(end, 16)),
+            viewport: DVec2::from_slice(arena.numbers(end + 16, 2)),
+        }),
+    }
+}
+
+/// Keeps a mesh to be copied; positions and normals in f64 apart.
+fn keep(surface: &Surface, fineness: &Fineness, weld: Weld, precise: bool) -> Result<usize, Error> {
+    let mesh = if precise {
+        let mut mesh = surface.tessellate_f64(fineness, weld)?;
+        let numbers = [&mut mesh.positions, &mut mesh.normals].map(std::mem::take);
+        PRECISE.with(|kept| *kept = numbers);
+        mesh.to_f32()
+    } else {
+        surface.tessellate(fineness, weld)?
+    };
+    MESH.with(|kept| *kept = mesh);
+    Ok(0)
+}
+
+/// Leaves the topology: five lists (shared, three and more, open, collapsed, components), each its number of groups and
+/// for each group its number of members and these: patch · 8 + side · 2 + whether it runs backwards, or just the patch.
+#[wasm_bindgen]
+pub fn surface_topology() -> isize {
+    arena::answer(|a| {
+        let topology = surface(a)?.0.topology();
+        let code = |s: &Side| s.patch * 8 + s.side as usize * 2 + usize::from(s.reversed);
+        let mut numbers = Vec::new();
+        for groups in [&topology.shared, &topology.non_manifold] {
+            put_groups(&mut numbers, groups, code);
+        }
+        for sides in [topology.open, topology.collapsed] {
+            put_groups(&mut numbers, &[sides], code);
+        }
+        put_groups(&mut numbers, &topology.components, |&patch| patch);
+        Ok(a.put_counts(0, numbers.into_iter()))
+    })
+}
+
+fn put_groups<T>(numbers: &mut Vec<usize>, groups: &[Vec<T>], code: impl Fn(&T) -> usize) {
+    numbers.push(groups.len());
+    for group in groups {
+        numbers.push(group.len());
+        numbers.extend(group.iter().map(&code));
+    }
+}
+
+/// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
+/// 5 quads (0 where there are none), 6 patch ranges (four each), 7 and 8 positions and normals in f64.
+#[wasm_bindgen]
+pub fn mesh_length(buffer: usize) -> usize {
+    MESH.with(|mesh| match buffer {
+        0 => mesh.positions.len(),
+        1 => mesh.normals.len(),
+        2 => mesh.uvs.len(),
+        3 => mesh.patch_ids.len(),
+        4 => mesh.indices.len(),
+        6 => 4 * mesh.patch_ranges.len(),
+        7 | 8 => PRECISE.with(|kept| kept[buffer - 7].len()),
+        _ => mesh.quads.as_ref().map_or(0, Indices::len),
+    })
+}
+
+/// Copies a buffer of the last mesh into a typed array of its kind and of exactly its length.
+#[wasm_bindgen]
+pub fn mesh_copy(buffer: usize, into: &JsValue) {
+    MESH.with(|mesh| match buffer {
+        0 => into
+            .unchecked_ref::<Float32Array>()
+            .copy_from(&mesh.positions),
+        1 => into
+            .unchecked_ref::<Float32Array>()
+            .copy_from(&mesh.normals),
+        2 => into.unchecked_ref::<Float32Array>().copy_from(&mesh.uvs),
+        3 => into
+            .unchecked_ref::<Uint32Array>()
+            .copy_from(&mesh.patch_ids),
+        4 => copy_indices(&mesh.indices, into),
+        6 => into
+            .unchecked_ref::<Uint32Array>()
+            .copy_from(&range_numbers(mesh)),
+        7 | 8 => PRECISE.with(|kept| {
+            into.unchecked_ref::<Float64Array>()
+                .copy_from(&kept[buffer - 7])
+        }),
+        _ => mesh
+            .quads
+            .iter()
+            .for_each(|quads| copy_indices(quads, into)),
+    });
+}
+
+fn range_numbers(mesh: &Mesh) -> Vec<u32> {
+    mesh.patch_ranges
+        .iter()
+        .flat_map(|r| [r.first_vertex, r.vertices, r.first_index, r.indices])
+        .collect()
+}
+
+fn copy_indices(indices: &Indices, into: &JsValue) {
+    match indices {
+        Indices::U16(list) => into.unchecked_ref::<Uint16Array>().copy_from(list),
+        Indices::U32(list) => into.unchecked_ref::<Uint32Array>().copy_from(list),
+    }
+}
+
+/// Gives the memory of the last mesh back.
+#[wasm_bindgen]
+pub fn mesh_drop() {
+    MESH.with(|mesh| *mesh = Mesh::default());
+    PRECISE.with(|kept| *kept = [Vec::new(), Vec::new()]);
+}
