@@ -6,6 +6,7 @@ import { flatten, writePoint } from "./points.js";
 import { done } from "./refusal.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
+import { parseSurface, surfaceText } from "./surface-text.js";
 import { Checked, load, take } from "./transfer.js";
 
 /**
@@ -98,6 +99,38 @@ export class Surface {
    */
   static teaspoon(options) {
     return readSurface(core().surface_teaset(true, upAxis(options) === "y"));
+  }
+
+  /**
+   * A surface from its text, in one of three forms, told apart by their first rows:
+   *
+   * - as `toText` writes it;
+   * - .bpt: the number of patches; for each a row with its degrees and below it its points, one a row, u along the fast
+   *   index. Points with equal coordinates become one vertex;
+   * - the listing in which the teapot was handed on: the number of patches, for each a row of 16 vertex numbers from 1;
+   *   the number of vertices, for each a row x y z. Bicubic.
+   *
+   * A row is a line; blanks, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the line,
+   * do not count. The time is proportional to the length of the text, and counts are checked against that length first.
+   *
+   * @param {string} text
+   * @returns {Surface}
+   * @throws {RangeError} for text that is none of these, with the number of the line, what was expected there and what came
+   */
+  static parse(text) {
+    if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.shown(text)}`);
+    return surfaceOf(parseSurface(text));
+  }
+
+  /**
+   * The surface as text, which `parse` reads back to an equal one, bit for bit: the row `surface`; `vertices` and their
+   * number, then a row x y z for each; `patches` and their number, then for each a row with its degrees in u and v, and
+   * below it its net: a row for each j with the vertex numbers, from 0, of its points Pᵢⱼ.
+   *
+   * @returns {string}
+   */
+  toText() {
+    return surfaceText(this.#network);
   }
 
   /** The coordinates of the vertices, a copy. */

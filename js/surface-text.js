@@ -1,0 +1,235 @@
+// Surfaces from text and to text; src/surface/text.rs does the same with the same words.
+import { refusal, Reader, shown } from "./text-reader.js";
+import { vertexTable } from "./vertex-table.js";
+
+/**
+ * @import { Network } from "./surface.js"
+ */
+
+/** The shortest vertex, `0 0 0` and a line break. */
+const VERTEX_CHARACTERS = 6;
+/** The shortest patch of vertex numbers: `1 1` and twice `0 0`, with line breaks. */
+const NET_CHARACTERS = 4 + 2 * 4;
+/** The shortest patch of points: `1 1` and four vertices. A row of 16 vertex numbers is longer. */
+const PATCH_CHARACTERS = 4 + 4 * VERTEX_CHARACTERS;
+/** The vertex numbers of a patch in a listing. */
+const LISTED = 16;
+
+/**
+ * What is being read.
+ *
+ * @typedef {{ reader: Reader, vertices: number[], indices: number[], degrees: number[] }} Parser
+ */
+
+/**
+ * @internal
+ * @param {string} text
+ * @returns {Network}
+ * @throws {RangeError} with the number of the line
+ */
+export function parseSurface(text) {
+  const reader = new Reader(text);
+  const parser = { reader, vertices: [], indices: [], degrees: [] };
+  const words = reader.next(1);
+  if (words === 1 && reader.word(0) === "surface") readIndexed(parser);
+  else {
+    const count = reader.whole(0, '"surface" or the number of patches');
+    if (words > 1) throw refusal(reader.line, "the number of patches alone", `${words} words`);
+    readNumbered(parser, count);
+  }
+  if (reader.next(1)) throw reader.refusal(0, "the end of the text");
+  return {
+    vertices: new Float64Array(parser.vertices),
+    degrees: parser.degrees,
+    indices: new Uint32Array(parser.indices),
+  };
+}
+
+/**
+ * The form that `surfaceText` writes, after its first row.
+ *
+ * @param {Parser} parser
+ */
+function readIndexed(parser) {
+  const { reader, vertices } = parser;
+  const count = namedCount(reader, "vertices", VERTEX_CHARACTERS);
+  for (let k = 0; k < count; k++) readPoint(reader, vertices);
+  const patches = namedCount(reader, "patches", NET_CHARACTERS);
+  for (let k = 0; k < patches; k++) {
+    reader.words(2, "degrees");
+    const [degreeU, degreeV] = readDegrees(parser);
+    for (let j = 0; j <= degreeV; j++) {
+      reader.words(degreeU + 1, "vertex numbers");
+      readIndices(parser, 0, count);
+    }
+  }
+}
+
+/**
+ * The forms that start with the number of patches, after it.
+ *
+ * @param {Parser} parser
+ * @param {number} count
+ */
+function readNumbered(parser, count) {
+  const { reader } = parser;
+  checkCount(reader, count, "patches", 0, PATCH_CHARACTERS);
+  if (count === 0) return;
+  const words = reader.next(LISTED);
+  if (words === LISTED) readListing(parser, count);
+  else if (words === 2) readPoints(parser, count);
+  else throw refusal(reader.line, "2 degrees or 16 vertex numbers", words || "the end of the text");
+}
+
+/**
+ * The .bpt form from the first degrees on, which were read.
+ *
+ * @param {Parser} parser
+ * @param {number} count
+ */
+function readPoints(parser, count) {
+  const { reader, vertices, indices } = parser;
+  const indexOf = vertexTable(vertices);
+  for (let k = 0; k < count; k++) {
+    if (k > 0) reader.words(2, "degrees");
+    const [degreeU, degreeV] = readDegrees(parser);
+    for (let i = (degreeU + 1) * (degreeV + 1); i > 0; i--) {
+      readPoint(reader, vertices);
+      indices.push(indexOf());
+    }
+  }
+}
+
+/**
+ * The listing from its first row of vertex numbers on, which was read.
+ *
+ * @param {Parser} parser
+ * @param {number} count
+ */
+function readListing(parser, count) {
+  const { reader, vertices, indices, degrees } = parser;
+  // The vertices come later; only then is it known how many there are.
+  let largest = { index: -1, line: 0, word: "" };
+  for (let k = 0; k < count; k++) {
+    if (k > 0) reader.words(LISTED, "vertex numbers");
+    readIndices(parser, 1, Infinity);
+    for (let place = 0; place < LISTED; place++) {
+      const index = indices[LISTED * k + place];
+      if (index >= largest.index) largest = { index, line: reader.line, word: reader.word(place) ?? "" };
+    }
+    degrees.push(3, 3);
+  }
+  reader.words(1, "number of vertices");
+  const vertexCount = reader.whole(0, "the number of vertices");
+  checkCount(reader, vertexCount, "vertices", 0, VERTEX_CHARACTERS);
+  for (let k = 0; k < vertexCount; k++) readPoint(reader, vertices);
+  if (largest.index >= vertexCount) throw refusal(largest.line, vertexRange(1, vertexCount), shown(largest.word));
+}
+
+/**
+ * The count in the next row, behind its name.
+ *
+ * @param {Reader} reader
+ * @param {string} name
+ * @param {number} least characters of each
+ * @returns {number}
+ */
+function namedCount(reader, name, least) {
+  const expected = `"${name}" and their number`;
+  if (reader.next(2) !== 2 || reader.word(0) !== name) throw reader.refusal(0, expected);
+  const count = reader.whole(1, expected);
+  checkCount(reader, count, name, 1, least);
+  return count;
+}
+
+/**
+ * Refuses more than the text can hold.
+ *
+ * @param {Reader} reader
+ * @param {number} count
+ * @param {string} name
+ * @param {number} place of the count in its row
+ * @param {number} least characters of each
+ */
+function checkCount(reader, count, name, place, least) {
+  const { length } = reader;
+  const most = Math.floor(length / least);
+  if (count > most) throw reader.refusal(place, `at most ${most} ${name} in a text of ${length} characters`);
+}
+
+/**
+ * The next row as a point.
+ *
+ * @param {Reader} reader
+ * @param {number[]} vertices
+ */
+function readPoint(reader, vertices) {
+  reader.words(3, "coordinates");
+  vertices.push(reader.number(0), reader.number(1), reader.number(2));
+}
+
+/**
+ * The degrees in the row that was read last.
+ *
+ * @param {Parser} parser
+ * @returns {number[]}
+ */
+function readDegrees({ reader, degrees }) {
+  const expected = "a degree from 1 to 64";
+  const both = [0, 1].map((place) => {
+    const degree = reader.whole(place, expected);
+    if (degree < 1 || degree > 64) throw reader.refusal(place, expected);
+    return degree;
+  });
+  degrees.push(...both);
+  return both;
+}
+
+/**
+ * The vertex numbers in the row that was read last.
+ *
+ * @param {Parser} parser
+ * @param {number} first
+ * @param {number} count how many are allowed, from the first on
+ */
+function readIndices({ reader, indices }, first, count) {
+  for (let place = 0; 2 * place < reader.ends.length; place++) {
+    const number = reader.whole(place, "a vertex number");
+    const index = number - first;
+    if (!(index >= 0 && index < count)) throw reader.refusal(place, vertexRange(first, count));
+    indices.push(index);
+  }
+}
+
+/**
+ * @param {number} first
+ * @param {number} count
+ * @returns {string}
+ */
+function vertexRange(first, count) {
+  if (count === 0) return "no vertex numbers, as there are no vertices";
+  return count === Infinity ? `a vertex number from ${first}` : `a vertex number from ${first} to ${first + count - 1}`;
+}
+
+/**
+ * @internal
+ * @param {Network} network
+ * @returns {string}
+ */
+export function surfaceText({ vertices, degrees, indices }) {
+  const rows = ["surface", `vertices ${vertices.length / 3}`];
+  for (let i = 0; i < vertices.length; i += 3) rows.push(`${written(vertices[i])} ${written(vertices[i + 1])} ${written(vertices[i + 2])}`);
+  rows.push(`patches ${degrees.length / 2}`);
+  for (let k = 0, at = 0; k < degrees.length; k += 2) {
+    rows.push(`${degrees[k]} ${degrees[k + 1]}`);
+    for (let j = 0; j <= degrees[k + 1]; j++) rows.push(indices.subarray(at, (at += degrees[k] + 1)).join(" "));
+  }
+  return `${rows.join("\n")}\n`;
+}
+
+/**
+ * The fewest digits that give the number back; String alone would lose the sign of −0.
+ *
+ * @param {number} x
+ */
+const written = (x) => (Object.is(x, -0) ? "-0" : String(x));

@@ -1,0 +1,131 @@
+//! Surfaces as text. The table of texts, good and bad, is read by tests/js/text.test.js, too.
+
+#![cfg(not(target_family = "wasm"))]
+
+mod nets;
+
+use casteljau::glam::DVec3;
+use casteljau::surface::Up;
+use casteljau::{Surface, TeapotOptions};
+use nets::Random;
+use serde_json::Value;
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().unwrap().iter();
+    list.map(|number| number.as_f64().unwrap()).collect()
+}
+
+fn bits(numbers: &[f64]) -> Vec<u64> {
+    numbers.iter().map(|number| number.to_bits()).collect()
+}
+
+fn coordinates(surface: &Surface) -> Vec<f64> {
+    let vertices = surface.vertices().iter();
+    vertices.flat_map(|vertex| vertex.to_array()).collect()
+}
+
+#[test]
+fn table_of_texts() {
+    let table: Value = serde_json::from_str(include_str!("texts/surfaces.json")).unwrap();
+    for entry in table.as_array().unwrap() {
+        let name = &entry["name"];
+        let result = Surface::parse(entry["text"].as_str().unwrap());
+        if let Some(error) = entry["error"].as_str() {
+            assert_eq!(result.unwrap_err().to_string(), error, "{name}");
+            continue;
+        }
+        let surface = result.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let (got, expected) = (coordinates(&surface), numbers(&entry["vertices"]));
+        assert_eq!(bits(&got), bits(&expected), "{name}: {got:?}");
+        let indices: Vec<f64> = surface.indices().iter().map(|&i| f64::from(i)).collect();
+        assert_eq!(indices, numbers(&entry["indices"]), "{name}");
+        let degrees = (0..surface.patch_count()).filter_map(|patch| surface.degrees(patch));
+        let degrees: Vec<f64> = degrees.flatten().map(|degree| degree as f64).collect();
+        assert_eq!(degrees, numbers(&entry["degrees"]), "{name}");
+    }
+}
+
+/// Reads back what was written, bit for bit.
+fn there_and_back(surface: &Surface) {
+    let text = surface.to_text();
+    let again = Surface::parse(&text).unwrap();
+    assert_eq!(bits(&coordinates(&again)), bits(&coordinates(surface)));
+    assert_eq!(&again, surface);
+    assert_eq!(again.to_text(), text);
+}
+
+#[test]
+fn text_of_known_surfaces_reads_back() {
+    there_and_back(&Surface::teapot(TeapotOptions::default()));
+    there_and_back(&Surface::teacup(Up::Y));
+    there_and_back(&Surface::teaspoon(Up::Z));
+    there_and_back(&Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap());
+}
+
+#[test]
+fn text_of_wild_numbers_reads_back() {
+    let mut random = Random(5);
+    let edges = [
+        0.0,
+        -0.0,
+        5e-324,
+        f64::MIN_POSITIVE,
+        f64::MAX,
+        1e21,
+        1e-6,
+        1e-7,
+        0.1,
+        1e15,
+        1e16,
+        123e18,
+        1e23,
+    ];
+    for case in 0..2000 {
+        let (m, n) = (1 + case % 4, 1 + case % 3);
+        let mut number = || {
+            let wild = f64::from_bits(random.bits());
+            let edge = edges[usize::try_from(random.bits() % 13).unwrap()];
+            if random.bits().is_multiple_of(3) || !wild.is_finite() {
+                edge
+            } else {
+                wild
+            }
+        };
+        let count = (m + 1) * (n + 1);
+        let net = (0..count).map(|_| DVec3::new(number(), number(), number()));
+        let indices = (0..u32::try_from(count).unwrap()).rev().collect();
+        there_and_back(&Surface::new(net.collect(), indices, m, n).unwrap());
+    }
+}
+
+#[test]
+fn bpt_joins_what_coincides() {
+    let teapot = Surface::teapot(TeapotOptions::default());
+    let mut text = String::from("32\n");
+    for patch in teapot.patches() {
+        text += "3 3\n";
+        for p in patch.control_points() {
+            text += &format!("{:.5} {} {:.5}\n", p.x, p.y, p.z);
+        }
+    }
+    // Five decimals hold all of the teapot's figures.
+    assert_eq!(Surface::parse(&text).unwrap(), teapot);
+}
+
+#[test]
+fn large_texts_take_their_time_once() {
+    // A quarter of a million points; a quadratic reader would need hours.
+    let text = "15000\n".to_owned() + &"3 3\n1 2 3\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n4 5 6\n".repeat(15_000);
+    let surface = Surface::parse(&text).unwrap();
+    assert_eq!(
+        (surface.patch_count(), surface.vertices().len()),
+        (15_000, 3)
+    );
+    for bad in [
+        "1 ".repeat(1 << 22),
+        "\n".repeat(1 << 22),
+        "9".repeat(1 << 22),
+    ] {
+        assert!(Surface::parse(&bad).is_err());
+    }
+}
