@@ -1,6 +1,5 @@
 // Surfaces from text and to text; src/surface/text.rs does the same with the same words.
 import { refusal, Reader, shown } from "./text-reader.js";
-import { vertexTable } from "./vertex-table.js";
 
 /**
  * @import { Network } from "./surface.js"
@@ -24,11 +23,13 @@ const LISTED = 16;
 /**
  * @internal
  * @param {string} text
+ * @param {(vertices: Float64Array) => Float64Array} joinedOf gives for each vertex the first at the same place
  * @returns {Network}
  * @throws {RangeError} with the number of the line
  */
-export function parseSurface(text) {
+export function parseSurface(text, joinedOf) {
   const reader = new Reader(text);
+  /** @type {Parser} */
   const parser = { reader, vertices: [], indices: [], degrees: [] };
   const words = reader.next(1);
   if (words === 1 && reader.word(0) === "surface") readIndexed(parser);
@@ -38,11 +39,29 @@ export function parseSurface(text) {
     readNumbered(parser, count);
   }
   if (reader.next(1)) throw reader.refusal(0, "the end of the text");
-  return {
-    vertices: new Float64Array(parser.vertices),
-    degrees: parser.degrees,
-    indices: new Uint32Array(parser.indices),
-  };
+  const vertices = new Float64Array(parser.vertices);
+  const { degrees } = parser;
+  const joined = joinedOf(vertices);
+  // Patches without vertex numbers: points at the same place are one vertex.
+  if (degrees.length > parser.indices.length) return { degrees, ...sharedVertices(vertices, joined) };
+  return { vertices, joined, degrees, indices: new Uint32Array(parser.indices) };
+}
+
+/**
+ * Keeps the first of equal vertices.
+ *
+ * @param {Float64Array} vertices overwritten
+ * @param {Float64Array} joined
+ * @returns {{ vertices: Float64Array, joined: Float64Array, indices: Uint32Array }}
+ */
+function sharedVertices(vertices, joined) {
+  const indices = new Uint32Array(joined.length);
+  let count = 0;
+  joined.forEach((first, k) => {
+    if (first === k) vertices.copyWithin(3 * count, 3 * k, 3 * k + 3);
+    indices[k] = first === k ? count++ : indices[first];
+  });
+  return { vertices: vertices.slice(0, 3 * count), joined: Float64Array.from({ length: count }, (_, k) => k), indices };
 }
 
 /**
@@ -88,15 +107,11 @@ function readNumbered(parser, count) {
  * @param {number} count
  */
 function readPoints(parser, count) {
-  const { reader, vertices, indices } = parser;
-  const indexOf = vertexTable(vertices);
+  const { reader, vertices } = parser;
   for (let k = 0; k < count; k++) {
     if (k > 0) reader.words(2, "degrees");
     const [degreeU, degreeV] = readDegrees(parser);
-    for (let i = (degreeU + 1) * (degreeV + 1); i > 0; i--) {
-      readPoint(reader, vertices);
-      indices.push(indexOf());
-    }
+    for (let i = (degreeU + 1) * (degreeV + 1); i > 0; i--) readPoint(reader, vertices);
   }
 }
 

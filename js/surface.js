@@ -119,7 +119,7 @@ export class Surface {
    */
   static parse(text) {
     if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.shown(text)}`);
-    return surfaceOf(parseSurface(text));
+    return surfaceOf(parseSurface(text, joinedOf));
   }
 
   /**

@@ -104,7 +104,7 @@ impl<'a> Reader<'a> {
 
     /// Whether a word starts here or after some blanks, on this line.
     fn find_word(&mut self) -> bool {
-        self.skip(|byte| is_blank(byte));
+        self.skip(is_blank);
         if self.rest().first() == Some(&b'#') {
             self.skip(|byte| !is_break(byte));
         }
