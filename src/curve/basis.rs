@@ -60,6 +60,11 @@ impl Basis {
             Self::Matrix(matrix) => matrix,
         }
     }
+
+    /// The matrix that takes geometry points to Bézier points; refuses a NaN or an infinity.
+    pub(crate) fn to_bezier(self) -> Result<Matrix, Error> {
+        finite(self.matrix()).map(|matrix| to_bezier(&matrix))
+    }
 }
 
 /// The matrix that takes geometry points of a basis to Bézier points: the rows belong to P₀ … P₃.
@@ -133,8 +138,7 @@ impl<P: Point> Curve<P> {
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
     pub fn from_basis(basis: Basis, points: [P; 4]) -> Result<Self, Error> {
         super::check_finite("points", &points)?;
-        let matrix = finite(basis.matrix())?;
-        Self::new(&apply(&to_bezier(&matrix), points))
+        Self::new(&apply(&basis.to_bezier()?, points))
     }
 
     /// The four geometry points of this cubic in another basis; the inverse of [`from_basis`](Self::from_basis).
@@ -145,13 +149,12 @@ impl<P: Point> Curve<P> {
     /// [`Error::Count`] for a degree above 3, [`Error::Range`] for a matrix without an inverse (its four points do
     /// not determine a cubic), [`Error::NotFinite`] for a NaN or an infinity in it.
     pub fn to_basis(&self, basis: Basis) -> Result<[P; 4], Error> {
-        let matrix = finite(basis.matrix())?;
         let singular = Error::Range {
             what: "basis",
             expected: "a matrix with an inverse, its determinant",
             got: 0.0,
         };
-        let inverse = invert(&to_bezier(&matrix)).ok_or(singular)?;
+        let inverse = invert(&basis.to_bezier()?).ok_or(singular)?;
         Ok(apply(&inverse, self.as_cubic()?))
     }
 

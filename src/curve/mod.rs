@@ -24,6 +24,7 @@ pub use flatten::Polyline;
 pub use subdivide::Subdivision;
 pub use trace::Pen;
 
+pub(crate) use basis::apply;
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use flatten::MAX_VERTICES;

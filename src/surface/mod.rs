@@ -7,19 +7,29 @@
 //! Three things are kept apart: a [`Grid`] knows the layout of samples and no points, a [`Patch`] knows points and no
 //! buffers, a [`Mesh`] is buffers and nothing else.
 
+mod curvature;
+mod extent;
 mod first_of;
+mod flatness;
+mod frame;
 mod grid;
 mod kernel;
 mod leaves;
 mod mesh;
+mod minimum;
+mod nearest;
 mod net;
 mod network;
+mod newton;
 mod normal;
 mod patch;
+mod piece;
 mod pieces;
 mod projected;
+mod ray;
 mod refine;
 mod sampler;
+mod scaffold;
 mod sets;
 mod stitch;
 mod stitched;
@@ -35,13 +45,17 @@ mod topology;
 mod view;
 mod weld;
 mod wireframe;
+mod zeros;
 
+pub use curvature::Curvature;
 #[cfg(feature = "wasm")]
 pub(crate) use first_of::joined;
 pub use grid::Grid;
 pub use mesh::{Indices, Mesh, PatchRange};
+pub use nearest::{PatchPoint, SurfacePoint};
 pub use network::Surface;
 pub use patch::{Partials, Patch};
+pub use scaffold::PatchScaffold;
 pub use sets::{Height, TeapotOptions, Up};
 pub use text_reader::ParseError;
 pub use topology::{Side, SideName, Topology};

@@ -2,11 +2,32 @@
 
 use super::Patch;
 use super::net::{Net, curve_at_u, transpose};
-use crate::curve::{Curve, split_into};
+use crate::curve::{Basis, Curve, apply, check_finite, split_into};
 use crate::error::Error;
 use glam::DVec3;
 
 impl Patch {
+    /// The bicubic patch of sixteen geometry points in another basis.
+    ///
+    /// S(u, v) = \[u³ u² u 1\]·M·G·Mᵀ·\[v³ v² v 1\]ᵀ; the geometry point Gᵢⱼ has the index 4j + i. So each row is taken to the
+    /// Bézier basis and then each column: of the Hermite basis, a row holds two points and two derivatives in u, and
+    /// the last two rows are derivatives in v. A singular matrix is allowed. Source: Foley et al., *Computer Graphics:
+    /// Principles and Practice*, 2nd ed., §11.3.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
+    pub fn from_basis(basis: Basis, net: &[DVec3; 16]) -> Result<Self, Error> {
+        check_finite("net", net)?;
+        let matrix = basis.to_bezier()?;
+        let bezier_rows = |net: &[DVec3]| -> Net {
+            net.chunks_exact(4)
+                .flat_map(|row| apply(&matrix, [row[0], row[1], row[2], row[3]]))
+                .collect()
+        };
+        let across = bezier_rows(&transpose(&bezier_rows(net), 4));
+        Self::new(&transpose(&across, 4), 3, 3)
+    }
+
     /// The curve u = constant: degree n, running in v from S(u, 0) to S(u, 1).
     pub fn isocurve_at_u(&self, u: f64) -> Curve<DVec3> {
         Curve::from_points(curve_at_u(&self.points, self.columns, u))
@@ -60,7 +81,7 @@ impl Patch {
     }
 
     /// n + 1, the length of a column.
-    fn rows(&self) -> usize {
+    pub(super) fn rows(&self) -> usize {
         self.points.len() / self.columns
     }
 }

@@ -1,0 +1,58 @@
+//! A box of coordinates of size 1, in which squares and products neither overflow nor vanish.
+
+use super::Patch;
+use crate::curve::Bounds;
+use crate::point::Point;
+use glam::DVec3;
+
+/// A point of a patch is some ulps of the coordinates off, up to this share of the tolerance in ulps of the size.
+const COARSE_SHARE: f64 = 1.0 / 8.0;
+
+/// Maps points p to (p − centre)/size.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub(super) centre: DVec3,
+    /// Half of the longest side of the box; 1 for a box that is a point.
+    pub(super) size: f64,
+}
+
+impl Frame {
+    /// The frame in which a box becomes one from −1 to 1 along its longest side.
+    pub(super) fn around(bounds: Bounds<DVec3>) -> Self {
+        // Halves first: max − min of ±1e308 would overflow.
+        let half = (bounds.max * 0.5 - bounds.min * 0.5).max_abs();
+        Self {
+            centre: bounds.min * 0.5 + bounds.max * 0.5,
+            // Below this the reciprocal is not finite; a shape of that size is a point.
+            size: if half < f64::MIN_POSITIVE * 8.0 {
+                1.0
+            } else {
+                half
+            },
+        }
+    }
+
+    /// The frame itself, unless its box is so far from the coordinates' origin that they round by more than the digits
+    /// of the frame do: then a larger one.
+    pub(super) fn as_coarse_as_its_coordinates(self) -> Self {
+        let size = self.size.max(self.centre.max_abs() * COARSE_SHARE);
+        Self { size, ..self }
+    }
+
+    /// Where a point lies in this frame.
+    pub(super) fn place(&self, p: DVec3) -> DVec3 {
+        (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
+    }
+
+    /// The patch in this frame.
+    pub(super) fn image(&self, patch: &Patch) -> Patch {
+        let points = patch.points.iter().map(|&p| self.place(p)).collect();
+        Patch::from_net(points, patch.columns)
+    }
+}
+
+/// The box around the control points of patches; `None` without patches.
+pub(super) fn box_of(patches: &[Patch]) -> Option<Bounds<DVec3>> {
+    let boxes = patches.iter().map(Patch::control_bounds);
+    boxes.reduce(Bounds::union)
+}

@@ -1,0 +1,117 @@
+//! Newton's method for a pair of polynomials that are to be zero together: planes 0 and 1 of a piece.
+
+use super::piece::{Jet, Piece};
+use super::zeros::SAME;
+
+const MAX_STEPS: usize = 16;
+
+/// A step below this is the last: what is left is of the size of its square.
+const LAST_STEP: f64 = 1e-9;
+
+/// How far the pair is from zero.
+pub(super) fn off(whole: &Piece, at: [f64; 2]) -> f64 {
+    whole.jet(0, at).f.hypot(whole.jet(1, at).f)
+}
+
+/// The place of the unit square at which the pair is nearest to the zero that Newton's method found, perhaps a little
+/// outside: on the side there, by a Gauss–Newton step along it.
+pub(super) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
+    let mut inside = at.map(|t| t.clamp(0.0, 1.0));
+    for k in 0..2 {
+        if inside[1 - k] != at[1 - k] {
+            let [a, b] = [0, 1].map(|plane| whole.jet(plane, inside));
+            let [da, db] = if k == 0 { [a.u, b.u] } else { [a.v, b.v] };
+            let next = inside[k] - (a.f * da + b.f * db) / (da * da + db * db);
+            if next.is_finite() {
+                inside[k] = next.clamp(0.0, 1.0);
+            }
+        }
+    }
+    inside
+}
+
+/// Newton's method from the middle of a piece, as far as a zero in it or right beside it.
+pub(super) fn zero_near(piece: &Piece, whole: &Piece) -> Option<[f64; 2]> {
+    let middle = piece.middle();
+    let width = [piece.u, piece.v].map(|[from, to]| to - from);
+    let is_within = |at: [f64; 2], share: f64| {
+        (0..2).all(|k| (at[k] - middle[k]).abs() <= width[k] * (0.5 + share))
+    };
+    let mut at = middle;
+    for _ in 0..MAX_STEPS {
+        let [a, b] = [0, 1].map(|k| whole.jet(k, at));
+        let step = solve([a.u, a.v, a.f], [b.u, b.v, b.f]);
+        at = [at[0] + step[0], at[1] + step[1]];
+        if !is_within(at, 1.0) {
+            return None;
+        }
+        if step.iter().all(|s| s.abs() < LAST_STEP) {
+            return is_within(at, 1.0 / 64.0).then_some(at);
+        }
+    }
+    None
+}
+
+/// Where the pair touches zero near a place: the derivative is singular there, and in the one direction in which it is
+/// not, the pair is zero. Newton's method on these two; `None` if that leads away.
+pub(super) fn touch(whole: &Piece, from: [f64; 2]) -> Option<[f64; 2]> {
+    let mut at = from;
+    for _ in 0..MAX_STEPS {
+        let [a, b] = [0, 1].map(|k| whole.jet(k, at));
+        let step = solve(along(&a, &b), singular(&a, &b));
+        at = [at[0] + step[0], at[1] + step[1]];
+        // Where pieces end, those about the place are no wider than this.
+        // A step that is not finite leads away, too.
+        let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME.sqrt());
+        if !is_near {
+            return None;
+        }
+        if step.iter().all(|s| s.abs() < LAST_STEP) {
+            return Some(at);
+        }
+    }
+    None
+}
+
+/// The nearest place where the pair is zero along its greatest derivative, by Newton's method.
+pub(super) fn slid(whole: &Piece, mut at: [f64; 2]) -> [f64; 2] {
+    for _ in 0..4 {
+        let [u, v, value] = along(&whole.jet(0, at), &whole.jet(1, at));
+        let share = value / (u * u + v * v);
+        if !share.is_finite() {
+            break;
+        }
+        at = [at[0] - share * u, at[1] - share * v];
+    }
+    at
+}
+
+/// The part of the pair along its greatest derivative: derivatives in u and v, and the value.
+fn along(a: &Jet, b: &Jet) -> [f64; 3] {
+    let [x, y] = greater([a.u, b.u], [a.v, b.v]);
+    [x * a.u + y * b.u, x * a.v + y * b.v, x * a.f + y * b.f]
+}
+
+/// The derivative's determinant: its derivatives in u and v, and its value.
+fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
+    [
+        a.uu * b.v + a.u * b.uv - a.uv * b.u - a.v * b.uu,
+        a.uv * b.v + a.u * b.vv - a.vv * b.u - a.v * b.uv,
+        a.u * b.v - a.v * b.u,
+    ]
+}
+
+/// Newton's step of two equations, each given by its derivatives and its value.
+fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
+    let det = au * bv - av * bu;
+    [(av * b - bv * a) / det, (bu * a - au * b) / det]
+}
+
+/// The longer of two vectors.
+pub(super) fn greater(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    if a[0].hypot(a[1]) >= b[0].hypot(b[1]) {
+        a
+    } else {
+        b
+    }
+}

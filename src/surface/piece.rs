@@ -1,0 +1,279 @@
+//! Pieces of polynomials over the unit square, cut ever smaller until a question about them is answered.
+//!
+//! A polynomial in Bernstein form lies between its least and its greatest coefficient. Over half of the square it has
+//! other coefficients, which lie closer: their distance from the polynomial falls to a quarter with each halving. So: drop
+//! the pieces whose coefficients rule an answer out, halve the others, and so on. Bounds, nearest points and rays
+//! all work in this way, with other polynomials. Source: Lane and Riesenfeld, "A theoretical development for the
+//! computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2 (1980).
+
+use crate::curve::ratio;
+use crate::error::MAX_DEGREE;
+
+/// More halvings than a parameter can take in both directions: 53 digits and some until a step of 0 ends it.
+const MAX_ROUNDS: usize = 128;
+
+/// The most coefficients that all pieces of a round hold together: 4 MB.
+const MAX_COEFFICIENTS: usize = 1 << 19;
+
+/// The degree of a squared distance is twice that of a patch.
+const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
+
+/// One or more polynomials (planes) over a rectangle of parameters.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// Which polynomial this is a piece of.
+    pub(super) root: usize,
+    /// From where to where it reaches in u …
+    pub(super) u: [f64; 2],
+    /// … and in v.
+    pub(super) v: [f64; 2],
+    /// The number of coefficients along u and along v.
+    columns: usize,
+    rows: usize,
+    /// The Bernstein coefficients of one plane after the other, u along the fast index.
+    planes: Vec<f64>,
+}
+
+/// A polynomial's value and derivatives at a point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jet {
+    pub(super) f: f64,
+    pub(super) u: f64,
+    pub(super) v: f64,
+    pub(super) uu: f64,
+    pub(super) uv: f64,
+    pub(super) vv: f64,
+}
+
+impl Piece {
+    /// Whole polynomials over the unit square.
+    pub(super) fn whole(root: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
+        Self {
+            root,
+            u: [0.0, 1.0],
+            v: [0.0, 1.0],
+            columns,
+            rows,
+            planes,
+        }
+    }
+
+    /// The coefficients of one plane.
+    pub(super) fn plane(&self, k: usize) -> &[f64] {
+        let count = self.columns * self.rows;
+        &self.planes[k * count..(k + 1) * count]
+    }
+
+    /// The middle of the rectangle.
+    pub(super) fn middle(&self) -> [f64; 2] {
+        [self.u, self.v].map(|[from, to]| 0.5 * (from + to))
+    }
+
+    /// The least and the greatest coefficient of a plane.
+    pub(super) fn range(&self, k: usize) -> [f64; 2] {
+        let first = [f64::INFINITY, f64::NEG_INFINITY];
+        let widen = |[low, high]: [f64; 2], &c: &f64| [low.min(c), high.max(c)];
+        self.plane(k).iter().fold(first, widen)
+    }
+
+    /// The four corners: parameters, and the value of plane 0 there.
+    pub(super) fn corners(&self) -> [([f64; 2], f64); 4] {
+        let (last, end) = (self.columns - 1, self.columns * self.rows - 1);
+        [
+            ([self.u[0], self.v[0]], self.planes[0]),
+            ([self.u[1], self.v[0]], self.planes[last]),
+            ([self.u[0], self.v[1]], self.planes[end - last]),
+            ([self.u[1], self.v[1]], self.planes[end]),
+        ]
+    }
+
+    /// The derivatives' coefficients along u (or v) of a plane, for this rectangle as the unit square.
+    pub(super) fn slopes(&self, k: usize, along_u: bool) -> impl Iterator<Item = f64> + '_ {
+        let (columns, plane) = (self.columns, self.plane(k));
+        let (step, degree) = if along_u {
+            (1, columns - 1)
+        } else {
+            (columns, self.rows - 1)
+        };
+        plane
+            .iter()
+            .zip(plane.iter().skip(step))
+            .enumerate()
+            .filter(move |(i, _)| !along_u || (i + 1) % columns != 0)
+            .map(move |(_, (a, b))| (b - a) * ratio(degree, 1))
+    }
+
+    /// The ranges of the second derivatives' coefficients of plane 0, uu, uv and vv, for this rectangle as the unit
+    /// square.
+    pub(super) fn bends(&self) -> [[f64; 2]; 3] {
+        let bend = |du: usize, dv: usize| {
+            let (m, n) = (self.columns - 1, self.rows - 1);
+            let step = |first: bool| if first { 1 } else { self.columns };
+            let (a, b) = (step(du > 0), step(du > 1));
+            let factor = match du {
+                0 => ratio(n * n.saturating_sub(1), 1),
+                1 => ratio(m * n, 1),
+                _ => ratio(m * m.saturating_sub(1), 1),
+            };
+            let mut range = [0.0; 2];
+            let mut first = true;
+            for row in 0..self.rows.saturating_sub(dv) {
+                for i in row * self.columns..(row + 1) * self.columns - du.min(self.columns) {
+                    let c = |at: usize| self.planes[at];
+                    let value = (c(i + a + b) - c(i + a) - (c(i + b) - c(i))) * factor;
+                    range = if first {
+                        [value; 2]
+                    } else {
+                        [range[0].min(value), range[1].max(value)]
+                    };
+                    first = false;
+                }
+            }
+            range
+        };
+        [bend(2, 0), bend(1, 1), bend(0, 2)]
+    }
+
+    /// The greatest slope of the first two planes.
+    fn steepest(&self, along_u: bool) -> f64 {
+        let planes = self.planes.len() / (self.columns * self.rows);
+        (0..planes.min(2))
+            .flat_map(|k| self.slopes(k, along_u))
+            .fold(0.0, |most: f64, slope| most.max(slope.abs()))
+    }
+
+    /// The two halves, cut across the direction in which the first two planes change most.
+    pub(super) fn halves(mut self) -> [Self; 2] {
+        let mut other = self.clone();
+        let along_u = self.steepest(true) >= self.steepest(false);
+        let (count, area) = (self.columns, self.columns * self.rows);
+        for from in (0..self.planes.len()).step_by(area) {
+            if along_u {
+                for start in (from..from + area).step_by(count) {
+                    halve(&mut self.planes, &mut other.planes, start, 1, count);
+                }
+            } else {
+                for start in from..from + count {
+                    halve(&mut self.planes, &mut other.planes, start, count, self.rows);
+                }
+            }
+        }
+        let [u, v] = self.middle();
+        if along_u {
+            (self.u[1], other.u[0]) = (u, u);
+        } else {
+            (self.v[1], other.v[0]) = (v, v);
+        }
+        [self, other]
+    }
+
+    /// Value and derivatives of a plane at a point of the unit square that this piece is.
+    pub(super) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
+        let mut columns = [[0.0; MAX_COUNT]; 3];
+        for (j, row) in self.plane(k).chunks(self.columns).enumerate() {
+            let [f, slope, bend] = taylor(row, u);
+            (columns[0][j], columns[1][j], columns[2][j]) = (f, slope, bend);
+        }
+        let [f, f_v, f_vv] = taylor(&columns[0][..self.rows], v);
+        let [f_u, f_uv, _] = taylor(&columns[1][..self.rows], v);
+        let [f_uu, ..] = taylor(&columns[2][..self.rows], v);
+        Jet {
+            f,
+            u: f_u,
+            v: f_v,
+            uu: f_uu,
+            uv: f_uv,
+            vv: f_vv,
+        }
+    }
+
+    /// The four sides of a whole piece, or the two ends of a side; none of a corner.
+    pub(super) fn sides(&self) -> Vec<Self> {
+        let side = |start: usize, step: usize, columns: usize, rows: usize, u, v| Self {
+            root: self.root,
+            u,
+            v,
+            columns,
+            rows,
+            planes: (0..self.planes.len() / (self.columns * self.rows))
+                .flat_map(|k| {
+                    self.plane(k)
+                        .iter()
+                        .skip(start)
+                        .step_by(step)
+                        .take(columns * rows)
+                })
+                .copied()
+                .collect(),
+        };
+        let (m, n) = (self.columns - 1, self.rows - 1);
+        let mut sides = Vec::new();
+        let ([u0, u1], [v0, v1]) = (self.u, self.v);
+        if m > 0 {
+            sides.push(side(0, m + 1, 1, n + 1, [u0, u0], self.v));
+            sides.push(side(m, m + 1, 1, n + 1, [u1, u1], self.v));
+        }
+        if n > 0 {
+            sides.push(side(0, 1, m + 1, 1, self.u, [v0, v0]));
+            sides.push(side(n * (m + 1), 1, m + 1, 1, self.u, [v1, v1]));
+        }
+        sides
+    }
+}
+
+/// Shows pieces to `look`, halves those that it wants to see closer (`true`), and so on.
+///
+/// Says `false` when there came to be so many that the question has no answer in points: a whole curve of them, say.
+pub(super) fn search(
+    mut pieces: Vec<Piece>,
+    most: usize,
+    look: &mut dyn FnMut(&Piece) -> bool,
+) -> bool {
+    for _ in 0..MAX_ROUNDS {
+        pieces.retain(&mut *look);
+        let coefficients: usize = pieces.iter().map(|piece| piece.planes.len()).sum();
+        if pieces.is_empty() {
+            return true;
+        }
+        if pieces.len() > most || coefficients > MAX_COEFFICIENTS {
+            return false;
+        }
+        pieces = pieces.into_iter().flat_map(Piece::halves).collect();
+    }
+    true
+}
+
+/// Cuts a row of coefficients in half: `left`, which holds them, and `right` become the rows of the halves.
+fn halve(left: &mut [f64], right: &mut [f64], start: usize, step: usize, count: usize) {
+    let at = |i: usize| start + i * step;
+    for i in 0..count {
+        right[at(i)] = left[at(i)];
+    }
+    for level in 0..count {
+        left[at(level)] = right[at(0)];
+        for i in 1..count - level {
+            right[at(i - 1)] = 0.5 * (right[at(i - 1)] + right[at(i)]);
+        }
+    }
+}
+
+/// Value, first and second derivative at t, by de Casteljau's algorithm, which passes all three.
+fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
+    let mut row = [0.0; MAX_COUNT];
+    let n = coefficients.len() - 1;
+    row[..=n].copy_from_slice(coefficients);
+    let degree = ratio(n, 1);
+    let (mut slope, mut bend) = (0.0, 0.0);
+    for last in (1..=n).rev() {
+        if last == 2 {
+            bend = degree * (degree - 1.0) * (row[2] - row[1] - (row[1] - row[0]));
+        }
+        if last == 1 {
+            slope = degree * (row[1] - row[0]);
+        }
+        for i in 0..last {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+    [row[0], slope, bend]
+}

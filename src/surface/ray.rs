@@ -1,0 +1,156 @@
+//! Where does a ray meet the surface?
+//!
+//! A ray is where two planes meet. The distances of S(u, v) from both are polynomials, and their common zeros are the
+//! hits. No mesh comes between. Source of the two planes: Kajiya, "Ray tracing parametric patches", SIGGRAPH 1982; of
+//! the search by subdivision: Nishita, Sederberg and Kakimoto, "Ray tracing trimmed rational surface patches", SIGGRAPH
+//! 1990.
+
+use super::frame::{Frame, box_of};
+use super::nearest::gap;
+use super::piece::Piece;
+use super::zeros::{NEAR, common_zeros};
+use super::{Patch, PatchPoint, Surface, SurfacePoint};
+use crate::curve::check_finite;
+use crate::error::Error;
+use crate::point::Point;
+use glam::DVec3;
+
+/// On sides of patches, hits nearer than this share of the scene's size are one: the side is not the same curve to the
+/// last digit from both patches, and a ray that grazes it multiplies the difference.
+const SAME_ON_SIDES: f64 = 1.0 / 8_388_608.0;
+
+impl Patch {
+    /// All hits of a ray, by distance; none if it misses.
+    ///
+    /// The points S(u, v) = origin + t·direction with t ≥ 0 and u, v from 0 to 1. `distance` is the Euclidean distance
+    /// from the origin, so the length of `direction` does not matter. A point where the ray touches the patch counts
+    /// once, and so does one that is a whole side (a pole). Hits are those of a ray as wide as rounding, some 1e-14 of
+    /// the size of patch and origin together; where the ray grazes, hits nearer than 1e-7 of it are one.
+    ///
+    /// A ray that runs within the patch has no single hits: given are the points where it crosses the patch's sides,
+    /// and the origin if it is on the patch.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity.
+    pub fn intersect_ray(&self, origin: DVec3, direction: DVec3) -> Result<Vec<PatchPoint>, Error> {
+        let hits = hits(std::slice::from_ref(self), origin, direction)?;
+        Ok(hits.into_iter().map(SurfacePoint::on_patch).collect())
+    }
+}
+
+impl Surface {
+    /// All hits of a ray, by distance; see [`Patch::intersect_ray`]. One on a side that patches share counts once, for
+    /// the first of them.
+    ///
+    /// # Errors
+    /// As for a patch.
+    pub fn intersect_ray(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+    ) -> Result<Vec<SurfacePoint>, Error> {
+        let patches: Vec<Patch> = self.patches().collect();
+        hits(&patches, origin, direction)
+    }
+}
+
+/// A ray in a frame: where it starts, which way it goes, and two directions across.
+struct Ray {
+    start: DVec3,
+    along: DVec3,
+    across: [DVec3; 2],
+}
+
+fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<SurfacePoint>, Error> {
+    check_finite("origin", &[origin])?;
+    check_finite("direction", &[direction])?;
+    let along = direction.unit();
+    if along == DVec3::ZERO {
+        return Err(Error::Range {
+            what: "direction",
+            expected: "a vector of a length above 0",
+            got: 0.0,
+        });
+    }
+    let mut found = Vec::new();
+    if let Some(bounds) = box_of(patches) {
+        let frame = Frame::around(bounds.including(origin)).as_coarse_as_its_coordinates();
+        let (e1, e2) = along.any_orthonormal_pair();
+        let ray = Ray {
+            start: frame.place(origin),
+            along,
+            across: [e1, e2],
+        };
+        for (k, patch) in patches.iter().enumerate() {
+            let near = |a: &SurfacePoint, b: &SurfacePoint| is_same(a, b, frame.size);
+            for hit in hits_of(patch, k, &ray, &frame, origin)? {
+                if !found.iter().any(|other| near(other, &hit)) {
+                    let place = found
+                        .partition_point(|other: &SurfacePoint| other.distance <= hit.distance);
+                    found.insert(place, hit);
+                }
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The hits of one patch, in no order.
+fn hits_of(
+    patch: &Patch,
+    number: usize,
+    ray: &Ray,
+    frame: &Frame,
+    origin: DVec3,
+) -> Result<Vec<SurfacePoint>, Error> {
+    let Some(piece) = distances(patch, ray, frame) else {
+        return Ok(Vec::new());
+    };
+    let zeros = common_zeros(&piece);
+    let mut hits: Vec<SurfacePoint> = zeros
+        .places
+        .iter()
+        .map(|&[u, v]| SurfacePoint::at(patch, number, u, v, origin))
+        .collect();
+    hits.retain(|hit| (frame.place(hit.point) - ray.start).dot(ray.along) >= -NEAR);
+    let reach = NEAR * frame.size;
+    if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {
+        let PatchPoint { u, v, distance, .. } = patch.nearest(origin)?;
+        if distance <= reach {
+            hits.push(SurfacePoint::at(patch, number, u, v, origin));
+        }
+    }
+    Ok(hits)
+}
+
+/// The distances of a patch from the two planes of the ray, and those along it; `None` if all of it is behind the start or beside the ray.
+fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
+    let from_start: Vec<DVec3> = patch
+        .points
+        .iter()
+        .map(|&p| frame.place(p) - ray.start)
+        .collect();
+    let is_all =
+        |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));
+    let is_beside = |axis: DVec3| is_all(&|d| d > NEAR, axis) || is_all(&|d| d < -NEAR, axis);
+    if is_all(&|d| d < -NEAR, ray.along) || ray.across.iter().any(|&axis| is_beside(axis)) {
+        return None;
+    }
+    let [e1, e2] = ray.across;
+    let planes = [e1, e2, ray.along]
+        .iter()
+        .flat_map(|axis| from_start.iter().map(|p| p.dot(*axis)))
+        .collect();
+    Some(Piece::whole(0, patch.columns, patch.rows(), planes))
+}
+
+/// Whether two hits are one: equal points, or points of a common side.
+fn is_same(a: &SurfacePoint, b: &SurfacePoint, size: f64) -> bool {
+    let is_on_side = |hit: &SurfacePoint| {
+        let off = |t: f64| t.min(1.0 - t) <= SAME_ON_SIDES;
+        off(hit.u) || off(hit.v)
+    };
+    let apart = (a.point * 0.5 - b.point * 0.5).norm() * 2.0;
+    let on_sides = a.patch != b.patch && is_on_side(a) && is_on_side(b);
+    apart <= size * if on_sides { SAME_ON_SIDES } else { 4.0 * NEAR }
+}

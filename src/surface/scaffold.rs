@@ -1,0 +1,48 @@
+//! De Casteljau's construction of a point of a patch, to look at.
+
+use super::Patch;
+use crate::curve::Curve;
+use glam::DVec3;
+
+/// Everything that de Casteljau's algorithm passes through on its way to S(u, v): rows, then a curve, then the point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchScaffold {
+    /// For each row of the net all levels at u: the row itself first, its point last; see [`Curve::scaffold`].
+    pub rows: Vec<Vec<Vec<DVec3>>>,
+    /// All levels at v of the curve u = constant, whose control points are the points of the rows.
+    pub column: Vec<Vec<DVec3>>,
+    /// The point S(u, v), which the last level of the column holds.
+    pub point: DVec3,
+}
+
+impl Patch {
+    /// De Casteljau's construction at (u, v).
+    ///
+    /// Each of the n + 1 rows is a curve of degree m, drawn out at u; the last points of their constructions are the
+    /// control points of a curve of degree n, drawn out at v. Parameters outside [0, 1] extrapolate. Source: de Casteljau,
+    /// *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, 5th ed., §14.3.
+    pub fn scaffold(&self, u: f64, v: f64) -> PatchScaffold {
+        let rows: Vec<_> = self
+            .points
+            .chunks(self.columns)
+            .map(|row| Curve::from_slice(row).scaffold(u))
+            .collect();
+        let ends: Vec<DVec3> = rows.iter().map(|levels| last(levels)).collect();
+        let column = Curve::from_slice(&ends).scaffold(v);
+        let point = last(&column);
+        PatchScaffold {
+            rows,
+            column,
+            point,
+        }
+    }
+}
+
+/// The one point of the last level.
+fn last(levels: &[Vec<DVec3>]) -> DVec3 {
+    levels
+        .last()
+        .and_then(|level| level.first())
+        .copied()
+        .unwrap_or_default()
+}

@@ -1,0 +1,270 @@
+//! Curvature, flatness, the scaffold, other bases.
+
+use crate::nets::{Random, assert_near, graph};
+use crate::shapes::{odd_patches, samples, teapot};
+use casteljau::curve::Basis;
+use casteljau::glam::{DAffine3, DQuat, DVec3};
+use casteljau::surface::Curvature;
+use casteljau::{Curve, Error, Patch};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// Asserts k1 and k2, and that the others go with them.
+#[track_caller]
+fn assert_curvature(got: Curvature, k1: f64, k2: f64, tolerance: f64) {
+    assert!(
+        (got.k1 - k1).abs() <= tolerance && (got.k2 - k2).abs() <= tolerance,
+        "{got:?}, not {k1} {k2}"
+    );
+    assert!((got.gaussian - got.k1 * got.k2).abs() <= 1e-15 * got.gaussian.abs());
+    assert!((got.mean - 0.5 * (got.k1 + got.k2)).abs() <= 1e-15 * got.k1.abs().max(got.k2.abs()));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curvature_of_graphs() {
+    // z = a u² + b v² at its vertex: 2a and 2b, toward the normal (0, 0, 1).
+    for (a, b) in [
+        (1.0, 0.5),
+        (1.0, 1.0),
+        (2.0, -3.0),
+        (-1.0, -0.25),
+        (0.0, 1.0),
+        (0.0, 0.0),
+    ] {
+        let patch = graph(3, 2, &[(a, 2, 0), (b, 0, 2)]);
+        let (k1, k2) = (2.0 * f64::max(a, b), 2.0 * f64::min(a, b));
+        assert_curvature(patch.curvature(0.0, 0.0), k1, k2, 1e-13);
+    }
+    // Monge's formulas for z = u² + u v − v³/2 elsewhere.
+    let patch = graph(2, 3, &[(1.0, 2, 0), (1.0, 1, 1), (-0.5, 0, 3)]);
+    for (u, v) in samples(5) {
+        let (p, q) = (2.0 * u + v, u - 1.5 * v * v);
+        let (r, s, t) = (2.0, 1.0, -3.0 * v);
+        let w = 1.0 + p * p + q * q;
+        let got = patch.curvature(u, v);
+        assert!((got.gaussian - (r * t - s * s) / (w * w)).abs() < 1e-12);
+        let mean = ((1.0 + q * q) * r - 2.0 * p * q * s + (1.0 + p * p) * t) / (2.0 * w.powf(1.5));
+        assert!((got.mean - mean).abs() < 1e-12);
+        assert!(got.k1 >= got.k2);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curvature_follows_the_map() {
+    let patch = Random(7).patch(3, 3);
+    let turn = DQuat::from_axis_angle(DVec3::new(2.0, 2.0, -1.0) / 3.0, 2.0);
+    for scale in [1e-6, 1e6] {
+        let map = DAffine3::from_scale_rotation_translation(
+            DVec3::splat(scale),
+            turn,
+            DVec3::ONE * scale,
+        );
+        let image = patch.transform(&map);
+        for (u, v) in samples(4) {
+            let (a, b) = (patch.curvature(u, v), image.curvature(u, v));
+            let size = a.k1.abs().max(a.k2.abs());
+            assert!((a.k1 - b.k1 * scale).abs() < 1e-8 * size, "{a:?} {b:?}");
+            assert!((a.k2 - b.k2 * scale).abs() < 1e-8 * size);
+        }
+    }
+    // Reversed in u, the normal points to the other side.
+    let reversed: Vec<DVec3> = patch
+        .control_points()
+        .chunks(4)
+        .flat_map(|row| row.iter().rev().copied())
+        .collect();
+    let other = Patch::new(&reversed, 3, 3).unwrap();
+    for (u, v) in samples(3) {
+        let (a, b) = (patch.curvature(u, v), other.curvature(1.0 - u, v));
+        let size = a.k1.abs().max(a.k2.abs());
+        assert!((a.k1 + b.k2).abs() < 1e-9 * size && (a.k2 + b.k1).abs() < 1e-9 * size);
+        assert!((a.gaussian - b.gaussian).abs() < 1e-9 * size * size);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curvature_at_poles() {
+    // The paraboloid z = r² with the pole at v = 0: the point (v cos, v sin, v²), with any curve for the circle.
+    let arc = [
+        DVec3::X,
+        DVec3::new(1.0, 0.55, 0.0),
+        DVec3::new(0.55, 1.0, 0.0),
+        DVec3::Y,
+    ];
+    let net: Vec<DVec3> = [(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)]
+        .iter()
+        .flat_map(|&(r, z)| arc.map(|p| p * r + DVec3::Z * z))
+        .collect();
+    let pole = Patch::new(&net, 3, 2).unwrap();
+    // The direction from the middle, u = ½, is the diagonal, whose point of the arc has the radius r: z = v² there, and
+    // across it the circle's curvature decides. Along the diagonal the curvature is 2/r², negative: ∂u × ∂v points down.
+    let r = pole.eval(0.5, 1.0).truncate().length();
+    let got = pole.curvature(0.5, 0.0);
+    assert!(
+        [got.k1, got.k2]
+            .iter()
+            .any(|k| (k + 2.0 / (r * r)).abs() < 1e-6),
+        "{got:?}, {r}"
+    );
+    // A cone has no curvature at its tip, whose limit would be infinite.
+    let net: Vec<DVec3> = [0.0, 0.5, 1.0]
+        .iter()
+        .flat_map(|&r| arc.map(|p| (p + DVec3::Z) * r))
+        .collect();
+    let cone = Patch::new(&net, 3, 2).unwrap();
+    assert_eq!(cone.curvature(0.3, 0.0), Curvature::default());
+    assert!(cone.curvature(0.3, 0.5).gaussian.abs() < 1e-14);
+    // On the axis of the teapot's lid it is the same from all four patches.
+    let lid: Vec<Patch> = teapot().patches().skip(20).take(4).collect();
+    let first = lid[0].curvature(0.5, 0.0);
+    assert!(first.k1.is_finite() && first.k1 != 0.0);
+    for patch in &lid {
+        assert_curvature(
+            patch.curvature(0.5, 0.0),
+            first.k1,
+            first.k2,
+            1e-6 * first.k1.abs(),
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn curvature_is_finite_on_odd_patches() {
+    for patch in odd_patches() {
+        for (u, v) in samples(4) {
+            let c = patch.curvature(u, v);
+            assert!(
+                [c.gaussian, c.mean, c.k1, c.k2]
+                    .iter()
+                    .all(|k| k.is_finite())
+            );
+        }
+    }
+    for k in 0..5 {
+        assert_eq!(odd_patches()[k].curvature(0.3, 0.6), Curvature::default());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn flatness_bounds_the_two_triangles() {
+    let mut random = Random(15);
+    let mut patches = odd_patches();
+    patches.extend([(3, 3), (2, 4), (1, 1), (6, 2)].map(|(m, n)| random.patch(m, n)));
+    for patch in patches {
+        let bound = patch.flatness();
+        let [a, b, c, d] =
+            [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(u, v)| patch.eval(u, v));
+        for (u, v) in samples(30) {
+            // Along both diagonals.
+            let rising = if u > v {
+                a + (b - a) * u + (d - b) * v
+            } else {
+                a + (d - c) * u + (c - a) * v
+            };
+            let falling = if u + v < 1.0 {
+                a + (b - a) * u + (c - a) * v
+            } else {
+                d + (c - d) * (1.0 - u) + (b - d) * (1.0 - v)
+            };
+            let p = patch.eval(u, v);
+            assert!(p.distance(rising).max(p.distance(falling)) <= bound + 1e-14);
+        }
+    }
+    // z = uv is ¼ away from its triangles, in the middle; a lattice is flat; z = u² bulges by ¼.
+    assert_eq!(graph(1, 1, &[(1.0, 1, 1)]).flatness(), 0.25);
+    assert_eq!(graph(2, 2, &[(1.0, 2, 0)]).flatness(), 0.25);
+    assert!(graph(3, 3, &[]).flatness() < 1e-15);
+    let patch = random.patch(3, 3);
+    assert!(patch.split(0.5, 0.5)[0].flatness() <= 0.25 * patch.flatness() + 1e-15);
+    let huge = Patch::new(&[DVec3::MAX, DVec3::MIN, DVec3::MIN, DVec3::MAX], 1, 1).unwrap();
+    assert!(!huge.flatness().is_nan());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_scaffold_leads_from_rows_to_the_point() {
+    let patch = Random(9).patch(3, 2);
+    for (u, v) in [(0.0, 0.0), (0.25, 0.5), (1.0, 0.3), (1.5, -0.5)] {
+        let scaffold = patch.scaffold(u, v);
+        assert_eq!(scaffold.rows.len(), 3);
+        for (levels, row) in scaffold.rows.iter().zip(patch.control_points().chunks(4)) {
+            assert_eq!(
+                levels.iter().map(Vec::len).collect::<Vec<_>>(),
+                [4, 3, 2, 1]
+            );
+            assert_eq!(levels[0], row);
+            let curve = Curve::new(row).unwrap();
+            assert_near(levels[3][0], curve.eval(u), 1e-14);
+        }
+        assert_eq!(
+            scaffold.column.iter().map(Vec::len).collect::<Vec<_>>(),
+            [3, 2, 1]
+        );
+        for (levels, &end) in scaffold.rows.iter().zip(&scaffold.column[0]) {
+            assert_eq!(levels[3][0], end);
+        }
+        assert_eq!(scaffold.column[2], [scaffold.point]);
+        assert_near(scaffold.point, patch.eval(u, v), 1e-14);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_patch_from_another_basis() {
+    let mut random = Random(30);
+    let net: [DVec3; 16] = std::array::from_fn(|_| random.point());
+    // The Bézier basis and its matrix change nothing.
+    let same = Patch::from_basis(Basis::Bezier, &net).unwrap();
+    assert!(same.equals(&Patch::new(&net, 3, 3).unwrap(), 1e-14));
+    // Every basis is that of the rows, then of the columns.
+    for basis in [
+        Basis::Hermite,
+        Basis::BSpline,
+        Basis::CatmullRom,
+        Basis::Matrix(Basis::BSpline.matrix()),
+    ] {
+        let patch = Patch::from_basis(basis, &net).unwrap();
+        for (u, v) in samples(3) {
+            let ends = [0, 1, 2, 3].map(|j| {
+                let row = [0, 1, 2, 3].map(|i| net[4 * j + i]);
+                Curve::from_basis(basis, row).unwrap().eval(u)
+            });
+            assert_near(
+                patch.eval(u, v),
+                Curve::from_basis(basis, ends).unwrap().eval(v),
+                1e-14,
+            );
+        }
+    }
+    // Catmull-Rom passes through the four inner points; Hermite has its corners and derivatives where they stand.
+    let patch = Patch::from_basis(Basis::CatmullRom, &net).unwrap();
+    assert_near(patch.eval(0.0, 0.0), net[5], 1e-15);
+    assert_near(patch.eval(1.0, 1.0), net[10], 1e-15);
+    let patch = Patch::from_basis(Basis::Hermite, &net).unwrap();
+    assert_near(patch.eval(1.0, 0.0), net[1], 1e-15);
+    assert_near(patch.partials(0.0, 0.0).u, net[2], 1e-14);
+    assert_near(patch.partials(0.0, 1.0).v, net[12], 1e-14);
+    assert_near(patch.partials(1.0, 1.0).uv, net[15], 1e-14);
+    // A B-spline of equal control points is that point; points are finite, matrices too.
+    let point = Patch::from_basis(Basis::BSpline, &[DVec3::ONE; 16]).unwrap();
+    assert_near(point.eval(0.3, 0.8), DVec3::ONE, 1e-15);
+    let mut matrix = Basis::BSpline.matrix();
+    matrix[5] = f64::NAN;
+    let error = Patch::from_basis(Basis::Matrix(matrix), &net).unwrap_err();
+    assert!(matches!(
+        error,
+        Error::NotFinite {
+            what: "basis",
+            index: 5,
+            ..
+        }
+    ));
+    let mut broken = net;
+    broken[3].y = f64::INFINITY;
+    let error = Patch::from_basis(Basis::BSpline, &broken).unwrap_err();
+    assert!(matches!(
+        error,
+        Error::NotFinite {
+            what: "net",
+            index: 3,
+            ..
+        }
+    ));
+}

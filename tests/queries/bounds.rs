@@ -1,0 +1,104 @@
+//! The smallest box.
+
+use crate::nets::{Random, assert_near, graph};
+use crate::shapes::{odd_patches, samples, teapot};
+use casteljau::glam::{DAffine3, DMat3, DVec3};
+use casteljau::{Patch, Surface};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn of_the_teapot() {
+    let bounds = teapot().bounds().unwrap();
+    // The greatest x is the figure of the design notes; the others are exact by symmetry or by control points.
+    assert!(
+        (bounds.max.x - 3.434_075_125_471_107).abs() < 4e-15,
+        "{}",
+        bounds.max.x
+    );
+    assert_eq!(bounds.min.y, -bounds.max.y);
+    assert_eq!(bounds.min.z, 0.0);
+    assert!((bounds.max.z - 3.15).abs() < 1e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn of_polynomials() {
+    // z = u² − u + v is least at (½, 0) and greatest at (0, 1) and (1, 1).
+    let bounds = graph(2, 1, &[(1.0, 2, 0), (-1.0, 1, 0), (1.0, 0, 1)]).bounds();
+    assert_near(bounds.min, DVec3::new(0.0, 0.0, -0.25), 1e-15);
+    assert_near(bounds.max, DVec3::ONE, 1e-15);
+    // z = u²(1 − u) v is greatest at (⅔, 1).
+    let bounds = graph(3, 3, &[(1.0, 2, 1), (-1.0, 3, 1)]).bounds();
+    assert_near(bounds.max, DVec3::new(1.0, 1.0, 4.0 / 27.0), 1e-15);
+    // z = −(u + v − 1)² has a whole ridge, and z = (u − v)² a whole valley.
+    let ridge = [
+        (-1.0, 2, 0),
+        (-2.0, 1, 1),
+        (-1.0, 0, 2),
+        (2.0, 1, 0),
+        (2.0, 0, 1),
+        (-1.0, 0, 0),
+    ];
+    assert!(graph(2, 2, &ridge).bounds().max.z.abs() < 1e-15);
+    let valley = [(1.0, 2, 0), (-2.0, 1, 1), (1.0, 0, 2)];
+    assert!(graph(3, 2, &valley).bounds().min.z.abs() < 1e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn contain_and_touch_the_patch() {
+    let mut random = Random(31);
+    let mut patches = odd_patches();
+    patches.extend([(3, 3), (2, 2), (6, 4), (1, 3)].map(|(m, n)| random.patch(m, n)));
+    for patch in patches {
+        let bounds = patch.bounds();
+        let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for (u, v) in samples(200) {
+            let p = patch.eval(u, v);
+            (least, most) = (least.min(p), most.max(p));
+        }
+        let size = bounds.diagonal();
+        let over = (bounds.min - least).max(most - bounds.max).max_element();
+        assert!(
+            over <= 1e-14 * size.max(1.0),
+            "{over} of {size} outside of {bounds:?}: {patch:?}"
+        );
+        // The samples are 1/200 apart, and a face touches where the slope is zero.
+        let step = DVec3::splat(1e-3 * size);
+        assert!((least - bounds.min).cmple(step).all() && (bounds.max - most).cmple(step).all());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn follow_scale_and_parameters() {
+    let patch = Random(5).patch(3, 4);
+    let bounds = patch.bounds();
+    for scale in [1e-6, 1e6, -3.0] {
+        let image = patch
+            .transform(&DAffine3::from_mat3(DMat3::IDENTITY * scale))
+            .bounds();
+        let ends = [bounds.min * scale, bounds.max * scale];
+        assert_near(image.min, ends[0].min(ends[1]), 4e-15 * scale.abs());
+        assert_near(image.max, ends[0].max(ends[1]), 4e-15 * scale.abs());
+    }
+    let across: Vec<DVec3> = (0..4)
+        .flat_map(|i| (0..5).map(move |j| (i, j)))
+        .map(|(i, j)| patch.control_points()[4 * j + i])
+        .collect();
+    let swapped = Patch::new(&across, 4, 3).unwrap().bounds();
+    assert_near(swapped.min, bounds.min, 4e-15);
+    assert_near(swapped.max, bounds.max, 4e-15);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn of_little_and_of_much() {
+    assert_eq!(Surface::new(vec![], vec![], 3, 3).unwrap().bounds(), None);
+    let point = Patch::new(&[DVec3::ONE; 4], 1, 1).unwrap().bounds();
+    assert_eq!((point.min, point.max), (DVec3::ONE, DVec3::ONE));
+    for size in [1e-300, 1e300, 1.7e308] {
+        let net = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE].map(|p| (p * 2.0 - 1.0) * size);
+        let bounds = Patch::new(&net, 1, 1).unwrap().bounds();
+        assert_eq!(
+            (bounds.min, bounds.max),
+            (DVec3::splat(-size), DVec3::splat(size))
+        );
+    }
+}

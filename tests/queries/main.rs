@@ -1,0 +1,10 @@
+//! Questions to patches and surfaces: curvature, bounds, area, volume, the nearest point, rays.
+
+#[path = "../nets/mod.rs"]
+mod nets;
+
+mod bend;
+mod bounds;
+mod nearest;
+mod rays;
+mod shapes;
