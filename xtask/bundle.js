@@ -16,22 +16,23 @@ const withoutBytes = {
 };
 
 /**
- * Keeps the facade out of the applet's bundle, so that a page which imports both has one core and one wasm module.
- * The applet must therefore go through js/index.js and nothing else of js/.
+ * Keeps the facade out of the bundles of the applet and the elements, so that a page which imports several of them has
+ * one core and one wasm module. They must therefore go through js/index.js and nothing else of js/.
  */
-const facadeExternal = {
+const facadeExternal = (folder) => ({
   name: "facade-external",
   setup(build) {
     build.onResolve({ filter: /^\.\.?\// }, ({ path, importer, resolveDir }) => {
+      if (importer.includes("node_modules")) return undefined;
       const target = resolve(resolveDir, path);
       if (target === resolve(sources, "index.js")) return { path: "./index.js", external: true };
-      const inside = dirname(target).startsWith(resolve(sources, "applet"));
+      const inside = dirname(target).startsWith(resolve(sources, folder));
       if (inside || !importer) return undefined;
       const from = relative(sources, importer).split(sep).join("/");
-      return { errors: [{ text: `js/${from} imports ${path}: the applet may import only ../index.js of the package` }] };
+      return { errors: [{ text: `js/${from} imports ${path}: js/${folder} may import only ../index.js of the package` }] };
     });
   },
-};
+});
 
 /** Bundles one entry of js/ into one file of dist/. */
 const bundle = (entry, name, options = {}) =>
@@ -51,6 +52,7 @@ const bundle = (entry, name, options = {}) =>
 await Promise.all([
   bundle("index.js", "index.js"),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
-  bundle("applet/index.js", "applet.js", { plugins: [facadeExternal] }),
+  bundle("applet/index.js", "applet.js", { plugins: [facadeExternal("applet")] }),
+  bundle("elements/index.js", "elements.js", { plugins: [facadeExternal("elements")], inject: ["xtask/no-dom.js"], minify: true }),
   bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true }),
 ]);

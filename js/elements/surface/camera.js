@@ -1,0 +1,155 @@
+// Where the eye is: it circles about the surface's middle, always upright.
+import { aboutX, aboutZ, image, multiply, perspective, translation } from "./matrix.js";
+
+/**
+ * @import { Matrix, Vector } from "./matrix.js"
+ */
+
+/**
+ * Degrees about the upright axis and above the horizon, enlargement, and the shift of the picture in radii of the sphere.
+ *
+ * @typedef {{ turn: number, tilt: number, zoom: number, panX: number, panY: number }} View
+ */
+
+/** @typedef {{ centre: Vector, radius: number, up: "z" | "y" }} Frame */
+
+/**
+ * What drawing needs: the matrices, the size of a world unit at the middle in clip units, the directions of the picture.
+ *
+ * @typedef {{ view: Matrix, projection: Matrix, viewProjection: Matrix, right: Vector, upward: Vector, forward: Vector, eye: Vector }} Sight
+ */
+
+/** @type {View} */
+export const HOME = Object.freeze({ turn: -35, tilt: 24, zoom: 1, panX: 0, panY: 0 });
+const MOST_TILT = 90;
+const [LEAST_ZOOM, MOST_ZOOM] = [0.25, 40];
+const MOST_PAN = 2;
+/** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
+const SLOPE = 0.25;
+/** The sphere about the box is wider than what is in it; so much of the smaller side it may take. */
+const FILLED = 1.2;
+/** Points that are dragged out of the sphere remain visible within so many radii. */
+const DEPTH_RADII = 8;
+const NEAREST = 0.02;
+
+/**
+ * The view with some of its numbers changed, within its limits.
+ *
+ * @param {View} view
+ * @param {Partial<View>} changes
+ * @returns {View}
+ */
+export function moved(view, changes) {
+  const { turn, tilt, zoom, panX, panY } = { ...view, ...changes };
+  const clamp = (/** @type {number} */ x, /** @type {number} */ least, /** @type {number} */ most) => Math.min(Math.max(x, least), most);
+  return {
+    turn: ((((turn + 180) % 360) + 360) % 360) - 180,
+    tilt: clamp(tilt, -MOST_TILT, MOST_TILT),
+    zoom: clamp(zoom, LEAST_ZOOM, MOST_ZOOM),
+    panX: clamp(panX, -MOST_PAN, MOST_PAN),
+    panY: clamp(panY, -MOST_PAN, MOST_PAN),
+  };
+}
+
+/**
+ * A sphere about the box of some points.
+ *
+ * @param {ArrayLike<number>} points
+ * @param {"z" | "y"} up
+ * @returns {Frame}
+ */
+export function frameOf(points, up) {
+  const [min, max] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  for (let i = 0; i < points.length; i++) {
+    min[i % 3] = Math.min(min[i % 3], points[i]);
+    max[i % 3] = Math.max(max[i % 3], points[i]);
+  }
+  if (points.length === 0) return { centre: [0, 0, 0], radius: 1, up };
+  const centre = /** @type {Vector} */ (min.map((low, k) => low / 2 + max[k] / 2));
+  return { centre, radius: Math.hypot(...min.map((low, k) => max[k] / 2 - low / 2)) || 1, up };
+}
+
+/**
+ * @param {View} view
+ * @param {Frame} frame
+ * @param {number} width of the picture
+ * @param {number} height
+ * @returns {Sight}
+ */
+export function sightOf({ turn, tilt, zoom, panX, panY }, { centre, radius, up }, width, height) {
+  const least = Math.min(width, height);
+  const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
+  const distance = radius / (SLOPE * FILLED);
+  const projection = perspective((slope * width) / least, (slope * height) / least, Math.max(distance - DEPTH_RADII * radius, NEAREST * distance), distance + DEPTH_RADII * radius);
+  const upright = up === "y" ? aboutX(90) : translation(0, 0, 0);
+  const turned = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
+  const view = multiply(translation(panX * radius, panY * radius, -distance), multiply(turned, translation(-centre[0], -centre[1], -centre[2])));
+  const row = (/** @type {number} */ r) => /** @type {Vector} */ ([view[r], view[r + 4], view[r + 8]]);
+  const [right, upward, backward] = [row(0), row(1), row(2)];
+  const along = (/** @type {number} */ k) => -(view[12] * right[k] + view[13] * upward[k] + view[14] * backward[k]);
+  const forward = /** @type {Vector} */ (backward.map((x) => -x));
+  return { view, projection, viewProjection: multiply(projection, view), right, upward, forward, eye: [along(0), along(1), along(2)] };
+}
+
+/**
+ * Where a point appears, in the picture's units from its upper left corner; null behind the eye.
+ *
+ * @param {Sight} sight
+ * @param {ArrayLike<number>} point
+ * @param {number} at
+ * @param {number} width
+ * @param {number} height
+ * @returns {[number, number] | null}
+ */
+export function placeOf(sight, point, at, width, height) {
+  const [x, y, , w] = image(sight.viewProjection, point, at);
+  return w > 0 ? [(x / w + 1) * width / 2, (1 - y / w) * height / 2] : null;
+}
+
+/**
+ * The way in space that moves a point by (dx, dy) in the picture, in the plane through it that faces the eye.
+ *
+ * @param {Sight} sight
+ * @param {ArrayLike<number>} point
+ * @param {number} dx
+ * @param {number} dy
+ * @param {number} width
+ * @param {number} height
+ * @returns {Vector}
+ */
+export function shiftOf(sight, point, dx, dy, width, height) {
+  const w = image(sight.viewProjection, point)[3];
+  const x = (2 * dx * w) / width / sight.projection[0];
+  const y = (-2 * dy * w) / height / sight.projection[5];
+  return /** @type {Vector} */ (sight.right.map((r, k) => r * x + sight.upward[k] * y));
+}
+
+/**
+ * The ray from the eye through a place of the picture.
+ *
+ * @param {Sight} sight
+ * @param {number} x
+ * @param {number} y
+ * @param {number} width
+ * @param {number} height
+ * @returns {{ origin: Vector, direction: Vector }}
+ */
+export function rayThrough(sight, x, y, width, height) {
+  const sx = ((2 * x) / width - 1) / sight.projection[0];
+  const sy = (1 - (2 * y) / height) / sight.projection[5];
+  const direction = /** @type {Vector} */ (sight.forward.map((f, k) => f + sight.right[k] * sx + sight.upward[k] * sy));
+  return { origin: sight.eye, direction };
+}
+
+/**
+ * From the surface's coordinates to the picture's: what a canvas in two dimensions draws with.
+ *
+ * @param {Sight} sight
+ * @param {number} width
+ * @param {number} height
+ * @returns {Matrix}
+ */
+export function pixelMatrix(sight, width, height) {
+  const toPixels = [width / 2, 0, 0, 0, 0, -height / 2, 0, 0, 0, 0, 1, 0, width / 2, height / 2, 0, 1];
+  return multiply(toPixels, sight.viewProjection);
+}

@@ -1,0 +1,153 @@
+// Straight pieces as numbers: six for each, its two ends.
+import { Curve } from "../../index.js";
+import { patchesOf } from "./patches.js";
+
+/**
+ * @import { Mesh, Patch, Surface } from "../../index.js"
+ */
+
+/** Strips along each direction of a patch, and straight pieces for each of their curves. */
+const STRIPS = 4;
+const PIECES = 16;
+
+/**
+ * The sides of a mesh's triangles, each once.
+ *
+ * @param {Mesh} mesh
+ * @returns {Float32Array}
+ */
+export function edges({ positions, indices }) {
+  const count = positions.length / 3;
+  const pairs = new Set();
+  for (let i = 0; i < indices.length; i++) {
+    const [a, b] = [indices[i], indices[i % 3 === 2 ? i - 2 : i + 1]];
+    pairs.add(Math.min(a, b) * count + Math.max(a, b));
+  }
+  const pieces = new Float32Array(6 * pairs.size);
+  let at = 0;
+  for (const pair of pairs) {
+    const [a, b] = [3 * Math.floor(pair / count), 3 * (pair % count)];
+    pieces.set(positions.subarray(a, a + 3), at);
+    pieces.set(positions.subarray(b, b + 3), at + 3);
+    at += 6;
+  }
+  return pieces;
+}
+
+/**
+ * A chain of points as pieces.
+ *
+ * @param {ArrayLike<number>} points
+ * @returns {number[]}
+ */
+function chain(points) {
+  const pieces = [];
+  for (let i = 0; i + 3 < points.length; i += 3) for (let k = 0; k < 6; k++) pieces.push(points[i + k]);
+  return pieces;
+}
+
+/**
+ * Curves of constant u and v of all patches.
+ *
+ * @param {Surface} surface
+ * @returns {Float32Array}
+ */
+export function isocurves(surface) {
+  const pieces = [];
+  for (const patch of patchesOf(surface)) {
+    for (let i = 0; i <= STRIPS; i++) {
+      pieces.push(...chain(patch.isocurveAtU(i / STRIPS).sample(PIECES)), ...chain(patch.isocurveAtV(i / STRIPS).sample(PIECES)));
+    }
+  }
+  return Float32Array.from(pieces);
+}
+
+/**
+ * The four sides of a patch.
+ *
+ * @param {Patch} patch
+ * @returns {Float32Array}
+ */
+export function outline(patch) {
+  const curves = [0, 1].flatMap((end) => [patch.isocurveAtU(end), patch.isocurveAtV(end)]);
+  return Float32Array.from(curves.flatMap((curve) => chain(curve.sample(PIECES))));
+}
+
+/**
+ * The control nets: of one patch, or of all.
+ *
+ * @param {Surface} surface
+ * @param {number | null} only
+ * @returns {Float32Array}
+ */
+export function nets(surface, only) {
+  const patches = patchesOf(surface);
+  return Float32Array.from((only === null ? patches : [patches[only]]).flatMap(net));
+}
+
+/** @param {Patch} patch */
+function net(patch) {
+  const points = patch.controlPoints();
+  const [rows, columns] = linesOf(patch, points);
+  return [...rows, ...columns].flatMap(chain);
+}
+
+/**
+ * The rows (along u) and columns of a patch's net.
+ *
+ * @param {Patch} patch
+ * @param {Float64Array} points
+ * @returns {[Float64Array[], Float64Array[]]}
+ */
+function linesOf({ degreeU, degreeV }, points) {
+  const width = 3 * (degreeU + 1);
+  const rows = Array.from({ length: degreeV + 1 }, (_, j) => points.slice(j * width, (j + 1) * width));
+  const columns = Array.from({ length: degreeU + 1 }, (_, i) => Float64Array.from(rows.flatMap((row) => [...row.subarray(3 * i, 3 * i + 3)])));
+  return [rows, columns];
+}
+
+/**
+ * De Casteljau's way to a point of a patch: along u in every row of the net, and then along v through what came out.
+ *
+ * @typedef {object} Scaffold
+ * @property {Float32Array} rowLines the dividing lines in the rows
+ * @property {Float32Array} rowCurves
+ * @property {Float32Array} rowPoints one on each
+ * @property {Float32Array} columnLines the dividing lines between the rows' points
+ * @property {Float32Array} columnCurve
+ * @property {Float32Array} point
+ */
+
+/**
+ * As much of the scaffold as the step shows: 1 the rows' lines, 2 their points, 3 the curve through them, 4 its point.
+ *
+ * @param {Patch} patch
+ * @param {number} u
+ * @param {number} v
+ * @param {number} step
+ * @returns {Scaffold}
+ */
+export function casteljau(patch, u, v, step) {
+  const rows = linesOf(patch, patch.controlPoints())[0].map((row) => new Curve(row, { dimension: 3 }));
+  const column = patch.isocurveAtU(u);
+  const from = (/** @type {number} */ least, /** @type {() => number[]} */ make) => Float32Array.from(step >= least ? make() : []);
+  const at = patch.eval(u, v);
+  return {
+    rowLines: from(1, () => rows.flatMap((row) => dividing(row, u))),
+    rowCurves: from(1, () => rows.flatMap((row) => chain(row.sample(PIECES)))),
+    rowPoints: from(2, () => [...column.controlPoints()]),
+    columnLines: from(3, () => [...chain(column.controlPoints()), ...(step > 3 ? dividing(column, v) : [])]),
+    columnCurve: from(3, () => chain(column.sample(2 * PIECES))),
+    point: from(4, () => [at.x, at.y, at.z ?? 0]),
+  };
+}
+
+/**
+ * The levels of a curve's scaffold above its control polygon.
+ *
+ * @param {Curve} curve
+ * @param {number} t
+ */
+function dividing(curve, t) {
+  return curve.scaffold(t).slice(1).flatMap(chain);
+}

@@ -1,0 +1,124 @@
+// The controls below the picture: native form controls that set the element's properties.
+import { html, nothing } from "lit";
+import { AXES, EVALUATIONS, HEIGHTS, LAYERS, MODELS, MOST_SEGMENTS, PARTS, SHADINGS, STEPS, toggled } from "./settings.js";
+import { LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js";
+
+/**
+ * @import { Settings } from "./settings.js"
+ */
+
+/**
+ * What the controls know and do.
+ *
+ * @typedef {object} PanelPort
+ * @property {Settings} settings
+ * @property {boolean} named whether the surface is a model of the list
+ * @property {boolean} edited
+ * @property {(name: string, value: unknown, type: "input" | "change") => void} set
+ * @property {() => void} restore
+ * @property {() => void} savePicture
+ */
+
+const UV_STEP = 0.01;
+
+/** @param {PanelPort} port */
+export function panel(port) {
+  return html`<div class="controls" part="controls">
+    ${modelControls(port)} ${meshControls(port)} ${lookControls(port)} ${layerControls(port)}
+    ${port.settings.layers.has("casteljau") ? casteljauControls(port) : nothing} ${fileControls(port)}
+  </div>`;
+}
+
+/**
+ * @param {string} name
+ * @param {string} label
+ * @param {readonly string[]} words
+ * @param {string} chosen
+ * @param {Record<string, string>} names
+ * @param {PanelPort} port
+ */
+function select(name, label, words, chosen, names, { set }) {
+  const changed = (/** @type {Event} */ event) => set(name, /** @type {HTMLSelectElement} */ (event.target).value, "change");
+  const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+  return html`<label class="line"><span>${label}</span><select name=${name} @change=${changed}>${words.map(option)}</select></label>`;
+}
+
+/**
+ * @param {string} name
+ * @param {unknown} label
+ * @param {number} value
+ * @param {{ min: number, max: number, step: number }} range
+ * @param {PanelPort} port
+ */
+function slider(name, label, value, { min, max, step }, { set }) {
+  const to = (/** @type {"input" | "change"} */ type) => (/** @type {Event} */ event) => set(name, Number(/** @type {HTMLInputElement} */ (event.target).value), type);
+  return html`<label class="line"><span>${label}</span>
+    <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to("input")} @change=${to("change")}>
+    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(2) : value}</span></label>`;
+}
+
+/**
+ * @param {string} label
+ * @param {boolean} checked
+ * @param {(on: boolean) => void} act
+ */
+function box(label, checked, act) {
+  const changed = (/** @type {Event} */ event) => act(/** @type {HTMLInputElement} */ (event.target).checked);
+  return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
+}
+
+/** @param {PanelPort} port */
+function modelControls(port) {
+  const { settings, named, set } = port;
+  const { model, parts } = settings;
+  if (!named) return html`<fieldset><legend>Model</legend><p class="note">A surface of your own.</p></fieldset>`;
+  const part = (/** @type {import("./settings.js").Part} */ each) => box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
+  return html`<fieldset><legend>Model</legend>
+    ${select("model", "Shape", MODELS, model, MODEL_NAMES, port)}
+    ${model === "teapot" ? select("height", "Height", HEIGHTS, settings.height, { squashed: "squashed, as usual", original: "Newell’s, 4/3 as tall" }, port) : nothing}
+    ${select("up", "Upright", AXES, settings.up, { z: "z", y: "y" }, port)}
+    ${model === "teapot" ? PARTS.map(part) : nothing}
+  </fieldset>`;
+}
+
+/** @param {PanelPort} port */
+function meshControls(port) {
+  const { settings } = port;
+  return html`<fieldset><legend>Mesh</legend>
+    ${slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port)}
+    ${select("evaluation", "Computed", EVALUATIONS, settings.evaluation, { cpu: "by the core (WebAssembly)", gpu: "by the graphics card" }, port)}
+  </fieldset>`;
+}
+
+/** @param {PanelPort} port */
+function lookControls(port) {
+  return html`<fieldset><legend>Look</legend>${select("shading", "Shading", SHADINGS, port.settings.shading, SHADING_NAMES, port)}</fieldset>`;
+}
+
+/** @param {PanelPort} port */
+function layerControls({ settings: { layers }, set }) {
+  const layer = (/** @type {import("./settings.js").Layer} */ each) => box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
+  return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}</fieldset>`;
+}
+
+/** @param {PanelPort} port */
+function casteljauControls(port) {
+  const { settings: { u, v, step }, set } = port;
+  const unit = { min: 0, max: 1, step: UV_STEP };
+  return html`<fieldset class="wide"><legend>De Casteljau on the grid</legend>
+    ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}
+    <div class="row">
+      <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>Step back</button>
+      <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>Next step</button>
+    </div>
+    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS.slice(step < 2 ? 0 : 1, step).join(" ")}</p>
+  </fieldset>`;
+}
+
+/** @param {PanelPort} port */
+function fileControls({ edited, restore, savePicture }) {
+  return html`<fieldset><legend>Take away</legend><div class="row">
+    <button type="button" @click=${savePicture}>PNG</button>
+    <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
+  </div></fieldset>`;
+}

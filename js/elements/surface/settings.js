@@ -1,0 +1,102 @@
+// The attributes as the drawing takes them: an unknown word or a number out of range counts as the default, as in HTML.
+
+export const MODELS = /** @type {const} */ (["teapot", "teacup", "teaspoon", "patch"]);
+export const SHADINGS = /** @type {const} */ (["smooth", "flat", "normals", "gaussian", "mean", "patches"]);
+export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spout", "bottom"]);
+export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
+export const AXES = /** @type {const} */ (["z", "y"]);
+export const EVALUATIONS = /** @type {const} */ (["cpu", "gpu"]);
+export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "net", "casteljau"]);
+
+/** Cells along each direction of a patch. */
+export const MOST_SEGMENTS = 64;
+/** Rows, row points, the curve through them, its point. */
+export const STEPS = 4;
+
+/** @typedef {typeof MODELS[number]} Model */
+/** @typedef {typeof SHADINGS[number]} Shading */
+/** @typedef {typeof PARTS[number]} Part */
+/** @typedef {typeof LAYERS[number]} Layer */
+
+/**
+ * @typedef {object} Settings
+ * @property {Model} model
+ * @property {Set<Part>} parts
+ * @property {"squashed" | "original"} height
+ * @property {"z" | "y"} up
+ * @property {number} segments
+ * @property {Shading} shading
+ * @property {Set<Layer>} layers
+ * @property {"cpu" | "gpu"} evaluation
+ * @property {number} u
+ * @property {number} v
+ * @property {number} step
+ */
+
+/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
+
+/**
+ * @param {Attributes} given
+ * @returns {Settings}
+ */
+export function settingsOf(given) {
+  return {
+    model: word(given.model, MODELS),
+    parts: given.parts === null || given.parts === undefined ? new Set(PARTS) : words(given.parts, PARTS),
+    height: word(given.height, HEIGHTS),
+    up: word(given.up, AXES),
+    segments: Math.round(number(given.segments, 1, MOST_SEGMENTS, 12)),
+    shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
+    layers: words(given.show ?? "surface", LAYERS),
+    evaluation: word(given.evaluation, EVALUATIONS),
+    u: number(given.u, 0, 1, 0.5),
+    v: number(given.v, 0, 1, 0.5),
+    step: Math.round(number(given.step, 1, STEPS, STEPS)),
+  };
+}
+
+/**
+ * @template {string} Word
+ * @param {unknown} value
+ * @param {readonly Word[]} known the first is the default
+ * @returns {Word}
+ */
+function word(value, known) {
+  return known.find((each) => each === value) ?? known[0];
+}
+
+/**
+ * @template {string} Word
+ * @param {unknown} value separated by spaces
+ * @param {readonly Word[]} known
+ * @returns {Set<Word>}
+ */
+function words(value, known) {
+  const given = String(value).split(/\s+/);
+  return new Set(known.filter((each) => given.includes(each)));
+}
+
+/**
+ * @param {unknown} value
+ * @param {number} least
+ * @param {number} most
+ * @param {number} otherwise
+ */
+function number(value, least, most, otherwise) {
+  const given = value === null || value === "" ? NaN : Number(value);
+  return Number.isNaN(given) ? otherwise : Math.min(Math.max(given, least), most);
+}
+
+/**
+ * A list of words as an attribute holds it, with one of them put in or taken out.
+ *
+ * @template {string} Word
+ * @param {Set<Word>} chosen
+ * @param {readonly Word[]} known
+ * @param {Word} each
+ * @param {boolean} on
+ * @returns {string}
+ */
+export function toggled(chosen, known, each, on) {
+  return known.filter((one) => (one === each ? on : chosen.has(one))).join(" ");
+}

@@ -1,0 +1,165 @@
+// The canvas and its frames: at most one a turn of the display, and only when something has changed.
+import { moved, sightOf } from "./camera.js";
+import { FlatView } from "./flat-view.js";
+import { Geometry } from "./geometry.js";
+import { GlView } from "./gl-view.js";
+import { followTheme, readTheme } from "./theme.js";
+
+/**
+ * @import { Sight, View } from "./camera.js"
+ * @import { Scene } from "./geometry.js"
+ * @import { Theme } from "./theme.js"
+ */
+
+/**
+ * What the stage tells the element.
+ *
+ * @typedef {object} StagePort
+ * @property {(sight: Sight, width: number, height: number) => void} drawn after each frame; the size in CSS pixels
+ * @property {(state: "webgl" | "flat" | "lost") => void} stateChanged
+ * @property {() => boolean} turning whether the picture turns by itself
+ */
+
+const TURN_DEGREES_PER_SECOND = 24;
+/** A frame after a pause (a hidden tab) does not make the picture jump. */
+const LONGEST_FRAME_MS = 100;
+
+export class Stage {
+  geometry = new Geometry();
+  #canvas;
+  #probe;
+  #port;
+  /** @type {GlView | FlatView | null} */
+  #view = null;
+  /** @type {Scene | null} */
+  #scene = null;
+  /** @type {Theme | null} */
+  #theme = null;
+  /** @type {View} */
+  #camera;
+  #frame = 0;
+  #before = 0;
+  #lost = false;
+  /** @type {(() => void)[]} */
+  #endings = [];
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLElement} probe from which colours are read
+   * @param {View} camera
+   * @param {StagePort} port
+   */
+  constructor(canvas, probe, camera, port) {
+    this.#canvas = canvas;
+    this.#probe = probe;
+    this.#camera = camera;
+    this.#port = port;
+    this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
+    port.stateChanged(this.#view instanceof GlView ? "webgl" : "flat");
+    this.#listen();
+  }
+
+  #listen() {
+    const canvas = this.#canvas;
+    const lost = (/** @type {Event} */ event) => {
+      event.preventDefault(); // it may come back
+      this.#lost = true;
+      this.#port.stateChanged("lost");
+    };
+    const restored = () => {
+      this.#lost = false;
+      this.#view = GlView.on(canvas);
+      this.#port.stateChanged("webgl");
+      this.schedule();
+    };
+    canvas.addEventListener("webglcontextlost", lost);
+    canvas.addEventListener("webglcontextrestored", restored);
+    const observer = new ResizeObserver(() => this.#resize());
+    observer.observe(canvas);
+    const themeEnds = followTheme(() => this.recolour());
+    this.#endings.push(
+      () => canvas.removeEventListener("webglcontextlost", lost),
+      () => canvas.removeEventListener("webglcontextrestored", restored),
+      () => observer.disconnect(),
+      themeEnds,
+    );
+  }
+
+  get camera() {
+    return this.#camera;
+  }
+
+  /** @param {Partial<View>} changes */
+  move(changes) {
+    this.#camera = moved(this.#camera, changes);
+    this.schedule();
+  }
+
+  /** @param {Scene} scene */
+  show(scene) {
+    this.#scene = scene;
+    this.schedule();
+  }
+
+  /** The style sheet has other colours now. */
+  recolour() {
+    this.#theme = null;
+    this.schedule();
+  }
+
+  /** How the scene is seen now, on so many CSS pixels; null before there is one. */
+  sight() {
+    const { clientWidth, clientHeight } = this.#canvas;
+    return this.#scene && { sight: sightOf(this.#camera, this.#scene.frame, clientWidth || 1, clientHeight || 1), width: clientWidth, height: clientHeight };
+  }
+
+  schedule() {
+    this.#frame ||= requestAnimationFrame((now) => this.#step(now));
+  }
+
+  /** @param {number} now */
+  #step(now) {
+    this.#frame = 0;
+    const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
+    this.#before = now;
+    if (this.#port.turning() && this.#scene && !this.#lost) this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
+    this.draw();
+  }
+
+  /** Draws now. */
+  draw() {
+    const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
+    if (!scene || !seen || this.#lost || seen.width === 0) return;
+    const theme = (this.#theme ??= readTheme(this.#probe));
+    const { width, height } = canvas;
+    const ratio = width / seen.width;
+    this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
+    this.#port.drawn(seen.sight, seen.width, seen.height);
+  }
+
+  #resize() {
+    const { clientWidth, clientHeight } = this.#canvas;
+    const ratio = devicePixelRatio;
+    const [width, height] = [Math.max(1, Math.round(clientWidth * ratio)), Math.max(1, Math.round(clientHeight * ratio))];
+    if (this.#canvas.width === width && this.#canvas.height === height) return;
+    [this.#canvas.width, this.#canvas.height] = [width, height];
+    this.draw(); // at once: the canvas has just been emptied
+  }
+
+  /**
+   * The picture as a file: it is drawn and read in one go, since the browser empties the canvas after a frame.
+   *
+   * @returns {Promise<Blob | null>}
+   */
+  toBlob() {
+    this.draw();
+    return new Promise((done) => this.#canvas.toBlob(done));
+  }
+
+  /** Ends frames and listeners and gives the graphics card its memory back. */
+  end() {
+    cancelAnimationFrame(this.#frame);
+    for (const ending of this.#endings) ending();
+    if (!this.#lost) this.#view?.drop();
+  }
+}

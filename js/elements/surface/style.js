@@ -1,0 +1,79 @@
+// The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
+import { css } from "lit";
+
+export const style = css`
+:host {
+  --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
+  --bz-front: #8fc3e8; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
+  --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8;
+  --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
+  display: block; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
+  font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
+}
+:host([hidden]) { display: none; }
+@media (prefers-color-scheme: dark) {
+  :host {
+    --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
+    --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #0b1620; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
+    --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8;
+    --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
+  }
+}
+@media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
+@media (forced-colors: active) {
+  :host {
+    --bz-ink: CanvasText; --bz-quiet: CanvasText; --bz-paper: Canvas; --bz-panel: Canvas; --bz-rim: CanvasText; --bz-field: CanvasText;
+    --bz-handle: LinkText; --bz-level1: GrayText; --bz-level2: LinkText; --bz-accent: Highlight; --bz-on-accent: HighlightText;
+  }
+  .probe { forced-color-adjust: none; }
+}
+*, ::before, ::after { box-sizing: border-box; }
+.frame { border: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); overflow: clip; }
+.stage { position: relative; background: var(--bz-paper); }
+canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3); cursor: grab; touch-action: pan-y; -webkit-tap-highlight-color: transparent; }
+canvas:active { cursor: grabbing; }
+canvas:focus-visible { outline-offset: -3px; }
+.overlay { position: absolute; inset: 0; overflow: clip; pointer-events: none; user-select: none; -webkit-user-select: none; }
+.handle {
+  position: absolute; inset: 0 auto auto 0; inline-size: var(--bz-hit); block-size: var(--bz-hit); min-block-size: 0; margin: calc(var(--bz-hit) / -2) 0 0 calc(var(--bz-hit) / -2);
+  padding: 0; border: 0; border-radius: 50%; background: none; pointer-events: auto; touch-action: none; cursor: grab;
+}
+.handle[hidden] { display: none; }
+.handle:active { cursor: grabbing; }
+.handle::before {
+  content: ""; position: absolute; inset: 0; margin: auto; inline-size: 12px; block-size: 12px;
+  background: var(--bz-handle); border: 2px solid var(--bz-paper); border-radius: 50%;
+}
+.handle[data-kind="off"]::before { border-radius: 2px; inline-size: 11px; block-size: 11px; }
+.handle:hover::before, .handle:focus-visible::before { scale: 1.35; }
+.handle:focus-visible { outline: 2px solid var(--bz-accent); outline-offset: -1px; z-index: 1; }
+.tools { position: absolute; inset: 8px 8px auto auto; display: flex; gap: 4px; }
+.tools button { inline-size: 34px; min-block-size: 34px; padding: 0; display: grid; place-items: center; }
+.tools svg { inline-size: 18px; block-size: 18px; fill: none; stroke: currentColor; stroke-width: 2; stroke-linecap: round; stroke-linejoin: round; }
+.message { position: absolute; inset: auto 10px 10px; margin: 0; padding: 0.45rem 0.7rem; background: var(--bz-panel); border: 1px solid var(--bz-field); border-radius: 7px; font-size: 0.875rem; }
+.message:empty { display: none; }
+.facts { display: flex; flex-wrap: wrap; gap: 0.1rem 1.3rem; margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--bz-rim); color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
+.facts b { font-weight: 600; color: var(--bz-ink); }
+.controls { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding: 0.8rem 0.9rem 0.9rem; border-block-start: 1px solid var(--bz-rim); }
+fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.15rem 0.95rem; align-items: center; align-content: start; }
+fieldset.wide { grid-column: 1 / -1; }
+legend { padding: 0 0 0.15rem; font-weight: 600; }
+label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
+label.line { flex: 1 1 100%; }
+label.line > span:first-child { min-inline-size: 4.6rem; }
+label.line > select, label.line > input { flex: 1; min-inline-size: 5rem; }
+.value { min-inline-size: 3.1em; text-align: end; font-variant-numeric: tabular-nums; }
+input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
+input[type="range"] { accent-color: var(--bz-accent); min-block-size: 24px; }
+button, select {
+  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; cursor: pointer;
+}
+button:not(.handle):hover { border-color: var(--bz-accent); color: var(--bz-accent); }
+button:disabled { opacity: 0.55; cursor: default; }
+button[aria-pressed="true"] { background: var(--bz-accent); border-color: var(--bz-accent); color: var(--bz-on-accent); }
+button[aria-pressed="true"]:hover { color: var(--bz-on-accent); }
+:focus-visible { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
+.note { flex: 1 1 100%; margin: 0; color: var(--bz-quiet); font-size: 0.875rem; }
+.row { display: flex; flex-wrap: wrap; gap: 0.4rem; }
+.away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+`;

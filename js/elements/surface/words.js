@@ -1,0 +1,32 @@
+// What the element says.
+
+/** @type {Record<string, string>} */
+export const MODEL_NAMES = { teapot: "Teapot", teacup: "Teacup", teaspoon: "Teaspoon", patch: "One patch" };
+/** @type {Record<string, string>} */
+export const SHADING_NAMES = { smooth: "Smooth", flat: "Flat", normals: "Normals", gaussian: "Gaussian curvature", mean: "Mean curvature", patches: "Patch colours" };
+/** @type {Record<string, string>} */
+export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", net: "control net", casteljau: "de Casteljau" };
+/** @type {Record<string, string>} */
+export const STATES = {
+  webgl: "",
+  flat: "This browser offers no WebGL2: the surface is drawn as lines.",
+  lost: "The graphics card was taken away; the picture comes back with it.",
+};
+/** What each step of de Casteljau's grid shows. */
+export const STEP_WORDS = [
+  "Each row of the net is a curve. Dividing lines find its point at u.",
+  "These row points are control points again,",
+  "of the curve of constant u,",
+  "and on it lies the point of the surface, at v.",
+];
+export const INSTRUCTIONS =
+  "Drag to turn, with Shift to shift; two fingers zoom. Keys: arrows turn, with Shift they shift, plus and minus zoom, 0 goes back.";
+
+/**
+ * Two figures that count.
+ *
+ * @param {number} x
+ */
+export function figures(x) {
+  return x === 0 ? "0" : x < 1e-4 || x >= 1e6 ? x.toExponential(1) : String(Number(x.toPrecision(2)));
+}

@@ -1,0 +1,2 @@
+// The page is the two elements; this defines them.
+import "casteljau/elements";
