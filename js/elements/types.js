@@ -22,6 +22,8 @@
  * @property {string} height of the teapot: "squashed" or "original"
  * @property {string} up the axis that points up: "z" or "y"
  * @property {number} segments cells along each direction of a patch, 1 to 64
+ * @property {number | null} tolerance instead of the segments: the surface is nowhere farther from the mesh
+ * @property {number | null} pixels the same, in pixels of the picture
  * @property {string} shading "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches"
  * @property {string} show words of "surface mesh isocurves net casteljau"
  * @property {string} evaluation "cpu": by the package; "gpu": by the vertex shader

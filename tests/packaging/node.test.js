@@ -30,6 +30,11 @@ test("the applet module loads without a document", async () => {
   assert.equal(await node("applet.js", program), "function");
 });
 
+test("the elements load without a document, and define nothing", async () => {
+  const program = `import { BezierSurface } from "casteljau/elements"; console.log(typeof BezierSurface, typeof customElements, typeof document);`;
+  assert.equal(await node("elements.js", program), "function undefined undefined");
+});
+
 test("the version can be read", async () => {
   const program = `console.log(require("casteljau/package.json").version)`;
   assert.match(await node("version.cjs", program), /^\d+\.\d+\.\d+$/);

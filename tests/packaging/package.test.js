@@ -14,12 +14,12 @@ after(fixture.remove);
 
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
-  const expected = /^(dist\/((index|slim|applet|bezier-app)\.js|casteljau\.wasm|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+  const expected = /^(dist\/((index|slim|applet|elements|bezier-app)\.js|casteljau\.wasm|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
   assert.deepEqual(names.filter((name) => !expected.test(name)), []);
 });
 
 test("no file of the tarball names a folder of the machine that built it", async () => {
-  const names = ["index.js", "slim.js", "applet.js", "bezier-app.js", "casteljau.wasm"];
+  const names = ["index.js", "slim.js", "applet.js", "elements.js", "bezier-app.js", "casteljau.wasm"];
   for (const name of names) {
     const text = await readFile(join(fixture.installed, "dist", name), "latin1");
     assert.doesNotMatch(text, /\/(home|root|Users|work)\/|\.cargo\/registry|\.rustup/, name);
@@ -42,9 +42,11 @@ for (const resolution of ["nodenext", "bundler"]) {
     const program = `import { Curve, init } from "casteljau";
 import * as slim from "casteljau/slim";
 import { bezierApp } from "casteljau/applet";
+import { BezierSurface } from "casteljau/elements";
 export const x: number = new Curve([[0, 0], [1, 2], [2, 0]]).eval(0.5).x;
 export const both: Promise<void>[] = [init(), slim.init(fetch("casteljau.wasm"))];
 export const app: Function = bezierApp;
+export const turning: boolean = new BezierSurface().turn;
 // @ts-expect-error: a curve is made of points
 new Curve(7);
 `;

@@ -27,7 +27,7 @@ const MOST_PAN = 2;
 /** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
 const SLOPE = 0.25;
 /** The sphere about the box is wider than what is in it; so much of the smaller side it may take. */
-const FILLED = 1.2;
+export const FILLED = 1.4;
 /** Points that are dragged out of the sphere remain visible within so many radii. */
 const DEPTH_RADII = 8;
 const NEAREST = 0.02;

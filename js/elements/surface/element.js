@@ -19,6 +19,8 @@ import { figures, INSTRUCTIONS, MODEL_NAMES, STATES } from "./words.js";
 
 /** The element begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
+/** Where the sliders begin: in radii of the surface, and in pixels. */
+const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 const REDUCED_MOTION = "(prefers-reduced-motion: reduce)";
 
 const text = { type: String, reflect: true };
@@ -30,7 +32,7 @@ export class BezierSurface extends LitElement {
   static styles = style;
   static properties = {
     model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
-    segments: number, u: number, v: number, step: number, patch: number,
+    segments: number, tolerance: number, pixels: number, u: number, v: number, step: number, patch: number,
     controls: flag, turn: flag,
   };
 
@@ -68,6 +70,10 @@ export class BezierSurface extends LitElement {
     this.evaluation = "cpu";
     this.label = "";
     this.segments = 12;
+    /** @type {number | null} */
+    this.tolerance = null;
+    /** @type {number | null} */
+    this.pixels = null;
     this.u = 0.5;
     this.v = 0.5;
     this.step = 4;
@@ -157,8 +163,8 @@ export class BezierSurface extends LitElement {
   }
 
   #settings() {
-    const { model, parts, height, up, segments, shading, show, evaluation, u, v, step } = this;
-    const given = { model, parts, height, up, segments, shading, show, evaluation, u, v, step };
+    const { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step } = this;
+    const given = { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step };
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 
@@ -276,9 +282,30 @@ export class BezierSurface extends LitElement {
       </div>
       <p class="away" id="help">${INSTRUCTIONS}</p>
       ${this.#readOut()}
-      ${this.controls ? panel({ settings, named: !this.#given, edited: this.#moves.size > 0, set: (...args) => this.#set(...args), restore: () => this.#restore(), savePicture: () => this.#savePicture() }) : ""}
+      ${this.controls ? panel(this.#panelPort()) : ""}
       <span class="probe" hidden></span>
     </div>`;
+  }
+
+  /** @returns {import("./panel.js").PanelPort} */
+  #panelPort() {
+    return {
+      settings: this.#settings(),
+      size: this.#scene().frame.radius,
+      named: !this.#given,
+      edited: this.#moves.size > 0,
+      set: (...args) => this.#set(...args),
+      setFineness: (kind) => this.#setFineness(kind),
+      restore: () => this.#restore(),
+      savePicture: () => this.#savePicture(),
+    };
+  }
+
+  /** @param {"segments" | "tolerance" | "pixels"} kind */
+  #setFineness(kind) {
+    const tolerance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
+    Object.assign(this, { tolerance: kind === "tolerance" ? tolerance : null, pixels: kind === "pixels" ? FIRST_PIXELS : null });
+    this.#fire("change");
   }
 
   #restore() {
@@ -294,8 +321,8 @@ export class BezierSurface extends LitElement {
     return html`<p class="facts" part="facts">
       <span><b>${many(facts.triangles)}</b> triangles</span>
       <span><b>${many(facts.vertices)}</b> vertices</span>
-      ${facts.error === null ? "" : html`<span>error ≤ <b>${figures(facts.error)}</b></span>`}
-      <span>${this.evaluation === "gpu" ? "on the graphics card" : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
+      <span>error ≤ <b>${figures(facts.error)}</b> ${facts.unit}</span>
+      <span>${facts.ms === null ? "by the graphics card" : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
     </p>`;
   }
 }

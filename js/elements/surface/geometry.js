@@ -1,13 +1,15 @@
 // From the surface and the settings to what is drawn: meshes and straight pieces, made again only when they change.
 import { Memo } from "./memo.js";
 import { errorBound } from "./bound.js";
-import { patchesOf } from "./patches.js";
+import { curvatureOf } from "./curvature.js";
 import * as lines from "./lines.js";
+import { patchesOf } from "./patches.js";
+import { MOST_GPU_DEGREE } from "./shaders.js";
 
 /**
  * @import { Mesh, Surface } from "../../index.js"
  * @import { Settings } from "./settings.js"
- * @import { Frame } from "./camera.js"
+ * @import { Frame, Sight } from "./camera.js"
  */
 
 /**
@@ -16,11 +18,44 @@ import * as lines from "./lines.js";
  * @typedef {{ surface: Surface, settings: Settings, frame: Frame, picked: number | null }} Scene
  */
 
-/** @typedef {{ triangles: number, vertices: number, ms: number, error: number | null }} Facts */
+/**
+ * What the picture is made of. `error`: the greatest distance of the surface from the mesh is not above it; `ms`: how long
+ * the core took for the mesh, null where the graphics card makes it.
+ *
+ * @typedef {{ triangles: number, vertices: number, ms: number | null, error: number, unit: "" | "px" }} Facts
+ */
 
 export class Geometry {
   #memo = new Memo();
   #ms = 0;
+  /** @type {unknown[]} */
+  #seen = [];
+  /** @type {{ viewProjection: number[], viewport: number[] } | null} */
+  #sight = null;
+
+  /**
+   * Tells how the surface is seen, which counts where the tolerance is in pixels.
+   *
+   * @param {Sight} sight
+   * @param {number} width in CSS pixels
+   * @param {number} height
+   */
+  seen({ viewProjection }, width, height) {
+    const numbers = [...viewProjection, width, height];
+    if (numbers.every((x, i) => x === this.#seen[i])) return;
+    this.#seen = numbers;
+    this.#sight = { viewProjection, viewport: [width, height] };
+  }
+
+  /**
+   * Whether the vertex shader evaluates the patches: it can do grids only, and not of every degree.
+   *
+   * @param {Scene} scene
+   */
+  onGpu({ surface, settings: { evaluation, fineness } }) {
+    if (evaluation === "cpu" || !("segments" in fineness)) return false;
+    return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MOST_GPU_DEGREE);
+  }
 
   /**
    * The mesh of the core.
@@ -28,19 +63,51 @@ export class Geometry {
    * @param {Scene} scene
    * @returns {Mesh}
    */
-  mesh({ surface, settings }) {
+  mesh({ surface, settings: { fineness, shading } }) {
+    const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
+    const sight = "pixels" in fineness ? this.#sight : null;
     const make = (/** @type {Mesh | undefined} */ into) => {
       const begin = performance.now();
-      const mesh = surface.grid({ segments: settings.segments, into });
+      const mesh = this.#make(surface, fineness, own, into);
       this.#ms = performance.now() - begin;
       return mesh;
     };
-    return this.#memo.get("mesh", [surface, settings.segments], make);
+    return this.#memo.get("mesh", [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, sight], make);
   }
 
-  /** The number of the mesh: its arrays are reused, so that it is always the same object. */
-  get meshVersion() {
-    return this.#memo.version("mesh");
+  /**
+   * @param {Surface} surface
+   * @param {Settings["fineness"]} fineness
+   * @param {boolean} own
+   * @param {Mesh | undefined} into
+   */
+  #make(surface, fineness, own, into) {
+    const weld = own ? "none" : "normal";
+    if ("segments" in fineness) return surface.grid({ ...fineness, into });
+    if ("tolerance" in fineness) return surface.tessellate(fineness, { weld, into });
+    const { viewProjection = [], viewport = [] } = this.#sight ?? {};
+    return surface.tessellate({ ...fineness, viewProjection, viewport }, { weld, into });
+  }
+
+  /**
+   * The number of the mesh: its arrays are reused, so that it is always the same object.
+   *
+   * @param {boolean} withCurvatures
+   */
+  version(withCurvatures = false) {
+    return this.#memo.version(withCurvatures ? "curvatures" : "mesh");
+  }
+
+  /**
+   * Gaussian and mean curvature of each vertex, where the shading asks for them.
+   *
+   * @param {Scene} scene
+   */
+  curvatures(scene) {
+    const { shading } = scene.settings;
+    if (shading !== "gaussian" && shading !== "mean") return null;
+    const mesh = this.mesh(scene);
+    return this.#memo.get("curvatures", [this.version()], () => curvaturesOf(scene.surface, mesh));
   }
 
   /**
@@ -50,7 +117,7 @@ export class Geometry {
    */
   edges(scene) {
     const mesh = this.mesh(scene);
-    return this.#memo.get("edges", [this.meshVersion], () => lines.edges(mesh));
+    return this.#memo.get("edges", [this.version()], () => lines.edges(mesh));
   }
 
   /** @param {Scene} scene */
@@ -80,13 +147,36 @@ export class Geometry {
    * @returns {Facts}
    */
   facts(scene) {
-    const { surface, settings: { segments, evaluation } } = scene;
-    const error = this.#memo.get("error", [surface, segments], () => errorBound(surface, segments));
-    if (evaluation === "gpu") {
+    const { surface, settings: { fineness } } = scene;
+    if (this.onGpu(scene) && "segments" in fineness) {
+      const { segments } = fineness;
       const count = surface.patchCount;
-      return { triangles: 2 * count * segments ** 2, vertices: count * (segments + 1) ** 2, ms: 0, error };
+      return { triangles: 2 * count * segments ** 2, vertices: count * (segments + 1) ** 2, ms: null, ...this.#error(scene) };
     }
     const mesh = this.mesh(scene);
-    return { triangles: mesh.indices.length / 3, vertices: mesh.positions.length / 3, ms: this.#ms, error };
+    return { triangles: mesh.indices.length / 3, vertices: mesh.positions.length / 3, ms: this.#ms, ...this.#error(scene) };
   }
+
+  /**
+   * @param {Scene} scene
+   * @returns {{ error: number, unit: "" | "px" }}
+   */
+  #error({ surface, settings: { fineness } }) {
+    if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
+    if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };
+    return { error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)), unit: "" };
+  }
+}
+
+/**
+ * Two numbers for each vertex.
+ *
+ * @param {Surface} surface
+ * @param {Mesh} mesh with uvs and patch numbers
+ */
+function curvaturesOf(surface, { uvs, patchIds }) {
+  const patches = patchesOf(surface);
+  const numbers = new Float32Array(uvs?.length ?? 0);
+  for (let i = 0; uvs && patchIds && i < patchIds.length; i++) numbers.set(curvatureOf(patches[patchIds[i]], uvs[2 * i], uvs[2 * i + 1]), 2 * i);
+  return numbers;
 }

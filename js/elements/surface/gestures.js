@@ -1,5 +1,7 @@
 // Fingers, mouse, wheel and keys on the picture: what they do to the view.
 
+import { FILLED } from "./camera.js";
+
 /**
  * @import { View } from "./camera.js"
  */
@@ -117,8 +119,7 @@ export class Gestures {
 
   /** At zoom 1, in the plane through the middle. */
   #radiiPerPixel() {
-    const RADII_ACROSS = 2 / 1.2; // see FILLED in camera.js
-    return RADII_ACROSS / Math.min(this.#canvas.clientWidth, this.#canvas.clientHeight);
+    return 2 / FILLED / Math.min(this.#canvas.clientWidth, this.#canvas.clientHeight);
   }
 
   /**

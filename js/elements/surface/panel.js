@@ -1,7 +1,7 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
 import { AXES, EVALUATIONS, HEIGHTS, LAYERS, MODELS, MOST_SEGMENTS, PARTS, SHADINGS, STEPS, toggled } from "./settings.js";
-import { LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js";
+import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js";
 
 /**
  * @import { Settings } from "./settings.js"
@@ -12,6 +12,8 @@ import { LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js"
  *
  * @typedef {object} PanelPort
  * @property {Settings} settings
+ * @property {number} size the surface's radius
+ * @property {(kind: "segments" | "tolerance" | "pixels") => void} setFineness
  * @property {boolean} named whether the surface is a model of the list
  * @property {boolean} edited
  * @property {(name: string, value: unknown, type: "input" | "change") => void} set
@@ -20,6 +22,9 @@ import { LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js"
  */
 
 const UV_STEP = 0.01;
+const FINENESSES = ["segments", "tolerance", "pixels"];
+/** The range of the tolerance, in radii of the surface. */
+const [FINEST, COARSEST] = [1e-4, 0.2];
 
 /** @param {PanelPort} port */
 export function panel(port) {
@@ -38,9 +43,20 @@ export function panel(port) {
  * @param {PanelPort} port
  */
 function select(name, label, words, chosen, names, { set }) {
-  const changed = (/** @type {Event} */ event) => set(name, /** @type {HTMLSelectElement} */ (event.target).value, "change");
+  return choice(label, words, chosen, names, (word) => set(name, word, "change"));
+}
+
+/**
+ * @param {string} label
+ * @param {readonly string[]} words
+ * @param {string} chosen
+ * @param {Record<string, string>} names
+ * @param {(word: any) => void} act
+ */
+function choice(label, words, chosen, names, act) {
+  const changed = (/** @type {Event} */ event) => act(/** @type {HTMLSelectElement} */ (event.target).value);
   const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
-  return html`<label class="line"><span>${label}</span><select name=${name} @change=${changed}>${words.map(option)}</select></label>`;
+  return html`<label class="line"><span>${label}</span><select @change=${changed}>${words.map(option)}</select></label>`;
 }
 
 /**
@@ -81,12 +97,35 @@ function modelControls(port) {
   </fieldset>`;
 }
 
+/**
+ * A slider on which equal ways are equal ratios.
+ *
+ * @param {string} name
+ * @param {string} label
+ * @param {number} value
+ * @param {number} least
+ * @param {number} most
+ * @param {PanelPort} port
+ */
+function decades(name, label, value, least, most, { set }) {
+  const to = (/** @type {"input" | "change"} */ type) => (/** @type {Event} */ event) =>
+    set(name, Number((10 ** Number(/** @type {HTMLInputElement} */ (event.target).value)).toPrecision(2)), type);
+  const position = Math.log10(value).toFixed(2);
+  return html`<label class="line"><span>${label}</span>
+    <input type="range" name=${name} min=${Math.log10(least).toFixed(2)} max=${Math.log10(most).toFixed(2)} step="0.01" .value=${position} aria-valuetext=${figures(value)} @input=${to("input")} @change=${to("change")}>
+    <span class="value" aria-hidden="true">${figures(value)}</span></label>`;
+}
+
 /** @param {PanelPort} port */
 function meshControls(port) {
   const { settings } = port;
+  const { fineness } = settings;
   return html`<fieldset><legend>Mesh</legend>
-    ${slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port)}
-    ${select("evaluation", "Computed", EVALUATIONS, settings.evaluation, { cpu: "by the core (WebAssembly)", gpu: "by the graphics card" }, port)}
+    ${choice("Fineness", FINENESSES, Object.keys(fineness)[0], FINENESS_NAMES, port.setFineness)}
+    ${"segments" in fineness ? slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port) : nothing}
+    ${"tolerance" in fineness ? decades("tolerance", "Tolerance", fineness.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
+    ${"pixels" in fineness ? decades("pixels", "Pixels", fineness.pixels, 0.1, 30, port) : nothing}
+    ${"segments" in fineness ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
 }
 

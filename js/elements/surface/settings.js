@@ -10,6 +10,8 @@ export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "ne
 
 /** Cells along each direction of a patch. */
 export const MOST_SEGMENTS = 64;
+/** A mesh finer than this on the screen shows nothing more. */
+const LEAST_PIXELS = 0.05;
 /** Rows, row points, the curve through them, its point. */
 export const STEPS = 4;
 
@@ -25,6 +27,7 @@ export const STEPS = 4;
  * @property {"squashed" | "original"} height
  * @property {"z" | "y"} up
  * @property {number} segments
+ * @property {Fineness} fineness
  * @property {Shading} shading
  * @property {Set<Layer>} layers
  * @property {"cpu" | "gpu"} evaluation
@@ -33,19 +36,27 @@ export const STEPS = 4;
  * @property {number} step
  */
 
-/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
+/**
+ * What makes the mesh as fine as it is: a number of pixels before a tolerance, and that before the segments.
+ *
+ * @typedef {{ segments: number } | { tolerance: number } | { pixels: number }} Fineness
+ */
+
+/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
 
 /**
  * @param {Attributes} given
  * @returns {Settings}
  */
 export function settingsOf(given) {
+  const segments = Math.round(number(given.segments, 1, MOST_SEGMENTS, 12));
   return {
     model: word(given.model, MODELS),
     parts: given.parts === null || given.parts === undefined ? new Set(PARTS) : words(given.parts, PARTS),
     height: word(given.height, HEIGHTS),
     up: word(given.up, AXES),
-    segments: Math.round(number(given.segments, 1, MOST_SEGMENTS, 12)),
+    segments,
+    fineness: finenessOf(number(given.pixels, LEAST_PIXELS, 100, 0), number(given.tolerance, 0, Infinity, 0), segments),
     shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
     layers: words(given.show ?? "surface", LAYERS),
     evaluation: word(given.evaluation, EVALUATIONS),
@@ -53,6 +64,16 @@ export function settingsOf(given) {
     v: number(given.v, 0, 1, 0.5),
     step: Math.round(number(given.step, 1, STEPS, STEPS)),
   };
+}
+
+/**
+ * @param {number} pixels
+ * @param {number} tolerance
+ * @param {number} segments
+ * @returns {Fineness}
+ */
+function finenessOf(pixels, tolerance, segments) {
+  return pixels > 0 ? { pixels } : tolerance > 0 ? { tolerance } : { segments };
 }
 
 /**
@@ -83,7 +104,7 @@ function words(value, known) {
  * @param {number} otherwise
  */
 function number(value, least, most, otherwise) {
-  const given = value === null || value === "" ? NaN : Number(value);
+  const given = value === null || value === undefined || value === "" ? NaN : Number(value);
   return Number.isNaN(given) ? otherwise : Math.min(Math.max(given, least), most);
 }
 

@@ -144,7 +144,7 @@ vec3 scale(float x) { return x < 0.0 ? mix(middle, low, -x) : mix(middle, high, 
 
 vec3 lit(vec3 base, vec3 n) {
   vec3 toEye = normalize(-seen);
-  float light = 0.34 + 0.58 * max(dot(n, KEY), 0.0) + 0.20 * max(dot(n, FILL), 0.0);
+  float light = 0.36 + 0.64 * max(dot(n, KEY), 0.0) + 0.20 * max(dot(n, FILL), 0.0);
   float gloss = pow(max(dot(n, normalize(KEY + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
   return base * light + vec3(0.22 * gloss) + base * 0.12 * rim;
@@ -170,7 +170,7 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
-const float LIFT = 0.9975;
+const float LIFT = 0.9988;
 void band(vec3 from, vec3 to, int corner) {
   vec4 a = projection * vec4((view * vec4(from, 1.0)).xyz * LIFT, 1.0);
   vec4 b = projection * vec4((view * vec4(to, 1.0)).xyz * LIFT, 1.0);

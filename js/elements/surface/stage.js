@@ -55,7 +55,8 @@ export class Stage {
     this.#camera = camera;
     this.#port = port;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
-    port.stateChanged(this.#view instanceof GlView ? "webgl" : "flat");
+    this.#lost = this.#view instanceof GlView && this.#view.lost;
+    port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
   }
 
@@ -133,6 +134,7 @@ export class Stage {
     const theme = (this.#theme ??= readTheme(this.#probe));
     const { width, height } = canvas;
     const ratio = width / seen.width;
+    this.geometry.seen(seen.sight, seen.width, seen.height);
     this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
     this.#port.drawn(seen.sight, seen.width, seen.height);
   }

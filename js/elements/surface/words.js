@@ -5,6 +5,10 @@ export const MODEL_NAMES = { teapot: "Teapot", teacup: "Teacup", teaspoon: "Teas
 /** @type {Record<string, string>} */
 export const SHADING_NAMES = { smooth: "Smooth", flat: "Flat", normals: "Normals", gaussian: "Gaussian curvature", mean: "Mean curvature", patches: "Patch colours" };
 /** @type {Record<string, string>} */
+export const FINENESS_NAMES = { segments: "by segments", tolerance: "by tolerance", pixels: "by pixels" };
+/** @type {Record<string, string>} */
+export const EVALUATION_NAMES = { cpu: "by the core (WebAssembly)", gpu: "by the graphics card" };
+/** @type {Record<string, string>} */
 export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", net: "control net", casteljau: "de Casteljau" };
 /** @type {Record<string, string>} */
 export const STATES = {

@@ -1,0 +1,160 @@
+// Lines and points over the surface.
+import * as twgl from "twgl.js";
+import { unitEdges } from "./patch-texture.js";
+
+/**
+ * @import { GlKit } from "./gl-kit.js"
+ * @import { Picture } from "./gl-view.js"
+ */
+
+/** What is hidden behind the surface shows through by so much. */
+const HIDDEN_ALPHA = 0.22;
+/** The mesh lets the shading through. */
+const MESH_ALPHA = 0.55;
+/** Widths in CSS pixels. */
+const [THIN, MIDDLE, THICK] = [1, 1.5, 3];
+const [SMALL_POINT, LARGE_POINT] = [9, 15];
+
+/** How lines look; `hidden`: whether they show faintly where something is in front of them. @typedef {{ colour: number[], width: number, alpha?: number, hidden?: boolean }} Pen */
+
+export class GlLines {
+  #kit;
+  #versions = new Versions();
+
+  /** @param {GlKit} kit */
+  constructor(kit) {
+    this.#kit = kit;
+  }
+
+  /**
+   * @param {Picture} picture
+   * @param {boolean} onGpu
+   */
+  draw(picture, onGpu) {
+    const gl = this.#kit.gl;
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    gl.depthMask(false);
+    const { scene, geometry, theme } = picture;
+    const { layers } = scene.settings;
+    if (layers.has("mesh") && onGpu) this.#gridEdges(picture);
+    else if (layers.has("mesh")) this.#bands(picture, "edges", geometry.edges(scene), { colour: theme.line, width: THIN, alpha: MESH_ALPHA });
+    if (layers.has("isocurves")) this.#bands(picture, "isocurves", geometry.isocurves(scene), { colour: theme.ink, width: MIDDLE });
+    if (scene.picked !== null && scene.surface.patchCount > 1) this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
+    if (layers.has("net")) this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
+    if (layers.has("casteljau") && scene.surface.patchCount) this.#casteljau(picture);
+  }
+
+  /** @param {Picture} picture */
+  #casteljau(picture) {
+    const { level1, level2, handle } = picture.theme;
+    const parts = picture.geometry.casteljau(picture.scene);
+    this.#bands(picture, "rowLines", parts.rowLines, { colour: level1, width: MIDDLE, hidden: true });
+    this.#bands(picture, "rowCurves", parts.rowCurves, { colour: level1, width: THICK, hidden: true });
+    this.#bands(picture, "columnLines", parts.columnLines, { colour: level2, width: MIDDLE, hidden: true });
+    this.#bands(picture, "columnCurve", parts.columnCurve, { colour: level2, width: THICK, hidden: true });
+    this.#points(picture, "rowPoints", parts.rowPoints, level1, SMALL_POINT, false);
+    this.#points(picture, "point", parts.point, handle, LARGE_POINT, true);
+  }
+
+  /**
+   * The mesh where the vertex shader evaluates the patches: its edges, too.
+   *
+   * @param {Picture} picture
+   */
+  #gridEdges(picture) {
+    const { surface, settings: { segments } } = picture.scene;
+    const program = this.#kit.program("edges");
+    const make = () => {
+      const { ends, indices } = unitEdges(segments);
+      return { arrays: { ends: { numComponents: 4, data: ends } }, indices };
+    };
+    const batch = this.#kit.batch("gridEdges");
+    batch.fill(segments, make, program);
+    this.#uniforms(program, picture, { colour: picture.theme.line, width: THIN, alpha: MESH_ALPHA });
+    twgl.setUniforms(program, this.#kit.netUniforms());
+    batch.draw(this.#kit.gl.TRIANGLES, surface.patchCount);
+  }
+
+  /**
+   * Straight pieces.
+   *
+   * @param {Picture} picture
+   * @param {string} name
+   * @param {Float32Array} pieces
+   * @param {Pen} pen
+   */
+  #bands(picture, name, pieces, pen) {
+    const gl = this.#kit.gl;
+    const program = this.#kit.program("lines");
+    const batch = this.#kit.batch(name);
+    batch.fill(this.#versions.of(pieces), () => ({ arrays: splitEnds(pieces) }), program);
+    this.#uniforms(program, picture, pen);
+    batch.drawBands();
+    if (!pen.hidden) return;
+    gl.depthFunc(gl.GREATER);
+    twgl.setUniforms(program, { ink: [...pen.colour, HIDDEN_ALPHA] });
+    batch.drawBands();
+    gl.depthFunc(gl.LESS);
+  }
+
+  /**
+   * @param {import("twgl.js").ProgramInfo} program
+   * @param {Picture} picture
+   * @param {Pen} pen
+   */
+  #uniforms(program, { sight, width, height, ratio }, pen) {
+    this.#kit.gl.useProgram(program.program);
+    const halfWidth = (pen.width * ratio) / 2;
+    const ink = [...pen.colour, pen.alpha ?? 1];
+    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, viewport: [width / 2, height / 2], width: halfWidth, ink });
+  }
+
+  /**
+   * @param {Picture} picture
+   * @param {string} name
+   * @param {Float32Array} points
+   * @param {number[]} colour
+   * @param {number} size
+   * @param {boolean} diamond
+   */
+  #points({ sight, ratio, theme }, name, points, colour, size, diamond) {
+    const gl = this.#kit.gl;
+    const program = this.#kit.program("points");
+    const batch = this.#kit.batch(name);
+    batch.fill(this.#versions.of(points), () => ({ arrays: { position: { numComponents: 3, data: points } } }), program);
+    gl.useProgram(program.program);
+    gl.disable(gl.DEPTH_TEST);
+    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, width: size * ratio, ink: [...colour, 1], paper: theme.paper, diamond });
+    batch.draw(gl.POINTS);
+    gl.enable(gl.DEPTH_TEST);
+  }
+}
+
+/**
+ * Both ends of each piece, as the shader takes them: one of each for every piece.
+ *
+ * @param {Float32Array} pieces
+ */
+function splitEnds(pieces) {
+  const [from, to] = [new Float32Array(pieces.length / 2), new Float32Array(pieces.length / 2)];
+  for (let i = 0; i < from.length; i += 3) {
+    from.set(pieces.subarray(2 * i, 2 * i + 3), i);
+    to.set(pieces.subarray(2 * i + 3, 2 * i + 6), i);
+  }
+  return { from: { numComponents: 3, data: from, divisor: 1 }, to: { numComponents: 3, data: to, divisor: 1 } };
+}
+
+/** A number for each array, the same one for the same array. */
+class Versions {
+  /** @type {WeakMap<object, number>} */
+  #known = new WeakMap();
+  #count = 0;
+
+  /** @param {object} array */
+  of(array) {
+    const known = this.#known.get(array) ?? ++this.#count;
+    this.#known.set(array, known);
+    return known;
+  }
+}

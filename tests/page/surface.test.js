@@ -1,0 +1,91 @@
+// <bezier-surface>: what it draws.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { difference, facts, look, openSurface, set } from "./surface-page.js";
+
+const SHADINGS = ["smooth", "flat", "normals", "gaussian", "mean", "patches"];
+/** Of the picture's pixels, so many may differ between core and graphics card: rounding at silhouettes. */
+const FEW = 0.002;
+
+test("the teapot is drawn, whole and large, in each shading", async (t) => {
+  const page = await openSurface(t);
+  const pictures = [];
+  for (const shading of SHADINGS) {
+    await set(page, { shading });
+    const seen = await look(page);
+    assert.ok(seen.inked > 0.1 * seen.width * seen.height, `${shading}: ${seen.inked} pixels`);
+    assert.ok(seen.left > 0 && seen.right < seen.width - 1, `${shading}: nothing is cut off`);
+    assert.ok(seen.right - seen.left > 0.5 * seen.width, `${shading} fills the picture`);
+    assert.ok(seen.colours > 100, `${shading}: ${seen.colours} colours`);
+    pictures.push(seen);
+  }
+  for (let i = 1; i < pictures.length; i++) {
+    assert.ok((await difference(page, pictures[i - 1], pictures[i], 6)) > 2000, `${SHADINGS[i]} differs from ${SHADINGS[i - 1]}`);
+  }
+});
+
+for (const model of ["teapot", "teacup", "teaspoon", "patch"]) {
+  test(`the ${model}: the core and the graphics card draw the same picture`, async (t) => {
+    const page = await openSurface(t, `model="${model}" segments="9" show="surface mesh net"`);
+    for (const shading of SHADINGS) {
+      await set(page, { shading, evaluation: "cpu" });
+      const cpu = await look(page);
+      assert.ok(cpu.inked > 5000, `${cpu.inked} pixels`);
+      await set(page, { evaluation: "gpu" });
+      assert.match((await facts(page)).text, /by the graphics card/);
+      const gpu = await look(page);
+      const count = await difference(page, cpu, gpu);
+      assert.ok(count <= FEW * cpu.width * cpu.height, `${shading}: ${count} pixels differ`);
+    }
+  });
+}
+
+test("the read-out counts, and the parts of the teapot come and go", async (t) => {
+  const page = await openSurface(t, 'segments="5"');
+  const { triangles, vertices } = await facts(page);
+  assert.equal(triangles, 32 * 2 * 25);
+  assert.equal(vertices, 32 * 36);
+  await set(page, { parts: "body lid" });
+  assert.equal((await facts(page)).triangles, 16 * 2 * 25);
+  await set(page, { parts: "" });
+  assert.equal((await facts(page)).triangles, 0);
+  assert.equal((await look(page)).inked, 0);
+  await set(page, { parts: null, segments: 64 });
+  assert.equal((await facts(page)).vertices, 32 * 65 ** 2);
+});
+
+test("the original height is 4/3 of the squashed one, and y up looks like z up", async (t) => {
+  const page = await openSurface(t);
+  const first = await look(page);
+  await set(page, { up: "y" });
+  assert.ok((await difference(page, first, await look(page))) < FEW * first.width * first.height);
+  await set(page, { up: "z", height: "original" });
+  const size = await page.evaluate(() => {
+    const z = document.querySelector("bezier-surface").surface.vertices.filter((_, i) => i % 3 === 2);
+    return Math.max(...z) - Math.min(...z);
+  });
+  assert.ok(Math.abs(size - 3.15 / 0.75) < 1e-9, String(size));
+  assert.ok((await difference(page, first, await look(page))) > 5000);
+});
+
+test("a finer tolerance makes more triangles, and pixels follow the zoom", async (t) => {
+  const page = await openSurface(t, 'tolerance="0.05"');
+  const coarse = await facts(page);
+  assert.match(coarse.text, /error ≤ 0\.05/);
+  await set(page, { tolerance: 0.005 });
+  const fine = await facts(page);
+  assert.ok(fine.triangles > 4 * coarse.triangles, `${coarse.triangles} → ${fine.triangles}`);
+  await set(page, { tolerance: null, pixels: 1 });
+  const far = await facts(page);
+  assert.match(far.text, /error ≤ 1 px/);
+  await set(page, { view: { zoom: 8 } });
+  const near = await facts(page);
+  assert.ok(near.triangles > 2 * far.triangles, `${far.triangles} → ${near.triangles}`);
+  assert.ok((await look(page)).inked > 5000);
+});
+
+test("unknown words and impossible numbers count as the defaults", async (t) => {
+  const page = await openSurface(t, 'model="kettle" segments="many" shading="shiny" u="-4" tolerance="-1"');
+  assert.equal((await facts(page)).triangles, 32 * 2 * 144);
+  assert.ok((await look(page)).inked > 5000);
+});
