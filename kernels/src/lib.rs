@@ -2,6 +2,14 @@
 //!
 //! They live apart so that a build for small size can compile them for speed. They check nothing but lengths.
 
+mod bend;
+mod lattice;
+mod sample;
+
+pub use bend::{BEND_SLACK, Bends, Sizes};
+pub use lattice::{Cell, Lattice, first, pair, place, second, sort_distinct};
+pub use sample::{Sampler, Vector};
+
 use wide::f64x2;
 
 /// Points of the plane cubic with the given control points at even steps of t from 0 to 1; `out` holds x and y in turn.

@@ -8,13 +8,13 @@
 //! buffers, a [`Mesh`] is buffers and nothing else.
 
 mod curvature;
+mod cutter;
 mod extent;
 mod first_of;
 mod flatness;
 mod frame;
 mod grid;
 mod kernel;
-mod leaves;
 mod mesh;
 mod minimum;
 mod nearest;
@@ -31,7 +31,6 @@ mod refine;
 mod sampler;
 mod scaffold;
 mod sets;
-mod stitch;
 mod stitched;
 mod teacup_data;
 mod teapot_data;

@@ -1,17 +1,18 @@
 //! Meshes without cracks, as fine as asked for.
 
-use super::leaves::{Cutter, DYADIC, Leaf};
+use super::cutter::{Cutter, DYADIC};
 use super::stitched::{Cut, stitch};
 use super::tessellate::to_f32;
 use super::view::Fineness;
 use super::{Grid, Mesh, Patch, Surface, Weld};
 use crate::curve::{check_tolerance, max_abs};
 use crate::error::Error;
+use casteljau_kernels::{Bends, Cell};
 use glam::DVec3;
 
-/// The most leaves of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
+/// The most cells of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
 /// 1 GiB.
-const MAX_LEAVES: usize = (1 << 30) / ((6 + 9) * 4);
+const MAX_CELLS: usize = (1 << 30) / ((6 + 9) * 4);
 
 /// The least tolerance is four ulps of the largest coordinate.
 const LEAST_ULPS: f64 = 4.0;
@@ -93,7 +94,7 @@ impl Surface {
         Ok(())
     }
 
-    /// The leaves of all patches.
+    /// The cells of all patches.
     fn cut(&self, precision: Precision, fineness: &Fineness) -> Result<Cut, Error> {
         let size = self.max_abs();
         if size > precision.max {
@@ -118,17 +119,19 @@ impl Surface {
             fineness,
             least: LEAST_ULPS * ulp,
             rounding: ulp,
-            limit: MAX_LEAVES,
+            limit: MAX_CELLS,
             expected: 0.0,
-            leaves: Vec::new(),
+            cells: Vec::new(),
+            bends: Bends::default(),
+            size: 0.0,
         };
         let mut ends = Vec::with_capacity(self.patch_count());
         for patch in self.patches() {
             cutter.cut(&patch.points, patch.columns)?;
-            ends.push(cutter.leaves.len());
+            ends.push(cutter.cells.len());
         }
         Ok(Cut {
-            leaves: cutter.leaves,
+            cells: cutter.cells,
             ends,
             full: DYADIC,
         })
@@ -142,21 +145,21 @@ impl Surface {
         // Within u32: the grid's vertices were counted.
         let full = segments_u / divisor(segments_u, segments_v) * segments_v;
         let (du, dv) = (full / segments_u, full / segments_v);
-        let cells = || {
+        let grid_cells = || {
             (0..segments_v).flat_map(move |iv| {
-                let leaf = move |iu| Leaf {
+                let cell = move |iu| Cell {
                     u: iu * du,
                     v: iv * dv,
                     du,
                     dv,
                 };
-                (0..segments_u).map(leaf)
+                (0..segments_u).map(cell)
             })
         };
-        let leaves: Vec<Leaf> = (0..self.patch_count()).flat_map(|_| cells()).collect();
+        let cells: Vec<Cell> = (0..self.patch_count()).flat_map(|_| grid_cells()).collect();
         let per_patch = grid.segments_u * grid.segments_v;
         Ok(Cut {
-            leaves,
+            cells,
             ends: (1..=self.patch_count()).map(|k| k * per_patch).collect(),
             full,
         })

@@ -1,15 +1,14 @@
-//! Leaves of many patches become triangles that meet without cracks.
+//! Cells of many patches become triangles that meet without cracks.
 //!
 //! Each line that patches share gets one list of samples: all that any of its patches needs. They are evaluated once,
 //! from the side's own control points, and belong to all its patches. A point of the surface that several patches
 //! share is one *node*; a *corner* is a node as one patch sees it, with its own u, v and normal.
 
 use super::Surface;
-use super::leaves::Leaf;
 use super::sampler::Sampler;
-use super::stitch::{Chains, Lattice, first, pair, place, second, sort_distinct};
 use super::topology::{SIDES, SideUse};
 use crate::curve::{Points, evaluate};
+use casteljau_kernels::{Cell, Lattice, first, pair, place, second, sort_distinct};
 use glam::DVec3;
 
 /// No node yet.
@@ -42,10 +41,10 @@ pub(super) struct Stitched {
     pub(super) ends: Vec<PatchEnd>,
 }
 
-/// The leaves of all patches.
+/// The cells of all patches.
 pub(super) struct Cut {
-    pub(super) leaves: Vec<Leaf>,
-    /// Where the leaves of each patch end.
+    pub(super) cells: Vec<Cell>,
+    /// Where the cells of each patch end.
     pub(super) ends: Vec<usize>,
     /// The whole number that stands for the parameter 1.
     pub(super) full: u32,
@@ -65,13 +64,13 @@ struct Stitcher<'a> {
 }
 
 impl Cut {
-    fn of_patch(&self, patch: usize) -> &[Leaf] {
+    fn of_patch(&self, patch: usize) -> &[Cell] {
         let from = if patch == 0 { 0 } else { self.ends[patch - 1] };
-        &self.leaves[from..self.ends[patch]]
+        &self.cells[from..self.ends[patch]]
     }
 }
 
-/// Stitches the leaves together; `round` is what the mesh's type of numbers does to a point.
+/// Stitches the cells together; `round` is what the mesh's type of numbers does to a point.
 pub(super) fn stitch(surface: &Surface, cut: &Cut, round: fn(DVec3) -> DVec3) -> Stitched {
     let mut stitcher = Stitcher {
         surface,
@@ -83,14 +82,14 @@ pub(super) fn stitch(surface: &Surface, cut: &Cut, round: fn(DVec3) -> DVec3) ->
         out: Stitched::default(),
     };
     stitcher.sample_sides();
-    let (mut lattice, mut chains) = (Lattice::default(), Chains::default());
+    let mut lattice = Lattice::default();
     for (k, patch) in surface.patches().enumerate() {
-        let mut sampler = Sampler::new(patch.points, patch.columns);
+        let mut sampler = Sampler::new(&patch.points, patch.columns);
         if sampler.has_area() {
-            lattice.fill(cut.of_patch(k), stitcher.side_vertices(k));
+            lattice.fill(cut.of_patch(k), cut.full, stitcher.side_vertices(k));
             let base = stitcher.out.corners.len();
             stitcher.add_corners(k, &lattice, &mut sampler);
-            stitcher.add_triangles(k, &lattice, &mut chains, base);
+            stitcher.add_triangles(k, &mut lattice, base);
         }
         let (corners, triangles) = (stitcher.out.corners.len(), stitcher.out.triangles.len());
         stitcher.out.ends.push(PatchEnd { corners, triangles });
@@ -102,8 +101,8 @@ impl Stitcher<'_> {
     /// One node for each sample inside of a line.
     fn sample_sides(&mut self) {
         for patch in 0..self.surface.patch_count() {
-            for leaf in self.cut.of_patch(patch) {
-                for (side, from, length) in self.sides_of(leaf).into_iter().flatten() {
+            for cell in self.cut.of_patch(patch) {
+                for (side, from, length) in self.sides_of(cell).into_iter().flatten() {
                     for k in [from, from + length] {
                         let sample = self.sample(SIDES * patch + side, k);
                         self.samples.extend(sample);
@@ -126,9 +125,9 @@ impl Stitcher<'_> {
         }
     }
 
-    /// The sides that a leaf lies on, with the part of each that it covers.
-    fn sides_of(&self, leaf: &Leaf) -> [Option<(usize, u32, u32)>; SIDES] {
-        let Leaf { u, v, du, dv } = *leaf;
+    /// The sides that a cell lies on, with the part of each that it covers.
+    fn sides_of(&self, cell: &Cell) -> [Option<(usize, u32, u32)>; SIDES] {
+        let Cell { u, v, du, dv } = *cell;
         let full = self.cut.full;
         [
             (u == 0).then_some((0, v, dv)),
@@ -220,22 +219,14 @@ impl Stitcher<'_> {
     }
 
     /// The triangles of a patch, without those that have two corners at one place.
-    fn add_triangles(&mut self, patch: usize, lattice: &Lattice, chains: &mut Chains, base: usize) {
-        let Stitched {
-            nodes,
-            corners,
-            triangles,
-            ..
-        } = &mut self.out;
-        let corners = &corners[base..];
-        let point_of = |vertex: u32| nodes[corners[vertex as usize].node as usize];
-        for leaf in self.cut.of_patch(patch) {
-            lattice.triangulate(leaf, chains, point_of, |triangle| {
-                let [a, b, c] = triangle.map(point_of);
-                if a != b && b != c && c != a {
-                    triangles.push(triangle.map(|vertex| vertex + number(base)));
-                }
-            });
+    fn add_triangles(&mut self, patch: usize, lattice: &mut Lattice, base: usize) {
+        let out = &mut self.out;
+        let corners = out.corners[base..].iter();
+        let points: Vec<_> = corners
+            .map(|c| out.nodes[c.node as usize].to_array())
+            .collect();
+        for cell in self.cut.of_patch(patch) {
+            lattice.triangulate(cell, &points, number(base), &mut out.triangles);
         }
     }
 

@@ -37,12 +37,12 @@ impl Fineness {
         matches!(self, Self::Pixels(_))
     }
 
-    /// The tolerance for a piece with these control points.
-    pub(super) fn tolerance_for(&self, net: &[DVec3]) -> f64 {
+    /// The tolerance for a piece whose control points lie in a box.
+    pub(super) fn tolerance_for(&self, control_box: impl Fn() -> [DVec3; 2]) -> f64 {
         match self {
             Self::Segments(_) => f64::INFINITY,
             Self::Tolerance(tolerance) => *tolerance,
-            Self::Pixels(view) => view.tolerance_for(net),
+            Self::Pixels(view) => view.tolerance_for(control_box()),
         }
     }
 }
@@ -77,10 +77,11 @@ impl View {
     }
 
     /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the
-    /// projection at the piece's middle, at the least W in its bounding sphere. Infinite behind the eye.
-    fn tolerance_for(&self, net: &[DVec3]) -> f64 {
+    /// projection at the piece's middle, at the least W in the sphere around its box. Infinite behind the eye.
+    fn tolerance_for(&self, [low, high]: [DVec3; 2]) -> f64 {
         let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
-        let (middle, radius) = sphere(net);
+        let middle = low * 0.5 + high * 0.5;
+        let radius = (high - middle).norm();
         let depth = w.dot(middle.extend(1.0));
         let reach = radius * w.truncate().norm();
         if depth + reach <= 0.0 {
@@ -104,17 +105,6 @@ impl View {
             tolerance
         }
     }
-}
-
-/// A sphere around points: the middle of their box, and the farthest from there.
-fn sphere(points: &[DVec3]) -> (DVec3, f64) {
-    let first = points.first().copied().unwrap_or_default();
-    let (low, high) = points.iter().fold((first, first), |(low, high), &p| {
-        (Point::min(low, p), Point::max(high, p))
-    });
-    let middle = low * 0.5 + high * 0.5;
-    let radius = points.iter().map(|&p| (p - middle).norm());
-    (middle, radius.fold(0.0, f64::max))
 }
 
 /// The length of the longest image of a unit vector under the map with these two rows: its spectral norm.

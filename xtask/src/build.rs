@@ -61,7 +61,13 @@ fn bundles() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("js"));
     inputs.extend(
-        ["xtask/bundle.js", "xtask/no-dom.js", "package.json", "package-lock.json"].map(|name| root.join(name)),
+        [
+            "xtask/bundle.js",
+            "xtask/no-dom.js",
+            "package.json",
+            "package-lock.json",
+        ]
+        .map(|name| root.join(name)),
     );
     let names = [
         "index.js",
@@ -129,7 +135,8 @@ pub(crate) fn site() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
     inputs.extend(
-        ["index.js", "applet.js", "elements.js", "bezier-app.js"].map(|name| root.join("dist").join(name)),
+        ["index.js", "applet.js", "elements.js", "bezier-app.js"]
+            .map(|name| root.join("dist").join(name)),
     );
     inputs.push(root.join("package-lock.json"));
     let work = Work {

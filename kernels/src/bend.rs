@@ -1,0 +1,156 @@
+//! How much pieces of a patch bend: their second differences, halved over and over.
+//!
+//! Bounds need few digits, so these are f32, one vector a lane group. Each halving rounds twice; after 60 of them a
+//! length is off by less than 60 · 2 · 2⁻²⁴, which [`BEND_SLACK`] covers.
+
+use wide::f32x4;
+
+/// Lengths may be too small by this part.
+pub const BEND_SLACK: f64 = 1e-5;
+
+/// Columns and rows of a piece's nets: second differences along u, along both, along v; control points (or none).
+pub type Sizes = [(usize, usize); 4];
+
+/// The vectors of a stack of pieces, all with nets of the same sizes.
+#[derive(Clone, Debug, Default)]
+pub struct Bends {
+    sizes: Sizes,
+    /// Vectors of one piece.
+    count: usize,
+    vectors: Vec<f32x4>,
+}
+
+impl Bends {
+    /// Starts anew with one piece, whose vectors are given net by net.
+    pub fn start(&mut self, sizes: Sizes, vectors: impl Iterator<Item = [f32; 3]>) {
+        // A net without rows has no columns either.
+        self.sizes = sizes.map(|(columns, rows)| if rows == 0 { (0, 0) } else { (columns, rows) });
+        self.count = sizes.iter().map(|(columns, rows)| columns * rows).sum();
+        self.vectors.clear();
+        self.vectors
+            .extend(vectors.map(|[x, y, z]| f32x4::new([x, y, z, 0.0])));
+    }
+
+    /// Replaces the last piece by its two halves along u or v; the far half is then the last one.
+    #[inline(never)]
+    pub fn halve(&mut self, along_u: bool) {
+        let from = self.vectors.len() - self.count;
+        self.vectors.extend_from_within(from..);
+        let (near, far) = self.vectors[from..].split_at_mut(self.count);
+        let mut start = 0;
+        for (columns, rows) in self.sizes {
+            let end = start + columns * rows;
+            let (near, far) = (&mut near[start..end], &mut far[start..end]);
+            // Those of bicubic patches, unrolled.
+            match (columns, rows) {
+                (2, 4) => halve_net::<2, 4>(near, far, along_u),
+                (3, 3) => halve_net::<3, 3>(near, far, along_u),
+                (4, 2) => halve_net::<4, 2>(near, far, along_u),
+                _ => halve_lines(near, far, (columns, rows), along_u),
+            }
+            start = end;
+        }
+    }
+
+    /// Drops the last piece.
+    pub fn pop(&mut self) {
+        self.vectors.truncate(self.vectors.len() - self.count);
+    }
+
+    /// The length of the longest vector in each net of second differences of the last piece but `before`.
+    #[inline(never)]
+    pub fn longest(&self, before: usize) -> [f32; 3] {
+        let mut rest = &self.vectors[self.vectors.len() - (before + 1) * self.count..];
+        let [uu, uv, vv, _] = self.sizes;
+        [uu, uv, vv].map(|(columns, rows)| {
+            let (net, others) = rest.split_at(columns * rows);
+            rest = others;
+            let mut most = 0.0;
+            for &v in net {
+                let square = (v * v).reduce_add();
+                // Not `max`, which would be a call.
+                most = if square > most { square } else { most };
+            }
+            f32::sqrt(most)
+        })
+    }
+
+    /// The box of the control points of the last piece.
+    pub fn control_box(&self) -> [[f32; 3]; 2] {
+        let (columns, rows) = self.sizes[3];
+        let net = &self.vectors[self.vectors.len() - columns * rows..];
+        let low = net
+            .iter()
+            .fold(f32x4::splat(f32::MAX), |low, &v| low.min(v));
+        let high = net
+            .iter()
+            .fold(f32x4::splat(f32::MIN), |high, &v| high.max(v));
+        [low, high].map(|corner| {
+            let [x, y, z, _] = corner.to_array();
+            [x, y, z]
+        })
+    }
+}
+
+/// As [`halve_lines`], of a size that the compiler knows.
+#[inline(always)]
+fn halve_net<const COLUMNS: usize, const ROWS: usize>(
+    near: &mut [f32x4],
+    far: &mut [f32x4],
+    along_u: bool,
+) {
+    let half = f32x4::splat(0.5);
+    let (near, far) = (
+        near.as_chunks_mut::<COLUMNS>().0,
+        far.as_chunks_mut::<COLUMNS>().0,
+    );
+    let (Ok(near), Ok(far)) = (
+        <&mut [[f32x4; COLUMNS]; ROWS]>::try_from(near),
+        <&mut [[f32x4; COLUMNS]; ROWS]>::try_from(far),
+    ) else {
+        return;
+    };
+    if along_u {
+        for (near, far) in near.iter_mut().zip(far) {
+            for (level, near) in near.iter_mut().enumerate() {
+                *near = far[0];
+                for i in 1..COLUMNS - level {
+                    far[i - 1] = (far[i - 1] + far[i]) * half;
+                }
+            }
+        }
+    } else {
+        for column in 0..COLUMNS {
+            for (level, near) in near.iter_mut().enumerate() {
+                near[column] = far[0][column];
+                for i in 1..ROWS - level {
+                    far[i - 1][column] = (far[i - 1][column] + far[i][column]) * half;
+                }
+            }
+        }
+    }
+}
+
+/// De Casteljau's algorithm at ½ on each row, or each column, of a net; both start as the control points.
+fn halve_lines(
+    near: &mut [f32x4],
+    far: &mut [f32x4],
+    (columns, rows): (usize, usize),
+    along_u: bool,
+) {
+    let (lines, step, length, stride) = if along_u {
+        (rows, columns, columns, 1)
+    } else {
+        (columns, 1, rows, columns)
+    };
+    let half = f32x4::splat(0.5);
+    for line in 0..lines {
+        let (near, far) = (&mut near[line * step..], &mut far[line * step..]);
+        for level in 0..length {
+            near[level * stride] = far[0];
+            for i in 1..length - level {
+                far[(i - 1) * stride] = (far[(i - 1) * stride] + far[i * stride]) * half;
+            }
+        }
+    }
+}

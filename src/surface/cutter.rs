@@ -1,0 +1,235 @@
+//! Into which pieces must a patch be cut so that flat triangles are close enough?
+//!
+//! A piece of degrees m × n over its own unit square is within (M₁ + 2M₂ + M₃) / 8 of every linear interpolant whose
+//! corners lie in the square, with bounds on the second derivatives M₁ = m(m − 1) max |Δuu|, M₂ = mn max |ΔuΔv| and
+//! M₃ = n(n − 1) max |Δvv| (Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives", CAGD 3, 1986).
+//! So the bound holds for the triangles that join pieces of different sizes, too. A piece that is too large is halved
+//! along the direction that bends more; if the maxima over the two halves show that it was not too large, it stays whole.
+//! Cuts are at halves of halves: their parameters are exact.
+
+use super::net::{Net, differences_u, differences_v};
+use super::tessellate::to_f32;
+use super::view::Fineness;
+use crate::curve::max_abs;
+use crate::error::Error;
+use casteljau_kernels::{BEND_SLACK, Bends, Cell};
+use glam::DVec3;
+
+/// Parameters are whole numbers from 0 to this: pieces can be halved 30 times each way.
+pub(super) const DYADIC: u32 = 1 << 30;
+
+/// After so many halvings a piece's own bound tells about how many pieces it will need.
+const FORECAST_DEPTH: u32 = 8;
+
+/// How much more than the limit the forecast must be, since the bound is one.
+const FORECAST_SLACK: f64 = 4.0;
+
+/// A piece that may be too large: how much it bends along u, along both and along v, per unit of the patch's parameters.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    cell: Cell,
+    depth: u32,
+    bend: [f64; 3],
+}
+
+/// Cuts patches into cells.
+pub(super) struct Cutter<'a> {
+    pub(super) fineness: &'a Fineness,
+    /// The least tolerance that the mesh's numbers can keep, and the part of it that rounding takes.
+    pub(super) least: f64,
+    pub(super) rounding: f64,
+    /// The greatest number of cells in all.
+    pub(super) limit: usize,
+    /// How many cells are to be expected in all, as far as pieces have come.
+    pub(super) expected: f64,
+    pub(super) cells: Vec<Cell>,
+    /// The vectors of the pieces that wait, in units of `size`.
+    pub(super) bends: Bends,
+    pub(super) size: f64,
+}
+
+impl Cutter<'_> {
+    /// Appends the cells of one patch.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] above the limit.
+    pub(super) fn cut(&mut self, net: &[DVec3], columns: usize) -> Result<(), Error> {
+        self.start(net, columns);
+        let mut pieces = vec![Piece {
+            cell: Cell {
+                u: 0,
+                v: 0,
+                du: DYADIC,
+                dv: DYADIC,
+            },
+            depth: 0,
+            bend: self.bend(0),
+        }];
+        while let Some(piece) = pieces.pop() {
+            let tolerance = self.tolerance();
+            let bound = self.bound(&piece.cell, piece.bend);
+            self.count(&piece, bound / tolerance)?;
+            let along_u = piece.longer_along_u().filter(|_| bound > tolerance);
+            let Some(along_u) = along_u else {
+                self.cells.push(piece.cell);
+                self.bends.pop();
+                continue;
+            };
+            self.bends.halve(along_u);
+            let bends = [self.bend(1), self.bend(0)];
+            let closer = [0, 1, 2].map(|k| larger(bends[0][k], bends[1][k]));
+            if self.bound(&piece.cell, closer) <= tolerance {
+                self.cells.push(piece.cell);
+                self.bends.pop();
+                self.bends.pop();
+            } else {
+                pieces.extend(piece.halves(along_u, bends));
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts the second derivatives of a patch on the empty stack, as Bézier nets.
+    fn start(&mut self, net: &[DVec3], columns: usize) {
+        self.size = max_abs(net).max(f64::MIN_POSITIVE);
+        let (m, n) = (columns - 1, net.len() / columns - 1);
+        let (a, b) = (m as f64, n as f64);
+        let net: Vec<DVec3> = net.iter().map(|&p| p / self.size).collect();
+        let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
+        // A direction of degree 1 has no second difference: the empty net.
+        let uu = if m > 1 {
+            differences_u(&du, m)
+        } else {
+            Net::new()
+        };
+        let vv = if n > 1 {
+            differences_v(&dv, columns)
+        } else {
+            Net::new()
+        };
+        let uv = differences_v(&du, m);
+        let place = if self.fineness.depends_on_place() {
+            &net[..]
+        } else {
+            &[]
+        };
+        let sizes = [
+            (m - 1, n + 1),
+            (m, n),
+            (m + 1, n - 1),
+            (columns, place.len() / columns),
+        ];
+        let nets = [
+            (&uu[..], a * (a - 1.0)),
+            (&uv, a * b),
+            (&vv, b * (b - 1.0)),
+            (place, 1.0),
+        ];
+        let vectors = nets.into_iter().flat_map(|(net, factor)| {
+            net.iter()
+                .map(move |&p| (p * factor).to_array().map(to_f32))
+        });
+        self.bends.start(sizes, vectors);
+    }
+
+    /// How much the last piece but `before` bends.
+    fn bend(&self, before: usize) -> [f64; 3] {
+        let scale = self.size * (1.0 + BEND_SLACK);
+        self.bends
+            .longest(before)
+            .map(|length| f64::from(length) * scale)
+    }
+
+    /// The greatest distance of flat triangles over a cell.
+    fn bound(&self, cell: &Cell, [uu, uv, vv]: [f64; 3]) -> f64 {
+        let part = |k: u32| f64::from(k) / f64::from(DYADIC);
+        let (h, k) = (part(cell.du), part(cell.dv));
+        (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
+    }
+
+    /// The tolerance for the last piece.
+    fn tolerance(&self) -> f64 {
+        let wanted = self.fineness.tolerance_for(|| {
+            self.bends
+                .control_box()
+                .map(|corner| DVec3::from(corner.map(f64::from)) * self.size)
+        });
+        wanted.max(self.least) - self.rounding
+    }
+
+    /// Refuses more pieces than the limit, as soon as they can be foreseen.
+    fn count(&mut self, piece: &Piece, excess: f64) -> Result<(), Error> {
+        if piece.depth == FORECAST_DEPTH {
+            self.expected += excess;
+        }
+        let limit = self.limit as f64;
+        if self.cells.len() < self.limit && self.expected <= FORECAST_SLACK * limit {
+            return Ok(());
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturates, and is for people to read"
+        )]
+        let expected = self.expected as usize;
+        // Two triangles a cell.
+        Err(Error::TooMany {
+            what: "triangles",
+            limit: 2 * self.limit,
+            needed: expected.max(self.cells.len() + 1).saturating_mul(2),
+        })
+    }
+}
+
+impl Piece {
+    /// Whether to cut along u, the direction that bends more; where both bend alike, that which was cut less. None when
+    /// the parameters can be halved no more.
+    fn longer_along_u(&self) -> Option<bool> {
+        let Cell { du, dv, .. } = self.cell;
+        let [h, k] = [du, dv].map(|k| f64::from(k) / f64::from(DYADIC));
+        let (along_u, along_v) = (h * h * self.bend[0], k * k * self.bend[2]);
+        let better = along_u > along_v || (along_u == along_v && du >= dv);
+        match (du > 1, dv > 1) {
+            (true, true) => Some(better),
+            (false, false) => None,
+            (only_u, _) => Some(only_u),
+        }
+    }
+
+    fn halves(&self, along_u: bool, bends: [[f64; 3]; 2]) -> [Self; 2] {
+        let Cell { u, v, du, dv } = self.cell;
+        let cells = if along_u {
+            let du = du / 2;
+            [
+                Cell { u, v, du, dv },
+                Cell {
+                    u: u + du,
+                    v,
+                    du,
+                    dv,
+                },
+            ]
+        } else {
+            let dv = dv / 2;
+            [
+                Cell { u, v, du, dv },
+                Cell {
+                    u,
+                    v: v + dv,
+                    du,
+                    dv,
+                },
+            ]
+        };
+        [0, 1].map(|k| Self {
+            cell: cells[k],
+            depth: self.depth + 1,
+            bend: bends[k],
+        })
+    }
+}
+
+/// Not `max`, which would be a call.
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
