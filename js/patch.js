@@ -1,16 +1,20 @@
+import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
 import { core } from "./init.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, takeMesh } from "./mesh.js";
+import * as queries from "./queries.js";
 import { done } from "./refusal.js";
 import { tessellation } from "./tessellation.js";
 import { Checked, load, take } from "./transfer.js";
 
 /**
+ * @import { BasisLike } from "./basis.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
+ * @import { Curvature, PatchPoint, PatchScaffold } from "./queries.js"
  * @import { Fineness, MeshOptions } from "./tessellation.js"
  */
 
@@ -49,6 +53,24 @@ export class Patch {
     if (count !== needed) {
       throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
     }
+  }
+
+  /**
+   * The bicubic patch of sixteen geometry points in another basis, which each row and then each column is taken from.
+   *
+   *     const patch = Patch.fromBasis("b-spline", net);
+   *
+   * @param {BasisLike} basis
+   * @param {PointsLike} net row by row; with "hermite" a row is two points and two derivatives in u, and the last two rows
+   *   are derivatives in v
+   * @returns {Patch}
+   */
+  static fromBasis(basis, net) {
+    const matrix = basisNumbers(basis);
+    const { flat } = flatten(net, 3, 3, "net");
+    if (flat.length !== 48) throw new RangeError(`net: expected 16 points, got ${flat.length / 3}`);
+    load(flat, 16).set(matrix, 48);
+    return patchOf(/** @type {any} */ (new Checked(take(0, core().patch_from_basis()), 3)), {});
   }
 
   /**
@@ -130,6 +152,31 @@ export class Patch {
   }
 
   /**
+   * The curvatures at (u, v). Where ∂u × ∂v vanishes, as at a collapsed side, the limits from the patch's middle; zeros
+   * where there are none (the tip of a cone, a patch that is a curve or a point).
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {Curvature}
+   */
+  curvature(u, v) {
+    core().patch_curvature(...this.#at(u, v));
+    const [gaussian, mean, k1, k2] = take(0, 4);
+    return { gaussian, mean, k1, k2 };
+  }
+
+  /**
+   * Everything that de Casteljau's algorithm passes through on its way to the point: rows, then a curve, then the point.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {PatchScaffold}
+   */
+  scaffold(u, v) {
+    return queries.scaffold(this.#flat, this.#degreeU + 1, check.finite(u, "u"), check.finite(v, "v"));
+  }
+
+  /**
    * The curve of constant u: it runs along v.
    *
    * @param {number} u
@@ -180,6 +227,70 @@ export class Patch {
     check.finite(u, "u");
     const [below, above] = this.splitV(v);
     return [...below.splitU(u), ...above.splitU(u)];
+  }
+
+  /**
+   * The same patch with degrees one higher.
+   *
+   * @returns {Patch}
+   * @throws {RangeError} at degree 64
+   */
+  elevate() {
+    load(this.#flat);
+    const net = /** @type {any} */ (new Checked(take(0, core().patch_elevate(this.#degreeU, this.#degreeV)), 3));
+    return patchOf(net, { degreeU: this.#degreeU + 1, degreeV: this.#degreeV + 1 });
+  }
+
+  /**
+   * The smallest box that contains the patch, exact to rounding.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  bounds() {
+    return /** @type {{ min: Point, max: Point }} */ (queries.bounds(this.#asSurface()));
+  }
+
+  /**
+   * The area, within 1e-8 of itself; what the patch covers twice counts twice, a curve or a point is 0.
+   *
+   * @returns {number}
+   */
+  area() {
+    return queries.area(this.#asSurface());
+  }
+
+  /**
+   * A bound on the distance of the patch from the two triangles that join its corners, whichever diagonal they share.
+   *
+   * @returns {number}
+   */
+  flatness() {
+    load(this.#flat);
+    return core().patch_flatness(this.#degreeU, this.#degreeV);
+  }
+
+  /**
+   * The point of the patch that is nearest to p, of all of it, sides and corners included.
+   *
+   * @param {PointLike} p
+   * @returns {PatchPoint}
+   */
+  nearest(p) {
+    return queries.onPatch(/** @type {any} */ (queries.nearest(this.#asSurface(), p)));
+  }
+
+  /**
+   * All hits of a ray, by distance. `distance` is that of the point from the origin, however long `direction` is. Where
+   * the ray touches the patch, and at a side that is a point, there is one hit; of a ray that runs within the patch those
+   * are given where it crosses the sides, and the origin if it is on the patch.
+   *
+   * @param {PointLike} origin
+   * @param {PointLike} direction
+   * @returns {PatchPoint[]}
+   * @throws {RangeError} for a direction of length 0
+   */
+  intersectRay(origin, direction) {
+    return queries.intersectRay(this.#asSurface(), origin, direction).map(queries.onPatch);
   }
 
   /**
@@ -254,6 +365,10 @@ export class Patch {
     check.finite(v, "v");
     load(this.#flat);
     return [this.#degreeU, this.#degreeV, u, v];
+  }
+
+  #asSurface() {
+    return queries.patchLoader(this.#flat, this.#degreeU, this.#degreeV);
   }
 
   /**

@@ -3,6 +3,7 @@ import { core } from "./init.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
+import * as queries from "./queries.js";
 import { done } from "./refusal.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
@@ -12,6 +13,8 @@ import { Checked, load, take } from "./transfer.js";
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
+ * @import { Point } from "./points.js"
+ * @import { SurfacePoint } from "./queries.js"
  * @import { Fineness, MeshOptions } from "./tessellation.js"
  * @import { Topology } from "./topology.js"
  */
@@ -215,6 +218,56 @@ export class Surface {
   }
 
   /**
+   * The smallest box that contains the surface, exact to rounding; null without patches.
+   *
+   * @returns {{ min: Point, max: Point } | null}
+   */
+  bounds() {
+    return queries.bounds(this.#loader(false));
+  }
+
+  /**
+   * The area of all patches together, within 1e-8 of itself.
+   *
+   * @returns {number}
+   */
+  area() {
+    return queries.area(this.#loader(false));
+  }
+
+  /**
+   * The volume that a closed surface encloses, null for one with an open side or a side that three patches share. Positive
+   * where the normals point outwards; where neighbours disagree, the first patch of each connected part decides.
+   *
+   * @returns {number | null}
+   */
+  volume() {
+    return queries.volume(this.#loader(true));
+  }
+
+  /**
+   * The point of the surface that is nearest to p; null without patches.
+   *
+   * @param {PointLike} p
+   * @returns {SurfacePoint | null}
+   */
+  nearest(p) {
+    return queries.nearest(this.#loader(false), p);
+  }
+
+  /**
+   * All hits of a ray, by distance; see `Patch.intersectRay`. One on a side that patches share counts once.
+   *
+   * @param {PointLike} origin
+   * @param {PointLike} direction
+   * @returns {SurfacePoint[]}
+   * @throws {RangeError} for a direction of length 0
+   */
+  intersectRay(origin, direction) {
+    return queries.intersectRay(this.#loader(false), origin, direction);
+  }
+
+  /**
    * A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
    *
    * @param {GridOptions} options
@@ -264,6 +317,14 @@ export class Surface {
     const end = this.#load(16);
     end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
     done(core().surface_trace(pen, lines, px));
+  }
+
+  /**
+   * @param {boolean} withJoined
+   * @returns {(extra: number) => { view: Float64Array, at: number }}
+   */
+  #loader(withJoined) {
+    return (extra) => this.#load(extra, withJoined);
   }
 
   /** @param {number} k */

@@ -15,6 +15,7 @@ mod flatness;
 mod frame;
 mod grid;
 mod kernel;
+mod measure;
 mod mesh;
 mod minimum;
 mod nearest;

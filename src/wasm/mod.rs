@@ -19,6 +19,7 @@ mod arena;
 mod curve;
 mod mesh;
 mod pen;
+mod queries;
 mod spline;
 mod surface;
 

@@ -5,6 +5,8 @@ mod nets;
 
 mod bend;
 mod bounds;
+mod measure;
 mod nearest;
 mod rays;
 mod shapes;
+mod touches;
