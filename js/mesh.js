@@ -1,5 +1,8 @@
 import * as check from "./check.js";
 import { core } from "./init.js";
+import { meshToOBJ, meshToSTL } from "./mesh-export.js";
+import { meshToGLB } from "./mesh-glb.js";
+import { meshToThree } from "./mesh-three.js";
 
 /**
  * Where the part of one patch lies in a mesh.
@@ -60,6 +63,58 @@ export class Mesh {
     this.quads = quads;
     /** Where each patch lies in the arrays; no vertices where patches share them. */
     this.patchRanges = patchRanges;
+  }
+
+  /**
+   * The text of a Wavefront OBJ file: positions, (u, v) where there are any, normals; faces of four where the mesh has
+   * quads, else triangles. Numbers have the fewest digits that give them back.
+   *
+   * @param {{ quads?: boolean }} [options] `quads: false` writes triangles in any case
+   * @returns {string}
+   * @throws {RangeError} for `quads: true` without quads, and for arrays that were changed and no longer belong together
+   */
+  toOBJ(options) {
+    return meshToOBJ(this, options);
+  }
+
+  /**
+   * The bytes of a binary STL file: 84 and 50 for each triangle. Normals follow from the corners by the right-hand rule,
+   * zero where a triangle is degenerate. Positions of 64 bits are rounded to 32.
+   *
+   * @returns {Uint8Array<ArrayBuffer>}
+   * @throws {RangeError} above 1 GiB, for positions that 32 bits cannot hold, and as `toOBJ`
+   */
+  toSTL() {
+    return meshToSTL(this);
+  }
+
+  /**
+   * The bytes of a binary glTF 2.0 file, self-contained: one mesh with positions, normals, (u, v) where there are any and
+   * indices, visible from both sides. An empty mesh gives an empty scene. Numbers of 64 bits are rounded to 32; normals
+   * that are zero become +z, as glTF allows none. Viewers of glTF take y as up: make the surface with `up: "y"`.
+   *
+   * @returns {Uint8Array<ArrayBuffer>}
+   * @throws {RangeError} as `toSTL`
+   */
+  toGLB() {
+    return meshToGLB(this);
+  }
+
+  /**
+   * A BufferGeometry of three.js with `position`, `normal`, `uv` where there are any, and an index. It works on the arrays
+   * of this mesh, not on copies (but for those of 64 bits, which become 32).
+   *
+   *     import * as THREE from "three";
+   *     const geometry = Surface.teapot({ up: "y" }).tessellate({ tolerance: 0.01 }).toThree(THREE);
+   *
+   * @template Attribute
+   * @template {import("./mesh-three.js").GeometryLike<Attribute>} Geometry
+   * @param {import("./mesh-three.js").Three<Attribute, Geometry>} THREE the namespace of three.js, or as much of it
+   * @returns {Geometry}
+   * @throws {TypeError} without the two classes
+   */
+  toThree(THREE) {
+    return meshToThree(this, THREE);
   }
 }
 

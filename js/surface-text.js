@@ -1,5 +1,6 @@
 // Surfaces from text and to text; src/surface/text.rs does the same with the same words.
 import { refusal, Reader, shown } from "./text-reader.js";
+import { written } from "./written.js";
 
 /**
  * @import { Network } from "./surface.js"
@@ -233,7 +234,7 @@ function vertexRange(first, count) {
  */
 export function surfaceText({ vertices, degrees, indices }) {
   const rows = ["surface", `vertices ${vertices.length / 3}`];
-  for (let i = 0; i < vertices.length; i += 3) rows.push(`${written(vertices[i])} ${written(vertices[i + 1])} ${written(vertices[i + 2])}`);
+  for (let i = 0; i < vertices.length; i += 3) rows.push(`${written(vertices, i)} ${written(vertices, i + 1)} ${written(vertices, i + 2)}`);
   rows.push(`patches ${degrees.length / 2}`);
   for (let k = 0, at = 0; k < degrees.length; k += 2) {
     rows.push(`${degrees[k]} ${degrees[k + 1]}`);
@@ -241,10 +242,3 @@ export function surfaceText({ vertices, degrees, indices }) {
   }
   return `${rows.join("\n")}\n`;
 }
-
-/**
- * The fewest digits that give the number back; String alone would lose the sign of −0.
- *
- * @param {number} x
- */
-const written = (x) => (Object.is(x, -0) ? "-0" : String(x));

@@ -9,10 +9,12 @@
 
 mod curvature;
 mod cutter;
+mod export;
 mod extent;
 mod first_of;
 mod flatness;
 mod frame;
+mod glb;
 mod grid;
 mod kernel;
 mod measure;

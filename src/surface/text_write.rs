@@ -1,7 +1,7 @@
 //! Surfaces as text.
 
 use super::Surface;
-use std::fmt::{Arguments, Write};
+use std::fmt::{Arguments, Display, LowerExp, Write};
 
 impl Surface {
     /// The surface as text, which [`parse`](Self::parse) reads back to an equal one, bit for bit.
@@ -51,16 +51,14 @@ pub(super) fn push(text: &mut String, words: Arguments<'_>) {
     let _ = text.write_fmt(words);
 }
 
-/// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign).
-pub(super) fn written(x: f64) -> String {
-    let size = x.abs();
-    if size == 0.0 || (1e-6..1e21).contains(&size) {
-        return x.to_string();
-    }
-    let digits = format!("{x:e}");
-    if size < 1.0 {
-        digits
-    } else {
-        digits.replace('e', "e+")
+/// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign): with an exponent
+/// from 10²¹ on and below 10⁻⁶.
+pub(super) fn written(x: impl Display + LowerExp) -> String {
+    let scientific = format!("{x:e}");
+    let exponent = scientific.rsplit('e').next().map(str::parse::<i32>);
+    match exponent {
+        Some(Ok(21..)) => scientific.replace('e', "e+"),
+        Some(Ok(..-6)) => scientific,
+        _ => x.to_string(),
     }
 }

@@ -1,0 +1,151 @@
+// Meshes as files and as geometry of three.js. The table was made by another program from the definitions of the
+// formats; tests/export.rs reads it, too.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import validator from "gltf-validator";
+import * as THREE from "three";
+import { Mesh, Surface } from "../../dist/index.js";
+import { refused } from "./reference.js";
+
+const table = JSON.parse(readFileSync(new URL("../texts/meshes.json", import.meta.url), "utf8"));
+const hex = (bytes) => Buffer.from(bytes).toString("hex");
+
+function meshOf({ precision = "f32", positions, normals, uvs = null, indices, quads }) {
+  const Real = precision === "f64" ? Float64Array : Float32Array;
+  return new Mesh({
+    positions: Real.from(positions),
+    normals: Real.from(normals),
+    uvs: uvs && Float32Array.from(uvs),
+    patchIds: null,
+    indices: Uint16Array.from(indices),
+    quads: quads ? Uint16Array.from(quads) : undefined,
+    patchRanges: [],
+  });
+}
+
+for (const entry of table) {
+  test(`files: ${entry.name}`, async () => {
+    const mesh = meshOf(entry);
+    assert.equal(mesh.toOBJ(), entry.obj);
+    assert.equal(hex(mesh.toSTL()), entry.stl);
+    assert.equal(hex(mesh.toGLB()), entry.glb);
+    await valid(mesh.toGLB());
+  });
+}
+
+/** No error and no warning; what the file holds. */
+async function valid(glb) {
+  const { issues, info } = await validator.validateBytes(glb);
+  const serious = issues.messages.filter(({ severity }) => severity < 2);
+  assert.deepEqual(serious, []);
+  return info;
+}
+
+const square = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0, 1, 0, 0, 1], indices: [0, 1, 2] };
+const empty = new Surface({ vertices: [], patches: [] });
+const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
+
+/** Every way to a mesh. */
+const meshes = [
+  ["a grid", Surface.teapot().grid({ segments: 8, quads: true })],
+  ["32-bit indices", Surface.teapot().grid({ segments: 46 })],
+  ["exactly 65,536 vertices", Surface.teapot().patch(0).grid({ segments: 255 })],
+  ["tessellated", Surface.teapot().tessellate({ tolerance: 0.01 })],
+  ["by position, 64 bits", Surface.teaspoon().tessellate({ tolerance: 0.001 }, { weld: "position", precision: "f64" })],
+  ["with parameters", Surface.teacup().tessellate({ segments: 5 }, { weld: "none" })],
+  ["no patches", empty.grid({ segments: 2 })],
+  ["a patch that is a point", point.grid({ segments: 2 })],
+];
+
+for (const [name, mesh] of meshes) {
+  test(`glb is valid: ${name}`, async () => {
+    const info = await valid(mesh.toGLB());
+    assert.equal(info.totalTriangleCount, mesh.indices.length / 3);
+    if (mesh.indices.length) assert.equal(info.totalVertexCount, mesh.positions.length / 3);
+  });
+
+  test(`stl reads back: ${name}`, () => {
+    const bytes = mesh.toSTL();
+    const view = new DataView(bytes.buffer);
+    const count = view.getUint32(80, true);
+    assert.equal(count, mesh.indices.length / 3);
+    assert.equal(bytes.length, 84 + 50 * count);
+    assert.notEqual(new TextDecoder().decode(bytes.subarray(0, 5)), "solid");
+    for (let k = 0; k < count; k += Math.ceil(count / 500)) {
+      const [normal, a, b, c] = [0, 1, 2, 3].map((v) => [0, 1, 2].map((axis) => view.getFloat32(84 + 50 * k + 12 * v + 4 * axis, true)));
+      [a, b, c].forEach((corner, i) => {
+        const at = 3 * mesh.indices[3 * k + i];
+        assert.deepEqual(corner, [...mesh.positions.subarray(at, at + 3)].map(Math.fround));
+      });
+      const [along, across] = [b, c].map((p) => new THREE.Vector3(...p).sub(new THREE.Vector3(...a)));
+      const cross = along.cross(across);
+      const expected = cross.length() > 0 ? cross.normalize() : new THREE.Vector3();
+      assert.ok(expected.distanceTo(new THREE.Vector3(...normal)) < 1e-6);
+    }
+  });
+
+  test(`obj reads back: ${name}`, () => {
+    const rows = mesh.toOBJ().trimEnd().split("\n").map((line) => line.split(" "));
+    const of = (word) => rows.filter(([first]) => first === word).map(([, ...rest]) => rest);
+    const numbers = (word, Type) => Type.from(of(word).flat().map(Number));
+    const { constructor: Real } = mesh.positions;
+    assert.deepEqual(numbers("v", Real), mesh.positions);
+    assert.deepEqual(numbers("vn", Real), mesh.normals);
+    assert.deepEqual(numbers("vt", Float32Array), mesh.uvs ?? new Float32Array());
+    const faces = mesh.quads ?? mesh.indices;
+    const corners = of("f").flat().map((corner) => corner.split("/"));
+    assert.deepEqual(corners.map(([vertex]) => vertex - 1), [...faces]);
+    assert.ok(corners.every(([v, vt, vn]) => vn === v && vt === (mesh.uvs ? v : "")));
+  });
+}
+
+test("faces of an obj", () => {
+  const mesh = Surface.teapot().grid({ segments: 2, quads: true });
+  const sizes = (options) => new Set(mesh.toOBJ(options).match(/^f.*$/gm)?.map((line) => line.split(" ").length - 1));
+  assert.deepEqual([sizes(), sizes({ quads: true }), sizes({ quads: false })], [new Set([4]), new Set([4]), new Set([3])]);
+  const triangles = Surface.teapot().grid({ segments: 2 });
+  refused(() => triangles.toOBJ({ quads: true }), RangeError, /^quads: expected a mesh with quads, got one without$/);
+});
+
+test("three.js gets the mesh's own arrays", () => {
+  const mesh = Surface.teapot({ up: "y" }).grid({ segments: 4 });
+  const geometry = mesh.toThree(THREE);
+  assert.ok(geometry instanceof THREE.BufferGeometry);
+  const { position, normal, uv } = geometry.attributes;
+  assert.deepEqual([position.array, normal.array, uv.array, geometry.index?.array], [mesh.positions, mesh.normals, mesh.uvs, mesh.indices]);
+  assert.equal(position.array, mesh.positions);
+  geometry.computeBoundingBox();
+  assert.ok(Math.abs((geometry.boundingBox?.max.y ?? 0) - 3.15) < 1e-6);
+
+  const precise = Surface.teapot().tessellate({ segments: 4 }, { precision: "f64" }).toThree(THREE);
+  assert.ok(precise.attributes.position.array instanceof Float32Array);
+  assert.equal(precise.attributes.uv, undefined);
+  assert.equal(empty.grid({ segments: 1 }).toThree(THREE).index?.count, 0);
+});
+
+test("three.js is what the caller says", () => {
+  const mesh = meshOf(square);
+  const made = [];
+  class BufferAttribute { constructor(array, size) { made.push([array, size]); } }
+  class BufferGeometry { setAttribute() {} setIndex() {} }
+  assert.ok(mesh.toThree({ BufferGeometry, BufferAttribute }) instanceof BufferGeometry);
+  assert.deepEqual(made, [[mesh.positions, 3], [mesh.normals, 3], [mesh.indices, 1]]);
+  for (const bad of [undefined, null, {}, "three", { BufferGeometry }]) {
+    refused(() => mesh.toThree(bad), TypeError, /^THREE: expected the namespace of three\.js, got /);
+  }
+});
+
+test("meshes that do not belong together are refused", () => {
+  const all = [(m) => m.toOBJ(), (m) => m.toSTL(), (m) => m.toGLB()];
+  const wrong = (change, message) => all.forEach((act) => refused(() => act(meshOf({ ...square, ...change })), RangeError, message));
+  wrong({ indices: [0, 1, 3] }, /^indices: expected an index from 0 to 2, got 3$/);
+  wrong({ indices: [0, 1] }, /^indices: expected 3 vertex numbers for each face, got 2$/);
+  wrong({ positions: square.positions.slice(1) }, /^positions: expected 3 numbers for each vertex, got 8$/);
+  wrong({ normals: [0, 0, 1] }, /^normals: expected 3 numbers for each vertex, got 3$/);
+  wrong({ uvs: [0] }, /^uvs: expected 2 numbers for each vertex, got 1$/);
+  wrong({ positions: [NaN, ...square.positions.slice(1)] }, /^positions\[0\]: expected a finite number, got NaN$/);
+  const wide = meshOf({ ...square, precision: "f64", positions: [1e39, ...square.positions.slice(1)] });
+  assert.match(wide.toOBJ(), /^v 1e\+39 0 0$/m);
+  for (const act of all.slice(1)) refused(() => act(wide), RangeError, /^positions: expected numbers that 32 bits can hold, got 1e\+39$/);
+});
