@@ -5,6 +5,10 @@ import { meshToGLB } from "./mesh-glb.js";
 import { meshToThree } from "./mesh-three.js";
 
 /**
+ * @import { GeometryLike, Three } from "./mesh-three.js"
+ */
+
+/**
  * Where the part of one patch lies in a mesh.
  *
  * @typedef {{ firstVertex: number, vertices: number, firstIndex: number, indices: number }} PatchRange
@@ -108,8 +112,8 @@ export class Mesh {
    *     const geometry = Surface.teapot({ up: "y" }).tessellate({ tolerance: 0.01 }).toThree(THREE);
    *
    * @template Attribute
-   * @template {import("./mesh-three.js").GeometryLike<Attribute>} Geometry
-   * @param {import("./mesh-three.js").Three<Attribute, Geometry>} THREE the namespace of three.js, or as much of it
+   * @template {GeometryLike<Attribute>} Geometry
+   * @param {Three<Attribute, Geometry>} THREE the namespace of three.js, or as much of it
    * @returns {Geometry}
    * @throws {TypeError} without the two classes
    */
