@@ -1,27 +1,30 @@
 import { LitElement, html } from "lit";
 import { Surface } from "../../index.js";
-import { HOME, frameOf } from "./camera.js";
+import { HOME } from "./camera.js";
+import { Desk } from "./desk.js";
+import { acceptDrops } from "./files.js";
 import { Gestures, ZOOM_STEP } from "./gestures.js";
 import { Handles } from "./handles.js";
-import { Memo } from "./memo.js";
-import { framingPoints, surfaceNamed } from "./models.js";
 import { panel } from "./panel.js";
-import { settingsOf } from "./settings.js";
+import { readout } from "./readout.js";
 import { Stage } from "./stage.js";
 import { style } from "./style.js";
+import { Subject } from "./subject.js";
 import { tools } from "./tools.js";
-import { figures, INSTRUCTIONS, MODEL_NAMES, STATES } from "./words.js";
+import { Turning } from "./turning.js";
+import { INSTRUCTIONS, MODEL_NAMES, STATES } from "./words.js";
 
 /**
  * @import { View } from "./camera.js"
- * @import { Facts, Scene } from "./geometry.js"
+ * @import { Facts } from "./geometry.js"
  */
 
 /** The element begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
+/** A file is shown with no more, at first. */
+const MOST_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
-const REDUCED_MOTION = "(prefers-reduced-motion: reduce)";
 
 const text = { type: String, reflect: true };
 const number = { type: Number, reflect: true };
@@ -36,11 +39,7 @@ export class BezierSurface extends LitElement {
     controls: flag, turn: flag,
   };
 
-  #memo = new Memo();
-  /** @type {Surface | null} */
-  #given = null;
-  /** What was dragged: vertex and place. @type {Map<number, number[]>} */
-  #moves = new Map();
+  #subject = new Subject();
   /** @type {Stage | null} */
   #stage = null;
   /** @type {Handles | null} */
@@ -55,8 +54,14 @@ export class BezierSurface extends LitElement {
   #state = "webgl";
   /** @type {Facts | null} */
   #facts = null;
-  #wished = false;
-  #stopped = false;
+  #turning = new Turning();
+  #desk = new Desk({
+    show: (surface) => this.#showFile(surface),
+    changed: () => this.requestUpdate(),
+    picture: () => this.toBlob(),
+    names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.#settings().model }),
+  });
+  #visible = false;
 
   constructor() {
     super();
@@ -85,17 +90,13 @@ export class BezierSurface extends LitElement {
 
   /** The surface that is shown, moved points and all. */
   get surface() {
-    const settings = this.#settings();
-    const { model, parts, height, up } = settings;
-    const base = this.#memo.get("base", [this.#given, model, [...parts].join(), height, up], () => this.#given ?? surfaceNamed(settings));
-    const edit = (/** @type {Surface} */ surface) => [...this.#moves].reduce((moved, [vertex, to]) => moved.movePoint(vertex, to), surface);
-    return this.#memo.get("surface", [base, ...this.#moves.values()], () => edit(base));
+    return this.#subject.surface(this.#settings());
   }
 
+  /** @param {Surface | null} surface */
   set surface(surface) {
     if (surface !== null && !(surface instanceof Surface)) throw new TypeError(`surface: expected a Surface or null, got ${typeof surface}`);
-    this.#given = surface;
-    this.#moves.clear();
+    this.#subject.given = surface;
     this.patch = null;
     this.requestUpdate();
   }
@@ -121,7 +122,7 @@ export class BezierSurface extends LitElement {
 
   connectedCallback() {
     super.connectedCallback();
-    const observer = new IntersectionObserver((entries) => entries.some((entry) => entry.isIntersecting) && this.#start(), { rootMargin: NEAR });
+    const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
     observer.observe(this);
     this.#watch = observer;
   }
@@ -130,26 +131,34 @@ export class BezierSurface extends LitElement {
     super.disconnectedCallback();
     this.#watch?.disconnect();
     this.#deafen?.();
+    this.#deafen = null;
     this.#camera = this.view;
     this.#stage?.end();
     this.#stage = null;
   }
 
+  /** @param {boolean} visible */
+  #seen(visible) {
+    this.#visible = visible;
+    if (visible) this.#start();
+    if (visible) this.#stage?.schedule();
+  }
+
   #start() {
-    this.#watch?.disconnect();
     if (this.#stage || !this.isConnected) return;
     const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
     const canvas = find("canvas");
     this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
-      drawn: (sight, width, height) => {
+      drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
-        this.#tell();
+        this.#tell(facts);
       },
+      refused: (message) => this.#desk.say(message),
       stateChanged: (state) => {
         this.#state = state;
         this.requestUpdate();
       },
-      turning: () => this.#turns(),
+      turning: () => this.#visible && this.#turns(),
     });
     this.#handles ??= new Handles(find(".overlay"), { moved: (...args) => this.#pulled(...args), sight: () => this.#stage?.sight() ?? null });
     const gestures = new Gestures(canvas, {
@@ -158,38 +167,32 @@ export class BezierSurface extends LitElement {
       home: () => this.#moveByHand(HOME, true),
       pick: () => {},
     });
-    this.#deafen = gestures.listen();
+    const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#desk.open(file))];
+    this.#deafen = () => endings.forEach((end) => end());
     this.requestUpdate();
   }
 
   #settings() {
     const { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step } = this;
-    const given = { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step };
-    return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
+    return this.#subject.settings({ model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step });
   }
 
-  /** @returns {Scene} */
   #scene() {
-    const settings = this.#settings();
-    const { model, height, up } = settings;
-    const surface = this.surface;
-    const frame = this.#memo.get("frame", [this.#given, model, height, up], () => frameOf(this.#given?.vertices ?? framingPoints(settings), up));
-    const picked = surface.patchCount === 1 ? 0 : this.patch !== null && this.patch >= 0 && this.patch < surface.patchCount ? Math.floor(this.patch) : null;
-    return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));
+    return this.#subject.scene(this.#settings(), this.patch);
   }
 
   /** @param {Map<string, unknown>} changed */
   willUpdate(changed) {
     if (!this.hasUpdated) return;
     if (["model", "height", "up"].some((name) => changed.has(name))) {
-      this.#moves.clear();
+      this.#subject.restore();
       if (!changed.has("patch")) this.patch = null;
     }
   }
 
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
-    if (changed.has("turn")) this.#stopped = false;
+    if (changed.has("turn") && this.turn) this.#turning.restart();
     if (!this.#stage) return;
     const scene = this.#scene();
     this.#handles?.update(scene);
@@ -197,12 +200,16 @@ export class BezierSurface extends LitElement {
   }
 
   #turns() {
-    return this.turn && !this.#stopped && (this.#wished || !matchMedia(REDUCED_MOTION).matches);
+    return this.#turning.on(this.turn);
   }
 
-  /** The read-out follows the mesh. */
-  #tell() {
-    const facts = this.#stage?.geometry.facts(this.#scene()) ?? null;
+  /**
+   * The read-out follows the mesh.
+   *
+   * @param {Facts} facts
+   */
+  #tell(facts) {
+    this.#desk.clear();
     if (JSON.stringify(facts) === JSON.stringify(this.#facts)) return;
     this.#facts = facts;
     this.requestUpdate();
@@ -220,7 +227,7 @@ export class BezierSurface extends LitElement {
    */
   #moveByHand(changes, done) {
     if ("turn" in changes && this.#turns()) {
-      this.#stopped = true;
+      this.#turning.stop();
       this.requestUpdate();
     }
     this.#move(changes);
@@ -233,7 +240,7 @@ export class BezierSurface extends LitElement {
    * @param {boolean} done
    */
   #pulled(vertex, to, done) {
-    this.#moves.set(vertex, to);
+    this.#subject.move(vertex, to);
     this.requestUpdate();
     this.#fire(done ? "change" : "input");
   }
@@ -255,33 +262,37 @@ export class BezierSurface extends LitElement {
 
   #toggleTurning() {
     const turning = !this.#turns();
-    [this.#wished, this.#stopped] = [turning, !turning];
+    this.#turning.ask(turning);
     this.turn = turning;
     this.requestUpdate();
     this.#fire("change");
   }
 
-  async #savePicture() {
-    const blob = await this.toBlob();
-    if (!blob) return;
-    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: `${this.model}.png` });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href));
+  /** @param {Surface} surface */
+  #showFile(surface) {
+    this.surface = surface;
+    this.segments = Math.min(this.segments, Math.max(1, Math.floor(Math.sqrt(MOST_TRIANGLES / 2 / surface.patchCount))));
+    this.#fire("change");
+  }
+
+  #backToModel() {
+    this.surface = null;
+    this.#fire("change");
   }
 
   render() {
     const settings = this.#settings();
-    const name = this.label || `${this.#given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
+    const name = this.label || `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return html`<div class="frame" part="frame" @input=${stopInner} @change=${stopInner}>
       <div class="stage" part="stage" role="group" aria-label=${name}>
         <canvas part="canvas" tabindex="0" role="img" aria-label=${name} aria-describedby="help" width="1" height="1"></canvas>
         <div class="overlay" part="overlay"></div>
         ${tools({ turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) })}
-        <p class="message" role="status">${STATES[this.#state]}</p>
+        <p class="message" role="status">${this.#desk.message || STATES[this.#state]}</p>
       </div>
       <p class="away" id="help">${INSTRUCTIONS}</p>
-      ${this.#readOut()}
+      ${readout(this.#facts)}
       ${this.controls ? panel(this.#panelPort()) : ""}
       <span class="probe" hidden></span>
     </div>`;
@@ -292,12 +303,15 @@ export class BezierSurface extends LitElement {
     return {
       settings: this.#settings(),
       size: this.#scene().frame.radius,
-      named: !this.#given,
-      edited: this.#moves.size > 0,
+      named: !this.#subject.given,
+      patches: this.#scene().surface.patchCount,
+      edited: this.#subject.edited,
       set: (...args) => this.#set(...args),
       setFineness: (kind) => this.#setFineness(kind),
       restore: () => this.#restore(),
-      savePicture: () => this.#savePicture(),
+      savePicture: () => this.#desk.savePicture(),
+      open: (file) => this.#desk.open(file),
+      backToModel: () => this.#backToModel(),
     };
   }
 
@@ -309,21 +323,9 @@ export class BezierSurface extends LitElement {
   }
 
   #restore() {
-    this.#moves.clear();
+    this.#subject.restore();
     this.requestUpdate();
     this.#fire("change");
-  }
-
-  #readOut() {
-    const facts = this.#facts;
-    if (!facts) return html`<p class="facts" part="facts">&nbsp;</p>`;
-    const many = (/** @type {number} */ count) => count.toLocaleString("en").replaceAll(",", "\u2009");
-    return html`<p class="facts" part="facts">
-      <span><b>${many(facts.triangles)}</b> triangles</span>
-      <span><b>${many(facts.vertices)}</b> vertices</span>
-      <span>error ≤ <b>${figures(facts.error)}</b> ${facts.unit}</span>
-      <span>${facts.ms === null ? "by the graphics card" : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
-    </p>`;
   }
 }
 

@@ -99,7 +99,7 @@ export class Handles {
   }
 
   /**
-   * Puts every handle where its point is seen.
+   * Puts every handle where its point is seen; outside the picture only the focused one stays, at its edge.
    *
    * @param {Sight} sight
    * @param {number} width
@@ -109,8 +109,10 @@ export class Handles {
     this.#buttons.forEach((button, i) => {
       const at = placeOf(sight, this.#points, 3 * i, width, height);
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
-      button.hidden = !inside;
-      if (at && inside) button.style.translate = `${at[0].toFixed(2)}px ${at[1].toFixed(2)}px`;
+      button.hidden = !inside && !button.matches(":focus");
+      if (!at || button.hidden) return;
+      const clamped = (/** @type {number} */ x, /** @type {number} */ most) => Math.min(Math.max(x, 0), most).toFixed(2);
+      button.style.translate = `${clamped(at[0], width)}px ${clamped(at[1], height)}px`;
     });
   }
 

@@ -19,6 +19,9 @@ import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SH
  * @property {(name: string, value: unknown, type: "input" | "change") => void} set
  * @property {() => void} restore
  * @property {() => void} savePicture
+ * @property {(file: File) => void} open
+ * @property {() => void} backToModel
+ * @property {number} patches
  */
 
 const UV_STEP = 0.01;
@@ -87,7 +90,10 @@ function box(label, checked, act) {
 function modelControls(port) {
   const { settings, named, set } = port;
   const { model, parts } = settings;
-  if (!named) return html`<fieldset><legend>Model</legend><p class="note">A surface of your own.</p></fieldset>`;
+  if (!named) {
+    return html`<fieldset><legend>Model</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
+      <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[model].toLowerCase()}</button></fieldset>`;
+  }
   const part = (/** @type {import("./settings.js").Part} */ each) => box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
   return html`<fieldset><legend>Model</legend>
     ${select("model", "Shape", MODELS, model, MODEL_NAMES, port)}
@@ -155,9 +161,15 @@ function casteljauControls(port) {
 }
 
 /** @param {PanelPort} port */
-function fileControls({ edited, restore, savePicture }) {
-  return html`<fieldset><legend>Take away</legend><div class="row">
-    <button type="button" @click=${savePicture}>PNG</button>
+function fileControls({ edited, restore, savePicture, open }) {
+  const chosen = (/** @type {Event} */ event) => {
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    if (input.files?.[0]) open(input.files[0]);
+    input.value = ""; // the same file can be chosen again
+  };
+  return html`<fieldset><legend>Files</legend><div class="row">
+    <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${chosen}></label>
+    <button type="button" @click=${savePicture}>Save PNG</button>
     <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
   </div></fieldset>`;
 }

@@ -7,7 +7,7 @@ import { followTheme, readTheme } from "./theme.js";
 
 /**
  * @import { Sight, View } from "./camera.js"
- * @import { Scene } from "./geometry.js"
+ * @import { Facts, Scene } from "./geometry.js"
  * @import { Theme } from "./theme.js"
  */
 
@@ -15,7 +15,8 @@ import { followTheme, readTheme } from "./theme.js";
  * What the stage tells the element.
  *
  * @typedef {object} StagePort
- * @property {(sight: Sight, width: number, height: number) => void} drawn after each frame; the size in CSS pixels
+ * @property {(facts: Facts, sight: Sight, width: number, height: number) => void} drawn after each frame; the size in CSS pixels
+ * @property {(message: string) => void} refused the core cannot make this mesh
  * @property {(state: "webgl" | "flat" | "lost") => void} stateChanged
  * @property {() => boolean} turning whether the picture turns by itself
  */
@@ -135,8 +136,25 @@ export class Stage {
     const { width, height } = canvas;
     const ratio = width / seen.width;
     this.geometry.seen(seen.sight, seen.width, seen.height);
+    const facts = this.#factsOf(scene);
+    if (!facts) return;
     this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
-    this.#port.drawn(seen.sight, seen.width, seen.height);
+    this.#port.drawn(facts, seen.sight, seen.width, seen.height);
+  }
+
+  /**
+   * The mesh is made before anything is wiped out: where the core refuses (a tolerance that f32 cannot keep), the picture
+   * stays as it was.
+   *
+   * @param {Scene} scene
+   */
+  #factsOf(scene) {
+    try {
+      return this.geometry.facts(scene);
+    } catch (error) {
+      this.#port.refused(error instanceof Error ? error.message : String(error));
+      return null;
+    }
   }
 
   #resize() {

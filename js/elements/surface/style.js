@@ -68,7 +68,10 @@ input[type="range"] { accent-color: var(--bz-accent); min-block-size: 24px; }
 button, select {
   font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; cursor: pointer;
 }
-button:not(.handle):hover { border-color: var(--bz-accent); color: var(--bz-accent); }
+.file { position: relative; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px; padding: 0.25rem 0.6rem; min-block-size: 2.1rem; }
+.file input { position: absolute; inset: 0; inline-size: 100%; opacity: 0; cursor: pointer; }
+.file:focus-within { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
+.file:hover, button:not(.handle):hover { border-color: var(--bz-accent); color: var(--bz-accent); }
 button:disabled { opacity: 0.55; cursor: default; }
 button[aria-pressed="true"] { background: var(--bz-accent); border-color: var(--bz-accent); color: var(--bz-on-accent); }
 button[aria-pressed="true"]:hover { color: var(--bz-on-accent); }

@@ -1,0 +1,82 @@
+// What the element shows: the named or given surface, the points that were dragged, the settings.
+import { frameOf } from "./camera.js";
+import { Memo } from "./memo.js";
+import { framingPoints, surfaceNamed } from "./models.js";
+import { settingsOf } from "./settings.js";
+
+/**
+ * @import { Surface } from "../../index.js"
+ * @import { Scene } from "./geometry.js"
+ * @import { Attributes, Settings } from "./settings.js"
+ */
+
+export class Subject {
+  #memo = new Memo();
+  /** @type {Surface | null} */
+  #given = null;
+  /** What was dragged: vertex and place. @type {Map<number, number[]>} */
+  #moves = new Map();
+
+  /** A surface of the page's own, or null where the model's name says which. */
+  get given() {
+    return this.#given;
+  }
+
+  set given(surface) {
+    this.#given = surface;
+    this.#moves.clear();
+  }
+
+  get edited() {
+    return this.#moves.size > 0;
+  }
+
+  /**
+   * @param {number} vertex
+   * @param {number[]} to
+   */
+  move(vertex, to) {
+    this.#moves.set(vertex, to);
+  }
+
+  restore() {
+    this.#moves.clear();
+  }
+
+  /**
+   * @param {Attributes} given
+   * @returns {Settings}
+   */
+  settings(given) {
+    return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
+  }
+
+  /**
+   * With all moves: parts that are taken away and put back keep theirs.
+   *
+   * @param {Settings} settings
+   * @returns {Surface}
+   */
+  surface(settings) {
+    const { model, parts, height, up } = settings;
+    const base = this.#memo.get("base", [this.#given, model, [...parts].join(), height, up], () => this.#given ?? surfaceNamed(settings));
+    const edit = () => [...this.#moves].reduce((surface, [vertex, to]) => surface.movePoint(vertex, to), base);
+    return this.#memo.get("surface", [base, ...this.#moves.values()], edit);
+  }
+
+  /**
+   * The same object as long as nothing in it changes.
+   *
+   * @param {Settings} settings
+   * @param {number | null} patch the picked one; the only one is always picked
+   * @returns {Scene}
+   */
+  scene(settings, patch) {
+    const { model, height, up } = settings;
+    const surface = this.surface(settings);
+    const frame = this.#memo.get("frame", [this.#given, model, height, up], () => frameOf(this.#given?.vertices ?? framingPoints(settings), up));
+    const known = patch !== null && patch >= 0 && patch < surface.patchCount;
+    const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;
+    return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));
+  }
+}

@@ -1,0 +1,162 @@
+// <bezier-surface>: where it comes from and goes to; what it does when things are missing.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertAccessible, openPage } from "./browser.js";
+import { difference, facts, look, openSurface, ready, set, settled, surfacePage } from "./surface-page.js";
+
+/** Everything that the page can show at once. */
+const FULL = 'controls show="surface mesh isocurves net casteljau" patch="5" step="2"';
+
+for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }]) {
+  test(`with everything switched on it is accessible: ${Object.values(options)}`, async (t) => {
+    const page = await openSurface(t, FULL, options);
+    await assertAccessible(page);
+  });
+}
+
+test("it fits a narrow phone, sharp", async (t) => {
+  const page = await openSurface(t, FULL, { viewport: { width: 360, height: 740 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  const [width, shown] = await page.locator("bezier-surface canvas").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
+  assert.equal(width, 3 * shown);
+  await assertAccessible(page);
+});
+
+test("without WebGL2 it is drawn as lines, and says so", async (t) => {
+  const page = await openPage(t, "about:blank", { reducedMotion: "reduce" });
+  await page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind === "webgl2" ? null : original.call(this, kind, ...rest);
+    };
+  });
+  await page.route("**/fallback.html", (route) => route.fulfill({ contentType: "text/html", body: surfacePage("controls") }));
+  await page.goto("/fallback.html");
+  await ready(page);
+  await page.getByText("no WebGL2").waitFor();
+  const first = await look(page);
+  assert.ok(first.inked > 3000, `${first.inked} pixels`);
+  await set(page, { view: { turn: 60 } });
+  assert.ok((await difference(page, first, await look(page))) > 2000);
+  await assertAccessible(page);
+});
+
+test("a lost context comes back with its picture", async (t) => {
+  const page = await openSurface(t, 'show="surface mesh"');
+  const before = await look(page);
+  await page.evaluate(() => {
+    const gl = document.querySelector("bezier-surface").shadowRoot.querySelector("canvas").getContext("webgl2");
+    globalThis.loss = gl.getExtension("WEBGL_lose_context");
+    loss.loseContext();
+  });
+  await page.getByText("graphics card was taken away").waitFor();
+  await set(page, { segments: 12, shading: "smooth" });
+  await page.evaluate(() => loss.restoreContext());
+  await page.getByText("graphics card was taken away").waitFor({ state: "detached" });
+  await settled(page);
+  assert.equal(await difference(page, before, await look(page)), 0);
+});
+
+test("moved to another place it shows the same; taken away it leaves nothing running", async (t) => {
+  const page = await openSurface(t, 'model="patch" show="surface net"', { more: '<div id="elsewhere" style="width: 640px"></div>' });
+  await set(page, { view: { turn: 20, zoom: 1.5 } });
+  const before = await look(page);
+  await page.evaluate(() => document.querySelector("#elsewhere").append(document.querySelector("bezier-surface")));
+  await settled(page);
+  await page.waitForTimeout(100);
+  const after = await look(page);
+  assert.ok(after.inked > 3000);
+  assert.equal(await difference(page, before, after), 0);
+  const frames = await page.evaluate(async () => {
+    const element = document.querySelector("bezier-surface");
+    element.turn = true;
+    element.remove();
+    let count = 0;
+    const original = requestAnimationFrame;
+    globalThis.requestAnimationFrame = (act) => (count++, original(act));
+    element.segments = 5;
+    await new Promise((done) => setTimeout(done, 150));
+    globalThis.requestAnimationFrame = original;
+    return count;
+  });
+  assert.equal(frames, 0);
+});
+
+test("it draws only when something changes, and turns only when asked", async (t) => {
+  const page = await openSurface(t, "turn", { reducedMotion: "no-preference" });
+  const turn = () => page.evaluate(() => document.querySelector("bezier-surface").view.turn);
+  const first = await turn();
+  await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
+  await page.getByRole("button", { name: "Stop turning" }).click();
+  await settled(page);
+  const count = await page.evaluate(async () => {
+    let draws = 0;
+    const { prototype } = WebGL2RenderingContext;
+    const original = prototype.clear;
+    prototype.clear = function (...args) {
+      draws++;
+      return original.apply(this, args);
+    };
+    await new Promise((done) => setTimeout(done, 200));
+    return draws;
+  });
+  assert.equal(count, 0);
+});
+
+test("it stands still for those who want less motion, until they ask", async (t) => {
+  const page = await openSurface(t, "turn");
+  const turn = () => page.evaluate(() => document.querySelector("bezier-surface").view.turn);
+  const first = await turn();
+  await page.waitForTimeout(200);
+  assert.equal(await turn(), first);
+  await page.getByRole("button", { name: "Turn", exact: true }).click();
+  await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
+});
+
+test("far down the page nothing runs until it comes near", async (t) => {
+  const html = surfacePage().replace("<main>", '<main><div style="height: 4000px"></div>');
+  const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 } });
+  await page.waitForTimeout(300);
+  const size = () => page.locator("bezier-surface canvas").evaluate((canvas) => canvas.width);
+  assert.equal(await size(), 1);
+  await page.locator("bezier-surface").scrollIntoViewIfNeeded();
+  await ready(page);
+  assert.ok((await size()) > 100);
+});
+
+const BPT = `1
+1 1
+0 0 0
+1 0 0
+0 1 0
+1 1 1
+`;
+const give = (page, name, text) => page.locator('bezier-surface input[type="file"]').setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+
+test("a patch file is shown; one that is none is refused, and the picture stays", async (t) => {
+  const page = await openSurface(t, 'controls segments="2"');
+  await give(page, "saddle.bpt", BPT);
+  await page.getByText("A surface of your own").waitFor();
+  await settled(page);
+  assert.equal((await facts(page)).triangles, 8);
+  const before = await look(page);
+  await give(page, "broken.bpt", BPT.replace("1 0 0", "1 zero 0"));
+  await page.getByText(/broken\.bpt: .*line/).waitFor();
+  assert.equal(await difference(page, before, await look(page)), 0);
+  await give(page, "huge.bpt", " ".repeat(17e6));
+  await page.getByText(/huge\.bpt: expected at most 16 MB, got 17/).waitFor();
+  assert.equal((await facts(page)).triangles, 8);
+  await page.getByRole("button", { name: "Back to the teapot" }).click();
+  await settled(page);
+  assert.equal((await facts(page)).triangles, 32 * 8);
+});
+
+test("a tolerance that cannot be kept is refused in words, and the picture stays", async (t) => {
+  const page = await openSurface(t, 'tolerance="0.01"');
+  const before = await facts(page);
+  await set(page, { tolerance: 1e-12 });
+  await page.getByText(/tolerance/).waitFor();
+  assert.equal((await facts(page)).triangles, before.triangles);
+  await set(page, { tolerance: 0.02 });
+  await page.getByText(/tolerance/).waitFor({ state: "detached" });
+});
