@@ -8,7 +8,7 @@ import { segmentsOf } from "./mesh.js";
 
 /**
  * How fine a mesh must be: by segments along u and v of every patch; by the greatest distance of the surface from it, in
- * the surface's unit; or by that distance on the screen. `viewProjection` takes (x, y, z, 1) to clip space, 16 numbers
+ * the surface's unit; or by that distance on the screen, where what lies outside of the picture may be coarse. `viewProjection` takes (x, y, z, 1) to clip space, 16 numbers
  * column-major; `viewport` is the width and height of the picture in pixels.
  *
  * @typedef {{ segments: number | { u: number, v: number } } | { tolerance: number }

@@ -12,7 +12,7 @@ pub enum Fineness {
     Segments(Grid),
     /// No point of the surface farther from the mesh than this, in the surface's unit.
     Tolerance(f64),
-    /// The same on the screen, in pixels.
+    /// The same on the screen, in pixels; what lies outside of the picture may be as coarse as it likes.
     Pixels(View),
 }
 
@@ -77,16 +77,19 @@ impl View {
     }
 
     /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the
-    /// projection at the piece's middle, at the least W in the sphere around its box. Infinite behind the eye.
+    /// projection at the piece's middle, at the least W in the sphere around its box. Infinite outside of the picture.
     fn tolerance_for(&self, [low, high]: [DVec3; 2]) -> f64 {
         let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
         let middle = low * 0.5 + high * 0.5;
         let radius = (high - middle).norm();
-        let depth = w.dot(middle.extend(1.0));
-        let reach = radius * w.truncate().norm();
-        if depth + reach <= 0.0 {
+        // Outside of one of these half-spaces nothing is seen, neither of the piece nor of triangles between its points.
+        let unseen =
+            |plane: DVec4| plane.dot(middle.extend(1.0)) + radius * plane.truncate().norm() <= 0.0;
+        if [w, w + x, w - x, w + y, w - y].into_iter().any(unseen) {
             return f64::INFINITY;
         }
+        let depth = w.dot(middle.extend(1.0));
+        let reach = radius * w.truncate().norm();
         let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
         let slope = |row: DVec4, half: f64| {
             // ∂(X/W) = (∂X − X/W·∂W)/W; what is outside of the picture counts as on its rim.
