@@ -54,7 +54,7 @@ pub use error::{Error, MAX_DEGREE};
 pub use glam;
 pub use point::{Cross, Point};
 pub use spline::Spline;
-pub use surface::{Grid, Indices, Mesh, Patch, Surface, TeapotOptions};
+pub use surface::{Grid, GridMethod, Indices, Mesh, Patch, Surface, TeapotOptions};
 
 /// The examples of the README, run as tests.
 #[cfg(doctest)]

@@ -16,6 +16,22 @@ pub struct Grid {
     pub segments_v: usize,
 }
 
+/// How the samples of a grid are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GridMethod {
+    /// From the Bernstein polynomials: exact at corners, identical along shared sides.
+    #[default]
+    Bernstein,
+    /// Along u by adding up differences: for a curve of degree m that is cut into n steps, m additions per coordinate
+    /// and no multiplication. For comparison and teaching.
+    ///
+    /// The value at 0 and its m differences for the step 1/n are computed once per line; each step then adds every
+    /// difference to the one of the next lower order. Rounding errors add up, too: in f64 to some n·3ᵐ·2⁻⁵³ of the
+    /// largest coordinate, which f32 does not show up to degree 10 or so. The last sample of a line is not added up but
+    /// taken from its control point. Source: Wallis, "Tutorial on forward differencing", Graphics Gems (1990), 594–603.
+    ForwardDifference,
+}
+
 /// The most bytes that one mesh may take: 1 GiB.
 const MAX_MESH_BYTES: u64 = 1 << 30;
 /// Three positions, three normals, two parameters and a patch number, four bytes each.

@@ -1,10 +1,9 @@
 //! A network of patches that share control points.
 
+use super::Patch;
 use super::first_of::joined;
 use super::net::Net;
 use super::patch::{check_degree, checked_point};
-use super::tessellate::fill_mesh;
-use super::{Grid, Mesh, Patch};
 use crate::curve::{Bounds, check_finite};
 use crate::error::Error;
 use crate::point::Point;
@@ -202,7 +201,7 @@ impl Surface {
     }
 
     /// The control points of a patch; none past the last.
-    fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
+    pub(super) fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
         let indices = self.patch_indices(patch).unwrap_or_default();
         indices.iter().map(|&index| self.vertices[index as usize])
     }
@@ -255,48 +254,9 @@ impl Surface {
     pub(crate) fn joined_all(&self) -> &[u32] {
         &self.joined
     }
-
-    /// A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
-    ///
-    /// Positions are computed in f64 and rounded to f32, exact at corners and bit-identical along shared sides.
-    /// Normals are limits where a side has collapsed; zero for a patch that is a point or a curve. With `quads` the
-    /// mesh also lists four-sided faces.
-    ///
-    /// # Errors
-    /// [`Error::Range`] for 0 segments, [`Error::TooMany`] when the mesh would take more than 1 GiB.
-    pub fn grid(&self, grid: Grid, quads: bool) -> Result<Mesh, Error> {
-        let mut mesh = Mesh::default();
-        self.grid_into(grid, quads, &mut mesh)?;
-        Ok(mesh)
-    }
-
-    /// As [`grid`](Self::grid), into an earlier mesh whose buffers are reused where they are large enough.
-    ///
-    /// # Errors
-    /// As `grid`; the mesh is then as it was.
-    pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
-        let net_of = |patch: usize, net: &mut Vec<DVec3>| {
-            net.extend(self.points_of(patch));
-            let Layout {
-                degree_u, degree_v, ..
-            } = self.patches[patch];
-            (degree_u, degree_v)
-        };
-        fill_mesh(self.patches.len(), net_of, grid, quads, mesh)
-    }
 }
 
 impl Patch {
-    /// A mesh of one grid over the patch; see [`Surface::grid`].
-    ///
-    /// # Errors
-    /// As `Surface::grid`.
-    pub fn grid(&self, grid: Grid, quads: bool) -> Result<Mesh, Error> {
-        let mut mesh = Mesh::default();
-        self.grid_into(grid, quads, &mut mesh)?;
-        Ok(mesh)
-    }
-
     /// A surface of this patch alone.
     pub(crate) fn alone(&self) -> Surface {
         let vertices = self.points.to_vec();
@@ -310,17 +270,5 @@ impl Patch {
             }],
             vertices,
         }
-    }
-
-    /// As [`grid`](Self::grid), into an earlier mesh.
-    ///
-    /// # Errors
-    /// As `grid`; the mesh is then as it was.
-    pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
-        let net_of = |_: usize, net: &mut Vec<DVec3>| {
-            net.extend_from_slice(&self.points);
-            (self.degree_u(), self.degree_v())
-        };
-        fill_mesh(1, net_of, grid, quads, mesh)
     }
 }

@@ -7,8 +7,9 @@
 //! by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*, §6.9 for products).
 
 use super::net::{Net, transpose};
-use crate::curve::{blossom_piece, evaluate, ratio};
+use crate::curve::{blossom_piece, evaluate};
 use crate::point::Point;
+pub(super) use casteljau_kernels::binomial;
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
@@ -129,11 +130,4 @@ fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
         .enumerate()
         .map(|(i, &p)| p * (binomial(degree_u, i % columns) * binomial(degree_v, i / columns)))
         .collect()
-}
-
-/// C(n, k); the same number for k and n − k.
-pub(super) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k.min(n - k)).fold(1.0, |product, i| {
-        product * ratio(n - i, 1) / ratio(i + 1, 1)
-    })
 }

@@ -1,8 +1,9 @@
 //! Filling a mesh: one grid per patch.
 
 use super::kernel::Kernel;
-use super::{Grid, Indices, Mesh, PatchRange};
+use super::{Grid, GridMethod, Indices, Mesh, PatchRange};
 use crate::error::Error;
+use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
 use glam::DVec3;
 
 /// The most vertices that 16 bits can number.
@@ -15,6 +16,7 @@ pub(super) fn fill_mesh(
     patches: usize,
     net_of: impl Fn(usize, &mut Vec<DVec3>) -> (usize, usize),
     grid: Grid,
+    method: GridMethod,
     quads: bool,
     mesh: &mut Mesh,
 ) -> Result<(), Error> {
@@ -23,7 +25,7 @@ pub(super) fn fill_mesh(
     let numbers = 3 * grid.vertex_count();
     mesh.positions.resize(patches * numbers, 0.0);
     mesh.normals.resize(patches * numbers, 0.0);
-    let mut kernel = Kernel::new(grid);
+    let mut kernel = Kernel::new(grid, method);
     let mut net = Vec::new();
     let parts = mesh
         .positions
@@ -40,16 +42,15 @@ pub(super) fn fill_mesh(
 /// Everything that depends on counts only.
 fn fill_layout(patches: usize, grid: Grid, quads: bool, mesh: &mut Mesh) {
     let count = grid.vertex_count();
-    fill_uvs(patches, grid, &mut mesh.uvs);
+    mesh.uvs.resize(2 * patches * count, 0.0);
+    fill_uvs(grid.segments_u, grid.segments_v, &mut mesh.uvs);
     mesh.patch_ids.resize(patches * count, 0);
-    for (id, part) in (0..).zip(mesh.patch_ids.chunks_exact_mut(count)) {
-        part.fill(id);
-    }
+    fill_patch_ids(count, &mut mesh.patch_ids);
     let [a, b, c, d] = grid.quad(0, 0);
-    fill_indices(patches, grid, [a, b, c, a, c, d], &mut mesh.indices);
+    fill_indices(patches, grid, &[a, b, c, a, c, d], &mut mesh.indices);
     mesh.quads = quads.then(|| {
         let mut faces = mesh.quads.take().unwrap_or_default();
-        fill_indices(patches, grid, [a, b, c, d], &mut faces);
+        fill_indices(patches, grid, &[a, b, c, d], &mut faces);
         faces
     });
     let (vertices, indices) = (to_u32(count), to_u32(3 * grid.triangle_count()));
@@ -63,76 +64,38 @@ fn fill_layout(patches: usize, grid: Grid, quads: bool, mesh: &mut Mesh) {
         }));
 }
 
-/// The same (u, v) for every patch.
-fn fill_uvs(patches: usize, grid: Grid, uvs: &mut Vec<f32>) {
-    let numbers = 2 * grid.vertex_count();
-    uvs.resize(patches * numbers, 0.0);
-    let mut parts = uvs.chunks_exact_mut(numbers);
-    let Some(first) = parts.next() else { return };
-    let row = 2 * (grid.segments_u + 1);
-    for (iv, line) in first.chunks_exact_mut(row).enumerate() {
-        for (iu, pair) in line.chunks_exact_mut(2).enumerate() {
-            let (u, v) = grid.uv(iu, iv);
-            pair.copy_from_slice(&[to_f32(u), to_f32(v)]);
-        }
-    }
-    for part in parts {
-        part.copy_from_slice(first);
-    }
-}
-
-/// The vertex numbers of all cells: those of the cell at (0, 0), in the `cell`, moved along the rows and the patches.
-fn fill_indices<const N: usize>(
-    patches: usize,
-    grid: Grid,
-    cell: [usize; N],
-    indices: &mut Indices,
-) {
+/// The vertex numbers of all cells: those of the cell at (0, 0), in `cell`, moved along the rows and the patches.
+fn fill_indices(patches: usize, grid: Grid, cell: &[usize], indices: &mut Indices) {
     let count = grid.vertex_count();
+    let total = patches * grid.segments_u * grid.segments_v * cell.len();
+    let repeats = [
+        (grid.segments_u, 1),
+        (grid.segments_v, grid.segments_u + 1),
+        (patches, count),
+    ];
     if patches * count <= MAX_U16_VERTICES {
         let mut list = match std::mem::take(indices) {
             Indices::U16(list) => list,
             Indices::U32(_) => Vec::new(),
         };
-        fill_list(patches, grid, cell, &mut list, to_u16, u16::wrapping_add);
+        list.resize(total, 0);
+        for (place, &vertex) in list.iter_mut().zip(cell) {
+            *place = to_u16(vertex);
+        }
+        fill_indices_u16(&mut list, cell.len(), repeats);
         *indices = Indices::U16(list);
     } else {
         let mut list = match std::mem::take(indices) {
             Indices::U16(_) => Vec::new(),
             Indices::U32(list) => list,
         };
-        fill_list(patches, grid, cell, &mut list, to_u32, u32::wrapping_add);
+        list.resize(total, 0);
+        for (place, &vertex) in list.iter_mut().zip(cell) {
+            *place = to_u32(vertex);
+        }
+        fill_indices_u32(&mut list, cell.len(), repeats);
         *indices = Indices::U32(list);
     }
-}
-
-/// [`fill_indices`] for one type of numbers.
-fn fill_list<T: Copy, const N: usize>(
-    patches: usize,
-    grid: Grid,
-    cell: [usize; N],
-    list: &mut Vec<T>,
-    number: impl Fn(usize) -> T,
-    add: impl Fn(T, T) -> T,
-) {
-    list.clear();
-    list.extend(cell.map(&number));
-    repeat(list, grid.segments_u, number(1), &add);
-    repeat(list, grid.segments_v, number(grid.segments_u + 1), &add);
-    repeat(list, patches, number(grid.vertex_count()), &add);
-}
-
-/// Repeats the list `times` in all, each time with numbers `step` higher than before.
-fn repeat<T: Copy>(list: &mut Vec<T>, times: usize, step: T, add: impl Fn(T, T) -> T) {
-    let count = list.len();
-    list.reserve_exact(count * times.saturating_sub(1));
-    for copy in 1..times {
-        list.extend_from_within((copy - 1) * count..);
-        for index in &mut list[copy * count..] {
-            *index = add(*index, step);
-        }
-    }
-    list.truncate(count * times);
 }
 
 /// A number below 2¹⁶; the caller has counted.

@@ -1,0 +1,131 @@
+//! One bicubic patch on a grid: positions and unit normals.
+//!
+//! For each v the rows of the net are blended into one curve in u, in f64; then that curve is evaluated along u, four
+//! samples at a time in f32. Normals come from the normal net (the Bernstein form of ∂u × ∂v, see `normals`), so that
+//! nothing cancels in f32. Where little of it is left all the same, a sample is computed again in f64.
+
+use crate::{normals, positions, weights};
+use wide::f32x4;
+
+/// The samples of a grid, prepared for any number of bicubic patches.
+#[derive(Clone, Debug)]
+pub struct BicubicGrid {
+    pub(crate) segments_u: usize,
+    pub(crate) segments_v: usize,
+    /// The weights of degree 3 at each sample along u and along v.
+    pub(crate) u: Vec<[f64; 4]>,
+    pub(crate) v: Vec<[f64; 4]>,
+    /// The weights of degree 5 along v.
+    pub(crate) facings_v: Vec<[f32; 6]>,
+    /// Four samples each along u, from 0 on, up to the one before the last: that is a control point.
+    pub(crate) lanes: Vec<Lanes>,
+}
+
+/// The weights at four samples.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lanes {
+    /// Of degree 3.
+    pub(crate) points: [f32x4; 4],
+    /// Of degree 5.
+    pub(crate) facings: [f32x4; 6],
+}
+
+/// How many samples are evaluated together.
+pub(crate) const LANES: usize = 4;
+
+impl BicubicGrid {
+    /// The samples at even steps; both numbers of segments are at least 1.
+    pub fn new(segments_u: usize, segments_v: usize) -> Self {
+        let u: Vec<_> = (0..=segments_u)
+            .map(|k| weights::cubic(k, segments_u))
+            .collect();
+        let v = if segments_v == segments_u {
+            u.clone()
+        } else {
+            (0..=segments_v)
+                .map(|k| weights::cubic(k, segments_v))
+                .collect()
+        };
+        let facings_v = (0..=segments_v)
+            .map(|k| weights::quintic(k, segments_v).map(round))
+            .collect();
+        let lanes = (0..segments_u)
+            .step_by(LANES)
+            .map(|first| Lanes::new(first, segments_u))
+            .collect();
+        Self {
+            segments_u,
+            segments_v,
+            u,
+            v,
+            facings_v,
+            lanes,
+        }
+    }
+
+    /// Whether f32 holds the coordinates and their sums.
+    pub fn fits(net: &[[f64; 3]; 16]) -> bool {
+        let numbers = net.as_flattened().iter();
+        numbers.fold(0.0, |most: f64, n| most.max(n.abs())) < f64::from(f32::MAX / 16.0)
+    }
+
+    /// Positions and unit normals of the patch with this net, u along the fast index. True if normals are missing:
+    /// those are left at zero.
+    ///
+    /// Both lists hold a point for each sample, u along the fast index. Positions are exact at corners, within 4 ulps
+    /// of the largest coordinate elsewhere, and on sides they are what f64 gives, rounded: the sums run from both ends
+    /// towards the middle, so that patches which share a side get the same bits, in the same direction or reversed.
+    /// For nets that [`fit`](Self::fits).
+    pub fn fill(
+        &self,
+        net: &[[f64; 3]; 16],
+        positions: &mut [[f32; 3]],
+        normals: &mut [[f32; 3]],
+    ) -> bool {
+        let samples = (self.segments_u + 1) * (self.segments_v + 1);
+        let (Some(positions), Some(normals)) =
+            (positions.get_mut(..samples), normals.get_mut(..samples))
+        else {
+            return false;
+        };
+        positions::fill(self, net, positions);
+        normals::fill(self, net, normals)
+    }
+}
+
+impl Lanes {
+    fn new(first: usize, segments: usize) -> Self {
+        // Lanes past the end repeat the last sample.
+        let at: [usize; LANES] = std::array::from_fn(|lane| (first + lane).min(segments));
+        let points = at.map(|k| weights::cubic(k, segments).map(round));
+        let facings = at.map(|k| weights::quintic(k, segments).map(round));
+        Self {
+            points: std::array::from_fn(|i| f32x4::new(points.map(|w| w[i]))),
+            facings: std::array::from_fn(|i| f32x4::new(facings.map(|w| w[i]))),
+        }
+    }
+}
+
+/// The nearest f32, 0 for −0: neighbours may come to a zero from different sides.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is what meshes are made of"
+)]
+pub(crate) fn round(number: f64) -> f32 {
+    number as f32 + 0.0
+}
+
+/// Stores four points, or as many of them as there is room for.
+#[inline(always)]
+pub(crate) fn store(coordinates: [f32x4; 3], out: &mut [[f32; 3]]) {
+    let [x, y, z] = coordinates.map(f32x4::to_array);
+    let points: [[f32; 3]; LANES] = std::array::from_fn(|lane| [x[lane], y[lane], z[lane]]);
+    if let Some(out) = out.first_chunk_mut() {
+        *out = points;
+    } else {
+        for (out, point) in out.iter_mut().zip(points) {
+            *out = point;
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What depends on the counts of a grid only: parameters, patch numbers, indices.
+
+/// How a pattern of indices goes on: each level repeats all before it, so and so often, in steps of so many vertices.
+pub type Repeats = [(usize, usize); 3];
+
+/// (u, v) of each sample of a patch, the same for every patch that `uvs` has room for.
+pub fn fill_uvs(segments_u: usize, segments_v: usize, uvs: &mut [f32]) {
+    let numbers = 2 * (segments_u + 1) * (segments_v + 1);
+    let mut parts = uvs.chunks_exact_mut(numbers);
+    let Some(first) = parts.next() else { return };
+    for (iv, line) in first.chunks_exact_mut(2 * (segments_u + 1)).enumerate() {
+        let v = share(iv, segments_v);
+        for (iu, pair) in line.chunks_exact_mut(2).enumerate() {
+            pair.copy_from_slice(&[share(iu, segments_u), v]);
+        }
+    }
+    for part in parts {
+        part.copy_from_slice(first);
+    }
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is what meshes are made of"
+)]
+fn share(k: usize, segments: usize) -> f32 {
+    (k as f64 / segments as f64) as f32
+}
+
+/// The number of its patch for each vertex.
+pub fn fill_patch_ids(vertices: usize, ids: &mut [u32]) {
+    for (id, part) in (0..).zip(ids.chunks_exact_mut(vertices)) {
+        part.fill(id);
+    }
+}
+
+macro_rules! fill_indices {
+    ($name:ident, $T:ty) => {
+        /// Repeats the pattern at the start of the list, of length `cell`, level by level: each copy has numbers higher
+        /// by the step than the one before.
+        pub fn $name(list: &mut [$T], cell: usize, repeats: Repeats) {
+            let mut count = cell;
+            for (times, step) in repeats {
+                // Steps are below the number of vertices, for which the type was chosen.
+                let step = <$T>::try_from(step).unwrap_or(0);
+                for copy in 1..times {
+                    let Some(two) = list.get_mut((copy - 1) * count..(copy + 1) * count) else {
+                        return;
+                    };
+                    let (from, to) = two.split_at_mut(count);
+                    for (to, from) in to.iter_mut().zip(from) {
+                        *to = from.wrapping_add(step);
+                    }
+                }
+                count *= times;
+            }
+        }
+    };
+}
+
+fill_indices!(fill_indices_u16, u16);
+fill_indices!(fill_indices_u32, u32);
