@@ -4,6 +4,7 @@
 //! samples at a time in f32. Normals come from the normal net (the Bernstein form of ∂u × ∂v, see `normals`), so that
 //! nothing cancels in f32. Where little of it is left all the same, a sample is computed again in f64.
 
+use crate::normals::larger;
 use crate::{normals, positions, weights};
 use wide::f32x4;
 
@@ -17,17 +18,21 @@ pub struct BicubicGrid {
     pub(crate) v: Vec<[f64; 4]>,
     /// The weights of degree 5 along v.
     pub(crate) facings_v: Vec<[f32; 6]>,
-    /// Four samples each along u, from 0 on, up to the one before the last: that is a control point.
+    /// Four samples each along u, from the second to the middle; those behind it are their mirror images, and the first
+    /// and the last are control points.
     pub(crate) lanes: Vec<Lanes>,
 }
 
-/// The weights at four samples.
+/// The weights at four samples, and at the four at 1 − t.
+///
+/// Exchanging t and 1 − t exchanges wᵢ and wₘ₋ᵢ. So Σ wᵢ cᵢ = S + D at t and S − D at 1 − t, where S sums the terms
+/// ½(wᵢ + wₘ₋ᵢ)(cᵢ + cₘ₋ᵢ) and D the terms ½(wᵢ − wₘ₋ᵢ)(cᵢ − cₘ₋ᵢ) of the first half of the i: nearly half the work.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes {
-    /// Of degree 3.
-    pub(crate) points: [f32x4; 4],
-    /// Of degree 5.
-    pub(crate) facings: [f32x4; 6],
+    /// ½(wᵢ ± wₘ₋ᵢ) for degree 3.
+    pub(crate) points: [[f32x4; 2]; 2],
+    /// The same for degree 5.
+    pub(crate) facings: [[f32x4; 3]; 2],
 }
 
 /// How many samples are evaluated together.
@@ -49,7 +54,7 @@ impl BicubicGrid {
         let facings_v = (0..=segments_v)
             .map(|k| weights::quintic(k, segments_v).map(round))
             .collect();
-        let lanes = (0..segments_u)
+        let lanes = (1..=segments_u / 2)
             .step_by(LANES)
             .map(|first| Lanes::new(first, segments_u))
             .collect();
@@ -66,7 +71,7 @@ impl BicubicGrid {
     /// Whether f32 holds the coordinates and their sums.
     pub fn fits(net: &[[f64; 3]; 16]) -> bool {
         let numbers = net.as_flattened().iter();
-        numbers.fold(0.0, |most: f64, n| most.max(n.abs())) < f64::from(f32::MAX / 16.0)
+        numbers.fold(0.0, |most, n| larger(most, n.abs())) < f64::from(f32::MAX / 16.0)
     }
 
     /// Positions and unit normals of the patch with this net, u along the fast index. True if normals are missing:
@@ -95,15 +100,22 @@ impl BicubicGrid {
 
 impl Lanes {
     fn new(first: usize, segments: usize) -> Self {
-        // Lanes past the end repeat the last sample.
+        // Grids of less than four segments have fewer samples.
         let at: [usize; LANES] = std::array::from_fn(|lane| (first + lane).min(segments));
-        let points = at.map(|k| weights::cubic(k, segments).map(round));
-        let facings = at.map(|k| weights::quintic(k, segments).map(round));
         Self {
-            points: std::array::from_fn(|i| f32x4::new(points.map(|w| w[i]))),
-            facings: std::array::from_fn(|i| f32x4::new(facings.map(|w| w[i]))),
+            points: halves(at.map(|k| weights::cubic(k, segments))),
+            facings: halves(at.map(|k| weights::quintic(k, segments))),
         }
     }
+}
+
+/// ½(wᵢ ± wₘ₋ᵢ) for the first half of the i.
+fn halves<const N: usize, const HALF: usize>(weights: [[f64; N]; LANES]) -> [[f32x4; HALF]; 2] {
+    [1.0, -1.0].map(|sign| {
+        std::array::from_fn(|i| {
+            f32x4::new(weights.map(|w| round(0.5 * (w[i] + sign * w[N - 1 - i]))))
+        })
+    })
 }
 
 /// The nearest f32, 0 for −0: neighbours may come to a zero from different sides.
@@ -116,16 +128,29 @@ pub(crate) fn round(number: f64) -> f32 {
     number as f32 + 0.0
 }
 
-/// Stores four points, or as many of them as there is room for.
+/// Stores four points in a line from `near` on, and four in reverse up to `segments` − `near`.
+///
+/// A line of less than four segments has room for fewer.
 #[inline(always)]
-pub(crate) fn store(coordinates: [f32x4; 3], out: &mut [[f32; 3]]) {
-    let [x, y, z] = coordinates.map(f32x4::to_array);
-    let points: [[f32; 3]; LANES] = std::array::from_fn(|lane| [x[lane], y[lane], z[lane]]);
-    if let Some(out) = out.first_chunk_mut() {
-        *out = points;
+pub(crate) fn store(near: [f32x4; 3], far: [f32x4; 3], at: usize, line: &mut [[f32; 3]]) {
+    let points = interleaved(near);
+    if let Some(out) = line.get_mut(at..at + LANES) {
+        out.copy_from_slice(&points);
+        let end = line.len() - at;
+        let mut points = interleaved(far);
+        points.reverse();
+        if let Some(out) = line.get_mut(end - LANES..end) {
+            out.copy_from_slice(&points);
+        }
     } else {
-        for (out, point) in out.iter_mut().zip(points) {
+        for (out, point) in line.iter_mut().skip(at).zip(points) {
             *out = point;
         }
     }
+}
+
+#[inline(always)]
+fn interleaved(coordinates: [f32x4; 3]) -> [[f32; 3]; LANES] {
+    let [x, y, z] = coordinates.map(f32x4::to_array);
+    std::array::from_fn(|lane| [x[lane], y[lane], z[lane]])
 }
