@@ -1,8 +1,9 @@
 //! Panics without their words.
 //!
 //! A panic ends in a trap: nothing unwinds, and nothing prints the message. So every function that only prepares a
-//! message becomes a bare trap here, and the optimiser drops all that only these functions needed (a quarter of the
-//! module). Bounds are checked as before.
+//! message becomes a bare trap here, and so does every function that formats one: nothing else in the module formats
+//! anything. The optimiser then drops all that only these functions needed (a quarter of the module). Bounds are checked
+//! as before.
 
 use anyhow::Result;
 use std::path::Path;
@@ -17,7 +18,10 @@ pub(crate) fn panics(compiled: &Path) -> Result<Module> {
         .map(|(id, _)| id)
         .filter(|&id| {
             let name = module.funcs.get(id).name.as_deref();
-            name.is_some_and(|name| panics_only(&format!("{:#}", rustc_demangle::demangle(name))))
+            name.is_some_and(|name| {
+                let path = format!("{:#}", rustc_demangle::demangle(name));
+                panics_only(&path) || formats(&path)
+            })
         })
         .collect();
     for id in panicking {
@@ -45,6 +49,11 @@ fn panics_only(path: &str) -> bool {
             .contains(&name)
     };
     of_std && (never(name) || path.contains("::panicking::"))
+}
+
+/// Whether a function belongs to the formatting of messages: `core::fmt`, its traits' methods, payloads of panics.
+fn formats(path: &str) -> bool {
+    path.contains("core::fmt::") || path.contains("std::panicking::")
 }
 
 fn trap(module: &mut Module, id: FunctionId) {
