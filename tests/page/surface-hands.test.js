@@ -129,7 +129,7 @@ test("keys move a control point, in depth too", async (t) => {
   const before = await look(page);
   for (let i = 0; i < 5; i++) await page.keyboard.press("Shift+PageUp");
   await settled(page);
-  assert.ok((await difference(page, before, await look(page))) > 500);
+  assert.ok((await difference(page, before, await look(page), 4)) > 500);
 });
 
 test("the controls set the properties, which reflect", async (t) => {
@@ -176,4 +176,46 @@ test("what the page writes fires nothing; the surface is checked", async (t) => 
     }
   });
   assert.match(message, /^TypeError: surface/);
+});
+
+test("a click picks the patch under it, which gets handles; a click beside takes them away", async (t) => {
+  const page = await openSurface(t);
+  assert.equal(await page.locator("bezier-surface .handle").count(), 0);
+  const [x, y] = await middle(page);
+  await page.mouse.click(x, y);
+  await settled(page);
+  assert.equal(await page.locator("bezier-surface .handle").count(), 16);
+  const picked = await page.evaluate(() => document.querySelector("bezier-surface").patch);
+  assert.ok(picked >= 4 && picked < 12, `in the middle is the body, got patch ${picked}`);
+  const before = await page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices]);
+  await drag(page, await centre(page, 5), 20, 10);
+  const after = await page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices]);
+  assert.equal(after.filter((x, i) => x !== before[i]).length <= 3, true, "one vertex moves");
+  assert.notDeepEqual(after, before);
+  const { x: left, y: top } = await canvasBox(page);
+  await page.mouse.click(left + 8, top + 8);
+  await settled(page);
+  assert.equal(await page.locator("bezier-surface .handle").count(), 0);
+});
+
+test("the mesh is taken away as OBJ, STL and GLB, the picture as PNG", async (t) => {
+  const page = await openSurface(t, 'controls segments="4"');
+  const save = async (name) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name, exact: true }).click()]);
+    const chunks = [];
+    for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+    return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
+  };
+  const obj = await save("OBJ");
+  assert.equal(obj.name, "teapot.obj");
+  assert.match(obj.bytes.toString(), /^f \d+/m);
+  const stl = await save("STL");
+  assert.equal(stl.bytes.length, 84 + 50 * stl.bytes.readUInt32LE(80));
+  assert.ok(stl.bytes.readUInt32LE(80) > 900, "almost all triangles: those at the poles are gone");
+  const glb = await save("GLB");
+  assert.equal(glb.bytes.toString("latin1", 0, 4), "glTF");
+  const max = JSON.parse(glb.bytes.toString("utf8", 20, 20 + glb.bytes.readUInt32LE(12))).accessors.find(({ max }) => max?.length === 3).max;
+  assert.ok(Math.abs(max[1] - 3.15) < 0.01, `y is up: ${max}`);
+  const png = await save("PNG");
+  assert.equal(png.bytes.toString("latin1", 1, 4), "PNG");
 });

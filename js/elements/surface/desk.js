@@ -1,8 +1,8 @@
 // Where files come in and go out, and what could not be done is said.
-import { save, surfaceIn } from "./files.js";
+import { meshFile, save, surfaceIn } from "./files.js";
 
 /**
- * @import { Surface } from "../../index.js"
+ * @import { Mesh, Surface } from "../../index.js"
  */
 
 /**
@@ -10,6 +10,7 @@ import { save, surfaceIn } from "./files.js";
  * @property {(surface: Surface) => void} show
  * @property {() => void} changed the message is another one
  * @property {() => Promise<Blob | null>} picture
+ * @property {() => { mesh: Mesh, up: "z" | "y" } | null} mesh null before there is one
  * @property {() => { page: Document, name: string }} names where files are handed over, and what they are called
  */
 
@@ -57,6 +58,13 @@ export class Desk {
     }
   }
 
+  /** @param {"obj" | "stl" | "glb"} kind */
+  saveMesh(kind) {
+    const found = this.#port.mesh();
+    const { page, name } = this.#port.names();
+    if (found) save(page, `${name}.${kind}`, meshFile(found.mesh, kind, found.up));
+  }
+
   async savePicture() {
     const blob = await this.#port.picture();
     const { page, name } = this.#port.names();
@@ -64,7 +72,11 @@ export class Desk {
   }
 }
 
-/** @param {unknown} error */
+/**
+ * What went wrong, in words.
+ *
+ * @param {unknown} error
+ */
 export function wordsOf(error) {
   return error instanceof Error ? error.message : String(error);
 }

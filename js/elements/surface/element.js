@@ -1,6 +1,7 @@
-import { LitElement, html } from "lit";
+import { html } from "lit";
 import { Surface } from "../../index.js";
-import { HOME } from "./camera.js";
+import { SurfaceAttributes } from "./attributes.js";
+import { HOME, rayThrough } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
 import { Gestures, ZOOM_STEP } from "./gestures.js";
@@ -26,19 +27,9 @@ const MOST_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 
-const text = { type: String, reflect: true };
-const number = { type: Number, reflect: true };
-const flag = { type: Boolean, reflect: true };
-
 /** `<bezier-surface>`; what can be set from outside is documented in ../types.js. */
-export class BezierSurface extends LitElement {
+export class BezierSurface extends SurfaceAttributes {
   static styles = style;
-  static properties = {
-    model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
-    segments: number, tolerance: number, pixels: number, u: number, v: number, step: number, patch: number,
-    controls: flag, turn: flag,
-  };
-
   #subject = new Subject();
   /** @type {Stage | null} */
   #stage = null;
@@ -59,38 +50,14 @@ export class BezierSurface extends LitElement {
     show: (surface) => this.#showFile(surface),
     changed: () => this.requestUpdate(),
     picture: () => this.toBlob(),
-    names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.#settings().model }),
+    mesh: () => this.#stage && { mesh: this.#stage.geometry.closedMesh(this.#scene()), up: this.settings().up },
+    names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.settings().model }),
   });
   #visible = false;
 
-  constructor() {
-    super();
-    this.model = "teapot";
-    /** @type {string | null} */
-    this.parts = null;
-    this.height = "squashed";
-    this.up = "z";
-    this.shading = "smooth";
-    this.show = "surface";
-    this.evaluation = "cpu";
-    this.label = "";
-    this.segments = 12;
-    /** @type {number | null} */
-    this.tolerance = null;
-    /** @type {number | null} */
-    this.pixels = null;
-    this.u = 0.5;
-    this.v = 0.5;
-    this.step = 4;
-    /** @type {number | null} */
-    this.patch = null;
-    this.controls = false;
-    this.turn = false;
-  }
-
   /** The surface that is shown, moved points and all. */
   get surface() {
-    return this.#subject.surface(this.#settings());
+    return this.#subject.surface(this.settings());
   }
 
   /** @param {Surface | null} surface */
@@ -165,20 +132,15 @@ export class BezierSurface extends LitElement {
       view: () => this.view,
       move: (changes, done) => this.#moveByHand(changes, done),
       home: () => this.#moveByHand(HOME, true),
-      pick: () => {},
+      pick: (x, y) => this.#pick(x, y),
     });
     const endings = [gestures.listen(), acceptDrops(find(".stage"), (file) => this.#desk.open(file))];
     this.#deafen = () => endings.forEach((end) => end());
     this.requestUpdate();
   }
 
-  #settings() {
-    const { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step } = this;
-    return this.#subject.settings({ model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step });
-  }
-
   #scene() {
-    return this.#subject.scene(this.#settings(), this.patch);
+    return this.#subject.scene(this.settings(), this.patch);
   }
 
   /** @param {Map<string, unknown>} changed */
@@ -245,6 +207,23 @@ export class BezierSurface extends LitElement {
     this.#fire(done ? "change" : "input");
   }
 
+  /**
+   * The patch under a click gets handles, a click beside the surface takes them away; where de Casteljau's grid is shown,
+   * it goes to the place.
+   *
+   * @param {number} x
+   * @param {number} y
+   */
+  #pick(x, y) {
+    const seen = this.#stage?.sight();
+    if (!seen) return;
+    const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
+    const [hit] = this.#scene().surface.intersectRay(origin, direction);
+    this.patch = hit?.patch ?? null;
+    if (hit && this.settings().layers.has("casteljau")) Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
+    this.#fire("change");
+  }
+
   /** @param {"input" | "change"} type */
   #fire(type) {
     this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
@@ -271,7 +250,8 @@ export class BezierSurface extends LitElement {
   /** @param {Surface} surface */
   #showFile(surface) {
     this.surface = surface;
-    this.segments = Math.min(this.segments, Math.max(1, Math.floor(Math.sqrt(MOST_TRIANGLES / 2 / surface.patchCount))));
+    const most = Math.floor(Math.sqrt(MOST_TRIANGLES / 2 / surface.patchCount));
+    if (this.segments > most) this.#set("segments", Math.max(1, most), "input");
     this.#fire("change");
   }
 
@@ -281,7 +261,7 @@ export class BezierSurface extends LitElement {
   }
 
   render() {
-    const settings = this.#settings();
+    const settings = this.settings();
     const name = this.label || `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return html`<div class="frame" part="frame" @input=${stopInner} @change=${stopInner}>
@@ -301,7 +281,7 @@ export class BezierSurface extends LitElement {
   /** @returns {import("./panel.js").PanelPort} */
   #panelPort() {
     return {
-      settings: this.#settings(),
+      settings: this.settings(),
       size: this.#scene().frame.radius,
       named: !this.#subject.given,
       patches: this.#scene().surface.patchCount,
@@ -310,6 +290,7 @@ export class BezierSurface extends LitElement {
       setFineness: (kind) => this.#setFineness(kind),
       restore: () => this.#restore(),
       savePicture: () => this.#desk.savePicture(),
+      saveMesh: (kind) => this.#desk.saveMesh(kind),
       open: (file) => this.#desk.open(file),
       backToModel: () => this.#backToModel(),
     };
@@ -328,6 +309,9 @@ export class BezierSurface extends LitElement {
     this.#fire("change");
   }
 }
+
+/** As the sliders have it. @param {number} x */
+const rounded = (x) => Math.round(100 * x) / 100;
 
 /**
  * Events of the controls inside stay inside: the element fires its own.

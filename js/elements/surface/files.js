@@ -1,5 +1,5 @@
 // Surfaces from files and to files.
-import { Surface } from "../../index.js";
+import { Mesh, Surface } from "../../index.js";
 
 /** Longer files are refused unread: a browser would stand still over them. */
 const MOST_BYTES = 16e6;
@@ -22,6 +22,30 @@ export async function surfaceIn(file) {
   if (surface.patchCount === 0) throw new RangeError("expected patches, got none");
   if (surface.patchCount > MOST_PATCHES) throw new RangeError(`expected at most ${MOST_PATCHES} patches, got ${surface.patchCount}`);
   return surface;
+}
+
+/**
+ * A mesh as a file.
+ *
+ * @param {Mesh} mesh
+ * @param {"obj" | "stl" | "glb"} kind
+ * @param {"z" | "y"} up of the mesh; readers of glTF take y as up
+ * @returns {Blob}
+ */
+export function meshFile(mesh, kind, up) {
+  if (kind === "obj") return new Blob([mesh.toOBJ()], { type: "model/obj" });
+  if (kind === "stl") return new Blob([mesh.toSTL()], { type: "model/stl" });
+  return new Blob([(up === "z" ? raised(mesh) : mesh).toGLB()], { type: "model/gltf-binary" });
+}
+
+/**
+ * From z up to y up: (x, y, z) → (x, z, −y).
+ *
+ * @param {Mesh} mesh
+ */
+function raised(mesh) {
+  const turn = (/** @type {Float32Array | Float64Array} */ numbers) => numbers.map((x, i) => (i % 3 === 0 ? x : i % 3 === 1 ? numbers[i + 1] : -numbers[i - 1]));
+  return new Mesh({ ...mesh, positions: turn(mesh.positions), normals: turn(mesh.normals) });
 }
 
 /**

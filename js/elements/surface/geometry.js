@@ -1,7 +1,6 @@
 // From the surface and the settings to what is drawn: meshes and straight pieces, made again only when they change.
 import { Memo } from "./memo.js";
 import { errorBound } from "./bound.js";
-import { curvatureOf } from "./curvature.js";
 import * as lines from "./lines.js";
 import { patchesOf } from "./patches.js";
 import { MOST_GPU_DEGREE } from "./shaders.js";
@@ -87,6 +86,16 @@ export class Geometry {
     if ("tolerance" in fineness) return surface.tessellate(fineness, { weld, into });
     const { viewProjection = [], viewport = [] } = this.#sight ?? {};
     return surface.tessellate({ ...fineness, viewProjection, viewport }, { weld, into });
+  }
+
+  /**
+   * A mesh to take away: as fine as the one that is seen, and closed where the surface is.
+   *
+   * @param {Scene} scene
+   * @returns {Mesh}
+   */
+  closedMesh({ surface, settings: { fineness } }) {
+    return "segments" in fineness ? surface.tessellate(fineness) : this.#make(surface, fineness, false, undefined);
   }
 
   /**
@@ -177,6 +186,9 @@ export class Geometry {
 function curvaturesOf(surface, { uvs, patchIds }) {
   const patches = patchesOf(surface);
   const numbers = new Float32Array(uvs?.length ?? 0);
-  for (let i = 0; uvs && patchIds && i < patchIds.length; i++) numbers.set(curvatureOf(patches[patchIds[i]], uvs[2 * i], uvs[2 * i + 1]), 2 * i);
+  for (let i = 0; uvs && patchIds && i < patchIds.length; i++) {
+    const { gaussian, mean } = patches[patchIds[i]].curvature(uvs[2 * i], uvs[2 * i + 1]);
+    numbers.set([gaussian, mean], 2 * i);
+  }
   return numbers;
 }

@@ -8,7 +8,7 @@ import { patchesOf } from "./patches.js";
 
 /** Strips along each direction of a patch, and straight pieces for each of their curves. */
 const STRIPS = 4;
-const PIECES = 16;
+const PIECES = 24;
 
 /**
  * The sides of a mesh's triangles, each once.

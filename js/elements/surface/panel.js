@@ -19,11 +19,13 @@ import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SH
  * @property {(name: string, value: unknown, type: "input" | "change") => void} set
  * @property {() => void} restore
  * @property {() => void} savePicture
+ * @property {(kind: "obj" | "stl" | "glb") => void} saveMesh
  * @property {(file: File) => void} open
  * @property {() => void} backToModel
  * @property {number} patches
  */
 
+const KINDS = /** @type {const} */ (["obj", "stl", "glb"]);
 const UV_STEP = 0.01;
 const FINENESSES = ["segments", "tolerance", "pixels"];
 /** The range of the tolerance, in radii of the surface. */
@@ -161,7 +163,7 @@ function casteljauControls(port) {
 }
 
 /** @param {PanelPort} port */
-function fileControls({ edited, restore, savePicture, open }) {
+function fileControls({ edited, restore, savePicture, saveMesh, open }) {
   const chosen = (/** @type {Event} */ event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
     if (input.files?.[0]) open(input.files[0]);
@@ -169,7 +171,9 @@ function fileControls({ edited, restore, savePicture, open }) {
   };
   return html`<fieldset><legend>Files</legend><div class="row">
     <label class="file">Open a patch file<input type="file" accept=".bpt,.txt,text/plain" @change=${chosen}></label>
-    <button type="button" @click=${savePicture}>Save PNG</button>
     <button type="button" ?disabled=${!edited} @click=${restore}>Undo all moves</button>
+  </div><div class="row" role="group" aria-label="Save as">
+    <button type="button" @click=${savePicture}>PNG</button>
+    ${KINDS.map((kind) => html`<button type="button" @click=${() => saveMesh(kind)}>${kind.toUpperCase()}</button>`)}
   </div></fieldset>`;
 }

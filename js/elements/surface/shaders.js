@@ -144,10 +144,10 @@ vec3 scale(float x) { return x < 0.0 ? mix(middle, low, -x) : mix(middle, high, 
 
 vec3 lit(vec3 base, vec3 n) {
   vec3 toEye = normalize(-seen);
-  float light = 0.36 + 0.64 * max(dot(n, KEY), 0.0) + 0.20 * max(dot(n, FILL), 0.0);
+  float light = 0.36 + 0.56 * max(dot(n, KEY), 0.0) + 0.16 * max(dot(n, FILL), 0.0);
   float gloss = pow(max(dot(n, normalize(KEY + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
-  return base * light + vec3(0.22 * gloss) + base * 0.12 * rim;
+  return base * light + vec3(0.16 * gloss) + base * 0.12 * rim;
 }
 
 void main() {

@@ -1,13 +1,12 @@
-// What the element shows: the named or given surface, the points that were dragged, the settings.
+// What the element shows: the named or given surface and the points that were dragged.
 import { frameOf } from "./camera.js";
 import { Memo } from "./memo.js";
 import { framingPoints, surfaceNamed } from "./models.js";
-import { settingsOf } from "./settings.js";
 
 /**
  * @import { Surface } from "../../index.js"
  * @import { Scene } from "./geometry.js"
- * @import { Attributes, Settings } from "./settings.js"
+ * @import { Settings } from "./settings.js"
  */
 
 export class Subject {
@@ -41,14 +40,6 @@ export class Subject {
 
   restore() {
     this.#moves.clear();
-  }
-
-  /**
-   * @param {Attributes} given
-   * @returns {Settings}
-   */
-  settings(given) {
-    return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 
   /**

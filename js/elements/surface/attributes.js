@@ -1,0 +1,56 @@
+// The attributes of the element and their properties.
+import { LitElement } from "lit";
+import { Memo } from "./memo.js";
+import { settingsOf } from "./settings.js";
+
+const text = { type: String, reflect: true };
+const number = { type: Number, reflect: true };
+const flag = { type: Boolean, reflect: true };
+
+/** All that can be written as an attribute; what it means is documented in ../types.js. */
+export class SurfaceAttributes extends LitElement {
+  static properties = {
+    model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
+    segments: number, tolerance: number, pixels: number, u: number, v: number, step: number, patch: number,
+    controls: flag, turn: flag,
+  };
+
+  #memo = new Memo();
+
+  constructor() {
+    super();
+    this.model = "teapot";
+    /** @type {string | null} */
+    this.parts = null;
+    this.height = "squashed";
+    this.up = "z";
+    this.shading = "smooth";
+    this.show = "surface";
+    this.evaluation = "cpu";
+    this.label = "";
+    this.segments = 12;
+    /** @type {number | null} */
+    this.tolerance = null;
+    /** @type {number | null} */
+    this.pixels = null;
+    this.u = 0.5;
+    this.v = 0.5;
+    this.step = 4;
+    /** @type {number | null} */
+    this.patch = null;
+    this.controls = false;
+    this.turn = false;
+  }
+
+  /**
+   * What they amount to; the same object as long as they are the same.
+   *
+   * @protected
+   * @returns {import("./settings.js").Settings}
+   */
+  settings() {
+    const { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step } = this;
+    const given = { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step };
+    return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
+  }
+}
