@@ -151,6 +151,14 @@ impl Lattice {
                 triangles.push(triangle.map(|vertex| vertex + base));
             }
         };
+        if let (&[a, b, c], &[_, d, _]) = (below, above)
+            && point(b) == point(d)
+        {
+            // Folded together: on the other diagonal the triangles have three corners.
+            emit([b, a, c]);
+            emit([a, d, c]);
+            return;
+        }
         let (last_below, last_above) = (below.len() - 2, above.len() - 2);
         emit([below[1], below[0], above[1]]);
         let (mut i, mut j) = (1, 1);

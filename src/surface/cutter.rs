@@ -65,11 +65,17 @@ impl Cutter<'_> {
             depth: 0,
             bend: self.bend(0),
         }];
+        let closed = closed(net, columns);
         while let Some(piece) = pieces.pop() {
             let tolerance = self.tolerance();
             let bound = self.bound(&piece.cell, piece.bend);
             self.count(&piece, bound / tolerance)?;
-            let along_u = piece.longer_along_u().filter(|_| bound > tolerance);
+            let must = piece.cell_closes(closed);
+            let along_u = if bound > tolerance {
+                piece.longer_along_u()
+            } else {
+                must
+            };
             let Some(along_u) = along_u else {
                 self.cells.push(piece.cell);
                 self.bends.pop();
@@ -78,7 +84,7 @@ impl Cutter<'_> {
             self.bends.halve(along_u);
             let bends = [self.bend(1), self.bend(0)];
             let closer = [0, 1, 2].map(|k| larger(bends[0][k], bends[1][k]));
-            if self.bound(&piece.cell, closer) <= tolerance {
+            if must.is_none() && self.bound(&piece.cell, closer) <= tolerance {
                 self.cells.push(piece.cell);
                 self.bends.pop();
                 self.bends.pop();
@@ -196,6 +202,17 @@ impl Piece {
         }
     }
 
+    /// Along which of the closed directions, if any, it still goes all the way round.
+    fn cell_closes(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
+        match (
+            along_u && self.cell.du == DYADIC,
+            along_v && self.cell.dv == DYADIC,
+        ) {
+            (false, false) => None,
+            (only_u, _) => Some(only_u),
+        }
+    }
+
     fn halves(&self, along_u: bool, bends: [[f64; 3]; 2]) -> [Self; 2] {
         let Cell { u, v, du, dv } = self.cell;
         let cells = if along_u {
@@ -227,6 +244,20 @@ impl Piece {
             bend: bends[k],
         })
     }
+}
+
+/// Whether a patch begins and ends at one place along u, and along v. However thin such a tube is, a single piece of it
+/// would have triangles without a third corner, and nothing would stand for it.
+fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
+    let (last, end) = (net.len() - columns, net.len());
+    let ring = |from: usize, to: usize, step: usize| {
+        let mut inside = (from..to).step_by(step);
+        net[from] == net[to] && inside.any(|k| net[k] != net[from])
+    };
+    [
+        ring(0, columns - 1, 1) || ring(last, end - 1, 1),
+        ring(0, last, columns) || ring(columns - 1, end - 1, columns),
+    ]
 }
 
 /// Not `max`, which would be a call.

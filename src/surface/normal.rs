@@ -15,6 +15,10 @@ use glam::DVec3;
 /// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
 const VANISHING: f64 = 1e-13;
 
+/// Limits are taken on the way to the middle of the patch. Where N vanishes on all of that way, as along a fold in the
+/// middle, the two sides disagree, and this other way chooses one.
+const WAYS: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
+
 /// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
 pub(super) struct NormalNet {
     net: Net,
@@ -65,28 +69,29 @@ impl NormalNet {
         } else {
             None
         };
-        on_side.unwrap_or_else(|| self.toward_middle(u, v))
+        let toward = |way| self.toward(u, v, way);
+        on_side
+            .or_else(|| WAYS.into_iter().find_map(toward))
+            .unwrap_or(DVec3::ZERO)
     }
 
-    /// The first direction along the straight line from (u, v) to (½, ½): that of the first coefficient of N on this
-    /// line which does not vanish. The coefficients of order k are those of k steps, in u and v together.
-    fn toward_middle(&self, u: f64, v: f64) -> DVec3 {
+    /// The first direction along the straight line from (u, v) to another point: that of the first coefficient of N on
+    /// this line which does not vanish. The coefficients of order k are those of k steps, in u and v together.
+    fn toward(&self, u: f64, v: f64, [to_u, to_v]: [f64; 2]) -> Option<DVec3> {
         let columns = self.degree_u + 1;
         let rows = self.degree_v + 1;
-        let narrow = toward_half(&self.net, columns, u);
-        let piece = toward_half(&transpose(&narrow, columns), rows, v);
-        (0..columns + rows - 1)
-            .find_map(|order| {
-                let least = order.saturating_sub(self.degree_v);
-                let sum: DVec3 = (least..=order.min(self.degree_u))
-                    .map(|k| {
-                        let share = binomial(self.degree_u, k) * binomial(self.degree_v, order - k);
-                        piece[k * rows + order - k] * share
-                    })
-                    .sum();
-                direction(sum / binomial(self.degree_u + self.degree_v, order))
-            })
-            .unwrap_or(DVec3::ZERO)
+        let narrow = piece_toward(&self.net, columns, u, to_u);
+        let piece = piece_toward(&transpose(&narrow, columns), rows, v, to_v);
+        (0..columns + rows - 1).find_map(|order| {
+            let least = order.saturating_sub(self.degree_v);
+            let sum: DVec3 = (least..=order.min(self.degree_u))
+                .map(|k| {
+                    let share = binomial(self.degree_u, k) * binomial(self.degree_v, order - k);
+                    piece[k * rows + order - k] * share
+                })
+                .sum();
+            direction(sum / binomial(self.degree_u + self.degree_v, order))
+        })
     }
 }
 
@@ -103,16 +108,18 @@ fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DV
     }
 }
 
-/// Every row from t toward ½, starting at t: the piece up to there, or from an end the whole row, which starts alike.
-fn toward_half(net: &[DVec3], columns: usize, t: f64) -> Net {
+/// Every row from t toward another parameter: the piece up to there, or from an end to ½ the whole row, which starts
+/// alike.
+fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
     let mut rows = Net::from(net);
     for row in rows.chunks_mut(columns) {
-        if t > 0.5 {
+        let (mut start, mut end) = (t, to);
+        if t > to {
             row.reverse();
+            (start, end) = (1.0 - t, 1.0 - to);
         }
-        let start = t.min(1.0 - t);
-        if start != 0.0 {
-            blossom_piece(row, start, 0.5);
+        if start != 0.0 || end != 0.5 {
+            blossom_piece(row, start, end);
         }
     }
     rows

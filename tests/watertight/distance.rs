@@ -1,0 +1,178 @@
+//! How far is a surface from a mesh? Dense samples of the surface against a tree of the mesh's triangles: nothing here
+//! knows which triangle belongs to which part of a patch.
+
+use super::soup::Soup;
+use casteljau::glam::DVec3;
+use casteljau::{Patch, Surface};
+
+/// Triangles in one leaf of the tree.
+const FEW: usize = 4;
+
+/// A box around triangles.
+#[derive(Clone, Copy)]
+struct Span {
+    low: DVec3,
+    high: DVec3,
+}
+
+/// A node of the tree: its triangles, and where its second child is (0 for a leaf; the first one follows the node).
+struct Node {
+    span: Span,
+    from: usize,
+    to: usize,
+    second: usize,
+}
+
+/// A tree of triangles, halved at the middle one along the longest axis.
+pub(crate) struct Tree {
+    nodes: Vec<Node>,
+    triangles: Vec<[DVec3; 3]>,
+}
+
+impl Span {
+    fn around(points: impl Iterator<Item = DVec3>) -> Self {
+        let (low, high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        points.fold(Self { low, high }, |span, p| Self {
+            low: span.low.min(p),
+            high: span.high.max(p),
+        })
+    }
+
+    fn distance_squared(&self, p: DVec3) -> f64 {
+        (p - p.clamp(self.low, self.high)).length_squared()
+    }
+}
+
+impl Tree {
+    pub(crate) fn new(soup: &Soup) -> Self {
+        let triangles = (0..soup.triangles.len())
+            .map(|k| soup.corners_at(k))
+            .collect();
+        let mut tree = Self {
+            nodes: Vec::new(),
+            triangles,
+        };
+        tree.build(0, tree.triangles.len());
+        tree
+    }
+
+    fn build(&mut self, from: usize, to: usize) {
+        let span = Span::around(self.triangles[from..to].as_flattened().iter().copied());
+        let this = self.nodes.len();
+        self.nodes.push(Node {
+            span,
+            from,
+            to,
+            second: 0,
+        });
+        if to - from <= FEW {
+            return;
+        }
+        let size = span.high - span.low;
+        let axis = size.max_position();
+        let middle = usize::midpoint(from, to);
+        let at = |t: &[DVec3; 3]| t[0][axis] + t[1][axis] + t[2][axis];
+        self.triangles[from..to]
+            .select_nth_unstable_by(middle - from, |a, b| at(a).total_cmp(&at(b)));
+        self.build(from, middle);
+        self.nodes[this].second = self.nodes.len();
+        self.build(middle, to);
+    }
+
+    /// The distance to the nearest triangle; `hint` is a triangle that may be near.
+    pub(crate) fn distance(&self, p: DVec3, hint: &mut usize) -> f64 {
+        let Some(first) = self.triangles.get(*hint) else {
+            return f64::INFINITY;
+        };
+        let mut best = (p - nearest(p, first)).length_squared();
+        let mut pending = vec![0];
+        while let Some(place) = pending.pop() {
+            let node = &self.nodes[place];
+            if node.span.distance_squared(p) >= best {
+                continue;
+            }
+            if node.second != 0 {
+                let both = [place + 1, node.second];
+                let [a, b] = both.map(|child| self.nodes[child].span.distance_squared(p));
+                pending.extend(if a < b { [both[1], both[0]] } else { both });
+                continue;
+            }
+            for k in node.from..node.to {
+                let distance = (p - nearest(p, &self.triangles[k])).length_squared();
+                if distance < best {
+                    (best, *hint) = (distance, k);
+                }
+            }
+        }
+        best.sqrt()
+    }
+}
+
+/// The point of a triangle nearest to p: of the plane if it is inside, else of an edge.
+fn nearest(p: DVec3, &[a, b, c]: &[DVec3; 3]) -> DVec3 {
+    let normal = (b - a).cross(c - a);
+    let inside = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= 0.0;
+    let (ab, bc, ca) = (inside(a, b), inside(b, c), inside(c, a));
+    if ab && bc && ca && normal.length_squared() > 0.0 {
+        return p - normal * ((p - a).dot(normal) / normal.length_squared());
+    }
+    let ends = [on_edge(p, a, b), on_edge(p, b, c), on_edge(p, c, a)];
+    let [first, second, third] = ends;
+    let closer = |q: DVec3, r: DVec3| {
+        if (p - r).length_squared() < (p - q).length_squared() {
+            r
+        } else {
+            q
+        }
+    };
+    closer(closer(first, second), third)
+}
+
+fn on_edge(p: DVec3, a: DVec3, b: DVec3) -> DVec3 {
+    let along = b - a;
+    let length = along.length_squared();
+    let t = if length > 0.0 {
+        ((p - a).dot(along) / length).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    a + along * t
+}
+
+/// The greatest distance of about `samples` points of the surface from the mesh, and the patch where it is.
+pub(crate) fn greatest(surface: &Surface, soup: &Soup, samples: usize) -> (f64, usize) {
+    let tree = Tree::new(soup);
+    let per_line = (samples / surface.patch_count()).isqrt().max(4);
+    let patches = surface.patches().enumerate();
+    let of_patches = patches.map(|(k, patch)| (of_patch(&tree, &patch, per_line), k));
+    of_patches.fold(
+        (0.0, 0),
+        |most, this| if this.0 > most.0 { this } else { most },
+    )
+}
+
+fn of_patch(tree: &Tree, patch: &Patch, per_line: usize) -> f64 {
+    let mut hint = 0;
+    // Irrational steps: no even grid that could miss all that lies between the vertices of another one.
+    let wander = |i: usize, j: usize| ((i * 7 + j * 3) as f64 * 0.618_033_988_749_894_8).fract();
+    let mut most: f64 = 0.0;
+    for j in 0..per_line {
+        for step in 0..per_line {
+            let i = if j % 2 == 0 {
+                step
+            } else {
+                per_line - 1 - step
+            };
+            let u = (i as f64 + wander(i, j)) / per_line as f64;
+            let v = (j as f64 + wander(j, i)) / per_line as f64;
+            most = most.max(tree.distance(patch.eval(u, v), &mut hint));
+        }
+    }
+    for k in 0..=per_line {
+        let t = k as f64 / per_line as f64;
+        for (u, v) in [(t, 0.0), (1.0, t), (t, 1.0), (0.0, t)] {
+            most = most.max(tree.distance(patch.eval(u, v), &mut hint));
+        }
+    }
+    most
+}

@@ -1,0 +1,88 @@
+//! Teapot, teacup, teaspoon and Gumbo at twelve tolerances and several counts of segments.
+
+use super::checks::{
+    Three, assert_normals_of_patches, assert_on_surface, assert_watertight, tolerances,
+};
+use super::distance::greatest;
+use super::shapes::{all, diagonal, segments};
+use super::soup::Soup;
+use super::{deep, thorough};
+use casteljau::Surface;
+use casteljau::surface::Fineness;
+
+/// Decades from 0.1 to 1e-5 of the diagonal, in twelve steps.
+const TOLERANCES: i32 = 12;
+
+/// As many of them by default; the finer ones take long.
+const QUICK_TOLERANCES: i32 = 6;
+
+/// Above this part of the diagonal half a handle may be a single flat piece.
+const COARSE: f64 = 0.02;
+
+#[test]
+fn within_every_tolerance() {
+    let count = if deep() { TOLERANCES } else { QUICK_TOLERANCES };
+    for (name, surface) in all() {
+        for tolerance in tolerances(&surface, count) {
+            let three = Three::new(&surface, &Fineness::Tolerance(tolerance));
+            let relative = tolerance / diagonal(&surface);
+            let sheets = if relative > COARSE { 2 } else { 1 };
+            check(name, &surface, &three, sheets, f64::from);
+            let soup = Soup::new(&three.position);
+            let samples = thorough(20_000, 4 * soup.triangles.len());
+            let (most, patch) = greatest(&surface, &soup, samples);
+            println!(
+                "{name} {relative:.1e}: {} triangles, {:.2} of the tolerance",
+                soup.triangles.len(),
+                most / tolerance
+            );
+            assert!(
+                most <= tolerance,
+                "{name}, patch {patch}: {most} for {tolerance}"
+            );
+        }
+    }
+}
+
+#[test]
+fn any_number_of_segments() {
+    let counts = [
+        (1, 1),
+        (2, 2),
+        (3, 3),
+        (7, 7),
+        (16, 16),
+        (1, 5),
+        (6, 4),
+        (9, 2),
+        (3, 14),
+    ];
+    for (name, surface) in all() {
+        for (u, v) in counts {
+            let three = Three::new(&surface, &segments(u, v));
+            // Samples of both directions meet on sides: parameters are multiples of 1 / (u·v).
+            let full = (u * v) as f64;
+            check(
+                name,
+                &surface,
+                &three,
+                if u.min(v) == 1 { 2 } else { 1 },
+                |t| (f64::from(t) * full).round() / full,
+            );
+        }
+    }
+}
+
+fn check(
+    name: &str,
+    surface: &Surface,
+    three: &Three,
+    sheets: u32,
+    parameter: impl Fn(f32) -> f64,
+) {
+    three.assert_alike(surface.patch_count());
+    let open = assert_watertight(surface, &three.own, sheets);
+    assert_eq!(open == 0, surface.topology().open.is_empty(), "{name}");
+    assert_on_surface(surface, &three.own, parameter);
+    assert_normals_of_patches(three);
+}

@@ -1,0 +1,28 @@
+//! Meshes without cracks: what `tessellate` promises, on surfaces that everybody knows, on random ones and on bad input.
+#![cfg(not(target_family = "wasm"))]
+
+mod checks;
+#[path = "../common/mod.rs"]
+mod common;
+mod distance;
+mod figures;
+mod known;
+mod limits;
+mod networks;
+mod random;
+mod shapes;
+mod soup;
+
+/// CASTELJAU_DEEP=1 asks for finer meshes and many more surfaces.
+fn deep() -> bool {
+    std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0")
+}
+
+/// How many: fewer by default.
+fn thorough(by_default: usize, when_deep: usize) -> usize {
+    if deep() {
+        when_deep.max(by_default)
+    } else {
+        by_default
+    }
+}

@@ -1,0 +1,270 @@
+//! Random networks of patches: mixed degrees, sides shared in all orientations, tubes, Möbius bands, collapsed sides,
+//! touching corners, three patches on a side, patches that are curves or points, vertices listed twice.
+
+use super::common::Rng;
+use casteljau::Surface;
+use casteljau::glam::DVec3;
+
+/// A network in the making.
+struct Draft {
+    vertices: Vec<DVec3>,
+    nets: Vec<Net>,
+}
+
+/// Vertex numbers, and how many there are in a row.
+struct Net {
+    vertices: Vec<usize>,
+    columns: usize,
+}
+
+/// A sheet of patches whose left and right, or lower and upper rims may be one.
+struct Quilt {
+    degrees_u: Vec<usize>,
+    degrees_v: Vec<usize>,
+    closed_u: bool,
+    closed_v: bool,
+    /// Joined upside down: a Möbius band.
+    twisted: bool,
+}
+
+/// Changes to a network, each by some chance.
+const EDITS: [fn(&mut Draft, &mut Rng); 9] = [
+    Draft::collapse_side,
+    Draft::merge_vertices,
+    Draft::remove_patch,
+    Draft::repeat_patch,
+    Draft::attach_patch,
+    Draft::make_curve,
+    Draft::make_point,
+    Draft::list_twice,
+    Draft::mirror_row,
+];
+
+pub(crate) fn random(rng: &mut Rng) -> Surface {
+    let mut draft = Quilt::random(rng).draft(rng);
+    for edit in EDITS {
+        if rng.chance(0.2) {
+            edit(&mut draft, rng);
+        }
+    }
+    for k in 0..draft.nets.len() {
+        draft.turn(k, rng);
+    }
+    draft.surface()
+}
+
+impl Quilt {
+    fn random(rng: &mut Rng) -> Self {
+        let degrees = |rng: &mut Rng| -> Vec<usize> {
+            let count = rng.pick(&[1, 1, 2, 2, 3]);
+            (0..count)
+                .map(|_| rng.pick(&[1, 1, 2, 2, 3, 3, 3, 4, 5]))
+                .collect()
+        };
+        let mut quilt = Self {
+            degrees_u: degrees(rng),
+            degrees_v: degrees(rng),
+            closed_u: rng.chance(0.4),
+            closed_v: rng.chance(0.2),
+            twisted: rng.chance(0.4),
+        };
+        if quilt.twisted {
+            let back: Vec<usize> = quilt.degrees_v.iter().rev().copied().collect();
+            quilt.degrees_v.extend(back);
+        }
+        quilt
+    }
+
+    fn draft(&self, rng: &mut Rng) -> Draft {
+        let (width, height) = (
+            self.degrees_u.iter().sum::<usize>(),
+            self.degrees_v.iter().sum::<usize>(),
+        );
+        let vertex = |i: usize, j: usize| {
+            let around = self.closed_u && i == width;
+            let j = if around && self.twisted {
+                height - j
+            } else {
+                j
+            };
+            let j = if self.closed_v && j == height { 0 } else { j };
+            j * (width + 1) + if around { 0 } else { i }
+        };
+        let mut nets = Vec::new();
+        for (column, m) in steps(&self.degrees_u) {
+            for (row, n) in steps(&self.degrees_v) {
+                let places = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
+                let vertices = places.map(|(i, j)| vertex(column + i, row + j)).collect();
+                nets.push(Net {
+                    vertices,
+                    columns: m + 1,
+                });
+            }
+        }
+        let count = (width + 1) * (height + 1);
+        Draft {
+            vertices: places(rng, count, width + 1),
+            nets,
+        }
+    }
+}
+
+/// Where each of some steps starts, and how long it is.
+fn steps(lengths: &[usize]) -> Vec<(usize, usize)> {
+    let starts = lengths.iter().scan(0, |sum, &length| {
+        *sum += length;
+        Some(*sum - length)
+    });
+    starts.zip(lengths.iter().copied()).collect()
+}
+
+/// Places of vertices: anywhere, near a plane sheet, on a coarse lattice (many coincide), or in a plane.
+fn places(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
+    let kind = rng.below(5);
+    let scale = rng.magnitude(-6.0, 6.0);
+    let shift = if rng.chance(0.2) {
+        rng.point(3) * scale * 100.0
+    } else {
+        DVec3::ZERO
+    };
+    let mut place = |k: usize| match kind {
+        0 | 1 => rng.point(3) * 2.0,
+        2 => DVec3::new((k % columns) as f64, (k / columns) as f64, 0.0) + rng.point(3) * 0.4,
+        3 => (rng.point(3) * 2.5).round(),
+        _ => rng.point(2),
+    };
+    (0..count).map(|k| place(k) * scale + shift).collect()
+}
+
+impl Net {
+    fn rows(&self) -> usize {
+        self.vertices.len() / self.columns
+    }
+
+    fn transpose(&mut self) {
+        let columns =
+            (0..self.columns).flat_map(|i| self.vertices.iter().skip(i).step_by(self.columns));
+        let vertices: Vec<usize> = columns.copied().collect();
+        self.columns = self.rows();
+        self.vertices = vertices;
+    }
+}
+
+impl Draft {
+    fn collapse_side(&mut self, rng: &mut Rng) {
+        let net = &self.nets[rng.below(self.nets.len())];
+        let side: Vec<usize> = if rng.chance(0.5) {
+            net.vertices[..net.columns].to_vec()
+        } else {
+            net.vertices.iter().step_by(net.columns).copied().collect()
+        };
+        side[1..]
+            .iter()
+            .for_each(|&vertex| self.replace(vertex, side[0]));
+    }
+
+    fn merge_vertices(&mut self, rng: &mut Rng) {
+        let count = self.vertices.len();
+        self.replace(rng.below(count), rng.below(count));
+    }
+
+    fn replace(&mut self, old: usize, new: usize) {
+        for vertex in self.nets.iter_mut().flat_map(|net| &mut net.vertices) {
+            if *vertex == old {
+                *vertex = new;
+            }
+        }
+    }
+
+    fn remove_patch(&mut self, rng: &mut Rng) {
+        if self.nets.len() > 1 {
+            self.nets.swap_remove(rng.below(self.nets.len()));
+        }
+    }
+
+    fn repeat_patch(&mut self, rng: &mut Rng) {
+        let Net { vertices, columns } = &self.nets[rng.below(self.nets.len())];
+        let net = Net {
+            vertices: vertices.clone(),
+            columns: *columns,
+        };
+        self.nets.push(net);
+    }
+
+    /// One more patch on a side, shared or not.
+    fn attach_patch(&mut self, rng: &mut Rng) {
+        let net = &self.nets[rng.below(self.nets.len())];
+        let (columns, degree) = (net.columns, 1 + rng.below(3));
+        let mut vertices = net.vertices[..columns].to_vec();
+        for _ in 0..degree * columns {
+            vertices.push(self.vertices.len());
+            self.vertices
+                .push(self.vertices[rng.below(self.vertices.len())] + rng.point(3));
+        }
+        self.nets.push(Net { vertices, columns });
+    }
+
+    /// A patch whose rows are all the first one.
+    fn make_curve(&mut self, rng: &mut Rng) {
+        let at = rng.below(self.nets.len());
+        let net = &mut self.nets[at];
+        for k in net.columns..net.vertices.len() {
+            net.vertices[k] = net.vertices[k - net.columns];
+        }
+    }
+
+    fn make_point(&mut self, rng: &mut Rng) {
+        let at = rng.below(self.nets.len());
+        let net = &mut self.nets[at];
+        let first = net.vertices[0];
+        net.vertices.fill(first);
+    }
+
+    /// A patch with copies of its vertices: joined by place only.
+    fn list_twice(&mut self, rng: &mut Rng) {
+        let at = rng.below(self.nets.len());
+        for vertex in &mut self.nets[at].vertices {
+            self.vertices.push(self.vertices[*vertex]);
+            *vertex = self.vertices.len() - 1;
+        }
+    }
+
+    /// A side that is the same forwards and backwards.
+    fn mirror_row(&mut self, rng: &mut Rng) {
+        let net = &self.nets[rng.below(self.nets.len())];
+        let row = net.vertices[..net.columns].to_vec();
+        for k in 0..row.len() / 2 {
+            self.replace(row[row.len() - 1 - k], row[k]);
+        }
+    }
+
+    /// One of the eight ways to lay u and v on the patch.
+    fn turn(&mut self, k: usize, rng: &mut Rng) {
+        let net = &mut self.nets[k];
+        if rng.chance(0.5) {
+            net.transpose();
+        }
+        if rng.chance(0.5) {
+            net.vertices.reverse();
+        }
+        if rng.chance(0.5) {
+            let columns = net.columns;
+            net.vertices
+                .chunks_mut(columns)
+                .for_each(<[usize]>::reverse);
+        }
+    }
+
+    fn surface(self) -> Surface {
+        let degrees: Vec<[usize; 2]> = self
+            .nets
+            .iter()
+            .map(|net| [net.columns - 1, net.rows() - 1])
+            .collect();
+        let indices = self.nets.iter().flat_map(|net| &net.vertices);
+        let indices = indices
+            .map(|&vertex| u32::try_from(vertex).unwrap())
+            .collect();
+        Surface::with_degrees(self.vertices, indices, &degrees).unwrap()
+    }
+}

@@ -1,0 +1,186 @@
+//! Random surfaces: whatever is joined meets without cracks, as close as asked for.
+
+use super::checks::Three;
+use super::common::Rng;
+use super::distance::greatest;
+use super::networks;
+use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, side_points};
+use super::soup::{Chain, Soup, add, vectors};
+use super::thorough;
+use casteljau::glam::DVec3;
+use casteljau::surface::{Fineness, Side, SideName, Weld};
+use casteljau::{Mesh, Surface};
+
+const CASES: usize = 4_000;
+const DEEP_CASES: usize = 40_000;
+
+#[test]
+fn random_networks_have_no_cracks() {
+    let mut rng = Rng(1986);
+    for case in 0..thorough(CASES, DEEP_CASES) {
+        let surface = networks::random(&mut rng);
+        let fineness = fineness(&mut rng, &surface);
+        let outcome = std::panic::catch_unwind(|| check(&surface, &fineness));
+        assert!(outcome.is_ok(), "case {case}: {fineness:?} of {surface:?}");
+    }
+}
+
+fn fineness(rng: &mut Rng, surface: &Surface) -> Fineness {
+    let size = diagonal(surface).max(largest(surface) * 1e-4);
+    if size == 0.0 || rng.chance(0.4) {
+        return segments(1 + rng.below(4), 1 + rng.below(4));
+    }
+    Fineness::Tolerance(size * rng.magnitude(-2.0, -0.5))
+}
+
+/// All that a mesh promises, except what the sides of known surfaces add.
+pub(crate) fn check(surface: &Surface, fineness: &Fineness) {
+    let three = Three::new(surface, fineness);
+    three.assert_alike(surface.patch_count());
+    let mesh = &three.own;
+    let soup = Soup::new(mesh);
+    soup.assert_no_collapsed_triangle();
+    assert_inside_is_closed(surface, mesh, &soup);
+    assert_lines_agree(surface, mesh);
+    assert_covers(mesh);
+    assert_places(surface, fineness);
+    if let Fineness::Tolerance(tolerance) = fineness {
+        let most = distance_of_sheets(surface, mesh, &soup);
+        assert!(most <= *tolerance, "{most} for {tolerance}");
+    }
+}
+
+/// The vertices of a patch on one of its sides, in the order of its parameter; none of a patch that is a curve.
+fn polyline(mesh: &Mesh, patch: usize, side: SideName) -> Vec<usize> {
+    let range = mesh.patch_ranges[patch];
+    let own = range.first_vertex as usize..(range.first_vertex + range.vertices) as usize;
+    let place = |k: usize| along(side, [mesh.uvs[2 * k].into(), mesh.uvs[2 * k + 1].into()]);
+    let mut line: Vec<(f64, usize)> = own.filter_map(|k| Some((place(k)?, k))).collect();
+    line.sort_by(|a, b| a.0.total_cmp(&b.0));
+    line.into_iter().map(|(_, k)| k).collect()
+}
+
+/// The edges of a patch's triangles cancel, but for those along its four sides.
+fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
+    for (patch, range) in mesh.patch_ranges.iter().enumerate() {
+        if range.vertices == 0 {
+            continue;
+        }
+        let (from, count) = (range.first_index as usize / 3, range.indices as usize / 3);
+        let mut expected = Chain::new();
+        for side in SIDES {
+            let line = polyline(mesh, patch, side);
+            for pair in line.windows(2) {
+                let [a, b] = [pair[0], pair[1]].map(|k| soup.place_of[k]);
+                // Counter-clockwise: v = 0 and u = 1 run along, the others back.
+                match side {
+                    SideName::V0 | SideName::U1 => add(&mut expected, a, b),
+                    SideName::V1 | SideName::U0 => add(&mut expected, b, a),
+                }
+            }
+        }
+        assert!(
+            expected == Soup::rim(&soup.triangles[from..from + count]),
+            "patch {patch}: {:?}",
+            surface.degrees(patch)
+        );
+    }
+}
+
+/// All patches on a line have the same places along it.
+fn assert_lines_agree(surface: &Surface, mesh: &Mesh) {
+    let points: Vec<DVec3> = vectors(&mesh.positions).collect();
+    for uses in lines(surface) {
+        let Side { patch, side, .. } = uses[0];
+        let controls = side_points(&surface.patch(patch).unwrap(), side);
+        let mut seen: Option<Vec<DVec3>> = None;
+        for used in &uses {
+            let mut line: Vec<DVec3> = polyline(mesh, used.patch, used.side)
+                .iter()
+                .map(|&k| points[k])
+                .collect();
+            if line.is_empty() {
+                continue;
+            }
+            if used.reversed {
+                line.reverse();
+            }
+            let ends = [line[0], line[line.len() - 1]];
+            assert_eq!(
+                ends,
+                [controls[0], controls[controls.len() - 1]].map(|p| p.as_vec3().as_dvec3())
+            );
+            assert!(!is_point(&controls) || is_point(&line));
+            assert!(
+                *seen.get_or_insert_with(|| line.clone()) == line,
+                "a crack along {uses:?}"
+            );
+        }
+    }
+}
+
+/// Over u and v all triangles run counter-clockwise; without collapsed ones they cover the unit square.
+fn assert_covers(mesh: &Mesh) {
+    let uv = |k: usize| [0, 1].map(|axis| f64::from(mesh.uvs[2 * k + axis]));
+    let indices: Vec<usize> = mesh.indices.iter().collect();
+    for range in mesh.patch_ranges.iter().filter(|range| range.vertices > 0) {
+        let own = &indices[range.first_index as usize..][..range.indices as usize];
+        let mut sum = 0.0;
+        for &[a, b, c] in own.as_chunks().0 {
+            let ([ua, va], [ub, vb], [uc, vc]) = (uv(a), uv(b), uv(c));
+            let area = ((ub - ua) * (vc - va) - (vb - va) * (uc - ua)) / 2.0;
+            assert!(area > 0.0, "a triangle of area {area} over u and v");
+            sum += area;
+        }
+        assert!(sum < 1.0 + 1e-6);
+        let first = range.first_vertex as usize;
+        let places = first..first + range.vertices as usize;
+        let distinct: std::collections::HashSet<_> = places
+            .map(|k| [0, 1, 2].map(|axis| mesh.positions[3 * k + axis].to_bits()))
+            .collect();
+        assert!(
+            distinct.len() < range.vertices as usize || sum > 1.0 - 1e-6,
+            "only {sum} of the square"
+        );
+    }
+}
+
+/// In f64 every vertex is on its patch; patches without vertices are curves.
+fn assert_places(surface: &Surface, fineness: &Fineness) {
+    let mesh = surface.tessellate_f64(fineness, Weld::None).unwrap();
+    let full = match fineness {
+        Fineness::Segments(grid) => (grid.segments_u * grid.segments_v) as f64,
+        _ => (1_u64 << 24) as f64,
+    };
+    let slack = largest(surface) * 1e-13;
+    let patches: Vec<_> = surface.patches().collect();
+    for (k, p) in vectors(&mesh.positions).enumerate() {
+        let [u, v] = [0, 1].map(|axis| (f64::from(mesh.uvs[2 * k + axis]) * full).round() / full);
+        let exact = patches[mesh.patch_ids[k] as usize].eval(u, v);
+        assert!((p - exact).length() <= slack, "({u}, {v}): {p} for {exact}");
+    }
+    for (patch, range) in patches.iter().zip(&mesh.patch_ranges) {
+        let partials = patch.partials(0.371, 0.618);
+        let size = patch.control_bounds().diagonal();
+        let facing = partials.u.cross(partials.v).length();
+        assert!(
+            range.vertices > 0 || facing <= 1e-9 * size * size,
+            "a patch with an inside has no vertices"
+        );
+    }
+}
+
+/// Of the patches that are not curves.
+fn distance_of_sheets(surface: &Surface, mesh: &Mesh, soup: &Soup) -> f64 {
+    let with_inside = |&k: &usize| mesh.patch_ranges[k].vertices > 0;
+    let patches: Vec<usize> = (0..surface.patch_count()).filter(with_inside).collect();
+    if patches.is_empty() {
+        return 0.0;
+    }
+    greatest(
+        &super::shapes::part(surface, &patches),
+        soup,
+        16 * patches.len(),
+    )
+    .0
+}

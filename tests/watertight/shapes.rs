@@ -1,0 +1,146 @@
+//! The surfaces that tests look at.
+
+use casteljau::glam::DVec3;
+use casteljau::surface::{Fineness, Side, SideName, Up};
+use casteljau::{Grid, Patch, Surface, TeapotOptions};
+
+pub(crate) fn teapot() -> Surface {
+    Surface::teapot(TeapotOptions::default())
+}
+
+/// Gumbo, if the fixture is there: it is not part of the project.
+pub(crate) fn gumbo() -> Option<Surface> {
+    listing("gumbo.json")
+}
+
+/// A listing in the folder of data beside the project, if there is one.
+pub(crate) fn listing(name: &str) -> Option<Surface> {
+    let path = format!("{}/../shared/data/{name}", env!("CARGO_MANIFEST_DIR"));
+    let Ok(text) = std::fs::read_to_string(&path) else {
+        println!("skipped: {path} is not there");
+        return None;
+    };
+    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let list = |name: &str| data[name].as_array().unwrap().clone();
+    let vertices = list("vertices").into_iter().map(|p| {
+        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
+        DVec3::new(x, y, z)
+    });
+    let patches = list("patches").into_iter();
+    let indices = patches.flat_map(|net| net.as_array().unwrap().clone());
+    let indices = indices.map(|i| u32::try_from(i.as_u64().unwrap()).unwrap());
+    Some(Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap())
+}
+
+/// All four, with a name; Gumbo only if it is there.
+pub(crate) fn all() -> Vec<(&'static str, Surface)> {
+    let mut all = vec![
+        ("teapot", teapot()),
+        ("teacup", Surface::teacup(Up::Z)),
+        ("teaspoon", Surface::teaspoon(Up::Z)),
+    ];
+    all.extend(gumbo().map(|surface| ("gumbo", surface)));
+    all
+}
+
+pub(crate) fn diagonal(surface: &Surface) -> f64 {
+    surface.control_bounds().unwrap().diagonal()
+}
+
+/// The largest absolute coordinate.
+pub(crate) fn largest(surface: &Surface) -> f64 {
+    let numbers = surface.vertices().iter().flat_map(|p| p.to_array());
+    numbers.fold(0.0, |most: f64, x| most.max(x.abs()))
+}
+
+pub(crate) fn segments(u: usize, v: usize) -> Fineness {
+    Fineness::Segments(Grid {
+        segments_u: u,
+        segments_v: v,
+    })
+}
+
+/// The part of a surface.
+pub(crate) fn part(surface: &Surface, patches: &[usize]) -> Surface {
+    let nets = patches.iter().map(|&k| surface.patch_indices(k).unwrap());
+    let degrees: Vec<_> = patches
+        .iter()
+        .map(|&k| surface.degrees(k).unwrap())
+        .collect();
+    Surface::with_degrees(
+        surface.vertices().to_vec(),
+        nets.flatten().copied().collect(),
+        &degrees,
+    )
+    .unwrap()
+}
+
+/// The sides in the order of their names.
+pub(crate) const SIDES: [SideName; 4] = [SideName::U0, SideName::U1, SideName::V0, SideName::V1];
+
+/// Whether (u, v) lies on the side, and how far along it.
+pub(crate) fn along(side: SideName, [u, v]: [f64; 2]) -> Option<f64> {
+    let (across, along, at) = match side {
+        SideName::U0 => (u, v, 0.0),
+        SideName::U1 => (u, v, 1.0),
+        SideName::V0 => (v, u, 0.0),
+        SideName::V1 => (v, u, 1.0),
+    };
+    (across == at).then_some(along)
+}
+
+/// The control points of a side, in the direction of its parameter.
+pub(crate) fn side_points(patch: &Patch, side: SideName) -> Vec<DVec3> {
+    let (points, columns) = (patch.control_points(), patch.degree_u() + 1);
+    let last = points.len() - columns;
+    match side {
+        SideName::U0 => points.iter().step_by(columns).copied().collect(),
+        SideName::U1 => points
+            .iter()
+            .skip(columns - 1)
+            .step_by(columns)
+            .copied()
+            .collect(),
+        SideName::V0 => points[..columns].to_vec(),
+        SideName::V1 => points[last..].to_vec(),
+    }
+}
+
+/// Every side with all that are the same line, found by comparing each with each; each side comes once, sides that are a
+/// point are alone.
+pub(crate) fn lines(surface: &Surface) -> Vec<Vec<Side>> {
+    let mut lines: Vec<(Vec<DVec3>, Vec<Side>)> = Vec::new();
+    for (patch, net) in surface.patches().enumerate() {
+        for side in SIDES {
+            let points = side_points(&net, side);
+            let backwards: Vec<_> = points.iter().rev().copied().collect();
+            let point = is_point(&points);
+            let found = lines
+                .iter_mut()
+                .find(|(other, _)| *other == points || *other == backwards);
+            match found {
+                Some((other, uses)) if !point => {
+                    let reversed = *other != points;
+                    uses.push(Side {
+                        patch,
+                        side,
+                        reversed,
+                    });
+                }
+                _ => lines.push((
+                    points,
+                    vec![Side {
+                        patch,
+                        side,
+                        reversed: false,
+                    }],
+                )),
+            }
+        }
+    }
+    lines.into_iter().map(|(_, uses)| uses).collect()
+}
+
+pub(crate) fn is_point(points: &[DVec3]) -> bool {
+    points.iter().all(|p| *p == points[0])
+}
