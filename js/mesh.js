@@ -19,9 +19,15 @@ import { meshToThree } from "./mesh-three.js";
  *
  * @typedef {object} GridOptions
  * @property {number | { u: number, v: number }} segments cells along each direction of a patch
+ * @property {"bernstein" | "forward-difference"} [method] how samples are computed: from the Bernstein polynomials (the
+ *   default), or along u by adding up differences, m additions per coordinate and step for degree m: for comparison and
+ *   teaching. Rounding errors add up, too, though in 64 bits they stay below what 32 bits show; sides of neighbours may
+ *   differ by the last bit
  * @property {boolean} [quads] list four-sided faces too
  * @property {Mesh} [into] an earlier mesh, whose arrays are reused where they are large enough
  */
+
+const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
 /** Above this many bytes the core gives the memory of a mesh back after it was read. */
 const LARGE_MESH = 1 << 24;
@@ -127,12 +133,13 @@ export class Mesh {
  *
  * @internal
  * @param {GridOptions} options
- * @returns {{ u: number, v: number, quads: boolean, into: Mesh | undefined }}
+ * @returns {{ u: number, v: number, quads: boolean, differences: boolean, into: Mesh | undefined }}
  */
 export function gridOptions(options) {
-  const { segments, quads = false, into } = check.options(options);
+  const { segments, method = "bernstein", quads = false, into } = check.options(options);
   const { u, v } = segmentsOf(segments);
-  return { u, v, quads: Boolean(quads), into: into === undefined ? into : check.instanceOf(into, "into", Mesh) };
+  const differences = check.oneOf(method, "method", METHODS) === "forward-difference";
+  return { u, v, quads: Boolean(quads), differences, into: into === undefined ? into : check.instanceOf(into, "into", Mesh) };
 }
 
 /**

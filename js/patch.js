@@ -326,9 +326,9 @@ export class Patch {
    * @returns {Mesh}
    */
   grid(options) {
-    const { u, v, quads, into } = gridOptions(options);
+    const { u, v, quads, differences, into } = gridOptions(options);
     load(this.#flat);
-    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads));
+    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads, differences));
     return takeMesh(into);
   }
 

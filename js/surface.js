@@ -274,9 +274,9 @@ export class Surface {
    * @returns {Mesh}
    */
   grid(options) {
-    const { u, v, quads, into } = gridOptions(options);
+    const { u, v, quads, differences, into } = gridOptions(options);
     this.#load(0, false);
-    done(core().surface_grid(u, v, quads));
+    done(core().surface_grid(u, v, quads, differences));
     return takeMesh(into);
   }
 

@@ -128,25 +128,33 @@ pub(crate) fn round(number: f64) -> f32 {
     number as f32 + 0.0
 }
 
-/// Stores four points in a line from `near` on, and four in reverse up to `segments` − `near`.
-///
-/// A line of less than four segments has room for fewer.
+/// Stores four points in a line from `at` on, and four in reverse as far from its end.
 #[inline(always)]
 pub(crate) fn store(near: [f32x4; 3], far: [f32x4; 3], at: usize, line: &mut [[f32; 3]]) {
-    let points = interleaved(near);
     if let Some(out) = line.get_mut(at..at + LANES) {
-        out.copy_from_slice(&points);
-        let end = line.len() - at;
-        let mut points = interleaved(far);
-        points.reverse();
-        if let Some(out) = line.get_mut(end - LANES..end) {
-            out.copy_from_slice(&points);
-        }
-    } else {
-        for (out, point) in line.iter_mut().skip(at).zip(points) {
-            *out = point;
-        }
+        out.copy_from_slice(&interleaved(near));
     }
+    let end = line.len() - at;
+    let mut points = interleaved(far);
+    points.reverse();
+    if let Some(out) = line.get_mut(end.wrapping_sub(LANES)..end) {
+        out.copy_from_slice(&points);
+    }
+}
+
+/// Runs `fill` on the line, or on a longer one where it has no room for as many points as are stored together.
+#[inline(always)]
+pub(crate) fn with_room<R>(line: &mut [[f32; 3]], fill: impl Fn(&mut [[f32; 3]]) -> R) -> R {
+    if line.len() > LANES {
+        return fill(line);
+    }
+    // Those from the end on lie behind the few that are wanted.
+    let mut room = [[0.0; 3]; 2 * LANES];
+    let result = fill(&mut room);
+    for (to, from) in line.iter_mut().zip(room) {
+        *to = from;
+    }
+    result
 }
 
 #[inline(always)]

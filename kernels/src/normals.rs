@@ -3,7 +3,7 @@
 //! N = ∂u × ∂v is itself a Bézier patch, of degrees 5 and 5. Its control vectors, the normal net, are computed in f64.
 //! They are as exact near a collapsed side as anywhere else, where the derivatives would have to be subtracted.
 
-use crate::bicubic::{BicubicGrid, LANES, Lanes, round, store};
+use crate::bicubic::{BicubicGrid, LANES, Lanes, round, store, with_room};
 use crate::weights::quintic;
 use wide::{f32x4, f64x2};
 
@@ -69,22 +69,8 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
     let numbers: [f32; 20] = bytemuck::cast(curve);
     let enough = MOSTLY_CANCELLED * numbers[LONGEST];
     let least = if enough > LEAST { enough } else { LEAST };
-    let least_square = f32x4::splat(least * least);
-    let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
-    let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
-    for (k, lanes) in lanes.iter().enumerate() {
-        let [w, skew] = lanes.facings;
-        let even = |axis: usize| w[0] * c[axis] + w[1] * c[3 + axis] + w[2] * c[6 + axis];
-        let odd =
-            |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
-        let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
-        let near = [0, 1, 2].map(|axis| even[axis] + odd[axis]);
-        let far = [0, 1, 2].map(|axis| even[axis] - odd[axis]);
-        let ((near, near_known), (far, far_known)) =
-            (units(near, least_square), units(far, least_square));
-        known &= near_known & far_known;
-        store(near, far, 1 + k * LANES, line);
-    }
+    let least_square = least * least;
+    let mut complete = with_room(line, |line| fill_lanes(lanes, &numbers, least_square, line));
     let end = |column: usize| -> [f32; 3] {
         let (place, sign) = if column < 3 {
             (column, 1.0)
@@ -93,14 +79,34 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
         };
         std::array::from_fn(|axis| numbers[3 * place + axis] + sign * numbers[9 + 3 * place + axis])
     };
-    let mut complete = known.all();
     if let [first, .., last] = line {
         for (normal, column) in [(first, used[0]), (last, used[1])] {
-            *normal = unit(end(column), 4.0 * least * least);
+            // The sums are those of twice the vectors.
+            *normal = unit(end(column), 4.0 * least_square);
             complete &= *normal != [0.0; 3];
         }
     }
     complete
+}
+
+/// All but the ends.
+#[inline(never)]
+fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], least: f32, line: &mut [[f32; 3]]) -> bool {
+    let least = f32x4::splat(least);
+    let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
+    let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
+    for (k, lanes) in lanes.iter().enumerate() {
+        let [w, skew] = lanes.facings;
+        let even = |axis: usize| w[0] * c[axis] + w[1] * c[3 + axis] + w[2] * c[6 + axis];
+        let odd =
+            |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
+        let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
+        let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), least);
+        let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), least);
+        known &= near.1 & far.1;
+        store(near.0, far.0, 1 + k * LANES, line);
+    }
+    known.all()
 }
 
 /// Four unit vectors, zero where their squares are not greater than `least`, and where they are.

@@ -1,6 +1,6 @@
 //! Positions of a bicubic patch on a grid.
 
-use crate::bicubic::{BicubicGrid, LANES, Lanes, round, store};
+use crate::bicubic::{BicubicGrid, LANES, round, store};
 use bytemuck::cast;
 use wide::{f32x4, f64x2};
 
@@ -15,7 +15,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     let (inner, last) = rest.split_at_mut(rest.len().saturating_sub(columns));
     let rows: [Row; 4] = cast(*net);
     for (line, &weights) in inner.chunks_exact_mut(columns).zip(&grid.v[1..]) {
-        fill_line(&grid.lanes, blend_rows(&rows, weights), line);
+        fill_line(grid, blend_rows(&rows, weights), line);
     }
     fill_sides(grid, net, first, last);
 }
@@ -31,20 +31,28 @@ fn blend_rows(rows: &[Row; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
 
 /// One line between the sides.
 #[inline(always)]
-fn fill_line(lanes: &[Lanes], [a, b, c, d]: [[f64; 3]; 4], line: &mut [[f32; 3]]) {
-    let combine = |p: [f64; 3], q: [f64; 3], sign: f64| -> [f32x4; 3] {
-        std::array::from_fn(|axis| f32x4::splat(round(p[axis] + sign * q[axis])))
-    };
-    let (outer, inner) = (combine(a, d, 1.0), combine(b, c, 1.0));
-    let (outer_skew, inner_skew) = (combine(a, d, -1.0), combine(b, c, -1.0));
-    for (k, lanes) in lanes.iter().enumerate() {
-        let [w, skew] = lanes.points;
-        let even = |axis: usize| w[0] * outer[axis] + w[1] * inner[axis];
-        let odd = |axis: usize| skew[0] * outer_skew[axis] + skew[1] * inner_skew[axis];
-        let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
-        let near = [0, 1, 2].map(|axis| even[axis] + odd[axis]);
-        let far = [0, 1, 2].map(|axis| even[axis] - odd[axis]);
-        store(near, far, 1 + k * LANES, line);
+fn fill_line(grid: &BicubicGrid, [a, b, c, d]: [[f64; 3]; 4], line: &mut [[f32; 3]]) {
+    if line.len() > LANES {
+        let combine = |p: [f64; 3], q: [f64; 3], sign: f64| -> [f32x4; 3] {
+            std::array::from_fn(|axis| f32x4::splat(round(p[axis] + sign * q[axis])))
+        };
+        let (outer, inner) = (combine(a, d, 1.0), combine(b, c, 1.0));
+        let (outer_skew, inner_skew) = (combine(a, d, -1.0), combine(b, c, -1.0));
+        for (k, lanes) in grid.lanes.iter().enumerate() {
+            let [w, skew] = lanes.points;
+            let even = |axis: usize| w[0] * outer[axis] + w[1] * inner[axis];
+            let odd = |axis: usize| skew[0] * outer_skew[axis] + skew[1] * inner_skew[axis];
+            let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
+            let near = [0, 1, 2].map(|axis| even[axis] + odd[axis]);
+            let far = [0, 1, 2].map(|axis| even[axis] - odd[axis]);
+            store(near, far, 1 + k * LANES, line);
+        }
+    } else {
+        for (point, w) in line.iter_mut().zip(&grid.u) {
+            *point = std::array::from_fn(|axis| {
+                round(w[0] * a[axis] + w[1] * b[axis] + w[2] * c[axis] + w[3] * d[axis])
+            });
+        }
     }
     if let [first, .., last] = line {
         (*first, *last) = (a.map(round), d.map(round));

@@ -1,6 +1,6 @@
 //! Grids of samples over patches and surfaces.
 
-use super::tessellate::fill_mesh;
+use super::tessellate::{Wanted, fill_mesh};
 use super::{Grid, GridMethod, Mesh, Patch, Surface};
 use crate::error::Error;
 use glam::DVec3;
@@ -42,12 +42,17 @@ impl Surface {
         quads: bool,
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
+        self.fill_grid(&Wanted::new(method, grid, quads), mesh)
+    }
+
+    /// As `grid_by`.
+    pub(crate) fn fill_grid(&self, wanted: &Wanted, mesh: &mut Mesh) -> Result<(), Error> {
         let net_of = |patch: usize, net: &mut Vec<DVec3>| {
             net.extend(self.points_of(patch));
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };
-        fill_mesh(self.patch_count(), net_of, grid, method, quads, mesh)
+        fill_mesh(self.patch_count(), net_of, wanted, mesh)
     }
 }
 
@@ -81,10 +86,27 @@ impl Patch {
         quads: bool,
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
+        self.fill_grid(&Wanted::new(method, grid, quads), mesh)
+    }
+
+    /// As `grid_by`.
+    pub(crate) fn fill_grid(&self, wanted: &Wanted, mesh: &mut Mesh) -> Result<(), Error> {
         let net_of = |_: usize, net: &mut Vec<DVec3>| {
             net.extend_from_slice(&self.points);
             (self.degree_u(), self.degree_v())
         };
-        fill_mesh(1, net_of, grid, method, quads, mesh)
+        fill_mesh(1, net_of, wanted, mesh)
+    }
+}
+
+impl Wanted {
+    /// Into any mesh.
+    fn new(method: GridMethod, grid: Grid, quads: bool) -> Self {
+        Self {
+            grid,
+            method,
+            quads,
+            has_layout: false,
+        }
     }
 }

@@ -62,6 +62,8 @@ pub use network::Surface;
 pub use patch::{Partials, Patch};
 pub use scaffold::PatchScaffold;
 pub use sets::{Height, TeapotOptions, Up};
+#[cfg(feature = "wasm")]
+pub(crate) use tessellate::Wanted;
 pub use text_reader::ParseError;
 pub use topology::{Side, SideName, Topology};
 pub use view::{Fineness, View};

@@ -9,23 +9,33 @@ use glam::DVec3;
 /// The most vertices that 16 bits can number.
 pub(super) const MAX_U16_VERTICES: usize = 1 << 16;
 
+/// What a grid is asked for.
+pub(crate) struct Wanted {
+    pub(crate) grid: Grid,
+    pub(crate) method: GridMethod,
+    pub(crate) quads: bool,
+    /// The mesh holds a grid of the same counts already, so that all that depends on them only can stay.
+    pub(crate) has_layout: bool,
+}
+
 /// Fills `mesh` with one grid for each of `patches` patches; `net_of` hands out their nets and degrees in u and v.
 ///
 /// Buffers that are large enough are reused, all others grow.
 pub(super) fn fill_mesh(
     patches: usize,
     net_of: impl Fn(usize, &mut Vec<DVec3>) -> (usize, usize),
-    grid: Grid,
-    method: GridMethod,
-    quads: bool,
+    wanted: &Wanted,
     mesh: &mut Mesh,
 ) -> Result<(), Error> {
+    let grid = wanted.grid;
     grid.check(patches)?;
-    fill_layout(patches, grid, quads, mesh);
+    if !wanted.has_layout {
+        fill_layout(patches, grid, wanted.quads, mesh);
+    }
     let numbers = 3 * grid.vertex_count();
     mesh.positions.resize(patches * numbers, 0.0);
     mesh.normals.resize(patches * numbers, 0.0);
-    let mut kernel = Kernel::new(grid, method);
+    let mut kernel = Kernel::new(grid, wanted.method);
     let mut net = Vec::new();
     let parts = mesh
         .positions

@@ -4,14 +4,16 @@ use super::alone::Alone;
 use super::arena::{self, Arena};
 use super::surface::{patch, surface};
 use crate::error::Error;
-use crate::surface::{Fineness, Grid, Indices, Mesh, Side, Surface, View, Weld};
+use crate::surface::{
+    Fineness, Grid, GridMethod, Indices, Mesh, Side, Surface, View, Wanted, Weld,
+};
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The last mesh, whose buffers the next one reuses.
-pub(super) static MESH: Alone<Mesh> = Alone::new(Mesh {
+static MESH: Alone<Mesh> = Alone::new(Mesh {
     positions: Vec::new(),
     normals: Vec::new(),
     uvs: Vec::new(),
@@ -20,6 +22,9 @@ pub(super) static MESH: Alone<Mesh> = Alone::new(Mesh {
     quads: None,
     patch_ranges: Vec::new(),
 });
+
+/// Which grid the last mesh is, if it is one: patches, grid, and whether there are quads.
+static GRID: Alone<Option<(usize, Grid, bool)>> = Alone::new(None);
 
 /// Its positions and normals, where they are f64.
 static PRECISE: Alone<[Vec<f64>; 2]> = Alone::new([Vec::new(), Vec::new()]);
@@ -54,6 +59,32 @@ pub fn patch_tessellate(
     })
 }
 
+/// Makes a grid; 0. What depends on counts only stays, if the last mesh was a grid of the same counts.
+pub(super) fn make_grid(
+    patches: usize,
+    grid: Grid,
+    quads: bool,
+    differences: bool,
+    fill: impl FnOnce(&Wanted, &mut Mesh) -> Result<(), Error>,
+) -> Result<usize, Error> {
+    let this = Some((patches, grid, quads));
+    let has_layout = GRID.with(|last| last.take() == this);
+    let method = if differences {
+        GridMethod::ForwardDifference
+    } else {
+        GridMethod::Bernstein
+    };
+    let wanted = Wanted {
+        grid,
+        method,
+        quads,
+        has_layout,
+    };
+    MESH.with(|mesh| fill(&wanted, mesh))?;
+    GRID.with(|last| *last = this);
+    Ok(0)
+}
+
 const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
 
 #[allow(
@@ -86,6 +117,7 @@ fn keep(surface: &Surface, fineness: &Fineness, weld: Weld, precise: bool) -> Re
     } else {
         surface.tessellate(fineness, weld)?
     };
+    GRID.with(|last| *last = None);
     MESH.with(|kept| *kept = mesh);
     Ok(0)
 }
@@ -179,6 +211,7 @@ fn copy_indices(indices: &Indices, into: &JsValue) {
 /// Gives the memory of the last mesh back.
 #[wasm_bindgen]
 pub fn mesh_drop() {
+    GRID.with(|last| *last = None);
     MESH.with(|mesh| *mesh = Mesh::default());
     PRECISE.with(|kept| *kept = [Vec::new(), Vec::new()]);
 }

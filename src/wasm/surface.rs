@@ -6,7 +6,7 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use super::mesh::MESH;
+use super::mesh::make_grid;
 use super::pen::CanvasPen;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
@@ -68,7 +68,7 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     });
 }
 
-/// Makes the mesh of one patch; 0.
+/// Makes the mesh of one patch, by forward `differences` or by Bernstein polynomials; 0.
 #[wasm_bindgen]
 pub fn patch_grid(
     degree_u: usize,
@@ -76,6 +76,7 @@ pub fn patch_grid(
     segments_u: usize,
     segments_v: usize,
     quads: bool,
+    differences: bool,
 ) -> isize {
     arena::answer(|a| {
         let patch = patch(a, degree_u, degree_v);
@@ -83,8 +84,9 @@ pub fn patch_grid(
             segments_u,
             segments_v,
         };
-        MESH.with(|mesh| patch.grid_into(grid, quads, mesh))?;
-        Ok(0)
+        make_grid(1, grid, quads, differences, |wanted, mesh| {
+            patch.fill_grid(wanted, mesh)
+        })
     })
 }
 
@@ -160,17 +162,22 @@ pub(super) fn put(a: &mut Arena, surface: &Surface) -> usize {
     a.put_counts(at, surface.joined_all().iter().map(|&i| i as usize))
 }
 
-/// Makes the mesh of a surface; 0.
+/// As `patch_grid`, of a surface.
 #[wasm_bindgen]
-pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool) -> isize {
+pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differences: bool) -> isize {
     arena::answer(|a| {
         let (surface, _) = surface(a)?;
         let grid = Grid {
             segments_u,
             segments_v,
         };
-        MESH.with(|mesh| surface.grid_into(grid, quads, mesh))?;
-        Ok(0)
+        make_grid(
+            surface.patch_count(),
+            grid,
+            quads,
+            differences,
+            |wanted, mesh| surface.fill_grid(wanted, mesh),
+        )
     })
 }
 
