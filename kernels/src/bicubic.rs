@@ -132,14 +132,30 @@ pub(crate) fn round(number: f64) -> f32 {
 #[inline(always)]
 pub(crate) fn store(near: [f32x4; 3], far: [f32x4; 3], at: usize, line: &mut [[f32; 3]]) {
     if let Some(out) = line.get_mut(at..at + LANES) {
-        out.copy_from_slice(&interleaved(near));
+        store_four(points(near), out);
     }
     let end = line.len() - at;
-    let mut points = interleaved(far);
-    points.reverse();
     if let Some(out) = line.get_mut(end.wrapping_sub(LANES)..end) {
-        out.copy_from_slice(&points);
+        let [a, b, c, d] = points(far);
+        store_four([d, c, b, a], out);
     }
+}
+
+/// Stores the first three lanes of each. The fourth one of a whole store is overwritten by the next.
+#[inline(always)]
+fn store_four(points: [[f32; 4]; LANES], out: &mut [[f32; 3]]) {
+    if let Ok(out) = <&mut [f32; 3 * LANES]>::try_from(out.as_flattened_mut()) {
+        out[..4].copy_from_slice(&points[0]);
+        out[3..7].copy_from_slice(&points[1]);
+        out[6..10].copy_from_slice(&points[2]);
+        out[9..].copy_from_slice(&points[3][..3]);
+    }
+}
+
+/// Four points from their coordinates; the fourth lane means nothing.
+#[inline(always)]
+fn points([x, y, z]: [f32x4; 3]) -> [[f32; 4]; LANES] {
+    f32x4::transpose([x, y, z, z]).map(f32x4::to_array)
 }
 
 /// Runs `fill` on the line, or on a longer one where it has no room for as many points as are stored together.
@@ -155,10 +171,4 @@ pub(crate) fn with_room<R>(line: &mut [[f32; 3]], fill: impl Fn(&mut [[f32; 3]])
         *to = from;
     }
     result
-}
-
-#[inline(always)]
-fn interleaved(coordinates: [f32x4; 3]) -> [[f32; 3]; LANES] {
-    let [x, y, z] = coordinates.map(f32x4::to_array);
-    std::array::from_fn(|lane| [x[lane], y[lane], z[lane]])
 }
