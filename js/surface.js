@@ -1,5 +1,6 @@
 import * as check from "./check.js";
 import { core } from "./init.js";
+import * as lines from "./lines.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
@@ -12,6 +13,8 @@ import { Checked, load, take } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { Curve } from "./curve.js"
+ * @import { FlatPiece, WireframeOptions } from "./lines.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
  * @import { SurfacePoint } from "./queries.js"
@@ -297,6 +300,52 @@ export class Surface {
     end.view.set(extra, end.at);
     done(core().surface_tessellate(...args));
     return takeMesh(into, kind);
+  }
+
+  /**
+   * The curves that divide every patch into `lines` strips each way (4 by default), sides included: a side that patches
+   * share comes once, one that is a point not at all. For each patch first the curves of constant u, then of constant v.
+   *
+   * @param {{ lines?: number }} [options]
+   * @returns {Curve[]}
+   * @throws {RangeError} for 0 lines, and above 1 GiB
+   */
+  isocurves(options) {
+    return lines.isocurves(() => this.#load(), options);
+  }
+
+  /**
+   * A mesh of the isocurves: tubes, or ribbons that lie in the surface.
+   *
+   *     const tubes = Surface.teapot().wireframe({ lines: 4, radius: 0.02 });
+   *     const ribbons = Surface.teapot().wireframe({ lines: 4, width: 0.05 });
+   *
+   * A line is followed as closely as a tube's cross-section follows its circle: to r (1 − cos(π / sides)), turning by at
+   * most 2π / sides from place to place; a ribbon as a tube of half its width with eight sides. Tubes are closed bodies
+   * with round ends, and do not twist; ribbons have the surface's normals and one side. A line that is a point gives
+   * nothing. `uvs` and `patchIds` are null; `patchRanges` tell which patch has drawn what.
+   *
+   * @param {WireframeOptions} options
+   * @returns {Mesh}
+   * @throws {TypeError} without a radius or a width, and with both
+   * @throws {RangeError} for a radius that 32 bits cannot show on coordinates of this size, and above 1 GiB
+   */
+  wireframe(options) {
+    return lines.wireframe(() => this.#load(), options);
+  }
+
+  /**
+   * The recursive split of the tutorials: every patch in four, and the pieces again, until the control points of each are
+   * within the tolerance of the plane of three of its corners (those with the largest triangle; of their line or point
+   * where they have no plane). For teaching: neighbours that were split differently leave cracks, and the tolerance does not
+   * bound the distance from the two triangles of a piece. `tessellate` has no cracks and keeps its tolerance.
+   *
+   * @param {number} tolerance
+   * @returns {FlatPiece[]} patch by patch
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, and above 2¹⁸ pieces
+   */
+  subdivide(tolerance) {
+    return lines.subdivide(() => this.#load(), tolerance);
   }
 
   /**

@@ -36,7 +36,7 @@ export class Reader {
     /** What the text counts as its length, in UTF-16. */
     this.length = text.length;
     const marked = text.charCodeAt(0) === BYTE_ORDER_MARK;
-    /** In bytes, which are read several times as fast as characters; with a line break behind, so that there is an end to every word. */
+    /** In bytes, which are read several times as fast as characters; with a line break behind, which ends the last word. */
     this.bytes = new TextEncoder().encode(`${marked ? text.slice(1) : text}\n`);
     this.at = 0;
     /** The number of the line that was read last. */

@@ -66,6 +66,15 @@ pub enum Error {
         /// The tolerance that came.
         got: f64,
     },
+    /// A size below what the numbers of a mesh can show.
+    Least {
+        /// The argument.
+        what: &'static str,
+        /// The least value for this input, in the input's unit.
+        least: f64,
+        /// The value that came.
+        got: f64,
+    },
     /// A result that would pass a limit; nothing was allocated for it.
     TooMany {
         /// What would be made.
@@ -166,6 +175,15 @@ impl Error {
                 Text(", got "),
                 Number(got),
                 none,
+                none,
+            ],
+            Self::Least { what, least, got } => [
+                Text(what),
+                Text(": expected at least "),
+                Number(least),
+                Text(" (f32 shows nothing smaller here)"),
+                Text(", got "),
+                Number(got),
                 none,
             ],
             Self::TooMany {

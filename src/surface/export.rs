@@ -16,8 +16,8 @@ const STL_HEADER_BYTES: usize = 80;
 const STL_TRIANGLE_BYTES: usize = 50;
 
 impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
-    /// The text of a Wavefront OBJ file: positions, (u, v) where there are any, normals; faces of four where the mesh has
-    /// quads, else triangles.
+    /// The text of a Wavefront OBJ file: positions, (u, v) where there are any, normals; faces of four where the mesh
+    /// has quads, else triangles.
     ///
     /// Numbers have the fewest digits that give them back.
     ///
@@ -54,11 +54,12 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
 
     /// The bytes of a binary STL file: 84, and 50 for each triangle.
     ///
-    /// Normals follow from the corners by the right-hand rule; zero where a triangle is degenerate. Positions are rounded
-    /// to f32.
+    /// Normals follow from the corners by the right-hand rule; zero where a triangle is degenerate. Positions are
+    /// rounded to f32.
     ///
     /// # Errors
-    /// As [`to_obj`](Self::to_obj); [`Error::TooMany`] above 1 GiB, [`Error::Range`] for positions that f32 cannot hold.
+    /// As [`to_obj`](Self::to_obj); [`Error::TooMany`] above 1 GiB, [`Error::Range`] for positions that f32 cannot
+    /// hold.
     pub fn to_stl(&self) -> Result<Vec<u8>, Error> {
         self.check(self.indices.iter(), self.indices.len(), 3)?;
         let positions = in_floats("positions", &self.positions)?;

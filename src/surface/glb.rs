@@ -102,7 +102,8 @@ impl Chunk {
         self.bytes.extend(padded(bytes, 0));
     }
 
-    /// The JSON chunk: one mesh in one node, both sides visible, as surfaces are open; an empty scene for an empty mesh.
+    /// The JSON chunk: one mesh in one node, both sides visible, as surfaces are open; an empty scene for an empty
+    /// mesh.
     fn description(&self) -> String {
         let mut json = String::from(
             "{\"asset\":{\"version\":\"2.0\",\"generator\":\"casteljau\"},\"scene\":0,\"scenes\":[",

@@ -1,8 +1,8 @@
 //! The teapot's companions from the same archive: teacup and teaspoon.
 //!
 //! Patch for patch the figures are those of the listing, with v reversed: there ∂u × ∂v points inwards. The cup stands
-//! on the plane z = 0, with (x, y, z) of the listing, where y is up, as (x, −z, y); the spoon lies with its bowl open to +z, as in the
-//! listing. Coincident points are one vertex, numbered in the order in which patches use them.
+//! on the plane z = 0, with (x, y, z) of the listing, where y is up, as (x, −z, y); the spoon lies with its bowl open
+//! to +z, as in the listing. Coincident points are one vertex, numbered in the order in which patches use them.
 
 use super::sets::{Up, Whole, share, sweep, turn};
 use super::{Surface, teacup_data, teaspoon_data};
@@ -31,8 +31,8 @@ impl Surface {
     ///
     /// Four groups of four patches around, from the bowl's end to the tip of the handle, which points along −y; ∂u × ∂v
     /// points outwards. The figures are those of the 1990 tea-set archive with v running the other way; with [`Up::Y`]
-    /// its (x, y, z) becomes (x, z, −y). As the archive has them, unedited: the two halves differ a little, and the last sides
-    /// at the bowl's end and at the tip leave gaps, 8 open sides beside 28 shared ones.
+    /// its (x, y, z) becomes (x, z, −y). As the archive has them, unedited: the two halves differ a little, and the
+    /// last sides at the bowl's end and at the tip leave gaps, 8 open sides beside 28 shared ones.
     pub fn teaspoon(up: Up) -> Self {
         let mut points = Vec::new();
         for group in 0..4 {

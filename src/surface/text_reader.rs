@@ -38,8 +38,8 @@ const SHOWN_CHARACTERS: usize = 40;
 
 /// A text as rows of words.
 ///
-/// Blanks, tabs and commas separate words; `#` starts a comment, which ends with its line; lines end with a line feed, a
-/// carriage return or both. Lines without words are numbered, but are no rows. `js/surface-text.js` reads the same.
+/// Blanks, tabs and commas separate words; `#` starts a comment, which ends with its line; lines end with a line feed,
+/// a carriage return or both. Lines without words are numbered, but are no rows. `js/surface-text.js` reads the same.
 pub(super) struct Reader<'a> {
     text: &'a str,
     at: usize,
@@ -63,8 +63,8 @@ impl<'a> Reader<'a> {
         self.line
     }
 
-    /// Reads the next row and returns how many words it has; 0 at the end. Words beyond those `wanted` are only counted: a
-    /// row may be as long as the text.
+    /// Reads the next row and returns how many words it has; 0 at the end. Words beyond those `wanted` are only
+    /// counted: a row may be as long as the text.
     pub(super) fn row(&mut self, wanted: usize) -> usize {
         self.words.clear();
         while !self.find_word() {

@@ -1,8 +1,8 @@
 //! A surface as lines: curves of constant u and of constant v.
 
-use super::Surface;
 use super::projected::Projection;
 use super::topology::SIDES;
+use super::{Patch, Surface};
 use crate::curve::{Curve, MAX_OUTPUT_F64, Pen, check_tolerance, ratio};
 use crate::error::Error;
 use glam::{DMat4, DVec3};
@@ -10,17 +10,28 @@ use glam::{DMat4, DVec3};
 /// How far drawn lines may be from the true projection, where nothing else is asked for: less than a screen shows.
 const TOLERANCE_PX: f64 = 0.1;
 
+/// A line on a patch.
+pub(super) struct Isocurve<'a> {
+    pub(super) patch_number: usize,
+    pub(super) patch: &'a Patch,
+    /// Whether u is constant along it, else v.
+    pub(super) constant_u: bool,
+    /// The parameter that is.
+    pub(super) at: f64,
+    pub(super) curve: Curve<DVec3>,
+}
+
 impl Surface {
     /// The isocurves that divide every patch into `lines` strips each way: at u and v = k / `lines`, sides included.
     ///
-    /// A side that patches share comes once, a side that is a point not at all (see [`topology`](Self::topology)). For each
-    /// patch first the curves of constant u, then those of constant v.
+    /// A side that patches share comes once, a side that is a point not at all (see [`topology`](Self::topology)). For
+    /// each patch first the curves of constant u, then those of constant v.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 lines, [`Error::TooMany`] above 1 GiB of numbers.
     pub fn isocurves(&self, lines: usize) -> Result<Vec<Curve<DVec3>>, Error> {
         let mut curves = Vec::new();
-        self.each_isocurve(lines, |curve| curves.push(curve))?;
+        self.each_isocurve(lines, &mut |line| curves.push(line.curve))?;
         Ok(curves)
     }
 
@@ -53,26 +64,41 @@ impl Surface {
         }
         let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
         let projection = Projection::new(matrix, self.vertices(), tolerance);
-        self.each_isocurve(lines, |curve| projection.draw(&curve, pen))
+        self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, pen))
     }
 
-    /// Hands out the isocurves one by one.
-    fn each_isocurve(&self, lines: usize, mut draw: impl FnMut(Curve<DVec3>)) -> Result<(), Error> {
+    /// Hands out the isocurves one by one, by reference to one closure, so that the loop is compiled once.
+    pub(super) fn each_isocurve(
+        &self,
+        lines: usize,
+        draw: &mut dyn FnMut(Isocurve<'_>),
+    ) -> Result<(), Error> {
         self.check_lines(lines)?;
         let uses = self.side_uses();
-        for (k, patch) in self.patches().enumerate() {
+        for (patch_number, patch) in self.patches().enumerate() {
             // A line that an earlier side has drawn, or a point, is left out.
             let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
-                let number = SIDES * k + side;
+                let number = SIDES * patch_number + side;
                 uses[number].first == number && !uses[number].collapsed
             });
             let wanted =
                 |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
-            for k in (0..=lines).filter(|&k| wanted(k, u0, u1)) {
-                draw(patch.isocurve_at_u(ratio(k, lines)));
-            }
-            for k in (0..=lines).filter(|&k| wanted(k, v0, v1)) {
-                draw(patch.isocurve_at_v(ratio(k, lines)));
+            for (constant_u, first, last) in [(true, u0, u1), (false, v0, v1)] {
+                for k in (0..=lines).filter(|&k| wanted(k, first, last)) {
+                    let at = ratio(k, lines);
+                    let curve = if constant_u {
+                        patch.isocurve_at_u(at)
+                    } else {
+                        patch.isocurve_at_v(at)
+                    };
+                    draw(Isocurve {
+                        patch_number,
+                        patch: &patch,
+                        constant_u,
+                        at,
+                        curve,
+                    });
+                }
             }
         }
         Ok(())

@@ -17,6 +17,7 @@
 mod alone;
 mod arena;
 mod curve;
+mod lines;
 mod mesh;
 mod pen;
 mod queries;

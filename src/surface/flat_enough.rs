@@ -1,0 +1,153 @@
+//! The recursive split of the tutorials: until pieces are flat enough.
+
+use super::net::Net;
+use super::{Patch, Surface};
+use crate::curve::{check_tolerance, max_abs};
+use crate::error::Error;
+use crate::point::Point;
+use glam::DVec3;
+
+/// The most leaves of one surface.
+const MAX_LEAVES: usize = 1 << 18;
+
+/// A piece of a patch that counts as flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatPiece {
+    /// The patch.
+    pub patch: usize,
+    /// Where the piece starts in u.
+    pub u0: f64,
+    /// Where it ends in u.
+    pub u1: f64,
+    /// Where it starts in v.
+    pub v0: f64,
+    /// Where it ends in v.
+    pub v1: f64,
+    /// S(u0, v0), S(u1, v0), S(u1, v1), S(u0, v1). The recursion draws the triangles 0 1 2 and 0 2 3.
+    pub corners: [DVec3; 4],
+}
+
+impl FlatPiece {
+    /// The two triangles that stand for the piece, counter-clockwise as seen from the side that ∂u × ∂v points to.
+    pub fn triangles(&self) -> [[DVec3; 3]; 2] {
+        let [a, b, c, d] = self.corners;
+        [[a, b, c], [a, c, d]]
+    }
+}
+
+impl Surface {
+    /// Splits every patch in four, and the pieces again, until the control points of each piece are within `tolerance`
+    /// of the plane of three of its corners: those with the largest triangle.
+    ///
+    /// Where the corners lie on a line, control points must be as near to that line; where they are one point, to that
+    /// point. For teaching: neighbours that were split differently do not meet along their side (cracks), and the
+    /// tolerance bounds the distance of the control points from a plane, not that of the surface from the two
+    /// triangles, as the fourth corner and the outline may be off. [`tessellate`](Self::tessellate) has no cracks and
+    /// keeps its tolerance. The pieces come patch by patch, each as its quarters before u and v, after u, after v,
+    /// after both. Source: Angel and Shreiner, *Interactive Computer Graphics*, 7th ed., §10.
+    ///
+    /// # Errors
+    /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces.
+    pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
+        let size = self.control_bounds();
+        check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
+        let mut leaves = Vec::new();
+        for (number, patch) in self.patches().enumerate() {
+            let all = [0.0, 1.0, 0.0, 1.0];
+            split(number, &patch, all, tolerance, &mut leaves);
+        }
+        if leaves.len() > MAX_LEAVES {
+            return Err(Error::TooMany {
+                what: "leaves",
+                limit: MAX_LEAVES,
+                needed: MAX_LEAVES + 1,
+            });
+        }
+        Ok(leaves)
+    }
+}
+
+/// The leaves of one piece, none once there are too many. The depth is that of the parameters: some 52 halvings, after
+/// which a piece is a point.
+fn split(
+    patch: usize,
+    piece: &Patch,
+    [u0, u1, v0, v1]: [f64; 4],
+    tolerance: f64,
+    leaves: &mut Vec<FlatPiece>,
+) {
+    if leaves.len() > MAX_LEAVES {
+        return;
+    }
+    let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
+    let inside = u0 < u && u < u1 && v0 < v && v < v1;
+    let corners = corners(&piece.points, piece.columns);
+    if !inside || is_flat(&piece.points, corners, tolerance) {
+        leaves.push(FlatPiece {
+            patch,
+            u0,
+            u1,
+            v0,
+            v1,
+            corners,
+        });
+        return;
+    }
+    let places = [
+        [u0, u, v0, v],
+        [u, u1, v0, v],
+        [u0, u, v, v1],
+        [u, u1, v, v1],
+    ];
+    for (quarter, place) in piece.split(0.5, 0.5).iter().zip(places) {
+        split(patch, quarter, place, tolerance, leaves);
+    }
+}
+
+/// The corners of a net, around it.
+fn corners(net: &[DVec3], columns: usize) -> [DVec3; 4] {
+    let last = net.len() - columns;
+    [0, columns - 1, net.len() - 1, last].map(|place| net[place])
+}
+
+/// Whether all points are within the tolerance of the plane of three corners (of a line, of a point).
+fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
+    // Of moderate size, so that products neither overflow nor vanish; halves first, for coordinates of ±1e308.
+    let origin = corners[0] * 0.5;
+    let mut around: Net = net.iter().map(|&p| p * 0.5 - origin).collect();
+    let scale = max_abs(&around);
+    if scale == 0.0 {
+        return true;
+    }
+    around.iter_mut().for_each(|p| *p /= scale);
+    let [a, b, c, d] = corners.map(|p| (p * 0.5 - origin) / scale);
+    let most = 0.5 * tolerance / scale;
+    // Each normal is a cross product at one of the three corners.
+    let plane = longest(&[
+        (b, (a - b).cross(c - b)),
+        (c, (b - c).cross(d - c)),
+        (d, (c - d).cross(a - d)),
+        (a, (d - a).cross(b - a)),
+    ]);
+    let line = longest(&[(a, b - a), (a, c - a), (a, d - a)]);
+    around.iter().all(|&p| {
+        let off = match (plane, line) {
+            (Some((from, normal)), _) => (p - from).dot(normal).abs(),
+            (None, Some((from, along))) => (p - from).cross(along).norm(),
+            (None, None) => p.norm(),
+        };
+        off <= most
+    })
+}
+
+/// The longest vector with its place, as a unit vector; none if all are zero.
+fn longest(vectors: &[(DVec3, DVec3)]) -> Option<(DVec3, DVec3)> {
+    let mut found = (DVec3::ZERO, DVec3::ZERO);
+    for &(from, vector) in vectors {
+        if vector.norm() > found.1.norm() {
+            found = (from, vector);
+        }
+    }
+    (found.1 != DVec3::ZERO).then(|| (found.0, found.1.unit()))
+}

@@ -1,0 +1,51 @@
+//! Bindings of surfaces as lines, as bodies of lines, and as the flat pieces of the tutorials.
+
+use super::arena;
+use super::mesh::MESH;
+use super::surface::surface;
+use crate::surface::{Wire, WireframeOptions};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Leaves for each isocurve the number of its control points, and these.
+#[wasm_bindgen]
+pub fn surface_isocurves(lines: usize) -> isize {
+    arena::answer(|a| {
+        let curves = surface(a)?.0.isocurves(lines)?;
+        Ok(curves.iter().fold(0, |at, curve| {
+            let points = curve.control_points();
+            let at = a.put_numbers(at, &[points.len() as f64]);
+            a.put(at, points)
+        }))
+    })
+}
+
+/// Makes the mesh of all lines: tubes of `size` as the radius, or, without sides, ribbons of that width; 0.
+#[wasm_bindgen]
+pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
+    arena::answer(|a| {
+        let wire = if sides > 0 {
+            Wire::Tube {
+                radius: size,
+                sides,
+            }
+        } else {
+            Wire::Ribbon { width: size }
+        };
+        let mesh = surface(a)?.0.wireframe(&WireframeOptions { lines, wire })?;
+        MESH.with(|kept| *kept = mesh);
+        Ok(0)
+    })
+}
+
+/// Leaves for each piece the number of its patch, u0, u1, v0, v1 and its four corners.
+#[wasm_bindgen]
+pub fn surface_subdivide(tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let pieces = surface(a)?.0.subdivide(tolerance)?;
+        Ok(pieces.iter().fold(0, |at, piece| {
+            let place = [piece.patch as f64, piece.u0, piece.u1, piece.v0, piece.v1];
+            let at = a.put_numbers(at, &place);
+            a.put(at, &piece.corners)
+        }))
+    })
+}
