@@ -1,7 +1,7 @@
 //! Bindings of surfaces as lines, as bodies of lines, and as the flat pieces of the tutorials.
 
 use super::arena;
-use super::mesh::MESH;
+use super::mesh::keep_mesh;
 use super::surface::surface;
 use crate::surface::{Wire, WireframeOptions};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -32,8 +32,7 @@ pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
             Wire::Ribbon { width: size }
         };
         let mesh = surface(a)?.0.wireframe(&WireframeOptions { lines, wire })?;
-        MESH.with(|kept| *kept = mesh);
-        Ok(0)
+        Ok(keep_mesh(mesh))
     })
 }
 

@@ -117,9 +117,14 @@ fn keep(surface: &Surface, fineness: &Fineness, weld: Weld, precise: bool) -> Re
     } else {
         surface.tessellate(fineness, weld)?
     };
+    Ok(keep_mesh(mesh))
+}
+
+/// Keeps a mesh that is no grid, to be copied; 0.
+pub(super) fn keep_mesh(mesh: Mesh) -> usize {
     GRID.with(|last| *last = None);
     MESH.with(|kept| *kept = mesh);
-    Ok(0)
+    0
 }
 
 /// Leaves the topology: five lists (shared, three and more, open, collapsed, components), each its number of groups and

@@ -117,3 +117,10 @@ test("refused", () => {
   refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 262144, this needs 262145$/);
   assert.equal(teapot.patchCount, 32);
 });
+
+test("a grid after a wireframe has its own layout", () => {
+  const grid = () => teapot.grid({ segments: 3 });
+  const first = grid();
+  teapot.wireframe({ width: 0.1 });
+  assert.deepEqual(grid(), first);
+});
