@@ -5,9 +5,10 @@
 //   node benches/js/run.js --quick    does each piece of work once, to see that the sides agree; writes nothing
 //
 // The files: targets.js says what is asked; harness.js how times are taken; curve.js, teapot.js (with baseline.js),
-// start.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
+// adaptive.js, start.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
+import * as adaptive from "./adaptive.js";
 import * as curve from "./curve.js";
 import * as growth from "./growth.js";
 import { FULL, QUICK, race } from "./harness.js";
@@ -46,17 +47,18 @@ function conditions() {
     versions: {
       [name]: version,
       node: process.versions.node,
-      ...Object.fromEntries(["bezier-js", "three"].map((peer) => [peer, npm(peer)])),
+      ...Object.fromEntries(["bezier-js", "three", "verb-nurbs"].map((peer) => [peer, npm(peer)])),
       ...Object.fromEntries(["kurbo", "lyon_geom"].map((peer) => [peer, crate(peer)])),
     },
   };
 }
 
 const raced = [...curve.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);
 const measuredNatively = quick ? [] : native.results().filter(({ id }) => wanted(id));
-const rows = [...raced, ...started, ...measuredNatively].map(judge);
+const rows = [...raced, ...adapted, ...started, ...measuredNatively].map(judge);
 const run = conditions();
 
 console.log(`\n${run.machine.cpu}, ${run.machine.cores} cores, ${run.machine.platform}, ${run.date}`);

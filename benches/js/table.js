@@ -23,7 +23,8 @@ export function quantity(value, unit) {
   if (unit === "bytes") return `${round(value / 1000)} kB`;
   if (unit !== "ns") return `${value.toLocaleString("en-US")}`;
   if (value < 1000) return `${round(value)} ns`;
-  return value < 1e6 ? `${round(value / 1000)} µs` : `${round(value / 1e6)} ms`;
+  if (value < 1e6) return `${round(value / 1000)} µs`;
+  return value < 1e9 ? `${round(value / 1e6)} ms` : `${round(value / 1e9)} s`;
 }
 
 /** @param {number | null} ratio */

@@ -20,6 +20,10 @@ export const TARGETS = {
   "teapot-16-reused-loop": { least: 3 },
   "teapot-64-reused-loop": { least: 3 },
 
+  "adaptive-verb": { least: 100 },
+  "adaptive-triangles": { most: 13_500 },
+  "adaptive-triangle": { most: 200 }, // ns
+
   "first-call": { most: 5e6 }, // ns
   size: { most: 40_000 }, // bytes
 

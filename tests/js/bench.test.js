@@ -13,7 +13,7 @@ const bench = (...args) => spawnSync(process.execPath, ["benches/js/run.js", ...
 test("all sides of the benchmarks give the same answers", () => {
   const { status, stdout, stderr } = bench("--quick");
   assert.equal(status, 0, stderr);
-  for (const work of ["1,000 points", "eval(t)", "split(t)", "teapot, 16 segments", "teapot, 64 segments", "first call", "package", "32,000"]) {
+  for (const work of ["1,000 points", "eval(t)", "split(t)", "teapot, 16 segments", "teapot, 64 segments", "tolerance diagonal / 1000", "first call", "package", "32,000"]) {
     assert.ok(stdout.includes(work), work);
   }
 });
@@ -29,6 +29,6 @@ test("each target belongs to a row", async () => {
   const [curve, teapot] = await Promise.all(["curve", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
   const ids = [...curve.rows, ...teapot.rows].map(({ id }) => id);
   assert.equal(new Set(ids).size, ids.length);
-  const other = /^(growth-\w+|flatten-0\.0?1-\w+(-segments)?|first-call|size)$/;
+  const other = /^(adaptive-(verb|triangles?)|growth-\w+|flatten-0\.0?1-\w+(-segments)?|first-call|size)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
 });
