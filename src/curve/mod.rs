@@ -19,6 +19,7 @@ mod trace;
 
 pub use basis::Basis;
 pub use bernstein::bernstein;
+pub(crate) use bernstein::bernstein_into;
 pub use bounds::Bounds;
 pub use flatten::Polyline;
 pub use subdivide::Subdivision;

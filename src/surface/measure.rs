@@ -1,10 +1,10 @@
 //! How large is the surface, and how much does it enclose?
 
 use super::frame::{Frame, box_of};
-use super::net::{curve_at_u, differences_u};
+use super::net::differences_u;
 use super::topology::{Side, SideName};
 use super::{Patch, Surface};
-use crate::curve::{evaluate, ratio};
+use crate::curve::{bernstein_into, ratio};
 use glam::DVec3;
 
 /// Nodes and weights of Gauss and Legendre's rule with 8 points on [−1, 1], which is exact to degree 15; the others are
@@ -22,8 +22,10 @@ const AREA_ERROR: f64 = 1e-9;
 /// In units of the patch's size squared, what is left of an area where there is none.
 const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
-/// The most tiles that are split at once; only folds need so many.
-const MAX_TILES: usize = 4096;
+/// The most tiles that are split at once, and the most control points in all of them: only folds need so many, and
+/// patches of high degrees that have as many bends.
+const MAX_TILES: usize = 1024;
+const MAX_POINTS: usize = 1 << 19;
 
 /// Tiles are halved no more often than this in u and v.
 const MAX_ROUNDS: usize = 40;
@@ -43,7 +45,7 @@ impl Patch {
     ///
     /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
     /// twice. Zero for a patch that is a curve or a point. Of one that folds back along a line that is no tile's side
-    /// the eighth digit may be off.
+    /// the eighth digit may be off, and more of one that has dozens of bends.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = frame.image(self).area_in_frame();
@@ -55,6 +57,7 @@ impl Patch {
 
     fn area_in_frame(&self) -> f64 {
         let area = |tile: Tile| self.integral(tile, &|_, du, dv| du.cross(dv).length());
+        let most = MAX_TILES.min(MAX_POINTS / self.points.len());
         let whole = Tile::WHOLE;
         let mut tiles = vec![(whole, area(whole))];
         let mut settled = 0.0;
@@ -69,7 +72,7 @@ impl Patch {
                 errors += error;
                 split.push((quarters, better, error));
             }
-            if errors <= AREA_ERROR * sum + NO_AREA || split.len() > MAX_TILES {
+            if errors <= AREA_ERROR * sum + NO_AREA || split.len() > most {
                 return sum;
             }
             let allowed = AREA_ERROR * sum / (2.0 * ratio(split.len(), 1));
@@ -101,24 +104,63 @@ impl Patch {
 
     /// The integral of a function of S, ∂u and ∂v over a tile.
     fn integral(&self, tile: Tile, f: &dyn Fn(DVec3, DVec3, DVec3) -> f64) -> f64 {
-        let (m, n) = (ratio(self.degree_u(), 1), ratio(self.degree_v(), 1));
+        let [m, n] = [self.degree_u(), self.degree_v()];
         let du = differences_u(&self.points, self.columns);
+        let along_v: Vec<Node> = nodes(tile.v, n).collect();
         let mut sum = 0.0;
-        for (u, weight_u) in nodes(tile.u) {
-            let curve = curve_at_u(&self.points, self.columns, u);
-            let slopes = curve_at_u(&du, self.columns - 1, u);
+        for at_u in nodes(tile.u, m) {
+            let curve: Vec<DVec3> = blends(&self.points, &at_u.weights).collect();
+            let slopes: Vec<DVec3> = blends(&du, &at_u.lower).collect();
             let along = differences_u(&curve, curve.len());
-            for (v, weight_v) in nodes(tile.v) {
+            for at_v in &along_v {
                 let value = f(
-                    evaluate(&curve, v),
-                    evaluate(&slopes, v) * m,
-                    evaluate(&along, v) * n,
+                    blend(&curve, &at_v.weights),
+                    blend(&slopes, &at_v.weights) * ratio(m, 1),
+                    blend(&along, &at_v.lower) * ratio(n, 1),
                 );
-                sum += weight_u * weight_v * value;
+                sum += at_u.weight * at_v.weight * value;
             }
         }
         sum
     }
+}
+
+/// A node of the rule: its weight there, and the Bernstein weights of a degree and of the degree below.
+struct Node {
+    weight: f64,
+    weights: Vec<f64>,
+    lower: Vec<f64>,
+}
+
+/// The nodes of the rule in an interval.
+fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    (0..2 * GAUSS.len()).map(move |k| {
+        let [x, weight] = GAUSS[k / 2];
+        let t = middle + if k % 2 == 0 { half * x } else { -half * x };
+        let bernstein = |count: usize| {
+            let mut weights = vec![0.0; count];
+            bernstein_into(&mut weights, t);
+            weights
+        };
+        Node {
+            weight: half * weight,
+            weights: bernstein(degree + 1),
+            lower: bernstein(degree),
+        }
+    })
+}
+
+/// The blend of each row of points.
+fn blends(points: &[DVec3], weights: &[f64]) -> impl Iterator<Item = DVec3> {
+    points.chunks(weights.len()).map(|row| blend(row, weights))
+}
+
+fn blend(points: &[DVec3], weights: &[f64]) -> DVec3 {
+    points
+        .iter()
+        .zip(weights)
+        .fold(DVec3::ZERO, |sum, (&p, &w)| sum + p * w)
 }
 
 impl Tile {
@@ -135,14 +177,6 @@ impl Tile {
         let ([u0, u1], [v0, v1]) = (halves(self.u), halves(self.v));
         [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| Self { u, v })
     }
-}
-
-/// The nodes of the rule in an interval, and their weights.
-fn nodes([from, to]: [f64; 2]) -> impl Iterator<Item = (f64, f64)> {
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    GAUSS
-        .iter()
-        .flat_map(move |&[x, w]| [(middle - half * x, half * w), (middle + half * x, half * w)])
 }
 
 impl Surface {

@@ -29,6 +29,10 @@ fn of_polynomials() {
     // z = u²(1 − u) v is greatest at (⅔, 1).
     let bounds = graph(3, 3, &[(1.0, 2, 1), (-1.0, 3, 1)]).bounds();
     assert_near(bounds.max, DVec3::new(1.0, 1.0, 4.0 / 27.0), 1e-15);
+    // A saddle that bends upwards in u and in v: no way leads down from its least corner, (0, 0), but at (1, 0.6) it is
+    // lower.
+    let saddle = [(1.0, 2, 0), (4.0, 0, 2), (-5.0, 1, 1), (0.2, 0, 1)];
+    assert!((graph(2, 2, &saddle).bounds().min.z + 0.44).abs() < 1e-15);
     // z = −(u + v − 1)² has a whole ridge, and z = (u − v)² a whole valley.
     let ridge = [
         (-1.0, 2, 0),

@@ -10,3 +10,5 @@ mod nearest;
 mod rays;
 mod shapes;
 mod touches;
+#[cfg(not(target_family = "wasm"))]
+mod wild;

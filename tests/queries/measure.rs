@@ -32,6 +32,15 @@ fn cube() -> Surface {
     Surface::new(vertices, faces.concat(), 1, 1).unwrap()
 }
 
+/// The closed ones of the connected parts of a surface.
+#[cfg(not(target_family = "wasm"))]
+fn closed_parts(surface: &Surface) -> Vec<Surface> {
+    let parts = surface.topology().components;
+    let mut parts: Vec<Surface> = parts.iter().map(|patches| part(surface, patches)).collect();
+    parts.retain(|part| part.topology().open.is_empty());
+    parts
+}
+
 /// The patches of a surface as one of their own.
 #[cfg(not(target_family = "wasm"))]
 fn part(surface: &Surface, patches: &[usize]) -> Surface {
@@ -108,6 +117,32 @@ fn the_volume_of_gumbos_body() {
         volumes.iter().any(|v| (v - 2_556.773_7).abs() < 5e-5),
         "{volumes:?}"
     );
+}
+
+/// What enters a closed body comes out again, though Gumbo's parts reach into each other: by the normals, a ray enters as
+/// often as it leaves.
+#[cfg(not(target_family = "wasm"))]
+#[test]
+fn rays_go_in_and_out_of_gumbos_body() {
+    let Some(gumbo) = shared("gumbo") else { return };
+    let body = closed_parts(&gumbo).swap_remove(0);
+    let bounds = body.bounds().unwrap();
+    let mut random = Random(1);
+    let mut hits = 0;
+    for _ in 0..1000 {
+        let share = DVec3::new(random.unit(), random.unit(), random.unit());
+        let inside = bounds.min + (bounds.max - bounds.min) * share;
+        let along = random.point().normalize_or(DVec3::X);
+        let found = body.intersect_ray(inside - along * 100.0, along).unwrap();
+        assert_eq!(found.len() % 2, 0, "{found:?}");
+        let depth = found.iter().fold(0.0, |depth, hit| {
+            let normal = body.patch(hit.patch).unwrap().normal(hit.u, hit.v);
+            depth - normal.dot(along).signum()
+        });
+        assert_eq!(depth, 0.0, "{found:?}");
+        hits += found.len();
+    }
+    assert!(hits > 1500, "{hits}");
 }
 
 #[wasm_bindgen_test(unsupported = test)]
