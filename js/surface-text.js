@@ -14,6 +14,8 @@ const NET_CHARACTERS = 4 + 2 * 4;
 const PATCH_CHARACTERS = 4 + 4 * VERTEX_CHARACTERS;
 /** The vertex numbers of a patch in a listing. */
 const LISTED = 16;
+/** Of what is larger, one is as bad as the other. */
+const MOST_INDEX = 0xffffffff;
 
 /**
  * What is being read.
@@ -130,7 +132,7 @@ function readListing(parser, count) {
     if (k > 0) reader.words(LISTED, "vertex numbers");
     readIndices(parser, 1, Infinity);
     for (let place = 0; place < LISTED; place++) {
-      const index = indices[LISTED * k + place];
+      const index = Math.min(indices[LISTED * k + place], MOST_INDEX);
       if (index >= largest.index) largest = { index, line: reader.line, word: reader.word(place) ?? "" };
     }
     degrees.push(3, 3);

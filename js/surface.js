@@ -9,7 +9,7 @@ import { done } from "./refusal.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
 import { parseSurface, surfaceText } from "./surface-text.js";
-import { Checked, load, take } from "./transfer.js";
+import { Checked, load, take, trim } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
@@ -129,7 +129,8 @@ export class Surface {
   }
 
   /**
-   * The surface as text, which `parse` reads back to an equal one, bit for bit: the row `surface`; `vertices` and their
+   * The surface as text, which `parse` reads back to an equal one, bit for bit (but vertices that a move has brought to one
+   * place are joined when they are read): the row `surface`; `vertices` and their
    * number, then a row x y z for each; `patches` and their number, then for each a row with its degrees in u and v, and
    * below it its net: a row for each j with the vertex numbers, from 0, of its points Pᵢⱼ.
    *
@@ -438,7 +439,9 @@ function readSurface(length) {
 /** @param {Float64Array} vertices */
 function joinedOf(vertices) {
   load(vertices);
-  return take(0, core().points_joined(vertices.length / 3));
+  const joined = take(0, core().points_joined(vertices.length / 3));
+  trim();
+  return joined;
 }
 
 /** @param {{ up?: "z" | "y" } | undefined} options */

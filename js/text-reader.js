@@ -58,7 +58,7 @@ export class Reader {
    */
   word(place) {
     if (2 * place >= this.ends.length) return undefined;
-    return new TextDecoder().decode(this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]));
+    return new TextDecoder("utf-8", { ignoreBOM: true }).decode(this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]));
   }
 
   /**

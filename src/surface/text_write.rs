@@ -6,6 +6,8 @@ use std::fmt::{Arguments, Display, LowerExp, Write};
 impl Surface {
     /// The surface as text, which [`parse`](Self::parse) reads back to an equal one, bit for bit.
     ///
+    /// Only vertices that a move has brought to one place are joined when they are read, as in every new surface.
+    ///
     /// The row `surface`; `vertices` and their number, then a row x y z for each; `patches` and their number, then for
     /// each a row with its degrees in u and v, and below it its net: a row for each j with the vertex numbers, from 0,
     /// of its points Pᵢⱼ.
