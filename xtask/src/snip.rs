@@ -19,7 +19,7 @@ pub(crate) fn panics(compiled: &Path) -> Result<Module> {
         .filter(|&id| {
             let name = module.funcs.get(id).name.as_deref();
             name.is_some_and(|name| {
-                let path = format!("{:#}", rustc_demangle::demangle(name));
+                let path = without_hashes(&format!("{:#}", rustc_demangle::demangle(name)));
                 panics_only(&path) || formats(&path)
             })
         })
@@ -28,6 +28,18 @@ pub(crate) fn panics(compiled: &Path) -> Result<Module> {
         trap(&mut module, id);
     }
     Ok(module)
+}
+
+/// `core[c5930c85a12de822]::fmt` is `core::fmt`: names come demangled already, with the hashes of crates.
+fn without_hashes(path: &str) -> String {
+    let mut parts = path.split('[');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |plain, part| match part.split_once(']') {
+        Some((hash, rest)) if hash.len() == 16 && hash.chars().all(|c| c.is_ascii_hexdigit()) => {
+            plain + rest
+        }
+        _ => plain + "[" + part,
+    })
 }
 
 /// Whether a function of the standard library, by its path, never returns.
@@ -53,7 +65,9 @@ fn panics_only(path: &str) -> bool {
 
 /// Whether a function belongs to the formatting of messages: `core::fmt`, its traits' methods, payloads of panics.
 fn formats(path: &str) -> bool {
-    path.contains("core::fmt::") || path.contains("std::panicking::")
+    ["core::fmt::", "core::num::flt2dec::", "std::panicking::"]
+        .iter()
+        .any(|part| path.contains(part))
 }
 
 fn trap(module: &mut Module, id: FunctionId) {
