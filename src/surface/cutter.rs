@@ -18,11 +18,9 @@ use glam::DVec3;
 /// Parameters are whole numbers from 0 to this: pieces can be halved 30 times each way.
 pub(super) const DYADIC: u32 = 1 << 30;
 
-/// After so many halvings a piece's own bound tells about how many pieces it will need.
-const FORECAST_DEPTH: u32 = 8;
-
-/// How much more than the limit the forecast must be, since the bound is one.
-const FORECAST_SLACK: f64 = 4.0;
+/// After how many halvings pieces tell how many they will become: at first as they are, and only if that is too many
+/// from closer.
+pub(super) const FORECAST_DEPTHS: [u32; 2] = [0, 8];
 
 /// A piece that may be too large: how much it bends along u, along both and along v, per unit of the patch's parameters.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +38,8 @@ pub(super) struct Cutter<'a> {
     pub(super) rounding: f64,
     /// The greatest number of cells in all.
     pub(super) limit: usize,
-    /// How many cells are to be expected in all, as far as pieces have come.
+    /// While cells are only counted: after how many halvings, and how many are to be expected so far.
+    pub(super) forecast: Option<u32>,
     pub(super) expected: f64,
     pub(super) cells: Vec<Cell>,
     /// The vectors of the pieces that wait, in units of `size`.
@@ -69,7 +68,14 @@ impl Cutter<'_> {
         while let Some(piece) = pieces.pop() {
             let tolerance = self.tolerance();
             let bound = self.bound(&piece.cell, piece.bend);
-            self.count(&piece, bound / tolerance)?;
+            if self.forecast == Some(piece.depth) {
+                self.expected += piece.least_cells(tolerance);
+                self.bends.pop();
+                continue;
+            }
+            if self.cells.len() >= self.limit {
+                return Err(self.too_many());
+            }
             let must = piece.cell_closes(closed);
             let along_u = if bound > tolerance {
                 piece.longer_along_u()
@@ -77,7 +83,7 @@ impl Cutter<'_> {
                 must
             };
             let Some(along_u) = along_u else {
-                self.cells.push(piece.cell);
+                self.add(piece.cell);
                 self.bends.pop();
                 continue;
             };
@@ -85,7 +91,7 @@ impl Cutter<'_> {
             let bends = [self.bend(1), self.bend(0)];
             let closer = [0, 1, 2].map(|k| larger(bends[0][k], bends[1][k]));
             if must.is_none() && self.bound(&piece.cell, closer) <= tolerance {
-                self.cells.push(piece.cell);
+                self.add(piece.cell);
                 self.bends.pop();
                 self.bends.pop();
             } else {
@@ -148,8 +154,7 @@ impl Cutter<'_> {
 
     /// The greatest distance of flat triangles over a cell.
     fn bound(&self, cell: &Cell, [uu, uv, vv]: [f64; 3]) -> f64 {
-        let part = |k: u32| f64::from(k) / f64::from(DYADIC);
-        let (h, k) = (part(cell.du), part(cell.dv));
+        let [h, k] = lengths(cell);
         (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
     }
 
@@ -163,27 +168,27 @@ impl Cutter<'_> {
         wanted.max(self.least) - self.rounding
     }
 
-    /// Refuses more pieces than the limit, as soon as they can be foreseen.
-    fn count(&mut self, piece: &Piece, excess: f64) -> Result<(), Error> {
-        if piece.depth == FORECAST_DEPTH {
-            self.expected += excess;
+    fn add(&mut self, cell: Cell) {
+        if self.forecast.is_some() {
+            self.expected += 1.0;
+        } else {
+            self.cells.push(cell);
         }
-        let limit = self.limit as f64;
-        if self.cells.len() < self.limit && self.expected <= FORECAST_SLACK * limit {
-            return Ok(());
-        }
+    }
+
+    /// Two triangles a cell.
+    pub(super) fn too_many(&self) -> Error {
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "saturates, and is for people to read"
         )]
         let expected = self.expected as usize;
-        // Two triangles a cell.
-        Err(Error::TooMany {
+        Error::TooMany {
             what: "triangles",
             limit: 2 * self.limit,
-            needed: expected.max(self.cells.len() + 1).saturating_mul(2),
-        })
+            needed: expected.max(self.limit + 1).saturating_mul(2),
+        }
     }
 }
 
@@ -192,7 +197,7 @@ impl Piece {
     /// the parameters can be halved no more.
     fn longer_along_u(&self) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
-        let [h, k] = [du, dv].map(|k| f64::from(k) / f64::from(DYADIC));
+        let [h, k] = lengths(&self.cell);
         let (along_u, along_v) = (h * h * self.bend[0], k * k * self.bend[2]);
         let better = along_u > along_v || (along_u == along_v && du >= dv);
         match (du > 1, dv > 1) {
@@ -200,6 +205,16 @@ impl Piece {
             (false, false) => None,
             (only_u, _) => Some(only_u),
         }
+    }
+
+    /// How many cells it needs at least, if it bends alike everywhere: with i × j equal cells a/i² + b/(i·j) + c/j² must
+    /// be within the tolerance, so i·j is no less than any of these.
+    fn least_cells(&self, tolerance: f64) -> f64 {
+        let [h, k] = lengths(&self.cell);
+        let [uu, uv, vv] = self.bend;
+        let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
+        let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
+        both.max((a.max(c) / tolerance).sqrt()).max(1.0)
     }
 
     /// Along which of the closed directions, if any, it still goes all the way round.
@@ -258,6 +273,11 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
         ring(0, columns - 1, 1) || ring(last, end - 1, 1),
         ring(0, last, columns) || ring(columns - 1, end - 1, columns),
     ]
+}
+
+/// Its part of the patch's parameters, along u and v.
+fn lengths(cell: &Cell) -> [f64; 2] {
+    [cell.du, cell.dv].map(|k| f64::from(k) / f64::from(DYADIC))
 }
 
 /// Not `max`, which would be a call.

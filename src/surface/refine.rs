@@ -1,6 +1,6 @@
 //! Meshes without cracks, as fine as asked for.
 
-use super::cutter::{Cutter, DYADIC};
+use super::cutter::{Cutter, DYADIC, FORECAST_DEPTHS};
 use super::stitched::{Cut, stitch};
 use super::tessellate::to_f32;
 use super::view::Fineness;
@@ -120,11 +120,13 @@ impl Surface {
             least: LEAST_ULPS * ulp,
             rounding: ulp,
             limit: MAX_CELLS,
+            forecast: None,
             expected: 0.0,
             cells: Vec::new(),
             bends: Bends::default(),
             size: 0.0,
         };
+        self.foresee(&mut cutter)?;
         let mut ends = Vec::with_capacity(self.patch_count());
         for patch in self.patches() {
             cutter.cut(&patch.points, patch.columns)?;
@@ -135,6 +137,22 @@ impl Surface {
             ends,
             full: DYADIC,
         })
+    }
+
+    /// Refuses more cells than the limit before any are made.
+    fn foresee(&self, cutter: &mut Cutter) -> Result<(), Error> {
+        for depth in FORECAST_DEPTHS {
+            cutter.forecast = Some(depth);
+            cutter.expected = 0.0;
+            for patch in self.patches() {
+                cutter.cut(&patch.points, patch.columns)?;
+            }
+            if cutter.expected <= cutter.limit as f64 {
+                cutter.forecast = None;
+                return Ok(());
+            }
+        }
+        Err(cutter.too_many())
     }
 
     /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.

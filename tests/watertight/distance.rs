@@ -79,11 +79,15 @@ impl Tree {
         self.build(middle, to);
     }
 
-    /// The distance to the nearest triangle; `hint` is a triangle that may be near.
+    /// The distance to the nearest triangle; `hint` is a triangle that may be near, and then the nearest.
     pub(crate) fn distance(&self, p: DVec3, hint: &mut usize) -> f64 {
-        let Some(first) = self.triangles.get(*hint) else {
-            return f64::INFINITY;
-        };
+        self.nearest(p, hint)
+            .map_or(f64::INFINITY, |q| (p - q).length())
+    }
+
+    /// The nearest point of the mesh.
+    pub(crate) fn nearest(&self, p: DVec3, hint: &mut usize) -> Option<DVec3> {
+        let first = self.triangles.get(*hint)?;
         let mut best = (p - nearest(p, first)).length_squared();
         let mut pending = vec![0];
         while let Some(place) = pending.pop() {
@@ -104,7 +108,7 @@ impl Tree {
                 }
             }
         }
-        best.sqrt()
+        Some(nearest(p, &self.triangles[*hint]))
     }
 }
 

@@ -8,8 +8,12 @@ mod distance;
 mod figures;
 mod known;
 mod limits;
+mod metamorphic;
+mod moved;
 mod networks;
+mod pixels;
 mod random;
+mod refusals;
 mod shapes;
 mod soup;
 

@@ -1,0 +1,79 @@
+//! Moving points: what was joined stays joined, and nothing else becomes so.
+
+use super::common::Rng;
+use super::random::{check, fineness};
+use super::shapes::teapot;
+use super::soup::Soup;
+use super::{networks, thorough};
+use casteljau::Surface;
+use casteljau::glam::DVec3;
+use casteljau::surface::{Fineness, Weld};
+
+#[test]
+fn topology_is_kept() {
+    let mut rng = Rng(1975);
+    for case in 0..thorough(400, 4_000) {
+        let surface = networks::random(&mut rng);
+        let moved =
+            (0..1 + rng.below(4)).fold(surface.clone(), |moved, _| move_one(&mut rng, &moved));
+        assert_eq!(moved.topology(), surface.topology(), "case {case}");
+        let fineness = fineness(&mut rng, &moved);
+        let outcome = std::panic::catch_unwind(|| check(&moved, &surface, &fineness));
+        assert!(outcome.is_ok(), "case {case}: {fineness:?} of {moved:?}");
+    }
+}
+
+/// Anywhere near, or onto another vertex.
+fn move_one(rng: &mut Rng, surface: &Surface) -> Surface {
+    let vertices = surface.vertices();
+    let (index, other) = (rng.below(vertices.len()), rng.below(vertices.len()));
+    let size = surface.control_bounds().unwrap().diagonal();
+    let by = if rng.chance(0.5) {
+        DVec3::ZERO
+    } else {
+        rng.point(3) * size
+    };
+    surface.move_point(index, vertices[other] + by).unwrap()
+}
+
+#[test]
+fn onto_another_point_and_away() {
+    let surface = teapot();
+    let expected = surface.topology();
+    let meshed = |s: &Surface| {
+        s.tessellate(&Fineness::Tolerance(0.05), Weld::Position)
+            .unwrap()
+    };
+    let before = meshed(&surface);
+    for (index, target) in [(0, 1), (3, 12), (40, 200), (289, 0)] {
+        let home = surface.vertices()[index];
+        let moved = surface
+            .move_point(index, surface.vertices()[target])
+            .unwrap();
+        assert_eq!(moved.topology(), expected);
+        Soup::new(&meshed(&moved)).assert_no_collapsed_triangle();
+        let back = moved.move_point(index, home).unwrap();
+        assert_eq!(back.topology(), expected);
+        assert_eq!(meshed(&back), before);
+    }
+}
+
+/// A vertex that is listed twice moves as one.
+#[test]
+fn copies_of_a_vertex_move_along() {
+    let square = |x: f64| [0.0, 1.0].map(|y| [x, x + 1.0].map(|x| DVec3::new(x, y, 0.0)));
+    let vertices: Vec<DVec3> = [square(0.0), square(1.0)]
+        .as_flattened()
+        .as_flattened()
+        .to_vec();
+    let surface = Surface::new(vertices, (0..8).collect(), 1, 1).unwrap();
+    let topology = surface.topology();
+    assert_eq!((topology.shared.len(), topology.open.len()), (1, 6));
+    let moved = surface.move_point(1, DVec3::new(1.0, 0.0, 5.0)).unwrap();
+    assert_eq!(moved.vertices()[4], DVec3::new(1.0, 0.0, 5.0));
+    assert_eq!(moved.topology(), topology);
+    // Onto a corner that it was not joined with: still two sides.
+    let onto = surface.move_point(0, surface.vertices()[1]).unwrap();
+    assert_eq!(onto.topology(), topology);
+    assert_eq!(onto.vertices()[4], onto.vertices()[0]);
+}

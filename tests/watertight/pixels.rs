@@ -1,0 +1,176 @@
+//! Tolerances on the screen.
+
+use super::checks::assert_watertight;
+use super::distance::Tree;
+use super::shapes::teapot;
+use super::soup::Soup;
+use casteljau::Surface;
+use casteljau::glam::{DMat4, DVec2, DVec3, DVec4};
+use casteljau::surface::{Fineness, View, Weld};
+use std::time::{Duration, Instant};
+
+const VIEWPORT: DVec2 = DVec2::new(1_280.0, 720.0);
+
+/// A mesh takes far less; what hangs takes for ever.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// A perspective camera; the field of view is that of the height. z does not matter here.
+fn camera(eye: DVec3, target: DVec3, field_of_view: f64) -> DMat4 {
+    let back = (eye - target).normalize();
+    let right = DVec3::Z.cross(back).normalize();
+    let up = back.cross(right);
+    let zoom = 1.0 / (field_of_view.to_radians() / 2.0).tan();
+    let row = |axis: DVec3, scale: f64| (axis * scale).extend(-axis.dot(eye) * scale);
+    let [x, y, w] = [
+        row(right, zoom * VIEWPORT.y / VIEWPORT.x),
+        row(up, zoom),
+        row(-back, 1.0),
+    ];
+    DMat4::from_rows(x, y, DVec4::W, w)
+}
+
+fn view(view_projection: DMat4, pixels: f64) -> Fineness {
+    Fineness::Pixels(View {
+        pixels,
+        view_projection,
+        viewport: VIEWPORT,
+    })
+}
+
+/// Where a point is seen, in pixels; none if it is not.
+fn seen(matrix: &DMat4, p: DVec3) -> Option<DVec2> {
+    let clip = *matrix * p.extend(1.0);
+    let place = DVec2::new(clip.x, clip.y) / clip.w;
+    (clip.w > 0.0 && place.abs().max_element() <= 1.0).then(|| place * VIEWPORT / 2.0)
+}
+
+/// The greatest distance on the screen between points of the surface and the nearest of the mesh.
+fn greatest(surface: &Surface, matrix: &DMat4, pixels: f64) -> (f64, usize) {
+    let mesh = surface
+        .tessellate(&view(*matrix, pixels), Weld::None)
+        .unwrap();
+    assert_watertight(surface, &mesh, 2);
+    let tree = Tree::new(&Soup::new(&mesh));
+    let (mut most, mut hint, mut count): (f64, usize, usize) = (0.0, 0, 0);
+    for patch in surface.patches() {
+        for k in 0..60 * 60 {
+            let p = patch.eval(f64::from(k % 60) / 59.0, f64::from(k / 60) / 59.0);
+            let Some(place) = seen(matrix, p) else {
+                continue;
+            };
+            count += 1;
+            let q = tree.nearest(p, &mut hint).unwrap();
+            let clip = *matrix * q.extend(1.0);
+            let near = DVec2::new(clip.x, clip.y) / clip.w * VIEWPORT / 2.0;
+            most = most.max((place - near).length());
+        }
+    }
+    assert!(count > 1_000, "only {count} samples are seen");
+    (most, mesh.triangle_count())
+}
+
+#[test]
+fn no_farther_than_asked_for() {
+    let surface = teapot();
+    let middle = DVec3::new(0.0, 0.0, 1.5);
+    let cameras = [
+        camera(DVec3::new(9.0, 4.0, 5.0), middle, 40.0),
+        camera(DVec3::new(4.0, 0.5, 3.0), middle, 60.0),
+        camera(DVec3::new(-3.6, -0.6, 2.2), middle, 100.0),
+        camera(DVec3::new(0.5, 0.5, 4.0), DVec3::new(3.0, 0.0, 2.0), 120.0),
+    ];
+    for matrix in &cameras {
+        let mut fewest = usize::MAX;
+        for pixels in [0.5, 2.0, 10.0] {
+            let (most, triangles) = greatest(&surface, matrix, pixels);
+            println!("{pixels} px: {triangles} triangles, {most:.3} px at most");
+            assert!(most <= pixels, "{most} for {pixels} px");
+            assert!(triangles < fewest);
+            fewest = triangles;
+        }
+    }
+}
+
+#[test]
+fn what_is_nearer_is_finer() {
+    let surface = teapot();
+    // Along the axis from spout to handle, at eye level.
+    let eye = DVec3::new(5.0, 0.0, 2.0);
+    let fineness = view(camera(eye, DVec3::new(0.0, 0.0, 1.5), 60.0), 0.5);
+    let soup = Soup::new(&surface.tessellate(&fineness, Weld::Position).unwrap());
+    let mean_area = |near: bool| {
+        let all = (0..soup.triangles.len()).map(|k| soup.corners_at(k));
+        let some = all.filter(|[a, ..]| if near { a.x > 2.2 } else { a.x < -2.2 });
+        let areas: Vec<f64> = some
+            .map(|[a, b, c]| (b - a).cross(c - a).length())
+            .collect();
+        areas.iter().sum::<f64>() / areas.len() as f64
+    };
+    assert!(
+        2.0 * mean_area(true) < mean_area(false),
+        "{} and {}",
+        mean_area(true),
+        mean_area(false)
+    );
+}
+
+#[test]
+fn a_pixel_of_an_orthographic_view_is_a_length() {
+    let surface = teapot();
+    let matrix =
+        DMat4::from_diagonal(DVec4::new(0.25, 1.0 / 2.25, 0.1, 1.0)) * DMat4::from_rotation_x(-1.2);
+    let count = |fineness: &Fineness| {
+        surface
+            .tessellate(fineness, Weld::Normal)
+            .unwrap()
+            .triangle_count() as f64
+    };
+    // 8 units are 1,280 pixels. Parts outside of the picture may be coarser.
+    let (by_pixels, by_length) = (
+        count(&view(matrix, 0.8)),
+        count(&Fineness::Tolerance(0.8 * 8.0 / 1_280.0)),
+    );
+    assert!(
+        by_pixels <= by_length && by_pixels > 0.6 * by_length,
+        "{by_pixels} and {by_length}"
+    );
+}
+
+#[test]
+fn strange_cameras_neither_hang_nor_fail() {
+    let inside = DVec3::new(0.1, 0.2, 1.2);
+    let on_surface = teapot().patch(5).unwrap().eval(0.3, 0.4);
+    let at_vertex = teapot().vertices()[17];
+    let mut singular = DMat4::IDENTITY;
+    singular.w_axis.w = 0.0;
+    let cameras = [
+        camera(inside, DVec3::new(3.0, 0.0, 1.2), 90.0),
+        camera(on_surface, DVec3::new(0.0, 0.0, 1.0), 90.0),
+        camera(at_vertex, DVec3::new(0.0, 0.0, 1.1), 60.0),
+        camera(DVec3::new(1e6, 0.0, 0.0), inside, 40.0),
+        camera(DVec3::new(9.0, 0.0, 1.0), DVec3::new(20.0, 0.0, 1.0), 40.0),
+        camera(inside, DVec3::new(3.0, 0.0, 1.2), 179.9),
+        DMat4::ZERO,
+        DMat4::IDENTITY,
+        -DMat4::IDENTITY,
+        singular,
+        DMat4::IDENTITY * 1e300,
+        DMat4::IDENTITY * 1e-300,
+        DMat4::from_cols_array(&[f64::MAX; 16]),
+        DMat4::from_cols_array(&[f64::MIN_POSITIVE; 16]),
+    ];
+    for (k, matrix) in cameras.iter().enumerate() {
+        for pixels in [1.0, 0.1, 1e300] {
+            let start = Instant::now();
+            let triangles = teapot()
+                .tessellate(&view(*matrix, pixels), Weld::None)
+                .map(|mesh| {
+                    assert_watertight(&teapot(), &mesh, 8);
+                    mesh.triangle_count()
+                });
+            let took = start.elapsed();
+            println!("camera {k}, {pixels:e} px: {triangles:?} in {took:?}");
+            assert!(took < PATIENCE);
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! Bad input: refused with the figures, before anything is allocated; surfaces without an inside give an empty mesh.
+
+use super::checks::assert_layout;
+use super::shapes::{diagonal, largest, segments, teapot};
+use casteljau::glam::{DAffine3, DMat3, DMat4, DVec2, DVec3};
+use casteljau::surface::{Fineness, View, Weld};
+use casteljau::{Error, Patch, Surface};
+use std::time::{Duration, Instant};
+
+/// A refusal must come at once; this is what a slow machine in a test's build may need.
+const AT_ONCE: Duration = Duration::from_secs(2);
+
+const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
+
+#[track_caller]
+fn refused(surface: &Surface, fineness: Fineness) -> Error {
+    let start = Instant::now();
+    let error = surface.tessellate(&fineness, Weld::Normal).unwrap_err();
+    let took = start.elapsed();
+    assert!(took < AT_ONCE, "{error} took {took:?}");
+    error
+}
+
+fn scaled(factor: f64) -> Surface {
+    teapot().transform(&DAffine3::from_mat3(DMat3::from_diagonal(DVec3::splat(
+        factor,
+    ))))
+}
+
+#[test]
+fn counts_of_segments() {
+    for (u, v) in [(0, 1), (1, 0), (0, 0)] {
+        let error = refused(&teapot(), segments(u, v));
+        assert!(
+            matches!(
+                error,
+                Error::Range {
+                    what: "segments",
+                    got: 0.0,
+                    ..
+                }
+            ),
+            "{error}"
+        );
+    }
+    for (u, v) in [
+        (1_000_000, 1_000_000),
+        (1_000_000, 1),
+        (3, 1_000_000),
+        (usize::MAX, 1),
+        (usize::MAX, usize::MAX),
+    ] {
+        let error = refused(&teapot(), segments(u, v));
+        let Error::TooMany { limit, needed, .. } = error else {
+            panic!("{error}")
+        };
+        assert!(limit < 1_000_000 && needed == u.max(v), "{error}");
+        let message = error.to_string();
+        assert!(message.contains(&limit.to_string()), "{message}");
+    }
+    let message = refused(&teapot(), segments(1_000_000, 1_000_000)).to_string();
+    assert!(message.contains("1000000"), "{message}");
+}
+
+#[test]
+fn tolerances() {
+    for tolerance in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let error = refused(&teapot(), Fineness::Tolerance(tolerance));
+        assert!(
+            matches!(
+                error,
+                Error::Range {
+                    what: "tolerance",
+                    ..
+                }
+            ),
+            "{error}"
+        );
+        assert!(
+            teapot()
+                .tessellate_f64(&Fineness::Tolerance(tolerance), Weld::None)
+                .is_err()
+        );
+    }
+    let least = largest(&teapot()) * (-21.0_f64).exp2();
+    let error = refused(&teapot(), Fineness::Tolerance(least * 0.999));
+    assert!(
+        matches!(error, Error::Tolerance { least: named, .. } if named == least),
+        "{error}"
+    );
+    assert!(error.to_string().contains(&format!("{least:?}")));
+    // A smaller part of the same picture, so that the mesh stays small.
+    let flat = Patch::new(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE], 1, 1).unwrap();
+    let least = (-21.0_f64).exp2();
+    assert!(
+        flat.tessellate(&Fineness::Tolerance(least * 0.9), Weld::None)
+            .is_err()
+    );
+    let fine = flat
+        .tessellate_f64(&Fineness::Tolerance(least * 0.9), Weld::None)
+        .unwrap();
+    assert_layout(&fine, 1);
+    let least = 4.0 * f64::EPSILON;
+    let error = flat
+        .tessellate_f64(&Fineness::Tolerance(least * 0.9), Weld::None)
+        .unwrap_err();
+    assert!(
+        matches!(error, Error::Tolerance { least: named, .. } if named == least),
+        "{error}"
+    );
+}
+
+#[test]
+fn far_too_fine_is_refused_at_once() {
+    let surface = teapot();
+    for relative in [1e-9, 1e-12, 1e-15] {
+        let start = Instant::now();
+        let fineness = Fineness::Tolerance(diagonal(&surface) * relative);
+        let error = surface.tessellate_f64(&fineness, Weld::None).unwrap_err();
+        let Error::TooMany { limit, needed, .. } = error else {
+            panic!("{error}")
+        };
+        assert!(needed > limit);
+        println!("{relative:e}: {error}, in {:?}", start.elapsed());
+        assert!(start.elapsed() < AT_ONCE, "{error}");
+    }
+    // The least that f32 can keep is too much for a whole teapot, if only just.
+    let least = largest(&surface) * (-21.0_f64).exp2();
+    let error = refused(&surface, Fineness::Tolerance(least));
+    assert!(matches!(error, Error::TooMany { .. }), "{error}");
+}
+
+/// A curved strip needs cuts along one direction only: far fewer than the square of them.
+#[test]
+fn a_cylinder_may_be_fine() {
+    let arch = [DVec3::ZERO, DVec3::new(0.5, 0.0, 1.0), DVec3::X];
+    let net: Vec<DVec3> = arch.into_iter().chain(arch.map(|p| p + DVec3::Y)).collect();
+    let strip = Patch::new(&net, 2, 1).unwrap();
+    // n segments of a parabola with |second derivative| 4 are off by 4 / (8n²).
+    let mesh = strip
+        .tessellate_f64(&Fineness::Tolerance(1e-11), Weld::None)
+        .unwrap();
+    let segments = (0.5 / 1e-11_f64).sqrt();
+    assert!(
+        (mesh.triangle_count() as f64) < 4.1 * segments,
+        "{}",
+        mesh.triangle_count()
+    );
+}
+
+#[test]
+fn views() {
+    let good = View {
+        pixels: 1.0,
+        view_projection: DMat4::IDENTITY,
+        viewport: DVec2::new(640.0, 480.0),
+    };
+    let bad = [
+        View {
+            pixels: 0.0,
+            ..good
+        },
+        View {
+            pixels: f64::NAN,
+            ..good
+        },
+        View {
+            pixels: -1.0,
+            ..good
+        },
+        View {
+            pixels: f64::INFINITY,
+            ..good
+        },
+        View {
+            viewport: DVec2::new(0.0, 480.0),
+            ..good
+        },
+        View {
+            viewport: DVec2::new(640.0, f64::NAN),
+            ..good
+        },
+    ];
+    for view in bad {
+        let error = refused(&teapot(), Fineness::Pixels(view));
+        assert!(matches!(error, Error::Range { .. }), "{error}");
+    }
+    let mut matrix = DMat4::IDENTITY;
+    matrix.y_axis.z = f64::NAN;
+    let error = refused(
+        &teapot(),
+        Fineness::Pixels(View {
+            view_projection: matrix,
+            ..good
+        }),
+    );
+    assert!(
+        matches!(error, Error::NotFinite { index: 6, .. }),
+        "{error}"
+    );
+}
+
+#[test]
+fn nothing_gives_an_empty_mesh() {
+    let empty = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
+    let unused = Surface::new(vec![DVec3::ONE; 7], Vec::new(), 3, 3).unwrap();
+    let point = Surface::new(
+        vec![DVec3::new(0.1, -0.2, 0.3); 16],
+        (0..16).collect(),
+        3,
+        3,
+    )
+    .unwrap();
+    let one_vertex = Surface::new(vec![DVec3::ZERO], vec![0; 32], 3, 3).unwrap();
+    let line: Vec<DVec3> = (0..16).map(|k| DVec3::X * f64::from(k % 4)).collect();
+    let curve = Surface::new(line, (0..16).collect(), 3, 3).unwrap();
+    for (surface, patches) in [
+        (empty, 0),
+        (unused, 0),
+        (point, 1),
+        (one_vertex, 2),
+        (curve, 1),
+    ] {
+        for weld in WELDS {
+            for fineness in [segments(3, 2), Fineness::Tolerance(0.01)] {
+                let mesh = surface.tessellate(&fineness, weld).unwrap();
+                assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (0, 0));
+                assert_layout(&mesh, patches);
+                assert_layout(&surface.tessellate_f64(&fineness, weld).unwrap(), patches);
+            }
+        }
+        let topology = surface.topology();
+        let sides = [&topology.open, &topology.collapsed]
+            .map(Vec::len)
+            .iter()
+            .sum::<usize>();
+        let joined: usize = [&topology.shared, &topology.non_manifold]
+            .into_iter()
+            .flatten()
+            .map(Vec::len)
+            .sum();
+        assert_eq!(sides + joined, 4 * patches);
+    }
+}
+
+#[test]
+fn huge_and_tiny_coordinates() {
+    let expected = teapot()
+        .tessellate_f64(&Fineness::Tolerance(0.05), Weld::Normal)
+        .unwrap()
+        .triangle_count();
+    for factor in [1e300, 1e307, 1e150, 1e-150, 1e-290] {
+        let surface = scaled(factor);
+        for weld in WELDS {
+            let mesh = surface
+                .tessellate_f64(&Fineness::Tolerance(0.05 * factor), weld)
+                .unwrap();
+            assert_layout(&mesh, 32);
+            let count = mesh.triangle_count();
+            assert!(
+                count.abs_diff(expected) * 50 <= expected,
+                "{factor:e}: {count} for {expected}"
+            );
+            assert_layout(&surface.tessellate_f64(&segments(4, 4), weld).unwrap(), 32);
+        }
+        let error = surface.tessellate(&Fineness::Tolerance(0.05 * factor), Weld::Normal);
+        assert!(error.is_err(), "{factor:e} in f32");
+    }
+    let error = refused(&scaled(1e300), segments(4, 4)).to_string();
+    assert!(error.contains("f32"), "{error}");
+    // Below the numbers of f32 everything is at one place.
+    let mesh = scaled(1e-300)
+        .tessellate(&segments(4, 4), Weld::Normal)
+        .unwrap();
+    assert_eq!(mesh.triangle_count(), 0);
+    // At the ends of the numbers: a mesh or a refusal, but numbers.
+    for factor in [4e307, 1e-305, 1e-315, 5e-324] {
+        for fineness in [segments(2, 3), Fineness::Tolerance(0.05 * factor)] {
+            if let Ok(mesh) = scaled(factor).tessellate_f64(&fineness, Weld::Position) {
+                assert!(
+                    mesh.positions
+                        .iter()
+                        .chain(&mesh.normals)
+                        .all(|x| x.is_finite()),
+                    "{factor:e}"
+                );
+            }
+        }
+    }
+}
