@@ -24,8 +24,11 @@
  * @property {number} segments cells along each direction of a patch, 1 to 64
  * @property {number | null} tolerance instead of the segments: the surface is nowhere farther from the mesh
  * @property {number | null} pixels the same, in pixels of the picture
+ * @property {number | null} flatness instead: patches are cut in four until their points are so near to a plane, as tutorials
+ *   do it; the cracks are shown
+ * @property {number} lines strips of a patch that curves and tubes divide it into each way, 1 to 12
  * @property {string} shading "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches"
- * @property {string} show words of "surface mesh isocurves net casteljau"
+ * @property {string} show words of "surface mesh isocurves tubes net casteljau"
  * @property {string} evaluation "cpu": by the package; "gpu": by the vertex shader
  * @property {number} u where de Casteljau's grid is shown
  * @property {number} v

@@ -151,6 +151,21 @@ test("a patch file is shown; one that is none is refused, and the picture stays"
   assert.equal((await facts(page)).triangles, 32 * 8);
 });
 
+test("a patch file is dropped on the picture", async (t) => {
+  const page = await openSurface(t, 'segments="3"');
+  const prevented = await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "saddle.bpt"));
+    const event = new DragEvent("drop", { bubbles: true, composed: true, cancelable: true, dataTransfer: data });
+    document.querySelector("bezier-surface").shadowRoot.querySelector("canvas").dispatchEvent(event);
+    return event.defaultPrevented;
+  }, BPT);
+  assert.ok(prevented, "else the browser would go to the file");
+  await page.waitForFunction(() => document.querySelector("bezier-surface").surface.patchCount === 1);
+  await settled(page);
+  assert.equal((await facts(page)).triangles, 18);
+});
+
 test("a tolerance that cannot be kept is refused in words, and the picture stays", async (t) => {
   const page = await openSurface(t, 'tolerance="0.01"');
   const before = await facts(page);

@@ -5,7 +5,7 @@ import { openPage } from "./browser.js";
 export const surfacePage = (attributes = "", more = "") =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark"><title>A surface</title>
 <body style="margin: 8px; background: Canvas"><main><h1>A surface</h1><bezier-surface style="max-width: 640px" ${attributes}></bezier-surface>${more}</main>
-<script type="module" src="dist/elements.js"></script></body></html>`;
+<script type="module">import "./dist/elements.js"; import * as casteljau from "./dist/index.js"; globalThis.bezier = casteljau;</script></body></html>`;
 
 /** Software rendering has its own remarks on speed; they say nothing about the page. */
 const DRIVER = /GL Driver Message|ReadPixels/;
@@ -54,16 +54,17 @@ export const look = (page) =>
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     const colours = new Set();
-    let [inked, left, right] = [0, width, 0];
+    let [inked, left, right, loud] = [0, width, 0, 0];
     for (let i = 0; i < data.length; i += 4) {
       if (data[i + 3] < 128) continue;
       inked++;
+      if (data[i] > 230 && data[i + 1] < 90 && data[i + 2] > 170) loud++; // the colour of the cracks
       colours.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
       const x = (i / 4) % width;
       [left, right] = [Math.min(left, x), Math.max(right, x)];
     }
     const number = (globalThis.pictures ??= []).push(data) - 1;
-    return { inked, left, right, width, height, colours: colours.size, number };
+    return { inked, loud, left, right, width, height, colours: colours.size, number };
   });
 
 /** How many pixels of two pictures differ by more than so much in some channel. */

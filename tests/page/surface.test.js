@@ -87,6 +87,41 @@ test("a finer tolerance makes more triangles, and pixels follow the view: smalle
   assert.ok((await look(page)).inked > 5000);
 });
 
+test("the recursion of the text leaves cracks, which are shown; a grid has none", async (t) => {
+  const page = await openSurface(t, 'flatness="0.05"');
+  const { text, triangles } = await facts(page);
+  const [, pieces, depth] = text.replaceAll("\u2009", "").match(/(\d+)\s+pieces,\s+(\d+)\s+deep/).map(Number);
+  assert.equal(triangles, 2 * pieces);
+  assert.ok(pieces > 100 && depth >= 2, text);
+  const cracks = Number(text.replaceAll("\u2009", "").match(/(\d+)\s+cracks/)[1]);
+  assert.ok(cracks > 10, text);
+  const cracked = await look(page);
+  assert.ok(cracked.loud > 100, `${cracked.loud} pixels`);
+  await set(page, { flatness: null, tolerance: 0.05 });
+  assert.equal((await look(page)).loud, 0);
+  await set(page, { tolerance: null, flatness: 0.05 });
+  await page.evaluate(() => {
+    const { Surface } = bezier;
+    const points = [0, 1, 2, 3].flatMap((y) => [0, 1, 2, 3].map((x) => [x, y, 0]));
+    document.querySelector("bezier-surface").surface = new Surface({ vertices: points, patches: [points.map((_, k) => k)] });
+  });
+  await set(page, {});
+  assert.match((await facts(page)).text, /1\s+pieces, 0\s+deep\s+0\s+cracks/);
+});
+
+test("curves as tubes: bodies without their surface", async (t) => {
+  const page = await openSurface(t, 'show="tubes" lines="2"');
+  const few = await facts(page);
+  const first = await look(page);
+  assert.ok(few.triangles > 1000 && first.inked > 3000, `${few.triangles} triangles, ${first.inked} pixels`);
+  await set(page, { lines: 5 });
+  const [many, second] = [await facts(page), await look(page)];
+  assert.ok(many.triangles > 1.8 * few.triangles && second.inked > 1.3 * first.inked);
+  await set(page, { show: "" });
+  assert.equal((await facts(page)).triangles, 0);
+  assert.equal((await look(page)).inked, 0);
+});
+
 test("unknown words and impossible numbers count as the defaults", async (t) => {
   const page = await openSurface(t, 'model="kettle" segments="many" shading="shiny" u="-4" tolerance="-1"');
   assert.equal((await facts(page)).triangles, 32 * 2 * 144);

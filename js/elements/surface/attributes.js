@@ -11,7 +11,7 @@ const flag = { type: Boolean, reflect: true };
 export class SurfaceAttributes extends LitElement {
   static properties = {
     model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
-    segments: number, tolerance: number, pixels: number, u: number, v: number, step: number, patch: number,
+    segments: number, tolerance: number, pixels: number, flatness: number, lines: number, u: number, v: number, step: number, patch: number,
     controls: flag, turn: flag,
   };
 
@@ -33,6 +33,9 @@ export class SurfaceAttributes extends LitElement {
     this.tolerance = null;
     /** @type {number | null} */
     this.pixels = null;
+    /** @type {number | null} */
+    this.flatness = null;
+    this.lines = 4;
     this.u = 0.5;
     this.v = 0.5;
     this.step = 4;
@@ -49,8 +52,8 @@ export class SurfaceAttributes extends LitElement {
    * @returns {import("./settings.js").Settings}
    */
   settings() {
-    const { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step } = this;
-    const given = { model, parts, height, up, segments, tolerance, pixels, shading, show, evaluation, u, v, step };
+    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step } = this;
+    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step };
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 }

@@ -296,10 +296,11 @@ export class BezierSurface extends SurfaceAttributes {
     };
   }
 
-  /** @param {"segments" | "tolerance" | "pixels"} kind */
+  /** @param {"segments" | "tolerance" | "pixels" | "flatness"} kind */
   #setFineness(kind) {
-    const tolerance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
-    Object.assign(this, { tolerance: kind === "tolerance" ? tolerance : null, pixels: kind === "pixels" ? FIRST_PIXELS : null });
+    const distance = Number((this.#scene().frame.radius * FIRST_TOLERANCE).toPrecision(1));
+    const firsts = { tolerance: distance, pixels: FIRST_PIXELS, flatness: distance };
+    for (const [name, first] of Object.entries(firsts)) Object.assign(this, { [name]: name === kind ? first : null });
     this.#fire("change");
   }
 

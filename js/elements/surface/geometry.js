@@ -3,6 +3,7 @@ import { Memo } from "./memo.js";
 import { errorBound } from "./bound.js";
 import * as lines from "./lines.js";
 import { patchesOf } from "./patches.js";
+import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MOST_GPU_DEGREE } from "./shaders.js";
 
 /**
@@ -17,16 +18,25 @@ import { MOST_GPU_DEGREE } from "./shaders.js";
  * @typedef {{ surface: Surface, settings: Settings, frame: Frame, picked: number | null }} Scene
  */
 
+/** @typedef {{ pieces: number, depth: number, cracks: number, widest: number }} Recursion */
+
 /**
  * What the picture is made of. `error`: the greatest distance of the surface from the mesh is not above it; `ms`: how long
- * the core took for the mesh, null where the graphics card makes it.
+ * the core took for the mesh, null where the graphics card makes it; `recursion`: what the text's recursion has left.
  *
- * @typedef {{ triangles: number, vertices: number, ms: number | null, error: number, unit: "" | "px" }} Facts
+ * @typedef {{ triangles: number, vertices: number, ms: number | null, error: number | null, unit: "" | "px", recursion: Recursion | null }} Facts
  */
+
+/** In radii of the surface. */
+const TUBE_RADIUS = 0.007;
+const TUBE_SIDES = 10;
 
 export class Geometry {
   #memo = new Memo();
   #ms = 0;
+  #tubesMs = 0;
+  /** What the text's recursion left, where it made the mesh. @type {import("./pieces.js").Piece[]} */
+  #pieces = [];
   /** @type {unknown[]} */
   #seen = [];
   /** @type {{ viewProjection: number[], viewport: number[] } | null} */
@@ -66,9 +76,8 @@ export class Geometry {
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
     const sight = "pixels" in fineness ? this.#sight : null;
     const make = (/** @type {Mesh | undefined} */ into) => {
-      const begin = performance.now();
-      const mesh = this.#make(surface, fineness, own, into);
-      this.#ms = performance.now() - begin;
+      const [mesh, ms] = timed(() => this.#make(surface, fineness, own, into));
+      this.#ms = ms;
       return mesh;
     };
     return this.#memo.get("mesh", [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, sight], make);
@@ -84,6 +93,10 @@ export class Geometry {
     const weld = own ? "none" : "normal";
     if ("segments" in fineness) return surface.grid({ ...fineness, into });
     if ("tolerance" in fineness) return surface.tessellate(fineness, { weld, into });
+    if ("flatness" in fineness) {
+      this.#pieces = surface.subdivide(fineness.flatness);
+      return piecesMesh(surface, this.#pieces);
+    }
     const { viewProjection = [], viewport = [] } = this.#sight ?? {};
     return surface.tessellate({ ...fineness, viewProjection, viewport }, { weld, into });
   }
@@ -130,8 +143,39 @@ export class Geometry {
   }
 
   /** @param {Scene} scene */
-  isocurves({ surface }) {
-    return this.#memo.get("isocurves", [surface], () => lines.isocurves(surface));
+  isocurves({ surface, settings }) {
+    return this.#memo.get("isocurves", [surface, settings.lines], () => lines.isocurves(surface, settings.lines));
+  }
+
+  /**
+   * The gaps of the recursion's mesh; null for the other meshes, which have none.
+   *
+   * @param {Scene} scene
+   */
+  cracks(scene) {
+    if (!("flatness" in scene.settings.fineness)) return null;
+    this.mesh(scene);
+    return this.#memo.get("cracks", [this.version()], () => cracksOf(scene.surface, this.#pieces));
+  }
+
+  /**
+   * The curves as bodies.
+   *
+   * @param {Scene} scene
+   * @returns {Mesh}
+   */
+  tubes({ surface, frame, settings: { lines: count } }) {
+    const radius = frame.radius * TUBE_RADIUS;
+    const make = (/** @type {Mesh | undefined} */ into) => {
+      const [mesh, ms] = timed(() => surface.wireframe({ lines: count, radius, sides: TUBE_SIDES, into }));
+      this.#tubesMs = ms;
+      return mesh;
+    };
+    return this.#memo.get("tubes", [surface, frame, count], make);
+  }
+
+  get tubesVersion() {
+    return this.#memo.version("tubes");
   }
 
   /** @param {Scene} scene */
@@ -156,25 +200,66 @@ export class Geometry {
    * @returns {Facts}
    */
   facts(scene) {
-    const { surface, settings: { fineness } } = scene;
-    if (this.onGpu(scene) && "segments" in fineness) {
-      const { segments } = fineness;
-      const count = surface.patchCount;
-      return { triangles: 2 * count * segments ** 2, vertices: count * (segments + 1) ** 2, ms: null, ...this.#error(scene) };
+    const { layers } = scene.settings;
+    const shown = layers.has("surface") || layers.has("mesh");
+    /** @type {Facts} */
+    const facts = shown ? this.#meshFacts(scene) : { triangles: 0, vertices: 0, ms: 0, error: null, unit: "", recursion: null };
+    if (layers.has("tubes")) {
+      const { indices, positions } = this.tubes(scene);
+      facts.triangles += indices.length / 3;
+      facts.vertices += positions.length / 3;
+      if (facts.ms !== null) facts.ms += this.#tubesMs;
     }
-    const mesh = this.mesh(scene);
-    return { triangles: mesh.indices.length / 3, vertices: mesh.positions.length / 3, ms: this.#ms, ...this.#error(scene) };
+    return facts;
   }
 
   /**
    * @param {Scene} scene
-   * @returns {{ error: number, unit: "" | "px" }}
+   * @returns {Facts}
+   */
+  #meshFacts(scene) {
+    const { surface, settings: { fineness } } = scene;
+    if (this.onGpu(scene) && "segments" in fineness) {
+      const { segments } = fineness;
+      const count = surface.patchCount;
+      return { triangles: 2 * count * segments ** 2, vertices: count * (segments + 1) ** 2, ms: null, ...this.#error(scene), recursion: null };
+    }
+    const mesh = this.mesh(scene);
+    const recursion = this.#recursion(scene);
+    return { triangles: mesh.indices.length / 3, vertices: mesh.positions.length / 3, ms: this.#ms, ...this.#error(scene), recursion };
+  }
+
+  /**
+   * @param {Scene} scene
+   * @returns {{ error: number | null, unit: "" | "px" }}
    */
   #error({ surface, settings: { fineness } }) {
+    if ("flatness" in fineness) return { error: null, unit: "" }; // it bounds no distance
     if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
     if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };
     return { error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)), unit: "" };
   }
+
+  /**
+   * @param {Scene} scene
+   * @returns {Recursion | null}
+   */
+  #recursion(scene) {
+    const cracks = this.cracks(scene);
+    return cracks && { pieces: this.#pieces.length, depth: depthOf(this.#pieces), cracks: cracks.triangles.length / 9, widest: cracks.widest };
+  }
+}
+
+/**
+ * What comes out, and how long it took.
+ *
+ * @template T
+ * @param {() => T} make
+ * @returns {[T, number]}
+ */
+function timed(make) {
+  const begin = performance.now();
+  return [make(), performance.now() - begin];
 }
 
 /**

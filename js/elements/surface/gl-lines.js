@@ -40,9 +40,28 @@ export class GlLines {
     if (layers.has("mesh") && onGpu) this.#gridEdges(picture);
     else if (layers.has("mesh")) this.#bands(picture, "edges", geometry.edges(scene), { colour: theme.line, width: THIN, alpha: MESH_ALPHA });
     if (layers.has("isocurves")) this.#bands(picture, "isocurves", geometry.isocurves(scene), { colour: theme.ink, width: MIDDLE });
+    this.#cracks(picture);
     if (scene.picked !== null && scene.surface.patchCount > 1) this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
     if (layers.has("net")) this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
     if (layers.has("casteljau") && scene.surface.patchCount) this.#casteljau(picture);
+  }
+
+  /**
+   * The gaps are filled, and since most are thinner than a pixel, drawn as lines, too.
+   *
+   * @param {Picture} picture
+   */
+  #cracks(picture) {
+    const { scene, geometry, sight, theme } = picture;
+    const cracks = geometry.cracks(scene);
+    if (!cracks || !scene.settings.layers.has("surface")) return;
+    const program = this.#kit.program("plain");
+    const batch = this.#kit.batch("gaps");
+    batch.fill(this.#versions.of(cracks.triangles), () => ({ arrays: { position: { numComponents: 3, data: cracks.triangles } } }), program);
+    this.#kit.gl.useProgram(program.program);
+    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, ink: [...theme.gap, 1] });
+    batch.draw(this.#kit.gl.TRIANGLES);
+    this.#bands(picture, "cracks", cracks.lines, { colour: theme.gap, width: MIDDLE });
   }
 
   /** @param {Picture} picture */

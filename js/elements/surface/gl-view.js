@@ -54,6 +54,7 @@ export class GlView {
     const onGpu = geometry.onGpu(scene);
     if (onGpu) this.#kit.texture.fill(scene.surface);
     if (scene.settings.layers.has("surface")) onGpu ? this.#patches(picture) : this.#mesh(picture);
+    if (scene.settings.layers.has("tubes")) this.#tubes(picture);
     this.#lines.draw(picture, onGpu);
   }
 
@@ -79,6 +80,25 @@ export class GlView {
     const batch = this.#kit.batch("mesh");
     batch.fill(geometry.version(curvatures !== null), make, program);
     this.#uniforms(program, picture);
+    batch.draw(this.#kit.gl.TRIANGLES);
+  }
+
+  /** @param {Picture} picture */
+  #tubes(picture) {
+    const { scene, geometry, theme } = picture;
+    const mesh = geometry.tubes(scene);
+    const program = this.#kit.program("mesh");
+    const make = () => ({
+      arrays: {
+        position: { numComponents: 3, data: /** @type {Float32Array} */ (mesh.positions) },
+        normal: { numComponents: 3, data: /** @type {Float32Array} */ (mesh.normals) },
+      },
+      indices: mesh.indices,
+    });
+    const batch = this.#kit.batch("tubes");
+    batch.fill(geometry.tubesVersion, make, program);
+    this.#uniforms(program, picture);
+    twgl.setUniforms(program, { mode: MODES.smooth, front: theme.wire });
     batch.draw(this.#kit.gl.TRIANGLES);
   }
 

@@ -6,8 +6,7 @@ import { patchesOf } from "./patches.js";
  * @import { Mesh, Patch, Surface } from "../../index.js"
  */
 
-/** Strips along each direction of a patch, and straight pieces for each of their curves. */
-const STRIPS = 4;
+/** Straight pieces for each curve. */
 const PIECES = 24;
 
 /**
@@ -50,16 +49,11 @@ function chain(points) {
  * Curves of constant u and v of all patches.
  *
  * @param {Surface} surface
+ * @param {number} count strips along each direction of a patch
  * @returns {Float32Array}
  */
-export function isocurves(surface) {
-  const pieces = [];
-  for (const patch of patchesOf(surface)) {
-    for (let i = 0; i <= STRIPS; i++) {
-      pieces.push(...chain(patch.isocurveAtU(i / STRIPS).sample(PIECES)), ...chain(patch.isocurveAtV(i / STRIPS).sample(PIECES)));
-    }
-  }
-  return Float32Array.from(pieces);
+export function isocurves(surface, count) {
+  return Float32Array.from(surface.isocurves({ lines: count }).flatMap((curve) => chain(curve.sample(PIECES))));
 }
 
 /**

@@ -1,6 +1,6 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
-import { AXES, EVALUATIONS, HEIGHTS, LAYERS, MODELS, MOST_SEGMENTS, PARTS, SHADINGS, STEPS, toggled } from "./settings.js";
+import { AXES, EVALUATIONS, HEIGHTS, LAYERS, MODELS, MOST_LINES, MOST_SEGMENTS, PARTS, SHADINGS, STEPS, toggled } from "./settings.js";
 import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js";
 
 /**
@@ -13,7 +13,7 @@ import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SH
  * @typedef {object} PanelPort
  * @property {Settings} settings
  * @property {number} size the surface's radius
- * @property {(kind: "segments" | "tolerance" | "pixels") => void} setFineness
+ * @property {(kind: "segments" | "tolerance" | "pixels" | "flatness") => void} setFineness
  * @property {boolean} named whether the surface is a model of the list
  * @property {boolean} edited
  * @property {(name: string, value: unknown, type: "input" | "change") => void} set
@@ -27,7 +27,7 @@ import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SH
 
 const KINDS = /** @type {const} */ (["obj", "stl", "glb"]);
 const UV_STEP = 0.01;
-const FINENESSES = ["segments", "tolerance", "pixels"];
+const FINENESSES = ["segments", "tolerance", "pixels", "flatness"];
 /** The range of the tolerance, in radii of the surface. */
 const [FINEST, COARSEST] = [1e-4, 0.2];
 
@@ -133,6 +133,7 @@ function meshControls(port) {
     ${"segments" in fineness ? slider("segments", "Segments", settings.segments, { min: 1, max: MOST_SEGMENTS, step: 1 }, port) : nothing}
     ${"tolerance" in fineness ? decades("tolerance", "Tolerance", fineness.tolerance, port.size * FINEST, port.size * COARSEST, port) : nothing}
     ${"pixels" in fineness ? decades("pixels", "Pixels", fineness.pixels, 0.1, 30, port) : nothing}
+    ${"flatness" in fineness ? decades("flatness", "Flatness", fineness.flatness, port.size * FINEST, port.size * COARSEST, port) : nothing}
     ${"segments" in fineness ? select("evaluation", "Computed", EVALUATIONS, settings.evaluation, EVALUATION_NAMES, port) : nothing}
   </fieldset>`;
 }
@@ -143,9 +144,11 @@ function lookControls(port) {
 }
 
 /** @param {PanelPort} port */
-function layerControls({ settings: { layers }, set }) {
+function layerControls(port) {
+  const { settings: { layers, lines }, set } = port;
   const layer = (/** @type {import("./settings.js").Layer} */ each) => box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
-  return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}</fieldset>`;
+  return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
+    ${layers.has("isocurves") || layers.has("tubes") ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }
 
 /** @param {PanelPort} port */

@@ -1,8 +1,8 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { figures } from "./words.js";
 
 /**
- * @import { Facts } from "./geometry.js"
+ * @import { Facts, Recursion } from "./geometry.js"
  */
 
 const THIN_SPACE = "\u2009";
@@ -20,7 +20,14 @@ export function readout(facts) {
   return html`<p class="facts" part="facts">
     <span><b>${many(facts.triangles)}</b> triangles</span>
     <span><b>${many(facts.vertices)}</b> vertices</span>
-    <span>error ≤ <b>${figures(facts.error)}</b> ${facts.unit}</span>
+    ${facts.error === null ? nothing : html`<span>error ≤ <b>${figures(facts.error)}</b> ${facts.unit}</span>`}
     <span>${facts.ms === null ? "by the graphics card" : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
+    ${facts.recursion ? recursionWords(facts.recursion) : nothing}
   </p>`;
+}
+
+/** @param {Recursion} recursion */
+function recursionWords({ pieces, depth, cracks, widest }) {
+  return html`<span><b>${many(pieces)}</b> pieces, <b>${depth}</b> deep</span>
+    <span class="cracks"><b>${many(cracks)}</b> cracks${cracks ? html`, up to <b>${figures(widest)}</b>` : nothing}</span>`;
 }

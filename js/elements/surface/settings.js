@@ -6,10 +6,12 @@ export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spo
 export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
 export const AXES = /** @type {const} */ (["z", "y"]);
 export const EVALUATIONS = /** @type {const} */ (["cpu", "gpu"]);
-export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "net", "casteljau"]);
+export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "net", "casteljau"]);
 
 /** Cells along each direction of a patch. */
 export const MOST_SEGMENTS = 64;
+/** Strips of a patch each way that curves or tubes divide it into. */
+export const MOST_LINES = 12;
 /** A mesh finer than this on the screen shows nothing more. */
 const LEAST_PIXELS = 0.05;
 /** Rows, row points, the curve through them, its point. */
@@ -28,6 +30,7 @@ export const STEPS = 4;
  * @property {"z" | "y"} up
  * @property {number} segments
  * @property {Fineness} fineness
+ * @property {number} lines
  * @property {Shading} shading
  * @property {Set<Layer>} layers
  * @property {"cpu" | "gpu"} evaluation
@@ -37,12 +40,13 @@ export const STEPS = 4;
  */
 
 /**
- * What makes the mesh as fine as it is: a number of pixels before a tolerance, and that before the segments.
+ * What makes the mesh as fine as it is: the recursion of the text, or pixels, or a tolerance, or segments, whichever comes
+ * first in this order and is there.
  *
- * @typedef {{ segments: number } | { tolerance: number } | { pixels: number }} Fineness
+ * @typedef {{ segments: number } | { tolerance: number } | { pixels: number } | { flatness: number }} Fineness
  */
 
-/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
+/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "flatness" | "lines" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
 
 /**
  * @param {Attributes} given
@@ -56,7 +60,8 @@ export function settingsOf(given) {
     height: word(given.height, HEIGHTS),
     up: word(given.up, AXES),
     segments,
-    fineness: finenessOf(number(given.pixels, LEAST_PIXELS, 100, 0), number(given.tolerance, 0, Infinity, 0), segments),
+    fineness: finenessOf(segments, number(given.tolerance, 0, Infinity, 0), number(given.pixels, LEAST_PIXELS, 100, 0), number(given.flatness, 0, Infinity, 0)),
+    lines: Math.round(number(given.lines, 1, MOST_LINES, 4)),
     shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
     layers: words(given.show ?? "surface", LAYERS),
     evaluation: word(given.evaluation, EVALUATIONS),
@@ -67,13 +72,14 @@ export function settingsOf(given) {
 }
 
 /**
- * @param {number} pixels
- * @param {number} tolerance
  * @param {number} segments
+ * @param {number} tolerance
+ * @param {number} pixels
+ * @param {number} flatness
  * @returns {Fineness}
  */
-function finenessOf(pixels, tolerance, segments) {
-  return pixels > 0 ? { pixels } : tolerance > 0 ? { tolerance } : { segments };
+function finenessOf(segments, tolerance, pixels, flatness) {
+  return flatness > 0 ? { flatness } : pixels > 0 ? { pixels } : tolerance > 0 ? { tolerance } : { segments };
 }
 
 /**

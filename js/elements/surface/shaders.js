@@ -201,6 +201,13 @@ out vec4 colour;
 void main() { colour = vec4(ink.rgb * ink.a, ink.a); }
 `;
 
+const PLAIN_VERTEX = `
+layout(location = 0) in vec3 position;
+uniform mat4 view;
+uniform mat4 projection;
+void main() { gl_Position = projection * vec4((view * vec4(position, 1.0)).xyz * 0.9995, 1.0); }
+`;
+
 const POINT_VERTEX = `
 layout(location = 0) in vec3 position;
 uniform mat4 view;
@@ -233,5 +240,6 @@ export const SOURCES = {
   patches: [HEAD + EVALUATION + FROM_NET + SURFACE_VERTEX, SURFACE_FRAGMENT],
   lines: [HEAD + BAND + LINE_VERTEX, LINE_FRAGMENT],
   edges: [HEAD + EVALUATION + BAND + EDGE_VERTEX, LINE_FRAGMENT],
+  plain: [HEAD + PLAIN_VERTEX, LINE_FRAGMENT],
   points: [HEAD + POINT_VERTEX, POINT_FRAGMENT],
 };

@@ -76,8 +76,8 @@ export class Stage {
     };
     canvas.addEventListener("webglcontextlost", lost);
     canvas.addEventListener("webglcontextrestored", restored);
-    const observer = new ResizeObserver(() => this.#resize());
-    observer.observe(canvas);
+    const observer = new ResizeObserver((entries) => this.#resize(entries[entries.length - 1]));
+    observe(observer, canvas);
     const themeEnds = followTheme(() => this.recolour());
     this.#endings.push(
       () => canvas.removeEventListener("webglcontextlost", lost),
@@ -157,10 +157,9 @@ export class Stage {
     }
   }
 
-  #resize() {
-    const { clientWidth, clientHeight } = this.#canvas;
-    const ratio = devicePixelRatio;
-    const [width, height] = [Math.max(1, Math.round(clientWidth * ratio)), Math.max(1, Math.round(clientHeight * ratio))];
+  /** @param {ResizeObserverEntry} entry */
+  #resize(entry) {
+    const [width, height] = devicePixels(entry);
     if (this.#canvas.width === width && this.#canvas.height === height) return;
     [this.#canvas.width, this.#canvas.height] = [width, height];
     this.draw(); // at once: the canvas has just been emptied
@@ -182,4 +181,33 @@ export class Stage {
     for (const ending of this.#endings) ending();
     if (!this.#lost) this.#view?.drop();
   }
+}
+
+/**
+ * By device pixels where the browser knows them: then a window that moves to another display is noticed, too.
+ *
+ * @param {ResizeObserver} observer
+ * @param {HTMLElement} canvas
+ */
+function observe(observer, canvas) {
+  try {
+    observer.observe(canvas, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(canvas); // Safari before 26
+  }
+}
+
+/**
+ * The exact number of device pixels where the browser tells it. The tools that pretend to be another display tell CSS
+ * pixels instead: what differs from the ratio by more than rounding is not believed.
+ *
+ * @param {ResizeObserverEntry} entry
+ * @returns {[number, number]}
+ */
+function devicePixels({ contentRect, devicePixelContentBoxSize }) {
+  const [width, height] = [contentRect.width * devicePixelRatio, contentRect.height * devicePixelRatio];
+  const told = devicePixelContentBoxSize?.[0];
+  const exact = told && Math.abs(told.inlineSize - width) <= 1 && Math.abs(told.blockSize - height) <= 1;
+  const sizes = exact ? [told.inlineSize, told.blockSize] : [Math.round(width), Math.round(height)];
+  return [Math.max(1, sizes[0]), Math.max(1, sizes[1])];
 }

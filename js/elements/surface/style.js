@@ -4,8 +4,8 @@ import { css } from "lit";
 export const style = css`
 :host {
   --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
-  --bz-front: #a3d0f0; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
-  --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8;
+  --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
+  --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
   --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
   display: block; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
   font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
@@ -15,7 +15,7 @@ export const style = css`
   :host {
     --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
     --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #0a1015; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
-    --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8;
+    --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
     --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
   }
 }
@@ -55,12 +55,12 @@ canvas:focus-visible { outline-offset: -3px; }
 .facts { display: flex; flex-wrap: wrap; gap: 0.1rem 1.3rem; margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--bz-rim); color: var(--bz-quiet); font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 .facts b { font-weight: 600; color: var(--bz-ink); }
 .controls { display: grid; gap: 0.8rem 1.6rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 17rem), 1fr)); padding: 0.8rem 0.9rem 0.9rem; border-block-start: 1px solid var(--bz-rim); }
-fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.15rem 0.95rem; align-items: center; align-content: start; }
+fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.35rem 0.95rem; align-items: center; align-content: start; }
 fieldset.wide { grid-column: 1 / -1; }
 legend { padding: 0 0 0.15rem; font-weight: 600; }
 label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
 label.line { flex: 1 1 100%; }
-label.line > span:first-child { min-inline-size: 4.6rem; }
+label.line > span:first-child { min-inline-size: 5.2rem; }
 label.line > select, label.line > input { flex: 1; min-inline-size: 5rem; inline-size: 0; }
 .value { min-inline-size: 3.1em; text-align: end; font-variant-numeric: tabular-nums; }
 input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }

@@ -1,7 +1,7 @@
 // The colours of the picture, as the style sheet has them now: light, dark or forced.
 
 /** The roles of colour. Each has a custom property `--bz-<role>` in style.js. */
-const ROLES = /** @type {const} */ (["ink", "line", "paper", "front", "back", "handle", "level1", "level2", "low", "middle", "high", "gap"]);
+const ROLES = /** @type {const} */ (["ink", "line", "paper", "front", "back", "handle", "level1", "level2", "low", "middle", "high", "gap", "wire"]);
 
 /** @typedef {Record<typeof ROLES[number], number[]>} Theme each from 0 to 1: red, green, blue */
 

@@ -5,11 +5,11 @@ export const MODEL_NAMES = { teapot: "Teapot", teacup: "Teacup", teaspoon: "Teas
 /** @type {Record<string, string>} */
 export const SHADING_NAMES = { smooth: "Smooth", flat: "Flat", normals: "Normals", gaussian: "Gaussian curvature", mean: "Mean curvature", patches: "Patch colours" };
 /** @type {Record<string, string>} */
-export const FINENESS_NAMES = { segments: "by segments", tolerance: "by tolerance", pixels: "by pixels" };
+export const FINENESS_NAMES = { segments: "by segments", tolerance: "by tolerance", pixels: "by pixels", flatness: "until flat enough" };
 /** @type {Record<string, string>} */
 export const EVALUATION_NAMES = { cpu: "WebAssembly", gpu: "graphics card" };
 /** @type {Record<string, string>} */
-export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", net: "control net", casteljau: "de Casteljau" };
+export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", net: "control net", casteljau: "de Casteljau" };
 /** @type {Record<string, string>} */
 export const STATES = {
   webgl: "",
