@@ -29,7 +29,7 @@
  * @property {number} lines strips of a patch that curves and tubes divide it into each way, 1 to 12
  * @property {string} shading "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches"
  * @property {string} show words of "surface mesh isocurves tubes net casteljau"
- * @property {string} evaluation "cpu": by the package; "gpu": by the vertex shader
+ * @property {string} evaluation "cpu": by the package; "forward": by it, with forward differences; "gpu": by the vertex shader
  * @property {number} u where de Casteljau's grid is shown
  * @property {number} v
  * @property {number} step how much of it: 1 the rows, 2 their points, 3 the curve, 4 its point

@@ -31,6 +31,9 @@ for (const model of ["teapot", "teacup", "teaspoon", "patch"]) {
       await set(page, { shading, evaluation: "cpu" });
       const cpu = await look(page);
       assert.ok(cpu.inked > 5000, `${cpu.inked} pixels`);
+      await set(page, { evaluation: "forward" });
+      const forward = await difference(page, cpu, await look(page));
+      assert.ok(forward <= FEW * cpu.width * cpu.height, `${shading}, forward differences: ${forward} pixels differ`);
       await set(page, { evaluation: "gpu" });
       assert.match((await facts(page)).text, /by the graphics card/);
       const gpu = await look(page);

@@ -1,19 +1,16 @@
-import { html } from "lit";
 import { Surface } from "../../index.js";
 import { SurfaceAttributes } from "./attributes.js";
 import { HOME, rayThrough } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
+import { frame } from "./frame.js";
 import { Gestures, ZOOM_STEP } from "./gestures.js";
 import { Handles } from "./handles.js";
-import { panel } from "./panel.js";
-import { readout } from "./readout.js";
 import { Stage } from "./stage.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
-import { tools } from "./tools.js";
 import { Turning } from "./turning.js";
-import { INSTRUCTIONS, MODEL_NAMES, STATES } from "./words.js";
+import { MODEL_NAMES, STATES } from "./words.js";
 
 /**
  * @import { View } from "./camera.js"
@@ -264,18 +261,13 @@ export class BezierSurface extends SurfaceAttributes {
     const settings = this.settings();
     const name = this.label || `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
-    return html`<div class="frame" part="frame" @input=${stopInner} @change=${stopInner}>
-      <div class="stage" part="stage" role="group" aria-label=${name}>
-        <canvas part="canvas" tabindex="0" role="img" aria-label=${name} aria-describedby="help" width="1" height="1"></canvas>
-        <div class="overlay" part="overlay"></div>
-        ${tools({ turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) })}
-        <p class="message" role="status">${this.#desk.message || STATES[this.#state]}</p>
-      </div>
-      <p class="away" id="help">${INSTRUCTIONS}</p>
-      ${readout(this.#facts)}
-      ${this.controls ? panel(this.#panelPort()) : ""}
-      <span class="probe" hidden></span>
-    </div>`;
+    return frame({
+      name,
+      message: this.#desk.message || STATES[this.#state],
+      facts: this.#facts,
+      tools: { turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) },
+      panel: this.controls ? this.#panelPort() : null,
+    });
   }
 
   /** @returns {import("./panel.js").PanelPort} */
@@ -313,12 +305,3 @@ export class BezierSurface extends SurfaceAttributes {
 
 /** As the sliders have it. @param {number} x */
 const rounded = (x) => Math.round(100 * x) / 100;
-
-/**
- * Events of the controls inside stay inside: the element fires its own.
- *
- * @param {Event} event
- */
-function stopInner(event) {
-  event.stopPropagation();
-}

@@ -62,7 +62,7 @@ export class Geometry {
    * @param {Scene} scene
    */
   onGpu({ surface, settings: { evaluation, fineness } }) {
-    if (evaluation === "cpu" || !("segments" in fineness)) return false;
+    if (evaluation !== "gpu" || !("segments" in fineness)) return false;
     return patchesOf(surface).every(({ degreeU, degreeV }) => Math.max(degreeU, degreeV) <= MOST_GPU_DEGREE);
   }
 
@@ -72,26 +72,28 @@ export class Geometry {
    * @param {Scene} scene
    * @returns {Mesh}
    */
-  mesh({ surface, settings: { fineness, shading } }) {
+  mesh({ surface, settings: { fineness, shading, evaluation } }) {
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
+    const method = evaluation === "forward" ? "forward-difference" : "bernstein";
     const sight = "pixels" in fineness ? this.#sight : null;
     const make = (/** @type {Mesh | undefined} */ into) => {
-      const [mesh, ms] = timed(() => this.#make(surface, fineness, own, into));
+      const [mesh, ms] = timed(() => this.#make(surface, fineness, own, method, into));
       this.#ms = ms;
       return mesh;
     };
-    return this.#memo.get("mesh", [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, sight], make);
+    return this.#memo.get("mesh", [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, method, sight], make);
   }
 
   /**
    * @param {Surface} surface
    * @param {Settings["fineness"]} fineness
    * @param {boolean} own
+   * @param {"bernstein" | "forward-difference"} method of grids
    * @param {Mesh | undefined} into
    */
-  #make(surface, fineness, own, into) {
+  #make(surface, fineness, own, method, into) {
     const weld = own ? "none" : "normal";
-    if ("segments" in fineness) return surface.grid({ ...fineness, into });
+    if ("segments" in fineness) return surface.grid({ ...fineness, method, into });
     if ("tolerance" in fineness) return surface.tessellate(fineness, { weld, into });
     if ("flatness" in fineness) {
       this.#pieces = surface.subdivide(fineness.flatness);
@@ -108,7 +110,7 @@ export class Geometry {
    * @returns {Mesh}
    */
   closedMesh({ surface, settings: { fineness } }) {
-    return "segments" in fineness ? surface.tessellate(fineness) : this.#make(surface, fineness, false, undefined);
+    return "segments" in fineness ? surface.tessellate(fineness) : this.#make(surface, fineness, false, "bernstein", undefined);
   }
 
   /**

@@ -15,6 +15,9 @@ const MESH_ALPHA = 0.55;
 const [THIN, MIDDLE, THICK] = [1, 1.5, 3];
 const [SMALL_POINT, LARGE_POINT] = [9, 15];
 
+/** Bands reach beyond their ends by so much of their width, and close the chain. */
+const ROUND = 0.5;
+
 /** How lines look; `hidden`: whether they show faintly where something is in front of them. @typedef {{ colour: number[], width: number, alpha?: number, hidden?: boolean }} Pen */
 
 export class GlLines {
@@ -112,7 +115,7 @@ export class GlLines {
     batch.drawBands();
     if (!pen.hidden) return;
     gl.depthFunc(gl.GREATER);
-    twgl.setUniforms(program, { ink: [...pen.colour, HIDDEN_ALPHA] });
+    twgl.setUniforms(program, { ink: [...pen.colour, HIDDEN_ALPHA], cap: 0 });
     batch.drawBands();
     gl.depthFunc(gl.LESS);
   }
@@ -126,7 +129,8 @@ export class GlLines {
     this.#kit.gl.useProgram(program.program);
     const halfWidth = (pen.width * ratio) / 2;
     const ink = [...pen.colour, pen.alpha ?? 1];
-    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, viewport: [width / 2, height / 2], width: halfWidth, ink });
+    const cap = pen.alpha === undefined ? ROUND : 0; // pieces that let something through must not overlap
+    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, viewport: [width / 2, height / 2], width: halfWidth, ink, cap });
   }
 
   /**

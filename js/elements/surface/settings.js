@@ -5,7 +5,7 @@ export const SHADINGS = /** @type {const} */ (["smooth", "flat", "normals", "gau
 export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spout", "bottom"]);
 export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
 export const AXES = /** @type {const} */ (["z", "y"]);
-export const EVALUATIONS = /** @type {const} */ (["cpu", "gpu"]);
+export const EVALUATIONS = /** @type {const} */ (["cpu", "forward", "gpu"]);
 export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "net", "casteljau"]);
 
 /** Cells along each direction of a patch. */
@@ -33,7 +33,7 @@ export const STEPS = 4;
  * @property {number} lines
  * @property {Shading} shading
  * @property {Set<Layer>} layers
- * @property {"cpu" | "gpu"} evaluation
+ * @property {"cpu" | "forward" | "gpu"} evaluation
  * @property {number} u
  * @property {number} v
  * @property {number} step

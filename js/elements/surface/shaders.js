@@ -170,6 +170,7 @@ uniform mat4 view;
 uniform mat4 projection;
 uniform vec2 viewport;
 uniform float width;
+uniform float cap; // how far it reaches beyond its ends, in widths
 const float LIFT = 0.9988;
 void band(vec3 from, vec3 to, int corner) {
   vec4 a = projection * vec4((view * vec4(from, 1.0)).xyz * LIFT, 1.0);
@@ -180,7 +181,7 @@ void band(vec3 from, vec3 to, int corner) {
   vec2 side = vec2(-along.y, along.x) * ((corner & 1) == 0 ? 1.0 : -1.0);
   bool first = corner < 2;
   gl_Position = first ? a : b;
-  gl_Position.xy += (side + (first ? -0.5 : 0.5) * along) * width / viewport * gl_Position.w;
+  gl_Position.xy += (side + (first ? -cap : cap) * along) * width / viewport * gl_Position.w;
 }
 `;
 

@@ -7,7 +7,7 @@ export const style = css`
   --bz-front: #b2daf7; --bz-back: #e0a070; --bz-line: #1d3a52; --bz-handle: #d55e00; --bz-level1: #00805d; --bz-level2: #b3478a;
   --bz-low: #0072b2; --bz-middle: #f2f2ee; --bz-high: #d55e00; --bz-gap: #ff00c8; --bz-wire: #f0b060;
   --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
-  display: block; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
+  display: block; container-type: inline-size; box-sizing: border-box; max-inline-size: 100%; color-scheme: light dark; color: var(--bz-ink);
   font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
 }
 :host([hidden]) { display: none; }
@@ -31,6 +31,7 @@ export const style = css`
 .frame { border: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); overflow: clip; }
 .stage { position: relative; background: var(--bz-paper); }
 canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3); cursor: grab; touch-action: pan-y; -webkit-tap-highlight-color: transparent; }
+@container (max-width: 420px) { canvas { aspect-ratio: var(--bz-aspect, 1); } }
 canvas:active { cursor: grabbing; }
 canvas:focus-visible { outline-offset: -3px; }
 .overlay { position: absolute; inset: 0; overflow: clip; pointer-events: none; user-select: none; -webkit-user-select: none; }

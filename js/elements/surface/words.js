@@ -7,7 +7,7 @@ export const SHADING_NAMES = { smooth: "Smooth", flat: "Flat", normals: "Normals
 /** @type {Record<string, string>} */
 export const FINENESS_NAMES = { segments: "by segments", tolerance: "by tolerance", pixels: "by pixels", flatness: "until flat enough" };
 /** @type {Record<string, string>} */
-export const EVALUATION_NAMES = { cpu: "WebAssembly", gpu: "graphics card" };
+export const EVALUATION_NAMES = { cpu: "WebAssembly", forward: "forward differences", gpu: "graphics card" };
 /** @type {Record<string, string>} */
 export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", net: "control net", casteljau: "de Casteljau" };
 /** @type {Record<string, string>} */

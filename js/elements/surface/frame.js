@@ -1,0 +1,38 @@
+import { html } from "lit";
+import { panel } from "./panel.js";
+import { readout } from "./readout.js";
+import { tools } from "./tools.js";
+import { INSTRUCTIONS } from "./words.js";
+
+/**
+ * Everything in the shadow root.
+ *
+ * @param {object} parts
+ * @param {string} parts.name what the picture is called
+ * @param {string} parts.message what could not be done
+ * @param {import("./geometry.js").Facts | null} parts.facts
+ * @param {Parameters<typeof tools>[0]} parts.tools
+ * @param {import("./panel.js").PanelPort | null} parts.panel null: none
+ */
+export function frame({ name, message, facts, ...parts }) {
+  return html`<div class="frame" part="frame" @input=${stop} @change=${stop}>
+    <div class="stage" part="stage" role="group" aria-label=${name}>
+      <canvas part="canvas" tabindex="0" role="img" aria-label=${name} aria-describedby="help" width="1" height="1"></canvas>
+      <div class="overlay" part="overlay"></div>
+      ${tools(parts.tools)}
+      <p class="message" role="status">${message}</p>
+    </div>
+    <p class="away" id="help">${INSTRUCTIONS}</p>
+    ${readout(facts)} ${parts.panel ? panel(parts.panel) : ""}
+    <span class="probe" hidden></span>
+  </div>`;
+}
+
+/**
+ * Events of the controls stay inside: the element fires its own.
+ *
+ * @param {Event} event
+ */
+function stop(event) {
+  event.stopPropagation();
+}
