@@ -49,6 +49,7 @@ mod text;
 mod text_reader;
 mod text_write;
 mod topology;
+mod tracer;
 mod view;
 mod weld;
 mod wireframe;

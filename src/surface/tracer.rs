@@ -1,0 +1,170 @@
+//! Walking along the lines of a surface: where are the places that a wire goes through, and how are they turned?
+
+use super::Surface;
+use super::sweep::{Frame, Sweep, turned};
+use super::wireframe::Isocurve;
+use super::wires::Wire;
+use crate::curve::{max_abs, ratio};
+use crate::error::Error;
+use crate::point::Point;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+/// A ribbon follows its line as a tube of so many sides does.
+const RIBBON_SIDES: usize = 8;
+
+/// The least tolerance is four ulps of the largest coordinate.
+const LEAST_ULPS: f64 = 4.0;
+
+/// Walks along lines.
+pub(super) struct Tracer {
+    tolerance: f64,
+    /// The cosine of the greatest turn between two places.
+    turn: f64,
+    ribbon: bool,
+}
+
+/// A place on a line before its frame is known.
+#[derive(Clone, Copy)]
+struct Place {
+    t: f64,
+    point: DVec3,
+    along: DVec3,
+    /// The surface's normal under a ribbon, else zero.
+    normal: DVec3,
+}
+
+impl Tracer {
+    pub(super) fn new(surface: &Surface, wire: &Wire) -> Result<Self, Error> {
+        let (what, got) = wire.size();
+        let (sides, radii) = match *wire {
+            Wire::Tube { sides, .. } => (sides, 1.0),
+            Wire::Ribbon { .. } => (RIBBON_SIDES, 0.5),
+        };
+        let bounds = surface.control_bounds();
+        let size = bounds.map_or(0.0, |b| max_abs(&[b.min, b.max]));
+        if size + got > f64::from(f32::MAX) {
+            return Err(Error::Range {
+                what: "vertices",
+                expected: "coordinates that f32 can hold",
+                got: size + got,
+            });
+        }
+        // 1 − cos 2α = 2 sin² α, without cancellation.
+        let [_, sine] = turned(0.5 * PI / ratio(sides, 1));
+        let share = radii * 2.0 * sine * sine;
+        let least = LEAST_ULPS * f64::from(f32::EPSILON) * size / share;
+        if got < least {
+            return Err(Error::Least { what, least, got });
+        }
+        Ok(Self {
+            tolerance: got * share,
+            turn: turned(2.0 * PI / ratio(sides, 1))[0],
+            ribbon: matches!(wire, Wire::Ribbon { .. }),
+        })
+    }
+
+    /// Moves the section along one line.
+    pub(super) fn follow(&self, line: &Isocurve<'_>, sweep: &mut Sweep<'_>) -> Result<(), Error> {
+        if line.curve.tangent(0.0) == DVec3::ZERO {
+            return Ok(());
+        }
+        let polyline = line.curve.flatten(self.tolerance)?;
+        let mut before: Option<(Place, Frame)> = None;
+        for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
+            let place = self.look(line, t, point);
+            before = Some(match before {
+                None => self.start(place, sweep),
+                Some(from) => self.advance(line, from, place, sweep),
+            });
+        }
+        if let Some((_, frame)) = before {
+            sweep.end(&frame);
+        }
+        Ok(())
+    }
+
+    fn look(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> Place {
+        let (u, v) = if line.constant_u {
+            (line.at, t)
+        } else {
+            (t, line.at)
+        };
+        Place {
+            t,
+            point,
+            along: line.curve.tangent(t),
+            normal: if self.ribbon {
+                line.patch.normal(u, v)
+            } else {
+                DVec3::ZERO
+            },
+        }
+    }
+
+    fn start(&self, place: Place, sweep: &mut Sweep<'_>) -> (Place, Frame) {
+        let frame = frame(&place, place.normal);
+        sweep.begin(&frame);
+        (place, frame)
+    }
+
+    /// Goes on to the next place, over as many between as the turn asks for.
+    fn advance(
+        &self,
+        line: &Isocurve<'_>,
+        (from, before): (Place, Frame),
+        to: Place,
+        sweep: &mut Sweep<'_>,
+    ) -> (Place, Frame) {
+        let straight =
+            |a: DVec3, b: DVec3| a.dot(b) >= self.turn || a == DVec3::ZERO || b == DVec3::ZERO;
+        if straight(from.along, to.along) && straight(from.normal, to.normal) {
+            let side = if to.normal == DVec3::ZERO {
+                carried(&before, &to)
+            } else {
+                to.normal
+            };
+            let frame = frame(&to, side);
+            sweep.place(&frame);
+            return (to, frame);
+        }
+        let middle = 0.5 * (from.t + to.t);
+        let close = (to.point - from.point).norm() <= self.tolerance;
+        if close || middle <= from.t || middle >= to.t {
+            // A corner.
+            sweep.end(&before);
+            return self.start(to, sweep);
+        }
+        let middle = self.look(line, middle, line.curve.eval(middle));
+        let half = self.advance(line, (from, before), middle, sweep);
+        self.advance(line, half, to, sweep)
+    }
+}
+
+/// The frame at a place, its side as near to the given direction as may be.
+fn frame(place: &Place, side: DVec3) -> Frame {
+    let Place { point, along, .. } = *place;
+    let axis = if along.x.abs() < 0.5 {
+        DVec3::X
+    } else {
+        DVec3::Y
+    };
+    let across = |v: DVec3| (v - along * v.dot(along)).unit();
+    // Of a side almost along the line, rounding leaves some of it: twice is enough (Kahan).
+    let side = across(across(side));
+    let side = if side == DVec3::ZERO {
+        across(across(axis))
+    } else {
+        side
+    };
+    Frame { point, along, side }
+}
+
+/// The side of a frame, carried to the next place without a turn about the line: reflected in the plane amid both
+/// points, then in the one that takes the tangent to that of the next.
+fn carried(from: &Frame, to: &Place) -> DVec3 {
+    let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
+    let chord = (to.point - from.point).unit();
+    let (side, along) = (reflect(from.side, chord), reflect(from.along, chord));
+    reflect(side, (to.along - along).unit())
+}

@@ -1,0 +1,127 @@
+//! Tubes: closed bodies around the lines.
+
+use super::nets::Random;
+use super::{euler, single, teapot, tubes, vector, volume};
+use casteljau::glam::DVec3;
+use std::f64::consts::PI;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+#[wasm_bindgen_test(unsupported = test)]
+fn straight_tubes_are_capsules() {
+    // Four straight sides of a square of 3 × 2.
+    let square = [[0.0, 0.0], [3.0, 0.0], [0.0, 2.0], [3.0, 2.0]];
+    let surface = single(square.map(|[x, y]| DVec3::new(x, y, 1.0)).to_vec(), 1, 1);
+    for sides in [3, 4, 5, 8, 16, 64] {
+        let radius = 0.1;
+        let mesh = tubes(&surface, 1, radius, sides);
+        assert_eq!(euler(&mesh), 2 * 4);
+        let capsule = |length: f64| PI * radius * radius * (length + 4.0 / 3.0 * radius);
+        let share = volume(&mesh) / (2.0 * capsule(3.0) + 2.0 * capsule(2.0));
+        // An inscribed polygon has the share sin(2π/n)·n/2π of its circle, ends have less.
+        let polygon = (2.0 * PI / sides as f64).sin() * sides as f64 / (2.0 * PI);
+        assert!(
+            share < polygon && share > polygon * polygon - 0.03,
+            "{sides}: {share}"
+        );
+        for vertex in 0..mesh.vertex_count() {
+            let p = vector(&mesh.positions, vertex);
+            let beyond = |x: f64, most: f64| (x - x.clamp(0.0, most)).abs();
+            // On the capsule about one of the sides.
+            let along_x = |y: f64| DVec3::new(beyond(p.x, 3.0), p.y - y, p.z - 1.0).length();
+            let along_y = |x: f64| DVec3::new(p.x - x, beyond(p.y, 2.0), p.z - 1.0).length();
+            let distances = [along_x(0.0), along_x(2.0), along_y(0.0), along_y(3.0)];
+            let off = distances.map(|d| (d - radius).abs());
+            assert!(off.into_iter().fold(1.0, f64::min) < 1e-6, "{p}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn teapot_s_tubes_are_closed_bodies() {
+    for (lines, sides) in [(1, 3), (2, 5), (4, 8)] {
+        let mesh = tubes(&teapot(), lines, 0.02, sides);
+        // 32 patches with lines + 1 curves each way, less 52 shared sides and 8 collapsed ones; the lid's profile has a cusp
+        // nowhere, so that each line is one body.
+        let curves = 32 * 2 * (lines + 1) - 52 - 8;
+        assert_eq!(euler(&mesh), 2 * isize::try_from(curves).unwrap());
+        assert!(volume(&mesh) > 0.0);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn centres_lie_on_the_lines() {
+    let surface = single(Random(3).net(3, 3), 3, 3);
+    let (radius, sides) = (0.02, 8);
+    let mesh = tubes(&surface, 2, radius, sides);
+    euler(&mesh);
+    let curves = surface.isocurves(2).unwrap();
+    let samples: Vec<DVec3> = curves
+        .iter()
+        .flat_map(|curve| (0..=2000).map(|k| curve.eval(f64::from(k) / 2000.0)))
+        .collect();
+    let mut centres = Vec::new();
+    for vertex in 0..mesh.vertex_count() {
+        let centre = vector(&mesh.positions, vertex) - vector(&mesh.normals, vertex) * radius;
+        let nearest = samples
+            .iter()
+            .map(|p| p.distance(centre))
+            .fold(1.0, f64::min);
+        assert!(nearest < 2e-3, "{centre} is {nearest} off");
+        centres.push(centre);
+    }
+    // And the line is nowhere farther from the centres' polygon than r (1 − cos(π/8)): rings are that dense.
+    let tolerance = radius * (1.0 - (PI / 8.0).cos());
+    for p in samples.iter().step_by(7) {
+        let nearest = centres
+            .windows(sides + 1)
+            .flat_map(|w| [(w[0], w[sides]), (w[0], w[1])]);
+        let distance = nearest
+            .map(|(a, b)| distance_to_segment(*p, a, b))
+            .fold(1.0, f64::min);
+        assert!(
+            distance <= tolerance + 1e-6,
+            "{p}: {distance} > {tolerance}"
+        );
+    }
+}
+
+fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let along = b - a;
+    let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+    p.distance(a + along * t.clamp(0.0, 1.0))
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn tubes_of_plane_lines_do_not_twist() {
+    // All lines of a plane patch: the part of a corner's normal across the plane is the same along the whole line.
+    let net = (0..16).map(|i| {
+        let (x, y) = (f64::from(i % 4), f64::from(i / 4));
+        DVec3::new(x + 0.4 * y * y, y + 0.3 * x * x, 0.0)
+    });
+    let sides = 6;
+    let mesh = tubes(&single(net.collect(), 3, 3), 1, 0.05, sides);
+    assert_eq!(euler(&mesh), 8);
+    // A line: pole, ring of the cap, rings, ring of the cap, pole.
+    let heights: Vec<f64> = (0..mesh.vertex_count())
+        .map(|v| vector(&mesh.normals, v).z)
+        .collect();
+    let ring = |at: usize| heights[at..at + sides].to_vec();
+    let mut at = 0;
+    let mut rings = 0;
+    while at < heights.len() {
+        let first = ring(at + 1 + sides);
+        at += 1 + 2 * sides;
+        loop {
+            let next = ring(at);
+            let same = next.iter().zip(&first).all(|(a, b)| (a - b).abs() < 1e-6);
+            if !same {
+                break;
+            }
+            at += sides;
+            rings += 1;
+        }
+        at += sides + 1;
+    }
+    assert_eq!(at, heights.len());
+    assert!(rings > 12);
+}
