@@ -22,7 +22,9 @@ fn normal(mesh: &Mesh, vertex: usize) -> DVec3 {
 fn assert_positions(patch: &Patch, grid: Grid) {
     let mesh = patch.grid(grid, false).unwrap();
     let points = patch.control_points().iter();
-    let largest = points.fold(0.0, |most: f64, p| most.max(p.abs().max_element())) as f32;
+    let largest = points.fold(0.0, |most: f32, p| {
+        most.max(p.abs().as_vec3().max_element())
+    });
     let slack = 4.0 * (f64::from(largest) - f64::from(largest.next_down()));
     for iv in 0..=grid.segments_v {
         for iu in 0..=grid.segments_u {

@@ -55,6 +55,36 @@ test("an earlier mesh is reused and returned", () => {
   assert.ok(mesh instanceof Mesh);
 });
 
+test("what was done to an earlier mesh, and in between, leaves no traces", () => {
+  const surface = Surface.teapot();
+  const fresh = surface.grid({ segments: 5, quads: true });
+  const into = surface.grid({ segments: 5, quads: true });
+  const between = [
+    () => into.indices.reverse(),
+    () => (into.uvs?.fill(7), into.patchIds?.fill(7), into.quads?.fill(7)),
+    () => surface.grid({ segments: 5 }),
+    () => surface.tessellate({ segments: 5 }, { weld: "none" }),
+    () => surface.grid({ segments: { u: 4, v: 6 }, quads: true }),
+    () => plane.grid({ segments: 5, quads: true }),
+    () => assert.throws(() => surface.grid({ segments: 1e6 }), RangeError),
+    () => surface.grid({ segments: 5, quads: true, method: "forward-difference" }),
+  ];
+  for (const act of between) {
+    act();
+    assert.deepEqual({ ...surface.grid({ segments: 5, quads: true, into }) }, { ...fresh });
+  }
+});
+
+test("forward differences come to the same, to the last bit or so", () => {
+  for (const [shape, size] of /** @type {[Surface | Patch, number][]} */ ([[Surface.teapot(), 3.525], [plane, 3]])) {
+    const [exact, stepped] = ["bernstein", "forward-difference"].map((method) => shape.grid({ segments: 20, method: /** @type {any} */ (method) }));
+    const apart = exact.positions.map((x, i) => Math.abs(x - stepped.positions[i]));
+    assert.ok(Math.max(...apart) <= size * 2 ** -22);
+    assert.deepEqual(stepped.indices, exact.indices);
+    assert.deepEqual(exact, shape.grid({ segments: 20 }));
+  }
+});
+
 test("one call draws the whole network", () => {
   const steps = [];
   const names = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];
@@ -69,6 +99,7 @@ const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
   ["0 segments", () => plane.grid({ segments: 0 }), RangeError, /segments: expected a whole number from 1.*got 0/],
   ["a million segments", () => plane.grid({ segments: 1e6 }), RangeError, /segments: expected at most \d+, this needs 1000000/],
   ["no segments", () => plane.grid(/** @type {any} */ ({})), TypeError, /segments: expected a whole number, got undefined/],
+  ["another method", () => plane.grid({ segments: 2, method: /** @type {any} */ ("horner") }), RangeError, /method: expected one of "bernstein", "forward-difference", got "horner"/],
   ["fifteen points", () => new Patch(new Float64Array(45)), RangeError, /net: expected 16 control points.*got 15/],
   ["an index past the end", () => new Surface({ vertices: [[0, 0, 0]], patches: [new Array(16).fill(1)] }), RangeError, /patches\[0\]\[0\]/],
   ["a NaN", () => new Patch(new Float64Array(48).fill(NaN)), RangeError, /net\[0\]: expected a finite number, got NaN/],
