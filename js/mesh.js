@@ -139,7 +139,18 @@ export function gridOptions(options) {
   const { segments, method = "bernstein", quads = false, into } = check.options(options);
   const { u, v } = segmentsOf(segments);
   const differences = check.oneOf(method, "method", METHODS) === "forward-difference";
-  return { u, v, quads: Boolean(quads), differences, into: into === undefined ? into : check.instanceOf(into, "into", Mesh) };
+  return { u, v, quads: Boolean(quads), differences, into: meshInto(into) };
+}
+
+/**
+ * An earlier mesh to fill, or nothing.
+ *
+ * @internal
+ * @param {unknown} into
+ * @returns {Mesh | undefined}
+ */
+export function meshInto(into) {
+  return into === undefined ? into : check.instanceOf(into, "into", Mesh);
 }
 
 /**

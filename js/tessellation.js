@@ -1,5 +1,5 @@
 import * as check from "./check.js";
-import { segmentsOf } from "./mesh.js";
+import { meshInto, segmentsOf } from "./mesh.js";
 
 /**
  * @import { MatrixLike } from "./check.js"
@@ -43,7 +43,7 @@ export function tessellation(fineness, options) {
   const precise = check.oneOf(precision, "precision", ["f32", "f64"]) === "f64";
   const { kind, a, b = 0, extra = [] } = finenessNumbers(fineness);
   const args = /** @type {[number, number, number, number, boolean]} */ ([kind, a, b, how, precise]);
-  return { args, extra, precise, own: weld === "none", into };
+  return { args, extra, precise, own: weld === "none", into: meshInto(into) };
 }
 
 /**
