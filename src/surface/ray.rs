@@ -15,9 +15,9 @@ use crate::error::Error;
 use crate::point::Point;
 use glam::DVec3;
 
-/// On sides of patches, hits nearer than this share of the scene's size are one: the side is not the same curve to the
-/// last digit from both patches, and a ray that grazes it multiplies the difference.
-const SAME_ON_SIDES: f64 = 1.0 / 8_388_608.0;
+/// How near to a side, in u or v, a hit is on it; and the share of the scene's size at which two hits on sides are two in
+/// any case. The root of rounding: so much is not known of a hit where the ray touches the surface.
+const ON_SIDE: f64 = 1.0 / 8_388_608.0;
 
 impl Patch {
     /// All hits of a ray, by distance; none if it misses.
@@ -82,9 +82,12 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
             across: [e1, e2],
         };
         for (k, patch) in patches.iter().enumerate() {
-            let near = |a: &SurfacePoint, b: &SurfacePoint| is_same(a, b, frame.size);
+            let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
+                let apart = (a.point * 0.5 - b.point * 0.5).norm() * 2.0;
+                apart <= blur(patches, a, &ray).max(blur(patches, b, &ray)) * frame.size
+            };
             for hit in hits_of(patch, k, &ray, &frame, origin)? {
-                if !found.iter().any(|other| near(other, &hit)) {
+                if !found.iter().any(|other| is_same(other, &hit)) {
                     let place = found
                         .partition_point(|other: &SurfacePoint| other.distance <= hit.distance);
                     found.insert(place, hit);
@@ -144,13 +147,16 @@ fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     Some(Piece::whole(0, patch.columns, patch.rows(), planes))
 }
 
-/// Whether two hits are one: equal points, or points of a common side.
-fn is_same(a: &SurfacePoint, b: &SurfacePoint, size: f64) -> bool {
-    let is_on_side = |hit: &SurfacePoint| {
-        let off = |t: f64| t.min(1.0 - t) <= SAME_ON_SIDES;
-        off(hit.u) || off(hit.v)
-    };
-    let apart = (a.point * 0.5 - b.point * 0.5).norm() * 2.0;
-    let on_sides = a.patch != b.patch && is_on_side(a) && is_on_side(b);
-    apart <= size * if on_sides { SAME_ON_SIDES } else { 4.0 * NEAR }
+/// How far apart, as a share of the scene's size, two hits can be that are one.
+///
+/// The side that two patches share, or the seam of one, is the same curve from both to the last digits; where the ray
+/// grazes it, a hit moves by their error over the cosine of its angle with the normal. Elsewhere each patch sees to its
+/// own hits.
+fn blur(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
+    let is_end = |t: f64| t.min(1.0 - t) <= ON_SIDE;
+    if !(is_end(hit.u) || is_end(hit.v)) {
+        return NEAR;
+    }
+    let normal = patches[hit.patch].normal(hit.u, hit.v);
+    (8.0 * NEAR / normal.dot(ray.along).abs()).min(ON_SIDE)
 }

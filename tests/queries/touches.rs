@@ -4,6 +4,7 @@ use crate::nets::{assert_near, graph};
 use crate::rays::{assert_hits, bowl, shoot};
 use crate::shapes::teapot;
 use casteljau::glam::DVec3;
+use casteljau::{Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -91,5 +92,56 @@ fn a_pole_is_one_hit() {
     assert!((heights[0] - 3.15).abs() < 1e-14 && heights[1].abs() < 1e-14);
     for hit in hits {
         assert_near(hit.point, DVec3::Z * hit.point.z, 1e-13);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_seam_is_hit_once() {
+    // A tube whose first and last control points of each row are one: u = 0 and u = 1 are the same line.
+    let ring = [
+        DVec3::X,
+        DVec3::new(1.0, 3.0, 0.0),
+        DVec3::new(-3.0, 1.0, 0.0),
+        DVec3::X,
+    ];
+    let net: Vec<DVec3> = [0.0, 1.0]
+        .iter()
+        .flat_map(|&z| ring.map(|p| p + DVec3::Z * z))
+        .collect();
+    let tube = Patch::new(&net, 3, 1).unwrap();
+    for (z, slant) in [(0.0, 0.0), (0.25, 0.3), (1.0, -0.2), (0.7, 5.0)] {
+        let aim = DVec3::new(1.0, 0.0, z);
+        let along = DVec3::new(-1.0, 0.1, slant);
+        let hits = tube.intersect_ray(aim - along * 3.0, along).unwrap();
+        let there = hits
+            .iter()
+            .filter(|hit| hit.point.distance(aim) < 1e-9)
+            .count();
+        assert_eq!(there, 1, "{hits:?}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn hits_near_an_edge_are_two_from_far_away_too() {
+    // A roof of two faces, cut a little below its ridge.
+    let point = |x: f64, y: f64| DVec3::new(x, y, -x.abs());
+    let net: Vec<DVec3> = [(-1.0, 0.0), (0.0, 0.0), (1.0, 0.0)]
+        .iter()
+        .flat_map(|&(x, y)| [point(x, y), point(x, y + 1.0)])
+        .collect();
+    let roof = Surface::new(net, vec![0, 1, 2, 3, 2, 3, 4, 5], 1, 1).unwrap();
+    for far in [2.0, 1e3, 1e6] {
+        for below in [1e-4, 1e-6] {
+            let hits = roof
+                .intersect_ray(DVec3::new(-far, 0.5, -below), DVec3::X)
+                .unwrap();
+            assert_eq!(hits.len(), 2, "{far} {below}");
+            let width = hits[0].point.distance(hits[1].point);
+            assert!((width - 2.0 * below).abs() < 1e-15 * far, "{width} {below}");
+        }
+        let ridge = roof
+            .intersect_ray(DVec3::new(-far, 0.5, 0.0), DVec3::X)
+            .unwrap();
+        assert_eq!(ridge.len(), 1, "{ridge:?}");
     }
 }
