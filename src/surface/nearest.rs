@@ -2,6 +2,8 @@
 //!
 //! The squared distance |S(u, v) − p|² is a polynomial of degrees 2m and 2n; its Bernstein coefficients bound it from
 //! below over any piece. So the least value can be found for certain, with Newton's method only to speed things up.
+//! Source of the search by bounds: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA
+//! 1998; of products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
 use super::frame::{Frame, box_of};
 use super::minimum::minimise;
