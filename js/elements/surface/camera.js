@@ -26,8 +26,10 @@ const [LEAST_ZOOM, MOST_ZOOM] = [0.25, 40];
 const MOST_PAN = 2;
 /** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
 const SLOPE = 0.25;
-/** The sphere about the box is wider than what is in it; so much of the smaller side it may take. */
-export const FILLED = 1.4;
+/** So much of the picture the sphere takes; a little air remains. */
+const FILLED = 0.95;
+/** Most things are wider than they are tall: a picture that is too, by so much at most, is filled by its width. */
+const WIDER = 1.2;
 /** Points that are dragged out of the sphere remain visible within so many radii. */
 const DEPTH_RADII = 8;
 const NEAREST = 0.02;
@@ -52,7 +54,28 @@ export function moved(view, changes) {
 }
 
 /**
- * A sphere about the box of some points.
+ * The length that the sphere is fitted into.
+ *
+ * @param {number} width
+ * @param {number} height
+ */
+function fittedSide(width, height) {
+  return Math.min(width, WIDER * height);
+}
+
+/**
+ * Radii of the sphere that a pixel spans, in the plane through the middle.
+ *
+ * @param {View} view
+ * @param {number} width
+ * @param {number} height
+ */
+export function radiiPerPixel({ zoom }, width, height) {
+  return 2 / FILLED / zoom / fittedSide(width, height);
+}
+
+/**
+ * A sphere about some points, about the middle of their box.
  *
  * @param {ArrayLike<number>} points
  * @param {"z" | "y"} up
@@ -66,7 +89,9 @@ export function frameOf(points, up) {
   }
   if (points.length === 0) return { centre: [0, 0, 0], radius: 1, up };
   const centre = /** @type {Vector} */ (min.map((low, k) => low / 2 + max[k] / 2));
-  return { centre, radius: Math.hypot(...min.map((low, k) => max[k] / 2 - low / 2)) || 1, up };
+  let radius = 0;
+  for (let i = 0; i < points.length; i += 3) radius = Math.max(radius, Math.hypot(...centre.map((c, k) => points[i + k] - c)));
+  return { centre, radius: radius || 1, up };
 }
 
 /**
@@ -77,7 +102,7 @@ export function frameOf(points, up) {
  * @returns {Sight}
  */
 export function sightOf({ turn, tilt, zoom, panX, panY }, { centre, radius, up }, width, height) {
-  const least = Math.min(width, height);
+  const least = fittedSide(width, height);
   const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
   const distance = radius / (SLOPE * FILLED);
   const projection = perspective((slope * width) / least, (slope * height) / least, Math.max(distance - DEPTH_RADII * radius, NEAREST * distance), distance + DEPTH_RADII * radius);

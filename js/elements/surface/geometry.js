@@ -28,7 +28,7 @@ import { MOST_GPU_DEGREE } from "./shaders.js";
  */
 
 /** In radii of the surface. */
-const TUBE_RADIUS = 0.007;
+const TUBE_RADIUS = 0.0085;
 const TUBE_SIDES = 10;
 
 export class Geometry {

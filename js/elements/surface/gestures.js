@@ -1,6 +1,6 @@
 // Fingers, mouse, wheel and keys on the picture: what they do to the view.
 
-import { FILLED } from "./camera.js";
+import { radiiPerPixel } from "./camera.js";
 
 /**
  * @import { View } from "./camera.js"
@@ -112,14 +112,9 @@ export class Gestures {
    * @param {number} dy
    */
   #pan(dx, dy) {
-    const { panX, panY, zoom } = this.#port.view();
-    const scale = this.#radiiPerPixel() / zoom;
-    this.#port.move({ panX: panX + dx * scale, panY: panY - dy * scale }, false);
-  }
-
-  /** At zoom 1, in the plane through the middle. */
-  #radiiPerPixel() {
-    return 2 / FILLED / Math.min(this.#canvas.clientWidth, this.#canvas.clientHeight);
+    const view = this.#port.view();
+    const scale = radiiPerPixel(view, this.#canvas.clientWidth, this.#canvas.clientHeight);
+    this.#port.move({ panX: view.panX + dx * scale, panY: view.panY - dy * scale }, false);
   }
 
   /**

@@ -144,10 +144,11 @@ vec3 scale(float x) { return x < 0.0 ? mix(middle, low, -x) : mix(middle, high, 
 
 vec3 lit(vec3 base, vec3 n) {
   vec3 toEye = normalize(-seen);
-  float light = 0.36 + 0.56 * max(dot(n, KEY), 0.0) + 0.16 * max(dot(n, FILL), 0.0);
+  float light = 0.40 + 0.58 * max(dot(n, KEY), 0.0) + 0.16 * max(dot(n, FILL), 0.0);
   float gloss = pow(max(dot(n, normalize(KEY + toEye)), 0.0), 48.0);
   float rim = pow(1.0 - max(dot(n, toEye), 0.0), 3.0);
-  return base * light + vec3(0.16 * gloss) + base * 0.12 * rim;
+  vec3 full = base * min(light + 0.12 * rim, 1.0);
+  return mix(full, vec3(1.0), 0.55 * max(light - 1.0, 0.0) + 0.30 * gloss); // towards white, not over it
 }
 
 void main() {
@@ -156,8 +157,8 @@ void main() {
   vec3 n = mode == ${MODES.flat} || !known ? facet : normalize(seenNormal) * (gl_FrontFacing ? 1.0 : -1.0);
   vec3 base = gl_FrontFacing ? front : back;
   if (mode == ${MODES.patches}) base = mix(vec3(0.9), hue(patchNumber * 0.61803399 + 0.07), 0.62) * 0.94;
-  if (mode == ${MODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.25) * 0.63661977);
-  if (mode == ${MODES.mean}) base = scale(atan(curvatures.y * radius * 0.6) * 0.63661977);
+  if (mode == ${MODES.gaussian}) base = scale(atan(curvatures.x * radius * radius * 0.37) * 0.63661977);
+  if (mode == ${MODES.mean}) base = scale(atan(curvatures.y * radius * 0.73) * 0.63661977);
   vec3 shaded = lit(base, n);
   if (mode == ${MODES.normals}) shaded = (known ? normalize(ownNormal) : vec3(0)) * 0.5 + 0.5;
   colour = vec4(shaded, 1.0);
