@@ -7,7 +7,7 @@ use std::fmt;
 /// ```
 /// use casteljau::Surface;
 ///
-/// let error = Surface::parse("1\n1 1\n0 0 0\n1 0\n").unwrap_err();
+/// let error = Surface::parse("1\n1 1\n0 0 0\n1 0\n0 1 0\n1 1 0\n").unwrap_err();
 /// assert_eq!(error.to_string(), "line 4: expected 3 coordinates, got 2");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
