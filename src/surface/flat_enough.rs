@@ -121,33 +121,30 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
         return true;
     }
     around.iter_mut().for_each(|p| *p /= scale);
-    let [a, b, c, d] = corners.map(|p| (p * 0.5 - origin) / scale);
+    let corners = corners.map(|p| (p * 0.5 - origin) / scale);
     let most = 0.5 * tolerance / scale;
-    // Each normal is a cross product at one of the three corners.
-    let plane = longest(&[
-        (b, (a - b).cross(c - b)),
-        (c, (b - c).cross(d - c)),
-        (d, (c - d).cross(a - d)),
-        (a, (d - a).cross(b - a)),
-    ]);
-    let line = longest(&[(a, b - a), (a, c - a), (a, d - a)]);
+    let (mut plane, mut line) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
+    for (k, &corner) in corners.iter().enumerate() {
+        let [before, next] = [3, 1].map(|step| corners[(k + step) % 4] - corner);
+        keep_longer(&mut plane, [corner, before.cross(next)]);
+        keep_longer(&mut line, [DVec3::ZERO, corner]);
+    }
+    let [[amid, normal], [_, along]] = [plane, line].map(|[from, to]| [from, to.unit()]);
     around.iter().all(|&p| {
-        let off = match (plane, line) {
-            (Some((from, normal)), _) => (p - from).dot(normal).abs(),
-            (None, Some((from, along))) => (p - from).cross(along).norm(),
-            (None, None) => p.norm(),
+        let off = if normal != DVec3::ZERO {
+            (p - amid).dot(normal).abs()
+        } else if along != DVec3::ZERO {
+            p.cross(along).norm()
+        } else {
+            p.norm()
         };
         off <= most
     })
 }
 
-/// The longest vector with its place, as a unit vector; none if all are zero.
-fn longest(vectors: &[(DVec3, DVec3)]) -> Option<(DVec3, DVec3)> {
-    let mut found = (DVec3::ZERO, DVec3::ZERO);
-    for &(from, vector) in vectors {
-        if vector.norm() > found.1.norm() {
-            found = (from, vector);
-        }
+/// Keeps the place of the longer vector, and it.
+fn keep_longer(kept: &mut [DVec3; 2], place: [DVec3; 2]) {
+    if place[1].norm() > kept[1].norm() {
+        *kept = place;
     }
-    (found.1 != DVec3::ZERO).then(|| (found.0, found.1.unit()))
 }
