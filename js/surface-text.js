@@ -60,11 +60,15 @@ export function parseSurface(text, joinedOf) {
 function sharedVertices(vertices, joined) {
   const indices = new Uint32Array(joined.length);
   let count = 0;
-  joined.forEach((first, k) => {
-    if (first === k) vertices.copyWithin(3 * count, 3 * k, 3 * k + 3);
-    indices[k] = first === k ? count++ : indices[first];
-  });
-  return { vertices: vertices.slice(0, 3 * count), joined: Float64Array.from({ length: count }, (_, k) => k), indices };
+  for (let k = 0; k < joined.length; k++) {
+    if (joined[k] < k) {
+      indices[k] = indices[joined[k]];
+      continue;
+    }
+    for (let axis = 0; axis < 3; axis++) vertices[3 * count + axis] = vertices[3 * k + axis];
+    indices[k] = count++;
+  }
+  return { vertices: vertices.slice(0, 3 * count), joined: new Float64Array(count).map((_, k) => k), indices };
 }
 
 /**
@@ -211,7 +215,7 @@ function readDegrees({ reader, degrees }) {
  * @param {number} count how many are allowed, from the first on
  */
 function readIndices({ reader, indices }, first, count) {
-  for (let place = 0; 2 * place < reader.ends.length; place++) {
+  for (let place = 0; place < reader.count; place++) {
     const number = reader.whole(place, "a vertex number");
     const index = number - first;
     if (!(index >= 0 && index < count)) throw reader.refusal(place, vertexRange(first, count));

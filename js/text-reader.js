@@ -48,6 +48,8 @@ export class Reader {
      * @type {number[]}
      */
     this.ends = [];
+    /** How many words of it are kept. */
+    this.count = 0;
   }
 
   /**
@@ -57,7 +59,7 @@ export class Reader {
    * @returns {string | undefined} nothing past the words that were wanted
    */
   word(place) {
-    if (2 * place >= this.ends.length) return undefined;
+    if (place >= this.count) return undefined;
     return new TextDecoder("utf-8", { ignoreBOM: true }).decode(this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]));
   }
 
@@ -68,14 +70,17 @@ export class Reader {
    * @returns {number} how many words it has, 0 at the end of the text
    */
   next(wanted) {
-    this.ends.length = 0;
+    this.count = 0;
     while (!this.#findWord()) if (!this.#nextLine()) return 0;
     let count = 0;
     for (; this.#findWord(); count++) {
       const from = this.at;
       this.#skipWord();
-      if (count < wanted) this.ends.push(from, this.at);
+      if (count >= wanted) continue;
+      this.ends[2 * count] = from;
+      this.ends[2 * count + 1] = this.at;
     }
+    this.count = Math.min(count, wanted);
     return count;
   }
 
