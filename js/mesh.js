@@ -30,7 +30,7 @@ import { meshToThree } from "./mesh-three.js";
 const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
 /** Above this many bytes the core gives the memory of a mesh back after it was read. */
-const LARGE_MESH = 1 << 24;
+export const LARGE_MESH = 1 << 24;
 
 /** The buffers of a mesh in the order of the core. */
 const POSITIONS = 0;
@@ -207,9 +207,34 @@ export function takeMesh(into, { own = true, precise = false } = {}) {
  * @returns {T}
  */
 function read(buffer, Type, into) {
-  const length = core().mesh_length(buffer);
-  const fits = into instanceof Type && into.length >= length;
-  const array = /** @type {T} */ (fits ? (into.length === length ? into : into.subarray(0, length)) : new Type(length));
+  return copy(buffer, room(Type, core().mesh_length(buffer), into));
+}
+
+/**
+ * The earlier array if it is of that type and long enough, or the part of it that is needed; else a new one.
+ *
+ * @internal
+ * @template {Float32Array | Float64Array | Uint16Array | Uint32Array} T
+ * @param {new (length: number) => T} Type
+ * @param {number} length
+ * @param {Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined} earlier
+ * @returns {T}
+ */
+export function room(Type, length, earlier) {
+  const fits = earlier instanceof Type && earlier.length >= length;
+  return /** @type {T} */ (fits ? (earlier.length === length ? earlier : earlier.subarray(0, length)) : new Type(length));
+}
+
+/**
+ * Copies a buffer of the core's last mesh to an array of exactly its length.
+ *
+ * @internal
+ * @template {Float32Array | Float64Array | Uint16Array | Uint32Array} T
+ * @param {number} buffer
+ * @param {T} array
+ * @returns {T}
+ */
+export function copy(buffer, array) {
   core().mesh_copy(buffer, array);
   return array;
 }

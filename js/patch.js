@@ -1,6 +1,7 @@
 import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
+import { takeGrid } from "./gridding.js";
 import { core } from "./init.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, takeMesh } from "./mesh.js";
@@ -326,10 +327,11 @@ export class Patch {
    * @returns {Mesh}
    */
   grid(options) {
-    const { u, v, quads, differences, into } = gridOptions(options);
+    const wanted = gridOptions(options);
+    const { u, v, quads, differences } = wanted;
     load(this.#flat);
     done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads, differences));
-    return takeMesh(into);
+    return takeGrid(1, wanted);
   }
 
   /**

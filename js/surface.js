@@ -1,5 +1,6 @@
 import * as check from "./check.js";
 import { core } from "./init.js";
+import { takeGrid } from "./gridding.js";
 import * as lines from "./lines.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
@@ -278,10 +279,11 @@ export class Surface {
    * @returns {Mesh}
    */
   grid(options) {
-    const { u, v, quads, differences, into } = gridOptions(options);
+    const wanted = gridOptions(options);
+    const { u, v, quads, differences } = wanted;
     this.#load(0, false);
     done(core().surface_grid(u, v, quads, differences));
-    return takeMesh(into);
+    return takeGrid(this.patchCount, wanted);
   }
 
   /**

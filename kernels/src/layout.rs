@@ -27,9 +27,9 @@ fn share(k: usize, segments: usize) -> f32 {
     (k as f64 / segments as f64) as f32
 }
 
-/// The number of its patch for each vertex.
-pub fn fill_patch_ids(vertices: usize, ids: &mut [u32]) {
-    for (id, part) in (0..).zip(ids.chunks_exact_mut(vertices)) {
+/// The number of its patch for each vertex, counted from `first`.
+pub fn fill_patch_ids(first: u32, vertices: usize, ids: &mut [u32]) {
+    for (id, part) in (first..).zip(ids.chunks_exact_mut(vertices)) {
         part.fill(id);
     }
 }

@@ -1,9 +1,10 @@
 //! Grids of samples over patches and surfaces.
 
-use super::tessellate::{Wanted, fill_mesh};
+use super::tessellate::Filler;
 use super::{Grid, GridMethod, Mesh, Patch, Surface};
 use crate::error::Error;
 use glam::DVec3;
+use std::ops::Range;
 
 impl Surface {
     /// A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
@@ -42,17 +43,26 @@ impl Surface {
         quads: bool,
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
-        self.fill_grid(&Wanted::new(method, grid, quads), mesh)
+        let all = 0..self.patch_count();
+        let mut filler = Filler::new(all.len(), grid, method, quads)?;
+        self.fill_part(&mut filler, all, false, mesh);
+        Ok(())
     }
 
-    /// As `grid_by`.
-    pub(crate) fn fill_grid(&self, wanted: &Wanted, mesh: &mut Mesh) -> Result<(), Error> {
+    /// Fills a mesh with the grids of some patches; see [`Filler::fill`].
+    pub(crate) fn fill_part(
+        &self,
+        filler: &mut Filler,
+        part: Range<usize>,
+        has_layout: bool,
+        mesh: &mut Mesh,
+    ) {
         let net_of = |patch: usize, net: &mut Vec<DVec3>| {
             net.extend(self.points_of(patch));
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };
-        fill_mesh(self.patch_count(), net_of, wanted, mesh)
+        filler.fill(part, net_of, has_layout, mesh);
     }
 }
 
@@ -86,27 +96,11 @@ impl Patch {
         quads: bool,
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
-        self.fill_grid(&Wanted::new(method, grid, quads), mesh)
-    }
-
-    /// As `grid_by`.
-    pub(crate) fn fill_grid(&self, wanted: &Wanted, mesh: &mut Mesh) -> Result<(), Error> {
         let net_of = |_: usize, net: &mut Vec<DVec3>| {
             net.extend_from_slice(&self.points);
             (self.degree_u(), self.degree_v())
         };
-        fill_mesh(1, net_of, wanted, mesh)
-    }
-}
-
-impl Wanted {
-    /// Into any mesh.
-    fn new(method: GridMethod, grid: Grid, quads: bool) -> Self {
-        Self {
-            grid,
-            method,
-            quads,
-            has_layout: false,
-        }
+        Filler::new(1, grid, method, quads)?.fill(0..1, net_of, false, mesh);
+        Ok(())
     }
 }

@@ -68,7 +68,7 @@ pub use patch::{Partials, Patch};
 pub use scaffold::PatchScaffold;
 pub use sets::{Height, TeapotOptions, Up};
 #[cfg(feature = "wasm")]
-pub(crate) use tessellate::Wanted;
+pub(crate) use tessellate::Filler;
 pub use text_reader::ParseError;
 pub use topology::{Side, SideName, Topology};
 pub use view::{Fineness, View};

@@ -5,10 +5,11 @@ use super::arena::{self, Arena};
 use super::surface::{patch, surface};
 use crate::error::Error;
 use crate::surface::{
-    Fineness, Grid, GridMethod, Indices, Mesh, Side, Surface, View, Wanted, Weld,
+    Filler, Fineness, Grid, GridMethod, Indices, Mesh, Side, Surface, View, Weld,
 };
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
+use std::ops::Range;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -23,8 +24,14 @@ static MESH: Alone<Mesh> = Alone::new(Mesh {
     patch_ranges: Vec::new(),
 });
 
-/// Which grid the last mesh is, if it is one: patches, grid, and whether there are quads.
-static GRID: Alone<Option<(usize, Grid, bool)>> = Alone::new(None);
+/// The grid that is being made, part by part.
+static GRID: Alone<Option<(Surface, Filler)>> = Alone::new(None);
+
+/// Which part of a grid the last mesh is, if it is one.
+static LAYOUT: Alone<Option<Layout>> = Alone::new(None);
+
+/// All that the layout of a part depends on: which patches, the grid, whether there are quads and indices have 32 bits.
+type Layout = (Range<usize>, Grid, bool, bool);
 
 /// Its positions and normals, where they are f64.
 static PRECISE: Alone<[Vec<f64>; 2]> = Alone::new([Vec::new(), Vec::new()]);
@@ -59,30 +66,38 @@ pub fn patch_tessellate(
     })
 }
 
-/// Makes a grid; 0. What depends on counts only stays, if the last mesh was a grid of the same counts.
-pub(super) fn make_grid(
-    patches: usize,
+/// Prepares a grid, to be made by `grid_part`; 0.
+pub(super) fn begin_grid(
+    surface: Surface,
     grid: Grid,
     quads: bool,
     differences: bool,
-    fill: impl FnOnce(&Wanted, &mut Mesh) -> Result<(), Error>,
 ) -> Result<usize, Error> {
-    let this = Some((patches, grid, quads));
-    let has_layout = GRID.with(|last| last.take() == this);
     let method = if differences {
         GridMethod::ForwardDifference
     } else {
         GridMethod::Bernstein
     };
-    let wanted = Wanted {
-        grid,
-        method,
-        quads,
-        has_layout,
-    };
-    MESH.with(|mesh| fill(&wanted, mesh))?;
-    GRID.with(|last| *last = this);
+    let filler = Filler::new(surface.patch_count(), grid, method, quads)?;
+    GRID.with(|kept| *kept = Some((surface, filler)));
     Ok(0)
+}
+
+/// Makes the part of the grid that starts with a patch, to be copied; the number of its patches. What depends on counts
+/// only stays, if the last mesh was such a part. After the last patch the grid is forgotten.
+#[wasm_bindgen]
+pub fn grid_part(first: usize) -> usize {
+    let Some((surface, mut filler)) = GRID.with(Option::take) else {
+        return 0;
+    };
+    let part = filler.part(first);
+    let layout = Some(filler.layout(part.clone()));
+    let has_layout = LAYOUT.with(|last| std::mem::replace(last, layout.clone()) == layout);
+    MESH.with(|mesh| surface.fill_part(&mut filler, part.clone(), has_layout, mesh));
+    if part.end < surface.patch_count() {
+        GRID.with(|kept| *kept = Some((surface, filler)));
+    }
+    part.len()
 }
 
 const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
@@ -122,7 +137,7 @@ fn keep(surface: &Surface, fineness: &Fineness, weld: Weld, precise: bool) -> Re
 
 /// Keeps a mesh that is no grid, to be copied; 0.
 pub(super) fn keep_mesh(mesh: Mesh) -> usize {
-    GRID.with(|last| *last = None);
+    LAYOUT.with(|last| *last = None);
     MESH.with(|kept| *kept = mesh);
     0
 }
@@ -216,7 +231,7 @@ fn copy_indices(indices: &Indices, into: &JsValue) {
 /// Gives the memory of the last mesh back.
 #[wasm_bindgen]
 pub fn mesh_drop() {
-    GRID.with(|last| *last = None);
+    LAYOUT.with(|last| *last = None);
     MESH.with(|mesh| *mesh = Mesh::default());
     PRECISE.with(|kept| *kept = [Vec::new(), Vec::new()]);
 }

@@ -6,7 +6,7 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use super::mesh::make_grid;
+use super::mesh::begin_grid;
 use super::pen::CanvasPen;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
@@ -68,7 +68,7 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     });
 }
 
-/// Makes the mesh of one patch, by forward `differences` or by Bernstein polynomials; 0.
+/// Prepares the grid of one patch, by forward `differences` or by Bernstein polynomials; 0.
 #[wasm_bindgen]
 pub fn patch_grid(
     degree_u: usize,
@@ -84,9 +84,7 @@ pub fn patch_grid(
             segments_u,
             segments_v,
         };
-        make_grid(1, grid, quads, differences, |wanted, mesh| {
-            patch.fill_grid(wanted, mesh)
-        })
+        begin_grid(patch.alone(), grid, quads, differences)
     })
 }
 
@@ -171,13 +169,7 @@ pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differenc
             segments_u,
             segments_v,
         };
-        make_grid(
-            surface.patch_count(),
-            grid,
-            quads,
-            differences,
-            |wanted, mesh| surface.fill_grid(wanted, mesh),
-        )
+        begin_grid(surface, grid, quads, differences)
     })
 }
 
