@@ -16,6 +16,7 @@ mod random;
 mod refusals;
 mod shapes;
 mod soup;
+mod weld;
 
 /// CASTELJAU_DEEP=1 asks for finer meshes and many more surfaces.
 fn deep() -> bool {

@@ -1,0 +1,112 @@
+//! Normals of vertices that triangles share, and what rounding to f32 takes of the tolerance.
+
+use super::checks::degrees_between;
+use super::distance::greatest;
+use super::shapes::{all, diagonal, segments};
+use super::soup::{Soup, vectors};
+use casteljau::glam::DVec3;
+use casteljau::surface::{Fineness, Weld};
+use casteljau::{Mesh, Surface};
+
+/// Above this corners do not share a vertex with weld "normal".
+const CREASE_DEGREES: f64 = 0.1;
+
+fn meshes(surface: &Surface, fineness: &Fineness) -> [Mesh; 3] {
+    [Weld::None, Weld::Normal, Weld::Position]
+        .map(|weld| surface.tessellate(fineness, weld).unwrap())
+}
+
+/// For each place the mean of the corners' normals, weighted by the triangles' angles.
+fn means(own: &Mesh, soup: &Soup) -> Vec<DVec3> {
+    let normals: Vec<DVec3> = vectors(&own.normals).collect();
+    let mut sums = vec![DVec3::ZERO; soup.points.len()];
+    for (k, (places, corners)) in soup.triangles.iter().zip(&soup.corners).enumerate() {
+        let p = soup.corners_at(k);
+        for i in 0..3 {
+            let angle = (p[(i + 1) % 3] - p[i]).angle_between(p[(i + 2) % 3] - p[i]);
+            sums[places[i] as usize] += normals[corners[i]] * angle;
+        }
+    }
+    sums
+}
+
+#[test]
+fn normals_of_shared_vertices() {
+    for (name, surface) in all() {
+        for fineness in [
+            segments(5, 5),
+            Fineness::Tolerance(diagonal(&surface) * 3e-3),
+        ] {
+            let [own, normal, position] = meshes(&surface, &fineness);
+            let soup = Soup::new(&own);
+            let expected = means(&own, &soup);
+            let welded = Soup::new(&position);
+            // The side of one of the teaspoon's patches runs through its own end: two points of the surface at one place.
+            let twice = position.vertex_count() - welded.points.len();
+            assert!(
+                twice <= usize::from(name == "teaspoon"),
+                "{name}: {twice} points have two vertices"
+            );
+            let mut vertices = vec![0; welded.points.len()];
+            welded
+                .place_of
+                .iter()
+                .for_each(|&place| vertices[place as usize] += 1);
+            let normals: Vec<DVec3> = vectors(&position.normals).collect();
+            for (ours, theirs) in welded
+                .corners
+                .as_flattened()
+                .iter()
+                .zip(soup.triangles.as_flattened())
+            {
+                let mean = expected[*theirs as usize];
+                let alone = vertices[welded.place_of[*ours] as usize] == 1;
+                // Normals that all but cancel have no mean to speak of.
+                let off = degrees_between(normals[*ours], mean.normalize_or_zero());
+                assert!(
+                    off < 0.01 || mean.length() < 0.01 || !alone,
+                    "{name}: a mean normal off by {off}°"
+                );
+            }
+            assert_creases(name, &normal);
+        }
+    }
+}
+
+/// Vertices at one place are there because their normals differ.
+fn assert_creases(name: &str, mesh: &Mesh) {
+    let soup = Soup::new(mesh);
+    let mut at: Vec<Vec<DVec3>> = vec![Vec::new(); soup.points.len()];
+    let mut alike = 0;
+    for (place, normal) in soup.place_of.iter().zip(vectors(&mesh.normals)) {
+        for &other in &at[*place as usize] {
+            let apart = degrees_between(other, normal);
+            alike += usize::from(apart < 0.999 * CREASE_DEGREES);
+        }
+        at[*place as usize].push(normal);
+    }
+    assert!(
+        alike <= usize::from(name == "teaspoon"),
+        "{name}: {alike} vertices too many"
+    );
+}
+
+/// An arch as high as the tolerance allows, whose feet f32 puts half an ulp too low.
+#[test]
+fn rounding_has_its_share() {
+    let ulp = (-12.0_f64).exp2();
+    let base = 2048.0 + 0.49 * ulp;
+    let tolerance = 4.0 * f64::from(f32::EPSILON) * (base + 16.0 * ulp);
+    let height = tolerance * 0.97;
+    // The middle of a parabola is half as high as its control point.
+    let arch = [(0.0, 0.0), (0.5, 2.0 * height), (1.0, 0.0)];
+    let row = |y: f64| arch.map(|(x, z)| DVec3::new(x, y, base + z));
+    let vertices: Vec<DVec3> = [row(0.0), row(1.0)].as_flattened().to_vec();
+    let surface = Surface::new(vertices, (0..6).collect(), 2, 1).unwrap();
+    let mesh = surface
+        .tessellate(&Fineness::Tolerance(tolerance), Weld::Position)
+        .unwrap();
+    let (most, _) = greatest(&surface, &Soup::new(&mesh), 10_000);
+    assert!(most <= tolerance, "{most} for {tolerance}");
+    assert!(mesh.triangle_count() < 16);
+}
