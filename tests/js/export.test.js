@@ -46,6 +46,17 @@ const square = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0
 const empty = new Surface({ vertices: [], patches: [] });
 const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
 
+/** Gumbo, the hard test, where its data are there. */
+function gumbo() {
+  try {
+    const { vertices, patches } = JSON.parse(readFileSync(new URL("../../../shared/data/gumbo.json", import.meta.url), "utf8"));
+    const surface = new Surface({ vertices, patches });
+    return [["Gumbo", surface.tessellate({ tolerance: 0.02 })], ["Gumbo as tubes", surface.wireframe({ lines: 2, radius: 0.05 })]];
+  } catch {
+    return [];
+  }
+}
+
 /** Every way to a mesh. */
 const meshes = [
   ["a grid", Surface.teapot().grid({ segments: 8, quads: true })],
@@ -56,6 +67,9 @@ const meshes = [
   ["with parameters", Surface.teacup().tessellate({ segments: 5 }, { weld: "none" })],
   ["no patches", empty.grid({ segments: 2 })],
   ["a patch that is a point", point.grid({ segments: 2 })],
+  ["tubes", Surface.teaspoon().wireframe({ lines: 3, radius: 0.004 })],
+  ["ribbons", Surface.teacup().wireframe({ lines: 3, width: 0.02 })],
+  ...gumbo(),
 ];
 
 for (const [name, mesh] of meshes) {

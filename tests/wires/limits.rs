@@ -149,3 +149,33 @@ fn refused() {
     assert!(of(2, tube(0.1, usize::MAX)).starts_with("vertices: expected at most "));
     assert!(of(1, tube(2.0, 100_000)).contains("expected at "));
 }
+
+/// Gumbo, the hard test: many corners and sides that have collapsed.
+#[cfg(not(target_family = "wasm"))]
+#[test]
+fn gumbo() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data/gumbo.json");
+    let Ok(text) = std::fs::read_to_string(path) else {
+        println!("skipped: {path} is not there");
+        return;
+    };
+    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let list = |value: &serde_json::Value| value.as_array().unwrap().clone();
+    let vertices = list(&data["vertices"]).into_iter().map(|p| {
+        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
+        DVec3::new(x, y, z)
+    });
+    let index = |i: &serde_json::Value| u32::try_from(i.as_u64().unwrap()).unwrap();
+    let nets = list(&data["patches"]);
+    let indices = nets.iter().flat_map(|net| list(net)).map(|i| index(&i));
+    let surface = Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap();
+    // 247 sides are shared by two patches, 10 are a point.
+    let curves = 128 * 2 * 5 - 247 - 10;
+    assert_eq!(surface.isocurves(4).unwrap().len(), curves);
+    let mesh = tubes(&surface, 4, 0.05, 6);
+    assert!(euler(&mesh) >= 2 * isize::try_from(curves).unwrap());
+    let bands = ribbons(&surface, 4, 0.1);
+    assert!(bands.vertex_count() >= 4 * curves);
+    check_ribbons(&bands);
+    assert_eq!(Surface::parse(&surface.to_text()), Ok(surface));
+}

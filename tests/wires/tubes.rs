@@ -2,7 +2,7 @@
 
 use super::nets::Random;
 use super::{euler, single, teapot, tubes, vector, volume};
-use casteljau::glam::DVec3;
+use casteljau::glam::{DAffine3, DVec3};
 use std::f64::consts::PI;
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -98,13 +98,16 @@ fn tubes_of_plane_lines_do_not_twist() {
         let (x, y) = (f64::from(i % 4), f64::from(i / 4));
         DVec3::new(x + 0.4 * y * y, y + 0.3 * x * x, 0.0)
     });
+    // Turned, so that corners start neither in the plane nor across it.
+    let turn = DAffine3::from_rotation_x(0.8) * DAffine3::from_rotation_y(0.5);
+    let surface = single(net.collect(), 3, 3).transform(&turn);
     let sides = 6;
-    let mesh = tubes(&single(net.collect(), 3, 3), 1, 0.05, sides);
+    let mesh = tubes(&surface, 1, 0.05, sides);
     assert_eq!(euler(&mesh), 8);
     // A line: pole, ring of the cap, rings, ring of the cap, pole.
-    let heights: Vec<f64> = (0..mesh.vertex_count())
-        .map(|v| vector(&mesh.normals, v).z)
-        .collect();
+    let up = turn.transform_vector3(DVec3::Z);
+    let height = |vertex| vector(&mesh.normals, vertex).dot(up);
+    let heights: Vec<f64> = (0..mesh.vertex_count()).map(height).collect();
     let ring = |at: usize| heights[at..at + sides].to_vec();
     let mut at = 0;
     let mut rings = 0;
