@@ -126,7 +126,8 @@ fn hits_of(
     Ok(hits)
 }
 
-/// The distances of a patch from the two planes of the ray, and those along it; `None` if all of it is behind the start or beside the ray.
+/// The distances of a patch from the two planes of the ray, and those along it; `None` if all of it is behind the start
+/// or beside the ray.
 fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     let from_start: Vec<DVec3> = patch
         .points
