@@ -167,7 +167,7 @@ fn gumbo() {
     });
     let index = |i: &serde_json::Value| u32::try_from(i.as_u64().unwrap()).unwrap();
     let nets = list(&data["patches"]);
-    let indices = nets.iter().flat_map(|net| list(net)).map(|i| index(&i));
+    let indices = nets.iter().flat_map(list).map(|i| index(&i));
     let surface = Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap();
     // 247 sides are shared by two patches, 10 are a point.
     let curves = 128 * 2 * 5 - 247 - 10;
