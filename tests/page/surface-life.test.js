@@ -124,6 +124,52 @@ test("far down the page nothing runs until it comes near", async (t) => {
   assert.ok((await size()) > 100);
 });
 
+test("surfaces of every kind are shown: none, a point, a high degree, very large, very small", async (t) => {
+  const page = await openSurface(t, 'controls show="surface mesh isocurves tubes net casteljau" segments="4"');
+  const show = async (make, properties = {}) => {
+    await page.evaluate(([make, properties]) => {
+      const element = document.querySelector("bezier-surface");
+      element.surface = new Function("Surface", `return ${make}`)(bezier.Surface);
+      Object.assign(element, properties);
+    }, [make, properties]);
+    await settled(page);
+  };
+  const grid = (n, size) => `(() => {
+    const vertices = Array.from({ length: ${n * n} }, (_, k) => [(k % ${n}) * ${size}, Math.floor(k / ${n}) * ${size}, Math.sin(k) * ${size}]);
+    return new Surface({ vertices, patches: [vertices.map((_, k) => k)] }, { degreeU: ${n - 1}, degreeV: ${n - 1} });
+  })()`;
+  for (const evaluation of ["cpu", "gpu"]) {
+    await show("new Surface({ vertices: [], patches: [] })", { evaluation });
+    assert.equal((await look(page)).inked, 0);
+    await show("new Surface({ vertices: [[1, 2, 3]], patches: [Array(16).fill(0)] })");
+    assert.match((await facts(page)).text, /triangles/);
+    for (const size of [1, 1e6, 1e-6]) {
+      await show(grid(4, size));
+      assert.ok((await look(page)).inked > 5000, `${evaluation}, ${size}`);
+    }
+  }
+  await show(grid(13, 1));
+  assert.doesNotMatch((await facts(page)).text, /graphics card/, "degree 12 is left to the core");
+  assert.ok((await look(page)).inked > 5000);
+});
+
+test("what was written before the element was defined counts, and no view is impossible", async (t) => {
+  const html = surfacePage().replace('import "./dist/elements.js"; import * as casteljau from "./dist/index.js"; globalThis.bezier = casteljau;', `
+    import { Surface } from "./dist/index.js";
+    const element = document.querySelector("bezier-surface");
+    element.surface = new Surface({ vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], patches: [[0, 1, 2, 3]] }, { degreeU: 1, degreeV: 1 });
+    element.view = { turn: 50, zoom: NaN };
+    await import("./dist/elements.js");`);
+  const page = await openPage(t, { html });
+  await ready(page);
+  const [patches, { turn, zoom }] = await page.evaluate(() => {
+    const { surface, view } = document.querySelector("bezier-surface");
+    return [surface.patchCount, view];
+  });
+  assert.deepEqual([patches, turn, zoom], [1, 50, 1]);
+  assert.ok((await look(page)).inked > 5000);
+});
+
 const BPT = `1
 1 1
 0 0 0

@@ -42,7 +42,8 @@ const NEAREST = 0.02;
  * @returns {View}
  */
 export function moved(view, changes) {
-  const { turn, tilt, zoom, panX, panY } = { ...view, ...changes };
+  const finite = Object.fromEntries(Object.entries(changes).filter(([, value]) => Number.isFinite(value)));
+  const { turn, tilt, zoom, panX, panY } = { ...view, ...finite };
   const clamp = (/** @type {number} */ x, /** @type {number} */ least, /** @type {number} */ most) => Math.min(Math.max(x, least), most);
   return {
     turn: ((((turn + 180) % 360) + 360) % 360) - 180,

@@ -1,6 +1,6 @@
 import { Surface } from "../../index.js";
 import { SurfaceAttributes } from "./attributes.js";
-import { HOME, rayThrough } from "./camera.js";
+import { HOME, moved, rayThrough } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
 import { frame } from "./frame.js";
@@ -86,9 +86,20 @@ export class BezierSurface extends SurfaceAttributes {
 
   connectedCallback() {
     super.connectedCallback();
+    this.#adopt();
     const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
     observer.observe(this);
     this.#watch = observer;
+  }
+
+  /** What a page wrote before the element was defined lies over the accessors. */
+  #adopt() {
+    for (const name of ["surface", "view"]) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = /** @type {any} */ (this)[name];
+      delete (/** @type {any} */ (this)[name]);
+      Object.assign(this, { [name]: value });
+    }
   }
 
   disconnectedCallback() {
@@ -177,7 +188,7 @@ export class BezierSurface extends SurfaceAttributes {
   /** @param {Partial<View>} changes */
   #move(changes) {
     if (this.#stage) this.#stage.move(changes);
-    else this.#camera = { ...this.#camera, ...changes };
+    else this.#camera = moved(this.#camera, changes);
   }
 
   /**
