@@ -97,7 +97,7 @@ test("one finger turns, two zoom", async (t) => {
   assert.ok(zoomed.zoom > 1.6 && zoomed.zoom < 2.4, JSON.stringify(zoomed));
 });
 
-test("a control point is dragged in the plane of the picture, and Escape takes it back", async (t) => {
+test("a control point is dragged in the plane of the picture, and Escape or a cancelled pointer takes it back", async (t) => {
   const page = await openSurface(t, 'model="patch" show="surface net"');
   await listen(page);
   const vertex = () => page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices.slice(15, 18)]);
@@ -115,6 +115,14 @@ test("a control point is dragged in the plane of the picture, and Escape takes i
   await page.keyboard.press("Escape");
   await page.mouse.up();
   await settled(page);
+  assert.deepEqual(await vertex(), after);
+  await page.mouse.move(ax, ay);
+  await page.mouse.down();
+  await page.mouse.move(ax - 30, ay, { steps: 3 });
+  await settled(page);
+  assert.notDeepEqual(await vertex(), after);
+  await page.evaluate(() => document.querySelector("bezier-surface").shadowRoot.querySelector(".overlay").dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })));
+  await page.mouse.up();
   assert.deepEqual(await vertex(), after);
 });
 

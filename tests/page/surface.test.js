@@ -43,6 +43,18 @@ for (const model of ["teapot", "teacup", "teaspoon", "patch"]) {
   });
 }
 
+test("at the poles, too: the knob of the lid and the bottom from near by", async (t) => {
+  const page = await openSurface(t, 'segments="4" shading="normals"');
+  for (const tilt of [88, -88]) {
+    await set(page, { evaluation: "cpu", view: { tilt, zoom: 12 } });
+    const cpu = await look(page);
+    assert.ok(cpu.inked > 0.9 * cpu.width * cpu.height);
+    await set(page, { evaluation: "gpu" });
+    const count = await difference(page, cpu, await look(page));
+    assert.ok(count <= FEW * cpu.width * cpu.height, `tilt ${tilt}: ${count} pixels differ`);
+  }
+});
+
 test("the read-out counts, and the parts of the teapot come and go", async (t) => {
   const page = await openSurface(t, 'segments="5"');
   const { triangles, vertices } = await facts(page);
@@ -110,6 +122,19 @@ test("the recursion of the text leaves cracks, which are shown; a grid has none"
   });
   await set(page, {});
   assert.match((await facts(page)).text, /1\s+pieces, 0\s+deep\s+0\s+cracks/);
+});
+
+test("cracks do not depend on where a patch begins: every other patch of the teapot turned round", async (t) => {
+  const page = await openSurface(t, 'flatness="0.05"');
+  const before = (await facts(page)).text;
+  await page.evaluate(() => {
+    const element = document.querySelector("bezier-surface");
+    const { vertices, patches } = element.surface;
+    element.surface = new bezier.Surface({ vertices, patches: patches.map((net, k) => (k % 2 ? net.reverse() : net)) });
+  });
+  await set(page, {});
+  const counts = (text) => text.match(/[\d\u2009]+\s+(?:pieces|cracks)/g);
+  assert.deepEqual(counts((await facts(page)).text), counts(before));
 });
 
 test("curves as tubes: bodies without their surface", async (t) => {
