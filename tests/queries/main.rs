@@ -3,6 +3,7 @@
 #[path = "../nets/mod.rs"]
 mod nets;
 
+mod against_triangles;
 mod bend;
 mod bounds;
 mod measure;

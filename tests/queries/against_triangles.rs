@@ -1,0 +1,61 @@
+//! Rays again, by another method: triangles of a fine grid, each met or missed.
+
+use crate::nets::Random;
+use casteljau::Patch;
+use casteljau::glam::DVec3;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const SEGMENTS: usize = 96;
+
+/// How far along a ray a triangle is met, by Möller and Trumbore.
+fn met([a, b, c]: [DVec3; 3], origin: DVec3, along: DVec3) -> Option<f64> {
+    let (e1, e2, from) = (b - a, c - a, origin - a);
+    let p = along.cross(e2);
+    let q = from.cross(e1);
+    let det = e1.dot(p);
+    let [u, v, t] = [from.dot(p), along.dot(q), e2.dot(q)].map(|x| x / det);
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= 0.0).then_some(t)
+}
+
+fn triangles(patch: &Patch) -> Vec<[DVec3; 3]> {
+    let at =
+        |i: usize, j: usize| patch.eval(i as f64 / SEGMENTS as f64, j as f64 / SEGMENTS as f64);
+    let cells = (0..SEGMENTS).flat_map(|j| (0..SEGMENTS).map(move |i| (i, j)));
+    cells
+        .flat_map(|(i, j)| {
+            let (a, c) = (at(i, j), at(i + 1, j + 1));
+            [[a, at(i + 1, j), c], [a, c, at(i, j + 1)]]
+        })
+        .collect()
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn as_many_hits_at_the_same_distances() {
+    let mut random = Random(77);
+    let mut hits = 0;
+    for k in 0..20 {
+        let patch = random.patch(1 + k % 5, 1 + k / 5);
+        let triangles = triangles(&patch);
+        for _ in 0..40 {
+            let origin = random.point() * 2.0;
+            let aim = DVec3::from([0; 3].map(|_| 1.5 * random.unit() - 0.75));
+            let along = (aim - origin).normalize_or(DVec3::X);
+            let mut expected: Vec<f64> = triangles
+                .iter()
+                .filter_map(|&t| met(t, origin, along))
+                .collect();
+            expected.sort_by(f64::total_cmp);
+            let found = patch.intersect_ray(origin, along).unwrap();
+            assert_eq!(
+                found.len(),
+                expected.len(),
+                "{found:?} {expected:?} {origin} {along} {patch:?}"
+            );
+            for (hit, distance) in found.iter().zip(expected) {
+                assert!((hit.distance - distance).abs() < 0.02, "{hit:?} {distance}");
+            }
+            hits += found.len();
+        }
+    }
+    assert!(hits > 200, "{hits}");
+}
