@@ -1,7 +1,14 @@
 // Numbers in texts: the fewest digits that give the number back.
 
-/** Every number of 32 bits is told apart by 9 digits, none by fewer than 6 where it has more (FLT_DIG of C). */
-const FLOAT_DIGITS = [6, 7, 8, 9];
+/** So many digits tell all numbers of 32 bits apart; whatever has fewer than so many comes out of so many (C's
+ * FLT_DECIMAL_DIG and FLT_DIG). */
+const MOST_DIGITS = 9;
+const LEAST_DIGITS = 6;
+/** Below this numbers have fewer bits, and fewer digits. */
+const LEAST_NORMAL = 2 ** -126;
+
+/** Whole numbers below this are numbers of 32 bits. */
+const WHOLE_FLOATS = 2 ** 24;
 
 /**
  * A number of a typed array.
@@ -14,10 +21,14 @@ const FLOAT_DIGITS = [6, 7, 8, 9];
 export function written(list, k) {
   const x = list[k];
   if (Object.is(x, -0)) return "-0"; // String would lose the sign
-  if (list instanceof Float64Array) return String(x);
-  for (const digits of FLOAT_DIGITS) {
-    const short = Number(x.toPrecision(digits));
-    if (Math.fround(short) === x) return String(short);
+  if (list instanceof Float64Array || (Number.isInteger(x) && Math.abs(x) < WHOLE_FLOATS)) return String(x);
+  // From above: most numbers need all digits, or all but one.
+  const least = Math.abs(x) < LEAST_NORMAL ? 1 : LEAST_DIGITS;
+  let shortest = Number(x.toPrecision(MOST_DIGITS));
+  for (let digits = MOST_DIGITS - 1; digits >= least; digits--) {
+    const shorter = Number(x.toPrecision(digits));
+    if (Math.fround(shorter) !== x) break;
+    shortest = shorter;
   }
-  return String(x);
+  return String(shortest);
 }
