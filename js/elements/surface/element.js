@@ -1,5 +1,5 @@
 import { Surface } from "../../index.js";
-import { SurfaceAttributes } from "./attributes.js";
+import { adoptProperties, SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
@@ -86,20 +86,10 @@ export class BezierSurface extends SurfaceAttributes {
 
   connectedCallback() {
     super.connectedCallback();
-    this.#adopt();
+    adoptProperties(this, ["surface", "view"]);
     const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
     observer.observe(this);
     this.#watch = observer;
-  }
-
-  /** What a page wrote before the element was defined lies over the accessors. */
-  #adopt() {
-    for (const name of ["surface", "view"]) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value = /** @type {any} */ (this)[name];
-      delete (/** @type {any} */ (this)[name]);
-      Object.assign(this, { [name]: value });
-    }
   }
 
   disconnectedCallback() {
