@@ -60,3 +60,22 @@ macro_rules! fill_indices {
 
 fill_indices!(fill_indices_u16, u16);
 fill_indices!(fill_indices_u32, u32);
+
+/// The vertices with these indices, one after the other; an index past the end leaves its place alone.
+pub fn gather(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3]]) {
+    for (out, &index) in out.iter_mut().zip(indices) {
+        if let Some(vertex) = vertices.get(index as usize) {
+            *out = *vertex;
+        }
+    }
+}
+
+/// Counts and indices that came as f64.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the caller knows that they are whole numbers below 2³²"
+)]
+pub fn whole_numbers(numbers: &[f64]) -> Vec<u32> {
+    numbers.iter().map(|&number| number as u32).collect()
+}

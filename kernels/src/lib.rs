@@ -16,6 +16,8 @@ pub use bend::{BEND_SLACK, Bends, Sizes};
 pub use bicubic::BicubicGrid;
 pub use curve::sample_plane_cubic;
 pub use lattice::{Cell, Lattice, first, pair, place, second, sort_distinct};
-pub use layout::{Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
+pub use layout::{
+    Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs, gather, whole_numbers,
+};
 pub use sample::{Sampler, Vector};
 pub use weights::{binomial, weights};

@@ -3,6 +3,7 @@
 use super::tessellate::Filler;
 use super::{Grid, GridMethod, Mesh, Patch, Surface};
 use crate::error::Error;
+use casteljau_kernels::gather;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -58,7 +59,10 @@ impl Surface {
         mesh: &mut Mesh,
     ) {
         let net_of = |patch: usize, net: &mut Vec<DVec3>| {
-            net.extend(self.points_of(patch));
+            let indices = self.patch_indices(patch).unwrap_or_default();
+            net.resize(indices.len(), DVec3::ZERO);
+            let vertices = bytemuck::cast_slice(self.vertices());
+            gather(vertices, indices, bytemuck::cast_slice_mut(net));
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };

@@ -13,7 +13,7 @@ pub(super) const MAX_U16_VERTICES: usize = 1 << 16;
 /// What a part of a mesh takes at most, unless a single patch takes more: it should stay in the processor's cache until
 /// it was copied.
 #[cfg(feature = "wasm")]
-const PART_BYTES: usize = 1 << 20;
+const PART_BYTES: usize = 5 << 17;
 
 /// Fills meshes with one grid for each of so many patches: all at once, or part by part.
 pub(crate) struct Filler {

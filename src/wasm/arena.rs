@@ -144,16 +144,8 @@ impl Arena {
     }
 
     /// Indices, written as numbers.
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "JavaScript has checked that they are indices"
-    )]
-    #[allow(
-        clippy::cast_sign_loss,
-        reason = "JavaScript has checked that they are indices"
-    )]
     pub(super) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
-        self.numbers(at, count).iter().map(|&n| n as u32).collect()
+        casteljau_kernels::whole_numbers(self.numbers(at, count))
     }
 
     /// Writes one point at the start.
