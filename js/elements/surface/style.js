@@ -14,7 +14,7 @@ export const style = css`
 @media (prefers-color-scheme: dark) {
   :host {
     --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
-    --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #0a1015; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
+    --bz-front: #6fb0dc; --bz-back: #b8773f; --bz-line: #d8ebf9; --bz-handle: #e69f00; --bz-level1: #2fc48f; --bz-level2: #cc79a7;
     --bz-low: #3d9be0; --bz-middle: #d9dad6; --bz-high: #e8862e; --bz-gap: #ff4fd8; --bz-wire: #f0b060;
     --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
   }
