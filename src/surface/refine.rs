@@ -11,8 +11,13 @@ use casteljau_kernels::{Bends, Cell};
 use glam::DVec3;
 
 /// The most cells of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
-/// 1 GiB.
-const MAX_CELLS: usize = (1 << 30) / ((6 + 9) * 4);
+/// 1 GiB. Half as many where addresses have 32 bits: while it is made, a mesh takes some 350 bytes a cell.
+const MAX_CELLS: usize =
+    (1 << if cfg!(target_pointer_width = "32") {
+        29
+    } else {
+        30
+    }) / ((6 + 9) * 4);
 
 /// The least tolerance is four ulps of the largest coordinate.
 const LEAST_ULPS: f64 = 4.0;
@@ -65,7 +70,7 @@ impl Surface {
     /// # Errors
     /// [`Error::Range`] for 0 segments, a tolerance or a number of pixels that is not above 0; [`Error::Tolerance`] for
     /// one below 4 ulps (of f32) of the largest coordinate; [`Error::NotFinite`] for a matrix; [`Error::TooMany`] when the
-    /// mesh would take more than 1 GiB.
+    /// mesh would take more than 1 GiB (half of that where addresses have 32 bits, as in WebAssembly).
     pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
         let mut mesh = Mesh::default();
         self.tessellate_with(SINGLE, fineness, weld, &mut mesh)?;
@@ -158,6 +163,15 @@ impl Surface {
     /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.
     fn cut_evenly(&self, grid: Grid) -> Result<Cut, Error> {
         grid.check(self.patch_count())?;
+        let per_patch = grid.segments_u * grid.segments_v;
+        let count = self.patch_count() * per_patch;
+        if count > MAX_CELLS {
+            return Err(Error::TooMany {
+                what: "triangles",
+                limit: 2 * MAX_CELLS,
+                needed: 2 * count,
+            });
+        }
         let common = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         let (segments_u, segments_v) = (common(grid.segments_u), common(grid.segments_v));
         // Within u32: the grid's vertices were counted.
@@ -175,7 +189,6 @@ impl Surface {
             })
         };
         let cells: Vec<Cell> = (0..self.patch_count()).flat_map(|_| grid_cells()).collect();
-        let per_patch = grid.segments_u * grid.segments_v;
         Ok(Cut {
             cells,
             ends: (1..=self.patch_count()).map(|k| k * per_patch).collect(),

@@ -6,6 +6,7 @@ mod checks;
 mod common;
 mod distance;
 mod figures;
+mod folds;
 mod known;
 mod limits;
 mod metamorphic;

@@ -91,6 +91,28 @@ fn no_farther_than_asked_for() {
     }
 }
 
+/// Pieces that start close to the eye and end far away.
+#[test]
+fn a_plain_with_waves() {
+    let net: Vec<DVec3> = (0..16)
+        .map(|k| {
+            let (i, j) = (f64::from(k % 4), f64::from(k / 4));
+            DVec3::new(
+                4.0 * i - 6.0,
+                5.0 * j,
+                if (i + j) % 2.0 == 0.0 { 0.9 } else { -0.9 },
+            )
+        })
+        .collect();
+    let plain = Surface::new(net, (0..16).collect(), 3, 3).unwrap();
+    let matrix = camera(DVec3::new(0.0, -1.0, 1.2), DVec3::new(0.0, 9.0, 0.0), 90.0);
+    for pixels in [1.0, 5.0, 10.0, 20.0, 40.0] {
+        let (most, triangles) = greatest(&plain, &matrix, pixels);
+        println!("{pixels} px: {triangles} triangles, {most:.3} px at most");
+        assert!(most <= pixels, "{most} for {pixels} px");
+    }
+}
+
 #[test]
 fn what_is_nearer_is_finer() {
     let surface = teapot();
