@@ -22,6 +22,10 @@ pub enum Weld {
 /// Normals that differ by less than 0.1° share a vertex: the square of the chord of that angle.
 const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;
 
+/// How many normals at one node are compared, the latest first: where thousands of patches meet in a point, comparing
+/// each with all would take for ever. Some that agree may then stay apart.
+const MOST_COMPARED: usize = 256;
+
 /// No vertex yet.
 const NONE: u32 = u32::MAX;
 
@@ -110,7 +114,10 @@ impl Welder<'_> {
         let corner = &self.stitched.corners[corner as usize];
         let last = self.last[corner.node as usize];
         let mut found = last;
-        while let Some(vertex) = self.vertices.get(found as usize) {
+        for _ in 0..MOST_COMPARED {
+            let Some(vertex) = self.vertices.get(found as usize) else {
+                break;
+            };
             let apart = vertex.normal - corner.normal;
             if weld == Weld::Position || apart.length_squared() <= SAME_NORMAL_SQUARED {
                 return found;
