@@ -65,12 +65,18 @@ impl Bends {
         [uu, uv, vv].map(|(columns, rows)| {
             let (net, others) = rest.split_at(columns * rows);
             rest = others;
-            let mut most = 0.0;
-            for &v in net {
-                let square = (v * v).reduce_add();
-                // Not `max`, which would be a call.
-                most = if square > most { square } else { most };
+            let mut most = f32x4::ZERO;
+            let (fours, others) = net.as_chunks();
+            for &four in fours {
+                let [x, y, z, _] = f32x4::transpose(four);
+                most = most.fast_max(x * x + y * y + z * z);
             }
+            for &v in others {
+                most = most.fast_max(f32x4::splat((v * v).reduce_add()));
+            }
+            let [a, b, c, d] = most.to_array();
+            let larger = |a: f32, b: f32| if a > b { a } else { b };
+            let most = larger(larger(a, b), larger(c, d));
             f32::sqrt(most)
         })
     }

@@ -26,6 +26,8 @@ pub(super) const FORECAST_DEPTHS: [u32; 2] = [0, 8];
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     cell: Cell,
+    /// The cell's part of the patch's parameters, along u and v.
+    lengths: [f64; 2],
     depth: u32,
     bend: [f64; 3],
 }
@@ -61,13 +63,17 @@ impl Cutter<'_> {
                 du: DYADIC,
                 dv: DYADIC,
             },
+            lengths: [1.0; 2],
             depth: 0,
             bend: self.bend(0),
         }];
         let closed = closed(net, columns);
+        let mut tolerance = self.tolerance();
         while let Some(piece) = pieces.pop() {
-            let tolerance = self.tolerance();
-            let bound = self.bound(&piece.cell, piece.bend);
+            if self.fineness.depends_on_place() {
+                tolerance = self.tolerance();
+            }
+            let distance = bound(piece.lengths, piece.bend);
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.least_cells(tolerance);
                 self.bends.pop();
@@ -77,7 +83,7 @@ impl Cutter<'_> {
                 return Err(self.too_many());
             }
             let must = piece.cell_closes(closed);
-            let along_u = if bound > tolerance {
+            let along_u = if distance > tolerance {
                 piece.longer_along_u()
             } else {
                 must
@@ -90,7 +96,7 @@ impl Cutter<'_> {
             self.bends.halve(along_u);
             let bends = [self.bend(1), self.bend(0)];
             let closer = [0, 1, 2].map(|k| larger(bends[0][k], bends[1][k]));
-            if must.is_none() && self.bound(&piece.cell, closer) <= tolerance {
+            if must.is_none() && bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
                 self.bends.pop();
                 self.bends.pop();
@@ -152,12 +158,6 @@ impl Cutter<'_> {
             .map(|length| f64::from(length) * scale)
     }
 
-    /// The greatest distance of flat triangles over a cell.
-    fn bound(&self, cell: &Cell, [uu, uv, vv]: [f64; 3]) -> f64 {
-        let [h, k] = lengths(cell);
-        (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
-    }
-
     /// The tolerance for the last piece.
     fn tolerance(&self) -> f64 {
         let wanted = self.fineness.tolerance_for(|| {
@@ -197,7 +197,7 @@ impl Piece {
     /// the parameters can be halved no more.
     fn longer_along_u(&self) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
-        let [h, k] = lengths(&self.cell);
+        let [h, k] = self.lengths;
         let (along_u, along_v) = (h * h * self.bend[0], k * k * self.bend[2]);
         let better = along_u > along_v || (along_u == along_v && du >= dv);
         match (du > 1, dv > 1) {
@@ -210,7 +210,7 @@ impl Piece {
     /// How many cells it needs at least, if it bends alike everywhere: with i × j equal cells a/i² + b/(i·j) + c/j² must
     /// be within the tolerance, so i·j is no less than any of these.
     fn least_cells(&self, tolerance: f64) -> f64 {
-        let [h, k] = lengths(&self.cell);
+        let [h, k] = self.lengths;
         let [uu, uv, vv] = self.bend;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
@@ -253,8 +253,11 @@ impl Piece {
                 },
             ]
         };
+        let [h, k] = self.lengths;
+        let lengths = if along_u { [h / 2.0, k] } else { [h, k / 2.0] };
         [0, 1].map(|k| Self {
             cell: cells[k],
+            lengths,
             depth: self.depth + 1,
             bend: bends[k],
         })
@@ -275,9 +278,9 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
     ]
 }
 
-/// Its part of the patch's parameters, along u and v.
-fn lengths(cell: &Cell) -> [f64; 2] {
-    [cell.du, cell.dv].map(|k| f64::from(k) / f64::from(DYADIC))
+/// The greatest distance of flat triangles over a cell with these lengths.
+fn bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
+    (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
 }
 
 /// Not `max`, which would be a call.
