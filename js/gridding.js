@@ -1,7 +1,10 @@
 import { core } from "./init.js";
-import { LARGE_MESH, Mesh, copy, room } from "./mesh.js";
+import { LARGE_MESH, Mesh, copy, layouts, room } from "./mesh.js";
 
 /** @import { PatchRange } from "./mesh.js" */
+
+/** Behind positions and normals come the buffers that depend on counts only. */
+const FIRST_OF_LAYOUT = 2;
 
 /**
  * The grid that the core has prepared. It is made and copied part by part, so that a part is still in the processor's
@@ -30,15 +33,19 @@ export function takeGrid(patches, { u, v, quads, into }) {
   // In the order of the core.
   const buffers = [data.positions, data.normals, data.uvs, data.patchIds, data.indices];
   if (data.quads) buffers.push(data.quads);
+  const layout = (/** @type {number} */ k) => `${k} of ${patches} × ${u} × ${v} from ${buffers[k].byteOffset} in ${buffers[k].BYTES_PER_ELEMENT}`;
+  const known = buffers.map((array, k) => k >= FIRST_OF_LAYOUT && layouts.get(array.buffer) === layout(k));
   for (let first = 0; first < patches; ) {
     const count = core().grid_part(first);
     buffers.forEach((array, buffer) => {
+      if (known[buffer]) return;
       const size = array.length / patches;
       copy(buffer, count === patches ? array : array.subarray(first * size, (first + count) * size));
     });
     if (12 * count * vertices > LARGE_MESH) core().mesh_drop();
     first += count;
   }
+  for (let k = FIRST_OF_LAYOUT; k < buffers.length; k++) layouts.set(buffers[k].buffer, layout(k));
   return into ? Object.assign(into, data) : new Mesh(data);
 }
 

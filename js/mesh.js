@@ -24,8 +24,18 @@ import { meshToThree } from "./mesh-three.js";
  *   teaching. Rounding errors add up, too, though in 64 bits they stay below what 32 bits show; sides of neighbours may
  *   differ by the last bit
  * @property {boolean} [quads] list four-sided faces too
- * @property {Mesh} [into] an earlier mesh, whose arrays are reused where they are large enough
+ * @property {Mesh} [into] an earlier mesh, whose arrays are reused where they are large enough. Positions and normals are
+ *   written anew; uvs, patchIds, indices and quads, which depend on counts only, are left alone where they already are
+ *   those of a grid of these counts, and with them what you may have changed there
  */
+
+/**
+ * Memory that holds a part of the layout of a grid, and of which: it need not be written again.
+ *
+ * @internal
+ * @type {WeakMap<object, string>}
+ */
+export const layouts = new WeakMap();
 
 const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
@@ -207,7 +217,9 @@ export function takeMesh(into, { own = true, precise = false } = {}) {
  * @returns {T}
  */
 function read(buffer, Type, into) {
-  return copy(buffer, room(Type, core().mesh_length(buffer), into));
+  const array = copy(buffer, room(Type, core().mesh_length(buffer), into));
+  layouts.delete(array.buffer);
+  return array;
 }
 
 /**

@@ -1,5 +1,5 @@
 // What a careful programmer writes by hand: bicubic patches on a grid in one JavaScript loop. Typed arrays of one type
-// each, weights computed once per grid, rows of the net blended once per v, nothing allocated inside.
+// each, indices and weights computed once per grid, rows of the net blended once per v, nothing allocated inside.
 
 /** @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint32Array }} Buffers */
 
@@ -10,11 +10,9 @@
  */
 export function buffers(patches, segments) {
   const vertices = patches * (segments + 1) ** 2;
-  return {
-    positions: new Float32Array(3 * vertices),
-    normals: new Float32Array(3 * vertices),
-    indices: new Uint32Array(6 * patches * segments ** 2),
-  };
+  const indices = new Uint32Array(6 * patches * segments ** 2);
+  fillIndices(patches, segments, indices);
+  return { positions: new Float32Array(3 * vertices), normals: new Float32Array(3 * vertices), indices };
 }
 
 /**
@@ -35,14 +33,14 @@ export function weights(segments) {
 }
 
 /**
- * Positions, normals and indices of bicubic patches.
+ * Positions and normals of bicubic patches.
  *
  * @param {Float64Array} nets 48 numbers per patch, u along the fast index
  * @param {number} segments
  * @param {{ values: Float64Array, slopes: Float64Array }} weights
  * @param {Buffers} out
  */
-export function grid(nets, segments, { values, slopes }, { positions, normals, indices }) {
+export function grid(nets, segments, { values, slopes }, { positions, normals }) {
   const row = new Float64Array(24);
   const line = 3 * (segments + 1);
   let at = 0;
@@ -53,7 +51,6 @@ export function grid(nets, segments, { values, slopes }, { positions, normals, i
       at += line;
     }
   }
-  fillIndices(nets.length / 48, segments, indices);
 }
 
 /**

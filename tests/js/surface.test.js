@@ -55,14 +55,20 @@ test("an earlier mesh is reused and returned", () => {
   assert.ok(mesh instanceof Mesh);
 });
 
-test("what was done to an earlier mesh, and in between, leaves no traces", () => {
+test("what was done in between leaves no traces in an earlier mesh", () => {
   const surface = Surface.teapot();
   const fresh = surface.grid({ segments: 5, quads: true });
   const into = surface.grid({ segments: 5, quads: true });
   const between = [
-    () => into.indices.reverse(),
-    () => (into.uvs?.fill(7), into.patchIds?.fill(7), into.quads?.fill(7)),
+    () => (into.positions.fill(7), into.normals.fill(7)),
+    () => (into.indices = into.indices.slice().reverse()),
+    () => (into.uvs = new Float32Array(/** @type {any} */ (into.uvs).length)),
     () => surface.grid({ segments: 5 }),
+    () => surface.grid({ segments: { u: 1, v: 17 }, quads: true, into }),
+    () => surface.grid({ segments: { u: 17, v: 1 }, quads: true, into }),
+    () => plane.grid({ segments: 5, quads: true, into }),
+    () => surface.tessellate({ segments: 5 }, { weld: "none", into }),
+    () => surface.tessellate({ tolerance: 0.1 }, { into: new Mesh({ ...into }) }),
     () => surface.tessellate({ segments: 5 }, { weld: "none" }),
     () => surface.grid({ segments: { u: 4, v: 6 }, quads: true }),
     () => plane.grid({ segments: 5, quads: true }),
@@ -73,6 +79,17 @@ test("what was done to an earlier mesh, and in between, leaves no traces", () =>
     act();
     assert.deepEqual({ ...surface.grid({ segments: 5, quads: true, into }) }, { ...fresh });
   }
+});
+
+test("an earlier grid of the same counts keeps its layout, and what was changed there", () => {
+  const into = plane.grid({ segments: 3 });
+  const { indices, uvs } = into;
+  /** @type {any} */ (uvs)[0] = 7;
+  plane.movePoint(5, [0, 0, 9]).grid({ segments: 3, into });
+  assert.ok(into.indices === indices && into.uvs === uvs && uvs?.[0] === 7);
+  assert.deepEqual(into.positions, plane.movePoint(5, [0, 0, 9]).grid({ segments: 3 }).positions);
+  plane.grid({ segments: { u: 3, v: 3 }, into: plane.grid({ segments: 2, into }) });
+  assert.equal(into.uvs?.[0], 0);
 });
 
 test("forward differences come to the same, to the last bit or so", () => {
