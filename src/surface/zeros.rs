@@ -13,8 +13,9 @@ pub(super) const NEAR: f64 = 32.0 * f64::EPSILON;
 /// Zeros nearer than this in u and v are one: two that are s apart rise to s²/4 between them, which rounding hides.
 pub(super) const SAME: f64 = 1.0 / 8_388_608.0;
 
-/// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has 18 zeros at most.
-const MAX_PIECES: usize = 256;
+/// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has 18 zeros at most, and about
+/// one where the pair touches zero some hundreds are left while they are small.
+const MAX_PIECES: usize = 1024;
 
 /// The most that the derivative may differ from its mean, for Newton's method to be sure of the zero (1 would do for
 /// there to be one only).

@@ -6,6 +6,7 @@ use casteljau::{Curve, Point};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
+use proptest::test_runner::RngSeed;
 
 /// Coordinates as users have them, and as they break things.
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -76,8 +77,11 @@ fn rounding(points: &[DVec3]) -> f64 {
     2.0 * (2.0 + real(points.len())) * ulp(largest(points))
 }
 
+/// The same cases in every run: a run that fails elsewhere fails here.
+const SEED: RngSeed = RngSeed::Fixed(1975);
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, rng_seed: SEED, ..ProptestConfig::default() })]
 
     #[test]
     fn no_nan_comes_out(points in points(), t in 0.0..=1.0_f64, u in 0.0..=1.0_f64) {

@@ -49,6 +49,31 @@ fn a_touch_is_one_hit() {
     );
 }
 
+/// Beside this ray there are three hits on the one side, and one on the other: on it two of the three are one.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_touch_beside_a_crossing() {
+    let net = [
+        [-1.0, 0.0, 0.0],
+        [-1.0, 0.0, 1.0],
+        [-1.0, 0.0, 1.0],
+        [0.0, 1.0, 1.0],
+        [0.0, -1.0, 1.0],
+        [0.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 1.0, 1.0],
+    ];
+    let patch = Patch::new(&net.map(DVec3::from), 2, 2).unwrap();
+    let way = [-1.0, -0.125, 0.09375];
+    let hits = |z: f64| shoot(&patch, [1.0, 0.5, z], way).len();
+    assert_eq!((hits(0.5 - 1e-3), hits(0.5 + 1e-3)), (3, 1));
+    let found = shoot(&patch, [1.0, 0.5, 0.5], way);
+    println!("{found:?}");
+    assert_eq!(found.len(), 2);
+    let place = patch.eval(0.75, 0.5);
+    assert!(found.iter().any(|hit| hit.point.distance(place) < 1e-7));
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn a_ray_within_the_patch_meets_its_sides() {
     let flat = graph(3, 3, &[]);

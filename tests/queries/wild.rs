@@ -3,6 +3,7 @@
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// A coordinate that is often 0, repeated, huge or tiny.
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -37,8 +38,11 @@ fn coarse_patch() -> impl Strategy<Value = Patch> {
     })
 }
 
+/// The same cases in every run: a run that fails elsewhere fails here.
+const SEED: RngSeed = RngSeed::Fixed(1975);
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, rng_seed: SEED, ..ProptestConfig::default() })]
 
     #[test]
     fn answers_are_numbers(patch in any_patch(), p in point(), d in point(), u in 0.0..=1.0, v in 0.0..=1.0) {
