@@ -1,27 +1,11 @@
 //! Normals where ∂u × ∂v vanishes, on the hardest net there is: Gumbo's many degenerate corners and sides.
 #![cfg(not(target_family = "wasm"))]
 
+mod listings;
+
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface, TeapotOptions};
-
-/// Gumbo, if the fixture is there: it is not part of the project.
-fn gumbo() -> Option<Surface> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data/gumbo.json");
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
-        return None;
-    };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let list = |name: &str| data[name].as_array().unwrap().clone();
-    let vertices = list("vertices").into_iter().map(|p| {
-        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
-        DVec3::new(x, y, z)
-    });
-    let patches = list("patches").into_iter();
-    let indices = patches.flat_map(|net| net.as_array().unwrap().clone());
-    let indices = indices.map(|i| u32::try_from(i.as_u64().unwrap()).unwrap());
-    Some(Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap())
-}
+use listings::listing;
 
 /// The normal's limit by other means: Richardson extrapolation of plain normals on the way to the middle.
 fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
@@ -61,7 +45,7 @@ fn teapot() {
 
 #[test]
 fn gumbo_s_degenerate_corners() {
-    if let Some(surface) = gumbo() {
+    if let Some(surface) = listing("gumbo") {
         assert_eq!(compare(&surface, 1e-3), 315);
     }
 }

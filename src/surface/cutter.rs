@@ -229,32 +229,20 @@ impl Piece {
     }
 
     fn halves(&self, along_u: bool, bends: [[f64; 3]; 2]) -> [Self; 2] {
-        let Cell { u, v, du, dv } = self.cell;
-        let cells = if along_u {
-            let du = du / 2;
-            [
-                Cell { u, v, du, dv },
-                Cell {
-                    u: u + du,
-                    v,
-                    du,
-                    dv,
-                },
-            ]
+        let (mut near, [mut h, mut k]) = (self.cell, self.lengths);
+        let mut far;
+        if along_u {
+            near.du /= 2;
+            h /= 2.0;
+            far = near;
+            far.u += near.du;
         } else {
-            let dv = dv / 2;
-            [
-                Cell { u, v, du, dv },
-                Cell {
-                    u,
-                    v: v + dv,
-                    du,
-                    dv,
-                },
-            ]
-        };
-        let [h, k] = self.lengths;
-        let lengths = if along_u { [h / 2.0, k] } else { [h, k / 2.0] };
+            near.dv /= 2;
+            k /= 2.0;
+            far = near;
+            far.v += near.dv;
+        }
+        let (cells, lengths) = ([near, far], [h, k]);
         [0, 1].map(|k| Self {
             cell: cells[k],
             lengths,

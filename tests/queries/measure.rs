@@ -1,8 +1,8 @@
 //! Area and volume.
 
-use crate::nets::{Random, graph};
 #[cfg(not(target_family = "wasm"))]
-use crate::shapes::shared;
+use crate::listings::listing;
+use crate::nets::{Random, graph};
 use crate::shapes::{odd_patches, teapot};
 use casteljau::glam::{DAffine3, DMat3, DQuat, DVec3};
 use casteljau::{Patch, Surface};
@@ -96,7 +96,7 @@ fn figures_of_the_shared_data() {
         ("teaspoon", 0.342_881_444),
         ("gumbo", 1_725.974_79),
     ] {
-        let Some(surface) = shared(name) else { return };
+        let Some(surface) = listing(name) else { return };
         // The figures' last digit, and the eighth.
         assert_close(surface.area(), area, 1.5e-8 / f64::min(area, 1.0));
     }
@@ -105,7 +105,9 @@ fn figures_of_the_shared_data() {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn the_volume_of_gumbos_body() {
-    let Some(gumbo) = shared("gumbo") else { return };
+    let Some(gumbo) = listing("gumbo") else {
+        return;
+    };
     assert_eq!(gumbo.volume(), None);
     let volumes: Vec<f64> = gumbo
         .topology()
@@ -124,7 +126,9 @@ fn the_volume_of_gumbos_body() {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn rays_go_in_and_out_of_gumbos_body() {
-    let Some(gumbo) = shared("gumbo") else { return };
+    let Some(gumbo) = listing("gumbo") else {
+        return;
+    };
     let body = closed_parts(&gumbo).swap_remove(0);
     let bounds = body.bounds().unwrap();
     let mut random = Random(1);

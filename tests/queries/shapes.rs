@@ -8,28 +8,6 @@ pub(crate) fn teapot() -> Surface {
     Surface::teapot(TeapotOptions::default())
 }
 
-/// A surface of the shared data; `None`, with a message, where they are not there.
-#[cfg(not(target_family = "wasm"))]
-pub(crate) fn shared(name: &str) -> Option<Surface> {
-    let path = format!("{}/../shared/data/{name}.json", env!("CARGO_MANIFEST_DIR"));
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {path} is not there");
-        return None;
-    };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let list = |name: &str| data[name].as_array().unwrap().clone();
-    let vertices = list("vertices")
-        .iter()
-        .map(|p| DVec3::from([0, 1, 2].map(|axis| p[axis].as_f64().unwrap())))
-        .collect();
-    let indices = list("patches")
-        .iter()
-        .flat_map(|net| net.as_array().unwrap().clone())
-        .map(|index| u32::try_from(index.as_u64().unwrap()).unwrap())
-        .collect();
-    Some(Surface::new(vertices, indices, 3, 3).unwrap())
-}
-
 /// Patches on which numbers break: points, curves, collapsed sides, folds, and random ones with coincident points.
 pub(crate) fn odd_patches() -> Vec<Patch> {
     let patch = |f: &dyn Fn(f64, f64) -> DVec3| {

@@ -2,9 +2,8 @@
 //! distances, volumes.
 
 use super::distance::greatest;
-use super::shapes::{
-    diagonal, gumbo, is_point, lines, listing, part, segments, side_points, teapot,
-};
+use super::listings::listing;
+use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_points, teapot};
 use super::soup::{Soup, vectors};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
@@ -28,9 +27,9 @@ fn sides_of_the_known_surfaces() {
     assert_eq!(counts(&Surface::teacup(Up::Z))[..2], [46, 12]);
     assert_eq!(counts(&Surface::teaspoon(Up::Z))[..2], [28, 8]);
     for (name, expected) in [
-        ("teapot.json", [52, 16]),
-        ("teacup.json", [46, 12]),
-        ("teaspoon.json", [28, 8]),
+        ("teapot", [52, 16]),
+        ("teacup", [46, 12]),
+        ("teaspoon", [28, 8]),
     ] {
         if let Some(surface) = listing(name) {
             assert_eq!(counts(&surface)[..2], expected, "{name}");
@@ -47,7 +46,7 @@ fn sides_are_joined_where_their_points_are() {
     for surface in [
         Some(teapot()),
         Some(Surface::teacup(Up::Y)),
-        listing("teaspoon.json"),
+        listing("teaspoon"),
         gumbo(),
     ]
     .into_iter()

@@ -9,6 +9,8 @@ mod figures;
 mod folds;
 mod known;
 mod limits;
+#[path = "../listings/mod.rs"]
+mod listings;
 mod metamorphic;
 mod moved;
 mod networks;

@@ -1,5 +1,6 @@
 //! The surfaces that tests look at.
 
+use crate::listings::listing;
 use casteljau::glam::DVec3;
 use casteljau::surface::{Fineness, Side, SideName, Up};
 use casteljau::{Grid, Patch, Surface, TeapotOptions};
@@ -10,26 +11,7 @@ pub(crate) fn teapot() -> Surface {
 
 /// Gumbo, if the fixture is there: it is not part of the project.
 pub(crate) fn gumbo() -> Option<Surface> {
-    listing("gumbo.json")
-}
-
-/// A listing in the folder of data beside the project, if there is one.
-pub(crate) fn listing(name: &str) -> Option<Surface> {
-    let path = format!("{}/../shared/data/{name}", env!("CARGO_MANIFEST_DIR"));
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {path} is not there");
-        return None;
-    };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let list = |name: &str| data[name].as_array().unwrap().clone();
-    let vertices = list("vertices").into_iter().map(|p| {
-        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
-        DVec3::new(x, y, z)
-    });
-    let patches = list("patches").into_iter();
-    let indices = patches.flat_map(|net| net.as_array().unwrap().clone());
-    let indices = indices.map(|i| u32::try_from(i.as_u64().unwrap()).unwrap());
-    Some(Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap())
+    listing("gumbo")
 }
 
 /// All four, with a name; Gumbo only if it is there.

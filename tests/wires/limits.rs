@@ -154,21 +154,9 @@ fn refused() {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn gumbo() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data/gumbo.json");
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
+    let Some(surface) = crate::listings::listing("gumbo") else {
         return;
     };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let list = |value: &serde_json::Value| value.as_array().unwrap().clone();
-    let vertices = list(&data["vertices"]).into_iter().map(|p| {
-        let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
-        DVec3::new(x, y, z)
-    });
-    let index = |i: &serde_json::Value| u32::try_from(i.as_u64().unwrap()).unwrap();
-    let nets = list(&data["patches"]);
-    let indices = nets.iter().flat_map(list).map(|i| index(&i));
-    let surface = Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap();
     // 247 sides are shared by two patches, 10 are a point.
     let curves = 128 * 2 * 5 - 247 - 10;
     assert_eq!(surface.isocurves(4).unwrap().len(), curves);

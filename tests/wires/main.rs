@@ -4,6 +4,8 @@
 mod nets;
 
 mod limits;
+#[path = "../listings/mod.rs"]
+mod listings;
 mod ribbons;
 mod tubes;
 
