@@ -5,6 +5,7 @@
 mod bend;
 mod bicubic;
 mod curve;
+mod gauss;
 mod lattice;
 mod layout;
 mod normals;
@@ -15,6 +16,7 @@ mod weights;
 pub use bend::{BEND_SLACK, Bends, Sizes};
 pub use bicubic::BicubicGrid;
 pub use curve::sample_plane_cubic;
+pub use gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32};
 pub use lattice::{Cell, Lattice, first, pair, place, second, sort_distinct};
 pub use layout::{
     Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs, gather, whole_numbers,

@@ -3,6 +3,7 @@
 //! Each file answers one question: where is the point ([`eval`](Curve::eval)), which way does it go
 //! ([`tangent`](Curve::tangent)), which polyline is close enough ([`flatten`](Curve::flatten)) …
 
+mod area;
 mod basis;
 mod bernstein;
 mod bounds;
@@ -13,6 +14,7 @@ mod eval;
 mod flatten;
 mod flatten_any;
 mod hull;
+mod moments;
 pub(crate) mod roots;
 mod subdivide;
 mod trace;
@@ -22,9 +24,11 @@ pub use bernstein::bernstein;
 pub(crate) use bernstein::bernstein_into;
 pub use bounds::Bounds;
 pub use flatten::Polyline;
+pub use moments::Moments;
 pub use subdivide::Subdivision;
 pub use trace::Pen;
 
+pub(crate) use area::{area_about, triangle_area};
 pub(crate) use basis::apply;
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};

@@ -3,6 +3,7 @@
 //! Segment k covers t from k to k + 1 and keeps its own degree; where two segments meet is a joint. The control points
 //! are one list: neighbours share the point of their joint, and a closed spline ends where its list begins.
 
+mod area;
 mod build;
 mod continuity;
 mod edit;

@@ -1,0 +1,128 @@
+//! Area, centre of mass and inertia of what a curve of the plane sweeps.
+
+use super::{Curve, Points, evaluate, max_abs};
+use crate::point::Point;
+use casteljau_kernels::{GAUSS_8, GAUSS_16, GAUSS_32};
+use glam::DVec2;
+
+/// Integrals over the region that the segment from the origin to the curve's point sweeps, as the point runs along the
+/// curve; counted positive while it turns counter-clockwise (x right, y up).
+///
+/// Those of pieces that follow each other add up; over a closed outline the sum is the integral over its inside.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moments {
+    /// ∬ 1, the area.
+    pub area: f64,
+    /// ∬ x; divided by the area it is the x of the centre of mass.
+    pub x: f64,
+    /// ∬ y.
+    pub y: f64,
+    /// ∬ x².
+    pub xx: f64,
+    /// ∬ xy.
+    pub xy: f64,
+    /// ∬ y².
+    pub yy: f64,
+}
+
+impl std::ops::AddAssign for Moments {
+    fn add_assign(&mut self, other: Self) {
+        self.area += other.area;
+        self.x += other.x;
+        self.y += other.y;
+        self.xx += other.xx;
+        self.xy += other.xy;
+        self.yy += other.yy;
+    }
+}
+
+impl Curve<DVec2> {
+    /// Area, first and second moments of what the segment from the origin to the curve's point sweeps.
+    ///
+    /// See [`Moments`]. Exact but for rounding, at any degree; zero for a point, and for a line through the origin. Source:
+    /// Green's theorem for functions that are homogeneous: ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx).
+    pub fn moments(&self) -> Moments {
+        moments(&self.points)
+    }
+}
+
+/// The moments of one curve with these control points (at least two).
+///
+/// By Green's theorem ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx) for an f that is homogeneous of degree k. The integrand is a
+/// polynomial of degree 4n − 2, for which a Gauss–Legendre rule of 2n points is exact. Beyond the range of f64 the
+/// results are infinite, or zero.
+pub(crate) fn moments(points: &[DVec2]) -> Moments {
+    let size = max_abs(points);
+    if size == 0.0 {
+        return Moments::default();
+    }
+    let unit: Points<DVec2> = points.iter().map(|&p| p / size).collect();
+    let slopes: Points<DVec2> = unit.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut sum = Moments::default();
+    let degree = slopes.len() as f64;
+    for_each_node(2 * slopes.len(), |t, weight| {
+        let p = evaluate(&unit, t);
+        let swept = p.cross(evaluate(&slopes, t)) * (degree * weight);
+        sum += Moments {
+            area: swept / 2.0,
+            x: swept * p.x / 3.0,
+            y: swept * p.y / 3.0,
+            xx: swept * p.x * p.x / 4.0,
+            xy: swept * p.x * p.y / 4.0,
+            yy: swept * p.y * p.y / 4.0,
+        };
+    });
+    // One factor after the other: each is finite, and 0 stays 0.
+    let scaled = |value: f64, power: usize| (0..power).fold(value, |product, _| product * size);
+    Moments {
+        area: scaled(sum.area, 2),
+        x: scaled(sum.x, 3),
+        y: scaled(sum.y, 3),
+        xx: scaled(sum.xx, 4),
+        xy: scaled(sum.xy, 4),
+        yy: scaled(sum.yy, 4),
+    }
+}
+
+/// Nodes and weights on [0, 1] of a rule of at least `count` points.
+fn for_each_node(count: usize, mut visit: impl FnMut(f64, f64)) {
+    let mut pairs = |rule: &[[f64; 2]]| {
+        for &[z, weight] in rule {
+            visit(0.5 - 0.5 * z, 0.5 * weight);
+            visit(0.5 + 0.5 * z, 0.5 * weight);
+        }
+    };
+    match count {
+        0..=8 => pairs(&GAUSS_8),
+        9..=16 => pairs(&GAUSS_16),
+        17..=32 => pairs(&GAUSS_32),
+        _ => pairs(&computed_rule(count + count % 2)),
+    }
+}
+
+/// The positive half of an even rule: Newton's method on the Legendre polynomial from Tricomi's first guess.
+fn computed_rule(count: usize) -> Vec<[f64; 2]> {
+    let n = count as f64;
+    (1..=count / 2)
+        .map(|i| {
+            let mut z = (std::f64::consts::PI * (i as f64 - 0.25) / (n + 0.5)).cos();
+            let mut slope = 1.0;
+            for _ in 0..6 {
+                let (value, derivative) = legendre(count, z);
+                slope = derivative;
+                z -= value / derivative;
+            }
+            [z, 2.0 / ((1.0 - z * z) * slope * slope)]
+        })
+        .collect()
+}
+
+/// Pₙ(z) and Pₙ′(z) by the recurrence of three terms.
+fn legendre(n: usize, z: f64) -> (f64, f64) {
+    let (mut before, mut last) = (1.0, z);
+    for k in 2..=n {
+        let k = k as f64;
+        (before, last) = (last, ((2.0 * k - 1.0) * z * last - (k - 1.0) * before) / k);
+    }
+    (last, n as f64 * (z * last - before) / (z * z - 1.0))
+}

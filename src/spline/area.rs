@@ -1,0 +1,23 @@
+//! How much area does the spline sweep, or enclose?
+
+use super::Spline;
+use crate::curve::{area_about, triangle_area};
+use glam::DVec2;
+
+impl Spline<DVec2> {
+    /// The signed area ½ ∫ (x dy − y dx) that the segment from the origin to the spline's point sweeps; of a closed spline
+    /// the area that it encloses.
+    ///
+    /// Positive while it turns counter-clockwise (x right, y up); parts around which a closed spline runs twice count twice.
+    /// Exact but for rounding, also far from the origin. See [`Curve::area`](crate::Curve::area).
+    pub fn area(&self) -> f64 {
+        let (start, unit) = (self.points[0], self.max_abs());
+        let mut area: f64 = (0..self.segment_count())
+            .map(|k| area_about(self.curve(k).control_points(), start, unit))
+            .sum();
+        if !self.closed {
+            area += triangle_area(start, self.points[self.points.len() - 1], unit);
+        }
+        area * unit * unit
+    }
+}
