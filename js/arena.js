@@ -1,4 +1,7 @@
-import { core, instance, memory } from "./init.js";
+import { curves } from "./curves-gate.js";
+import { core, memory } from "./init.js";
+
+/** @import { Gate } from "./gate.js" */
 
 /**
  * A view of at least `length` numbers over the arena, the block of wasm memory through which all numbers pass:
@@ -15,28 +18,31 @@ import { core, instance, memory } from "./init.js";
  *
  * @internal
  * @param {number} length
+ * @param {Gate} [gate] whose arena
  * @returns {Float64Array}
  */
-export function arena(length) {
-  const view = instance.view;
-  return view.length >= length ? view : reserve(length);
+export function arena(length, gate = curves) {
+  const view = gate.view;
+  return view.length >= length ? view : reserve(length, gate);
 }
 
 /**
  * @param {number} length
+ * @param {Gate} gate
  * @returns {Float64Array}
  */
-function reserve(length) {
-  const address = core().arena_reserve(length);
-  return (instance.view = new Float64Array(memory().buffer, address, core().arena_length()));
+function reserve(length, gate) {
+  const address = core(gate).arena_reserve(length) >>> 0; // above 2 GiB it comes as a negative number
+  return (gate.view = new Float64Array(memory(gate).buffer, address, core(gate).arena_length()));
 }
 
 /**
  * Gives the memory of a large result back to the core's allocator. Every earlier view is void: ask again.
  *
  * @internal
+ * @param {Gate} [gate]
  */
-export function trimArena() {
-  core().arena_trim();
-  instance.view = new Float64Array(0);
+export function trimArena(gate = curves) {
+  core(gate).arena_trim();
+  gate.view = new Float64Array(0);
 }

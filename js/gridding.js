@@ -1,5 +1,5 @@
-import { core } from "./init.js";
 import { LARGE_MESH, Mesh, copy, layouts, room } from "./mesh.js";
+import { core } from "./surfaces-transfer.js";
 
 /** @import { PatchRange } from "./mesh.js" */
 

@@ -1,27 +1,16 @@
-import { functions, initSync } from "./glue/core.js";
-import { wasmBytes } from "./wasm-bytes.js";
+import { curves } from "./curves-gate.js";
+import { gates } from "./gate.js";
+
+/**
+ * @import { CubicEval, Gate } from "./gate.js"
+ * @import { Functions } from "./glue/functions.js"
+ */
 
 /**
  * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
  *
  * @typedef {WebAssembly.Module | BufferSource | Response | URL} WasmSource
  */
-
-/**
- * One coordinate at t of a cubic with the coordinates a, b, c and d.
- *
- * @internal
- * @typedef {(a: number, b: number, c: number, d: number, t: number) => number} CubicEval
- */
-
-/**
- * The one running instance of the core, and the arena's view (see `arena`). All state of the package is here.
- *
- * @internal
- * @type {{ functions: typeof functions | null, memory: WebAssembly.Memory | null, view: Float64Array,
- *   cubicEval: CubicEval | null }}
- */
-export const instance = { functions: null, memory: null, view: new Float64Array(0), cubicEval: null };
 
 /**
  * Compiles the core ahead of its first use, without blocking. Never needed with `casteljau`, where the first call
@@ -37,20 +26,23 @@ export const instance = { functions: null, memory: null, view: new Float64Array(
  */
 export async function init(source) {
   const given = await source; // awaited in any case, so that a failed fetch is never left unhandled
-  if (instance.functions) return;
-  const module = await compile(given ?? inlined());
-  if (!instance.functions) start(module); // a synchronous first call may have come in between
+  const waiting = gates.filter((gate) => !gate.functions);
+  if (given === undefined) return void (await Promise.all(waiting.map(compileInlined)));
+  if (!waiting.length) return;
+  const module = await compile(given);
+  for (const gate of waiting) if (!gate.functions) start(gate, module);
 }
 
 /**
  * The functions of the Rust core, started at the first call. A count of −1 says that the core refused (see `take`).
  *
  * @internal
- * @returns {typeof functions}
+ * @param {Gate} [gate]
+ * @returns {Functions}
  * @throws {Error} with `casteljau/slim`, before `init` has ended
  */
-export function core() {
-  return instance.functions ?? startNow();
+export function core(gate = curves) {
+  return gate.functions ?? startNow(gate);
 }
 
 /**
@@ -60,42 +52,50 @@ export function core() {
  * @returns {CubicEval}
  */
 export function cubicEval() {
-  return instance.cubicEval ?? (startNow(), /** @type {CubicEval} */ (/** @type {unknown} */ (instance.cubicEval)));
+  return curves.cubicEval ?? (startNow(curves), /** @type {CubicEval} */ (/** @type {unknown} */ (curves.cubicEval)));
 }
 
 /**
  * The core's memory. Views of it die when it grows: never keep one across a call.
  *
  * @internal
+ * @param {Gate} [gate]
  * @returns {WebAssembly.Memory}
  */
-export function memory() {
-  return instance.memory ?? (startNow(), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (instance.memory)));
-}
-
-/** @returns {typeof functions} */
-function startNow() {
-  if (!wasmBytes) {
-    throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
-  }
-  return start(new WebAssembly.Module(wasmBytes()));
+export function memory(gate = curves) {
+  return gate.memory ?? (startNow(gate), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (gate.memory)));
 }
 
 /**
- * @param {WebAssembly.Module} module
- * @returns {typeof functions}
+ * @param {Gate} gate
+ * @returns {Functions}
  */
-function start(module) {
-  const exports = initSync({ module });
-  instance.memory = exports.memory;
-  instance.cubicEval = exports.cubic_eval;
-  return (instance.functions = functions);
+function startNow(gate) {
+  if (!gate.bytes) {
+    throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
+  }
+  return start(gate, new WebAssembly.Module(gate.bytes()));
 }
 
-/** @returns {Uint8Array<ArrayBuffer>} */
-function inlined() {
-  if (wasmBytes) return wasmBytes();
-  throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
+/**
+ * @param {Gate} gate
+ * @param {WebAssembly.Module} module
+ * @returns {Functions}
+ */
+function start(gate, module) {
+  const exports = /** @type {any} */ (gate.link({ module }));
+  gate.memory = exports.memory;
+  gate.cubicEval = exports.cubic_eval;
+  return (gate.functions = exports);
+}
+
+/** @param {Gate} gate */
+async function compileInlined(gate) {
+  if (!gate.bytes) {
+    throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
+  }
+  const module = await compile(gate.bytes());
+  if (!gate.functions) start(gate, module); // a synchronous first call may have come in between
 }
 
 /**

@@ -1,10 +1,9 @@
 // A surface as lines, as bodies of lines, and as the flat pieces of the tutorials.
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
-import { core } from "./init.js";
 import { Mesh, takeMesh } from "./mesh.js";
-import { done } from "./refusal.js";
-import { Checked, take, trim } from "./transfer.js";
+import { core, done, take, trim } from "./surfaces-transfer.js";
+import { Checked } from "./transfer.js";
 
 /**
  * The body of each line: tubes around it with a radius and a number of sides (8 by default, at least 3), or flat

@@ -1,8 +1,8 @@
 import * as check from "./check.js";
-import { core } from "./init.js";
 import { meshToOBJ, meshToSTL } from "./mesh-export.js";
 import { meshToGLB } from "./mesh-glb.js";
 import { meshToThree } from "./mesh-three.js";
+import { core } from "./surfaces-transfer.js";
 
 /**
  * @import { GeometryLike, Three } from "./mesh-three.js"

@@ -2,13 +2,12 @@ import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
 import { takeGrid } from "./gridding.js";
-import { core } from "./init.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import * as queries from "./queries.js";
-import { done } from "./refusal.js";
+import { core, done, load, take } from "./surfaces-transfer.js";
 import { tessellation } from "./tessellation.js";
-import { Checked, load, take } from "./transfer.js";
+import { Checked } from "./transfer.js";
 
 /**
  * @import { BasisLike } from "./basis.js"

@@ -1,8 +1,8 @@
 // Questions that patches and surfaces are asked alike: a patch goes to the core as a surface of one patch.
 import { Curve } from "./curve.js";
-import { core } from "./init.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
-import { Checked, load, take } from "./transfer.js";
+import { core, load, take } from "./surfaces-transfer.js";
+import { Checked } from "./transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"

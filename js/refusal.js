@@ -1,5 +1,8 @@
 import { arena } from "./arena.js";
+import { curves } from "./curves-gate.js";
 import { memory } from "./init.js";
+
+/** @import { Gate } from "./gate.js" */
 
 /** The most pieces of a message, two numbers each; see `Error::parts` in src/error.rs. */
 const PARTS = 7;
@@ -9,25 +12,27 @@ const PARTS = 7;
  *
  * @internal
  * @param {number} count
+ * @param {Gate} [gate] where the call went
  * @returns {number} the count
  * @throws {RangeError} with the core's message, when it refused
  */
-export function done(count) {
-  if (count < 0) throw refusal();
+export function done(count, gate = curves) {
+  if (count < 0) throw refusal(gate);
   return count;
 }
 
 /**
  * The message that the core left in place of a result: words by address and length, numbers with −1 behind them.
  *
+ * @param {Gate} gate
  * @returns {RangeError}
  */
-function refusal() {
-  const parts = arena(2 * PARTS);
+function refusal(gate) {
+  const parts = arena(2 * PARTS, gate);
   let message = "";
   for (let i = 0; i < 2 * PARTS; i += 2) {
     const [value, length] = [parts[i], parts[i + 1]];
-    message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory().buffer, value, length));
+    message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory(gate).buffer, value, length));
   }
   return new RangeError(message);
 }

@@ -1,16 +1,15 @@
 import * as check from "./check.js";
-import { core } from "./init.js";
 import { takeGrid } from "./gridding.js";
 import * as lines from "./lines.js";
 import { gridOptions, takeMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
 import * as queries from "./queries.js";
-import { done } from "./refusal.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
 import { parseSurface, surfaceText } from "./surface-text.js";
-import { Checked, load, take, trim } from "./transfer.js";
+import { core, done, load, take, trim } from "./surfaces-transfer.js";
+import { Checked } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"

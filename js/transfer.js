@@ -1,6 +1,8 @@
 import { arena, trimArena } from "./arena.js";
-import { instance } from "./init.js";
+import { curves } from "./curves-gate.js";
 import { done } from "./refusal.js";
+
+/** @import { Gate } from "./gate.js" */
 
 /** Above this many numbers the arena gives its memory back after a result was read. */
 const LARGE_RESULT = 1 << 20;
@@ -27,10 +29,11 @@ export class Checked {
  * @internal
  * @param {Float64Array} flat
  * @param {number} [extra]
+ * @param {Gate} [gate]
  * @returns {Float64Array} the arena
  */
-export function load(flat, extra = 0) {
-  const view = arena(flat.length + extra);
+export function load(flat, extra = 0, gate = curves) {
+  const view = arena(flat.length + extra, gate);
   // A call of `set` costs more than a few stores.
   if (flat.length > 32) view.set(flat);
   else for (let i = 0; i < flat.length; i++) view[i] = flat[i];
@@ -43,11 +46,12 @@ export function load(flat, extra = 0) {
  * @internal
  * @param {number} from
  * @param {number} to as a call to the core returned it: negative when the core refused
+ * @param {Gate} [gate]
  * @returns {Float64Array}
  * @throws {RangeError} with the core's message, when it refused
  */
-export function take(from, to) {
-  const view = arena(done(to));
+export function take(from, to, gate = curves) {
+  const view = arena(done(to, gate), gate);
   if (to - from > 32) return new Float64Array(view.subarray(from, to)); // a little faster than slice()
   // As in `load`.
   const numbers = new Float64Array(to - from);
@@ -74,7 +78,8 @@ export function takeInto(into, length) {
  * Gives the memory of a large result back, after it was read.
  *
  * @internal
+ * @param {Gate} [gate]
  */
-export function trim() {
-  if (instance.view.length > LARGE_RESULT) trimArena();
+export function trim(gate = curves) {
+  if (gate.view.length > LARGE_RESULT) trimArena(gate);
 }

@@ -7,11 +7,19 @@ const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 const banner = { js: `/*! casteljau ${version} | ${license} */` };
 
-/** Replaces the inlined bytes by nothing: the slim bundle is told where they are by `init`. */
+/** One gate to the whole module, without bytes: the slim bundle is told where they are by `init`. */
 const withoutBytes = {
   name: "without-bytes",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]wasm-bytes\.js$/ }, () => ({ contents: "export const wasmBytes = null;" }));
+    const contents = {
+      curves: `import { gate } from "./gate.js"; import { initSync } from "./glue/casteljau.js";
+        export const curves = /* @__PURE__ */ gate(initSync, null);`,
+      surfaces: `export { curves as surfaces } from "./curves-gate.js";`,
+    };
+    build.onLoad({ filter: /[\\/]js[\\/](curves|surfaces)-gate\.js$/ }, ({ path }) => ({
+      contents: contents[path.match(/(\w+)-gate\.js$/)[1]],
+      resolveDir: sources,
+    }));
   },
 };
 

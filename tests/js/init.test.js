@@ -35,9 +35,36 @@ test("import compiles nothing, the first call does, once", async () => {
   assert.equal(await compilations(curve), 0);
 });
 
+test("curves and surfaces are modules of their own, each compiled when it is needed", async () => {
+  const { Curve, Surface } = await fresh("index.js");
+  const surface = () => Surface.teapot().area();
+  assert.equal(await compilations(surface), 1);
+  assert.equal(await compilations(surface), 0);
+  assert.equal(await compilations(() => new Curve(TRIANGLE).eval(0.5)), 1);
+});
+
+test("slim has one module for both, and one arena", async () => {
+  const { init, Curve, Surface } = await fresh("slim.js");
+  assert.equal(await compilations(() => init(wasm)), 1);
+  const mesh = Surface.teapot().tessellate({ tolerance: 1e-3 });
+  assert.ok(mesh.positions.length > 1000);
+  const curve = new Curve(TRIANGLE);
+  const points = curve.sample(3_000_000); // the arena is moved, and given back
+  assert.equal(points[points.length - 2], 2);
+  assert.equal(Surface.teapot().bounds().min.z, 0);
+  assert.deepEqual(curve.eval(0.5), { x: 1, y: 1 });
+});
+
+test("the whole package takes a module from outside, too", async () => {
+  const { init, Curve, Surface } = await fresh("index.js");
+  assert.equal(await compilations(() => init(wasm)), 1);
+  assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
+  assert.equal(Surface.teapot().bounds().min.z, 0);
+});
+
 test("init is optional and idempotent", async () => {
   const { init, Curve } = await fresh("index.js");
-  assert.equal(await compilations(init), 1);
+  assert.equal(await compilations(init), 2);
   assert.equal(await compilations(init), 0);
   assert.deepEqual(new Curve(TRIANGLE).eval(0.5), { x: 1, y: 1 });
 });

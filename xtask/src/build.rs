@@ -21,14 +21,17 @@ pub(crate) fn build() -> Result<()> {
 fn bindings() -> Result<()> {
     shell::run(&mut compilation())?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/wasm/casteljau.wasm");
-    let names = [
+    let outputs = [
         "casteljau.js",
         "casteljau.d.ts",
         "casteljau.wasm",
-        "core.js",
-        "bytes.js",
-    ];
-    let outputs = names.map(|name| glue::folder().join(name));
+        "curves.wasm",
+        "curves-bytes.js",
+        "surfaces.wasm",
+        "surfaces-bytes.js",
+        "functions.d.ts",
+    ]
+    .map(|name| glue::folder().join(name));
     let work = Work {
         name: "glue",
         inputs: std::slice::from_ref(&compiled),
@@ -99,12 +102,12 @@ fn bundles() -> Result<()> {
 /// dist/types, derived from the JSDoc of js/; a type error fails the build.
 fn types() -> Result<()> {
     let root = shell::root();
-    let bytes = [
-        glue::folder().join("bytes.js"),
-        glue::folder().join("casteljau.wasm"),
-    ];
     let mut inputs: Vec<PathBuf> = files_below(&root.join("js"));
-    inputs.retain(|path| !bytes.contains(path)); // no types depend on them
+    // No types depend on them.
+    inputs.retain(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        !(name.ends_with("-bytes.js") || name.ends_with(".wasm"))
+    });
     inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
     let outputs = [
         root.join("dist/types/index.d.ts"),

@@ -1,9 +1,10 @@
 //! From the compiler's wasm to the files of js/glue: bindings, optimised module, its bytes as text.
 
 use crate::{encode, shell, snip};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Child;
 use wasm_bindgen_cli_support::Bindgen;
 
 /// For size; the compiler has inlined what is hot.
@@ -20,6 +21,37 @@ const FEATURES: [&str; 7] = [
     "--enable-multivalue",
 ];
 
+/// A module of its own with some of the functions: whoever needs curves only does not carry the surfaces.
+pub(crate) struct Part {
+    pub(crate) name: &'static str,
+    /// Exports that start so belong to other parts.
+    others: &'static [&'static str],
+}
+
+pub(crate) const PARTS: [Part; 2] = [
+    Part {
+        name: "curves",
+        others: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
+    },
+    Part {
+        name: "surfaces",
+        others: &[
+            "curve_",
+            "spline_",
+            "path_",
+            "basis_",
+            "bernstein_",
+            "cubic_",
+        ],
+    },
+];
+
+impl Part {
+    fn keeps(&self, export: &str) -> bool {
+        !self.others.iter().any(|start| export.starts_with(start))
+    }
+}
+
 /// The generated part of the JavaScript sources.
 pub(crate) fn folder() -> PathBuf {
     shell::root().join("js/glue")
@@ -30,13 +62,29 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     bindings(compiled)?;
     let bound = folder().join("casteljau_bg.wasm");
     snip::panics(&bound)?.emit_wasm_file(&bound)?;
-    optimise(&bound, &folder().join("casteljau.wasm"))?;
-    let wasm = fs::read(folder().join("casteljau.wasm"))?;
-    fs::write(folder().join("bytes.js"), encode::module(&wasm))?;
-    let glue = fs::read_to_string(folder().join("casteljau.js"))?;
-    fs::write(folder().join("core.js"), core_module(&glue))?;
-    fs::write(folder().join("core.d.ts"), CORE_TYPES)?;
-    Ok(fs::write(folder().join("bytes.d.ts"), BYTES_TYPES)?)
+    let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
+    fs::write(folder().join("casteljau.js"), &glue)?;
+    let mut optimisers = vec![optimiser(&bound, "casteljau")?];
+    for part in PARTS {
+        let cut = folder().join(format!("{}_bg.wasm", part.name));
+        snip::without(&bound, |export| !part.keeps(export))?.emit_wasm_file(&cut)?;
+        optimisers.push(optimiser(&cut, part.name)?);
+        // A copy each: the glue keeps the memory that it belongs to in its own variables.
+        fs::write(folder().join(format!("{}.js", part.name)), &glue)?;
+        fs::write(folder().join(format!("{}.d.ts", part.name)), PART_TYPES)?;
+    }
+    for mut optimiser in optimisers {
+        ensure!(optimiser.wait()?.success(), "wasm-opt failed");
+    }
+    fs::remove_file(bound)?;
+    for part in PARTS {
+        fs::remove_file(folder().join(format!("{}_bg.wasm", part.name)))?;
+        let wasm = fs::read(folder().join(format!("{}.wasm", part.name)))?;
+        let bytes = |end: &str| folder().join(format!("{}-bytes.{end}", part.name));
+        fs::write(bytes("js"), encode::module(&wasm))?;
+        fs::write(bytes("d.ts"), BYTES_TYPES)?;
+    }
+    Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
 }
 
 /// The default module path is omitted: `import.meta` would break IIFE bundles and `require()`.
@@ -53,41 +101,45 @@ fn bindings(compiled: &Path) -> Result<()> {
         .context("generating the bindings")
 }
 
-fn optimise(from: &Path, to: &Path) -> Result<()> {
+/// The glue's decoder of error messages is made and warmed up on import, which no bundler may leave out. It is not warmed
+/// up, and where nothing needs it not made.
+fn without_side_effects(glue: &str) -> Result<String> {
+    const MADE: &str = "let cachedTextDecoder = new ";
+    const WARMED: &str = "\ncachedTextDecoder.decode();\n";
+    ensure!(
+        glue.contains(MADE) && glue.contains(WARMED),
+        "wasm-bindgen's glue has another form than expected"
+    );
+    Ok(glue
+        .replace(MADE, "let cachedTextDecoder = /* @__PURE__ */ new ")
+        .replace(WARMED, "\n"))
+}
+
+/// Starts the optimiser; all modules are optimised at the same time.
+fn optimiser(from: &Path, name: &str) -> Result<Child> {
     let mut wasm_opt = shell::node(&["node_modules/binaryen/bin/wasm-opt"]);
     wasm_opt.args(OPTIMISE).args(FEATURES).args([
         "--strip-debug",
         "--strip-producers",
         "--strip-target-features",
     ]);
-    shell::run_quietly(wasm_opt.arg(from).arg("-o").arg(to))?;
-    Ok(fs::remove_file(from)?)
+    let to = folder().join(format!("{name}.wasm"));
+    wasm_opt
+        .arg(from)
+        .arg("-o")
+        .arg(to)
+        .spawn()
+        .context("starting wasm-opt")
 }
 
-/// One object literal with all exported functions: a plain property read is the cheapest way to them
-/// (a module namespace becomes getters in a bundle), and what it leaves out falls away in bundling.
-fn core_module(glue: &str) -> String {
-    let name = |line: &str| {
-        let rest = line.strip_prefix("export function ")?;
-        Some(rest[..rest.find('(')?].to_owned())
-    };
-    let names = glue
-        .lines()
-        .filter_map(name)
-        .filter(|name| name != "initSync");
-    let list = names.map(|name| format!("  {name},\n")).collect::<String>();
-    format!(
-        "// Generated by `cargo xtask build`: the exports of the Rust core as one object.\n\
-         import {{\n  initSync,\n{list}}} from \"./casteljau.js\";\n\n\
-         export {{ initSync }};\n\
-         export const functions = {{\n{list}}};\n"
-    )
-}
-
-const CORE_TYPES: &str = "\
+/// The exported functions themselves: what wasm-bindgen wraps around them changes nothing but the sign of an address.
+const FUNCTIONS_TYPES: &str = "\
 import type * as glue from \"./casteljau.js\";
+export type Functions = Omit<typeof glue, \"default\" | \"initSync\">;
+";
+
+const PART_TYPES: &str = "\
 export { initSync } from \"./casteljau.js\";
-export declare const functions: Omit<typeof glue, \"default\" | \"initSync\">;
 ";
 
 const BYTES_TYPES: &str = "\

@@ -7,7 +7,7 @@
 
 use anyhow::Result;
 use std::path::Path;
-use walrus::{FunctionBuilder, FunctionId, FunctionKind, Module};
+use walrus::{ExportId, FunctionBuilder, FunctionId, FunctionKind, Module};
 
 /// The module with the bodies of all panicking functions replaced.
 pub(crate) fn panics(compiled: &Path) -> Result<Module> {
@@ -27,6 +27,22 @@ pub(crate) fn panics(compiled: &Path) -> Result<Module> {
     for id in panicking {
         trap(&mut module, id);
     }
+    Ok(module)
+}
+
+/// The module without some of its exports and all that only these needed.
+pub(crate) fn without(bound: &Path, unwanted: impl Fn(&str) -> bool) -> Result<Module> {
+    let mut module = Module::from_file(bound)?;
+    let exports: Vec<ExportId> = module
+        .exports
+        .iter()
+        .filter(|export| unwanted(&export.name))
+        .map(|export| export.id())
+        .collect();
+    for id in exports {
+        module.exports.delete(id);
+    }
+    walrus::passes::gc::run(&mut module);
     Ok(module)
 }
 

@@ -1,0 +1,10 @@
+import { gate } from "./gate.js";
+import { alphabet, frequent, length, text } from "./glue/curves-bytes.js";
+import { initSync } from "./glue/curves.js";
+
+/**
+ * The module of curves, splines and paths; in the slim bundle the whole module (see xtask/bundle.js).
+ *
+ * @internal
+ */
+export const curves = /* @__PURE__ */ gate(initSync, { alphabet, frequent, length, text });
