@@ -7,6 +7,8 @@ import { after, test } from "node:test";
 import { rollup } from "rollup";
 import { build as vite } from "vite";
 import { openPage } from "../page/browser.js";
+import * as curves from "../../js/glue/curves-bytes.js";
+import * as surfaces from "../../js/glue/surfaces-bytes.js";
 import { serve } from "../page/server.js";
 import { PRINTED, PROGRAM, installed, run } from "./fixture.js";
 
@@ -38,6 +40,24 @@ for (const format of ["es", "iife"]) {
     assert.equal(await node(file), PRINTED);
   });
 }
+
+/** A run of characters that only the text of one wasm module has. */
+const mark = (text) => text.slice(1000, 1060);
+const marks = { curves: mark(curves.text), surfaces: mark(surfaces.text) };
+const LINE = `import { Curve, init } from "casteljau";\nawait init();\nconsole.log(new Curve([[0, 0], [2, 4]]).eval(0.5).y);\n`;
+
+test("a program of curves carries no surfaces", async () => {
+  const program = await fixture.write("src/line.js", LINE);
+  const resolve = createRequire(program).resolve;
+  const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
+  const rolled = await (await rollup({ input: program, plugins: [plugin] })).generate({ format: "es" });
+  const built = await esbuild({ entryPoints: [program], bundle: true, format: "esm", minify: true, write: false });
+  for (const [bundler, code] of [["Rollup", rolled.output[0].code], ["esbuild", built.outputFiles[0].text]]) {
+    assert.ok(code.includes(marks.curves), bundler);
+    assert.ok(!code.includes(marks.surfaces), bundler);
+    assert.equal(await node(await fixture.write(`out/line-${bundler}.mjs`, code)), "2", bundler);
+  }
+});
 
 /** Serves a built folder under the policy and gives back what the page prints. */
 async function printedBy(t, folder) {
