@@ -24,18 +24,14 @@ const FEATURES: [&str; 7] = [
 /// A module of its own with some of the functions: whoever needs curves only does not carry the surfaces.
 pub(crate) struct Part {
     pub(crate) name: &'static str,
-    /// Exports that start so belong to other parts.
-    others: &'static [&'static str],
+    /// How the names of its functions start.
+    own: &'static [&'static str],
 }
 
 pub(crate) const PARTS: [Part; 2] = [
     Part {
         name: "curves",
-        others: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
-    },
-    Part {
-        name: "surfaces",
-        others: &[
+        own: &[
             "curve_",
             "spline_",
             "path_",
@@ -44,12 +40,17 @@ pub(crate) const PARTS: [Part; 2] = [
             "cubic_",
         ],
     },
+    Part {
+        name: "surfaces",
+        own: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
+    },
 ];
 
-impl Part {
-    fn keeps(&self, export: &str) -> bool {
-        !self.others.iter().any(|start| export.starts_with(start))
-    }
+/// What every module has.
+const COMMON: [&str; 4] = ["arena_", "points_transform", "memory", "__"];
+
+fn starts(export: &str, with: &[&str]) -> bool {
+    with.iter().any(|start| export.starts_with(start))
 }
 
 /// The generated part of the JavaScript sources.
@@ -62,12 +63,20 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     bindings(compiled)?;
     let bound = folder().join("casteljau_bg.wasm");
     snip::panics(&bound)?.emit_wasm_file(&bound)?;
+    for export in snip::exports(&bound)? {
+        let known = starts(&export, &COMMON) || PARTS.iter().any(|p| starts(&export, p.own));
+        ensure!(
+            known,
+            "{export} starts like no function of a part in xtask/src/glue.rs"
+        );
+    }
     let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
     fs::write(folder().join("casteljau.js"), &glue)?;
     let mut optimisers = vec![optimiser(&bound, "casteljau")?];
     for part in PARTS {
         let cut = folder().join(format!("{}_bg.wasm", part.name));
-        snip::without(&bound, |export| !part.keeps(export))?.emit_wasm_file(&cut)?;
+        let mine = |export: &str| starts(export, part.own) || starts(export, &COMMON);
+        snip::without(&bound, |export| !mine(export))?.emit_wasm_file(&cut)?;
         optimisers.push(optimiser(&cut, part.name)?);
         // A copy each: the glue keeps the memory that it belongs to in its own variables.
         fs::write(folder().join(format!("{}.js", part.name)), &glue)?;

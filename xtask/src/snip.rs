@@ -30,6 +30,12 @@ pub(crate) fn panics(compiled: &Path) -> Result<Module> {
     Ok(module)
 }
 
+/// The names of all exports.
+pub(crate) fn exports(bound: &Path) -> Result<Vec<String>> {
+    let module = Module::from_file(bound)?;
+    Ok(module.exports.iter().map(|e| e.name.clone()).collect())
+}
+
 /// The module without some of its exports and all that only these needed.
 pub(crate) fn without(bound: &Path, unwanted: impl Fn(&str) -> bool) -> Result<Module> {
     let mut module = Module::from_file(bound)?;
