@@ -5,3 +5,4 @@ export { Spline } from "./spline.js";
 export { Patch } from "./patch.js";
 export { Surface } from "./surface.js";
 export { Mesh } from "./mesh.js";
+export { easing } from "./easing.js";

@@ -38,6 +38,7 @@
 //! ```
 
 pub mod curve;
+mod easing;
 mod error;
 mod list;
 mod point;
@@ -50,6 +51,7 @@ mod serde;
 mod wasm;
 
 pub use curve::Curve;
+pub use easing::Easing;
 pub use error::{Error, MAX_DEGREE};
 pub use glam;
 pub use point::{Cross, Point};

@@ -14,6 +14,7 @@ export const TARGETS = {
   "sample-fresh": { least: 8 },
   eval: { least: 1 },
   split: { least: 5 },
+  easing: { least: 1 / 1.5 },
 
   "teapot-16-reused-three": { least: 40 },
   "teapot-64-reused-three": { least: 40 },

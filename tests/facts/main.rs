@@ -4,10 +4,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod fact;
+mod joined;
 
+use casteljau::Curve;
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Spline};
 use common::measure::{Ruler, farthest, from_segment};
 use common::{curve, in_space, largest, real};
 use fact::{Fact, number, numbers, points};
@@ -73,7 +74,8 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "elevate" => fact.all_near(&fact.curve().elevate().expect("degree 2"), &fact.expect),
         "convert" => convert(fact),
         "flatten" => flatten(fact),
-        "continuity" => continuity(fact),
+        "continuity" => joined::continuity(fact),
+        "easing" => joined::easing(fact),
         "extrema" => extrema(fact),
         "inflection" => inflections(fact),
         "circle" => circle(fact),
@@ -153,21 +155,6 @@ fn flatten(fact: &Fact) {
             .any(|&p| from_segment(p, place, place) <= tolerance);
         assert!(reached, "{}: no vertex at {place}", fact.id);
     }
-}
-
-fn continuity(fact: &Fact) {
-    let spline = Spline::from_curves(&[fact.named("a"), fact.named("b")], false).expect("joined");
-    let found = spline.continuity(1, None).expect("a joint");
-    let of = |name: &str| fact.expect[name].as_bool();
-    let found = [
-        ("C0", found.c0),
-        ("G1", found.g1),
-        ("C1", found.c1),
-        ("C2", found.c2),
-    ];
-    found
-        .iter()
-        .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
 }
 
 /// At an extremum its coordinate of the derivative vanishes, and the box is touched.

@@ -26,8 +26,8 @@ test("a part of a name chooses rows", () => {
 });
 
 test("each target belongs to a row", async () => {
-  const [curve, teapot] = await Promise.all(["curve", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
-  const ids = [...curve.rows, ...teapot.rows].map(({ id }) => id);
+  const modules = await Promise.all(["curve", "easing", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
+  const ids = modules.flatMap(({ rows }) => rows).map(({ id }) => id);
   assert.equal(new Set(ids).size, ids.length);
   const other = /^(adaptive-(verb|triangles?)|growth-\w+|flatten-0\.0?1-\w+(-segments)?|first-call|size)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);

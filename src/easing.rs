@@ -1,0 +1,322 @@
+//! CSS `cubic-bezier()`: how far along is an animation at a time?
+//!
+//! js/easing.js does the same, operation by operation, and gives the same bits.
+
+use crate::error::Error;
+
+/// Pieces into which t is cut. A power of two, so that Bernstein weights at the nodes are exact.
+const PIECES: usize = 32;
+/// The same as a number, and the width of a piece.
+const STEP: f64 = 1.0 / 32.0;
+/// An error of t that is as good as none: a sixteenth of the rounding error of 1.
+const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
+/// Within this part of the first piece, Newton's method starts from the size of the terms.
+const NEAR_START: f64 = 1.0 / 1024.0;
+/// Half of a number's bits.
+const HALF: f64 = 134_217_728.0; // 2²⁷
+/// Handles above this (2⁹⁰⁰) are computed at 2⁻¹⁰⁰ of their size, so that no sum overflows.
+const HUGE: f64 = f64::from_bits((1023 + 900) << 52);
+/// The part of their size at which huge handles are computed.
+const SHRUNK: f64 = f64::from_bits((1023 - 100) << 52);
+/// A bound, not a plan: four times what Newton's method ever took.
+const MOST_STEPS: usize = 100;
+
+/// The timing function of CSS `cubic-bezier(x1, y1, x2, y2)`.
+///
+/// The curve from (0, 0) to (1, 1) with the handles (x₁, y₁) and (x₂, y₂), as y over x: x(t) = 3x₁t(1 − t)² + 3x₂t²(1 − t)
+/// + t³, and y(t) the same of y₁ and y₂. x₁ and x₂ lie in \[0, 1\], so each x has one y.
+///
+/// ```
+/// use casteljau::Easing;
+///
+/// let ease = Easing::new(0.25, 0.1, 0.25, 1.0)?;
+/// assert_eq!((ease.eval(0.0), ease.eval(1.0)), (0.0, 1.0));
+/// assert!((ease.eval(0.5) - 0.8024033877399112).abs() < 1e-15);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+///
+/// Source: CSS Easing Functions Level 1, "Cubic Bézier easing functions".
+#[derive(Clone, Debug, PartialEq)]
+pub struct Easing {
+    nodes: Vec<Node>,
+    /// For each 32nd of the way in x, the piece of t in which it starts.
+    starts: [u8; PIECES],
+    /// The slopes at (0, 0) and (1, 1), as CSS has them.
+    slopes: [f64; 2],
+    /// Both handles on the diagonal: y = x.
+    linear: bool,
+    huge: bool,
+}
+
+/// The curve about t = k/32.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Node {
+    x: Expansion,
+    y: Expansion,
+    /// The cubic that leads from x back to t on the piece that begins here.
+    back: [f64; 3],
+}
+
+/// One coordinate about a node: its value as a sum of two, and three Taylor coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Expansion {
+    value: f64,
+    low: f64,
+    by: [f64; 3],
+}
+
+impl Easing {
+    /// The timing function with these handles.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for an x outside of 0 to 1, a NaN or an infinity.
+    pub fn new(x1: f64, y1: f64, x2: f64, y2: f64) -> Result<Self, Error> {
+        for (what, got) in [("x1", x1), ("x2", x2)] {
+            check(
+                what,
+                "a number from 0 to 1",
+                got,
+                (0.0..=1.0).contains(&got),
+            )?;
+        }
+        for (what, got) in [("y1", y1), ("y2", y2)] {
+            check(what, "a finite number", got, got.is_finite())?;
+        }
+        let huge = y1.abs().max(y2.abs()) > HUGE;
+        let unit = if huge { SHRUNK } else { 1.0 };
+        let nodes = nodes([x1, x2], [y1 * unit, y2 * unit], unit);
+        Ok(Self {
+            starts: first_pieces(&nodes),
+            nodes,
+            slopes: [
+                slope(x1, y1, x2, y2),
+                slope(1.0 - x2, 1.0 - y2, 1.0 - x1, 1.0 - y1),
+            ],
+            linear: x1 == y1 && x2 == y2,
+            huge,
+        })
+    }
+
+    /// y at an x.
+    ///
+    /// Exact at 0 and 1; in between |x(t) − x| ≤ 10⁻¹⁵ and y is that t's. Below 0 and above 1 it goes on along the tangent
+    /// at the end, or along the line to the other handle where the nearer one has the end's x; where there is none such, on
+    /// the level of the end. Where that overflows, the largest number stands. NaN gives NaN.
+    pub fn eval(&self, x: f64) -> f64 {
+        if self.linear {
+            return x + 0.0; // no −0
+        }
+        if !(x > 0.0 && x < 1.0) {
+            return self.outside(x);
+        }
+        let y = self.solved(x);
+        if self.huge { bounded(y / SHRUNK) } else { y }
+    }
+
+    fn outside(&self, x: f64) -> f64 {
+        if x == 0.0 || x == 1.0 {
+            return x.abs();
+        }
+        if x < 0.0 {
+            bounded(flat_or(self.slopes[0], x))
+        } else {
+            bounded(1.0 + flat_or(self.slopes[1], x - 1.0))
+        }
+    }
+
+    /// y at an x between 0 and 1.
+    fn solved(&self, mut x: f64) -> f64 {
+        #[allow(clippy::cast_possible_truncation, reason = "floored, below 32")]
+        #[allow(clippy::cast_sign_loss, reason = "x is above 0")]
+        let mut k = usize::from(self.starts[(x * 32.0) as usize]);
+        while self.nodes[k + 1].x.value <= x {
+            k += 1;
+        }
+        if k == 0 {
+            // Here errors are relative, and a step of x must be more than they are for y to rise: 48 bits of x are enough.
+            x = upper(x, 32.0).min(self.nodes[1].x.value);
+        }
+        let Node {
+            x: before,
+            back: [a, b, c],
+            ..
+        } = self.nodes[k];
+        let far = x - before.value;
+        let mut d = far * (a + far * (b + far * c));
+        let mut least = 0.0;
+        if k == 0 && x < self.nodes[1].x.value * NEAR_START {
+            d = size_at_start(&before, x);
+        } else if d > 0.5 * STEP {
+            // From the node that is nearer: what is small is subtracted from what is exact.
+            k += 1;
+            least = -STEP;
+            d += least;
+        }
+        let Node { x: along, y, .. } = &self.nodes[k];
+        let origin = if k == 0 { 0.0 } else { 1.0 };
+        y.at(newton(along, x, d, least, origin))
+    }
+}
+
+impl Expansion {
+    /// One coordinate with the control values 0, a, b and end about t, a multiple of 1/32.
+    fn new(t: f64, a: f64, b: f64, end: f64) -> Self {
+        let s = 1.0 - t;
+        // The weights have at most 15 bits: their products with half of a number's bits are exact.
+        let (u, v, w) = (3.0 * t * s * s, 3.0 * t * t * s, t * t * t * end);
+        let (high_a, high_b) = (upper(a, HALF), upper(b, HALF));
+        let pair = u * high_a + v * high_b;
+        let sum = pair + w;
+        let low = rest(u * high_a, v * high_b, pair)
+            + rest(pair, w, sum)
+            + u * (a - high_a)
+            + v * (b - high_b);
+        let value = sum + low;
+        Self {
+            value,
+            low: low - (value - sum),
+            by: [
+                3.0 * (a * s * s + 2.0 * (b - a) * t * s + (end - b) * t * t),
+                3.0 * ((b - 2.0 * a) * s + (end - 2.0 * b + a) * t),
+                end + 3.0 * (a - b),
+            ],
+        }
+    }
+
+    fn at(&self, d: f64) -> f64 {
+        let [a, b, c] = self.by;
+        self.value + (self.low + d * (a + d * (b + d * c)))
+    }
+}
+
+fn check(what: &'static str, expected: &'static str, got: f64, holds: bool) -> Result<(), Error> {
+    if holds {
+        return Ok(());
+    }
+    Err(Error::Range {
+        what,
+        expected,
+        got,
+    })
+}
+
+/// The slope at (0, 0): of the line to the first control point that is ahead in x, as CSS chooses it.
+fn slope(x1: f64, y1: f64, x2: f64, y2: f64) -> f64 {
+    if x1 > 0.0 {
+        bounded(y1 / x1)
+    } else if y1 != 0.0 {
+        0.0
+    } else if x2 > 0.0 {
+        bounded(y2 / x2)
+    } else if y2 == 0.0 {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// slope · x, without the NaN of 0 · ∞.
+fn flat_or(slope: f64, x: f64) -> f64 {
+    if slope == 0.0 && !x.is_nan() {
+        0.0
+    } else {
+        slope * x
+    }
+}
+
+fn bounded(value: f64) -> f64 {
+    value.clamp(-f64::MAX, f64::MAX)
+}
+
+fn nodes([x1, x2]: [f64; 2], [y1, y2]: [f64; 2], top: f64) -> Vec<Node> {
+    let mut nodes: Vec<Node> = (0..=PIECES)
+        .map(|k| k as f64 * STEP)
+        .map(|t| Node {
+            x: Expansion::new(t, x1, x2, 1.0),
+            y: Expansion::new(t, y1, y2, top),
+            back: [0.0; 3],
+        })
+        .collect();
+    for k in 0..PIECES {
+        nodes[k].back = inverse(&nodes[k].x, &nodes[k + 1].x);
+    }
+    nodes
+}
+
+/// The cubic from x back to t with the slopes of the ends, at most three times the chord's: it rises then (Fritsch and
+/// Carlson, "Monotone piecewise cubic interpolation", 1980).
+fn inverse(from: &Expansion, to: &Expansion) -> [f64; 3] {
+    let width = to.value - from.value;
+    let chord = STEP / width;
+    let first = (1.0 / from.by[0]).abs().min(3.0 * chord);
+    let last = (1.0 / to.by[0]).abs().min(3.0 * chord);
+    [
+        first,
+        (3.0 * chord - 2.0 * first - last) / width,
+        (first + last - 2.0 * chord) / width / width,
+    ]
+}
+
+fn first_pieces(nodes: &[Node]) -> [u8; PIECES] {
+    let mut piece = 0_u8;
+    std::array::from_fn(|i| {
+        let ahead = |piece: u8| nodes[usize::from(piece) + 1].x.value <= i as f64 * STEP;
+        while usize::from(piece) + 1 < PIECES && ahead(piece) {
+            piece += 1;
+        }
+        piece
+    })
+}
+
+/// A number rounded to fewer bits, 2 to the number of which is `less` (Veltkamp).
+fn upper(value: f64, less: f64) -> f64 {
+    let spread = (less + 1.0) * value;
+    spread - (spread - value)
+}
+
+/// The rounding error of a sum (Knuth).
+fn rest(a: f64, b: f64, sum: f64) -> f64 {
+    let part = sum - a;
+    a - (sum - part) + (b - part)
+}
+
+/// About the t of a small x, where no term of the cubic can be larger than x.
+fn size_at_start(start: &Expansion, x: f64) -> f64 {
+    let fourth = x.sqrt().sqrt();
+    let sixteenth = fourth.sqrt().sqrt();
+    let cubic = fourth * sixteenth * sixteenth.sqrt().sqrt(); // x to the power 21/64: a cube root, nearly
+    1.0 / (start.by[0] / x + start.by[1].abs().sqrt() / x.sqrt() + 1.0 / cubic)
+}
+
+/// The zero of x(node + d) − x between least and a piece more, by Newton's method; a step that leaves them is a bisection.
+///
+/// Newton's method has ended when the error that its step leaves, step² · |x″| / (2 x′), is negligible: against t at the
+/// first node (origin 0), against 1 at the others.
+fn newton(along: &Expansion, x: f64, mut d: f64, mut least: f64, origin: f64) -> f64 {
+    let [a, b, c] = along.by;
+    let sought = x - along.value - along.low;
+    let mut most = least + STEP;
+    for _ in 0..MOST_STEPS {
+        let off = sought - d * (a + d * (b + d * c));
+        if off == 0.0 {
+            break;
+        }
+        let speed = a + d * (2.0 * b + 3.0 * d * c);
+        let step = off / speed;
+        if off > 0.0 {
+            least = d;
+        } else {
+            most = d;
+        }
+        let left = step * step * (b + 3.0 * d * c).abs();
+        let negligible = left <= NEGLIGIBLE * speed * (origin + d);
+        d += step;
+        if negligible {
+            break;
+        }
+        if !(least..=most).contains(&d) {
+            d = 0.5 * (least + most);
+        }
+    }
+    d
+}

@@ -1,0 +1,312 @@
+//! Timing functions: the residual in twice the precision, monotone, at the ends and beyond, never NaN.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+use casteljau::{Easing, Error};
+use common::Rng;
+use common::exact::{self, Double, exactly};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// Handles of CSS, at the border, and near to where x stands still.
+const KNOWN: [[f64; 4]; 16] = [
+    [0.25, 0.1, 0.25, 1.0],
+    [0.42, 0.0, 1.0, 1.0],
+    [0.0, 0.0, 0.58, 1.0],
+    [0.42, 0.0, 0.58, 1.0],
+    [0.68, -0.55, 0.265, 1.55],
+    [1.0, 0.0, 0.0, 1.0],
+    [1.0, 1.0, 0.0, 0.0],
+    [0.0, 1.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0],
+    [0.0, 1.0, 0.0, 1.0],
+    [1.0, 0.0, 1.0, 0.0],
+    [1.0, 0.0, 1.0, 1.0],
+    [0.999_999_999, 0.1, 1e-9, 0.7],
+    [1e-300, 0.5, 1e-310, 0.5],
+    [1.0 - f64::EPSILON, 0.0, f64::EPSILON, 1.0],
+    [1.0 / 3.0, 0.2, 2.0 / 3.0, 0.9],
+];
+
+fn cases() -> usize {
+    let deep = std::env::var_os("CASTELJAU_DEEP").is_some();
+    if deep { 1_000_000 } else { 20_000 }
+}
+
+fn easing([x1, y1, x2, y2]: [f64; 4]) -> Easing {
+    Easing::new(x1, y1, x2, y2).expect("in range")
+}
+
+/// An x of a handle, often at the border.
+fn abscissa(rng: &mut Rng) -> f64 {
+    match rng.below(6) {
+        0 => 0.0,
+        1 => 1.0,
+        2 => rng.magnitude(-320.0, 0.0),
+        3 => 1.0 - rng.magnitude(-17.0, 0.0),
+        _ => rng.unit(),
+    }
+}
+
+/// An x between 0 and 1, often near an end or the middle.
+fn place(rng: &mut Rng) -> f64 {
+    let x = match rng.below(6) {
+        0 => rng.magnitude(-320.0, 0.0),
+        1 => 1.0 - rng.magnitude(-16.5, 0.0),
+        2 => 0.5 + 0.25 * rng.signed() * rng.magnitude(-16.5, 0.0),
+        3 => common::real(rng.below(1025)) / 1024.0,
+        _ => rng.unit(),
+    };
+    x.clamp(5e-324, 1.0_f64.next_down())
+}
+
+fn cubic(a: f64, b: f64, t: Double) -> Double {
+    let s = exactly(1.0) - t;
+    let three = exactly(3.0);
+    three * s * s * t * exactly(a) + three * s * t * t * exactly(b) + t * t * t
+}
+
+/// With y handles of ⅓ and ⅔ y would be t itself, were thirds numbers: what is missing is a cubic of their errors.
+fn parameter(x1: f64, x2: f64, x: f64) -> Double {
+    let y = easing([x1, 1.0 / 3.0, x2, 2.0 / 3.0]).eval(x);
+    let (t, three) = (exactly(y), exactly(3.0));
+    let s = exactly(1.0) - t;
+    let missing = |third: f64, n: f64| three * exactly(third) - exactly(n);
+    let more = s * s * t * missing(1.0 / 3.0, 1.0) + s * t * t * missing(2.0 / 3.0, 2.0);
+    t - more
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_residual_is_at_most_1e_15() {
+    let mut rng = Rng(91);
+    let mut worst = 0.0_f64;
+    for case in 0..cases() {
+        let [x1, x2] = if case < 16 * 200 {
+            [KNOWN[case % 16][0], KNOWN[case % 16][2]]
+        } else {
+            [abscissa(&mut rng), abscissa(&mut rng)]
+        };
+        let x = place(&mut rng);
+        let residual = (cubic(x1, x2, parameter(x1, x2, x)) - exactly(x)).hi.abs();
+        worst = worst.max(residual);
+        assert!(residual <= 1e-15, "({x1:e}, {x2:e}) at {x:e}: {residual:e}");
+    }
+    println!("worst residual {worst:e}");
+}
+
+/// t by bisection in twice the precision, 100 bits below the leading one of the bracket.
+fn slow(x1: f64, x2: f64, x: f64) -> Double {
+    let (mut low, mut high) = (exactly(0.0), exactly(1.0));
+    let half = exactly(0.5);
+    for _ in 0..160 {
+        let middle = (low + high) * half;
+        let off = cubic(x1, x2, middle) - exactly(x);
+        if off.hi + off.lo > 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    low
+}
+
+/// Not only the residual is small: y is right to its last digits, even where x stands still.
+#[wasm_bindgen_test(unsupported = test)]
+fn y_is_right() {
+    let mut rng = Rng(92);
+    let mut worst = 0.0_f64;
+    for case in 0..cases() / 4 {
+        let mut handles = if case < 16 * 20 {
+            KNOWN[case % 16]
+        } else {
+            [abscissa(&mut rng), 0.0, abscissa(&mut rng), 0.0]
+        };
+        if case >= 16 * 20 {
+            (handles[1], handles[3]) = (3.0 * rng.signed(), 3.0 * rng.signed());
+        }
+        let [x1, y1, x2, y2] = handles;
+        let x = place(&mut rng);
+        let truth = cubic(y1, y2, slow(x1, x2, x)).hi;
+        let error = (easing(handles).eval(x) - truth).abs();
+        // The largest y that the curve passes by.
+        let size = y1.abs().max(y2.abs()).max(1.0);
+        // Where x' is small, t = root(x) magnifies the rounding error of the terms of x.
+        let s = slow(x1, x2, x);
+        let speed = (cubic(x1, x2, s + exactly(1e-8)) - cubic(x1, x2, s - exactly(1e-8))).hi / 2e-8;
+        let most = 4e-16 * size + 6e-17 * size * (1.0 / speed.max(1e-6));
+        worst = worst.max(error / most);
+        assert!(error <= most, "{handles:?} at {x:e}: {error:e} > {most:e}");
+    }
+    println!("worst share {worst}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn monotone_where_the_handles_are() {
+    let mut rng = Rng(93);
+    for case in 0..cases() / 100 {
+        let [x1, x2] = [abscissa(&mut rng), abscissa(&mut rng)];
+        let mut y = [abscissa(&mut rng), abscissa(&mut rng)];
+        y.sort_by(f64::total_cmp);
+        let ease = easing([x1, y[0], x2, y[1]]);
+        let mut xs: Vec<f64> = (0..50).map(|_| place(&mut rng)).collect();
+        // Neighbours too.
+        for at in [0.5, place(&mut rng), place(&mut rng)] {
+            let mut x = at;
+            for _ in 0..50 {
+                xs.push(x);
+                x = x.next_up().min(1.0);
+            }
+        }
+        xs.sort_by(f64::total_cmp);
+        let ys: Vec<f64> = xs.iter().map(|&x| ease.eval(x)).collect();
+        for (k, pair) in ys.windows(2).enumerate() {
+            assert!(
+                (0.0..=1.0).contains(&pair[0]) && pair[0] <= pair[1],
+                "case {case}, ({x1:e}, {}, {x2:e}, {}): {:e} {:e}, then {:e} {:e}",
+                y[0],
+                y[1],
+                xs[k],
+                pair[0],
+                xs[k + 1],
+                pair[1]
+            );
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn exact_at_the_ends() {
+    for handles in KNOWN {
+        let ease = easing(handles);
+        assert_eq!(
+            (ease.eval(0.0), ease.eval(-0.0), ease.eval(1.0)),
+            (0.0, 0.0, 1.0)
+        );
+    }
+}
+
+/// As CSS Easing Functions Level 1 has it.
+#[wasm_bindgen_test(unsupported = test)]
+fn beyond_the_ends_along_the_tangents() {
+    let at = |handles: [f64; 4], x: f64| easing(handles).eval(x);
+    assert_eq!(at([0.25, 0.5, 0.5, 0.5], -1.0), -2.0);
+    assert_eq!(at([0.25, 0.5, 0.5, 0.5], 2.0), 2.0);
+    // The nearer handle has the end's x: the other one, if it has the end's y; else the level.
+    assert_eq!(at([0.0, 0.0, 0.5, 1.0], -1.0), -2.0);
+    assert_eq!(at([0.0, 0.5, 0.5, 1.0], -1.0), 0.0);
+    assert_eq!(at([0.5, 0.0, 1.0, 1.0], 2.0), 3.0);
+    assert_eq!(at([0.5, 0.0, 1.0, 0.5], 2.0), 1.0);
+    // Both handles in the end: the diagonal.
+    assert_eq!(at([0.0, 0.0, 0.0, 0.0], -3.0), -3.0);
+    assert_eq!(at([1.0, 1.0, 1.0, 1.0], 3.0), 3.0);
+    assert_eq!(at([0.0, 0.0, 0.0, 1.0], -3.0), 0.0);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_diagonal_is_exact() {
+    let mut rng = Rng(94);
+    for _ in 0..1000 {
+        let (a, b) = (abscissa(&mut rng), abscissa(&mut rng));
+        let x = place(&mut rng);
+        assert_eq!(easing([a, a, b, b]).eval(x), x);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn never_nan_nor_infinite() {
+    let values = [
+        0.0,
+        -0.0,
+        1.0,
+        0.5,
+        5e-324,
+        -5e-324,
+        1e-300,
+        1e300,
+        f64::MAX,
+        f64::MIN,
+    ];
+    let places = [
+        0.0,
+        5e-324,
+        1e-300,
+        1e-9,
+        0.5,
+        1.0_f64.next_down(),
+        1.0,
+        2.0,
+        -2.0,
+        f64::MAX,
+        f64::MIN,
+        -5e-324,
+    ];
+    for x1 in values.into_iter().filter(|x| (0.0..=1.0).contains(x)) {
+        for x2 in values.into_iter().filter(|x| (0.0..=1.0).contains(x)) {
+            for (y1, y2) in values.iter().flat_map(|&a| values.map(|b| (a, b))) {
+                let ease = easing([x1, y1, x2, y2]);
+                for x in places {
+                    assert!(
+                        ease.eval(x).is_finite(),
+                        "({x1:e}, {y1:e}, {x2:e}, {y2:e}) at {x:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// js/easing.js must give the same bits: tests/js/easing.test.js has the same cases and the same sum.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_bits_as_in_javascript() {
+    let mut rng = Rng(95);
+    let mut sum = 0_u64;
+    for _ in 0..500 {
+        let handles = [
+            rng.unit(),
+            3.0 * rng.signed(),
+            rng.unit(),
+            3.0 * rng.signed(),
+        ];
+        let ease = easing(handles);
+        for _ in 0..8 {
+            sum = sum.rotate_left(7) ^ ease.eval(1.5 * rng.unit() - 0.25).to_bits();
+        }
+    }
+    for handles in KNOWN {
+        let ease = easing(handles);
+        for k in 0..64 {
+            sum = sum.rotate_left(7) ^ ease.eval(common::real(k) / 63.0).to_bits();
+        }
+    }
+    assert_eq!(sum, 0x5611_b466_7573_a859, "{sum:#x}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn refusals() {
+    for (k, what) in ["x1", "y1", "x2", "y2"].into_iter().enumerate() {
+        let bad: &[f64] = if k % 2 == 0 {
+            &[-0.1, 1.1, -5e-324, f64::NAN, f64::INFINITY]
+        } else {
+            &[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]
+        };
+        for &value in bad {
+            let mut handles = [0.5; 4];
+            handles[k] = value;
+            let [x1, y1, x2, y2] = handles;
+            let refused = Easing::new(x1, y1, x2, y2);
+            assert!(
+                matches!(refused, Err(Error::Range { what: name, .. }) if name == what),
+                "{what}"
+            );
+        }
+    }
+}
+
+/// A sum with a compensated reference of its own: the helper of this file against a value known in closed form.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_middle_of_the_steepest() {
+    // x = ½ + 4(t − ½)³ and y = ½ + 1.5(t − ½) − 2(t − ½)³: at x = ½ + 4·2⁻⁴⁸ t is ½ + 2⁻¹⁶.
+    let off = 2.0_f64.powi(-16);
+    let y = easing([1.0, 0.0, 0.0, 1.0]).eval(0.5 + 4.0 * off * off * off);
+    assert_eq!(y, exact::sum(&[0.5, 1.5 * off, -2.0 * off * off * off]));
+}

@@ -1,0 +1,26 @@
+//! Facts on joints, on splines of other kinds, on timing functions.
+
+use crate::fact::{Fact, number, numbers};
+use casteljau::{Easing, Spline};
+
+pub(crate) fn continuity(fact: &Fact) {
+    let spline = Spline::from_curves(&[fact.named("a"), fact.named("b")], false).expect("joined");
+    let found = spline.continuity(1, None).expect("a joint");
+    let of = |name: &str| fact.expect[name].as_bool();
+    let found = [
+        ("C0", found.c0),
+        ("G1", found.g1),
+        ("C1", found.c1),
+        ("C2", found.c2),
+    ];
+    found
+        .iter()
+        .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
+}
+
+/// A timing function; its x is right as well as its y.
+pub(crate) fn easing(fact: &Fact) {
+    let b = numbers(&fact.input["bezier"]);
+    let ease = Easing::new(b[0], b[1], b[2], b[3]).expect("handles in range");
+    fact.number(ease.eval(number(&fact.input["x"])), &fact.expect);
+}
