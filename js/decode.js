@@ -9,27 +9,32 @@
  * @returns {Uint8Array<ArrayBuffer>}
  */
 export function decode(text, alphabet, frequent, length) {
-  const rank = new Uint8Array(128);
-  for (let i = 0; i < alphabet.length; i++) rank[alphabet.charCodeAt(i)] = i;
-  const rest = otherBytes(frequent);
+  const { rank, value, rest } = tables(alphabet, frequent);
+  // The loop runs cold, so it is short, and reads bytes rather than characters.
+  const codes = new TextEncoder().encode(text);
   const bytes = new Uint8Array(length);
   for (let i = 0, k = 0; i < length; i++) {
-    const first = rank[text.charCodeAt(k++)];
-    bytes[i] =
-      first < frequent.length
-        ? frequent[first]
-        : rest[(first - frequent.length) * alphabet.length + rank[text.charCodeAt(k++)]];
+    const byte = value[codes[k++]];
+    bytes[i] = byte >= 0 ? byte : rest[~byte + rank[codes[k++]]];
   }
   return bytes;
 }
 
 /**
- * The byte values that are not frequent, in ascending order.
+ * For each character: its rank, and its byte where it is one; of a prefix the complement of the first place in `rest`
+ * that it leads to. `rest` are the byte values that take two characters, in ascending order.
  *
+ * @param {string} alphabet
  * @param {ArrayLike<number>} frequent
- * @returns {number[]}
  */
-function otherBytes(frequent) {
+function tables(alphabet, frequent) {
+  const [rank, value] = [new Uint8Array(128), new Int32Array(128)];
+  for (let i = 0; i < alphabet.length; i++) {
+    const code = alphabet.charCodeAt(i);
+    rank[code] = i;
+    value[code] = i < frequent.length ? frequent[i] : ~((i - frequent.length) * alphabet.length);
+  }
   const taken = new Set(Array.from(frequent));
-  return Array.from({ length: 256 }, (_, byte) => byte).filter((byte) => !taken.has(byte));
+  const rest = Array.from({ length: 256 }, (_, byte) => byte).filter((byte) => !taken.has(byte));
+  return { rank, value, rest };
 }
