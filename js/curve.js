@@ -1,5 +1,6 @@
 import * as check from "./check.js";
 import { core, cubicEval } from "./init.js";
+import { takeIntersections } from "./meetings.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
@@ -8,6 +9,7 @@ import { readTree } from "./subdivision.js";
 
 /**
  * @import { MatrixLike, PointsLike } from "./check.js"
+ * @import { Intersection } from "./meetings.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Subdivision } from "./subdivision.js"
@@ -386,6 +388,23 @@ export class Curve {
   hull() {
     this.#plane("hull");
     return take(0, core().curve_hull(this.#load()));
+  }
+
+  /**
+   * All places that this curve shares with another one, sorted by t, then by u; ends count. 2D only.
+   *
+   * @param {Curve} other
+   * @returns {Intersection[]}
+   * @throws {TypeError} for a curve of space
+   */
+  intersect(other) {
+    const o = asCurve(other);
+    this.#plane("intersect");
+    o.#plane("intersect");
+    const [mine, its] = [this.#flat, o.#flat];
+    const view = load(mine, its.length);
+    for (let i = 0; i < its.length; i++) view[mine.length + i] = its[i];
+    return takeIntersections(core().curve_intersect(mine.length / 2, its.length / 2));
   }
 
   /**

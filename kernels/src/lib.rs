@@ -8,6 +8,7 @@ mod curve;
 mod gauss;
 mod lattice;
 mod layout;
+mod meet;
 mod normals;
 mod positions;
 mod sample;
@@ -21,5 +22,6 @@ pub use lattice::{Cell, Lattice, first, pair, place, second, sort_distinct};
 pub use layout::{
     Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs, gather, whole_numbers,
 };
+pub use meet::{Contact, Meeting, Piece, Row, meet_cubics};
 pub use sample::{Sampler, Vector};
 pub use weights::{binomial, weights};

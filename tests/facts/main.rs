@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod fact;
+mod intersections;
 mod joined;
 
 use casteljau::Curve;
@@ -79,7 +80,7 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "extrema" => extrema(fact),
         "inflection" => inflections(fact),
         "circle" => circle(fact),
-        "intersect" | "line_intersect" => return meetings(fact),
+        "intersect" | "line_intersect" => intersections::meetings(fact),
         "selfintersect" => {
             let ts = numbers(&fact.expect["t"]);
             ts.iter()
@@ -212,23 +213,4 @@ fn circle(fact: &Fact) {
         errors.iter().copied().fold(0.0, f64::min),
         &fact.expect["min_radial_error"],
     );
-}
-
-/// Where two curves meet, both pass the point at their parameters. Finding it comes later.
-fn meetings(fact: &Fact) -> bool {
-    let (Some(t), Some(s)) = (
-        fact.expect.get("t"),
-        fact.expect.get("s").or(fact.expect.get("u")),
-    ) else {
-        return false;
-    };
-    let Some(points) = fact.expect.get("points").and_then(Value::as_array) else {
-        return false;
-    };
-    let (a, b) = (fact.named("a"), fact.named("b"));
-    for ((t, s), place) in numbers(t).into_iter().zip(numbers(s)).zip(points) {
-        fact.place(&a, t, place);
-        fact.place(&b, s, place);
-    }
-    true
 }

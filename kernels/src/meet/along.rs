@@ -1,0 +1,158 @@
+//! Two pieces that run in about the same direction, compared as graphs over that direction.
+//!
+//! Let x be measured along the direction and y across, and let both pieces span the same x. At equal parameters s the
+//! curve B is ahead of A by B_x − A_x, and its slope is between those of its control edges, so the height of A over B at
+//! the x of A(s) is (A_y − B_y) − slope · (A_x − B_x). With a mean slope that is a polynomial in s, bounded by its
+//! Bernstein coefficients; what remains is half the range of slopes times |A_x − B_x|, and both shrink as pieces get
+//! shorter. Where the whole height is rounding, the pieces are in contact; two curves that share a piece show it at once,
+//! since their parameters correspond.
+
+use super::cross::cross;
+use super::piece::{Piece, Row, range, time_at};
+use super::{Contact, Meeting};
+
+/// Heights up to so many times the slack count as contact where a piece cannot be thrown away. Above 1, so that halving
+/// ends.
+const CONTACT: f64 = 4.0;
+
+impl<R: Row> Meeting<R> {
+    /// Looks for contacts if the pieces run in about the same direction (or the opposite one), else returns false.
+    pub(super) fn run_along(&mut self, a: &Piece<R>, b: &Piece<R>) -> bool {
+        let Some((direction, forwards)) = common_direction(a, b, self.slack) else {
+            return false;
+        };
+        let b = if forwards { b.clone() } else { b.reversed() };
+        let (a, b) = (a.turned(direction), b.turned(direction));
+        let n = a.last();
+        let from = a.x.get()[0].max(b.x.get()[0]);
+        let to = a.x.get()[n].min(b.x.get()[n]);
+        if to < from - self.slack {
+            return true;
+        }
+        let to = to.max(from);
+        let common = |p: &Piece<R>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
+        self.matched(&common(&a), &common(&b));
+        true
+    }
+
+    /// Two pieces that span the same x.
+    fn matched(&mut self, a: &Piece<R>, b: &Piece<R>) {
+        if self.budget == 0 {
+            return self.note(a, b);
+        }
+        self.budget -= 1;
+        let (slopes_a, slopes_b) = (slopes(a), slopes(b));
+        let heights = heights(a, b, slopes_a, slopes_b);
+        let (least, most) = (heights.least, heights.most);
+        if least > self.slack || most < -self.slack {
+            return;
+        }
+        let contact = CONTACT * self.slack;
+        if most <= contact && least >= -contact {
+            return self.note(a, b);
+        }
+        let one_crossing = slopes_a.0 > slopes_b.1 || slopes_a.1 < slopes_b.0;
+        if one_crossing && self.monotone(a, b, &heights) {
+            return;
+        }
+        let (before_a, after_a) = a.split(0.5);
+        let x = after_a.x.get()[0];
+        let (before_b, after_b) = b.split(time_at(b.x.get(), x));
+        self.matched(&before_a, &before_b);
+        self.matched(&after_a, &after_b);
+    }
+
+    /// Two pieces whose height difference grows all the way or falls all the way; false where it is not clear.
+    fn monotone(&mut self, a: &Piece<R>, b: &Piece<R>, heights: &Heights) -> bool {
+        let (start, end) = (heights.start, heights.end);
+        if start * end < 0.0 {
+            let s = start / (start - end);
+            let found = self.newton(a, b, s, s);
+            found.is_some_and(|contact| {
+                self.found.push(contact);
+                true
+            })
+        } else {
+            if start.abs().min(end.abs()) <= self.slack {
+                let s = if start.abs() <= end.abs() { 0.0 } else { 1.0 };
+                let (t, u) = (a.at(s), b.at(s));
+                self.found.push(Contact {
+                    t: [t, t],
+                    u: [u, u],
+                    crossing: false,
+                });
+            }
+            true
+        }
+    }
+}
+
+/// A unit vector from which no control edge of either piece turns away by more than 45°, those of `b` being reversed if
+/// the second value is false.
+fn common_direction<R: Row>(a: &Piece<R>, b: &Piece<R>, slack: f64) -> Option<([f64; 2], bool)> {
+    let (unit_a, unit_b) = (unit(a.chord())?, unit(b.chord())?);
+    let forwards = unit_a[0] * unit_b[0] + unit_a[1] * unit_b[1] >= 0.0;
+    let sign = if forwards { 1.0 } else { -1.0 };
+    let direction = unit([unit_a[0] + sign * unit_b[0], unit_a[1] + sign * unit_b[1]])?;
+    let keeps = |p: &Piece<R>, sign: f64| {
+        (0..p.last()).all(|i| {
+            let [x, y] = p.edge(i);
+            let forward = sign * (x * direction[0] + y * direction[1]);
+            forward >= cross(direction, [x, y]).abs() || x.abs().max(y.abs()) <= slack
+        })
+    };
+    (keeps(a, 1.0) && keeps(b, sign)).then_some((direction, forwards))
+}
+
+fn unit([x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    let length = (x * x + y * y).sqrt();
+    (length > 0.0).then(|| [x / length, y / length])
+}
+
+/// The least and the greatest slope of the control edges, between which those of the curve are.
+#[inline(always)]
+fn slopes<R: Row>(p: &Piece<R>) -> (f64, f64) {
+    let edges = (0..p.last()).map(|i| p.edge(i));
+    let (least, most) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
+    // All edges without an extent: as good as level.
+    if least > most {
+        (0.0, 0.0)
+    } else {
+        (least, most)
+    }
+}
+
+/// The height of one piece over the other: bounds, and the values at the two ends.
+struct Heights {
+    least: f64,
+    most: f64,
+    start: f64,
+    end: f64,
+}
+
+#[inline(always)]
+fn heights<R: Row>(a: &Piece<R>, b: &Piece<R>, sa: (f64, f64), sb: (f64, f64)) -> Heights {
+    // Either curve may be the one over whose slopes the other is moved: the straighter one bounds better.
+    let (low, high) = if sa.1 - sa.0 < sb.1 - sb.0 { sa } else { sb };
+    let (mean, spread) = (0.5 * (low + high), 0.5 * (high - low));
+    let mut ahead = 0.0;
+    let n = a.last();
+    let height = |i: usize| {
+        let ([ax, ay], [bx, by]) = (a.point(i), b.point(i));
+        (ay - by) - mean * (ax - bx)
+    };
+    for i in 0..=n {
+        let difference = (a.x.get()[i] - b.x.get()[i]).abs();
+        if difference > ahead {
+            ahead = difference;
+        }
+    }
+    let (least, most) = range((0..=n).map(height));
+    let margin = spread * ahead;
+    Heights {
+        least: least - margin,
+        most: most + margin,
+        start: height(0),
+        end: height(n),
+    }
+}

@@ -1,0 +1,78 @@
+//! What of a curve can meet another one?
+
+use super::piece::{Piece, Row, range};
+
+/// Cuts from `b` what is outside the strip of lines parallel to the chord of `a` that holds `a`, and returns how much of
+/// it is left, 1 for all; `None` where nothing is left.
+#[inline(always)]
+pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option<f64> {
+    let n = a.last();
+    let [x0, y0] = a.point(0);
+    let [mut dx, mut dy] = a.chord();
+    if dx == 0.0 && dy == 0.0 {
+        // A closed piece: any direction will do; that of the first edge is likely to be a good one.
+        [dx, dy] = a.edge(0);
+        if dx == 0.0 && dy == 0.0 {
+            dx = 1.0;
+        }
+    }
+    let side = |[x, y]: [f64; 2]| dx * (y - y0) - dy * (x - x0);
+    let (least, most) = range((0..=n).map(|i| side(a.point(i))));
+    let margin = slack * (dx.abs() + dy.abs());
+    let mut sides = b.x.clone();
+    let (bx, by) = (b.x.get(), b.y.get());
+    for (i, s) in sides.get_mut().iter_mut().enumerate() {
+        *s = side([bx[i], by[i]]);
+    }
+    let (lo, hi) = inside(sides.get(), least - margin, most + margin)?;
+    let left = hi - lo;
+    if left <= super::WORTH_CLIPPING {
+        *b = b.between(lo, hi);
+    }
+    Some(left)
+}
+
+/// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights.
+#[inline(always)]
+fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
+    let (least, most) = range(row.iter().copied());
+    if most < low || least > high {
+        return None;
+    }
+    let n = row.len() - 1;
+    let (mut lo, mut hi) = (0.0, 1.0);
+    if row[0] < low {
+        lo = entry(n, |i| row[i] - low);
+    } else if row[0] > high {
+        lo = entry(n, |i| high - row[i]);
+    }
+    if row[n] < low {
+        hi = 1.0 - entry(n, |i| row[n - i] - low);
+    } else if row[n] > high {
+        hi = 1.0 - entry(n, |i| high - row[n - i]);
+    }
+    // Rounding may turn a single parameter around.
+    Some((lo, if hi < lo { lo } else { hi }))
+}
+
+/// The first parameter where the hull of points that starts below 0 gets to 0.
+#[inline(always)]
+fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
+    let mut first = n as f64;
+    for j in 1..=n {
+        let above = height(j);
+        if above < 0.0 {
+            continue;
+        }
+        for i in 0..j {
+            let below = height(i);
+            if below < 0.0 {
+                let at = i as f64 + (j - i) as f64 * (below / (below - above));
+                if at < first {
+                    first = at;
+                }
+            }
+        }
+    }
+    first / n as f64
+}

@@ -1,0 +1,109 @@
+//! Two pieces that meet at most once, and where.
+
+use super::piece::{Piece, Row};
+use super::{Contact, Meeting};
+
+pub(super) enum Crossing {
+    /// They meet once, here.
+    Found(Contact),
+    /// They meet once or not at all, and it is not clear yet.
+    Unclear,
+    /// They may meet more than once.
+    Many,
+}
+
+/// Newton's method doubles the digits with each step; what takes longer is not where it is looked for.
+const NEWTON_STEPS: usize = 8;
+
+/// So far out of its piece, in parameters of the piece, a search is given up.
+const ASTRAY: f64 = 0.5;
+
+#[inline(always)]
+pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
+    ax * by - ay * bx
+}
+
+/// Whether A′ × B′ keeps its sign for all pairs of parameters: its Bernstein coefficients are the cross products of the
+/// control edges. Then A(t) − B(u) = 0 has at most one solution, for between two of them A and B would have to
+/// advance by the same vector.
+#[inline(always)]
+fn keeps_turning_one_way<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
+    let (mut left, mut right) = (false, false);
+    for i in 0..a.last() {
+        let edge = a.edge(i);
+        for j in 0..b.last() {
+            let turn = cross(edge, b.edge(j));
+            left |= turn > 0.0;
+            right |= turn < 0.0;
+        }
+    }
+    left != right
+}
+
+impl<R: Row> Meeting<R> {
+    #[inline(always)]
+    pub(super) fn crossing(&self, a: &Piece<R>, b: &Piece<R>) -> Crossing {
+        if !keeps_turning_one_way(a, b) {
+            return Crossing::Many;
+        }
+        self.newton(a, b, 0.5, 0.5)
+            .map_or(Crossing::Unclear, Crossing::Found)
+    }
+
+    /// The crossing of two pieces that meet at most once, where Newton's method finds it.
+    #[inline(always)]
+    pub(super) fn newton(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
+        let (mut s, mut r) = (s, r);
+        for _ in 0..NEWTON_STEPS {
+            let (step_s, step_r) = step(a, b, s, r)?;
+            (s, r) = (s + step_s, r + step_r);
+            if !(s > -ASTRAY && s < 1.0 + ASTRAY && r > -ASTRAY && r < 1.0 + ASTRAY) {
+                return None;
+            }
+            if step_s.abs() + step_r.abs() < 1e-9 {
+                return self.settled(a, b, s, r);
+            }
+        }
+        None
+    }
+
+    /// A solution that Newton's method has found is one where it is in both pieces, but for rounding.
+    #[inline(always)]
+    fn settled(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
+        let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
+        let inside = s == s.clamp(0.0, 1.0) && r == r.clamp(0.0, 1.0);
+        let [whole_a, whole_b] = &self.whole;
+        if inside {
+            // The numbers of the whole curve have not been rounded as often.
+            if let Some((dt, du)) = step(whole_a, whole_b, t, u)
+                && dt.abs() + du.abs() < 1e-6
+            {
+                (t, u) = ((t + dt).clamp(0.0, 1.0), (u + du).clamp(0.0, 1.0));
+            }
+        } else if apart(whole_a, whole_b, t, u) > self.slack {
+            return None;
+        }
+        Some(Contact {
+            t: [t, t],
+            u: [u, u],
+            crossing: true,
+        })
+    }
+}
+
+/// The step of Newton's method for A(s) = B(r).
+#[inline(always)]
+pub(super) fn step<R: Row>(a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<(f64, f64)> {
+    let ([ax, ay], da) = a.taylor(s);
+    let ([bx, by], db) = b.taylor(r);
+    let turn = cross(da, db);
+    let gap = [bx - ax, by - ay];
+    let steps = (cross(gap, db) / turn, cross(gap, da) / turn);
+    (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
+}
+
+/// The distance between two points of the curves, by the larger coordinate.
+pub(super) fn apart<R: Row>(a: &Piece<R>, b: &Piece<R>, t: f64, u: f64) -> f64 {
+    let ([ax, ay], [bx, by]) = (a.taylor(t).0, b.taylor(u).0);
+    (ax - bx).abs().max((ay - by).abs())
+}

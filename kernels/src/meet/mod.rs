@@ -1,0 +1,133 @@
+//! Where two plane curves meet.
+//!
+//! Pairs of pieces are cut down until each holds one crossing for sure, or runs along the other one. [`clip`] throws away
+//! what cannot meet: a curve lies between two lines parallel to its chord, so the other one matters only where it
+//! is between them too. Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990).
+//! [`cross`] sees that two pieces meet at most once, and finds where. [`along`] compares two pieces that run in about the
+//! same direction as graphs over that direction; it serves tangencies of any order and shared pieces.
+
+mod along;
+mod clip;
+mod cross;
+mod piece;
+
+pub use piece::{Piece, Row};
+
+use clip::clip;
+use cross::Crossing;
+
+/// Where two curves are as close as rounding can tell: the parameters t₀ ≤ t₁ on the first and, at the same places, u₀
+/// and u₁ on the second. A crossing has t₀ = t₁ and u₀ = u₁.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// First parameter on the first curve.
+    pub t: [f64; 2],
+    /// The same places on the second curve.
+    pub u: [f64; 2],
+    /// Whether the two curves surely cross here, at an angle.
+    pub crossing: bool,
+}
+
+/// A clip that leaves more than this is not worth another one: then a piece is halved. Source: Sederberg and Nishita.
+const WORTH_CLIPPING: f64 = 0.8;
+
+/// The search, with what it has found.
+pub struct Meeting<R> {
+    /// The whole curves.
+    pub(crate) whole: [Piece<R>; 2],
+    /// Closer than this is a contact: what rounding may have moved.
+    pub(crate) slack: f64,
+    /// The most pairs of pieces that are looked at, so that any input ends.
+    pub(crate) budget: usize,
+    /// The contacts, in no order.
+    pub found: Vec<Contact>,
+}
+
+impl<R: Row> Meeting<R> {
+    /// Two curves whose coordinates are at most about 1, and the distance that counts as none.
+    pub fn new(a: Piece<R>, b: Piece<R>, slack: f64, budget: usize) -> Self {
+        Self {
+            whole: [a, b],
+            slack,
+            budget,
+            found: Vec::new(),
+        }
+    }
+
+    /// Looks for all contacts of the two curves.
+    #[inline(always)]
+    pub fn run(&mut self) {
+        let [a, b] = self.whole.clone();
+        self.pair(a, b);
+    }
+
+    /// How many pairs of pieces were not needed.
+    pub fn unused(&self) -> usize {
+        self.budget
+    }
+
+    fn pair(&mut self, mut a: Piece<R>, mut b: Piece<R>) {
+        loop {
+            if self.budget == 0 {
+                return self.note(&a, &b);
+            }
+            self.budget -= 1;
+            let Some(left_b) = clip(&a, &mut b, self.slack) else {
+                return;
+            };
+            let Some(left_a) = clip(&b, &mut a, self.slack) else {
+                return;
+            };
+            match self.crossing(&a, &b) {
+                Crossing::Found(contact) => return self.found.push(contact),
+                Crossing::Many if self.run_along(&a, &b) => return,
+                _ => {}
+            }
+            if left_a > WORTH_CLIPPING && left_b > WORTH_CLIPPING {
+                return self.halve(&a, &b);
+            }
+        }
+    }
+
+    /// Goes on with the halves of the longer piece; two pieces without an extent are a contact.
+    fn halve(&mut self, a: &Piece<R>, b: &Piece<R>) {
+        let (size_a, size_b) = (a.extent(), b.extent());
+        if size_a <= self.slack && size_b <= self.slack {
+            self.note(a, b);
+        } else if size_a > size_b {
+            let (before, after) = a.split(0.5);
+            self.pair(before, b.clone());
+            self.pair(after, b.clone());
+        } else {
+            let (before, after) = b.split(0.5);
+            self.pair(a.clone(), before);
+            self.pair(a.clone(), after);
+        }
+    }
+
+    /// Notes that two whole pieces are in contact.
+    fn note(&mut self, a: &Piece<R>, b: &Piece<R>) {
+        let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
+        if t[0] > t[1] {
+            t.swap(0, 1);
+            u.swap(0, 1);
+        }
+        self.found.push(Contact {
+            t,
+            u,
+            crossing: false,
+        });
+    }
+}
+
+/// The contacts of two cubics; see [`Meeting`].
+pub fn meet_cubics(
+    a: Piece<[f64; 4]>,
+    b: Piece<[f64; 4]>,
+    slack: f64,
+    budget: usize,
+) -> Meeting<[f64; 4]> {
+    let mut meeting = Meeting::new(a, b, slack, budget);
+    meeting.run();
+    meeting
+}

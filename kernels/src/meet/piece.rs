@@ -1,0 +1,251 @@
+//! A piece of a curve, and what is asked of one coordinate of it.
+
+/// The Bernstein coefficients of one coordinate: an array where the degree is known, a vector where it is not.
+pub trait Row: Clone {
+    /// The coefficients.
+    fn get(&self) -> &[f64];
+    /// The coefficients, to be changed.
+    fn get_mut(&mut self) -> &mut [f64];
+}
+
+impl Row for [f64; 4] {
+    #[inline(always)]
+    fn get(&self) -> &[f64] {
+        self
+    }
+    #[inline(always)]
+    fn get_mut(&mut self) -> &mut [f64] {
+        self
+    }
+}
+
+impl Row for Vec<f64> {
+    fn get(&self) -> &[f64] {
+        self
+    }
+    fn get_mut(&mut self) -> &mut [f64] {
+        self
+    }
+}
+
+/// The piece of a plane curve between two of its parameters; `from` > `to` where it runs backwards.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<R> {
+    /// The x of the control points.
+    pub x: R,
+    /// Their y.
+    pub y: R,
+    /// The curve's parameter at the start of the piece.
+    pub from: f64,
+    /// The curve's parameter at its end.
+    pub to: f64,
+}
+
+impl<R: Row> Piece<R> {
+    /// The degree.
+    #[inline(always)]
+    pub(super) fn last(&self) -> usize {
+        self.x.get().len() - 1
+    }
+
+    /// The curve's parameter at the piece's parameter; the ends exactly.
+    #[inline(always)]
+    pub(super) fn at(&self, s: f64) -> f64 {
+        if s == 1.0 {
+            self.to
+        } else {
+            self.from + s * (self.to - self.from)
+        }
+    }
+
+    /// Control point i.
+    #[inline(always)]
+    pub(super) fn point(&self, i: usize) -> [f64; 2] {
+        [self.x.get()[i], self.y.get()[i]]
+    }
+
+    /// The vector from control point i to the next.
+    #[inline(always)]
+    pub(super) fn edge(&self, i: usize) -> [f64; 2] {
+        let (x, y) = (self.x.get(), self.y.get());
+        [x[i + 1] - x[i], y[i + 1] - y[i]]
+    }
+
+    /// The vector from the start to the end.
+    #[inline(always)]
+    pub(super) fn chord(&self) -> [f64; 2] {
+        let (x, y, n) = (self.x.get(), self.y.get(), self.last());
+        [x[n] - x[0], y[n] - y[0]]
+    }
+
+    /// The larger side of the box of the control points.
+    pub(super) fn extent(&self) -> f64 {
+        let spread = |row: &[f64]| {
+            let (least, most) = range(row.iter().copied());
+            most - least
+        };
+        spread(self.x.get()).max(spread(self.y.get()))
+    }
+
+    /// The point and the derivative at s.
+    #[inline(always)]
+    pub(super) fn taylor(&self, s: f64) -> ([f64; 2], [f64; 2]) {
+        let (x, dx) = value_and_slope(self.x.get(), s);
+        let (y, dy) = value_and_slope(self.y.get(), s);
+        ([x, y], [dx, dy])
+    }
+
+    /// The piece between two parameters of this one, s₀ ≤ s₁.
+    #[inline]
+    pub(super) fn between(&self, s0: f64, s1: f64) -> Self {
+        let mut piece = self.clone();
+        for row in [piece.x.get_mut(), piece.y.get_mut()] {
+            if s0 > 0.0 {
+                keep_after(row, s0);
+            }
+            if s1 < 1.0 {
+                keep_before(
+                    row,
+                    if s0 < 1.0 {
+                        (s1 - s0) / (1.0 - s0)
+                    } else {
+                        0.0
+                    },
+                );
+            }
+        }
+        (piece.from, piece.to) = (self.at(s0), self.at(s1));
+        piece
+    }
+
+    /// The pieces before and after s.
+    pub(super) fn split(&self, s: f64) -> (Self, Self) {
+        let (mut left, mut right) = (self.clone(), self.clone());
+        left.to = self.at(s);
+        right.from = left.to;
+        split(left.x.get_mut(), right.x.get_mut(), s);
+        split(left.y.get_mut(), right.y.get_mut(), s);
+        (left, right)
+    }
+
+    /// The same piece run through backwards.
+    pub(super) fn reversed(&self) -> Self {
+        let mut piece = self.clone();
+        piece.x.get_mut().reverse();
+        piece.y.get_mut().reverse();
+        (piece.from, piece.to) = (self.to, self.from);
+        piece
+    }
+
+    /// The piece in axes along a unit vector and across it.
+    pub(super) fn turned(&self, [dx, dy]: [f64; 2]) -> Self {
+        let mut piece = self.clone();
+        let both = piece.x.get_mut().iter_mut().zip(piece.y.get_mut());
+        both.for_each(|(x, y)| (*x, *y) = (dx * *x + dy * *y, dx * *y - dy * *x));
+        piece
+    }
+}
+
+/// The least and the greatest of some numbers.
+#[inline(always)]
+pub(super) fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    numbers.fold(start, |(least, most), v| {
+        // Comparisons, not `min`, which would look for NaN.
+        (
+            if v < least { v } else { least },
+            if v > most { v } else { most },
+        )
+    })
+}
+
+/// The value and the derivative at s of a polynomial in Bernstein form.
+#[inline(always)]
+pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
+    if let [a, b, c, d] = *row {
+        let r = 1.0 - s;
+        let (ab, bc, cd) = (a * r + b * s, b * r + c * s, c * r + d * s);
+        let (abc, bcd) = (ab * r + bc * s, bc * r + cd * s);
+        return (abc * r + bcd * s, 3.0 * (bcd - abc));
+    }
+    let (before, after) = last_two(row, s);
+    let n = (row.len() - 1) as f64;
+    (before * (1.0 - s) + after * s, n * (after - before))
+}
+
+/// The last two numbers of de Casteljau's triangle.
+fn last_two(row: &[f64], s: f64) -> (f64, f64) {
+    let mut level = [0.0; 65];
+    let count = row.len();
+    level[..count].copy_from_slice(row);
+    for last in (2..count).rev() {
+        for i in 0..last {
+            level[i] = level[i] * (1.0 - s) + level[i + 1] * s;
+        }
+    }
+    (level[0], level[1])
+}
+
+#[inline(always)]
+fn keep_after(row: &mut [f64], t: f64) {
+    for level in 1..row.len() {
+        for i in 0..row.len() - level {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+}
+
+#[inline(always)]
+fn keep_before(row: &mut [f64], t: f64) {
+    for level in 1..row.len() {
+        for i in (level..row.len()).rev() {
+            row[i] = row[i - 1] * (1.0 - t) + row[i] * t;
+        }
+    }
+}
+
+/// Both rows are the whole before, and its pieces before and after s afterwards.
+#[inline(always)]
+fn split(left: &mut [f64], right: &mut [f64], s: f64) {
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 1..right.len() - level {
+            right[i - 1] = right[i - 1] * (1.0 - s) + right[i] * s;
+        }
+    }
+}
+
+/// Where a coordinate that does not fall takes a value between those of its ends.
+pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
+    let n = row.len() - 1;
+    if value <= row[0] {
+        return 0.0;
+    }
+    if value >= row[n] {
+        return 1.0;
+    }
+    let (mut lo, mut hi) = (0.0, 1.0);
+    let mut s = (value - row[0]) / (row[n] - row[0]);
+    for _ in 0..80 {
+        let (v, slope) = value_and_slope(row, s);
+        if v == value {
+            break;
+        }
+        if v < value {
+            lo = s
+        } else {
+            hi = s
+        }
+        let newton = s - (v - value) / slope;
+        let next = if newton > lo && newton < hi {
+            newton
+        } else {
+            0.5 * (lo + hi)
+        };
+        if (next - s).abs() <= f64::EPSILON * s {
+            return next;
+        }
+        s = next;
+    }
+    s
+}

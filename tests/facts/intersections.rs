@@ -1,0 +1,65 @@
+//! Where curves meet: every fact through the public methods.
+
+use crate::common::{curve, largest};
+use crate::fact::{Fact, numbers, point};
+use casteljau::Curve;
+use casteljau::curve::{Contact, Intersection};
+use casteljau::glam::DVec2;
+use serde_json::Value;
+
+fn named(fact: &Fact, name: &str) -> Curve<DVec2> {
+    curve(&fact.points(name))
+}
+
+/// `intersect` and `line_intersect`: the same places, kinds included; nothing else, nothing twice.
+pub(crate) fn meetings(fact: &Fact) {
+    let (a, b) = (named(fact, "a"), named(fact, "b"));
+    let found = a.intersect(&b);
+    if fact.expect.get("overlap").is_some() {
+        let whole = matches!(
+            found[..],
+            [Intersection {
+                kind: Contact::Overlap { .. },
+                ..
+            }]
+        );
+        return assert!(whole, "{}: {found:?}", fact.id);
+    }
+    let Some(t) = fact
+        .expect
+        .get("t")
+        .filter(|_| fact.expect.get("count").is_some())
+    else {
+        // A gap of two roundings: either answer will do.
+        return assert!(found.len() <= 1, "{}: {found:?}", fact.id);
+    };
+    let (t, s) = (numbers(t), numbers(&fact.expect["s"]));
+    assert_eq!(found.len(), t.len(), "{}: {found:?}", fact.id);
+    for (k, place) in found.iter().enumerate() {
+        let wrong = (place.t - t[k]).abs().max((place.u - s[k]).abs());
+        assert!(
+            wrong <= fact.tolerance,
+            "{}: {place:?}, expected {} {}",
+            fact.id,
+            t[k],
+            s[k]
+        );
+        let at = point(&fact.expect["points"][k]).truncate();
+        let size = largest(a.control_points());
+        assert!(
+            (place.point - at).length() <= fact.tolerance * size.max(1.0),
+            "{}: {place:?}",
+            fact.id
+        );
+        let tangent = fact
+            .expect
+            .get("tangent")
+            .is_some_and(|list| list[k] == Value::Bool(true));
+        assert_eq!(
+            place.kind == Contact::Tangent,
+            tangent,
+            "{}: {place:?}",
+            fact.id
+        );
+    }
+}
