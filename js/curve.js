@@ -4,6 +4,7 @@ import { takeIntersections } from "./meetings.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
+import { curveLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
@@ -238,6 +239,28 @@ export class Curve {
   curvature(t) {
     check.finite(t, "t");
     return core().curve_curvature(this.#dimension, this.#load(), t);
+  }
+
+  /**
+   * The length ∫ |B′(t)| dt, right to 10⁻¹² of itself unless a tolerance allows more.
+   *
+   * @param {number} [tolerance] the greatest error, in the unit of the points
+   * @returns {number} 0 for a point
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  length(tolerance) {
+    return curveLength(this.#flat, this.#dimension, tolerance);
+  }
+
+  /**
+   * The signed area ½ ∫ (x dy − y dx) that the segment from the origin to the curve's point sweeps, positive while it
+   * turns counter-clockwise (x right, y up). Areas of curves that follow each other add up. 2D only.
+   *
+   * @returns {number}
+   */
+  area() {
+    this.#plane("area");
+    return core().curve_area(this.#load());
   }
 
   /**

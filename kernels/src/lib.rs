@@ -8,20 +8,24 @@ mod curve;
 mod gauss;
 mod lattice;
 mod layout;
+mod length;
 mod meet;
 mod normals;
 mod positions;
 mod sample;
+mod speed;
 mod weights;
 
 pub use bend::{BEND_SLACK, Bends, Sizes};
 pub use bicubic::BicubicGrid;
 pub use curve::sample_plane_cubic;
-pub use gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32};
+pub use gauss::{GAUSS_8, GAUSS_16, GAUSS_32, Rule};
 pub use lattice::{Cell, Lattice, first, pair, place, second, sort_distinct};
 pub use layout::{
     Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs, gather, whole_numbers,
 };
+pub use length::plane_cubic_length;
 pub use meet::{Contact, Meeting, Piece, Row, meet_cubics};
 pub use sample::{Sampler, Vector};
+pub use speed::speed_integral;
 pub use weights::{binomial, weights};

@@ -3,6 +3,7 @@
 //! Each file answers one question: where is the point ([`eval`](Curve::eval)), which way does it go
 //! ([`tangent`](Curve::tangent)), which polyline is close enough ([`flatten`](Curve::flatten)) …
 
+mod arc;
 mod area;
 mod basis;
 mod bernstein;
@@ -15,6 +16,7 @@ mod flatten;
 mod flatten_any;
 mod hull;
 mod intersect;
+mod length;
 mod moments;
 pub(crate) mod roots;
 mod subdivide;
@@ -36,7 +38,7 @@ pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use flatten::MAX_VERTICES;
 #[cfg(feature = "wasm")]
-pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
+pub(crate) use {casteljau::split_numbers, eval::cubic_scalar, length::plane_cubic_length};
 
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;

@@ -86,22 +86,25 @@ pub(crate) fn moments(points: &[DVec2]) -> Moments {
 
 /// Nodes and weights on [0, 1] of a rule of at least `count` points.
 fn for_each_node(count: usize, mut visit: impl FnMut(f64, f64)) {
-    let mut pairs = |rule: &[[f64; 2]]| {
-        for &[z, weight] in rule {
+    let mut pairs = |nodes: &[f64], weights: &[f64]| {
+        for (z, weight) in nodes.iter().zip(weights) {
             visit(0.5 - 0.5 * z, 0.5 * weight);
             visit(0.5 + 0.5 * z, 0.5 * weight);
         }
     };
     match count {
-        0..=8 => pairs(&GAUSS_8),
-        9..=16 => pairs(&GAUSS_16),
-        17..=32 => pairs(&GAUSS_32),
-        _ => pairs(&computed_rule(count + count % 2)),
+        0..=8 => pairs(&GAUSS_8.nodes, &GAUSS_8.weights),
+        9..=16 => pairs(&GAUSS_16.nodes, &GAUSS_16.weights),
+        17..=32 => pairs(&GAUSS_32.nodes, &GAUSS_32.weights),
+        _ => {
+            let (nodes, weights) = computed_rule(count);
+            pairs(&nodes, &weights);
+        }
     }
 }
 
-/// The positive half of an even rule: Newton's method on the Legendre polynomial from Tricomi's first guess.
-fn computed_rule(count: usize) -> Vec<[f64; 2]> {
+/// The positive half of a rule of an even count: Newton's method on the Legendre polynomial from Tricomi's first guess.
+fn computed_rule(count: usize) -> (Vec<f64>, Vec<f64>) {
     let n = count as f64;
     (1..=count / 2)
         .map(|i| {
@@ -112,9 +115,9 @@ fn computed_rule(count: usize) -> Vec<[f64; 2]> {
                 slope = derivative;
                 z -= value / derivative;
             }
-            [z, 2.0 / ((1.0 - z * z) * slope * slope)]
+            (z, 2.0 / ((1.0 - z * z) * slope * slope))
         })
-        .collect()
+        .unzip()
 }
 
 /// Pₙ(z) and Pₙ′(z) by the recurrence of three terms.

@@ -18,6 +18,7 @@ mod alone;
 mod arena;
 mod curve;
 mod lines;
+mod measure;
 mod meetings;
 mod mesh;
 mod pen;

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
 pub(crate) mod exact;
+pub(crate) mod integral;
 pub(crate) mod measure;
 pub(crate) mod wild;
 

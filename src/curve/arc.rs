@@ -1,0 +1,164 @@
+//! The arc of a curve of any degree: its length up to t, and the t of a length.
+
+use super::{Points, evaluate, max_abs};
+use crate::point::Point;
+use casteljau_kernels::{binomial, speed_integral};
+use glam::DVec3;
+
+/// The error that is aimed at without a tolerance, as a part of the length; 10⁻¹² is promised.
+const DEFAULT_PART: f64 = 1e-13;
+
+/// More halvings than f64 can tell apart.
+const MOST_CUTS: usize = 56;
+
+/// More pieces than any curve needs; past them the rest is taken as it is.
+const MOST_PIECES: usize = 1 << 14;
+
+/// A cut is moved to the least speed where that is this far from both ends, as a part of the interval.
+const OFF_THE_ENDS: f64 = 0.03;
+
+/// Between the end of an interval and its rule's first node; a little more. There a hook could hide.
+const BEFORE_FIRST_NODE: f64 = 0.006;
+
+/// Of the angle, 25°, by which the direction may turn there.
+const SHARP_COSINE: f64 = 0.9;
+
+/// A piece that one rule integrates: where it ends, and the length up to there.
+#[derive(Clone, Copy)]
+struct Piece {
+    #[allow(dead_code, reason = "the way back, from lengths to t, is next")]
+    t: f64,
+    length: f64,
+}
+
+/// The speed of a curve, in space, cut into pieces that one rule integrates well.
+pub(crate) struct Arc {
+    slopes: Points<DVec3>,
+    /// `slopes` times their binomials.
+    weighted: Points<DVec3>,
+    pieces: Vec<Piece>,
+    tolerance: f64,
+    /// What rounding may do to an integral over [0, 1].
+    noise: f64,
+}
+
+impl Arc {
+    /// From the differences of control points, of moderate size and not all zero.
+    pub(crate) fn new<P: Point>(slopes: &[P], tolerance: Option<f64>) -> Self {
+        let degree = slopes.len() as f64;
+        let slopes: Points<DVec3> = slopes.iter().map(|p| p.in_space() * degree).collect();
+        let last = slopes.len() - 1;
+        let weighted = slopes.iter().enumerate();
+        let mut arc = Self {
+            weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
+            pieces: Vec::new(),
+            tolerance: 0.0,
+            noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
+            slopes,
+        };
+        let whole = arc.between(0.0, 1.0);
+        arc.tolerance = tolerance.unwrap_or(0.0).max(DEFAULT_PART * whole) / 8.0;
+        arc.refine(0.0, 1.0, whole, 0);
+        arc
+    }
+
+    /// The whole length.
+    pub(crate) fn length(&self) -> f64 {
+        self.pieces.last().map_or(0.0, |piece| piece.length)
+    }
+
+    /// ∫ |B′| from `lo` to `hi`, by one rule.
+    fn between(&self, lo: f64, hi: f64) -> f64 {
+        speed_integral(bytemuck::cast_slice(&self.weighted), lo, hi)
+    }
+
+    /// Cuts an interval until both parts together agree with the whole: then each of them is good.
+    fn refine(&mut self, lo: f64, hi: f64, whole: f64, depth: usize) {
+        let cut = self.place_of_cut(lo, hi, depth);
+        let (left, right) = (self.between(lo, cut), self.between(cut, hi));
+        let off = (left + right - whole).abs();
+        let good = depth >= self.least_depth()
+            && off <= self.tolerance.max(self.noise * (hi - lo))
+            && !self.turns_near(lo, cut)
+            && !self.turns_near(hi, cut);
+        if good || depth >= MOST_CUTS || self.pieces.len() >= MOST_PIECES {
+            self.push(cut, left);
+            self.push(hi, right);
+        } else {
+            self.refine(lo, cut, left, depth + 1);
+            self.refine(cut, hi, right, depth + 1);
+        }
+    }
+
+    /// High degrees may hide a wave between the nodes of the first rules.
+    fn least_depth(&self) -> usize {
+        self.slopes.len() / 16
+    }
+
+    /// Whether the curve turns so sharply near an end that neither rule has seen it.
+    fn turns_near(&self, end: f64, cut: f64) -> bool {
+        let way = BEFORE_FIRST_NODE * (cut - end);
+        let (at, inside) = (
+            evaluate(&self.slopes, end),
+            evaluate(&self.slopes, end + way),
+        );
+        at.dot(inside) < SHARP_COSINE * at.length() * inside.length()
+            && at.length() * way.abs() > self.tolerance
+    }
+
+    fn push(&mut self, t: f64, length: f64) {
+        let before = self.length();
+        self.pieces.push(Piece {
+            t,
+            length: before + length,
+        });
+    }
+
+    /// The middle; once that did not help, the least speed inside.
+    fn place_of_cut(&self, lo: f64, hi: f64, depth: usize) -> f64 {
+        let middle = 0.5 * (lo + hi);
+        if depth < 2 {
+            return middle;
+        }
+        let least = self.least_speed(lo, hi);
+        let margin = OFF_THE_ENDS * (hi - lo);
+        if least > lo + margin && least < hi - margin {
+            least
+        } else {
+            middle
+        }
+    }
+
+    /// Where the speed has a minimum inside, by regula falsi (Illinois) on B′·B″; else an end.
+    fn least_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
+        let bend: Points<DVec3> = self
+            .slopes
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect();
+        let growth = |t: f64| evaluate(&self.slopes, t).dot(evaluate(&bend, t));
+        let (mut before, mut after) = (growth(lo), growth(hi));
+        if !(before < 0.0 && after > 0.0) {
+            return lo;
+        }
+        let (mut t, mut side) = (lo, 0.0);
+        for _ in 0..40 {
+            let next = (lo + (hi - lo) * (before / (before - after))).clamp(lo, hi);
+            if (next - t).abs() <= 1e-10 * (hi - lo) {
+                break;
+            }
+            t = next;
+            let value = growth(t);
+            let again = side * value > 0.0;
+            side = value;
+            if value < 0.0 {
+                (lo, before) = (t, value);
+                after *= if again { 0.5 } else { 1.0 };
+            } else {
+                (hi, after) = (t, value);
+                before *= if again { 0.5 } else { 1.0 };
+            }
+        }
+        t
+    }
+}

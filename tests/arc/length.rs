@@ -1,0 +1,86 @@
+//! Lengths, against closed forms and an integral of the tests' own.
+
+use crate::common::wild::{self, Kind, ORDINARY};
+use crate::common::{Rng, curve, integral, plane};
+use crate::thorough;
+use casteljau::glam::{DVec2, DVec3};
+use casteljau::{Curve, Point};
+
+fn length<P: Point>(curve: &Curve<P>) -> f64 {
+    curve.length(None).expect("no tolerance, no error")
+}
+
+fn agree(got: f64, expected: f64, part: f64, what: impl std::fmt::Debug) {
+    let off = (got - expected).abs() / expected.abs().max(f64::MIN_POSITIVE);
+    assert!(
+        off <= part,
+        "{got:e} instead of {expected:e}, {off:e} off: {what:?}"
+    );
+}
+
+#[test]
+fn closed_forms() {
+    assert_eq!(length(&plane(&[(0., 0.), (3., 4.)])), 5.0);
+    assert_eq!(length(&plane(&[(0.1, 0.1); 4])), 0.0);
+    agree(
+        length(&plane(&[(0., 0.), (0.5, 1.), (1., 0.)])),
+        1.478_942_857_544_597_5,
+        3e-16,
+        "y = x²",
+    );
+    // A turn-back: there and back again.
+    agree(
+        length(&plane(&[(1., 3.), (2., 5.), (-9., -17.)])),
+        22.733_357_771_247_864,
+        3e-16,
+        "turn-back",
+    );
+    agree(
+        length(&plane(&[(0., 0.), (1., 0.), (0., 0.)])),
+        1.0,
+        1e-15,
+        "there and back",
+    );
+    agree(
+        length(&plane(&[(0., 0.), (1., 0.), (1., 0.), (0., 0.)])),
+        1.5,
+        1e-13,
+        "there and back, cubic",
+    );
+    // A cusp: (t², t³) from −1 to 1, twice (13√13 − 8)/27.
+    let cusp = [(1., -1.), (-1. / 3., 1.), (-1. / 3., -1.), (1., 1.)];
+    agree(
+        length(&plane(&cusp)),
+        2.0 * (13.0 * 13_f64.sqrt() - 8.0) / 27.0,
+        1e-13,
+        "cusp",
+    );
+}
+
+/// A hostile curve in the plane or in space; mostly of a low degree.
+fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
+    let kind = rng.pick(kinds);
+    let degree = if rng.chance(0.05) {
+        1 + rng.below(64)
+    } else {
+        1 + rng.below(6)
+    };
+    let dimension = 2 + rng.below(2);
+    wild::points(rng, kind, degree, dimension)
+}
+
+#[test]
+fn the_integral_of_the_speed() {
+    let mut rng = Rng(1654);
+    for _ in 0..thorough(20_000, 1_000_000) {
+        let points = hostile(&mut rng, &ORDINARY);
+        let expected = integral::length(&points, 0.0, 1.0);
+        let flat = points.iter().all(|p| p.z == 0.0);
+        let got = if flat {
+            length::<DVec2>(&curve(&points))
+        } else {
+            length::<DVec3>(&curve(&points))
+        };
+        agree(got, expected, 1e-12, &points);
+    }
+}

@@ -1,0 +1,130 @@
+//! Integrals along curves, slowly: halving until nothing changes, with a rule of its own.
+
+use casteljau::glam::DVec3;
+
+/// ∫ f(t, |B′(t)|) dt over [lo, hi].
+pub(crate) struct Along<'a> {
+    /// Pᵢ₊₁ − Pᵢ.
+    slopes: Vec<DVec3>,
+    rule: Vec<(f64, f64)>,
+    times: &'a dyn Fn(f64) -> f64,
+    /// Differences of integrals below this are rounding.
+    least: f64,
+}
+
+/// The length between two parameters.
+pub(crate) fn length(points: &[DVec3], lo: f64, hi: f64) -> f64 {
+    integral(points, (lo, hi), &|_| 1.0)
+}
+
+/// ∫ f(t) |B′(t)| dt.
+pub(crate) fn integral(points: &[DVec3], (lo, hi): (f64, f64), times: &dyn Fn(f64) -> f64) -> f64 {
+    let slopes: Vec<DVec3> = points.windows(2).map(|p| p[1] - p[0]).collect();
+    let size = super::largest(&slopes);
+    if size == 0.0 {
+        return 0.0;
+    }
+    let slopes: Vec<DVec3> = slopes.iter().map(|&p| p / size).collect();
+    let n = super::real(slopes.len());
+    let mut along = Along {
+        slopes,
+        rule: rule(10),
+        times,
+        least: 0.0,
+    };
+    // A sum over even steps says how small is small.
+    let rough: f64 = (0..64)
+        .map(|i| along.speed((super::real(i) + 0.5) / 64.0))
+        .sum();
+    along.least = rough / 64.0 * 1e-17;
+    let whole = along.once(lo, hi);
+    along.halved(lo, hi, whole, 0) * n * size
+}
+
+impl Along<'_> {
+    fn slope(&self, t: f64) -> DVec3 {
+        let mut row = self.slopes.clone();
+        for last in (1..row.len()).rev() {
+            for i in 0..last {
+                row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+            }
+        }
+        row[0]
+    }
+
+    fn speed(&self, t: f64) -> f64 {
+        self.slope(t).length()
+    }
+
+    fn once(&self, lo: f64, hi: f64) -> f64 {
+        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let value = |z: f64| {
+            let t = middle + half * z;
+            self.speed(t) * (self.times)(t)
+        };
+        half * self
+            .rule
+            .iter()
+            .map(|&(z, w)| w * (value(z) + value(-z)))
+            .sum::<f64>()
+    }
+
+    fn halved(&self, lo: f64, hi: f64, whole: f64, depth: usize) -> f64 {
+        let middle = 0.5 * (lo + hi);
+        let (left, right) = (self.once(lo, middle), self.once(middle, hi));
+        let off = (left + right - whole).abs();
+        let unseen = off <= self.least + if depth >= 8 { 1e-15 * whole.abs() } else { 0.0 };
+        if depth >= 3 && (unseen && self.straight_enough(lo, hi) || depth >= 50) {
+            return left + right;
+        }
+        self.halved(lo, middle, left, depth + 1) + self.halved(middle, hi, right, depth + 1)
+    }
+
+    /// Whether no cusp is inside: two directions side by side differ by less than a right angle. Near to the ends a
+    /// rule sees little, so looks are closer there.
+    fn straight_enough(&self, lo: f64, hi: f64) -> bool {
+        let places = [
+            0.0, 0.002, 0.01, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.99, 0.998, 1.0,
+        ];
+        let slopes = places.map(|place| self.slope(lo + (hi - lo) * place));
+        let largest = slopes.iter().map(|s| s.length()).fold(0.0, f64::max);
+        largest * (hi - lo) <= self.least
+            || slopes.windows(2).all(|pair| pair[0].dot(pair[1]) > 0.0)
+    }
+}
+
+/// The positive nodes and the weights of a Gauss–Legendre rule, by bisection of the Legendre polynomial.
+fn rule(n: usize) -> Vec<(f64, f64)> {
+    let legendre = |z: f64| {
+        let (mut before, mut last) = (1.0, z);
+        for k in 2..=n {
+            let k = super::real(k);
+            (before, last) = (last, ((2.0 * k - 1.0) * z * last - (k - 1.0) * before) / k);
+        }
+        (last, super::real(n) * (z * last - before) / (z * z - 1.0))
+    };
+    let steps = 1000;
+    let mut pairs = Vec::new();
+    for i in 0..steps {
+        let (mut lo, mut hi) = (super::real(i) / 1000.0, super::real(i + 1) / 1000.0);
+        let sign = legendre(lo).0;
+        if hi < 1.0 && sign * legendre(hi).0 > 0.0 {
+            continue;
+        }
+        if hi == 1.0 {
+            break;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (lo + hi);
+            if sign * legendre(middle).0 > 0.0 {
+                lo = middle;
+            } else {
+                hi = middle;
+            }
+        }
+        let slope = legendre(lo).1;
+        pairs.push((lo, 2.0 / ((1.0 - lo * lo) * slope * slope)));
+    }
+    assert_eq!(pairs.len(), n / 2);
+    pairs
+}
