@@ -2,6 +2,7 @@
 export { init } from "./init.js";
 export { Curve } from "./curve.js";
 export { Spline } from "./spline.js";
+export { Path } from "./path.js";
 export { Patch } from "./patch.js";
 export { Surface } from "./surface.js";
 export { Mesh } from "./mesh.js";

@@ -427,8 +427,11 @@ function asSpline(other) {
   return check.instanceOf(other, "other", Spline); // outside of the class, see curve.js
 }
 
-/** @param {Parts} parts */
-function splineOf(parts) {
+/**
+ * @internal
+ * @param {Parts} parts
+ */
+export function splineOf(parts) {
   return new Spline(/** @type {any} */ (new CheckedParts(parts)));
 }
 

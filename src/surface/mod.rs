@@ -70,6 +70,8 @@ pub use sets::{Height, TeapotOptions, Up};
 #[cfg(feature = "wasm")]
 pub(crate) use tessellate::Filler;
 pub use text_reader::ParseError;
+pub(crate) use text_reader::{END as END_OF_TEXT, shown as shown_word};
+pub(crate) use text_write::{push, written};
 pub use topology::{Side, SideName, Topology};
 pub use view::{Fineness, View};
 pub use weld::Weld;

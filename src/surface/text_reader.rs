@@ -149,7 +149,7 @@ fn is_break(byte: u8) -> bool {
 }
 
 /// What comes when nothing comes.
-pub(super) const END: &str = "the end of the text";
+pub(crate) const END: &str = "the end of the text";
 
 pub(super) fn refuse(line: usize, expected: impl Into<String>, got: impl ToString) -> ParseError {
     ParseError {
@@ -160,7 +160,7 @@ pub(super) fn refuse(line: usize, expected: impl Into<String>, got: impl ToStrin
 }
 
 /// A word in quotes, as JSON has it, or its beginning.
-pub(super) fn shown(word: &str) -> String {
+pub(crate) fn shown(word: &str) -> String {
     let mut quoted = String::from("\"");
     for character in word.chars().take(SHOWN_CHARACTERS) {
         match character {

@@ -49,13 +49,13 @@ impl Surface {
 }
 
 /// Writing to a String cannot fail.
-pub(super) fn push(text: &mut String, words: Arguments<'_>) {
+pub(crate) fn push(text: &mut String, words: Arguments<'_>) {
     let _ = text.write_fmt(words);
 }
 
 /// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign): with an
 /// exponent from 10²¹ on and below 10⁻⁶.
-pub(super) fn written(x: impl Display + LowerExp) -> String {
+pub(crate) fn written(x: impl Display + LowerExp) -> String {
     let scientific = format!("{x:e}");
     let exponent = scientific.rsplit('e').next().map(str::parse::<i32>);
     match exponent {

@@ -13,10 +13,16 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
 fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
-    let (segments, closed) = (a.count(0), a.number(1) != 0.0);
-    let degrees: Vec<usize> = (0..segments).map(|k| a.count(2 + k)).collect();
+    spline_at(a, 0, dimension)
+}
+
+/// The same further on.
+pub(super) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3>, usize) {
+    let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
+    let at = at + 2;
+    let degrees: Vec<usize> = (0..segments).map(|k| a.count(at + k)).collect();
     let count = degrees.iter().sum::<usize>() + usize::from(!closed);
-    let at = 2 + segments;
+    let at = at + segments;
     (
         Spline::from_parts(a.points_in_space(at, count, dimension), &degrees, closed),
         at + count * dimension,

@@ -1,0 +1,334 @@
+import * as check from "./check.js";
+import { Curve } from "./curve.js";
+import { core } from "./init.js";
+import { extents } from "./path-packed.js";
+import { boxAt, samePoints, writePoint } from "./points.js";
+import { Spline, splineOf } from "./spline.js";
+import { readSvg } from "./svg-read.js";
+import { svgText, tracePacked } from "./svg-write.js";
+import { load, take, trim } from "./transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike } from "./check.js"
+ * @import { Point } from "./points.js"
+ */
+
+/**
+ * Which winding numbers count as inside: all but 0, or the odd ones.
+ *
+ * @typedef {"nonzero" | "evenodd"} FillRule
+ */
+
+/**
+ * A place on a path: the index of the subpath, and the parameter on it.
+ *
+ * @typedef {{ subpath: number, t: number }} PathTime
+ */
+
+/**
+ * What `Path.fromSVG` throws: a RangeError that knows where the error is, in characters from the start of the text, and
+ * the path that was read before it (what SVG asks viewers to draw).
+ *
+ * @typedef {RangeError & { offset: number, path: Path }} SvgError
+ */
+
+/** @type {readonly FillRule[]} */
+const RULES = ["nonzero", "evenodd"];
+
+/** The most digits that `toFixed` knows. */
+const MOST_DIGITS = 100;
+
+/**
+ * Several splines of the plane, open and closed: outlines with holes, icons, what SVG path data can say. It may be empty.
+ *
+ *     const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
+ *     ring.contains([0.5, 2]); // true
+ *     ring.contains([2, 2]); // false
+ */
+export class Path {
+  /** @type {Float64Array} see `path-packed.js` */
+  #packed;
+  /** @type {readonly Spline[] | null} */
+  #subpaths = null;
+
+  /**
+   * @param {ArrayLike<Spline | Curve>} splines of the plane
+   * @throws {TypeError} for what is no spline or curve, or one of space
+   */
+  constructor(splines) {
+    const inside = /** @type {unknown} */ (splines);
+    if (inside instanceof CheckedPath) {
+      this.#packed = inside.packed;
+      return;
+    }
+    if (!Array.isArray(splines)) throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
+    this.#packed = pack(Array.from(splines, checkedSpline));
+  }
+
+  /**
+   * A path from the `d` of an SVG `<path>`: all commands, in time proportional to the length of the text.
+   *
+   * Arcs become cubics within 1e-9 of the larger radius. A moveto without a segment is left out; "M1 1Z" is a closed
+   * subpath of one line without a length. `Z` adds a line to the start unless the pen is there.
+   *
+   * @param {string} d
+   * @returns {Path}
+   * @throws {SvgError} a RangeError with `offset` and `path`, what was read before the error
+   */
+  static fromSVG(d) {
+    if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.shown(d)}`);
+    const { packed, error } = readSvg(d);
+    const path = pathOf(packed);
+    if (error) throw Object.assign(new RangeError(error.message), { offset: error.offset, path });
+    return path;
+  }
+
+  /**
+   * @param {{ subpaths: Parameters<typeof Spline.fromJSON>[0][] }} json what `toJSON` gave
+   * @returns {Path}
+   */
+  static fromJSON(json) {
+    if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
+      throw new TypeError(`json: expected an object with subpaths, got ${check.shown(json)}`);
+    }
+    return pathOf(pack(Array.from(json.subpaths, (subpath) => checkedSpline(Spline.fromJSON(subpath), 0))));
+  }
+
+  /** The number of subpaths. */
+  get subpathCount() {
+    return this.#packed[0];
+  }
+
+  /** The subpaths, in a list of their own that cannot be changed. */
+  get subpaths() {
+    this.#subpaths ??= Object.freeze(unpack(this.#packed));
+    return this.#subpaths;
+  }
+
+  /**
+   * The path as the `d` of an SVG `<path>`; higher degrees as cubics.
+   *
+   * Without `precision` "M0,0 L1,0.5 Z", numbers with the fewest digits that give them back, so that `fromSVG` reads an
+   * equal path; with it "M0 0 1 .5Z", so many digits after the point at most and no character too many.
+   *
+   * @param {{ precision?: number, tolerance?: number }} [options] `precision` 0 to 100, `tolerance` for degrees above 3
+   * @returns {string}
+   */
+  toSVG(options) {
+    return svgOf(this.#packed, options);
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param {Path} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const [a, b] = [this.#packed, asPath(other).#packed];
+    samePoints(new Float64Array(0), new Float64Array(0), 2, tolerance); // checks the tolerance
+    if (a.length !== b.length || a[0] !== b[0]) return false;
+    for (const { degrees, points, end } of extents(a)) {
+      for (let k = degrees - 2; k < points; k++) if (a[k] !== b[k]) return false;
+      if (!samePoints(a.subarray(points, end), b.subarray(points, end), 2, tolerance)) return false;
+    }
+    return true;
+  }
+
+  /**
+   * The smallest box that contains the path; null for an empty one.
+   *
+   * @returns {{ min: Point, max: Point } | null}
+   */
+  bounds() {
+    return this.#box(true);
+  }
+
+  /**
+   * The box of the control points, which contains the path; null for an empty one.
+   *
+   * @returns {{ min: Point, max: Point } | null}
+   */
+  controlBounds() {
+    return this.#box(false);
+  }
+
+  /**
+   * How often the path runs around a point, counter-clockwise positive (x right, y up); open subpaths are closed by a
+   * line. On the boundary the point counts as if it lay a little to the right and above.
+   *
+   * @param {PointLike} point
+   * @returns {number}
+   */
+  winding(point) {
+    const p = new Float64Array(2);
+    writePoint(p, 0, point, 2, "point");
+    load(this.#packed);
+    return core().path_winding(p[0], p[1]);
+  }
+
+  /**
+   * Whether the path, filled by that rule, covers a point.
+   *
+   * @param {PointLike} point
+   * @param {FillRule} [rule]
+   * @returns {boolean}
+   */
+  contains(point, rule = "nonzero") {
+    check.oneOf(rule, "rule", RULES);
+    const winding = this.winding(point);
+    return rule === "nonzero" ? winding !== 0 : winding % 2 !== 0;
+  }
+
+  /**
+   * A polyline for each subpath, from which it is nowhere farther than `tolerance`; joints are vertices.
+   *
+   * @param {number} tolerance
+   * @returns {{ points: Float64Array, ts: Float64Array }[]}
+   */
+  flatten(tolerance) {
+    check.positive(tolerance, "tolerance");
+    load(this.#packed);
+    const numbers = take(0, core().path_flatten(tolerance));
+    trim();
+    const lines = [];
+    for (let at = 0; at < numbers.length; ) {
+      const points = at + 1;
+      const ts = points + 2 * numbers[at];
+      at = ts + numbers[at];
+      lines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at) });
+    }
+    return lines;
+  }
+
+  /**
+   * The image under an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {Path}
+   */
+  transform(matrix) {
+    const [a, b, , c, d, , , , , e, f] = check.affine(matrix);
+    const packed = this.#packed.slice();
+    for (const { points, end } of extents(packed)) {
+      for (let k = points; k < end; k += 2) {
+        const [x, y] = [packed[k], packed[k + 1]];
+        packed[k] = a * x + c * y + e;
+        packed[k + 1] = b * x + d * y + f;
+      }
+    }
+    return pathOf(packed);
+  }
+
+  /**
+   * The same path with each subpath run through backwards; the subpaths keep their order, closed ones their first point.
+   *
+   * @returns {Path}
+   */
+  reverse() {
+    const packed = this.#packed.slice();
+    for (const { closed, degrees, points, end } of extents(packed)) {
+      packed.subarray(degrees, points).reverse();
+      const first = closed ? points + 2 : points;
+      // Coordinates backwards are y before x.
+      packed.subarray(first, end).reverse();
+      for (let k = first; k < end; k += 2) [packed[k], packed[k + 1]] = [packed[k + 1], packed[k]];
+    }
+    return pathOf(packed);
+  }
+
+  /**
+   * Draws the path on a canvas context or a Path2D.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    const pen = check.drawingTarget(target);
+    tracePacked(this.#packed, pen, check.optionalTolerance(check.options(options).tolerance));
+  }
+
+  /**
+   * @returns {{ subpaths: ReturnType<Spline["toJSON"]>[] }}
+   */
+  toJSON() {
+    return { subpaths: this.subpaths.map((spline) => spline.toJSON()) };
+  }
+
+  /** @param {boolean} exact */
+  #box(exact) {
+    load(this.#packed);
+    const numbers = take(0, core().path_bounds(exact));
+    return numbers.length ? boxAt(numbers, 2) : null;
+  }
+}
+
+/** A packed path that was checked: what the constructor takes from inside. */
+class CheckedPath {
+  /** @param {Float64Array} packed */
+  constructor(packed) {
+    this.packed = packed;
+  }
+}
+
+/** @param {unknown} other */
+function asPath(other) {
+  return check.instanceOf(other, "other", Path); // outside of the class, see curve.js
+}
+
+/** @param {Float64Array} packed */
+function pathOf(packed) {
+  return new Path(/** @type {any} */ (new CheckedPath(packed)));
+}
+
+/**
+ * The parts of a subpath.
+ *
+ * @param {unknown} spline
+ * @param {number} k
+ * @returns {{ flat: Float64Array, degrees: number[], closed: boolean }}
+ */
+function checkedSpline(spline, k) {
+  if (!(spline instanceof Spline || spline instanceof Curve)) {
+    throw new TypeError(`splines[${k}]: expected a Spline or a Curve, got ${check.shown(spline)}`);
+  }
+  if (spline.dimension === 3) throw new TypeError(`splines[${k}]: expected a 2D one, got a 3D one`);
+  const flat = spline.controlPoints();
+  return spline instanceof Curve ? { flat, degrees: [spline.degree], closed: false } : { flat, degrees: spline.degrees, closed: spline.closed };
+}
+
+/** @param {ReturnType<typeof checkedSpline>[]} parts */
+function pack(parts) {
+  const packed = new Float64Array(parts.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 1));
+  packed[0] = parts.length;
+  let at = 1;
+  for (const { flat, degrees, closed } of parts) {
+    packed[at] = degrees.length;
+    packed[at + 1] = closed ? 1 : 0;
+    packed.set(degrees, at + 2);
+    packed.set(flat, (at += 2 + degrees.length));
+    at += flat.length;
+  }
+  return packed;
+}
+
+/**
+ * @param {Float64Array} packed
+ * @returns {Spline[]}
+ */
+function unpack(packed) {
+  return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
+    splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
+  );
+}
+
+/**
+ * @param {Float64Array} packed
+ * @param {{ precision?: number, tolerance?: number } | undefined} options
+ */
+function svgOf(packed, options) {
+  const { precision, tolerance } = check.options(options);
+  if (precision !== undefined) check.whole(precision, "precision", 0, MOST_DIGITS);
+  return svgText(packed, precision, check.optionalTolerance(tolerance));
+}

@@ -1,0 +1,105 @@
+//! Elliptical arcs as cubics.
+
+use super::turn::{angle, direction, direction_of_degrees, turned};
+use glam::DVec2;
+
+/// The longest piece in radians. A cubic with the ends, the tangents and the middle of an arc of θ is off by at most
+/// 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: here 9.95·10⁻¹⁰. Source: Goldapp, "Approximation of circular arcs by cubic
+/// polynomials", CAGD 8 (1991).
+const LONGEST_PIECE: f64 = 0.195;
+
+/// Both ends are rounded by up to half an ulp, and so is each step from them to half the chord.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
+
+/// An arc as SVG describes it; the ends differ.
+pub(super) struct Arc {
+    pub(super) from: DVec2,
+    pub(super) to: DVec2,
+    /// Not negative.
+    pub(super) radii: DVec2,
+    /// The angle of the first axis.
+    pub(super) degrees: f64,
+    pub(super) large: bool,
+    pub(super) sweep: bool,
+}
+
+/// Hands the points after the first of each cubic to `cubic`; false, and nothing is handed out, where the arc is a line:
+/// a radius is 0, or too small beside the other for f64.
+///
+/// The ellipse is mapped to the unit circle. Half the chord there is d; the centre lies at ±√(1 − d²) across. Places
+/// are computed from the start, so that a short piece of a vast ellipse keeps its digits: the chord of an angle 2β is
+/// 2 sin β, in the direction at β.
+pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
+    let axis = direction_of_degrees(shape.degrees);
+    let back = DVec2::new(axis.x, -axis.y);
+    let half = turned(shape.from * 0.5 - shape.to * 0.5, back);
+    let mut radii = shape.radii;
+    let mut d = half / radii;
+    let scale = d.x.abs().max(d.y.abs());
+    let part = d / scale;
+    let mut length = scale * (part.x * part.x + part.y * part.y).sqrt();
+    if !(radii.x > 0.0 && radii.y > 0.0 && length > 0.0 && length < f64::INFINITY) {
+        return false;
+    }
+    let largest = shape
+        .from
+        .abs()
+        .max_element()
+        .max(shape.to.abs().max_element());
+    let noise = ROUNDING * (1.0 + largest / radii.min_element());
+    let mut height = 0.0;
+    if length >= 1.0 - noise {
+        radii *= length;
+        d /= length;
+        length = 1.0;
+    } else {
+        height = ((1.0 - length) * (1.0 + length)).sqrt();
+    }
+    // No point is farther from the start than two radii and a handle.
+    if !(4.0 * radii.max_element() + largest).is_finite() {
+        return false;
+    }
+    let across = DVec2::new(d.y, -d.x) * (height / length);
+    let u = d - if shape.large == shape.sweep {
+        -across
+    } else {
+        across
+    };
+    let small = angle(DVec2::new(height, length));
+    let theta = if shape.large {
+        std::f64::consts::TAU - 2.0 * small
+    } else {
+        2.0 * small
+    };
+    let pieces = (theta / LONGEST_PIECE).ceil();
+    let sign = if shape.sweep { 1.0 } else { -1.0 };
+    let step = direction(theta / (2.0 * pieces));
+    let step = DVec2::new(step.x, sign * step.y);
+    let reach = 4.0 / 3.0 * step.y / (1.0 + step.x);
+    // From the unit circle to the plane.
+    let out = |v: DVec2| turned(v * radii, axis);
+    // The tangent at the end of the angle β, turned by +90° from there.
+    let tangent = |beta: DVec2| {
+        let end = turned(u, turned(beta, beta));
+        out(DVec2::new(-end.y, end.x)) * reach
+    };
+    let mut beta = DVec2::X;
+    let mut place = shape.from;
+    let mut handle = tangent(beta);
+    let mut left = pieces;
+    while left > 0.0 {
+        left -= 1.0;
+        beta = turned(beta, step);
+        let middle = turned(u, beta);
+        let chord = DVec2::new(-middle.y, middle.x) * (2.0 * beta.y);
+        let next = if left == 0.0 {
+            shape.to
+        } else {
+            shape.from + out(chord)
+        };
+        let next_handle = tangent(beta);
+        cubic(&[place + handle, next - next_handle, next]);
+        (place, handle) = (next, next_handle);
+    }
+    true
+}

@@ -1,0 +1,76 @@
+//! How large is it, and which polylines are close?
+
+use super::Path;
+use crate::curve::{Bounds, Curve, MAX_VERTICES, Polyline, check_tolerance, max_abs};
+use crate::error::Error;
+use glam::DVec2;
+
+impl Path {
+    /// The smallest box that contains the path; of the empty path none.
+    ///
+    /// Exact to rounding, as [`Curve::bounds`].
+    pub fn bounds(&self) -> Option<Bounds<DVec2>> {
+        let boxes = self.segments().map(|points| match *points {
+            [a, b] => corners(a, b),
+            _ => Curve::from_slice(points).bounds(),
+        });
+        boxes.reduce(Bounds::union)
+    }
+
+    /// The box of the control points, which contains the path and is cheaper than [`bounds`](Self::bounds).
+    pub fn control_bounds(&self) -> Option<Bounds<DVec2>> {
+        let (&first, rest) = self.points.split_first()?;
+        let start = corners(first, first);
+        Some(rest.iter().fold(start, |bounds, &p| bounds.including(p)))
+    }
+
+    /// A polyline for each subpath, from which it is nowhere farther than `tolerance`; every joint is a vertex, and a
+    /// closed subpath ends where it starts.
+    ///
+    /// # Errors
+    /// As [`Spline::flatten`](crate::Spline::flatten), with the limit of 2²⁴ vertices for all subpaths together.
+    pub fn flatten(&self, tolerance: f64) -> Result<Vec<Polyline<DVec2>>, Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        let mut left = MAX_VERTICES;
+        self.parts()
+            .map(|part| {
+                let mut line = Polyline::default();
+                for (k, points) in part.segments().enumerate() {
+                    let skipped = usize::from(k > 0);
+                    let piece = Curve::from_slice(points).flatten(tolerance)?;
+                    line.points.extend(&piece.points[skipped..]);
+                    let ts = piece.ts[skipped..].iter().map(|t| k as f64 + t);
+                    line.ts.extend(ts);
+                    check_vertices(line.ts.len(), left)?;
+                }
+                left -= line.ts.len();
+                Ok(line)
+            })
+            .collect()
+    }
+
+    /// The control points of all segments.
+    pub(crate) fn segments(&self) -> impl Iterator<Item = &[DVec2]> {
+        self.parts().flat_map(|part| part.segments())
+    }
+
+    /// The largest absolute coordinate.
+    pub(crate) fn max_abs(&self) -> f64 {
+        max_abs(&self.points)
+    }
+}
+
+fn check_vertices(count: usize, left: usize) -> Result<(), Error> {
+    if count <= left {
+        return Ok(());
+    }
+    Err(Error::TooMany {
+        what: "vertices",
+        limit: MAX_VERTICES,
+        needed: MAX_VERTICES - left + count,
+    })
+}
+
+fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {
+    Bounds { min: a, max: a }.including(b)
+}

@@ -1,0 +1,248 @@
+//! Several splines at once: outlines with holes, icons, anything that SVG path data can say.
+//!
+//! A path is a list of **subpaths**, each a [`Spline`] of the plane, open or closed. It fills areas (a hole is a subpath
+//! that runs the other way round, or any second one under the even-odd rule) and reads and writes the `d` of an SVG
+//! `<path>`. A place on a path is a [`PathTime`]: which subpath, and the parameter t on it.
+
+mod arc;
+mod bounds;
+mod svg_error;
+mod svg_number;
+mod svg_read;
+mod svg_write;
+mod trace;
+mod turn;
+mod winding;
+
+pub use svg_error::SvgError;
+pub use winding::FillRule;
+
+use crate::curve::Curve;
+use crate::error::Error;
+use crate::point::Point;
+use crate::spline::Spline;
+use glam::{DAffine2, DVec2};
+
+/// A place on a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathTime {
+    /// The index of the subpath.
+    pub subpath: usize,
+    /// The parameter on it, from 0 to its number of segments.
+    pub t: f64,
+}
+
+/// A list of splines of the plane, open and closed; it may be empty.
+///
+/// ```
+/// use casteljau::{Path, glam::DVec2, path::FillRule};
+///
+/// let ring = Path::from_svg("M0 0H4V4H0Z M1 1V3H3V1Z").expect("path data");
+/// assert_eq!(ring.subpath_count(), 2);
+/// assert!(ring.contains(DVec2::new(0.5, 2.0), FillRule::NonZero));
+/// assert!(!ring.contains(DVec2::new(2.0, 2.0), FillRule::NonZero));
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// The control points of all subpaths, joints once each; a closed subpath ends with its first point again, so that
+    /// the points of each segment lie side by side.
+    points: Vec<DVec2>,
+    /// The degree of every segment, 1 to 64.
+    degrees: Vec<u8>,
+    subpaths: Vec<Extent>,
+}
+
+/// Where a subpath ends in the lists of its path: it starts where the one before ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Extent {
+    points: usize,
+    degrees: usize,
+    closed: bool,
+}
+
+/// A subpath in the lists of its path.
+#[derive(Clone, Copy)]
+pub(crate) struct Subpath<'a> {
+    /// The control points; a closed one ends with its first point again.
+    pub(crate) points: &'a [DVec2],
+    degrees: &'a [u8],
+    pub(crate) closed: bool,
+}
+
+impl<'a> Subpath<'a> {
+    /// The control points of each segment.
+    pub(crate) fn segments(self) -> impl Iterator<Item = &'a [DVec2]> {
+        let mut from = 0;
+        self.degrees.iter().map(move |&degree| {
+            let to = from + usize::from(degree);
+            let points = &self.points[from..=to];
+            from = to;
+            points
+        })
+    }
+
+    pub(crate) fn segment_count(self) -> usize {
+        self.degrees.len()
+    }
+
+    pub(crate) fn ends_with_line(self) -> bool {
+        self.degrees.last() == Some(&1)
+    }
+
+    /// The first and the last point.
+    pub(crate) fn ends(self) -> (DVec2, DVec2) {
+        (self.points[0], self.points[self.points.len() - 1])
+    }
+}
+
+impl Path {
+    /// A path of these splines.
+    ///
+    /// No splines make the empty path, which has no bounds, no area and no length.
+    pub fn new(splines: &[Spline<DVec2>]) -> Self {
+        let mut path = Self::default();
+        for spline in splines {
+            let degrees = spline.degrees();
+            path.push(spline.control_points(), &degrees, spline.is_closed());
+        }
+        path
+    }
+
+    /// Adds the subpath of a spline's parts.
+    pub(crate) fn push<D: Copy + TryInto<u8>>(
+        &mut self,
+        points: &[DVec2],
+        degrees: &[D],
+        closed: bool,
+    ) {
+        self.points.extend(points);
+        if closed {
+            self.points.push(points[0]);
+        }
+        let small = |&degree: &D| degree.try_into().unwrap_or(u8::MAX); // at most 64
+        self.degrees.extend(degrees.iter().map(small));
+        self.end_subpath(closed);
+    }
+
+    /// Makes a subpath of what the lists hold beyond the last one.
+    fn end_subpath(&mut self, closed: bool) {
+        self.subpaths.push(Extent {
+            points: self.points.len(),
+            degrees: self.degrees.len(),
+            closed,
+        });
+    }
+
+    /// The number of subpaths.
+    pub fn subpath_count(&self) -> usize {
+        self.subpaths.len()
+    }
+
+    /// The number of segments of all subpaths.
+    pub fn segment_count(&self) -> usize {
+        self.degrees.len()
+    }
+
+    /// Whether there are no subpaths.
+    pub fn is_empty(&self) -> bool {
+        self.subpaths.is_empty()
+    }
+
+    /// Subpath k as a spline.
+    ///
+    /// # Errors
+    /// [`Error::Index`] past the last one; of an empty path, [`Error::Count`].
+    pub fn subpath(&self, k: usize) -> Result<Spline<DVec2>, Error> {
+        let count = self.subpath_count();
+        if k < count {
+            return Ok(spline(self.part(k)));
+        }
+        Err(match count {
+            0 => Error::Count {
+                what: "subpaths",
+                expected: "at least 1",
+                got: 0,
+            },
+            _ => Error::Index {
+                what: "subpath",
+                first: 0,
+                last: count - 1,
+                got: k,
+            },
+        })
+    }
+
+    /// All subpaths as splines.
+    pub fn subpaths(&self) -> Vec<Spline<DVec2>> {
+        self.parts().map(spline).collect()
+    }
+
+    /// Subpath k, which exists.
+    fn part(&self, k: usize) -> Subpath<'_> {
+        let (points, degrees) = match k.checked_sub(1).map(|before| self.subpaths[before]) {
+            Some(before) => (before.points, before.degrees),
+            None => (0, 0),
+        };
+        let end = self.subpaths[k];
+        Subpath {
+            points: &self.points[points..end.points],
+            degrees: &self.degrees[degrees..end.degrees],
+            closed: end.closed,
+        }
+    }
+
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Subpath<'_>> {
+        (0..self.subpath_count()).map(|k| self.part(k))
+    }
+
+    /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
+    pub fn equals(&self, other: &Self, tolerance: f64) -> bool {
+        let near = |(&a, &b): (&DVec2, &DVec2)| a == b || (a - b).norm() <= tolerance;
+        self.subpaths == other.subpaths
+            && self.degrees == other.degrees
+            && self.points.iter().zip(&other.points).all(near)
+    }
+
+    /// The image under an affine map: that of all control points.
+    #[must_use]
+    pub fn transform(&self, map: &DAffine2) -> Self {
+        let points = self.points.iter().map(|p| p.transform(map)).collect();
+        Self {
+            points,
+            degrees: self.degrees.clone(),
+            subpaths: self.subpaths.clone(),
+        }
+    }
+
+    /// The same path with each subpath run through backwards; the subpaths keep their order, closed ones their first
+    /// point. Areas and windings change their sign.
+    #[must_use]
+    pub fn reverse(&self) -> Self {
+        let mut path = Self::default();
+        for part in self.parts() {
+            path.points.extend(part.points.iter().rev());
+            path.degrees.extend(part.degrees.iter().rev());
+            path.end_subpath(part.closed);
+        }
+        path
+    }
+}
+
+fn spline(part: Subpath<'_>) -> Spline<DVec2> {
+    let degrees: Vec<usize> = part.degrees.iter().map(|&d| usize::from(d)).collect();
+    let count = part.points.len() - usize::from(part.closed);
+    Spline::from_parts(part.points[..count].to_vec(), &degrees, part.closed)
+}
+
+impl From<Spline<DVec2>> for Path {
+    fn from(spline: Spline<DVec2>) -> Self {
+        Self::new(&[spline])
+    }
+}
+
+impl From<Curve<DVec2>> for Path {
+    fn from(curve: Curve<DVec2>) -> Self {
+        let points = curve.control_points().to_vec();
+        Self::from(Spline::from_parts(points, &[curve.degree()], false))
+    }
+}

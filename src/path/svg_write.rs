@@ -1,0 +1,206 @@
+//! Paths as SVG path data.
+
+use super::Path;
+use crate::curve::{Curve, Pen};
+use crate::error::Error;
+use crate::spline::Spline;
+use crate::surface::{push, written};
+use glam::DVec2;
+
+/// More digits than this are not counted: JavaScript's `toFixed` knows no more.
+const MOST_DIGITS: u8 = 100;
+/// From here on a number has no digits after the point, and JavaScript writes it with an exponent.
+const EXPONENT_FROM: f64 = 1e21;
+
+impl Path {
+    /// The path as the `d` of an SVG `<path>`.
+    ///
+    /// Without a `precision`: absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that give it back, so
+    /// that [`from_svg`](Self::from_svg) reads an equal path, bit for bit (of degree 1 to 3). With a `precision`, that
+    /// many digits after the point (100 at most; ties away from zero) and the shortest absolute form, "M0 0 1 .5Z": no
+    /// blank and no letter that can be left out, H and V where they serve.
+    ///
+    /// Higher degrees become cubics, none farther from the curve than `tolerance` (see [`Curve::trace`]). The last line
+    /// of a closed subpath is left to its `Z`. The empty path gives the empty text.
+    ///
+    /// # Errors
+    /// As [`Curve::trace`] for the tolerance.
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        self.check_trace(tolerance)?;
+        let mut writer = Writer::new(precision);
+        for part in self.parts() {
+            writer.move_to(part.points[0]);
+            let last = part.points.len() - 2;
+            // The line that Z draws; of a subpath that is nothing else, also one without a length.
+            let closing = part.closed
+                && part.ends_with_line()
+                && (last == 0 || part.points[last] != part.points[last + 1]);
+            let count = part.segment_count() - usize::from(closing);
+            for points in part.segments().take(count) {
+                Curve::from_slice(points).trace_on(&mut writer, tolerance);
+            }
+            if part.closed {
+                writer.close();
+            }
+        }
+        Ok(writer.text)
+    }
+}
+
+impl Curve<DVec2> {
+    /// The curve as SVG path data; see [`Path::to_svg`].
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        Path::from(self.clone()).to_svg(precision, tolerance)
+    }
+}
+
+impl Spline<DVec2> {
+    /// The spline as SVG path data; see [`Path::to_svg`].
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        Path::new(std::slice::from_ref(self)).to_svg(precision, tolerance)
+    }
+}
+
+/// What writes path data.
+struct Writer {
+    text: String,
+    precision: Option<u8>,
+    /// In the short form: where the pen is, in words, and what a number without a command would mean.
+    at: [String; 2],
+    implied: char,
+    /// The last number, as far as it stands right before the next.
+    last: String,
+}
+
+impl Writer {
+    fn new(precision: Option<u8>) -> Self {
+        Self {
+            text: String::new(),
+            precision,
+            at: Default::default(),
+            implied: ' ',
+            last: String::new(),
+        }
+    }
+
+    fn draw(&mut self, command: char, points: &[DVec2]) {
+        match self.precision {
+            None => self.draw_exactly(command, points),
+            Some(digits) => self.draw_briefly(command, points, digits),
+        }
+    }
+
+    fn draw_exactly(&mut self, command: char, points: &[DVec2]) {
+        if !self.text.is_empty() {
+            self.text.push(' ');
+        }
+        self.text.push(command);
+        for (k, p) in points.iter().enumerate() {
+            if k > 0 {
+                self.text.push(' ');
+            }
+            push_exactly(&mut self.text, p.x);
+            self.text.push(',');
+            push_exactly(&mut self.text, p.y);
+        }
+    }
+
+    fn draw_briefly(&mut self, command: char, points: &[DVec2], digits: u8) {
+        let digits = digits.min(MOST_DIGITS);
+        let words = points
+            .iter()
+            .map(|p| [fixed(p.x, digits), fixed(p.y, digits)]);
+        let words: Vec<[String; 2]> = words.collect();
+        let Some(to) = words.last().cloned() else {
+            return;
+        };
+        match command {
+            'L' if to[1] == self.at[1] => self.put('H', &words[0][..1]),
+            'L' if to[0] == self.at[0] => self.put('V', &words[0][1..]),
+            _ => self.put(command, words.as_flattened()),
+        }
+        self.at = to;
+    }
+
+    /// A command and its words, with no more between them than it needs to tell them apart.
+    fn put(&mut self, command: char, words: &[String]) {
+        if command != self.implied {
+            self.text.push(command);
+            self.last.clear();
+        }
+        self.implied = if command == 'M' { 'L' } else { command };
+        for word in words {
+            let apart = word.starts_with('-')
+                || (word.starts_with('.') && self.last.contains(['.', 'e']))
+                || self.last.is_empty();
+            if !apart {
+                self.text.push(' ');
+            }
+            self.text.push_str(word);
+            self.last.clone_from(word);
+        }
+    }
+}
+
+impl Pen for Writer {
+    fn move_to(&mut self, p: DVec2) {
+        self.draw('M', &[p]);
+    }
+    fn line_to(&mut self, p: DVec2) {
+        self.draw('L', &[p]);
+    }
+    fn quad_to(&mut self, p1: DVec2, p: DVec2) {
+        self.draw('Q', &[p1, p]);
+    }
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+        self.draw('C', &[p1, p2, p]);
+    }
+    fn close(&mut self) {
+        self.text.push_str(match self.precision {
+            None => " Z",
+            Some(_) => "Z",
+        });
+        self.implied = ' ';
+    }
+}
+
+/// The fewest digits that give a number back, as JavaScript writes it.
+fn push_exactly(text: &mut String, x: f64) {
+    if x == 0.0 || (1e-6..EXPONENT_FROM).contains(&x.abs()) {
+        push(text, format_args!("{x}"));
+    } else {
+        text.push_str(&written(x));
+    }
+}
+
+/// A number with at most so many digits after the point, without zeros that say nothing: "-.5".
+fn fixed(x: f64, digits: u8) -> String {
+    if x.abs() >= EXPONENT_FROM {
+        return written(x).replace('+', "");
+    }
+    // Halfway between two such numbers Rust takes the even one, JavaScript the one farther from zero.
+    let halves = x * 2_f64.powi(i32::from(digits) + 1);
+    let tie = (halves % 2.0).abs() == 1.0;
+    let away = if x > 0.0 { x.next_up() } else { x.next_down() };
+    let digits = usize::from(digits);
+    let mut word = format!("{:.digits$}", if tie { away } else { x });
+    if word.contains('.') {
+        word.truncate(word.trim_end_matches('0').trim_end_matches('.').len());
+    }
+    let (sign, size) = word.split_at(usize::from(word.starts_with('-')));
+    match size {
+        "0" => "0".into(),
+        _ => format!(
+            "{sign}{}",
+            size.strip_prefix("0")
+                .filter(|rest| rest.starts_with('.'))
+                .unwrap_or(size)
+        ),
+    }
+}

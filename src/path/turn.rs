@@ -1,0 +1,56 @@
+//! Angles by arithmetic alone: sums, products, quotients and square roots are the same on every machine, the sines of
+//! system libraries are not, and both doors must read the same path to the bit. `js/svg-arc.js` computes the same.
+
+use glam::DVec2;
+
+/// So many terms of the series leave less than 2⁻⁵³ up to π/4: (π/4)¹⁹/19! < 10⁻¹⁹.
+const TERMS: usize = 9;
+/// The same for the arc tangent up to tan(π/16): 0.2²⁷/27 < 10⁻²⁰.
+const TANGENT_TERMS: usize = 13;
+
+/// (cos x, sin x) for |x| ≤ π/4, by Taylor's series.
+pub(super) fn direction(x: f64) -> DVec2 {
+    let square = x * x;
+    let (mut cos, mut sin) = (1.0, 1.0);
+    for k in (1..=TERMS).rev() {
+        let n = 2.0 * k as f64;
+        cos = 1.0 - square / ((n - 1.0) * n) * cos;
+        sin = 1.0 - square / (n * (n + 1.0)) * sin;
+    }
+    DVec2::new(cos, sin * x)
+}
+
+/// (cos φ, sin φ) of an angle in degrees; quarter turns are exact.
+pub(super) fn direction_of_degrees(degrees: f64) -> DVec2 {
+    let rest = degrees % 360.0;
+    let quarters = (rest / 90.0 + 0.5).floor();
+    let unit = direction((rest - 90.0 * quarters) * (std::f64::consts::PI / 180.0));
+    match (quarters + 4.0) % 4.0 {
+        1.0 => DVec2::new(-unit.y, unit.x),
+        2.0 => -unit,
+        3.0 => DVec2::new(unit.y, -unit.x),
+        _ => unit,
+    }
+}
+
+/// The angle of a unit vector in the first quadrant: halved three times (tan(x/2) = sin x / (1 + cos x)), then by
+/// the series of the arc tangent.
+pub(super) fn angle(unit: DVec2) -> f64 {
+    let (mut cos, mut tan) = (unit.x, unit.y / (1.0 + unit.x));
+    for _ in 0..2 {
+        cos = (0.5 * (1.0 + cos)).sqrt();
+        // tan(x/2) with sin x = tan x · cos x.
+        tan = tan * cos / (1.0 + cos);
+    }
+    let square = tan * tan;
+    let mut sum = 0.0;
+    for k in (0..TANGENT_TERMS).rev() {
+        sum = 1.0 / (2 * k + 1) as f64 - square * sum;
+    }
+    8.0 * tan * sum
+}
+
+/// A vector turned by the angle of a unit vector.
+pub(super) fn turned(v: DVec2, by: DVec2) -> DVec2 {
+    DVec2::new(v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x)
+}

@@ -1,0 +1,112 @@
+//! Bindings of paths. In: the number of subpaths, each as a spline of the plane; further arguments behind them.
+
+use super::arena::{self, Arena};
+use super::given;
+use super::spline::spline_at;
+use crate::curve::{Bounds, Curve, MAX_VERTICES, Pen, check_tolerance};
+use crate::error::Error;
+use crate::path::Path;
+use crate::spline::Spline;
+use glam::{DVec2, DVec3};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Hands each subpath to `f`, in space (see [`Arena::points_in_space`]), and returns where the last one ends.
+fn each(a: &Arena, mut f: impl FnMut(Spline<DVec3>)) -> usize {
+    (0..a.count(0)).fold(1, |at, _| {
+        let (spline, end) = spline_at(a, at, 2);
+        f(spline);
+        end
+    })
+}
+
+/// The path at the start of the arena, and where it ends.
+fn path(a: &Arena) -> (Path, usize) {
+    let mut path = Path::default();
+    let mut at = 1;
+    for _ in 0..a.count(0) {
+        let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
+        let degrees = a.small_counts(at + 2, segments);
+        let count = degrees.iter().sum::<u32>() as usize + usize::from(!closed);
+        at += 2 + segments;
+        path.push(a.points(at, count), &degrees, closed);
+        at += 2 * count;
+    }
+    (path, at)
+}
+
+/// Leaves the least and the greatest corner, of the path or of its control points; 0 for an empty path.
+#[wasm_bindgen]
+pub fn path_bounds(exact: bool) -> usize {
+    arena::with(|a| {
+        let mut bounds: Option<Bounds<DVec3>> = None;
+        each(a, |spline| {
+            let own = if exact {
+                spline.bounds()
+            } else {
+                spline.control_bounds()
+            };
+            bounds = Some(bounds.map_or(own, |all| all.union(own)));
+        });
+        bounds.map_or(0, |bounds| {
+            a.put_from_space(0, &[bounds.min, bounds.max], 2)
+        })
+    })
+}
+
+/// The winding number of a point.
+#[wasm_bindgen]
+pub fn path_winding(x: f64, y: f64) -> i32 {
+    arena::with(|a| path(a).0.winding(DVec2::new(x, y)))
+}
+
+/// Leaves for each subpath the number of its vertices, their points and their parameters; the number of f64.
+#[wasm_bindgen]
+pub fn path_flatten(tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let mut splines = Vec::new();
+        each(a, |spline| splines.push(spline));
+        let (mut at, mut vertices) = (0, 0);
+        for spline in splines {
+            let line = spline.flatten(tolerance)?;
+            vertices += line.ts.len();
+            if vertices > MAX_VERTICES {
+                return Err(Error::TooMany {
+                    what: "vertices",
+                    limit: MAX_VERTICES,
+                    needed: vertices,
+                });
+            }
+            at = a.put_numbers(at, &[line.ts.len() as f64]);
+            at = a.put_from_space(at, &line.points, 2);
+            at = a.put_numbers(at, &line.ts);
+        }
+        Ok(at)
+    })
+}
+
+/// Refuses a tolerance that coordinates up to a size cannot resolve; else 0.
+#[wasm_bindgen]
+pub fn tolerance_check(tolerance: f64, size: f64) -> isize {
+    arena::settle(check_tolerance(tolerance, size).map(|()| 0))
+}
+
+/// Leaves the cubics in place of a plane curve of a higher degree, six coordinates each; their number of f64.
+#[wasm_bindgen]
+pub fn curve_cubics(count: usize, tolerance: f64) -> usize {
+    struct Cubics(Vec<DVec2>);
+    impl Pen for Cubics {
+        fn move_to(&mut self, _: DVec2) {}
+        fn line_to(&mut self, _: DVec2) {}
+        fn quad_to(&mut self, _: DVec2, _: DVec2) {}
+        fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+            self.0.extend([p1, p2, p]);
+        }
+        fn close(&mut self) {}
+    }
+    arena::with(|a| {
+        let curve = Curve::<DVec3>::from_points(a.points_in_space(0, count, 2));
+        let mut cubics = Cubics(Vec::new());
+        curve.trace_on(&mut cubics, given(tolerance));
+        a.put(0, &cubics.0)
+    })
+}
