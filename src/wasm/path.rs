@@ -86,7 +86,7 @@ pub fn path_flatten(tolerance: f64) -> isize {
 
 /// Refuses a tolerance that coordinates up to a size cannot resolve; else 0.
 #[wasm_bindgen]
-pub fn tolerance_check(tolerance: f64, size: f64) -> isize {
+pub fn path_check_tolerance(tolerance: f64, size: f64) -> isize {
     arena::settle(check_tolerance(tolerance, size).map(|()| 0))
 }
 
