@@ -1,6 +1,7 @@
 import * as check from "./check.js";
 import { core, cubicEval } from "./init.js";
 import { takeIntersections } from "./meetings.js";
+import * as places from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
@@ -9,8 +10,9 @@ import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
 /**
- * @import { MatrixLike, PointsLike } from "./check.js"
  * @import { Intersection } from "./meetings.js"
+ * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { Extrema, Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Subdivision } from "./subdivision.js"
@@ -428,6 +430,37 @@ export class Curve {
     const view = load(mine, its.length);
     for (let i = 0; i < its.length; i++) view[mine.length + i] = its[i];
     return takeIntersections(core().curve_intersect(mine.length / 2, its.length / 2));
+  }
+
+  /**
+   * The point of the curve that is nearest to p: the least distance of all for t in [0, 1], found by isolating the roots
+   * of (B(t) − p)·B′(t). Of equally near points the one with the smallest t.
+   *
+   * @param {PointLike} p
+   * @returns {Nearest}
+   */
+  nearest(p) {
+    return places.nearest(this.#flat, this.#dimension, p);
+  }
+
+  /**
+   * The parameters inside (0, 1) where a coordinate has a local extremum: where its derivative changes sign. Sorted.
+   *
+   * @returns {Extrema}
+   */
+  extrema() {
+    return places.extrema(this.#flat, this.#dimension);
+  }
+
+  /**
+   * All parameters in [0, 1] where a coordinate has a value, ends and touches included, sorted. Of a coordinate that has
+   * the value everywhere: 0 and 1, the ends of the range.
+   *
+   * @param {{ x: number } | { y: number } | { z: number }} where
+   * @returns {Float64Array}
+   */
+  timesAt(where) {
+    return places.timesAt(this.#flat, this.#dimension, where);
   }
 
   /**

@@ -10,6 +10,7 @@ mod lattice;
 mod layout;
 mod length;
 mod meet;
+mod nearest;
 mod normals;
 mod positions;
 mod sample;
@@ -26,6 +27,7 @@ pub use layout::{
 };
 pub use length::plane_cubic_length;
 pub use meet::{Contact, Meeting, Piece, Row, meet_cubics};
+pub use nearest::{nearest_in_plane, nearest_in_space};
 pub use sample::{Sampler, Vector};
 pub use speed::speed_integral;
 pub use weights::{binomial, weights};

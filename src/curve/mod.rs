@@ -12,12 +12,15 @@ mod casteljau;
 mod derivative;
 mod deviation;
 mod eval;
+mod extrema;
 mod flatten;
 mod flatten_any;
 mod hull;
 mod intersect;
 mod length;
 mod moments;
+mod nearest;
+mod product;
 pub(crate) mod roots;
 mod subdivide;
 mod trace;
@@ -29,8 +32,15 @@ pub use bounds::Bounds;
 pub use flatten::Polyline;
 pub use intersect::{Contact, Intersection};
 pub use moments::Moments;
+pub use nearest::Nearest;
+pub(crate) use nearest::nearest_on;
 pub use subdivide::Subdivision;
 pub use trace::Pen;
+#[cfg(feature = "wasm")]
+pub(crate) use {
+    extrema::{extrema_of, times_of},
+    nearest::nearest_parameter,
+};
 
 pub(crate) use area::{area_about, triangle_area};
 pub(crate) use basis::apply;

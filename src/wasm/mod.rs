@@ -23,6 +23,7 @@ mod meetings;
 mod mesh;
 mod path;
 mod pen;
+mod places;
 mod queries;
 mod spline;
 mod surface;

@@ -1,0 +1,216 @@
+//! The point of a cubic that is nearest to the origin.
+
+/// Halvings after which several roots count as one: squared distances differ by the square of the width there.
+const MOST_HALVINGS: u32 = 26;
+
+/// Steps that even a root of multiplicity 5, where Newton's method converges slowest, does not need.
+const MOST_STEPS: usize = 80;
+
+/// Between these sizes, fourth powers stay in range with room for factors.
+const PLAIN_SIZES: std::ops::Range<f64> = 1e-60..1e60;
+
+/// The parameter in [0, 1] at which the cubic with these control points is nearest to a point; of equally near ones (to
+/// rounding) the smallest. `None` where the numbers are so large or so small that their powers leave the range.
+///
+/// Every local minimum is found: with B taken from that point, half the derivative of the squared distance, B·B′, is a
+/// quintic, whose changes of sign are isolated by Descartes' rule in Bernstein form. Only those from − to + are looked at.
+pub fn nearest_in_plane(points: &[[f64; 2]; 4], to: &[f64; 2]) -> Option<f64> {
+    nearest(points, to)
+}
+
+/// The same in space. (A generic function would be compiled with its caller, for size.)
+pub fn nearest_in_space(points: &[[f64; 3]; 4], to: &[f64; 3]) -> Option<f64> {
+    nearest(points, to)
+}
+
+#[inline(always)]
+fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64> {
+    let points: [[f64; D]; 4] = points.map(|p| each(|k| p[k] - to[k]));
+    let mut best = Best::new(&points);
+    // The size is 0 where all is one point.
+    if !(PLAIN_SIZES.contains(&best.size) || best.size == 0.0) {
+        return None;
+    }
+    let cubic = Cubic::new(&points);
+    let whole = cubic.quintic();
+    if signs(&whole) != 0 {
+        cubic.search(&whole, [0.0, 1.0], MOST_HALVINGS, &mut best);
+    }
+    best.take(1.0, dot(&points[3], &points[3]));
+    Some(best.t)
+}
+
+/// The Bernstein coefficients of B·B′/3 on a piece.
+type Quintic = [f64; 6];
+
+/// One bit for each negative coefficient. Zeros count as positive: that can add changes of sign, never hide one.
+#[inline(always)]
+fn signs(b: &Quintic) -> u32 {
+    let mut bits = 0;
+    for (k, &c) in b.iter().enumerate() {
+        bits |= u32::from(c < 0.0) << k;
+    }
+    bits
+}
+
+#[inline(always)]
+fn halves(b: &Quintic) -> (Quintic, Quintic) {
+    let (mut left, mut right) = (*b, *b);
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 0..5 - level {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
+    }
+    (left, right)
+}
+
+#[inline(always)]
+fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    let mut sum = a[0] * b[0];
+    for k in 1..D {
+        sum += a[k] * b[k];
+    }
+    sum
+}
+
+#[inline(always)]
+fn each<const D: usize>(f: impl Fn(usize) -> f64) -> [f64; D] {
+    std::array::from_fn(f)
+}
+
+/// The control points with the differences of which the derivatives are made.
+struct Cubic<'a, const D: usize> {
+    points: &'a [[f64; D]; 4],
+    slopes: [[f64; D]; 3],
+    bends: [[f64; D]; 2],
+}
+
+impl<'a, const D: usize> Cubic<'a, D> {
+    #[inline(always)]
+    fn new(points: &'a [[f64; D]; 4]) -> Self {
+        let slopes = [0, 1, 2].map(|i| each(|k| 3.0 * (points[i + 1][k] - points[i][k])));
+        let bends = [0, 1].map(|i| each(|k| 2.0 * (slopes[i + 1][k] - slopes[i][k])));
+        Self {
+            points,
+            slopes,
+            bends,
+        }
+    }
+
+    #[inline(always)]
+    fn quintic(&self) -> Quintic {
+        let by = |i: usize, j: usize| dot(&self.points[i], &self.slopes[j]);
+        [
+            by(0, 0),
+            0.4 * by(0, 1) + 0.6 * by(1, 0),
+            0.1 * by(0, 2) + 0.6 * by(1, 1) + 0.3 * by(2, 0),
+            0.3 * by(1, 2) + 0.6 * by(2, 1) + 0.1 * by(3, 0),
+            0.6 * by(2, 2) + 0.4 * by(3, 1),
+            by(3, 2),
+        ]
+    }
+
+    /// Halves until a piece has at most one change of sign; from left to right.
+    fn search(&self, piece: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
+        let signs = signs(piece);
+        let changes = (signs ^ (signs >> 1)) & 31;
+        if changes == 0 {
+            return;
+        }
+        // One change, or as good as one: a minimum only where the sign begins negative.
+        if changes & (changes - 1) == 0 || halvings == 0 {
+            if signs & 1 == 1 {
+                let k = changes.trailing_zeros() as usize;
+                let (before, after) = (piece[k], piece[k + 1]);
+                let guess = 0.2 * (k as f64 + before / (before - after));
+                let (t, square) = self.close_in([lo, hi], lo + (hi - lo) * guess, best.slack);
+                best.take(t, square);
+            }
+            return;
+        }
+        let (left, right) = halves(piece);
+        let mid = 0.5 * (lo + hi);
+        self.search(&left, [lo, mid], halvings - 1, best);
+        self.search(&right, [mid, hi], halvings - 1, best);
+    }
+
+    /// The root of B·B′ at which it rises through zero between lo and hi, by Newton's method kept within them, and |B|²
+    /// there. It ends with the step that shortens the distance by less than rounding.
+    #[inline(always)]
+    fn close_in(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
+        let mut t = guess;
+        for _ in 0..MOST_STEPS {
+            let (square, value, slope) = self.about(t);
+            if value < 0.0 {
+                lo = t;
+            } else {
+                hi = t;
+            }
+            let step = value / slope;
+            let (next, gain) = (t - step, value * step);
+            if gain * gain <= slack * square && next >= lo && next <= hi {
+                return (next, square - gain);
+            }
+            t = if next > lo && next < hi {
+                next
+            } else {
+                0.5 * (lo + hi)
+            };
+        }
+        (t, self.about(t).0)
+    }
+
+    /// |B|² at t and half its first and second derivatives.
+    #[inline(always)]
+    fn about(&self, t: f64) -> (f64, f64, f64) {
+        let u = 1.0 - t;
+        let (uu, ut, tt) = (u * u, 2.0 * (u * t), t * t);
+        let (a, b, c, d) = (uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t);
+        let ([p, q, r, s], [v, w, x], [y, z]) = (self.points, &self.slopes, &self.bends);
+        let point = each(|k| (p[k] * a + q[k] * b) + (r[k] * c + s[k] * d));
+        let first = each(|k| v[k] * uu + w[k] * ut + x[k] * tt);
+        let second: [f64; D] = each(|k| y[k] * u + z[k] * t);
+        (
+            dot(&point, &point),
+            dot(&point, &first),
+            dot(&first, &first) + dot(&point, &second),
+        )
+    }
+}
+
+/// The nearest point so far.
+struct Best {
+    /// The largest coordinate.
+    size: f64,
+    t: f64,
+    square: f64,
+    /// The square of what the rounding of a distance may be.
+    slack: f64,
+}
+
+impl Best {
+    /// The start.
+    #[inline(always)]
+    fn new<const D: usize>(points: &[[f64; D]; 4]) -> Self {
+        let largest = |m: f64, x: &f64| m.max(x.abs());
+        let size = points.iter().flatten().fold(0.0, largest);
+        let rounding = 4.0 * f64::EPSILON * size;
+        Self {
+            size,
+            t: 0.0,
+            square: dot(&points[0], &points[0]),
+            slack: rounding * rounding,
+        }
+    }
+
+    /// Takes t if it is nearer by more than rounding.
+    #[inline(always)]
+    fn take(&mut self, t: f64, square: f64) {
+        // |a|² < |b|² − 2|b|·rounding, without the root.
+        let gain = self.square - square;
+        if gain > 0.0 && gain * gain > self.slack * self.square {
+            (self.t, self.square) = (t, square);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Where does a coordinate turn back, and where does it have a value?
+
+use super::roots::{contacts, crossings};
+use super::{Curve, Scalars, ulp};
+use crate::error::Error;
+use crate::point::Point;
+
+impl<P: Point> Curve<P> {
+    /// The parameters inside (0, 1) where a coordinate (0 is x, 1 is y, 2 is z) has a local extremum, sorted.
+    ///
+    /// That is where its derivative, of degree n − 1, changes sign; where it only touches zero the coordinate runs on.
+    /// Turns that move the coordinate by less than its rounding are none. A constant coordinate has no extremum.
+    ///
+    /// # Errors
+    /// [`Error::Index`] for an axis that the points do not have.
+    ///
+    /// Source: Farin, *Curves and Surfaces for CAGD*, §5.3, for the derivative; Lane and Riesenfeld, BIT 21 (1981), for its
+    /// roots.
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let arch = Curve::new(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)].map(DVec2::from))?;
+    /// assert_eq!(arch.extrema(0)?, []);
+    /// assert_eq!(arch.extrema(1)?, [0.5]);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn extrema(&self, axis: usize) -> Result<Vec<f64>, Error> {
+        Ok(extrema_of(&self.coordinates(axis)?))
+    }
+
+    /// All parameters in \[0, 1\] where a coordinate (0 is x, 1 is y, 2 is z) has a value, sorted.
+    ///
+    /// The roots of the polynomial Bₐ(t) − value: crossings, the ends, and touches, once each. A coordinate touches a value
+    /// that it misses by no more than its rounding, some ulps of the largest coordinate. Where it has the value everywhere,
+    /// the answer is 0 and 1, the ends of the range.
+    ///
+    /// # Errors
+    /// [`Error::Index`] for an axis that the points do not have, [`Error::NotFinite`] for a value that is not finite.
+    ///
+    /// Source: Lane and Riesenfeld, "Bounds on a polynomial", BIT 21 (1981).
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let arch = Curve::new(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)].map(DVec2::from))?;
+    /// assert_eq!(arch.times_at(1, 0.0)?, [0.0, 1.0]);
+    /// assert_eq!(arch.times_at(1, 1.5)?, [0.5]);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn times_at(&self, axis: usize, value: f64) -> Result<Vec<f64>, Error> {
+        if !value.is_finite() {
+            return Err(Error::NotFinite {
+                what: "value",
+                index: 0,
+                got: value,
+            });
+        }
+        Ok(times_of(&self.coordinates(axis)?, value))
+    }
+
+    fn coordinates(&self, axis: usize) -> Result<Scalars, Error> {
+        if axis >= P::DIMENSION {
+            return Err(Error::Index {
+                what: "axis",
+                first: 0,
+                last: P::DIMENSION - 1,
+                got: axis,
+            });
+        }
+        Ok(self.points.iter().map(|p| p.coordinate(axis)).collect())
+    }
+}
+
+/// See [`Curve::extrema`].
+pub(crate) fn extrema_of(values: &[f64]) -> Vec<f64> {
+    // Halved, so that differences of ±1e308 stay finite.
+    let slopes: Scalars = values
+        .windows(2)
+        .map(|pair| 0.5 * pair[1] - 0.5 * pair[0])
+        .collect();
+    // Each of the two numbers was rounded, by half an ulp.
+    crossings(&slopes, 0.5 * ulp(largest(values))).to_vec()
+}
+
+/// See [`Curve::times_at`].
+pub(crate) fn times_of(values: &[f64], value: f64) -> Vec<f64> {
+    let heights: Scalars = values.iter().map(|v| 0.5 * v - 0.5 * value).collect();
+    // What n steps of interpolation may lose, halved as the heights are.
+    let rounding = values.len() as f64 * ulp(largest(values).max(value.abs()));
+    contacts(&heights, 0.5 * rounding).map_or_else(|| vec![0.0, 1.0], |ts| ts.to_vec())
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, v| m.max(v.abs()))
+}

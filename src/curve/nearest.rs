@@ -1,0 +1,126 @@
+//! Which point of the curve is nearest?
+//!
+//! At the nearest point the way to the query is perpendicular to the curve, or the curve ends there. So: all roots of
+//! (B(t) − q)·B′(t) = 0, found by isolation and not by sampling, and both ends. Plane and space go the same way; degrees
+//! up to 3 have a kernel of their own, which looks at minima only.
+
+use super::product::product_of;
+use super::roots::roots_inside;
+use super::{Curve, Points, check_finite, evaluate, max_abs};
+use crate::error::Error;
+use crate::point::Point;
+use casteljau_kernels::{nearest_in_plane, nearest_in_space};
+
+/// The point of a curve or of a spline that is nearest to another point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest<P> {
+    /// The parameter; on a spline from 0 to the number of segments.
+    pub t: f64,
+    /// The point at t.
+    pub point: P,
+    /// Its distance from the point that was asked for.
+    pub distance: f64,
+}
+
+impl<P: Point> Curve<P> {
+    /// The point of the curve that is nearest to p: the least |B(t) − p| for t in \[0, 1\], ends included.
+    ///
+    /// It is the least of all, not of a neighbourhood: every root of the polynomial (B(t) − p)·B′(t), of degree 2n − 1, is
+    /// isolated by its Bernstein coefficients. Distances that differ by less than a few ulps of the largest coordinate of
+    /// B − p count as equal; of equally near points the one with the smallest t is given. Of a curve that is a point: t = 0.
+    /// The distance is in the unit of the points.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    ///
+    /// Source: Schneider, "Solving the nearest-point-on-curve problem", *Graphics Gems* (1990), for the polynomial; Lane
+    /// and Riesenfeld, BIT 21 (1981), for the isolation.
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let parabola = Curve::new(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)].map(DVec2::from))?;
+    /// let nearest = parabola.nearest(DVec2::new(80.0, 20.0))?;
+    /// assert_eq!((nearest.t, nearest.point), (0.5, DVec2::new(75.0, 25.0)));
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
+        check_finite("p", &[p])?;
+        Ok(nearest_on(&self.points, p))
+    }
+}
+
+/// The nearest point of the curve with these control points; all is finite.
+pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
+    let t = nearest_parameter(points, p);
+    let point = evaluate(points, t);
+    // Halves: the difference of ±1e308 would overflow.
+    let distance = (point * 0.5 - p * 0.5).norm() * 2.0;
+    Nearest { t, point, distance }
+}
+
+/// The parameter of the nearest point of the curve with these control points.
+pub(crate) fn nearest_parameter<P: Point>(points: &[P], p: P) -> f64 {
+    if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
+        return t;
+    }
+    let unit = unit_for(max_abs(points).max(p.max_abs()));
+    let about: Points<P> = points.iter().map(|&q| q * unit - p * unit).collect();
+    if let [a, b] = *about {
+        return on_segment(a, b);
+    }
+    as_cubic(&about)
+        .and_then(|cubic| on_cubic(cubic, P::default()))
+        .unwrap_or_else(|| of_any_degree(&about))
+}
+
+/// A power of two that makes the size about 1.
+pub(crate) fn unit_for(size: f64) -> f64 {
+    let exponent = size.to_bits() >> 52;
+    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
+}
+
+/// The parameter of the point from a to b that is nearest to the origin.
+fn on_segment<P: Point>(a: P, b: P) -> f64 {
+    let way = b - a;
+    let t = -a.dot(way) / way.dot(way);
+    // Of two points in one place: 0/0.
+    if t > 0.0 { t.min(1.0) } else { 0.0 }
+}
+
+/// A curve of degree 2 or 3 as a cubic.
+#[inline]
+fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
+    match *points {
+        [a, b, c] => Some([a, b.mix(a, 1.0 / 3.0), b.mix(c, 1.0 / 3.0), c]),
+        [a, b, c, d] => Some([a, b, c, d]),
+        _ => None,
+    }
+}
+
+#[inline]
+fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
+    // In wasm one kernel is enough.
+    if P::DIMENSION == 2 && cfg!(not(target_family = "wasm")) {
+        let flat = |p: P| p.in_plane().to_array();
+        nearest_in_plane(&points.map(flat), &flat(p))
+    } else {
+        let space = |p: P| p.in_space().to_array();
+        nearest_in_space(&points.map(space), &space(p))
+    }
+}
+
+/// The same for points given from the query, through the roots of B·B′.
+fn of_any_degree<P: Point>(points: &[P]) -> f64 {
+    let n = points.len() - 1;
+    let rate = product_of(n, n - 1, |i, j| points[i].dot(points[j + 1] - points[j]));
+    let slack = 4.0 * f64::EPSILON * max_abs(points);
+    let (mut best, mut least) = (0.0, points[0].norm());
+    for t in roots_inside(&rate).into_iter().chain([1.0]) {
+        let distance = evaluate(points, t).norm();
+        if distance < least - slack {
+            (best, least) = (t, distance);
+        }
+    }
+    best
+}

@@ -1,0 +1,67 @@
+// Places on curves: nearest, extrema, timesAt … by closed forms; the search itself is tested in Rust.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Curve } from "casteljau";
+import { CUBIC, near, SPACE } from "./reference.js";
+
+const arch = new Curve(CUBIC); // (24t² − 16t³, 24t − 24t²)
+
+test("nearest: parameter, point and distance, ends included", () => {
+  const parabola = new Curve([[0, 0], [100, 0], [100, 100]]);
+  assert.deepEqual(parabola.nearest({ x: 80, y: 20 }), { t: 0.5, point: { x: 75, y: 25 }, distance: Math.hypot(5, 5) });
+  assert.deepEqual(arch.nearest([-3, -4]), { t: 0, point: { x: 0, y: 0 }, distance: 5 });
+  assert.deepEqual(arch.nearest([11, -4]), { t: 1, point: { x: 8, y: 0 }, distance: 5 });
+  const top = arch.nearest([4, 9]);
+  near([top.t, top.point.x, top.point.y, top.distance], [0.5, 4, 6, 3]);
+  assert.deepEqual(arch.nearest({ x: 4, y: -1000 }).t, 0, "of equally near points the first");
+});
+
+test("nearest in space and of every degree", () => {
+  for (const points of [SPACE, [[1, 2, 3], [4, 5, 6]], [[0, 0, 0], [1, 3, 1], [2, -3, 0], [3, 3, 2], [4, 0, 1], [5, 1, 1]]]) {
+    const curve = new Curve(points);
+    for (const t of [0, 0.2, 0.5, 0.9, 1]) {
+      const found = curve.nearest(curve.eval(t));
+      near([found.t, found.distance], [t, 0], 1e-12);
+    }
+  }
+  const line = new Curve([[0, 0, 0], [0, 0, 10]]);
+  assert.deepEqual(line.nearest([3, 4, 5]), { t: 0.5, point: { x: 0, y: 0, z: 5 }, distance: 5 });
+});
+
+test("nearest at every size", () => {
+  for (const scale of [1e300, 1e-300, 1e100, 1e-100]) {
+    const curve = new Curve(CUBIC.map(([x, y]) => [x * scale, y * scale]));
+    const found = curve.nearest([4 * scale, 9 * scale]);
+    near([found.t, found.distance / scale], [0.5, 3]);
+  }
+});
+
+test("extrema: inside only, where the derivative changes its sign", () => {
+  assert.deepEqual(arch.extrema(), { x: new Float64Array(0), y: Float64Array.of(0.5) });
+  const space = new Curve([[0, 0, 0], [1, 2, -1], [2, -2, 3], [3, 0, 0]]).extrema();
+  assert.deepEqual(Object.keys(space), ["x", "y", "z"]);
+  near(space.y, [0.5 - Math.sqrt(1 / 12), 0.5 + Math.sqrt(1 / 12)]);
+  // (t − ½)³ stops at ½ and goes on.
+  assert.deepEqual(new Curve([[0, -1], [1, 1], [2, -1], [3, 1]]).extrema().y.length, 0);
+});
+
+test("timesAt: crossings, ends, touches", () => {
+  near(arch.timesAt({ x: 4 }), [0.5]);
+  near(arch.timesAt({ y: 0 }), [0, 1]);
+  near(arch.timesAt({ y: 6 }), [0.5], 1e-7);
+  assert.equal(arch.timesAt({ y: 6.001 }).length, 0);
+  near(arch.timesAt({ y: 4.5 }), [0.25, 0.75]);
+  near(new Curve([[0, 0, 5], [1, 1, 5]]).timesAt({ z: 5 }), [0, 1]);
+});
+
+test("refusals name what came", () => {
+  assert.throws(() => arch.nearest([1, NaN]), { name: "RangeError", message: /^p\[1\]: expected a finite number, got NaN/ });
+  assert.throws(() => arch.nearest({ x: 1, y: Infinity }), { name: "RangeError", message: /^p\.y/ });
+  for (const bad of [null, undefined, 5, "x", {}, [1], [1, 2, 3], { x: "1", y: 2 }]) {
+    assert.throws(() => arch.nearest(/** @type {any} */ (bad)), /^(Range|Type)Error: p/);
+  }
+  assert.throws(() => arch.timesAt({ z: 1 }), { name: "TypeError", message: /^where: expected one of x, y/ });
+  assert.throws(() => arch.timesAt(/** @type {any} */ ({})), TypeError);
+  assert.throws(() => arch.timesAt(/** @type {any} */ ({ x: 1, y: 2 })), TypeError);
+  assert.throws(() => arch.timesAt({ x: Infinity }), { name: "RangeError", message: /^x: / });
+});

@@ -1,0 +1,42 @@
+//! Special points of curves: the nearest, extrema, inflections, cusps, where a coordinate has a value, between two curves.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod nearest;
+
+use casteljau::glam::DVec3;
+use common::wild::{self, Kind};
+use common::{Rng, real};
+
+/// How many random cases a property is tried on.
+fn cases() -> usize {
+    match std::env::var_os("CASTELJAU_DEEP") {
+        _ if cfg!(target_family = "wasm") => 400,
+        Some(_) => 1_000_000,
+        None => 20_000,
+    }
+}
+
+/// Hostile control points of degree 1 to 4, sometimes up to 16, for each case; z = 0 for plane curves.
+fn hostile(rng: &mut Rng, kinds: &[Kind], dimension: usize) -> Vec<DVec3> {
+    let kind = rng.pick(kinds);
+    let degree = if rng.chance(0.05) {
+        5 + rng.below(12)
+    } else {
+        rng.pick(&[1, 2, 2, 3, 3, 3, 3, 4])
+    };
+    wild::points(rng, kind, degree, dimension)
+}
+
+/// The greatest distance of a point from the first one, at least a denormal.
+fn extent(points: &[DVec3]) -> f64 {
+    points
+        .iter()
+        .map(|&p| (p - points[0]).abs().max_element())
+        .fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// i/n for i = 0 … n.
+fn steps(n: usize) -> impl Iterator<Item = f64> {
+    (0..=n).map(move |i| real(i) / real(n))
+}
