@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub fn curve_nearest(dimension: usize, count: usize) {
     arena::with(|a| {
         let p = a.point_in_space(count * dimension, dimension);
-        // Without an allocation for the usual degrees: this is called for every move of a pointer.
+        // Without an allocation for the usual degrees.
         let mut few = [DVec3::ZERO; 4];
         let nearest = if let Some(points) = few.get_mut(..count) {
             for (k, point) in points.iter_mut().enumerate() {
@@ -27,13 +27,13 @@ pub fn curve_nearest(dimension: usize, count: usize) {
     });
 }
 
-/// The parameter of the point of a plane cubic that is nearest to (x, y); exported as `cubic_eval` is.
-#[unsafe(no_mangle)]
+/// The parameter of the point of a plane cubic that is nearest to (x, y): no arena, for the call of every pointer move.
+#[wasm_bindgen]
 #[allow(
     clippy::too_many_arguments,
     reason = "numbers as arguments are the fastest way in"
 )]
-pub extern "C" fn cubic_nearest(
+pub fn cubic_nearest(
     ax: f64,
     ay: f64,
     bx: f64,
