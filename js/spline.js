@@ -11,9 +11,10 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  */
 
 /**
- * What is kept at a joint while points move.
+ * What is kept at a joint while points move: nothing; aligned handles; equal first derivatives; equal second ones, too;
+ * aligned handles and equal curvatures (2D only); or handles that follow the neighbouring joints (centripetal Catmull-Rom).
  *
- * @typedef {"free" | "g1" | "c1"} JointMode
+ * @typedef {"free" | "g1" | "c1" | "c2" | "g2" | "auto"} JointMode
  */
 
 /**
@@ -36,7 +37,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  */
 
 /** @type {readonly JointMode[]} in the order of the core */
-const MODES = ["free", "g1", "c1"];
+const MODES = ["free", "g1", "c1", "c2", "g2", "auto"];
 
 /**
  * Bézier curves joined end to end: segment k covers t from k to k + 1 and keeps its own degree.
@@ -270,13 +271,18 @@ export class Spline {
   }
 
   /**
-   * The spline with a control point moved and the joints repaired outwards from it.
+   * The spline with a control point moved and the joints repaired outwards from it: the nearest first, each once, and only
+   * points that were not placed before. What cannot be held is not held; `continuity` tells.
+   *
+   * A joint that is dragged takes its handles along. "c2" and "g2" need segments of degree 3 or more, else they keep what
+   * "c1" and "g1" keep; "auto" sets handles on such segments only, at the open end beside it too.
    *
    * @param {number} index
    * @param {PointLike} to
    * @param {{ joints?: ArrayLike<JointMode | undefined> | Record<number, JointMode> }} [options] `joints[k]`: the mode of
    *   the joint at t = k, "free" where not given
    * @returns {Spline}
+   * @throws {RangeError} for an index past the last point, a mode that there is not, "g2" in 3D
    */
   movePoint(index, to, options) {
     const last = this.#parts.flat.length / this.dimension - 1;
@@ -287,16 +293,16 @@ export class Spline {
   }
 
   /**
-   * The spline with a joint made what the mode says; the handle before it is kept.
+   * The spline with a joint made what the mode says; the handle before it is kept ("auto" sets both).
    *
    * @param {number} joint
    * @param {JointMode} mode
    * @returns {Spline}
+   * @throws {RangeError} where there is no such joint, and for "g2" in 3D
    */
   setJoint(joint, mode) {
     this.#checkJoint(joint);
-    const code = MODES.indexOf(check.oneOf(mode, "mode", MODES));
-    return this.#made(core().spline_set_joint(this.#load(), joint, code));
+    return this.#made(core().spline_set_joint(this.#load(), joint, this.#modeCode(mode, "mode")));
   }
 
   /**
@@ -409,8 +415,18 @@ export class Spline {
     const modes = /** @type {Record<number, JointMode | undefined>} */ (check.options(joints, "joints"));
     return this.#parts.degrees.map((_, k) => {
       const mode = modes[k];
-      return mode === undefined ? 0 : MODES.indexOf(check.oneOf(mode, `joints[${k}]`, MODES));
+      return mode === undefined ? 0 : this.#modeCode(mode, `joints[${k}]`);
     });
+  }
+
+  /**
+   * @param {JointMode} mode
+   * @param {string} name
+   */
+  #modeCode(mode, name) {
+    const code = MODES.indexOf(check.oneOf(mode, name, MODES));
+    if (mode === "g2" && this.dimension === 3) throw new RangeError(`${name}: expected a 2D spline for "g2", got a 3D one`);
+    return code;
   }
 }
 

@@ -9,6 +9,7 @@ mod continuity;
 mod edit;
 mod joint;
 mod measure;
+mod repair;
 
 pub use continuity::Continuity;
 pub use joint::JointMode;

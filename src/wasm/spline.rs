@@ -50,14 +50,17 @@ fn changed(
     })
 }
 
-fn mode(code: f64) -> JointMode {
-    if code == 1.0 {
-        JointMode::G1
-    } else if code == 2.0 {
-        JointMode::C1
-    } else {
-        JointMode::Free
-    }
+/// The modes by their codes, as in js/spline.js.
+fn mode(code: usize) -> JointMode {
+    const MODES: [JointMode; 6] = [
+        JointMode::Free,
+        JointMode::G1,
+        JointMode::C1,
+        JointMode::C2,
+        JointMode::G2,
+        JointMode::Auto,
+    ];
+    MODES.get(code).copied().unwrap_or_default()
 }
 
 /// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
@@ -147,20 +150,20 @@ pub fn spline_append(dimension: usize) -> isize {
     })
 }
 
-/// In: the new place behind the spline, then a mode code for each segment's start (0 free, 1 G1, 2 C1).
+/// In: the new place behind the spline, then a mode code for each segment's start (see [`mode`]).
 #[wasm_bindgen]
 pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     changed(dimension, |a, spline, end| {
         let to = a.point_in_space(end, dimension);
-        spline.move_point(index, to, |joint| mode(a.number(end + dimension + joint)))
+        spline.moved(index, to, |joint| mode(a.count(end + dimension + joint)))
     })
 }
 
-/// Leaves the spline with a joint made G1 (1) or C1 (2).
+/// Leaves the spline with a joint made what a code says.
 #[wasm_bindgen]
-pub fn spline_set_joint(dimension: usize, joint: usize, code: f64) -> isize {
+pub fn spline_set_joint(dimension: usize, joint: usize, code: usize) -> isize {
     changed(dimension, |_, spline, _| {
-        spline.set_joint(joint, mode(code))
+        spline.joint_set(joint, mode(code))
     })
 }
 

@@ -223,8 +223,8 @@ test("indices, joints and modes", () => {
     for (const bad of ["1", null, undefined, 1n]) refused(() => call(bad), TypeError, /^joint: /);
   }
   for (const mode of ["G1", "smooth", ""]) {
-    refused(() => seven.setJoint(1, mode), RangeError, /^mode: expected one of "free", "g1", "c1", got /);
-    refused(() => seven.movePoint(1, [0, 0], { joints: { 1: mode } }), RangeError, /^joints\[1\]: expected one of "free", "g1", "c1", got /);
+    refused(() => seven.setJoint(1, mode), RangeError, /^mode: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /);
+    refused(() => seven.movePoint(1, [0, 0], { joints: { 1: mode } }), RangeError, /^joints\[1\]: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /);
   }
   refused(() => seven.setJoint(1, 2), TypeError, /^mode: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: [null, 1] }), TypeError, /^joints\[[01]\]: /);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, deCasteljau, near, owned, pairs, SEVEN } from "./reference.js";
+import { coordinates, deCasteljau, near, owned, pairs, refused, SEVEN } from "./reference.js";
 
 const seven = new Spline(SEVEN);
 const RING = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
@@ -89,6 +89,23 @@ test("setJoint keeps the handle before the joint", () => {
   const broken = seven.movePoint(4, [5, 4]);
   assert.deepEqual(pointsOf(broken.setJoint(1, "g1"))[4], [2, -5]);
   assert.ok(broken.setJoint(1, "free").equals(broken));
+});
+
+test("joints of second order and automatic ones", () => {
+  const moved = pointsOf(seven.movePoint(2, [3, 1], { joints: { 1: "c2" } }));
+  assert.deepEqual([moved[4], moved[5]], [[1, -1], [-4, -2]]);
+  const bent = seven.movePoint(5, [-6, -2]).movePoint(2, [2, 1], { joints: { 1: "g2" } });
+  assert.ok(bent.continuity(1).g2);
+  assert.deepEqual(pointsOf(bent)[4], [2, -2]);
+  // Joints on a line: so are the handles; at the free ends a third of the way.
+  const straight = pointsOf(seven.movePoint(3, [3, 0], { joints: { 1: "auto" } }));
+  near([straight[1], straight[5], straight[2].slice(1), straight[4].slice(1)].flat(), [1, 0, 11 / 3, 0, 0, 0]);
+  assert.ok(seven.setJoint(1, "c2").continuity(1).c2);
+  near(pointsOf(seven.setJoint(1, "auto")).slice(2, 5).flat(), [4 / 3, 0, 2, 0, 8 / 3, 0]);
+  const space = new Spline(SEVEN.map(([x, y]) => [x, y, 1]));
+  assert.ok(space.movePoint(2, [1, 1, 5], { joints: { 1: "c2" } }).continuity(1).c2);
+  refused(() => space.setJoint(1, "g2"), RangeError, /^mode: expected a 2D spline for "g2", got a 3D one$/);
+  refused(() => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }), RangeError, /^joints\[1\]: expected a 2D spline for "g2"/);
 });
 
 test("insert keeps the curve, remove undoes it", () => {

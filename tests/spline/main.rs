@@ -5,6 +5,7 @@ mod build;
 mod common;
 mod continuity;
 mod cut;
+mod joints;
 mod measure;
 mod move_point;
 

@@ -44,6 +44,7 @@ fn holds(spline: &Spline<DVec3>, joint: usize, mode: JointMode) -> bool {
         JointMode::Free => true,
         JointMode::G1 => left.normalize_or_zero().distance(right.normalize_or_zero()) < 1e-9,
         JointMode::C1 => left.distance(right) < 1e-9,
+        _ => unreachable!("joints.rs has the other modes"),
     }
 }
 

@@ -1,0 +1,285 @@
+//! Repairing joints around a moved point.
+//!
+//! The joints are repaired outwards, the nearest first, each once: the side
+//! that is nearer to the moved point is given, the handle on the far side follows, and for C2 the point behind it. A
+//! joint is only touched if something near it changed, and a point is only moved once; so two fronts run along the
+//! chain and end where nothing has changed. On cubic segments with aligned handles that is at the next joint; joints
+//! with equal second derivatives, and quadratic segments, pass on what happens to them. On a closed chain the fronts
+//! meet, and the joint between them may not be held.
+
+use super::joint::{Sides, catmull_rom};
+use super::{JointMode, Spline};
+use crate::curve::ratio;
+use crate::point::Point;
+
+/// A spline on which points are being moved, each at most once.
+pub(super) struct Edit<'a, P: Point, M> {
+    spline: Spline<P>,
+    mode: &'a M,
+    /// What each point has gone through.
+    states: Vec<State>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    /// As it was, and free to follow.
+    Free,
+    /// As it was, and something relies on it.
+    Kept,
+    Changed,
+}
+
+/// The indices of the points around a joint, as in [`Sides`].
+struct Around {
+    near: [usize; 2],
+    joint: usize,
+    far: [usize; 2],
+}
+
+impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
+    pub(super) fn new(spline: Spline<P>, mode: &'a M) -> Self {
+        Self {
+            states: vec![State::Free; spline.points.len()],
+            spline,
+            mode,
+        }
+    }
+
+    pub(super) fn done(self) -> Spline<P> {
+        self.spline
+    }
+
+    /// Moves a point that is free to follow; whether it is there now.
+    pub(super) fn put(&mut self, index: usize, to: P) -> bool {
+        let place = &mut self.spline.points[index];
+        let free = self.states[index] == State::Free;
+        if free && to.is_finite() && *place != to {
+            *place = to;
+            self.states[index] = State::Changed;
+        } else if free {
+            self.states[index] = State::Kept;
+        }
+        *place == to
+    }
+
+    fn around(&self, joint: usize, forward: bool) -> Around {
+        let (index, count) = (self.spline.starts[joint], self.spline.points.len());
+        // Short lists are gone around more than once.
+        let behind = [1, 2].map(|k| (index + 2 * count - k) % count);
+        let ahead = [1, 2].map(|k| (index + k) % count);
+        let (near, far) = if forward {
+            (behind, ahead)
+        } else {
+            (ahead, behind)
+        };
+        Around {
+            near,
+            joint: index,
+            far,
+        }
+    }
+
+    fn sides(&self, around: &Around, joint: usize, forward: bool) -> Sides<P> {
+        let at = |index: usize| self.spline.points[index];
+        let (before, after) = self.spline.beside(joint);
+        let (near, far) = if forward {
+            (before, after)
+        } else {
+            (after, before)
+        };
+        Sides {
+            near: around.near.map(at),
+            joint: at(around.joint),
+            far: around.far.map(at),
+            near_degree: self.spline.degree_of(near),
+            far_degree: self.spline.degree_of(far),
+        }
+    }
+
+    /// Makes the far side of a joint follow the near one.
+    pub(super) fn repair(&mut self, joint: usize, forward: bool) {
+        let mode = (self.mode)(joint);
+        match mode {
+            JointMode::Free => {}
+            JointMode::Auto => self.automatic(joint),
+            _ => self.follow(joint, forward, mode),
+        }
+    }
+
+    fn follow(&mut self, joint: usize, forward: bool, mode: JointMode) {
+        let around = self.around(joint, forward);
+        let Around { near, far, .. } = around;
+        // A ring of two lines, or of one quadratic: one point cannot lie on both sides.
+        if near[0] == far[0] {
+            return;
+        }
+        let mut sides = self.sides(&around, joint, forward);
+        // On a ring of one segment the second points may be the first ones of the other side.
+        let apart = near[1] != far[0] && near[1] != far[1];
+        let second = mode.is_second_order() && sides.are_cubic() && apart;
+        let mode = if second { mode } else { mode.of_first_order() };
+        let handle = sides.follow(mode);
+        for index in [around.joint, near[0]] {
+            self.keep(index);
+        }
+        if second {
+            self.keep(near[1]);
+        }
+        let held = self.put(far[0], handle);
+        if held && mode == JointMode::C2 {
+            sides.far[0] = handle;
+            self.put(far[1], sides.second());
+        }
+    }
+
+    fn keep(&mut self, index: usize) {
+        if self.states[index] == State::Free {
+            self.states[index] = State::Kept;
+        }
+    }
+
+    /// Sets both handles of a joint by the joints beside it.
+    fn automatic(&mut self, joint: usize) {
+        let [before, here, after] = self.anchors(joint).map(|index| self.spline.points[index]);
+        let steps = [here - before, after - here].map(|chord| chord.norm().sqrt());
+        let (departure, arrival) = catmull_rom([before, here, after], steps);
+        let around = self.around(joint, true);
+        let (left, right) = self.spline.beside(joint);
+        for (segment, handle, derivative) in [
+            (left, around.near[0], -arrival),
+            (right, around.far[0], departure),
+        ] {
+            let degree = self.spline.degree_of(segment);
+            if degree > 2 {
+                self.put(handle, here + derivative * ratio(1, degree));
+            }
+        }
+    }
+
+    /// The indices of the joint before, the joint, the joint after; ends of the chain are joints here.
+    fn anchors(&self, joint: usize) -> [usize; 3] {
+        let starts = &self.spline.starts;
+        let (left, right) = self.spline.beside(joint);
+        [
+            starts[left],
+            starts[right],
+            starts[right + 1] % self.spline.points.len(),
+        ]
+    }
+
+    /// Moves both handles of a dragged joint with it, and makes them what its mode asks.
+    pub(super) fn drag(&mut self, joint: usize, from: P) {
+        let mode = (self.mode)(joint);
+        if mode == JointMode::Auto {
+            return self.automatic(joint);
+        }
+        let around = self.around(joint, true);
+        let (left, right) = self.spline.beside(joint);
+        let (near, far) = (around.near[0], around.far[0]);
+        let to = self.spline.points[around.joint];
+        // A handle of length zero stays one.
+        let along = |handle: P| {
+            if handle == from {
+                to
+            } else {
+                handle + (to - from)
+            }
+        };
+        let handle = self.spline.points[far];
+        // On lines the neighbour is a joint itself and stays.
+        if self.spline.degree_of(left) > 1 {
+            self.put(near, along(self.spline.points[near]));
+        }
+        if self.spline.degree_of(right) > 1 && near != far && along(handle).is_finite() {
+            self.spline.points[far] = along(handle);
+        }
+        self.follow(joint, true, mode);
+        if self.spline.points[far] != handle {
+            self.states[far] = State::Changed;
+        }
+    }
+
+    /// Repairs the joints outwards from a control point: two fronts, the nearer joint first.
+    pub(super) fn spread(&mut self, index: usize) {
+        let count = self.spline.points.len();
+        let starts = &self.spline.starts[..self.spline.segment_count()];
+        let mut left =
+            self.spline.joints().len() - usize::from(self.spline.joint_at(index).is_some());
+        let mut ahead = self.joint_from(starts.partition_point(|&start| start <= index));
+        let mut behind = self.joint_before(starts.partition_point(|&start| start < index));
+        while left > 0 {
+            let distance_ahead = ahead.map(|k| (self.spline.starts[k] + count - index - 1) % count);
+            let distance_behind =
+                behind.map(|k| (index + count - self.spline.starts[k] - 1) % count);
+            let forward = match (distance_ahead, distance_behind) {
+                (Some(a), Some(b)) => a <= b,
+                (Some(_), None) => true,
+                (None, Some(_)) => false,
+                (None, None) => return,
+            };
+            let front = if forward { &mut ahead } else { &mut behind };
+            let Some(joint) = front.take() else { return };
+            if self.is_touched(joint, forward) {
+                self.repair(joint, forward);
+                left -= 1;
+                if forward {
+                    ahead = self.joint_from(joint + 1);
+                } else {
+                    behind = self.joint_before(joint);
+                }
+            }
+        }
+    }
+
+    /// This joint, if there is one, or the first of a closed chain.
+    fn joint_from(&self, joint: usize) -> Option<usize> {
+        let all = self.spline.joints();
+        if all.contains(&joint) {
+            return Some(joint);
+        }
+        self.spline.closed.then_some(0)
+    }
+
+    /// The joint before this one, or the last of a closed chain.
+    fn joint_before(&self, joint: usize) -> Option<usize> {
+        let all = self.spline.joints();
+        if joint > all.start {
+            return Some(joint - 1);
+        }
+        self.spline.closed.then(|| all.end - 1)
+    }
+
+    /// Whether something changed on which the near side of a joint depends.
+    fn is_touched(&self, joint: usize, forward: bool) -> bool {
+        let around = self.around(joint, forward);
+        let changed = |index: usize| self.states[index] == State::Changed;
+        let mode = (self.mode)(joint);
+        let [before, _, after] = self.anchors(joint);
+        changed(around.near[0])
+            || changed(around.joint)
+            || mode.is_second_order() && changed(around.near[1])
+            || mode == JointMode::Auto && changed(if forward { before } else { after })
+    }
+
+    /// Moves the handles at the ends of an open chain with their automatic neighbours.
+    pub(super) fn ends(&mut self) {
+        let segments = self.spline.segment_count();
+        if self.spline.closed || segments < 2 {
+            return;
+        }
+        let starts = &self.spline.starts;
+        let (first, last) = (starts[1], starts[segments - 1]);
+        let end = starts[segments];
+        for (joint, segment, [from, handle, to]) in [
+            (1, 0, [0, 1, first]),
+            (segments - 1, segments - 1, [end, end - 1, last]),
+        ] {
+            let degree = self.spline.degree_of(segment);
+            let moved = self.states[from] == State::Changed || self.states[to] == State::Changed;
+            if moved && degree > 2 && (self.mode)(joint) == JointMode::Auto {
+                let (from, to) = (self.spline.points[from], self.spline.points[to]);
+                self.put(handle, from + (to - from) * ratio(1, degree));
+            }
+        }
+    }
+}
