@@ -1,6 +1,6 @@
 import * as check from "./check.js";
 import { core, cubicEval } from "./init.js";
-import { takeIntersections } from "./meetings.js";
+import { CHAIN, chainOf, meetChains, takeIntersections, takeSelfIntersections } from "./meetings.js";
 import * as places from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
@@ -10,11 +10,12 @@ import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
 /**
- * @import { Intersection } from "./meetings.js"
+ * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { Extrema, Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
+ * @import { Spline } from "./spline.js"
  * @import { Subdivision } from "./subdivision.js"
  */
 
@@ -416,20 +417,44 @@ export class Curve {
   }
 
   /**
-   * All places that this curve shares with another one, sorted by t, then by u; ends count. 2D only.
+   * All places that this curve shares with another curve or a spline (then u is the spline's t), sorted by t, then by u.
    *
-   * @param {Curve} other
+   * Ends count. "tangent" says that both have the same or the opposite direction there, "overlap" is a shared piece. 2D only.
+   *
+   * @param {Curve | Spline} other
    * @returns {Intersection[]}
    * @throws {TypeError} for a curve of space
    */
   intersect(other) {
-    const o = asCurve(other);
     this.#plane("intersect");
-    o.#plane("intersect");
-    const [mine, its] = [this.#flat, o.#flat];
+    if (typeof other !== "object" || other === null || !(#flat in other)) {
+      return meetChains(this[CHAIN](), chainOf(other));
+    }
+    other.#plane("intersect");
+    const [mine, its] = [this.#flat, other.#flat];
     const view = load(mine, its.length);
     for (let i = 0; i < its.length; i++) view[mine.length + i] = its[i];
     return takeIntersections(core().curve_intersect(mine.length / 2, its.length / 2));
+  }
+
+  /**
+   * The points that the curve passes twice, sorted by t; t < u. A closed curve passes its start again. Pieces that are run
+   * through again (a straight curve that turns back) are left out. 2D only.
+   *
+   * @returns {SelfIntersection[]}
+   */
+  selfIntersections() {
+    this.#plane("selfIntersections");
+    return takeSelfIntersections(core().curve_self_intersections(this.#load()));
+  }
+
+  /**
+   * @internal
+   * @returns {Chain}
+   */
+  [CHAIN]() {
+    this.#plane("intersect");
+    return { flat: this.#flat, dimension: this.#dimension, degrees: [this.degree], closed: false };
   }
 
   /**

@@ -1,12 +1,14 @@
 import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { core } from "./init.js";
+import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { Point } from "./points.js"
  */
 
@@ -347,6 +349,37 @@ export class Spline {
     load(flat, 12).set(check.affine(matrix), flat.length);
     core().points_transform(dimension, flat.length / dimension);
     return splineOf({ ...this.#parts, flat: take(0, flat.length) });
+  }
+
+  /**
+   * All places that this spline shares with a curve or another spline, sorted by t, then by u, which run from 0 to the
+   * numbers of segments. A joint is one place, a shared piece that runs across joints is one. 2D only.
+   *
+   * @param {Curve | Spline} other
+   * @returns {Intersection[]}
+   */
+  intersect(other) {
+    return meetChains(this[CHAIN](), chainOf(other));
+  }
+
+  /**
+   * The points that the spline passes twice, sorted by t; t < u. Joints, and the start of a closed spline, are no such
+   * points; an open spline that ends where it starts passes that point twice. 2D only.
+   *
+   * @returns {SelfIntersection[]}
+   */
+  selfIntersections() {
+    inPlane("selfIntersections", "spline", this.dimension);
+    return meetSelf(this[CHAIN]());
+  }
+
+  /**
+   * @internal
+   * @returns {Chain}
+   */
+  [CHAIN]() {
+    inPlane("intersect", "spline", this.dimension);
+    return this.#parts;
   }
 
   /**

@@ -30,7 +30,7 @@ pub use bernstein::bernstein;
 pub(crate) use bernstein::bernstein_into;
 pub use bounds::Bounds;
 pub use flatten::Polyline;
-pub use intersect::{Contact, Intersection};
+pub use intersect::{Contact, Intersection, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
 pub(crate) use nearest::nearest_on;

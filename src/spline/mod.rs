@@ -5,8 +5,10 @@
 
 mod area;
 mod build;
+pub(crate) mod chains;
 mod continuity;
 mod edit;
+mod intersect;
 mod joint;
 mod measure;
 mod repair;

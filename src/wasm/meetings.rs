@@ -1,7 +1,10 @@
-//! Bindings of intersections, all in the plane. In: the control points of both curves, one after the other.
+//! Bindings of intersections, all in the plane. In: both curves or both splines, one after the other. Out: for each place
+//! t, u, x, y, the code of its kind (0 cross, 1 tangent, 2 overlap), and t and u of its end.
 
 use super::arena::{self, Arena};
-use crate::curve::{Contact, Curve, Intersection};
+use super::spline::spline_at;
+use crate::curve::{Contact, Curve, Intersection, SelfIntersection};
+use crate::spline::Spline;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -9,7 +12,20 @@ fn curve(a: &Arena, at: usize, count: usize) -> Curve<DVec2> {
     Curve::from_slice(a.points(at, count))
 }
 
-/// Leaves for each place t, u, x, y, the code of its kind (0 cross, 1 tangent, 2 overlap), and t and u of its end.
+/// The spline at a place of the arena, and where it ends.
+fn spline(a: &Arena, at: usize) -> (Spline<DVec2>, usize) {
+    let (spline, end) = spline_at(a, at, 2);
+    let points = spline
+        .control_points()
+        .iter()
+        .map(|p| p.truncate())
+        .collect();
+    (
+        Spline::from_parts(points, &spline.degrees(), spline.is_closed()),
+        end,
+    )
+}
+
 fn put(a: &mut Arena, places: &[Intersection]) -> usize {
     places.iter().fold(0, |at, place| {
         let Intersection { t, u, point, kind } = *place;
@@ -22,6 +38,16 @@ fn put(a: &mut Arena, places: &[Intersection]) -> usize {
     })
 }
 
+fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {
+    let crossing = |place: &SelfIntersection| {
+        let SelfIntersection { t, u, point } = *place;
+        let kind = Contact::Cross;
+        Intersection { t, u, point, kind }
+    };
+    let places: Vec<Intersection> = places.iter().map(crossing).collect();
+    put(a, &places)
+}
+
 /// Leaves the places that two curves share.
 #[wasm_bindgen]
 pub fn curve_intersect(count: usize, other_count: usize) -> usize {
@@ -29,5 +55,33 @@ pub fn curve_intersect(count: usize, other_count: usize) -> usize {
         let other = curve(a, 2 * count, other_count);
         let places = curve(a, 0, count).intersect(&other);
         put(a, &places)
+    })
+}
+
+/// Leaves the points that a curve passes twice.
+#[wasm_bindgen]
+pub fn curve_self_intersections(count: usize) -> usize {
+    arena::with(|a| {
+        let places = curve(a, 0, count).self_intersections();
+        put_selves(a, &places)
+    })
+}
+
+/// Leaves the places that two splines share.
+#[wasm_bindgen]
+pub fn spline_intersect() -> usize {
+    arena::with(|a| {
+        let (first, end) = spline(a, 0);
+        let places = first.intersect(&spline(a, end).0);
+        put(a, &places)
+    })
+}
+
+/// Leaves the points that a spline passes twice.
+#[wasm_bindgen]
+pub fn spline_self_intersections() -> usize {
+    arena::with(|a| {
+        let places = spline(a, 0).0.self_intersections();
+        put_selves(a, &places)
     })
 }

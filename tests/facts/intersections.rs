@@ -63,3 +63,24 @@ pub(crate) fn meetings(fact: &Fact) {
         );
     }
 }
+
+/// `selfintersect`: the pairs of parameters of the double points.
+pub(crate) fn double_points(fact: &Fact) {
+    let found = named(fact, "points").self_intersections();
+    let expected = numbers(&fact.expect["t"]);
+    assert_eq!(2 * found.len(), expected.len(), "{}: {found:?}", fact.id);
+    for (place, pair) in found.iter().zip(expected.chunks_exact(2)) {
+        let wrong = (place.t - pair[0]).abs().max((place.u - pair[1]).abs());
+        assert!(
+            wrong <= fact.tolerance,
+            "{}: {place:?}, expected {pair:?}",
+            fact.id
+        );
+        let at = point(&fact.expect["point"]).truncate();
+        assert!(
+            (place.point - at).length() <= fact.tolerance,
+            "{}: {place:?}",
+            fact.id
+        );
+    }
+}

@@ -81,11 +81,7 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "inflection" => inflections(fact),
         "circle" => circle(fact),
         "intersect" | "line_intersect" => intersections::meetings(fact),
-        "selfintersect" => {
-            let ts = numbers(&fact.expect["t"]);
-            ts.iter()
-                .for_each(|&t| fact.place(&fact.curve(), t, &fact.expect["point"]));
-        }
+        "selfintersect" => intersections::double_points(fact),
         "nearest" => fact.place(
             &fact.curve(),
             number(&fact.expect["t"]),

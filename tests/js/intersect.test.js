@@ -1,7 +1,7 @@
 // Where curves meet, through the package.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve } from "casteljau";
+import { Curve, Spline } from "casteljau";
 
 const line = new Curve([[0, 0], [4, 0]]);
 
@@ -21,9 +21,41 @@ test("a shared piece is one overlap with both ends", () => {
   ]);
 });
 
+test("splines: t and u count segments, a joint is one place, a shared piece across joints is one", () => {
+  const square = new Spline([[0, 0], [2, 0], [2, 2], [0, 2]], { degree: 1, closed: true });
+  const diagonal = new Curve([[-1, -1], [3, 3]]);
+  assert.deepEqual(square.intersect(diagonal), [
+    { t: 0, u: 0.25, point: { x: 0, y: 0 }, kind: "cross" },
+    { t: 2, u: 0.75, point: { x: 2, y: 2 }, kind: "cross" },
+  ]);
+  assert.deepEqual(
+    diagonal.intersect(square).map(({ t, u }) => [t, u]),
+    [[0.25, 0], [0.75, 2]],
+  );
+  const long = new Spline([[-1, 0], [1, 0], [1.5, 0], [3, 0]], { degree: 1 });
+  assert.deepEqual(square.intersect(long), [
+    { t: 0, u: 0.5, point: { x: 0, y: 0 }, kind: "overlap", tEnd: 1, uEnd: 2 + 1 / 3 },
+  ]);
+});
+
+test("self-intersections of curves and splines", () => {
+  const loop = new Curve([[0, 0], [3, 2], [-2, 2], [1, 0]]);
+  const [place] = loop.selfIntersections();
+  assert.ok(place.t < place.u && Math.abs(place.point.x - 0.5) < 1e-15);
+  const bow = new Spline([[0, 0], [2, 2], [2, 0], [0, 2]], { degree: 1, closed: true });
+  assert.deepEqual(bow.selfIntersections(), [{ t: 0.5, u: 2.5, point: { x: 1, y: 1 } }]);
+});
+
 test("only curves of the plane", () => {
   const space = new Curve([[0, 0, 0], [1, 1, 1]]);
   assert.throws(() => space.intersect(line), { name: "TypeError", message: "intersect: expected a 2D curve, got a 3D one" });
   assert.throws(() => line.intersect(space), TypeError);
-  assert.throws(() => line.intersect(/** @type {any} */ ([0, 0])), TypeError);
+  const message = "other: expected a Curve or a Spline, got an array of 2";
+  assert.throws(() => line.intersect(/** @type {any} */ ([0, 0])), { name: "TypeError", message });
+  assert.throws(() => line.intersect(/** @type {any} */ (null)), TypeError);
+  assert.throws(() => space.selfIntersections(), TypeError);
+  const chain = new Spline([[0, 0, 0], [1, 1, 1]], { degree: 1 });
+  assert.throws(() => chain.intersect(line), { name: "TypeError", message: "intersect: expected a 2D spline, got a 3D one" });
+  assert.throws(() => line.intersect(chain), TypeError);
+  assert.throws(() => chain.selfIntersections(), TypeError);
 });

@@ -18,6 +18,12 @@ const NEWTON_STEPS: usize = 8;
 /// So far out of its piece, in parameters of the piece, a search is given up.
 const ASTRAY: f64 = 0.5;
 
+/// The last step, on the whole curves, is shorter.
+const NEARBY: f64 = 1e-8;
+
+/// Crossings at a flatter angle are looked at again.
+const FLAT: f64 = 1e-5;
+
 #[inline(always)]
 pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     ax * by - ay * bx
@@ -71,22 +77,23 @@ impl<R: Row> Meeting<R> {
     #[inline(always)]
     fn settled(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
         let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
-        let inside = s == s.clamp(0.0, 1.0) && r == r.clamp(0.0, 1.0);
         let [whole_a, whole_b] = &self.whole;
-        if inside {
-            // The numbers of the whole curve have not been rounded as often.
-            if let Some((dt, du)) = step(whole_a, whole_b, t, u)
-                && dt.abs() + du.abs() < 1e-6
-            {
-                (t, u) = ((t + dt).clamp(0.0, 1.0), (u + du).clamp(0.0, 1.0));
-            }
-        } else if apart(whole_a, whole_b, t, u) > self.slack {
+        let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));
+        let gap = [b[0] - a[0], b[1] - a[1]];
+        let turn = cross(da, db);
+        // The numbers of the whole curve have not been rounded as often.
+        let (finer_t, finer_u) = (t + cross(gap, db) / turn, u + cross(gap, da) / turn);
+        let fits = |x: f64, from: f64| (x - from).abs() < NEARBY && (0.0..=1.0).contains(&x);
+        if fits(finer_t, t) && fits(finer_u, u) {
+            (t, u) = (finer_t, finer_u);
+        } else if gap[0].abs().max(gap[1].abs()) > self.slack {
             return None;
         }
+        let sizes = (da[0].abs() + da[1].abs()) * (db[0].abs() + db[1].abs());
         Some(Contact {
             t: [t, t],
             u: [u, u],
-            crossing: true,
+            crossing: turn.abs() > FLAT * sizes,
         })
     }
 }
@@ -100,10 +107,4 @@ pub(super) fn step<R: Row>(a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option
     let gap = [bx - ax, by - ay];
     let steps = (cross(gap, db) / turn, cross(gap, da) / turn);
     (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
-}
-
-/// The distance between two points of the curves, by the larger coordinate.
-pub(super) fn apart<R: Row>(a: &Piece<R>, b: &Piece<R>, t: f64, u: f64) -> f64 {
-    let ([ax, ay], [bx, by]) = (a.taylor(t).0, b.taylor(u).0);
-    (ax - bx).abs().max((ay - by).abs())
 }

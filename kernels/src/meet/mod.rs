@@ -45,19 +45,20 @@ pub struct Meeting<R> {
 
 impl<R: Row> Meeting<R> {
     /// Two curves whose coordinates are at most about 1, and the distance that counts as none.
-    pub fn new(a: Piece<R>, b: Piece<R>, slack: f64, budget: usize) -> Self {
+    pub fn new(whole: [Piece<R>; 2], slack: f64, budget: usize) -> Self {
         Self {
-            whole: [a, b],
+            whole,
             slack,
             budget,
             found: Vec::new(),
         }
     }
 
-    /// Looks for all contacts of the two curves.
+    /// Looks for all contacts of the two curves between some of their parameters.
     #[inline(always)]
-    pub fn run(&mut self) {
-        let [a, b] = self.whole.clone();
+    pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
+        let [a, b] = &self.whole;
+        let (a, b) = (a.between(ts[0], ts[1]), b.between(us[0], us[1]));
         self.pair(a, b);
     }
 
@@ -78,12 +79,16 @@ impl<R: Row> Meeting<R> {
             let Some(left_a) = clip(&b, &mut a, self.slack) else {
                 return;
             };
-            match self.crossing(&a, &b) {
+            let many = match self.crossing(&a, &b) {
                 Crossing::Found(contact) => return self.found.push(contact),
-                Crossing::Many if self.run_along(&a, &b) => return,
-                _ => {}
+                Crossing::Many => true,
+                Crossing::Unclear => false,
+            };
+            let stuck = left_a > WORTH_CLIPPING && left_b > WORTH_CLIPPING;
+            if (many || stuck) && self.run_along(&a, &b) {
+                return;
             }
-            if left_a > WORTH_CLIPPING && left_b > WORTH_CLIPPING {
+            if stuck {
                 return self.halve(&a, &b);
             }
         }
@@ -92,6 +97,9 @@ impl<R: Row> Meeting<R> {
     /// Goes on with the halves of the longer piece; two pieces without an extent are a contact.
     fn halve(&mut self, a: &Piece<R>, b: &Piece<R>) {
         let (size_a, size_b) = (a.extent(), b.extent());
+        if a.is_off(b, self.slack) {
+            return;
+        }
         if size_a <= self.slack && size_b <= self.slack {
             self.note(a, b);
         } else if size_a > size_b {
@@ -120,14 +128,7 @@ impl<R: Row> Meeting<R> {
     }
 }
 
-/// The contacts of two cubics; see [`Meeting`].
-pub fn meet_cubics(
-    a: Piece<[f64; 4]>,
-    b: Piece<[f64; 4]>,
-    slack: f64,
-    budget: usize,
-) -> Meeting<[f64; 4]> {
-    let mut meeting = Meeting::new(a, b, slack, budget);
-    meeting.run();
-    meeting
+/// [`Meeting::run`] for cubics.
+pub fn meet_cubics(meeting: &mut Meeting<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
+    meeting.run(ts, us);
 }

@@ -87,6 +87,15 @@ impl<R: Row> Piece<R> {
         spread(self.x.get()).max(spread(self.y.get()))
     }
 
+    /// Whether the boxes of the control points are farther apart than the slack.
+    pub(super) fn is_off(&self, other: &Self, slack: f64) -> bool {
+        let apart = |a: &[f64], b: &[f64]| {
+            let (a, b) = (range(a.iter().copied()), range(b.iter().copied()));
+            a.0 > b.1 + slack || b.0 > a.1 + slack
+        };
+        apart(self.x.get(), other.x.get()) || apart(self.y.get(), other.y.get())
+    }
+
     /// The point and the derivative at s.
     #[inline(always)]
     pub(super) fn taylor(&self, s: f64) -> ([f64; 2], [f64; 2]) {

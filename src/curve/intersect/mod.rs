@@ -5,7 +5,10 @@
 //! what belongs together and [`settle`] says what a zone is: a tangency, a shared piece, or crossings too close for the
 //! search.
 
+mod near;
 mod pair;
+mod pieces;
+mod selves;
 mod settle;
 mod zone;
 
@@ -40,6 +43,17 @@ pub enum Contact {
         /// The parameter on the second curve there.
         u_end: f64,
     },
+}
+
+/// A point that a curve passes twice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SelfIntersection {
+    /// The parameter of the first time.
+    pub t: f64,
+    /// The parameter of the second time; t < u.
+    pub u: f64,
+    /// The point.
+    pub point: DVec2,
 }
 
 impl Curve<DVec2> {

@@ -1,6 +1,7 @@
 //! Two curves made comparable.
 
-use super::super::{Points, ratio};
+use super::super::{Points, Scalars, ratio};
+use super::pieces::{stops, with_ends};
 use super::zone::joined;
 use super::{Contact, Curve, Intersection};
 use casteljau_kernels as kernels;
@@ -19,12 +20,19 @@ const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// Parameters so close are the same: a few roundings of numbers up to 1.
 const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
 
+/// A contact so near to an end of a shared piece is that end.
+const ONE_END: f64 = 1e-7;
+
+/// A place by its parameters, and what it is.
+pub(super) type Place = (f64, f64, Contact);
+
 /// Two curves moved to the origin and scaled to size 1.
 pub(super) struct Pair {
-    pub(super) a: Points<DVec2>,
-    pub(super) b: Points<DVec2>,
+    pub(super) curves: [Points<DVec2>; 2],
     /// Points closer than this are one point.
     pub(super) slack: f64,
+    /// Where they stop: cusps, and where a straight curve turns back.
+    pub(super) stops: [Scalars; 2],
 }
 
 impl Pair {
@@ -48,20 +56,26 @@ impl Pair {
         let scale = power_of_two(spread);
         let place = |p: &DVec2| (*p * unit - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
+        let (a, b): (Points<DVec2>, Points<DVec2>) =
+            (a.iter().map(place).collect(), b.iter().map(place).collect());
         Some(Self {
-            a: a.iter().map(place).collect(),
-            b: b.iter().map(place).collect(),
+            stops: [stops(&a), stops(&b)],
+            curves: [a, b],
             slack: INPUT_ROUNDING * (largest * unit) * scale + STEP_ROUNDING * (1.0 + degree),
         })
     }
 
     /// Everything that the curves share, in order.
     pub(super) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
-        let mut places = Vec::new();
-        for zone in joined(self, self.search()) {
-            self.settle(&zone, &mut places);
-        }
-        in_order(&mut places);
+        let found = if self.stops.iter().all(|stops| stops.is_empty()) {
+            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
+        } else {
+            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
+            let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
+            let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+            self.search(&cuts_a, &cuts_b, pairs)
+        };
+        let places = self.places(found);
         places
             .into_iter()
             .map(|(t, u, kind)| Intersection {
@@ -73,20 +87,47 @@ impl Pair {
             .collect()
     }
 
-    fn search(&self) -> Vec<kernels::Contact> {
-        let degree = self.a.len().max(self.b.len()) - 1;
-        if degree <= 3 {
-            return meet_cubics(cubic(&self.a), cubic(&self.b), self.slack, BUDGET).found;
+    /// What the contacts are, in order.
+    pub(super) fn places(&self, found: Vec<kernels::Contact>) -> Vec<Place> {
+        let mut places = Vec::new();
+        for zone in joined(self, found) {
+            self.settle(&zone, &mut places);
         }
-        let (a, b) = (piece(&self.a, degree), piece(&self.b, degree));
-        let mut meeting = Meeting::new(a, b, self.slack, BUDGET * degree);
-        meeting.run();
+        tidied(places)
+    }
+
+    /// The contacts of some pieces with some others, in no order; the pieces lie between cuts.
+    pub(super) fn search(
+        &self,
+        cuts_a: &[f64],
+        cuts_b: &[f64],
+        pairs: impl IntoIterator<Item = (usize, usize)>,
+    ) -> Vec<kernels::Contact> {
+        let [a, b] = &self.curves;
+        let degree = a.len().max(b.len()) - 1;
+        if degree <= 3 {
+            let whole = [cubic(a), cubic(b)];
+            let mut meeting = Meeting::new(whole, self.slack, BUDGET);
+            for (i, j) in pairs {
+                meet_cubics(
+                    &mut meeting,
+                    [cuts_a[i], cuts_a[i + 1]],
+                    [cuts_b[j], cuts_b[j + 1]],
+                );
+            }
+            return meeting.found;
+        }
+        let whole = [piece(a, degree), piece(b, degree)];
+        let mut meeting = Meeting::new(whole, self.slack, BUDGET * degree);
+        for (i, j) in pairs {
+            meeting.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
+        }
         meeting.found
     }
 }
 
-/// Sorts by t, then by u; parameters that differ by rounding become one.
-fn in_order(places: &mut [(f64, f64, Contact)]) {
+/// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
+fn tidied(mut places: Vec<Place>) -> Vec<Place> {
     places.sort_by(|p, q| p.0.total_cmp(&q.0));
     for k in 1..places.len() {
         if places[k].0 - places[k - 1].0 <= ONE_PARAMETER {
@@ -94,6 +135,24 @@ fn in_order(places: &mut [(f64, f64, Contact)]) {
         }
     }
     places.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1)));
+    let near = |p: (f64, f64), q: (f64, f64), within: f64| {
+        (p.0 - q.0).abs() <= within && (p.1 - q.1).abs() <= within
+    };
+    let all = places.clone();
+    let mut k = 0;
+    places.retain(|&(t, u, kind)| {
+        k += 1;
+        let single = |kind: Contact| !matches!(kind, Contact::Overlap { .. });
+        let again = |q: &Place| single(q.2) && near((t, u), (q.0, q.1), ONE_PARAMETER);
+        let at_overlap = |q: &Place| match q.2 {
+            Contact::Overlap { t_end, u_end } => {
+                near((t, u), (q.0, q.1), ONE_END) || near((t, u), (t_end, u_end), ONE_END)
+            }
+            _ => false,
+        };
+        !single(kind) || !(all[..k - 1].iter().any(again) || all.iter().any(at_overlap))
+    });
+    places
 }
 
 /// The point of both; where one of them ends there, its end as it was given.

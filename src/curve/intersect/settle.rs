@@ -1,70 +1,30 @@
 //! What is a zone of contact?
 
-use super::super::{Points, evaluate};
-use super::Contact;
-use super::pair::Pair;
+use super::super::{Scalars, evaluate};
+use super::near::taylor;
+use super::pair::{Pair, Place};
 use super::zone::Zone;
+use super::{Contact, Curve};
 use crate::point::Point;
 use glam::DVec2;
 
-/// Newton's method halves the distance from a contact of higher order with each step.
-const TANGENCY_STEPS: usize = 50;
+/// An end is looked for this near to a parameter.
+const NEAR_END: f64 = 1e-5;
 
-/// The point and the first two derivatives.
-pub(super) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
-    let n = (points.len() - 1) as f64;
-    let slopes: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
-    let bends: Points<DVec2> = slopes.windows(2).map(|p| p[1] - p[0]).collect();
-    let bend = if bends.is_empty() {
-        DVec2::ZERO
-    } else {
-        evaluate(&bends, t)
-    };
-    [
-        evaluate(points, t),
-        evaluate(&slopes, t) * n,
-        bend * (n * (n - 1.0)),
-    ]
-}
+/// A shared piece is longer than this many times what rounding may move; a shorter one is a point.
+const LEAST_OVERLAP: f64 = 64.0;
+
+/// Two crossings in one zone are two if they are farther apart than this.
+const TWO_CROSSINGS: f64 = 1e-10;
+
+/// Directions closer than this are equal where rounding hides them: next to cusps, 1e-8 from which they turn by as much.
+const HIDDEN_TURN: f64 = 1e-6;
 
 impl Pair {
-    /// The distance of A(t) from the tangent of B at u, with a sign.
-    pub(super) fn height(&self, t: f64, u: f64) -> f64 {
-        let [a, da, _] = taylor(&self.a, t);
-        let [b, db, _] = taylor(&self.b, u);
-        let direction = if db == DVec2::ZERO { da } else { db };
-        let along = direction.normalize_or_zero();
-        if along == DVec2::ZERO {
-            (a - b).length()
-        } else {
-            along.perp_dot(a - b)
-        }
-    }
-
-    /// The parameter on B that is nearest to A(t), from u on.
-    fn opposite(&self, t: f64, mut u: f64) -> f64 {
-        let a = evaluate(&self.a, t);
-        for _ in 0..8 {
-            let [b, db, _] = taylor(&self.b, u);
-            let step = (a - b).dot(db) / db.length_squared();
-            if !step.is_finite() {
-                break;
-            }
-            u = (u + step).clamp(0.0, 1.0);
-        }
-        u
-    }
-
-    fn apart(&self, t: f64, u: f64) -> f64 {
-        (evaluate(&self.a, t) - evaluate(&self.b, u)).max_abs()
-    }
-
     /// Says what a zone is.
-    pub(super) fn settle(&self, zone: &Zone, places: &mut Vec<(f64, f64, Contact)>) {
+    pub(super) fn settle(&self, zone: &Zone, places: &mut Vec<Place>) {
         if zone.crossing {
-            let (t, u) = zone.ends()[0];
-            let t = snapped(&self.a, t, self.slack);
-            let u = snapped(&self.b, u, self.slack);
+            let (t, u) = self.snapped(zone.ends()[0]);
             return places.push((t, u, Contact::Cross));
         }
         if let Some(overlap) = self.overlap(zone) {
@@ -74,56 +34,46 @@ impl Pair {
             return places.push((t, u, self.kind(t, u)));
         }
         let middle = (0.5 * (zone.t[0] + zone.t[1]), 0.5 * (zone.u[0] + zone.u[1]));
-        let close =
-            |&(t, u): &(f64, f64)| zone.holds((t, u)) && self.height(t, u).abs() <= self.slack;
-        if let Some((t, u)) = self.tangency(middle).filter(close) {
+        if let Some((t, u)) = self.tangency(middle).filter(|&place| zone.holds(place)) {
             return places.push((t, u, Contact::Tangent));
         }
-        let [start, end] = zone
-            .ends()
-            .map(|place| self.crossing(place).filter(|&place| zone.holds(place)));
-        let same = |p: (f64, f64), q: (f64, f64)| (p.0 - q.0).abs() + (p.1 - q.1).abs() < 1e-10;
-        match (start, end) {
-            (Some(p), Some(q)) if !same(p, q) => {
-                places.extend([(p.0, p.1, Contact::Cross), (q.0, q.1, Contact::Cross)])
+        let crossing = |place| self.crossing(place).filter(|&place| zone.holds(place));
+        match self.paired(zone).map(crossing) {
+            [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
+                places.extend([p, q].map(|(t, u)| (t, u, Contact::Cross)));
             }
-            (Some((t, u)), _) | (None, Some((t, u))) => places.push((t, u, self.kind(t, u))),
-            // A contact of higher order, or a cusp.
-            (None, None) => self.blunt(middle, places),
+            [Some((t, u)), _] | [None, Some((t, u))] => places.push((t, u, self.kind(t, u))),
+            // A contact of higher order, or a cusp, that Newton's method does not sharpen.
+            [None, None] => {
+                let (t, u) = self.opposite(middle.0, middle.1);
+                if self.one((t, u)) {
+                    places.push((t, u, self.kind(t, u)));
+                }
+            }
         }
     }
 
-    /// A contact that Newton's method does not sharpen.
-    fn blunt(&self, (t, u): (f64, f64), places: &mut Vec<(f64, f64, Contact)>) {
-        let u = self.opposite(t, u);
-        if self.height(t, u).abs() <= 2.0 * self.slack {
-            places.push((t, u, self.kind(t, u)));
-        }
-    }
-
-    /// The crossing that Newton's method finds from here.
-    fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
-        for _ in 0..20 {
-            let [a, da, _] = taylor(&self.a, t);
-            let [b, db, _] = taylor(&self.b, u);
-            let turn = da.perp_dot(db);
-            let (dt, du) = ((b - a).perp_dot(db) / turn, (b - a).perp_dot(da) / turn);
-            if !(dt.is_finite() && du.is_finite()) {
-                return (a == b).then_some((t, u));
+    /// The same place, at an end where only rounding keeps it from it.
+    pub(super) fn snapped(&self, (t, u): (f64, f64)) -> (f64, f64) {
+        let snapped = |curve: usize, t: f64| {
+            let end = t.round();
+            if t == end || (t - end).abs() > NEAR_END {
+                return t;
             }
-            (t, u) = ((t + dt).clamp(0.0, 1.0), (u + du).clamp(0.0, 1.0));
-            if dt.abs() + du.abs() < 1e-14 {
-                break;
-            }
-        }
-        (self.apart(t, u) <= 2.0 * self.slack).then_some((t, u))
+            let points = &self.curves[curve];
+            let apart = (evaluate(points, t) - evaluate(points, end)).max_abs();
+            if apart <= self.slack { end } else { t }
+        };
+        (snapped(0, t), snapped(1, u))
     }
 
     /// The ends of a zone; of one too small to know its direction, as they are closer together.
     fn paired(&self, zone: &Zone) -> [(f64, f64); 2] {
         let ends = zone.ends();
         let crossed = [(ends[0].0, ends[1].1), (ends[1].0, ends[0].1)];
-        let apart = |ends: [(f64, f64); 2]| ends.map(|(t, u)| self.apart(t, u)).iter().sum::<f64>();
+        let apart = |ends: [(f64, f64); 2]| {
+            self.apart(ends[0].0, ends[0].1) + self.apart(ends[1].0, ends[1].1)
+        };
         if zone.direction == 0.0 && apart(crossed) < apart(ends) {
             crossed
         } else {
@@ -131,99 +81,76 @@ impl Pair {
         }
     }
 
-    fn overlap(&self, zone: &Zone) -> Option<(f64, f64, Contact)> {
-        let [(t, u), (t_end, u_end)] = self.paired(zone);
-        let length = (evaluate(&self.a, t) - evaluate(&self.a, t_end)).max_abs();
-        let outer = |t: f64, u: f64| is_end(t) || is_end(u);
-        (length > 64.0 * self.slack && outer(t, u) && outer(t_end, u_end)).then_some((
-            t,
-            u,
-            Contact::Overlap { t_end, u_end },
-        ))
+    /// A zone that has a length and ends where a curve does is a shared piece.
+    fn overlap(&self, zone: &Zone) -> Option<Place> {
+        let start = evaluate(&self.curves[0], zone.t[0]);
+        let long = [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
+            let t = zone.t[0] + part * (zone.t[1] - zone.t[0]);
+            (evaluate(&self.curves[0], t) - start).max_abs() > LEAST_OVERLAP * self.slack
+        });
+        if !long {
+            return None;
+        }
+        let [start, end] = self
+            .paired(zone)
+            .map(|place| self.at_end(self.snapped(place)));
+        let ((t, u), (t_end, u_end)) = (start?, end?);
+        Some((t, u, Contact::Overlap { t_end, u_end }))
+    }
+
+    /// A place where a curve ends, made exact on the other; `None` where none does.
+    fn at_end(&self, (t, u): (f64, f64)) -> Option<(f64, f64)> {
+        let better = |place: (f64, f64)| {
+            if self.apart(place.0, place.1) < self.apart(t, u) {
+                place
+            } else {
+                (t, u)
+            }
+        };
+        match (self.ends(0).contains(&t), self.ends(1).contains(&u)) {
+            (true, true) => Some((t, u)),
+            (true, false) => Some(better(self.opposite(t, u))),
+            (false, true) => Some(better(self.across(t, u))),
+            (false, false) => None,
+        }
+    }
+
+    /// Where a curve starts, ends or stops.
+    fn ends(&self, curve: usize) -> Scalars {
+        self.stops[curve]
+            .iter()
+            .copied()
+            .chain([0.0, 1.0])
+            .collect()
     }
 
     /// A place of the zone where a curve ends: both if there is one.
     fn end_in(&self, zone: &Zone) -> Option<(f64, f64)> {
-        let [t0, t1] = zone.t;
-        let [u0, u1] = zone.u;
-        let ts = [(t0 == 0.0).then_some(0.0), (t1 == 1.0).then_some(1.0)];
-        let us = [(u0 == 0.0).then_some(0.0), (u1 == 1.0).then_some(1.0)];
-        let close = |t: f64, u: f64| (self.apart(t, u) <= 2.0 * self.slack).then_some((t, u));
-        for t in ts.into_iter().flatten() {
-            for u in us.into_iter().flatten() {
-                if let Some(place) = close(t, u) {
-                    return Some(place);
-                }
-            }
-        }
-        let (mid_t, mid_u) = (0.5 * (t0 + t1), 0.5 * (u0 + u1));
-        for t in ts.into_iter().flatten() {
-            if let Some(place) = close(t, self.opposite(t, mid_u)) {
-                return Some(place);
-            }
-        }
-        let swapped = Self {
-            a: self.b.clone(),
-            b: self.a.clone(),
-            slack: self.slack,
+        let within = |curve: usize, [from, to]: [f64; 2]| -> Scalars {
+            let inside = |&t: &f64| t >= from && t <= to;
+            self.ends(curve).into_iter().filter(inside).collect()
         };
-        us.into_iter()
-            .flatten()
-            .find_map(|u| close(swapped.opposite(u, mid_t), u))
-    }
-
-    /// Where both have the same direction and are nearest to each other: A′ × B′ = 0 and (A − B) · A′ = 0.
-    fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
-        for _ in 0..TANGENCY_STEPS {
-            let [a, da, dda] = taylor(&self.a, t);
-            let [b, db, ddb] = taylor(&self.b, u);
-            let turn = da.perp_dot(db);
-            let ahead = (a - b).dot(da);
-            let (m00, m01) = (dda.perp_dot(db), da.perp_dot(ddb));
-            let (m10, m11) = (da.dot(da) + (a - b).dot(dda), -db.dot(da));
-            let det = m00 * m11 - m01 * m10;
-            let (dt, du) = (
-                (turn * m11 - ahead * m01) / det,
-                (m00 * ahead - m10 * turn) / det,
-            );
-            if !(dt.is_finite() && du.is_finite()) {
-                break;
-            }
-            (t, u) = (t - dt, u - du);
-            if dt.abs() + du.abs() < 1e-14 {
-                break;
-            }
-        }
-        ((0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u)).then_some((t, u))
+        let (ts, us) = (within(0, zone.t), within(1, zone.u));
+        let middle = (0.5 * (zone.t[0] + zone.t[1]), 0.5 * (zone.u[0] + zone.u[1]));
+        let both = ts.iter().flat_map(|&t| us.iter().map(move |&u| (t, u)));
+        let on_b = ts.iter().map(|&t| self.opposite(t, middle.1));
+        let on_a = us.iter().map(|&u| self.across(middle.0, u));
+        both.chain(on_b).chain(on_a).find(|&place| self.one(place))
     }
 
     /// Tangent where the directions differ by no more than rounding can turn them.
     fn kind(&self, t: f64, u: f64) -> Contact {
-        let a = Curve::from_slice(&self.a).tangent(t);
-        let b = Curve::from_slice(&self.b).tangent(u);
-        let [_, da, _] = taylor(&self.a, t);
-        let [_, db, _] = taylor(&self.b, u);
-        let turned = 16.0 * self.slack * (1.0 / da.length() + 1.0 / db.length());
-        if a.perp_dot(b).abs() <= turned.min(1e-6) && a != DVec2::ZERO && b != DVec2::ZERO {
+        let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
+            let points = &self.curves[k];
+            let tangent = Curve::from_slice(points).tangent(t);
+            (tangent, 1.0 / taylor(points, t)[1].length())
+        });
+        let turned = (16.0 * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
+        let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
+        if directed && a.0.perp_dot(b.0).abs() <= turned {
             Contact::Tangent
         } else {
             Contact::Cross
         }
     }
-}
-
-use super::Curve;
-
-fn is_end(t: f64) -> bool {
-    t == 0.0 || t == 1.0
-}
-
-/// A parameter that is an end but for rounding is the end.
-fn snapped(points: &[DVec2], t: f64, slack: f64) -> f64 {
-    let end = t.round();
-    if t == end || (t - end).abs() > 1e-6 {
-        return t;
-    }
-    let apart = (evaluate(points, t) - evaluate(points, end)).max_abs();
-    if apart <= slack { end } else { t }
 }

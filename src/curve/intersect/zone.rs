@@ -9,6 +9,9 @@ const LARGEST_GAP: f64 = 0.05;
 /// Parameters so close are one for sure: some roundings.
 const SAME: f64 = 1e-13;
 
+/// A crossing that two pieces share is found by both, with some roundings between.
+const ONE_CROSSING: f64 = 1e-12;
+
 /// A stretch on which two curves cannot be told apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zone {
@@ -56,43 +59,43 @@ impl Zone {
         within(self.t, t) && within(self.u, u)
     }
 
+    /// The parameters on the second curve where it starts and ends; all of them where its direction is not known.
+    fn edges(&self) -> [[f64; 2]; 2] {
+        let [u0, u1] = self.u;
+        if self.direction == 0.0 {
+            [[u0, u1]; 2]
+        } else {
+            self.ends().map(|(_, u)| [u, u])
+        }
+    }
+
     /// Whether a contact that starts later is a part or the continuation of this one.
     fn takes(&self, pair: &Pair, next: &Zone) -> bool {
         if self.direction * next.direction < 0.0 {
             return false;
         }
-        let (t, u) = (next.t[0], 0.5 * (next.u[0] + next.u[1]));
+        let (t, start) = (next.t[0], next.edges()[0]);
         let Contact {
             t: last_t,
             u: last_u,
             ..
         } = self.last;
-        let [width_t, width_u] = [last_t[1] - last_t[0], last_u[1] - last_u[0]];
         if t < last_t[1] - SAME {
             // Within it: at the place that corresponds?
-            let place = last_u[0] + width_u * (t - last_t[0]) / width_t;
-            let start = if self.direction < 0.0 {
-                next.u[1]
-            } else {
-                next.u[0]
-            };
-            return (start - place).abs() <= 0.01 * width_u * width_u + 1e-7;
+            let width = last_u[1] - last_u[0];
+            let place = last_u[0] + width * (t - last_t[0]) / (last_t[1] - last_t[0]);
+            return distance([place, place], start).abs() <= 0.01 * width * width + 1e-7;
         }
-        let gap_t = t - self.t[1].max(last_t[1]);
-        let gap_u = (next.u[0] - self.u[1]).max(self.u[0] - next.u[1]).max(0.0);
-        if gap_t <= SAME && gap_u <= SAME {
+        let end = self.edges()[1];
+        let (gap_t, gap_u) = (t - self.t[1], distance(end, start));
+        if gap_t <= SAME && gap_u.abs() <= SAME {
             return true;
         }
-        let from = if u > self.u[1] { self.u[1] } else { self.u[0] };
-        let to = if u > self.u[1] { next.u[0] } else { next.u[1] };
+        let from = if gap_u > 0.0 { end[1] } else { end[0] };
         gap_t < LARGEST_GAP
-            && gap_u < LARGEST_GAP
+            && gap_u.abs() < LARGEST_GAP
             && [0.25, 0.5, 0.75].iter().all(|&part| {
-                let (t, u) = (
-                    self.t[1] + part * (t - self.t[1]),
-                    from + part * (to - from),
-                );
-                pair.height(t, u).abs() <= 4.0 * pair.slack
+                pair.height(self.t[1] + part * gap_t, from + part * gap_u) <= 4.0 * pair.slack
             })
     }
 
@@ -102,11 +105,17 @@ impl Zone {
         if self.direction == 0.0 {
             self.direction = next.direction;
         }
-        self.crossing &= next.crossing;
+        let one = self.t[1] - self.t[0] <= ONE_CROSSING && self.u[1] - self.u[0] <= ONE_CROSSING;
+        self.crossing &= next.crossing && one;
         if next.t[1] > self.last.t[1] {
             self.last = next.last;
         }
     }
+}
+
+/// How far the second interval lies above the first; 0 where they meet.
+fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
+    (second[0] - first[1]).max(0.0) + (second[1] - first[0]).min(0.0)
 }
 
 /// The contacts in order, joined where they belong together.

@@ -1,0 +1,143 @@
+//! Distances between two curves, and the places where they are least.
+
+use super::super::{Points, evaluate};
+use super::pair::Pair;
+use crate::point::Point;
+use glam::DVec2;
+
+/// Newton's method goes halfway, or a little more, to a contact of higher order with each step.
+const TANGENCY_STEPS: usize = 60;
+
+/// From a place nearby it ends much sooner.
+const CROSSING_STEPS: usize = 20;
+
+/// A step below this changes nothing: some roundings of a parameter.
+const LAST_STEP: f64 = 1e-15;
+
+/// Directions closer than this are equal but for rounding.
+const PARALLEL: f64 = 4.0 * f64::EPSILON;
+
+/// The point and the first two derivatives.
+pub(super) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
+    let n = (points.len() - 1) as f64;
+    let slopes = differences(points);
+    let bends = differences(&slopes);
+    let bend = match bends.len() {
+        0 => DVec2::ZERO,
+        _ => evaluate(&bends, t),
+    };
+    let slope = evaluate(&slopes, t);
+    [evaluate(points, t), slope * n, bend * (n * (n - 1.0))]
+}
+
+fn differences(points: &[DVec2]) -> Points<DVec2> {
+    points.windows(2).map(|p| p[1] - p[0]).collect()
+}
+
+impl Pair {
+    /// The distance between two points, by the larger coordinate.
+    pub(super) fn apart(&self, t: f64, u: f64) -> f64 {
+        (evaluate(&self.curves[0], t) - evaluate(&self.curves[1], u)).max_abs()
+    }
+
+    /// Whether two points are one but for rounding.
+    pub(super) fn one(&self, (t, u): (f64, f64)) -> bool {
+        self.apart(t, u) <= 2.0 * self.slack
+    }
+
+    /// The distance of A(t) from the tangent of B at u.
+    pub(super) fn height(&self, t: f64, u: f64) -> f64 {
+        let [a, da, _] = taylor(&self.curves[0], t);
+        let [b, db, _] = taylor(&self.curves[1], u);
+        let direction = if db == DVec2::ZERO { da } else { db };
+        match direction.normalize_or_zero() {
+            DVec2::ZERO => (a - b).length(),
+            along => along.perp_dot(a - b).abs(),
+        }
+    }
+
+    /// The parameter on one curve that is nearest to a point, from a parameter nearby.
+    pub(super) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
+        let (mut best, mut least) = (near, f64::INFINITY);
+        let mut t = near;
+        for _ in 0..CROSSING_STEPS {
+            let [p, d, dd] = taylor(&self.curves[curve], t);
+            let gap = p - point;
+            let distance = gap.length_squared();
+            if distance >= least {
+                break;
+            }
+            (best, least) = (t, distance);
+            // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, else a step along the tangent.
+            let bend = d.length_squared() + gap.dot(dd);
+            let slope = if bend > 0.5 * d.length_squared() {
+                bend
+            } else {
+                d.length_squared()
+            };
+            let next = t - gap.dot(d) / slope;
+            if !next.is_finite() {
+                break;
+            }
+            t = next.clamp(0.0, 1.0);
+        }
+        best
+    }
+
+    /// The place on the second curve that is nearest to A(t).
+    pub(super) fn opposite(&self, t: f64, u: f64) -> (f64, f64) {
+        (t, self.nearest(1, evaluate(&self.curves[0], t), u))
+    }
+
+    /// The place on the first curve that is nearest to B(u).
+    pub(super) fn across(&self, t: f64, u: f64) -> (f64, f64) {
+        (self.nearest(0, evaluate(&self.curves[1], u), t), u)
+    }
+
+    /// The crossing that Newton's method finds from here.
+    pub(super) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+        for _ in 0..CROSSING_STEPS {
+            let [a, da, _] = taylor(&self.curves[0], t);
+            let [b, db, _] = taylor(&self.curves[1], u);
+            let turn = da.perp_dot(db);
+            let (dt, du) = ((b - a).perp_dot(db) / turn, (b - a).perp_dot(da) / turn);
+            if !(dt.is_finite() && du.is_finite()) {
+                break;
+            }
+            (t, u) = ((t + dt).clamp(0.0, 1.0), (u + du).clamp(0.0, 1.0));
+            if dt.abs() + du.abs() < LAST_STEP {
+                break;
+            }
+        }
+        Some((t, u)).filter(|&place| self.one(place))
+    }
+
+    /// Where both have the same direction and are nearest to each other: A′ × B′ = 0 and (A − B) · A′ = 0.
+    pub(super) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+        for _ in 0..TANGENCY_STEPS {
+            let [a, da, dda] = taylor(&self.curves[0], t);
+            let [b, db, ddb] = taylor(&self.curves[1], u);
+            let (turn, ahead) = (da.perp_dot(db), (a - b).dot(da));
+            if turn.abs() <= PARALLEL * da.length() * db.length()
+                && ahead.abs() <= self.slack * da.length()
+            {
+                // A root that is not simple is not to be had nearer.
+                break;
+            }
+            let (turn_t, turn_u) = (dda.perp_dot(db), da.perp_dot(ddb));
+            let (ahead_t, ahead_u) = (da.dot(da) + (a - b).dot(dda), -db.dot(da));
+            let det = turn_t * ahead_u - turn_u * ahead_t;
+            let dt = (turn * ahead_u - ahead * turn_u) / det;
+            let du = (turn_t * ahead - ahead_t * turn) / det;
+            if !(dt.is_finite() && du.is_finite()) {
+                break;
+            }
+            (t, u) = (t - dt, u - du);
+            if dt.abs() + du.abs() < LAST_STEP {
+                break;
+            }
+        }
+        let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
+        inside.then_some((t, u)).filter(|&place| self.one(place))
+    }
+}

@@ -1,0 +1,44 @@
+//! Pieces that do not turn back.
+
+use super::super::roots::roots_inside;
+use super::super::{Points, Scalars, evaluate};
+use crate::point::Point;
+use glam::DVec2;
+
+/// The derivative vanishes where it is below this part of its largest coefficient: a root is known to some roundings.
+const VANISHING_RATIO: f64 = 1e-12;
+
+/// Parameters closer than this are one: what is left of a double root.
+const ONE_ROOT: f64 = 1e-7;
+
+/// The parameters inside (0, 1) where the derivative vanishes: cusps, and where a straight curve turns back.
+pub(super) fn stops(points: &[DVec2]) -> Scalars {
+    let mut found = Scalars::new();
+    if runs_forward(points) {
+        return found;
+    }
+    let slopes: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
+    let most = VANISHING_RATIO * slopes.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    for axis in 0..2 {
+        let row: Scalars = slopes.iter().map(|p| p.coordinate(axis)).collect();
+        let still = |&t: &f64| evaluate(&slopes, t).max_abs() <= most;
+        found.extend(roots_inside(&row).into_iter().filter(still));
+    }
+    found.sort_by(f64::total_cmp);
+    found.dedup_by(|next, last| *next - *last <= ONE_ROOT);
+    found
+}
+
+/// Whether no control edge runs against the chord: then the curve passes no point twice.
+pub(super) fn runs_forward(points: &[DVec2]) -> bool {
+    let chord = points[points.len() - 1] - points[0];
+    chord != DVec2::ZERO && points.windows(2).all(|p| (p[1] - p[0]).dot(chord) >= 0.0)
+}
+
+/// 0, some parameters, 1: the ends of the pieces between them.
+pub(super) fn with_ends(inside: &[f64]) -> Vec<f64> {
+    let mut all = vec![0.0];
+    all.extend(inside);
+    all.push(1.0);
+    all
+}

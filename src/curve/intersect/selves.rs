@@ -1,0 +1,100 @@
+//! Where does a curve meet itself?
+
+use super::super::Points;
+use super::pair::Pair;
+use super::pieces::{runs_forward, stops};
+use super::{Contact, Curve, SelfIntersection};
+use glam::DVec2;
+
+/// A loop shorter than this, in parameters, is a cusp but for rounding: it is as large as the square.
+const LEAST_LOOP: f64 = 1e-7;
+
+/// Halvings after which a piece that still turns back is left alone: a cusp is smaller than rounding then.
+const HALVINGS: usize = 30;
+
+impl Curve<DVec2> {
+    /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1.
+    ///
+    /// Ends count: a closed curve passes its start again, t = 0 and u = 1. A point that it passes three times comes as
+    /// three pairs. A cusp is no such point, and neither is a piece that is run through again (a straight curve that
+    /// turns back): the list holds single points only.
+    ///
+    /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) =
+    /// a(σ² − π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut where they turn,
+    /// and their pieces intersected.
+    pub fn self_intersections(&self) -> Vec<SelfIntersection> {
+        if self.degree() < 3 || runs_forward(&self.points) {
+            return Vec::new();
+        }
+        let Some(pair) = Pair::new(&self.points, &self.points) else {
+            return Vec::new();
+        };
+        let mut places: Vec<_> = if self.degree() == 3 {
+            double_point(&pair).into_iter().collect()
+        } else {
+            crossings(&pair)
+        };
+        places.retain(|&(t, u)| u - t > LEAST_LOOP);
+        places
+            .into_iter()
+            .map(|(t, u)| SelfIntersection {
+                t,
+                u,
+                point: self.eval(if u == 1.0 { 1.0 } else { t }),
+            })
+            .collect()
+    }
+}
+
+/// The parameters of the double point of a cubic.
+fn double_point(pair: &Pair) -> Option<(f64, f64)> {
+    let p = &pair.curves[0];
+    let c = (p[1] - p[0]) * 3.0;
+    let b = (p[2] - p[1]) * 3.0 - c;
+    let a = p[3] - p[0] - c - b;
+    let (ab, ac, bc) = (a.perp_dot(b), a.perp_dot(c), b.perp_dot(c));
+    let spread = (4.0 * bc * ab - 3.0 * ac * ac).sqrt() / ab.abs();
+    let middle = -0.5 * ac / ab;
+    let (t, u) = (middle - 0.5 * spread, middle + 0.5 * spread);
+    // An end that rounding has moved out is still an end.
+    let near = |t: f64| t > -LEAST_LOOP && t < 1.0 + LEAST_LOOP;
+    (spread > LEAST_LOOP && near(t) && near(u))
+        .then(|| pair.crossing((t.clamp(0.0, 1.0), u.clamp(0.0, 1.0))))?
+        .map(|place| pair.snapped(place))
+}
+
+/// The same for any degree.
+fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
+    let mut cuts = vec![0.0];
+    let mut from = 0.0;
+    for to in stops(&pair.curves[0]).into_iter().chain([1.0]) {
+        cut(&pair.curves[0], from, to, 0, &mut cuts);
+        from = to;
+    }
+    let last = cuts.len() - 1;
+    let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
+    let found = pair.search(&cuts, &cuts, pairs);
+    // The pieces before and after a cut meet there, which is no news.
+    let apart = found.into_iter().filter(|contact| {
+        let [t, u] = [contact.t, contact.u];
+        u[0].min(u[1]) - t[1] > LEAST_LOOP
+    });
+    let places = pair.places(apart.collect());
+    places
+        .into_iter()
+        .filter(|place| !matches!(place.2, Contact::Overlap { .. }))
+        .map(|(t, u, _)| (t, u))
+        .collect()
+}
+
+/// Cuts a piece until its parts run forward, and notes where they end.
+fn cut(points: &[DVec2], from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
+    let mut piece = Points::from(points);
+    super::super::blossom_piece(&mut piece, from, to);
+    if depth == HALVINGS || runs_forward(&piece) {
+        return cuts.push(to);
+    }
+    let middle = 0.5 * (from + to);
+    cut(points, from, middle, depth + 1, cuts);
+    cut(points, middle, to, depth + 1, cuts);
+}

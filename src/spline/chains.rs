@@ -1,0 +1,253 @@
+//! Where chains of curves meet: the pairs of curves that may meet, and what their places are on the chains.
+//!
+//! Over each list of curves stands a tree of boxes, in the order of the list: neighbours on a chain are neighbours in the
+//! plane. Both trees are walked down where boxes touch.
+
+use super::Spline;
+use crate::curve::{Contact, Curve, Intersection};
+use glam::DVec2;
+
+/// Boxes are widened by this part of their coordinates: curves that rounding keeps apart count as meeting.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// The same joint, found on two curves, is this far apart on the other chain at most: a tangency of two curves is known to
+/// the root of rounding.
+const ONE_JOINT: f64 = 1e-7;
+
+/// Some chains in one list of curves.
+pub(crate) struct Chains {
+    curves: Vec<Curve<DVec2>>,
+    /// For each curve the number of its chain and its own number there.
+    places: Vec<(usize, usize)>,
+    /// For each chain how many curves it has, and whether it is closed.
+    sizes: Vec<(usize, bool)>,
+    boxes: Vec<[DVec2; 2]>,
+}
+
+/// A place that two chains share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Meeting {
+    /// The number of the chain in the first list.
+    pub(crate) a: usize,
+    /// The number of the chain in the second list.
+    pub(crate) b: usize,
+    /// t on the one and u on the other chain.
+    pub(crate) at: Intersection,
+}
+
+impl Chains {
+    pub(crate) fn new<'a>(splines: impl IntoIterator<Item = &'a Spline<DVec2>>) -> Self {
+        let (mut curves, mut places, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
+        for (chain, spline) in splines.into_iter().enumerate() {
+            let count = spline.segment_count();
+            sizes.push((count, spline.is_closed()));
+            places.extend((0..count).map(|k| (chain, k)));
+            curves.extend(spline.segments());
+        }
+        Self::with(curves, places, sizes)
+    }
+
+    /// One curve as a chain.
+    pub(crate) fn of_curve(curve: &Curve<DVec2>) -> Self {
+        Self::with(vec![curve.clone()], vec![(0, 0)], vec![(1, false)])
+    }
+
+    fn with(
+        curves: Vec<Curve<DVec2>>,
+        places: Vec<(usize, usize)>,
+        sizes: Vec<(usize, bool)>,
+    ) -> Self {
+        // A binary tree in an array: node k has the children 2k and 2k + 1, the leaves are the curves.
+        let leaves = curves.len().next_power_of_two();
+        let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let mut boxes = vec![nothing; 2 * leaves];
+        for (place, curve) in boxes[leaves..].iter_mut().zip(&curves) {
+            let bounds = curve.control_bounds();
+            let margin = bounds.min.abs().max(bounds.max.abs()) * ROUNDING;
+            *place = [bounds.min - margin, bounds.max + margin];
+        }
+        for k in (1..leaves).rev() {
+            let [left, right] = [boxes[2 * k], boxes[2 * k + 1]];
+            boxes[k] = [left[0].min(right[0]), left[1].max(right[1])];
+        }
+        Self {
+            curves,
+            places,
+            sizes,
+            boxes,
+        }
+    }
+
+    /// The parameter on the chain; the end of a closed one is its start.
+    fn at(&self, curve: usize, t: f64) -> f64 {
+        let (chain, k) = self.places[curve];
+        let (count, closed) = self.sizes[chain];
+        let t = k as f64 + t;
+        if closed && t == count as f64 { 0.0 } else { t }
+    }
+
+    /// The same, for the end of a shared piece, which may be the end of a closed chain.
+    fn end_at(&self, curve: usize, t: f64) -> f64 {
+        self.places[curve].1 as f64 + t
+    }
+
+    /// All places that chains of this list share with chains of another one: by chains, then by t, then by u.
+    pub(crate) fn meet(&self, other: &Self) -> Vec<Meeting> {
+        let mut found = Vec::new();
+        self.walk(other, 1, 1, &mut |i, j| {
+            for place in self.curves[i].intersect(&other.curves[j]) {
+                found.push(self.meeting(other, (i, j), place));
+            }
+        });
+        joined(found)
+    }
+
+    fn meeting(&self, other: &Self, (i, j): (usize, usize), place: Intersection) -> Meeting {
+        let mut at = place;
+        if let Contact::Overlap { t_end, u_end } = &mut at.kind {
+            (at.t, at.u) = (self.end_at(i, place.t), other.end_at(j, place.u));
+            (*t_end, *u_end) = (self.end_at(i, *t_end), other.end_at(j, *u_end));
+        } else {
+            (at.t, at.u) = (self.at(i, place.t), other.at(j, place.u));
+        }
+        Meeting {
+            a: self.places[i].0,
+            b: other.places[j].0,
+            at,
+        }
+    }
+
+    /// Calls for each pair of curves whose boxes meet.
+    fn walk(&self, other: &Self, k: usize, l: usize, act: &mut impl FnMut(usize, usize)) {
+        let ([min_a, max_a], [min_b, max_b]) = (self.boxes[k], other.boxes[l]);
+        if min_a.cmpgt(max_b).any() || min_b.cmpgt(max_a).any() {
+            return;
+        }
+        let (leaves_a, leaves_b) = (self.boxes.len() / 2, other.boxes.len() / 2);
+        let size = |[min, max]: [DVec2; 2]| (max - min).max_element();
+        match (k >= leaves_a, l >= leaves_b) {
+            (true, true) => act(k - leaves_a, l - leaves_b),
+            (leaf_a, leaf_b)
+                if leaf_b || !leaf_a && size(self.boxes[k]) >= size(other.boxes[l]) =>
+            {
+                self.walk(other, 2 * k, l, act);
+                self.walk(other, 2 * k + 1, l, act);
+            }
+            _ => {
+                self.walk(other, k, 2 * l, act);
+                self.walk(other, k, 2 * l + 1, act);
+            }
+        }
+    }
+
+    /// The points that the chains of this list pass twice, each on its own or two of them; every pair once, its first
+    /// place before the second. What runs along itself is left out.
+    pub(crate) fn meet_selves(&self) -> Vec<Meeting> {
+        let mut found = Vec::new();
+        self.walk(self, 1, 1, &mut |i, j| {
+            if i == j {
+                for place in self.curves[i].self_intersections() {
+                    let kind = Contact::Cross;
+                    let place = Intersection {
+                        t: place.t,
+                        u: place.u,
+                        point: place.point,
+                        kind,
+                    };
+                    found.push(self.meeting(self, (i, i), place));
+                }
+            } else if i < j {
+                let places = self.curves[i].intersect(&self.curves[j]);
+                found.extend(
+                    places
+                        .into_iter()
+                        .map(|place| self.meeting(self, (i, j), place)),
+                );
+            }
+        });
+        found.retain_mut(|m| {
+            if m.a == m.b && m.at.t > m.at.u {
+                (m.at.t, m.at.u) = (m.at.u, m.at.t);
+            }
+            let overlap = matches!(m.at.kind, Contact::Overlap { .. });
+            !(overlap || m.a == m.b && self.one_joint(m.a, m.at.t, m.at.u))
+        });
+        joined(found)
+    }
+
+    /// Whether two parameters on a chain are one joint.
+    fn one_joint(&self, chain: usize, t: f64, u: f64) -> bool {
+        let (count, closed) = self.sizes[chain];
+        let around = if closed { count as f64 } else { f64::INFINITY };
+        let apart = (u - t).abs();
+        apart <= ONE_JOINT || around - apart <= ONE_JOINT
+    }
+}
+
+/// In order; shared pieces that continue across joints made one, and what was found on both sides of a joint once.
+fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
+    let order = |p: &Meeting, q: &Meeting| {
+        (p.a, p.b)
+            .cmp(&(q.a, q.b))
+            .then(p.at.t.total_cmp(&q.at.t))
+            .then(p.at.u.total_cmp(&q.at.u))
+    };
+    found.sort_by(order);
+    let (pieces, points): (Vec<Meeting>, Vec<Meeting>) = found
+        .into_iter()
+        .partition(|m| matches!(m.at.kind, Contact::Overlap { .. }));
+    let pieces = joined_pieces(pieces);
+    let mut all: Vec<Meeting> = Vec::with_capacity(pieces.len() + points.len());
+    for point in points {
+        let near = |t: f64, u: f64| {
+            (t - point.at.t).abs() <= ONE_JOINT && (u - point.at.u).abs() <= ONE_JOINT
+        };
+        let same = |q: &Meeting| (q.a, q.b) == (point.a, point.b);
+        let mut before = all
+            .iter_mut()
+            .rev()
+            .take_while(|q| point.at.t - q.at.t <= ONE_JOINT && same(q));
+        if let Some(again) = before.find(|q| near(q.at.t, q.at.u)) {
+            if point.at.kind == Contact::Tangent {
+                again.at.kind = Contact::Tangent;
+            }
+            continue;
+        }
+        let at_piece = pieces.iter().any(|q| {
+            let Contact::Overlap { t_end, u_end } = q.at.kind else {
+                return false;
+            };
+            same(q) && (near(q.at.t, q.at.u) || near(t_end, u_end))
+        });
+        if !at_piece {
+            all.push(point);
+        }
+    }
+    all.extend(pieces);
+    all.sort_by(order);
+    all
+}
+
+/// Shared pieces, sorted by t, that go on where another one ends, in the same direction, become one.
+fn joined_pieces(pieces: Vec<Meeting>) -> Vec<Meeting> {
+    let mut all: Vec<Meeting> = Vec::new();
+    for piece in pieces {
+        let Contact::Overlap { t_end, u_end } = piece.at.kind else {
+            continue;
+        };
+        let continues = |q: &&mut Meeting| {
+            let Contact::Overlap { t_end: t, u_end: u } = q.at.kind else {
+                return false;
+            };
+            (q.a, q.b) == (piece.a, piece.b)
+                && (t - piece.at.t).abs() <= ONE_JOINT
+                && (u - piece.at.u).abs() <= ONE_JOINT
+                && (u - q.at.u) * (u_end - piece.at.u) > 0.0
+        };
+        match all.iter_mut().rev().find(continues) {
+            Some(before) => before.at.kind = Contact::Overlap { t_end, u_end },
+            None => all.push(piece),
+        }
+    }
+    all
+}

@@ -1,0 +1,50 @@
+//! Where does a spline meet others, and itself?
+
+use super::Spline;
+use super::chains::{Chains, Meeting};
+use crate::curve::{Curve, Intersection, SelfIntersection};
+use glam::DVec2;
+
+impl Spline<DVec2> {
+    /// All places that this spline shares with another one, sorted by t, then by u.
+    ///
+    /// As [`Curve::intersect`], with t and u from 0 to the numbers of segments. A joint on the other spline is one
+    /// place, of the kind [`Tangent`](crate::curve::Contact::Tangent) if either of its curves touches there; t or u of a
+    /// closed spline's start is 0. A shared piece that runs across joints is one, except across the start of a closed
+    /// spline.
+    ///
+    /// Pairs of curves are found by a tree of boxes: long chains take hardly more than their number times its logarithm.
+    pub fn intersect(&self, other: &Self) -> Vec<Intersection> {
+        places(Chains::new([self]).meet(&Chains::new([other])))
+    }
+
+    /// All places that this spline shares with a curve; see [`intersect`](Self::intersect).
+    pub fn intersect_curve(&self, other: &Curve<DVec2>) -> Vec<Intersection> {
+        places(Chains::new([self]).meet(&Chains::of_curve(other)))
+    }
+
+    /// The points that the spline passes twice, sorted by t; t < u.
+    ///
+    /// As [`Curve::self_intersections`]: neighbours meeting at their joint are no such point, and neither is the start of
+    /// a closed spline, where it ends. An open spline that ends where it starts passes that point twice.
+    pub fn self_intersections(&self) -> Vec<SelfIntersection> {
+        let found = Chains::new([self]).meet_selves();
+        let place = |m: Meeting| SelfIntersection {
+            t: m.at.t,
+            u: m.at.u,
+            point: m.at.point,
+        };
+        found.into_iter().map(place).collect()
+    }
+}
+
+impl Curve<DVec2> {
+    /// All places that this curve shares with a spline; u is the spline's t. See [`Spline::intersect`].
+    pub fn intersect_spline(&self, other: &Spline<DVec2>) -> Vec<Intersection> {
+        places(Chains::of_curve(self).meet(&Chains::new([other])))
+    }
+}
+
+fn places(found: Vec<Meeting>) -> Vec<Intersection> {
+    found.into_iter().map(|meeting| meeting.at).collect()
+}

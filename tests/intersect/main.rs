@@ -1,0 +1,9 @@
+//! Where curves meet: against a slow reference that throws away nothing it is not sure of, and against what is known.
+#![cfg(not(target_family = "wasm"))]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod generate;
+mod random;
+mod reference;

@@ -1,0 +1,178 @@
+//! Generated cases against the reference.
+
+use crate::common::{Rng, largest, real};
+use crate::generate::{Case, case};
+use crate::reference::{Cluster, Reference};
+use casteljau::Curve;
+use casteljau::curve::{Contact, Intersection};
+use casteljau::glam::DVec2;
+
+fn cases() -> u64 {
+    if std::env::var_os("CASTELJAU_DEEP").is_some() {
+        1_000_000
+    } else {
+        20_000
+    }
+}
+
+#[test]
+fn complete_and_true() {
+    let mut failures = std::collections::BTreeMap::new();
+    for seed in 0..cases() {
+        let mut rng = Rng(seed);
+        let case = case(&mut rng);
+        if let Err(wrong) = judged(&case) {
+            let count = failures.entry(case.name).or_insert(0);
+            *count += 1;
+            if *count <= 3 {
+                println!(
+                    "{} (seed {seed}): {wrong}\n  a {:?}\n  b {:?}",
+                    case.name,
+                    case.a.control_points(),
+                    case.b.control_points()
+                );
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:?}");
+}
+
+/// How far rounding may have moved a point of either curve.
+fn rounding(a: &Curve<DVec2>, b: &Curve<DVec2>) -> f64 {
+    let size = largest(a.control_points()).max(largest(b.control_points()));
+    let degree = real(a.degree().max(b.degree()));
+    8.0 * (2.0 + degree) * f64::EPSILON * size
+}
+
+pub(crate) fn judged(case: &Case) -> Result<(), String> {
+    let (a, b) = (&case.a, &case.b);
+    let found = a.intersect(b);
+    let slack = rounding(a, b);
+    for place in &found {
+        let gap = (a.eval(place.t) - b.eval(place.u)).length();
+        let off = (a.eval(place.t) - place.point).length();
+        if !(gap <= slack && off <= slack) {
+            return Err(format!(
+                "not on both, by {gap:e} and {off:e} (allowed {slack:e}): {place:?}"
+            ));
+        }
+        if let Contact::Overlap { t_end, u_end } = place.kind {
+            let gap = (a.eval(t_end) - b.eval(u_end)).length();
+            if gap > slack || t_end <= place.t {
+                return Err(format!("the overlap ends {gap:e} apart: {place:?}"));
+            }
+        }
+    }
+    // A curve that turns back may lie on one that does not twice from the same place on.
+    let sorted = found.windows(2).all(|p| {
+        let twice = matches!(p[0].kind, Contact::Overlap { .. }) && p[0].kind != p[1].kind;
+        (p[0].t, p[0].u) < (p[1].t, p[1].u) || twice && (p[0].t, p[0].u) == (p[1].t, p[1].u)
+    });
+    if !sorted {
+        return Err(format!("not sorted or twice: {found:?}"));
+    }
+    let reference = Reference::new(a, b, slack / 8.0);
+    covered(a, b, &found, &reference, slack)
+}
+
+fn covered(
+    a: &Curve<DVec2>,
+    b: &Curve<DVec2>,
+    found: &[Intersection],
+    reference: &Reference,
+    slack: f64,
+) -> Result<(), String> {
+    let mut counts = vec![Vec::new(); reference.clusters.len()];
+    for place in found {
+        let mut spots = vec![(place.t, place.u)];
+        if let Contact::Overlap { t_end, u_end } = place.kind {
+            spots.push((t_end, u_end));
+        }
+        for (t, u) in spots {
+            let Some(k) = reference.cluster_at(t, u) else {
+                return Err(format!("outside of all clusters: {place:?}"));
+            };
+            counts[k].push(*place);
+        }
+    }
+    for (cluster, places) in reference.clusters.iter().zip(&counts) {
+        if places.is_empty() {
+            let nearest = nearest(a, b, cluster, reference.side);
+            let (nearest, at) = nearest;
+            if nearest <= slack / 40.0 && !found.iter().any(|p| hidden(a, b, p, at, slack)) {
+                return Err(format!(
+                    "missed, {nearest:e} apart (slack {slack:e}) in t {:?} u {:?} of {} boxes; found {found:?}",
+                    cluster.t,
+                    cluster.u,
+                    cluster.boxes.len()
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The least distance in a cluster: from each box by ever smaller steps.
+fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> (f64, (f64, f64)) {
+    let mut best = (f64::MAX, (0.0, 0.0));
+    let skip = 1 + cluster.boxes.len() / 100;
+    for &(t, u) in cluster.boxes.iter().step_by(skip) {
+        let (mut t, mut u, mut step) = (t + 0.5 * side, u + 0.5 * side, side);
+        let distance = |t: f64, u: f64| (a.eval(t) - b.eval(u)).length();
+        let mut least = distance(t, u);
+        // Gauss–Newton, kept in the square, then pattern search.
+        for _ in 0..200 {
+            let mut better = None;
+            for (dt, du) in [
+                (1.0, 0.0),
+                (-1.0, 0.0),
+                (0.0, 1.0),
+                (0.0, -1.0),
+                (1.0, 1.0),
+                (-1.0, -1.0),
+                (1.0, -1.0),
+                (-1.0, 1.0),
+            ] {
+                let (t, u) = (
+                    (t + dt * step).clamp(0.0, 1.0),
+                    (u + du * step).clamp(0.0, 1.0),
+                );
+                let d = distance(t, u);
+                if d < least {
+                    least = d;
+                    better = Some((t, u));
+                }
+            }
+            match better {
+                Some(place) => (t, u) = place,
+                None => step *= 0.5,
+            }
+            if step < 1e-18 {
+                break;
+            }
+        }
+        if least < best.0 {
+            best = (least, (t, u));
+        }
+    }
+    best
+}
+
+/// Whether the curves are as close as rounding allows all the way from a place that was found.
+fn hidden(
+    a: &Curve<DVec2>,
+    b: &Curve<DVec2>,
+    from: &Intersection,
+    to: (f64, f64),
+    slack: f64,
+) -> bool {
+    (1..50).all(|k| {
+        let part = f64::from(k) / 50.0;
+        let (t, u) = (
+            from.t + part * (to.0 - from.t),
+            from.u + part * (to.1 - from.u),
+        );
+        let gap = a.eval(t) - b.eval(u);
+        gap.perp_dot(b.tangent(u)).abs() <= slack / 4.0
+    })
+}
