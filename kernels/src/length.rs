@@ -1,6 +1,6 @@
 //! Lengths: integrals of the speed.
 
-use crate::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, Rule};
+use crate::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, Rule};
 use wide::f64x2;
 
 type Complex = [f64; 2];
@@ -9,10 +9,11 @@ type Complex = [f64; 2];
 /// |z − root| differs from a linear function integrates to half the square of this times a logarithm.
 const AT_THE_END: f64 = 1e-8;
 
-/// The rules, and the least (|z − 1| + |z + 1|) / 2 of a root z, the interval being [−1, 1], from which each errs by less
-/// than 2·10⁻¹⁴ of the integral: half the axis of the ellipse through z about ±1, inside of which the speed is analytic.
-/// Found by integrating |z − root|, whose integral has a closed form, for roots all around each ellipse.
-const LEAST_AXIS: [f64; 4] = [3.0, 1.4, 1.16, 1.085];
+/// The rules have 8, 16, 24, 32 and 48 points. From the least (|z − 1| + |z + 1|) / 2 of a root z on, the interval being
+/// [−1, 1], each errs by less than 1.5·10⁻¹³ of the integral: half the axis of the ellipse through z about ±1, inside of
+/// which the speed is analytic. Found by integrating |z − root|, whose integral has a closed form, for roots all around
+/// each ellipse.
+const LEAST_AXIS: [f64; 5] = [2.6, 1.32, 1.132, 1.071, 1.03];
 
 /// A root off the middle has the interval cut so many times as far from its end as the root is: on either side of the
 /// cut a rule of 24 or 32 points suffices for this root.
@@ -49,7 +50,8 @@ struct Speed {
 
 impl Speed {
     /// The roots; what is infinite or not a number is nowhere near.
-    fn roots(&self) -> [Complex; 2] {
+    #[inline(always)]
+    fn roots(&self) -> Roots {
         let &Self { m, d, e } = self;
         let root = square_root(minus(times(d, d), times(m, e)));
         // The sum of two that point the same way: nothing cancels.
@@ -59,26 +61,21 @@ impl Speed {
         } else {
             minus([0.0, 0.0], plus(d, root))
         };
-        [over(sum, e), over(m, sum)]
+        let ([x, y], [u, v]) = (over(sum, e), over(m, sum));
+        Roots {
+            x: f64x2::new([x, u]),
+            y: f64x2::new([y, v]),
+        }
     }
 
     /// ∫ from `lo` to `hi`.
-    fn integral(&self, roots: &[Complex; 2], lo: f64, hi: f64, depth: usize) -> f64 {
-        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
-        let (mut axis, mut nearest) = (f64::INFINITY, [0.0, 0.0]);
-        for root in roots {
-            let (x, y) = ((root[0] - middle) / half, root[1] / half);
-            let [before, after] = [x + 1.0, x - 1.0].map(|x| (x * x + y * y).sqrt());
-            let own = 0.5 * (before + after);
-            let at_the_end = y.abs() <= AT_THE_END && x.abs() >= 1.0 - AT_THE_END;
-            if own < axis && !at_the_end {
-                (axis, nearest) = (own, [x, y]);
-            }
+    fn integral(&self, roots: &Roots, lo: f64, hi: f64, depth: usize) -> f64 {
+        let half = 0.5 * (hi - lo);
+        let (axis, root) = roots.nearest(lo, hi);
+        if axis >= LEAST_AXIS[4] * half || depth >= MOST_CUTS {
+            return half * self.about(0.5 * (lo + hi), half).by_rule(axis / half);
         }
-        if axis >= LEAST_AXIS[3] || depth >= MOST_CUTS {
-            return half * self.about(middle, half).by_rule(axis);
-        }
-        let cut = middle + half * place_of_cut(nearest);
+        let cut = place_of_cut(root, lo, hi);
         self.integral(roots, lo, cut, depth + 1) + self.integral(roots, cut, hi, depth + 1)
     }
 
@@ -103,8 +100,10 @@ impl Speed {
             }
         } else if axis >= LEAST_AXIS[2] {
             self.sum(&GAUSS_24)
-        } else {
+        } else if axis >= LEAST_AXIS[3] {
             self.sum(&GAUSS_32)
+        } else {
+            self.sum(&GAUSS_48)
         }
     }
 
@@ -128,17 +127,48 @@ impl Speed {
     }
 }
 
+/// Both roots, side by side.
+struct Roots {
+    x: f64x2,
+    y: f64x2,
+}
+
+impl Roots {
+    /// Half the sum of the distances of the root from the ends, and that root: of the one for which it is least.
+    #[inline(always)]
+    fn nearest(&self, lo: f64, hi: f64) -> (f64, Complex) {
+        let square = self.y * self.y;
+        let [before, after] = [lo, hi].map(|end| {
+            let x = self.x - f64x2::splat(end);
+            (x * x + square).sqrt()
+        });
+        let axes = (f64x2::splat(0.5) * (before + after)).to_array();
+        let (x, y) = (self.x.to_array(), self.y.to_array());
+        let mut nearest = (f64::INFINITY, [0.0, 0.0]);
+        for ((axis, x), y) in axes.into_iter().zip(x).zip(y) {
+            let slack = AT_THE_END * 0.5 * (hi - lo);
+            let at_the_end = y.abs() <= slack && !(x > lo + slack && x < hi - slack);
+            if axis < nearest.0 && !at_the_end {
+                nearest = (axis, [x, y]);
+            }
+        }
+        nearest
+    }
+}
+
 /// Twice what any curve of f64 needs; no endless recursion, whatever rounding does.
 const MOST_CUTS: usize = 48;
 
-/// Where the interval [−1, 1] is cut for a root near it.
-fn place_of_cut([x, y]: Complex) -> f64 {
-    if x.abs() <= INNER {
+/// Where an interval is cut for a root near it.
+fn place_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
+    let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+    let off = x - middle;
+    if off.abs() <= INNER * half {
         return x;
     }
-    let off = x.abs() - 1.0;
-    let distance = (off * off + y * y).sqrt();
-    (1.0 - CUT_RATIO * distance).max(0.0).copysign(x)
+    let beyond = off.abs() - half;
+    let distance = (beyond * beyond + y * y).sqrt();
+    middle + (half - CUT_RATIO * distance).max(0.0).copysign(off)
 }
 
 #[inline(always)]
