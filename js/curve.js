@@ -5,7 +5,7 @@ import * as places from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { done } from "./refusal.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
-import { curveLength } from "./measure.js";
+import { curveLength, curveTimeAtLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
 
@@ -245,14 +245,38 @@ export class Curve {
   }
 
   /**
-   * The length ∫ |B′(t)| dt, right to 10⁻¹² of itself unless a tolerance allows more.
+   * The length ∫ |B′(t)| dt, right to 10⁻¹² of itself, at cusps and turn-backs too.
    *
-   * @param {number} [tolerance] the greatest error, in the unit of the points
+   * @param {number} [tolerance] the greatest error, in the unit of the points, where it asks for more than that
    * @returns {number} 0 for a point
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
   length(tolerance) {
     return curveLength(this.#flat, this.#dimension, tolerance);
+  }
+
+  /**
+   * The t at which the curve has the length s behind it; for an s outside of 0 to the whole length the nearer end.
+   *
+   * @param {number} s
+   * @param {number} [tolerance] the greatest error, as a length; by default 10⁻¹² of the whole
+   * @returns {number} 0 to 1
+   */
+  timeAtLength(s, tolerance) {
+    return curveTimeAtLength(this.#flat, this.#dimension, s, tolerance);
+  }
+
+  /**
+   * The values of t that divide the curve into arcs of one length.
+   *
+   *     curve.evalAt(curve.evenly(100)); // 101 points, evenly spaced along the curve
+   *
+   * @param {number} segments
+   * @returns {Float64Array} `segments` + 1 values, the first 0, the last 1
+   */
+  evenly(segments) {
+    check.segmentCount(segments);
+    return largeTake(core().curve_evenly(this.#dimension, this.#load(), segments));
   }
 
   /**

@@ -21,3 +21,20 @@ export function curveLength(p, dimension, tolerance) {
   load(p);
   return take(0, core().curve_length(dimension, p.length / dimension, most))[0];
 }
+
+/**
+ * The t of a length.
+ *
+ * @internal
+ * @param {Float64Array} p
+ * @param {2 | 3} dimension
+ * @param {number} s
+ * @param {number | undefined} tolerance
+ * @returns {number}
+ */
+export function curveTimeAtLength(p, dimension, s, tolerance) {
+  check.finite(s, "s");
+  const most = check.optionalTolerance(tolerance);
+  load(p);
+  return take(0, core().curve_time_at_length(dimension, p.length / dimension, s, most))[0];
+}

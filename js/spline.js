@@ -228,6 +228,56 @@ export class Spline {
   }
 
   /**
+   * The length, right to 10⁻¹² of itself.
+   *
+   * @param {number} [tolerance] the greatest error, in the unit of the points, where it asks for more than that
+   * @returns {number}
+   */
+  length(tolerance) {
+    const most = check.optionalTolerance(tolerance);
+    return take(0, core().spline_length(this.#load(), most))[0];
+  }
+
+  /**
+   * The t, from 0 to the number of segments, at which the spline has the length s behind it; for an s outside of 0 to
+   * the whole length the nearer end.
+   *
+   * @param {number} s
+   * @param {number} [tolerance] the greatest error, as a length; by default 10⁻¹² of the whole
+   * @returns {number}
+   */
+  timeAtLength(s, tolerance) {
+    check.finite(s, "s");
+    const most = check.optionalTolerance(tolerance);
+    return take(0, core().spline_time_at_length(this.#load(), s, most))[0];
+  }
+
+  /**
+   * The values of t that divide the whole spline into arcs of one length; joints do not matter.
+   *
+   * @param {number} segments
+   * @returns {Float64Array} `segments` + 1 values, the first 0, the last the number of the spline's segments
+   */
+  evenly(segments) {
+    check.segmentCount(segments);
+    const ts = take(0, core().spline_evenly(this.#load(), segments));
+    trim();
+    return ts;
+  }
+
+  /**
+   * The signed area that the segment from the origin to the spline's point sweeps, positive while it turns
+   * counter-clockwise (x right, y up); of a closed spline the area that it encloses. 2D only.
+   *
+   * @returns {number}
+   */
+  area() {
+    if (this.dimension === 3) throw new TypeError("area: expected a 2D spline, got a 3D one");
+    this.#load();
+    return core().spline_area();
+  }
+
+  /**
    * The smallest box that contains the spline.
    *
    * @returns {{ min: Point, max: Point }}

@@ -5,11 +5,14 @@ use crate::point::Point;
 use casteljau_kernels::{binomial, speed_integral};
 use glam::DVec3;
 
-/// The error that is aimed at without a tolerance, as a part of the length; 10⁻¹² is promised.
-const DEFAULT_PART: f64 = 1e-13;
+/// The error that is aimed at, as a part of the length; 10⁻¹² is promised.
+const USUAL_PART: f64 = 1e-14;
 
 /// More halvings than f64 can tell apart.
 const MOST_CUTS: usize = 56;
+
+/// Of the search for a t; bisection alone takes as many.
+const MOST_STEPS: usize = 64;
 
 /// More pieces than any curve needs; past them the rest is taken as it is.
 const MOST_PIECES: usize = 1 << 14;
@@ -26,7 +29,6 @@ const SHARP_COSINE: f64 = 0.9;
 /// A piece that one rule integrates: where it ends, and the length up to there.
 #[derive(Clone, Copy)]
 struct Piece {
-    #[allow(dead_code, reason = "the way back, from lengths to t, is next")]
     t: f64,
     length: f64,
 }
@@ -43,8 +45,10 @@ pub(crate) struct Arc {
 }
 
 impl Arc {
-    /// From the differences of control points, of moderate size and not all zero.
-    pub(crate) fn new<P: Point>(slopes: &[P], tolerance: Option<f64>) -> Self {
+    /// From the differences of control points, of moderate size and not all zero. `tolerance`, infinite for none, is
+    /// looked at where it asks for more than is usual. Less is never done: where rules of a few points agree by chance, a
+    /// large error would go unseen.
+    pub(crate) fn new<P: Point>(slopes: &[P], tolerance: f64) -> Self {
         let degree = slopes.len() as f64;
         let slopes: Points<DVec3> = slopes.iter().map(|p| p.in_space() * degree).collect();
         let last = slopes.len() - 1;
@@ -57,7 +61,7 @@ impl Arc {
             slopes,
         };
         let whole = arc.between(0.0, 1.0);
-        arc.tolerance = tolerance.unwrap_or(0.0).max(DEFAULT_PART * whole) / 8.0;
+        arc.tolerance = (USUAL_PART * whole).min(tolerance / 8.0);
         arc.refine(0.0, 1.0, whole, 0);
         arc
     }
@@ -65,6 +69,60 @@ impl Arc {
     /// The whole length.
     pub(crate) fn length(&self) -> f64 {
         self.pieces.last().map_or(0.0, |piece| piece.length)
+    }
+
+    /// The t up to which the length is s, for 0 ≤ s ≤ the whole, `slack` being the error in s that is allowed.
+    ///
+    /// Newton's method inside of a piece, with bisection where it leaves the interval that is known to hold t.
+    pub(crate) fn time(&self, s: f64, slack: f64) -> f64 {
+        let last = self.pieces.len() - 1;
+        let k = self
+            .pieces
+            .partition_point(|piece| piece.length < s)
+            .min(last);
+        let start = k.checked_sub(1).map_or(
+            Piece {
+                t: 0.0,
+                length: 0.0,
+            },
+            |before| self.pieces[before],
+        );
+        let Piece { t: end, length } = self.pieces[k];
+        let (rest, whole) = (s - start.length, length - start.length);
+        let (mut lo, mut hi) = (start.t, end);
+        let mut t = self.first_guess(lo, hi, rest / whole, whole);
+        for _ in 0..MOST_STEPS {
+            let off = self.between(start.t, t) - rest;
+            if off.abs() <= slack {
+                break;
+            }
+            if off < 0.0 {
+                lo = t;
+            } else {
+                hi = t;
+            }
+            let next = t - off / self.speed(t);
+            let inside = next > lo && next < hi;
+            let next = if inside { next } else { 0.5 * (lo + hi) };
+            if next == t {
+                break;
+            }
+            t = next;
+        }
+        t
+    }
+
+    /// The cubic through both ends of a piece with the slopes there, as t over the part x of the length.
+    fn first_guess(&self, lo: f64, hi: f64, x: f64, length: f64) -> f64 {
+        let even = length / (hi - lo);
+        let [first, second] = [lo, hi].map(|t| even / self.speed(t) - 1.0);
+        let guess = x + x * (1.0 - x) * (first * (1.0 - x) - second * x);
+        let part = if guess > 0.0 && guess < 1.0 { guess } else { x };
+        (lo + (hi - lo) * part).clamp(lo, hi)
+    }
+
+    fn speed(&self, t: f64) -> f64 {
+        evaluate(&self.slopes, t).norm()
     }
 
     /// ∫ |B′| from `lo` to `hi`, by one rule.

@@ -1,6 +1,6 @@
 //! How much area does the curve sweep?
 
-use super::{Curve, Points, max_abs};
+use super::{Curve, Points};
 use crate::point::Point;
 use glam::DVec2;
 
@@ -12,7 +12,14 @@ impl Curve<DVec2> {
     /// true value leaves the range of f64 it is infinite, or 0. Source: Green's theorem, with the integrals of products of
     /// Bernstein polynomials; Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29 (2012), §3.3.
     pub fn area(&self) -> f64 {
-        let unit = max_abs(&self.points);
+        self.swept_area()
+    }
+}
+
+impl<P: Point> Curve<P> {
+    /// [`area`](Curve::area) as seen along z.
+    pub(crate) fn swept_area(&self) -> f64 {
+        let unit = self.max_abs();
         let (start, end) = (self.start(), self.end());
         let area = area_about(&self.points, start, unit) + triangle_area(start, end, unit);
         area * unit * unit
@@ -21,25 +28,25 @@ impl Curve<DVec2> {
 
 /// ½ a × b, the signed area of the triangle with the corners 0, a and b, in squares of `unit`: about the largest
 /// coordinate, so that nothing but the true area can overflow.
-pub(crate) fn triangle_area(a: DVec2, b: DVec2, unit: f64) -> f64 {
+pub(crate) fn triangle_area<P: Point>(a: P, b: P, unit: f64) -> f64 {
     if unit == 0.0 {
         return 0.0;
     }
-    0.5 * (a / unit).cross(b / unit)
+    0.5 * (a / unit).in_plane().cross((b / unit).in_plane())
 }
 
 /// The area that the segment from `centre` sweeps, in squares of `unit`.
 ///
 /// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m): what
 /// ½ ∫ (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) is for Bernstein polynomials.
-pub(crate) fn area_about(points: &[DVec2], centre: DVec2, unit: f64) -> f64 {
+pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
     if unit == 0.0 {
         return 0.0;
     }
     // Halves: the distance of ±1e308 is no number.
     let around: Points<DVec2> = points
         .iter()
-        .map(|&p| (p * 0.5 - centre * 0.5) / unit)
+        .map(|&p| ((p * 0.5 - centre * 0.5) / unit).in_plane())
         .collect();
     let n = around.len() - 1;
     let binomial = casteljau_kernels::binomial;

@@ -7,15 +7,15 @@ use super::arc::Arc;
 use super::{Curve, Points, check_tolerance, max_abs};
 use crate::error::Error;
 use crate::point::{Cross, Point};
-use glam::DVec2;
+use casteljau_kernels::plane_cubic_length;
 
 impl<P: Point> Curve<P> {
     /// The length of the curve from t = 0 to 1.
     ///
     /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, else by Gauss–Legendre rules on pieces that end where the
-    /// speed is least. `tolerance` is the greatest error, in the unit of the points; without one the length is right to
-    /// 10⁻¹² of itself, at cusps and turn-backs too. A curve that is a point has length 0, exactly; beyond the range of
-    /// f64 the length is infinite.
+    /// speed is least. It is right to 10⁻¹² of itself, at cusps and turn-backs too. `tolerance` is the greatest error, in
+    /// the unit of the points, and makes sense where it asks for more than that; below some roundings of the length
+    /// nothing gets better. A curve that is a point has length 0, exactly; beyond the range of f64 the length is infinite.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -34,15 +34,16 @@ impl<P: Point> Curve<P> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        Ok(self.arc_length(tolerance))
+        Ok(self.arc_length(tolerance.unwrap_or(f64::INFINITY)))
     }
 
-    /// The same; the tolerance was checked before.
-    pub(crate) fn arc_length(&self, tolerance: Option<f64>) -> f64 {
-        if let [a, b, c, d] = *self.points
-            && P::DIMENSION == 2
-        {
-            return plane_cubic_length([a, b, c, d].map(|p| p.in_plane().to_array()));
+    /// The same; the tolerance was checked before, and is infinite if there is none.
+    pub(crate) fn arc_length(&self, tolerance: f64) -> f64 {
+        if let Some(points) = self.plane_cubic() {
+            let length = plane_cubic_length(&points);
+            if tolerance >= KERNEL_PART * length {
+                return length;
+            }
         }
         let (slopes, unit) = hodograph(&self.points);
         if unit == 0.0 {
@@ -51,40 +52,26 @@ impl<P: Point> Curve<P> {
         let length = match *slopes {
             [d] => d.norm(),
             [d, e] => line_integral(d, e),
-            _ => Arc::new(&slopes, tolerance.map(|tolerance| tolerance / unit)).length(),
+            _ => Arc::new(&slopes, tolerance / unit).length(),
         };
         length * unit
     }
 }
 
-/// The length of a plane cubic.
-#[inline]
-pub(crate) fn plane_cubic_length(points: [[f64; 2]; 4]) -> f64 {
-    let step = |i: usize| {
-        points[i + 1]
-            .iter()
-            .zip(&points[i])
-            .map(|(b, a)| (b - a).abs())
-    };
-    let way = step(0).chain(step(1)).chain(step(2)).fold(0.0, f64::max);
-    // The kernel needs fourth powers.
-    if (1e-70..1e70).contains(&way) {
-        casteljau_kernels::plane_cubic_length(&points)
-    } else {
-        scaled_cubic_length(points)
-    }
-}
+/// What the kernel for plane cubics may be off, as a part of the length.
+const KERNEL_PART: f64 = 5e-13;
 
-/// The same for very large and very small ones, and for points.
-#[inline(never)]
-fn scaled_cubic_length(points: [[f64; 2]; 4]) -> f64 {
-    let (slopes, unit) = hodograph(&points.map(DVec2::from_array));
-    if unit == 0.0 {
-        return 0.0;
+impl<P: Point> Curve<P> {
+    /// The points of a cubic of the plane, or of space at z = 0.
+    #[inline]
+    fn plane_cubic(&self) -> Option<[[f64; 2]; 4]> {
+        match *self.points {
+            [a, b, c, d] if self.points.iter().all(|p| p.in_space().z == 0.0) => {
+                Some([a, b, c, d].map(|p| p.in_plane().to_array()))
+            }
+            _ => None,
+        }
     }
-    let (d, e, f) = (slopes[0], slopes[1], slopes[2]);
-    let points = [DVec2::ZERO, d, d + e, d + e + f].map(|p| p.to_array());
-    casteljau_kernels::plane_cubic_length(&points) * unit
 }
 
 /// The differences Pᵢ₊₁ − Pᵢ in a unit, a power of two, that makes the largest coordinate 1 to 2; the unit is 0 if all
@@ -120,7 +107,7 @@ fn line_integral<P: Point>(d: P, e: P) -> f64 {
     let (r0, r1) = (d.norm(), e.norm());
     let way = e - d;
     let a = way.norm();
-    // Of the order of a² apart.
+    // The speed is even but for the square of a.
     if a <= 1e-9 * (r0 + r1) {
         return r0 + r1;
     }
@@ -129,14 +116,13 @@ fn line_integral<P: Point>(d: P, e: P) -> f64 {
     if s0 + s1 < 0.0 {
         (s0, s1) = (-s1, -s0);
     }
-    // s₁ is farther from 0 than s₀.
-    let (r0, r1) = (r0.min(r1), r0.max(r1));
-    let ratio = (s0 + s1) / (r0 + r1);
-    let lengths = 0.5 * ((r0 + r1) + (s0 + s1) * ratio);
     let h = d.cross(along).size();
     let square = h * h;
-    // Too near to the line to be seen.
-    if square < 1e-32 * (r0 + r1) * (r0 + r1) {
+    let [r0, r1] = [s0, s1].map(|s| (s * s + square).sqrt());
+    let ratio = (s0 + s1) / (r0 + r1);
+    let lengths = 0.5 * ((r0 + r1) + (s0 + s1) * ratio);
+    // Too near to the line to be seen, and to be known.
+    if square < 1e-30 * r1 * r1 {
         return lengths;
     }
     // (s₁ + r₁) / (s₀ + r₀) − 1; a negative s₀ would cancel.

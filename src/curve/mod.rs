@@ -13,6 +13,7 @@ mod derivative;
 mod deviation;
 mod eval;
 mod extrema;
+mod even;
 mod flatten;
 mod flatten_any;
 mod hull;
@@ -46,9 +47,10 @@ pub(crate) use area::{area_about, triangle_area};
 pub(crate) use basis::apply;
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
+pub(crate) use even::{ByLength, check_length};
 pub(crate) use flatten::MAX_VERTICES;
 #[cfg(feature = "wasm")]
-pub(crate) use {casteljau::split_numbers, eval::cubic_scalar, length::plane_cubic_length};
+pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;

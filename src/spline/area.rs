@@ -2,6 +2,7 @@
 
 use super::Spline;
 use crate::curve::{area_about, triangle_area};
+use crate::point::Point;
 use glam::DVec2;
 
 impl Spline<DVec2> {
@@ -11,6 +12,13 @@ impl Spline<DVec2> {
     /// Positive while it turns counter-clockwise (x right, y up); parts around which a closed spline runs twice count twice.
     /// Exact but for rounding, also far from the origin. See [`Curve::area`](crate::Curve::area).
     pub fn area(&self) -> f64 {
+        self.swept_area()
+    }
+}
+
+impl<P: Point> Spline<P> {
+    /// [`area`](Spline::area) as seen along z.
+    pub(crate) fn swept_area(&self) -> f64 {
         let (start, unit) = (self.points[0], self.max_abs());
         let mut area: f64 = (0..self.segment_count())
             .map(|k| area_about(self.curve(k).control_points(), start, unit))

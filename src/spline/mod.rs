@@ -10,6 +10,7 @@ mod continuity;
 mod edit;
 mod intersect;
 mod joint;
+mod length;
 mod measure;
 mod repair;
 

@@ -3,8 +3,10 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use crate::curve::{Curve, plane_cubic_length};
-use glam::{DVec2, DVec3};
+use super::spline::spline;
+use crate::curve::Curve;
+use crate::error::Error;
+use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 fn curve(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
@@ -15,20 +17,67 @@ fn curve(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
 #[wasm_bindgen]
 #[allow(clippy::too_many_arguments, reason = "the coordinates of four points")]
 pub fn cubic_length(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64, dx: f64, dy: f64) -> f64 {
-    plane_cubic_length([[ax, ay], [bx, by], [cx, cy], [dx, dy]])
+    casteljau_kernels::plane_cubic_length(&[[ax, ay], [bx, by], [cx, cy], [dx, dy]])
 }
 
-/// Leaves the length; a tolerance of 0 stands for the default.
+/// Leaves a number.
+fn number(f: impl FnOnce(&mut Arena) -> Result<f64, Error>) -> isize {
+    arena::answer(|a| {
+        let number = f(a)?;
+        Ok(a.put_numbers(0, &[number]))
+    })
+}
+
+/// Leaves the length; a tolerance of 0 stands for none.
 #[wasm_bindgen]
 pub fn curve_length(dimension: usize, count: usize, tolerance: f64) -> isize {
+    number(|a| curve(a, dimension, count).length(given(tolerance)))
+}
+
+/// Leaves the t of a length.
+#[wasm_bindgen]
+pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f64) -> isize {
+    number(|a| curve(a, dimension, count).time_at_length(s, given(tolerance)))
+}
+
+/// Leaves `segments` + 1 parameters.
+#[wasm_bindgen]
+pub fn curve_evenly(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
-        let length = curve(a, dimension, count).length(given(tolerance))?;
-        Ok(a.put_numbers(0, &[length]))
+        let ts = curve(a, dimension, count).evenly(segments)?;
+        Ok(a.put_numbers(0, &ts))
     })
 }
 
 /// The area that a plane curve sweeps.
 #[wasm_bindgen]
 pub fn curve_area(count: usize) -> f64 {
-    arena::with(|a| Curve::<DVec2>::from_slice(a.points(0, count)).area())
+    arena::with(|a| curve(a, 2, count).swept_area())
+}
+
+/// Leaves the length; a tolerance of 0 stands for none.
+#[wasm_bindgen]
+pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
+    number(|a| spline(a, dimension).0.length(given(tolerance)))
+}
+
+/// Leaves the t of a length.
+#[wasm_bindgen]
+pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize {
+    number(|a| spline(a, dimension).0.time_at_length(s, given(tolerance)))
+}
+
+/// Leaves `segments` + 1 parameters.
+#[wasm_bindgen]
+pub fn spline_evenly(dimension: usize, segments: usize) -> isize {
+    arena::answer(|a| {
+        let ts = spline(a, dimension).0.evenly(segments)?;
+        Ok(a.put_numbers(0, &ts))
+    })
+}
+
+/// The area that a plane spline sweeps, or encloses.
+#[wasm_bindgen]
+pub fn spline_area() -> f64 {
+    arena::with(|a| spline(a, 2).0.swept_area())
 }

@@ -12,7 +12,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
-fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
+pub(super) fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
     spline_at(a, 0, dimension)
 }
 

@@ -58,7 +58,7 @@ fn closed_forms() {
 }
 
 /// A hostile curve in the plane or in space; mostly of a low degree.
-fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
+pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
     let kind = rng.pick(kinds);
     let degree = if rng.chance(0.05) {
         1 + rng.below(64)
@@ -83,4 +83,77 @@ fn the_integral_of_the_speed() {
         };
         agree(got, expected, 1e-12, &points);
     }
+}
+
+#[test]
+fn a_tolerance_is_kept() {
+    let mut rng = Rng(1659);
+    for _ in 0..thorough(5_000, 500_000) {
+        let points = hostile(&mut rng, &ORDINARY);
+        let curve: Curve<DVec3> = curve(&points);
+        let expected = integral::length(&points, 0.0, 1.0);
+        let tolerance = expected * rng.magnitude(-15.0, 0.0);
+        if let Ok(got) = curve.length(Some(tolerance)) {
+            let slack = tolerance.max(4e-15 * expected);
+            assert!(
+                (got - expected).abs() <= slack,
+                "{got} instead of {expected} to {tolerance}: {points:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn lengths_of_pieces_add_up() {
+    let mut rng = Rng(1660);
+    for _ in 0..thorough(5_000, 500_000) {
+        let points = hostile(&mut rng, &ORDINARY);
+        let curve: Curve<DVec3> = curve(&points);
+        let whole = length(&curve);
+        let (left, right) = curve.split(rng.unit());
+        // Splitting rounds the control points by some ulps of the largest, each step of each piece once.
+        let slack =
+            1e-15 * (curve.degree() * curve.degree()) as f64 * crate::common::largest(&points);
+        assert!(
+            (length(&left) + length(&right) - whole).abs() <= 1e-12 * whole + slack,
+            "{points:?}"
+        );
+        assert!(
+            (length(&curve.reverse()) - whole).abs() <= 1e-12 * whole,
+            "{points:?}"
+        );
+    }
+}
+
+#[test]
+fn huge_and_tiny() {
+    let mut rng = Rng(1661);
+    for kind in [Kind::Huge, Kind::Tiny] {
+        for degree in [1, 2, 3, 4, 9, 64] {
+            for dimension in [2, 3] {
+                let points = wild::points(&mut rng, kind, degree, dimension);
+                let size = if kind == Kind::Huge { 1e-300 } else { 1e300 };
+                let unit: Vec<DVec3> = points.iter().map(|&p| p * size).collect();
+                let got = length::<DVec3>(&curve(&points)) * size;
+                let (flat, expected) = (
+                    length::<DVec2>(&curve(&points)) * size,
+                    integral::length(&unit, 0.0, 1.0),
+                );
+                agree(got, expected, 1e-12, &points);
+                assert!(
+                    dimension == 3 || (flat - got).abs() <= 1e-12 * got,
+                    "{points:?}"
+                );
+            }
+        }
+    }
+    let far = plane(&[
+        (f64::MAX, -f64::MAX),
+        (-f64::MAX, f64::MAX),
+        (f64::MAX, f64::MAX),
+        (0.0, 1.0),
+    ]);
+    assert_eq!(length(&far), f64::INFINITY);
+    let least = plane(&[(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324), (5e-324, 5e-324)]);
+    assert!(length(&least) <= 2e-323);
 }

@@ -1,8 +1,8 @@
 // Lengths, even steps, areas, torsion and frames through the package's door, by closed forms.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve } from "casteljau";
-import { CUBIC, near, refused, SPACE } from "./reference.js";
+import { Curve, Spline } from "casteljau";
+import { CUBIC, near, owned, refused, SEVEN, SPACE } from "./reference.js";
 
 /** A part of the larger number. */
 const agree = (got, expected, part = 1e-12) => assert.ok(Math.abs(got - expected) <= part * Math.abs(expected), `${got} instead of ${expected}`);
@@ -57,4 +57,58 @@ test("area: swept from the origin", () => {
   assert.equal(new Curve([[2, 0], [0, 3]]).area(), 3);
   assert.equal(new Curve([[0, 3], [2, 0]]).area(), -3);
   refused(() => new Curve(SPACE).area(), TypeError, /^area: expected a 2D curve, got a 3D one$/);
+});
+
+const CURVES = [[[0, 0], [3, 4]], [[0, 0], [1, 0], [0, 0]], CUBIC, SPACE, [[0, 0], [9, 1], [-3, 4], [5, 5], [2, 0], [0, 7]]];
+
+test("timeAtLength and evenly: the length up to t is s", () => {
+  for (const points of CURVES) {
+    const curve = new Curve(points);
+    const whole = curve.length();
+    const upTo = (t) => curve.split(t)[0].length();
+    for (const part of [1e-6, 0.25, 0.5, 0.9]) near([upTo(curve.timeAtLength(part * whole))], [part * whole], 4e-12 * whole);
+    near([upTo(curve.timeAtLength(0.3 * whole, 1e-3))], [0.3 * whole], 1e-3);
+    assert.deepEqual([-1, 0, whole, 1e9].map((s) => curve.timeAtLength(s)), [0, 0, 1, 1]);
+    const ts = curve.evenly(7);
+    owned(ts);
+    assert.deepEqual([ts.length, ts[0], ts[7]], [8, 0, 1]);
+    ts.forEach((t, i) => near([upTo(t)], [(i * whole) / 7], 4e-12 * whole));
+  }
+  assert.deepEqual([...new Curve([[0, 0], [3, 4]]).evenly(4)], [0, 0.25, 0.5, 0.75, 1]);
+  assert.deepEqual([...new Curve([[1, 1], [1, 1]]).evenly(2)], [0, 0.5, 1]);
+});
+
+test("splines: length, timeAtLength, evenly, area", () => {
+  const open = new Spline(SEVEN);
+  const lengths = open.segments().map((curve) => curve.length());
+  agree(open.length(), lengths[0] + lengths[1]);
+  near([open.length(1e-3)], [open.length()], 1e-3);
+  assert.equal(open.timeAtLength(lengths[0]), 1);
+  assert.deepEqual([-1, open.length(), 1e9].map((s) => open.timeAtLength(s)), [0, 2, 2]);
+  const ts = open.evenly(10);
+  owned(ts);
+  assert.deepEqual([ts.length, ts[0], ts[10]], [11, 0, 2]);
+  ts.slice(1, 10).forEach((t, i) => {
+    near([open.timeAtLength(((i + 1) * open.length()) / 10)], [t], 1e-13);
+    const first = t < 1 ? open.segments()[0].split(t)[0].length() : lengths[0] + open.segments()[1].split(t - 1)[0].length();
+    near([first], [((i + 1) * open.length()) / 10], 1e-12);
+  });
+  const square = new Spline([[0, 0], [2, 0], [2, 2], [0, 2]], { degree: 1, closed: true });
+  assert.deepEqual([square.length(), square.area(), square.reverse().area()], [8, 4, -4]);
+  near([square.timeAtLength(5)], [2.5]);
+  const space = new Spline([...SPACE, [5, 0, 0], [6, 1, 1], [7, 0, 2]]);
+  agree(space.length(), space.segments().reduce((sum, curve) => sum + curve.length(), 0));
+  refused(() => space.area(), TypeError, /^area: expected a 2D spline, got a 3D one$/);
+});
+
+test("timeAtLength and evenly: refusals", () => {
+  for (const target of [new Curve(CUBIC), new Spline(SEVEN)]) {
+    for (const s of [NaN, Infinity]) refused(() => target.timeAtLength(s), RangeError, /^s: expected a finite number, got /);
+    for (const s of [undefined, "1", null]) refused(() => target.timeAtLength(s), TypeError, /^s: expected a number, got /);
+    refused(() => target.timeAtLength(1, 0), RangeError, /^tolerance: expected a number above 0, got 0$/);
+    refused(() => target.timeAtLength(1, 1e-17), RangeError, /^tolerance: expected at least /);
+    for (const n of [0, -1, 1.5, NaN]) refused(() => target.evenly(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
+    refused(() => target.evenly("8"), TypeError, /^segments: expected a whole number, got /);
+    refused(() => target.evenly(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
+  }
 });

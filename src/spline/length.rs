@@ -1,0 +1,99 @@
+//! How long is the spline, and where is the point that is so far along it?
+
+use super::Spline;
+use crate::curve::{ByLength, check_length, check_segments, check_tolerance};
+use crate::error::Error;
+use crate::point::Point;
+
+impl<P: Point> Spline<P> {
+    /// The length of the spline, the sum of those of its segments.
+    ///
+    /// `tolerance` is the greatest error of the sum, in the unit of the points; without one it is 10⁻¹² of the length. See
+    /// [`Curve::length`](crate::Curve::length).
+    ///
+    /// # Errors
+    /// As [`Curve::length`](crate::Curve::length).
+    pub fn length(&self, tolerance: Option<f64>) -> Result<f64, Error> {
+        let share = match tolerance {
+            Some(tolerance) => {
+                check_tolerance(tolerance, self.max_abs())?;
+                tolerance / self.segment_count() as f64
+            }
+            None => f64::INFINITY,
+        };
+        Ok((0..self.segment_count())
+            .map(|k| self.curve(k).arc_length(share))
+            .sum())
+    }
+
+    /// The t, from 0 to the number of segments, at which the spline has the length s behind it.
+    ///
+    /// Outside of 0 to the whole length the nearer end comes back, of a spline that is a point 0. `tolerance` as in
+    /// [`length`](Self::length).
+    ///
+    /// # Errors
+    /// As [`Curve::time_at_length`](crate::Curve::time_at_length).
+    pub fn time_at_length(&self, s: f64, tolerance: Option<f64>) -> Result<f64, Error> {
+        check_length(s)?;
+        if let Some(tolerance) = tolerance {
+            check_tolerance(tolerance, self.max_abs())?;
+        }
+        let ends = self.lengths();
+        if s <= 0.0 {
+            return Ok(0.0);
+        }
+        let count = self.segment_count();
+        let k = ends[1..].partition_point(|&end| end <= s);
+        if k == count {
+            return Ok(count as f64);
+        }
+        Ok(k as f64 + ByLength::new(&self.curve(k), tolerance).time(s - ends[k]))
+    }
+
+    /// `segments` + 1 values of t that divide the whole spline into arcs of one length; the first is 0, the last the
+    /// number of the spline's segments.
+    ///
+    /// The arcs are equal to 10⁻¹² of the whole length, and pay no heed to joints. Of a spline that is a point: even
+    /// steps of t.
+    ///
+    /// # Errors
+    /// As [`Curve::evenly`](crate::Curve::evenly).
+    pub fn evenly(&self, segments: usize) -> Result<Vec<f64>, Error> {
+        check_segments(segments, 1)?;
+        let (ends, count) = (self.lengths(), self.segment_count());
+        let whole = ends[count];
+        let mut ts = vec![0.0; segments + 1];
+        let mut table: Option<(usize, ByLength)> = None;
+        let mut k = 0;
+        for i in 1..segments {
+            let part = i as f64 / segments as f64;
+            if whole == 0.0 {
+                ts[i] = part * count as f64;
+                continue;
+            }
+            let s = part * whole;
+            while k + 1 < count && ends[k + 1] <= s {
+                k += 1;
+            }
+            let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
+                Some(table) => table,
+                None => (k, ByLength::new(&self.curve(k), None)),
+            };
+            ts[i] = ts[i - 1].max(k as f64 + curve.time(s - ends[k]));
+            table = Some((k, curve));
+        }
+        ts[segments] = count as f64;
+        Ok(ts)
+    }
+
+    /// The length up to each joint, from 0 to the whole.
+    fn lengths(&self) -> Vec<f64> {
+        let mut whole = 0.0;
+        let mut ends = vec![0.0];
+        for k in 0..self.segment_count() {
+            whole += self.curve(k).arc_length(f64::INFINITY);
+            ends.push(whole);
+        }
+        ends
+    }
+}
