@@ -186,7 +186,7 @@ impl Roots {
         });
         let axes = f64x2::splat(0.5) * (before + after);
         let far = f64x2::splat(f64::INFINITY);
-        Axes(axes.is_nan().blend(far, axes))
+        Axes(axes.is_nan().select(far, axes))
     }
 
     /// The nearer root that is not at an end, and its axis.
@@ -250,15 +250,6 @@ fn minus(a: Complex, b: Complex) -> Complex {
 #[inline(always)]
 fn times(a: Complex, b: Complex) -> Complex {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
-}
-
-#[inline(always)]
-fn over(a: Complex, b: Complex) -> Complex {
-    let size = b[0] * b[0] + b[1] * b[1];
-    [
-        (a[0] * b[0] + a[1] * b[1]) / size,
-        (a[1] * b[0] - a[0] * b[1]) / size,
-    ]
 }
 
 /// One of the two square roots, right to about 10⁻⁸ of itself: where a root is wanted, that much moves the place of a
