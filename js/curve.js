@@ -8,6 +8,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { curveLength, curveTimeAtLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
 import { readTree } from "./subdivision.js";
+import { takeSpline } from "./spline.js";
 
 /**
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
@@ -510,6 +511,26 @@ export class Curve {
    */
   timesAt(where) {
     return places.timesAt(this.#flat, this.#dimension, where);
+  }
+
+  /**
+   * The parallel curve at a distance along the normal (the tangent turned by +90°; negative: on the other side), as a
+   * spline of lines and cubics. 2D only.
+   *
+   * Nothing is trimmed: where the curve bends too sharply the parallel has cusps. Where the curve turns back a half circle
+   * joins its two sides. A curve that is a point comes back as it is.
+   *
+   * @param {number} distance
+   * @param {{ tolerance?: number }} [options] `tolerance`: the greatest distance between the spline and the true parallel, by
+   *   default 1e-4 of the diagonal of the control points' box
+   * @returns {Spline}
+   * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate and the distance
+   */
+  offset(distance, options) {
+    this.#plane("offset");
+    check.finite(distance, "distance");
+    const tolerance = check.optionalTolerance(check.options(options).tolerance);
+    return takeSpline(core().curve_offset(this.#load(), distance, tolerance), 2);
   }
 
   /**

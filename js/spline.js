@@ -92,7 +92,7 @@ export class Spline {
     const closed = Boolean(check.options(options).closed);
     const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
     load(Float64Array.from([curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers]));
-    return made(core().spline_from_curves(dimension), dimension);
+    return takeSpline(core().spline_from_curves(dimension), dimension);
   }
 
   /**
@@ -472,7 +472,7 @@ export class Spline {
 
   /** @param {number} length */
   #made(length) {
-    return made(length, this.dimension);
+    return takeSpline(length, this.dimension);
   }
 
   /**
@@ -537,10 +537,11 @@ export function splineOf(parts) {
 /**
  * The spline that the core left.
  *
+ * @internal
  * @param {number} length
  * @param {2 | 3} dimension
  */
-function made(length, dimension) {
+export function takeSpline(length, dimension) {
   const numbers = take(0, length);
   const head = 2 + numbers[0];
   return splineOf({ flat: numbers.slice(head), dimension, degrees: [...numbers.subarray(2, head)], closed: numbers[1] === 1 });

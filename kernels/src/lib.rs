@@ -12,6 +12,7 @@ mod length;
 mod meet;
 mod nearest;
 mod normals;
+mod parallel;
 mod positions;
 mod sample;
 mod speed;
@@ -28,6 +29,7 @@ pub use layout::{
 pub use length::plane_cubic_length;
 pub use meet::{Contact, Meeting, Piece, Row, meet_cubics};
 pub use nearest::{nearest_in_plane, nearest_in_space};
+pub use parallel::{Parallel, Plane, Source};
 pub use sample::{Sampler, Vector};
 pub use speed::speed_integral;
 pub use weights::{binomial, weights};

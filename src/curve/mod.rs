@@ -21,8 +21,10 @@ mod intersect;
 mod length;
 mod moments;
 mod nearest;
+mod offset;
 mod product;
 pub(crate) mod roots;
+mod straight;
 mod subdivide;
 mod trace;
 
@@ -35,6 +37,8 @@ pub use intersect::{Contact, Intersection, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
 pub(crate) use nearest::nearest_on;
+#[cfg(feature = "wasm")]
+pub(crate) use offset::Chain;
 pub use subdivide::Subdivision;
 pub use trace::Pen;
 #[cfg(feature = "wasm")]

@@ -21,6 +21,7 @@ mod lines;
 mod measure;
 mod meetings;
 mod mesh;
+mod offset;
 mod path;
 mod pen;
 mod places;

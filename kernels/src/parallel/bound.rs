@@ -1,0 +1,206 @@
+//! A bound on the distance between a cubic and the parallel.
+//!
+//! Between two pairs of places that see each other, let u run from 0 to 1 on both curves: Q(u) on the cubic, B(u) on the
+//! source. E = Q − B is a cubic in u, so |E|², E·B′ and |B′|² − E·B″ are polynomials, and lie between their least and
+//! greatest Bernstein coefficients. They tell how far |E| is from the distance asked for, how far E leans from the
+//! normal, and how far the foot of the perpendicular can be from B(u): with δ the leaning part of E, either
+//!
+//!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
+//!
+//! bounds the distance from Q(u) to the parallel. The foot moves along with u from one end to the other, so every point
+//! of the parallel is as near to the cubic. Pieces that are not near enough by these bounds are halved: δ falls by four.
+
+use super::fit::Pair;
+use super::vector::Plane;
+use super::{Parallel, VANISHING_SPEED};
+
+/// Halvings of a quarter of a piece.
+const MOST_HALVINGS: usize = 12;
+
+/// What the foot may add, as a multiple of its first estimate: |B′|² − E·B″ is bounded for the pairs (u, u) only, and the
+/// foot is a little beside.
+const FOOT_SAFETY: f64 = 2.0;
+
+impl Parallel<'_> {
+    /// Whether the cubic keeps the tolerance everywhere.
+    pub(super) fn holds(&self, cubic: &[Plane; 4], pairs: &[Pair; 5]) -> bool {
+        pairs
+            .windows(2)
+            .all(|pair| self.holds_between(cubic, &pair[0], &pair[1], MOST_HALVINGS))
+    }
+
+    fn holds_between(&self, cubic: &[Plane; 4], from: &Pair, to: &Pair, halvings: usize) -> bool {
+        let found = self.bound(from, to);
+        if found <= self.tolerance {
+            return true;
+        }
+        if halvings == 0 {
+            return false;
+        }
+        if self.near(from, to) {
+            return true;
+        }
+        let mut middle = Pair {
+            s: 0.5 * (from.s + to.s),
+            ..Pair::default()
+        };
+        middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
+        self.see(cubic, &mut middle, from.foot.t, to.foot.t);
+        self.error(&middle).abs() <= self.tolerance
+            && self.holds_between(cubic, from, &middle, halvings - 1)
+            && self.holds_between(cubic, &middle, to, halvings - 1)
+    }
+
+    /// Whether all between two pairs is so short that it cannot be far apart.
+    fn near(&self, from: &Pair, to: &Pair) -> bool {
+        let ways = |a: Plane, b: Plane, u: Plane, v: Plane, step: f64| {
+            (b - a).length() + step * (u.length() + v.length())
+        };
+        let there = ways(from.q, to.q, from.w, to.w, to.s - from.s);
+        let (a, b) = (&from.foot, &to.foot);
+        let back =
+            ways(a.b, b.b, a.v, b.v, b.t - a.t) + (to.n - from.n).length() * self.distance.abs();
+        let apart = |pair: &Pair| (pair.q - pair.foot.b - pair.n * self.distance).length();
+        apart(from).max(apart(to)) + there + back <= self.tolerance
+    }
+
+    /// The bound between two pairs; infinite where nothing is known.
+    fn bound(&self, from: &Pair, to: &Pair) -> f64 {
+        let distance = self.distance.abs();
+        let (ds, dt) = (to.s - from.s, to.foot.t - from.foot.t);
+        let rest = self.source.remainder(dt);
+        if dt.is_nan() || dt <= 0.0 || rest > REMAINDER_SHARE * self.tolerance {
+            return f64::INFINITY;
+        }
+        let (v0, v2) = (from.foot.v * dt, to.foot.v * dt);
+        let v1 = (to.foot.b - from.foot.b) * 3.0 - v0 - v2;
+        let (e0, e3) = (from.q - from.foot.b, to.q - to.foot.b);
+        let e = [
+            e0,
+            e0 + (from.w * ds - v0) * (1.0 / 3.0),
+            e3 - (to.w * ds - v2) * (1.0 / 3.0),
+            e3,
+        ];
+        let (least, most) = range(&squares(&e));
+        let (low, high) = (least.max(0.0).sqrt() - rest, most.sqrt() + rest);
+        let off = (high - distance).max(distance - low);
+        if high + distance <= self.tolerance {
+            return high + distance;
+        }
+        if off > self.tolerance {
+            return f64::INFINITY;
+        }
+        self.with_foot(&e, [v0, v1, v2], (low, high), rest)
+    }
+
+    /// The same with what the leaning of E adds.
+    fn with_foot(&self, e: &[Plane; 4], v: [Plane; 3], (low, high): (f64, f64), rest: f64) -> f64 {
+        let distance = self.distance.abs();
+        let d = self.direction(v);
+        let (least, most) = range(&products2(&d, &d));
+        let fastest = most.sqrt();
+        let (lean_least, lean_most) = range(&products3(e, &d));
+        let lean = lean_most.max(-lean_least) + rest * (fastest + 4.0 * high);
+        let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
+        let ahead = products2(&v, &d);
+        let bend = products31(e, &turn);
+        let forward: [f64; 5] = std::array::from_fn(|i| ahead[i] - bend[i]);
+        let (f_least, f_most) = range(&forward);
+        let forward = f_least.max(-f_most) - rest * (8.0 * fastest + 32.0 * high);
+        let mut found = f64::INFINITY;
+        if least > 0.0 {
+            let delta = lean / least.sqrt();
+            let up = (low * low - delta * delta).max(0.0).sqrt();
+            let across = (high - distance).max(distance - up);
+            if delta < low || distance + high <= self.tolerance {
+                found = (across * across + delta * delta).sqrt();
+            }
+            if forward > lean && delta < 0.5 * low {
+                let off = (high - distance).max(distance - low);
+                found = found.min(off + FOOT_SAFETY * lean * lean / (2.0 * low * forward));
+            }
+        }
+        found
+    }
+
+    /// A quadratic field with the directions of B′: B′ itself, or, where it vanishes at an end, divided by u or 1 − u.
+    fn direction(&self, v: [Plane; 3]) -> [Plane; 3] {
+        let least = VANISHING_SPEED * self.source.speed();
+        let still = |p: Plane| p.square() <= least * least;
+        let [v0, v1, v2] = v;
+        if still(v0) {
+            if still(v1) {
+                return [v2; 3];
+            }
+            return [v1 * 2.0, v1 + v2 * 0.5, v2];
+        }
+        if still(v2) {
+            if still(v1) {
+                return [v0; 3];
+            }
+            return [v0, v1 + v0 * 0.5, v1 * 2.0];
+        }
+        v
+    }
+}
+
+/// A cubic in the place of a piece of a higher degree may be off by this part of the tolerance.
+const REMAINDER_SHARE: f64 = 0.02;
+
+fn range(coefficients: &[f64]) -> (f64, f64) {
+    let mut least = f64::INFINITY;
+    let mut most = -f64::INFINITY;
+    for &c in coefficients {
+        least = if c < least { c } else { least };
+        most = if c > most { c } else { most };
+    }
+    (least, most)
+}
+
+/// |E|², degree 6.
+fn squares(e: &[Plane; 4]) -> [f64; 7] {
+    let [a, b, c, d] = *e;
+    [
+        a.square(),
+        a.dot(b),
+        (3.0 * b.square() + 2.0 * a.dot(c)) * 0.2,
+        (9.0 * b.dot(c) + a.dot(d)) * 0.1,
+        (3.0 * c.square() + 2.0 * b.dot(d)) * 0.2,
+        c.dot(d),
+        d.square(),
+    ]
+}
+
+/// E·D, degree 5.
+fn products3(e: &[Plane; 4], d: &[Plane; 3]) -> [f64; 6] {
+    [
+        e[0].dot(d[0]),
+        (2.0 * e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.2,
+        (e[0].dot(d[2]) + 6.0 * e[1].dot(d[1]) + 3.0 * e[2].dot(d[0])) * 0.1,
+        (3.0 * e[1].dot(d[2]) + 6.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.1,
+        (3.0 * e[2].dot(d[2]) + 2.0 * e[3].dot(d[1])) * 0.2,
+        e[3].dot(d[2]),
+    ]
+}
+
+/// V·D of two quadratics, degree 4.
+fn products2(v: &[Plane; 3], d: &[Plane; 3]) -> [f64; 5] {
+    [
+        v[0].dot(d[0]),
+        (v[0].dot(d[1]) + v[1].dot(d[0])) * 0.5,
+        (v[0].dot(d[2]) + 4.0 * v[1].dot(d[1]) + v[2].dot(d[0])) * (1.0 / 6.0),
+        (v[1].dot(d[2]) + v[2].dot(d[1])) * 0.5,
+        v[2].dot(d[2]),
+    ]
+}
+
+/// E·D′ of a cubic and a line, degree 4.
+fn products31(e: &[Plane; 4], d: &[Plane; 2]) -> [f64; 5] {
+    [
+        e[0].dot(d[0]),
+        (e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.25,
+        (e[1].dot(d[1]) + e[2].dot(d[0])) * 0.5,
+        (3.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.25,
+        e[3].dot(d[1]),
+    ]
+}

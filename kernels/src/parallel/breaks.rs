@@ -1,0 +1,162 @@
+//! Where a curve must be cut before parallels of its pieces can be smooth: at its own cusps, and at those of the
+//! parallel.
+
+use super::vector::Plane;
+use super::{End, Parallel, Source, VANISHING_SPEED};
+
+/// Halvings in the search for a zero of B′; what is left of the interval then is refined.
+const MOST_HALVINGS: usize = 30;
+
+/// At a zero that is found, |B′| may be this part of its largest value: the root is known to some ulps only.
+const ZERO_SPEED: f64 = 1e-12;
+
+/// Below this part of the largest speed a second derivative gives no direction.
+const VANISHING_BEND: f64 = 1e-9;
+
+/// How far to look beside a place where no derivative gives a direction, and where the way of the parallel is asked.
+const BESIDE: f64 = 1.0 / (1_u32 << 20) as f64;
+
+/// Steps in which cusps of the parallel are looked for; what they miss is cut when no cubic fits.
+const CUSP_STEPS: usize = 12;
+
+impl Source {
+    /// The parameters inside (0, 1) where B′ vanishes.
+    pub fn cusps(&self) -> Vec<f64> {
+        let mut found = Vec::new();
+        let hodograph = self.hodograph();
+        let n = self.degree();
+        if n <= 3 {
+            let mut vectors = [Plane::default(); 3];
+            vectors[..n].copy_from_slice(&hodograph[..n]);
+            self.search::<3>(&vectors, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
+        } else {
+            self.search::<64>(&hodograph, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
+        }
+        found.dedup_by(|b, a| *b - *a < 2.0 * BESIDE * BESIDE);
+        found
+    }
+
+    /// Halves until all vectors point into one half-plane, so that none between them vanishes.
+    fn search<const N: usize>(
+        &self,
+        vectors: &[Plane; N],
+        n: usize,
+        (t0, t1): (f64, f64),
+        halvings: usize,
+        found: &mut Vec<f64>,
+    ) {
+        let way = vectors[0] + vectors[n - 1];
+        let agree = vectors[..n].iter().all(|v| v.dot(way) >= 0.0);
+        if agree && vectors[..n].iter().any(|v| v.dot(way) > 0.0) {
+            return;
+        }
+        if halvings == 0 {
+            found.extend(self.refined(0.5 * (t0 + t1)));
+            return;
+        }
+        let (mut left, mut right) = (*vectors, *vectors);
+        for (level, first) in left.iter_mut().enumerate().take(n) {
+            *first = right[0];
+            for i in 1..n - level {
+                right[i - 1] = (right[i - 1] + right[i]) * 0.5;
+            }
+        }
+        let t = 0.5 * (t0 + t1);
+        self.search(&left, n, (t0, t), halvings - 1, found);
+        if self.at(t).v.length() <= ZERO_SPEED * self.speed() {
+            found.extend(self.refined(t));
+        }
+        self.search(&right, n, (t, t1), halvings - 1, found);
+    }
+
+    /// The zero of B′ next to t, if there is one: Gauss and Newton's step for the least |B′|².
+    fn refined(&self, mut t: f64) -> Option<f64> {
+        for _ in 0..4 {
+            let place = self.at(t);
+            let square = place.a.square();
+            if square > 0.0 {
+                t -= place.v.dot(place.a) / square;
+            }
+        }
+        let zero = self.at(t).v.length() <= ZERO_SPEED * self.speed();
+        (zero && t > BESIDE && t < 1.0 - BESIDE).then_some(t)
+    }
+
+    /// The tangents before and after a cusp.
+    pub fn cusp_tangents(&self, t: f64) -> (Plane, Plane) {
+        let place = self.at(t);
+        if place.a.length() > VANISHING_BEND * self.speed() {
+            return (-place.a.unit(), place.a.unit());
+        }
+        let beside = BESIDE.sqrt();
+        (self.at(t - beside).v.unit(), self.at(t + beside).v.unit())
+    }
+
+    /// The point at t.
+    pub fn point(&self, t: f64) -> Plane {
+        self.at(t).b
+    }
+}
+
+impl Parallel<'_> {
+    /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
+    /// tangents are those seen from inside. The first point is there already.
+    pub fn run(&self, (t0, t1): (f64, f64), tangents: [Plane; 2], out: &mut Vec<Plane>) {
+        let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
+        let to = self.outer_end(t1, tangents[1], -BESIDE * (t1 - t0));
+        let mut last = from;
+        if !self.surely_forward((t0, t1)) {
+            for step in 1..CUSP_STEPS {
+                let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
+                last = self.pass(&mut from, &last, self.end(t), out);
+            }
+        }
+        self.pass(&mut from, &last, to, out);
+        self.cover(&from, &to, out);
+    }
+
+    /// Covers the way to a cusp between two places, if there is one.
+    fn pass(&self, from: &mut End, last: &End, next: End, out: &mut Vec<Plane>) -> End {
+        if last.sign != next.sign
+            && let Some((before, after)) = self.cusp(last, &next)
+        {
+            self.cover(from, &before, out);
+            *from = after;
+        }
+        next
+    }
+
+    fn outer_end(&self, t: f64, tangent: Plane, inwards: f64) -> End {
+        let end = self.end(t);
+        let still = end.place.v.length() <= VANISHING_SPEED * self.source.speed();
+        let sign = if still {
+            self.end(t + inwards).sign
+        } else {
+            end.sign
+        };
+        End {
+            tangent,
+            sign,
+            ..end
+        }
+    }
+
+    /// Whether a glance at the control points says that the parallel has no cusp. Only for degree 3.
+    fn surely_forward(&self, (t0, t1): (f64, f64)) -> bool {
+        if self.source.degree() > 3 || (t0, t1) != (0.0, 1.0) {
+            return false;
+        }
+        let [v0, v1, v2] = self.source.first_vectors();
+        let most_bend = (self.distance * v0.cross(v1))
+            .max(self.distance * v0.cross(v2) * 0.5)
+            .max(self.distance * v1.cross(v2))
+            * 2.0;
+        if most_bend <= 0.0 {
+            return true;
+        }
+        let way = v0 + v2;
+        let least = v0.dot(way).min(v1.dot(way)).min(v2.dot(way));
+        let least = least.max(0.0) / way.length();
+        least * least * least > most_bend
+    }
+}

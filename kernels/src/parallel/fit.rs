@@ -1,0 +1,147 @@
+//! The lengths of the handles.
+
+use super::vector::Plane;
+use super::{End, Parallel, Place};
+
+/// Where distances are measured.
+const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Rounds of least squares.
+const MOST_ROUNDS: usize = 4;
+
+/// A first error above this many tolerances is not worth improving.
+const HOPELESS: f64 = 300.0;
+
+/// Added to the diagonal of the normal equations.
+const DAMPING: f64 = 1e-5;
+
+/// A place on the cubic: its parameter, point and derivative, and the place of the source from which it is seen.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Pair {
+    /// The unit normal there.
+    pub(super) n: Plane,
+    pub(super) s: f64,
+    pub(super) q: Plane,
+    pub(super) w: Plane,
+    pub(super) foot: Place,
+}
+
+impl Parallel<'_> {
+    /// The cubic from one end to the other with the first guess for its handles.
+    pub(super) fn first_cubic(&self, from: &End, to: &End) -> [Plane; 4] {
+        let (start, end) = (self.point(from), self.point(to));
+        let (a, b) = self.first_handles(from, to);
+        [start, start + from.tangent * a, end + to.tangent * -b, end]
+    }
+
+    /// The cubic from one end to the other, if one keeps the tolerance.
+    pub(super) fn fit(&self, from: &End, to: &End) -> Option<[Plane; 4]> {
+        let (start, end) = (self.point(from), self.point(to));
+        let (mut a, mut b) = self.first_handles(from, to);
+        let mut previous = f64::INFINITY;
+        let mut pairs = self.pairs(from, to);
+        for round in 0..MOST_ROUNDS {
+            let cubic = [start, start + from.tangent * a, end + to.tangent * -b, end];
+            let mut normal = [0.0; 5];
+            let mut worst: f64 = 0.0;
+            for pair in &mut pairs[1..4] {
+                self.see(&cubic, pair, from.place.t, to.place.t);
+                let n = pair.n;
+                let error = self.error(pair);
+                worst = worst.max(error.abs());
+                let r = 1.0 - pair.s;
+                let (ja, jb) = (
+                    3.0 * pair.s * r * r * from.tangent.dot(n),
+                    -3.0 * pair.s * pair.s * r * to.tangent.dot(n),
+                );
+                normal[0] += ja * ja;
+                normal[1] += ja * jb;
+                normal[2] += jb * jb;
+                normal[3] -= ja * error;
+                normal[4] -= jb * error;
+            }
+            if worst <= self.tolerance {
+                self.see_ends(&cubic, &mut pairs);
+                if self.holds(&cubic, &pairs) {
+                    return Some(cubic);
+                }
+            }
+            if !(worst < 0.5 * previous && worst < HOPELESS * self.tolerance) {
+                return None;
+            }
+            previous = worst;
+            if round + 1 == MOST_ROUNDS {
+                break;
+            }
+            let [aa, ab, bb, ra, rb] = normal;
+            let (aa, bb) = (aa + DAMPING, bb + DAMPING);
+            let scale = 1.0 / (aa * bb - ab * ab);
+            let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
+            a = from.sign * (from.sign * (a + da)).max(0.0);
+            b = to.sign * (to.sign * (b + db)).max(0.0);
+        }
+        None
+    }
+
+    /// Those of the source's piece, and of the arc of the normal: 4/3 tan(θ/4).
+    fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
+        let third = (to.place.t - from.place.t) / 3.0;
+        let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
+        let half_cos = (0.5 + 0.5 * cos).max(0.0).sqrt();
+        let half_sin = (0.5 - 0.5 * cos).max(0.0).sqrt().copysign(sin);
+        let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
+        let handle = |end: &End| {
+            let length = third * end.place.v.length() - arc;
+            end.sign * (end.sign * length).max(0.0)
+        };
+        (handle(from), handle(to))
+    }
+
+    fn pairs(&self, from: &End, to: &End) -> [Pair; 5] {
+        let mut pairs = [Pair::default(); 5];
+        (pairs[0].foot, pairs[0].n) = (from.place, from.tangent.turned());
+        (pairs[4].s, pairs[4].foot, pairs[4].n) = (1.0, to.place, to.tangent.turned());
+        for (pair, s) in pairs[1..4].iter_mut().zip(SAMPLES) {
+            pair.s = s;
+            pair.foot.t = from.place.t + (to.place.t - from.place.t) * s;
+        }
+        pairs
+    }
+
+    /// Evaluates the cubic and looks for the place of the source from which its point is seen along the normal.
+    pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, t0: f64, t1: f64) {
+        (pair.q, pair.w) = at(cubic, pair.s);
+        for _ in 0..2 {
+            let place = self.source.at(pair.foot.t);
+            let gap = pair.q - place.b;
+            let t = pair.foot.t + gap.dot(place.v) / (place.v.square() - gap.dot(place.a));
+            pair.foot.t = if t > t0 && t < t1 { t } else { pair.foot.t };
+        }
+        pair.foot = self.source.at(pair.foot.t);
+        pair.n = pair.foot.v.unit().turned();
+    }
+
+    /// How much farther from the source than asked for.
+    pub(super) fn error(&self, pair: &Pair) -> f64 {
+        (pair.q - pair.foot.b).dot(pair.n) - self.distance
+    }
+
+    fn see_ends(&self, cubic: &[Plane; 4], pairs: &mut [Pair; 5]) {
+        let [p0, p1, p2, p3] = *cubic;
+        (pairs[0].q, pairs[0].w) = (p0, (p1 - p0) * 3.0);
+        (pairs[4].q, pairs[4].w) = (p3, (p3 - p2) * 3.0);
+    }
+}
+
+/// The point and the derivative of a cubic.
+#[inline]
+fn at(p: &[Plane; 4], s: f64) -> (Plane, Plane) {
+    let r = 1.0 - s;
+    let (a, b, c) = (
+        p[0] * r + p[1] * s,
+        p[1] * r + p[2] * s,
+        p[2] * r + p[3] * s,
+    );
+    let (d, e) = (a * r + b * s, b * r + c * s);
+    (d * r + e * s, (e - d) * 3.0)
+}

@@ -1,0 +1,295 @@
+//! Which curve runs beside?
+//!
+//! The parallel at a distance d is O(t) = B(t) + d·N(t), N being the tangent turned by +90°. It is no Bézier curve in
+//! general, so cubics take its place, within a tolerance. It goes on where the curve bends too sharply for it: there
+//! O′ = (1 − κd)·B′ changes its direction and O has a cusp (it runs back and forth in a swallowtail; nothing is trimmed).
+//! Where the curve itself turns back, at a cusp or at an end of a straight way back and forth, N jumps to the other
+//! side; a half circle about that point, around its outside, leads from one to the other.
+
+use super::{Curve, check_tolerance, ulp};
+use crate::error::Error;
+use crate::point::Point;
+use crate::spline::Spline;
+use casteljau_kernels::{Parallel, Plane, Source};
+use glam::DVec2;
+use std::f64::consts::PI;
+
+/// The tolerance by default, as a part of the diagonal of the control points' box.
+const DEFAULT_RATIO: f64 = 1e-4;
+
+/// Up to this distance, in sizes of the curve, its own size is told from a point: beyond, it is far below an ulp.
+const FARTHEST: f64 = 1e30;
+
+impl Curve<DVec2> {
+    /// The parallel curve at a distance along the normal, as a spline of lines and cubics.
+    ///
+    /// O(t) = B(t) + d·N(t), N the tangent turned by +90°; a negative distance lies on the other side. `tolerance`
+    /// is the greatest distance from any point of O to the spline and from any point of the spline to O, in the
+    /// input's unit; by default 10⁻⁴ of the diagonal of the control points' box. Ends and end tangents are exact, and
+    /// the pieces share their ends.
+    ///
+    /// Where |κd| passes 1 the parallel has a cusp, and so has the spline; nothing is trimmed. Where the curve turns
+    /// back (a cusp, a straight way back and forth) a half circle about that point joins the two sides. Lines stay
+    /// lines. A distance of 0 gives the curve itself. A curve that is a point has no normal: it comes back as it is.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a distance that is not finite, or with which coordinates would not be, and unless the
+    /// tolerance is above 0; [`Error::Tolerance`] when it is below 4 ulps of the largest coordinate and the distance.
+    ///
+    /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
+    pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
+        self.parallel(distance, tolerance).map(Chain::spline)
+    }
+
+    /// As [`offset`](Self::offset), not yet a spline.
+    pub(crate) fn parallel(&self, distance: f64, tolerance: Option<f64>) -> Result<Chain, Error> {
+        let diagonal = || self.control_bounds().diagonal();
+        let tolerance = offset_tolerance(distance, tolerance, self.max_abs(), diagonal)?;
+        let mut chain = Chain::default();
+        chain.add_parallel(self, distance, tolerance);
+        Ok(chain)
+    }
+}
+
+/// Refuses what cannot be done; the tolerance that was given or that of a size.
+pub(crate) fn offset_tolerance(
+    distance: f64,
+    given: Option<f64>,
+    largest: f64,
+    diagonal: impl FnOnce() -> f64,
+) -> Result<f64, Error> {
+    let reach = largest + distance.abs();
+    if !(reach * 4.0).is_finite() {
+        return Err(Error::Range {
+            what: "distance",
+            expected: "a finite number, and coordinates that stay finite",
+            got: distance,
+        });
+    }
+    match given {
+        Some(tolerance) => check_tolerance(tolerance, reach).map(|()| tolerance),
+        None => Ok((DEFAULT_RATIO * diagonal()).max(4.0 * ulp(reach))),
+    }
+}
+
+/// A spline in the making: its points, and the degree of each segment.
+#[derive(Default)]
+pub(crate) struct Chain {
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) degrees: Vec<usize>,
+    pub(crate) closed: bool,
+}
+
+impl Chain {
+    pub(crate) fn spline(self) -> Spline<DVec2> {
+        Spline::from_parts(self.points, &self.degrees, self.closed)
+    }
+
+    /// The start, unless the chain has one.
+    fn start(&mut self, p: DVec2) {
+        if self.points.is_empty() {
+            self.points.push(p);
+        }
+    }
+
+    pub(crate) fn line_to(&mut self, p: DVec2) {
+        self.points.push(p);
+        self.degrees.push(1);
+    }
+
+    /// Appends the parallel of a curve; a chain that is not empty ends at its start.
+    pub(crate) fn add_parallel(&mut self, curve: &Curve<DVec2>, distance: f64, tolerance: f64) {
+        let reach = farthest(curve);
+        if distance == 0.0 || reach == 0.0 {
+            self.start(curve.start());
+            self.points.extend(&curve.points[1..]);
+            self.degrees.push(curve.degree());
+            return;
+        }
+        if let Some(way) = curve.straight_way() {
+            return self.add_parallel_of_straight(curve, way, distance, tolerance);
+        }
+        Bent::new(curve, reach, distance, tolerance).add_to(self);
+    }
+
+    /// Lines there and back, and half circles about the points where the curve turns.
+    fn add_parallel_of_straight(
+        &mut self,
+        curve: &Curve<DVec2>,
+        way: DVec2,
+        distance: f64,
+        tolerance: f64,
+    ) {
+        let mut stops = vec![curve.start()];
+        stops.extend(curve.turns_along(way).iter().map(|&t| curve.eval(t)));
+        stops.push(curve.end());
+        let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
+        for pair in stops.windows(2) {
+            let length = (pair[1] - pair[0]).dot(way);
+            match runs.last_mut() {
+                _ if length == 0.0 => {}
+                Some((_, end, sign)) if *sign == length.signum() => *end = pair[1],
+                _ => runs.push((pair[0], pair[1], length.signum())),
+            }
+        }
+        for (k, &(from, to, sign)) in runs.iter().enumerate() {
+            let normal = way.perp() * sign;
+            if k > 0 {
+                self.turn(from, -way * sign, way * sign, distance, tolerance);
+            }
+            self.start(from + normal * distance);
+            self.line_to(to + normal * distance);
+        }
+    }
+
+    /// Appends an arc about a point, as the normal turns from one tangent to another by at most 180°; a full half turn
+    /// goes around the outside.
+    pub(crate) fn turn(
+        &mut self,
+        about: DVec2,
+        from: DVec2,
+        to: DVec2,
+        distance: f64,
+        tolerance: f64,
+    ) {
+        let (sin, cos) = (from.perp_dot(to), from.dot(to));
+        let reversed = cos < 0.0 && sin.abs() <= REVERSED_SINE;
+        let angle = if reversed {
+            -PI.copysign(distance)
+        } else {
+            sin.atan2(cos)
+        };
+        let pieces = arc_pieces(angle, distance.abs(), tolerance);
+        let handle = distance * (4.0 / 3.0) * (0.25 * angle / pieces).tan();
+        let tangent = |k: f64| {
+            if k == pieces {
+                to
+            } else {
+                DVec2::from_angle(angle * (k / pieces)).rotate(from)
+            }
+        };
+        let at = |tangent: DVec2| about + tangent.perp() * distance;
+        let mut k = 0.0;
+        while k < pieces {
+            let (t0, t1) = (tangent(k), tangent(k + 1.0));
+            self.points
+                .extend([at(t0) - t0 * handle, at(t1) + t1 * handle, at(t1)]);
+            self.degrees.push(3);
+            k += 1.0;
+        }
+    }
+}
+
+/// Tangents this close to opposite, as a sine, are opposite: rounding of unit vectors.
+const REVERSED_SINE: f64 = 1e-12;
+
+/// How many cubics an arc needs: one of the angle θ with handles 4/3 tan(θ/4) is off by (2/27) sin⁶(θ/4)/cos²(θ/4) of the
+/// radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by curvature-continuous Bézier curves", CAGD 7
+/// (1990).
+fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
+    let mut pieces = 1.0;
+    loop {
+        let quarter = 0.25 * angle / pieces;
+        let error = (2.0 / 27.0) * quarter.sin().powi(6) / quarter.cos().powi(2);
+        if error * radius <= tolerance || pieces >= MOST_ARC_PIECES {
+            return pieces;
+        }
+        pieces += 1.0;
+    }
+}
+
+/// A half circle in pieces of this number is off by less than rounding.
+const MOST_ARC_PIECES: f64 = 512.0;
+
+/// A curve that bends, moved to the origin and scaled to about 1.
+struct Bent<'a> {
+    curve: &'a Curve<DVec2>,
+    source: Source,
+    distance: f64,
+    tolerance: f64,
+    /// The distance and the tolerance as scaled.
+    scaled: (f64, f64),
+    /// Back to the caller's unit.
+    unit: f64,
+}
+
+impl<'a> Bent<'a> {
+    fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
+        let scale = power_of_two(reach);
+        let start = curve.start() * scale;
+        let mut points = [[0.0; 2]; crate::error::MAX_DEGREE + 1];
+        for (local, &p) in points.iter_mut().zip(curve.control_points()) {
+            *local = (p * scale - start).to_array();
+        }
+        let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
+        let unit = if scaled.abs() < FARTHEST {
+            1.0 / scale
+        } else {
+            (distance / scaled).abs()
+        };
+        Self {
+            curve,
+            source: Source::new(&points[..=curve.degree()]),
+            distance,
+            tolerance,
+            scaled: (scaled, tolerance / unit),
+            unit,
+        }
+    }
+
+    fn add_to(&self, chain: &mut Chain) {
+        let [first, last] = self.source.end_tangents();
+        let (mut t, mut tangent) = (0.0, first);
+        for cusp in self.source.cusps() {
+            let (before, after) = self.source.cusp_tangents(cusp);
+            let about = self.curve.eval(cusp);
+            self.add_run(chain, (t, cusp), [tangent, before], about);
+            chain.turn(
+                about,
+                vector(before),
+                vector(after),
+                self.distance,
+                self.tolerance,
+            );
+            (t, tangent) = (cusp, after);
+        }
+        self.add_run(chain, (t, 1.0), [tangent, last], self.curve.end());
+    }
+
+    /// A piece between two cusps of the curve.
+    fn add_run(&self, chain: &mut Chain, ts: (f64, f64), tangents: [Plane; 2], end: DVec2) {
+        let normal = |tangent: Plane| vector(tangent).perp() * self.distance;
+        if ts.0 == 0.0 {
+            chain.start(self.curve.start() + normal(tangents[0]));
+        }
+        let mut out = Vec::with_capacity(12);
+        Parallel::new(&self.source, self.scaled.0, self.scaled.1).run(ts, tangents, &mut out);
+        let origin = self.curve.start();
+        let place = |p: &Plane| vector(*p) * self.unit + origin;
+        chain.points.extend(out.iter().map(place));
+        chain.degrees.extend(std::iter::repeat_n(3, out.len() / 3));
+        // Not what scaling has left of it.
+        if let Some(p) = chain.points.last_mut() {
+            *p = end + normal(tangents[1]);
+        }
+    }
+}
+
+fn vector(p: Plane) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}
+
+/// The greatest difference of a coordinate from the start.
+fn farthest(curve: &Curve<DVec2>) -> f64 {
+    let start = curve.start() * 0.5;
+    let half = curve
+        .control_points()
+        .iter()
+        .fold(0.0, |m: f64, &p| m.max(Point::max_abs(p * 0.5 - start)));
+    2.0 * half.min(f64::MAX / 4.0)
+}
+
+/// About 1/x, a power of two whose inverse is finite.
+fn power_of_two(x: f64) -> f64 {
+    (-x.log2().round()).clamp(-1000.0, 1000.0).exp2()
+}
