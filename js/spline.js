@@ -1,15 +1,19 @@
+import { fromBSpline, toBSpline } from "./bspline.js";
 import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { core } from "./init.js";
 import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { done } from "./refusal.js";
+import { through } from "./through.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
 /**
+ * @import { BSpline, BSplineOptions } from "./bspline.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { Point } from "./points.js"
+ * @import { ThroughOptions } from "./through.js"
  */
 
 /**
@@ -93,6 +97,38 @@ export class Spline {
     const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
     load(Float64Array.from([curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers]));
     return takeSpline(core().spline_from_curves(dimension), dimension);
+  }
+
+  /**
+   * A cubic spline through points, which are its joints.
+   *
+   * Natural: equal second derivatives at all joints, none at free ends. Catmull-Rom: the tangent at a point comes from it
+   * and its neighbours; free ends start straight, and a point that comes twice is a corner (unless alpha is 0).
+   *
+   * @param {PointsLike} points 2 or more
+   * @param {ThroughOptions} [options] natural and open by default
+   * @returns {Spline}
+   * @throws {RangeError} for fewer than 2 points, a NaN or an infinity, an alpha outside of 0 to 1
+   */
+  static through(points, options) {
+    const { length, dimension } = through(points, options);
+    return made(length, dimension);
+  }
+
+  /**
+   * The Bézier form of a B-spline: one segment of its degree for each span between different knots.
+   *
+   * Without knots it is uniform, and an open one does not reach its first and last point; one does whose first and whose
+   * last degree + 1 knots are equal. Inside, a knot may come as often as the degree. Each segment runs from t = k to k + 1.
+   *
+   * @param {PointsLike} points open degree + 1 or more
+   * @param {BSplineOptions} [options] degree 3, uniform and open by default
+   * @returns {Spline}
+   * @throws {RangeError} for a wrong count, a knot below the one before it, or one that comes too often
+   */
+  static fromBSpline(points, options) {
+    const { length, dimension } = fromBSpline(points, options);
+    return made(length, dimension);
   }
 
   /**
@@ -444,6 +480,17 @@ export class Spline {
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
     this.#load();
     done(core().spline_trace(pen, tolerance));
+  }
+
+  /**
+   * The same chain as a B-spline whose knots are the joints, each as often as the degree; `fromBSpline` gives back exactly
+   * this spline.
+   *
+   * @returns {BSpline}
+   * @throws {RangeError} where degrees differ
+   */
+  toBSpline() {
+    return toBSpline(this.#parts);
   }
 
   /**

@@ -59,6 +59,17 @@ pub enum Error {
         /// The value that came.
         got: f64,
     },
+    /// One value of a list that does not fit.
+    Item {
+        /// The argument.
+        what: &'static str,
+        /// The index of the first such value.
+        index: usize,
+        /// What would fit, in words.
+        expected: &'static str,
+        /// The value that came.
+        got: f64,
+    },
     /// A tolerance below what the coordinates can resolve.
     Tolerance {
         /// The least tolerance for this input, in the input's unit.
@@ -167,6 +178,20 @@ impl Error {
                 Number(got),
                 none,
                 none,
+            ],
+            Self::Item {
+                what,
+                index,
+                expected,
+                got,
+            } => [
+                Text(what),
+                Text("["),
+                count(index),
+                Text("]: expected "),
+                Text(expected),
+                Text(", got "),
+                Number(got),
             ],
             Self::Tolerance { least, got } => [
                 Text("tolerance: expected at least "),

@@ -1,8 +1,8 @@
 // Does more work cost more per item? Each row is one kind of work at several sizes.
 import { Bezier } from "bezier-js";
-import { Curve, Surface } from "casteljau";
+import { Curve, Spline, Surface } from "casteljau";
 import { assertSame, median, timesInTurn } from "./harness.js";
-import { cubics } from "./inputs.js";
+import { cubics, random } from "./inputs.js";
 import { checkLoop, netsOf } from "./teapot.js";
 
 /**
@@ -74,10 +74,54 @@ function sampleSteps() {
   });
 }
 
+/** Points of a walk, so that no two are the same. */
+function walk(/** @type {number} */ count) {
+  const next = random(3);
+  let [x, y] = [0, 0];
+  return Float64Array.from({ length: 2 * count }, (_, i) => (i % 2 ? (y += next() - 0.5) : (x += next())));
+}
+
+/** Splines through points; the item is a point. */
+function throughSteps() {
+  return [100, 1000, 10_000, 100_000].map((count) => {
+    const points = walk(count);
+    return {
+      size: count,
+      items: count,
+      check: () => assertSame("through", points, everyThird(Spline.through(points)), 0),
+      ours: () => Spline.through(points).segmentCount,
+    };
+  });
+}
+
+/**
+ * The joints of a chain of cubics.
+ *
+ * @param {Spline} spline
+ */
+const everyThird = (spline) => spline.controlPoints().filter((_, i) => i % 6 < 2);
+
+/** One handle moved, all joints C2: the chain is changed from end to end; the item is a segment. */
+function moveSteps() {
+  return [100, 1000, 10_000, 100_000].map((count) => {
+    const spline = Spline.through(walk(count + 1));
+    const joints = new Array(count).fill("c2");
+    const move = () => spline.movePoint(3 * (count >> 1) + 1, [0, 0], { joints });
+    return {
+      size: count,
+      items: count,
+      check: () => assertSame("movePoint", [0, 0], move().controlPoints().slice(6 * (count >> 1) + 2).slice(0, 2), 0),
+      ours: () => move().segmentCount,
+    };
+  });
+}
+
 const ROWS = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
+  { id: "growth-through", work: "natural spline through 100 … 100,000 points: per point", steps: throughSteps },
+  { id: "growth-move", work: "a handle of 100 … 100,000 C2 segments moved: per segment", steps: moveSteps },
 ];
 
 /**

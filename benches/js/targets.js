@@ -31,6 +31,8 @@ export const TARGETS = {
   "growth-segments": { most: 2 },
   "growth-patches": { most: 2 },
   "growth-sample": { most: 2 },
+  "growth-through": { most: 2 },
+  "growth-move": { most: 2 },
 
   "flatten-0.1-kurbo": { least: 1 },
   "flatten-0.01-kurbo": { least: 1 },

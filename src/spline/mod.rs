@@ -4,18 +4,23 @@
 //! are one list: neighbours share the point of their joint, and a closed spline ends where its list begins.
 
 mod area;
+mod bspline;
 mod build;
 pub(crate) mod chains;
 mod continuity;
 mod edit;
 mod intersect;
 mod joint;
+mod knots;
 mod length;
 mod measure;
 mod repair;
+mod through;
 
+pub use bspline::BSpline;
 pub use continuity::Continuity;
 pub use joint::JointMode;
+pub use through::Through;
 
 use crate::curve::{Curve, check_finite, max_abs};
 use crate::error::{Error, MAX_DEGREE};

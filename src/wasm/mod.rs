@@ -16,6 +16,7 @@
 
 mod alone;
 mod arena;
+mod chains;
 mod curve;
 mod lines;
 mod measure;

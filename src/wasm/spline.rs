@@ -30,7 +30,7 @@ pub(super) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3
 }
 
 /// Leaves a spline; its number of f64.
-fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
+pub(super) fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
     let closed = if spline.is_closed() { 1.0 } else { 0.0 };
     let mut head = vec![spline.segment_count() as f64, closed];
     head.extend(spline.degrees().iter().map(|&degree| degree as f64));

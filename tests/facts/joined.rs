@@ -1,5 +1,6 @@
 //! Facts on joints, on splines of other kinds, on timing functions.
 
+use crate::common::real;
 use crate::fact::{Fact, number, numbers};
 use casteljau::{Easing, Spline};
 
@@ -16,6 +17,19 @@ pub(crate) fn continuity(fact: &Fact) {
     found
         .iter()
         .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
+}
+
+/// A point of a B-spline; its span runs from t = k to k + 1.
+pub(crate) fn bspline(fact: &Fact) {
+    let degree = usize::try_from(fact.input["degree"].as_u64().expect("a degree")).expect("small");
+    let (points, knots) = (fact.points("points"), numbers(&fact.input["knots"]));
+    let spline = Spline::from_bspline(&points, degree, Some(&knots), false).expect("a B-spline");
+    let u = number(&fact.input["u"]);
+    let mut joints = knots[degree..=points.len()].to_vec();
+    joints.dedup();
+    let k = joints[1..joints.len() - 1].partition_point(|&joint| joint <= u);
+    let rest = (u - joints[k]) / (joints[k + 1] - joints[k]);
+    fact.near(spline.eval(real(k) + rest), &fact.expect);
 }
 
 /// A timing function; its x is right as well as its y.

@@ -76,6 +76,7 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "convert" => convert(fact),
         "flatten" => flatten(fact),
         "continuity" => joined::continuity(fact),
+        "bspline" => joined::bspline(fact),
         "easing" => joined::easing(fact),
         "extrema" => extrema(fact),
         "inflection" => inflections(fact),

@@ -1,5 +1,6 @@
 //! Splines: construction, evaluation, joints, editing, natively and in wasm.
 
+mod bspline;
 mod build;
 #[path = "../common/mod.rs"]
 mod common;
@@ -8,6 +9,7 @@ mod cut;
 mod joints;
 mod measure;
 mod move_point;
+mod through;
 
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};

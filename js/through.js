@@ -1,0 +1,43 @@
+// Splines through points.
+import * as check from "./check.js";
+import { core } from "./init.js";
+import { flatten } from "./points.js";
+import { load } from "./transfer.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ */
+
+/**
+ * Which smooth curve goes through points: `natural`, the cubic spline with equal second derivatives at all joints and none
+ * at free ends; or `catmull-rom`, whose tangent at a point comes from its two neighbours. `alpha` says how much the lengths
+ * of chords count there: 0 uniform, ½ centripetal, 1 chordal.
+ *
+ * @typedef {object} ThroughOptions
+ * @property {"natural" | "catmull-rom"} [kind] "natural" by default
+ * @property {number} [alpha] 0 to 1, by default ½
+ * @property {boolean} [closed]
+ * @property {2 | 3} [dimension]
+ */
+
+/** @type {readonly ("natural" | "catmull-rom")[]} */
+const KINDS = ["natural", "catmull-rom"];
+
+/**
+ * Leaves a spline through points in the arena.
+ *
+ * @internal
+ * @param {PointsLike} points
+ * @param {ThroughOptions} [options]
+ * @returns {{ length: number, dimension: 2 | 3 }}
+ */
+export function through(points, options) {
+  const { kind = "natural", alpha = 0.5, closed = false, dimension: wanted } = check.options(options);
+  check.oneOf(kind, "kind", KINDS);
+  const power = check.finite(alpha, "alpha");
+  if (!(power >= 0 && power <= 1)) throw new RangeError(`alpha: expected a number from 0 to 1, got ${power}`);
+  const { flat, dimension } = flatten(points, wanted, 2);
+  load(flat);
+  const count = flat.length / dimension;
+  return { length: core().spline_through(dimension, count, Boolean(closed), kind === "natural" ? -1 : power), dimension };
+}

@@ -1,0 +1,130 @@
+//! The knots of a B-spline: checked, open or going around.
+
+use crate::error::Error;
+
+/// Above this knots are kept at 2⁻¹⁰ of their size, so that no difference and no sum of 64 periods overflows. Only ratios
+/// of differences matter.
+const HUGE: f64 = 1e300;
+
+/// Knots in ascending order, of which none comes too often.
+pub(super) struct Knots {
+    values: Vec<f64>,
+    /// The number of control points.
+    count: usize,
+    degree: usize,
+    closed: bool,
+}
+
+impl Knots {
+    /// The knots for so many control points; without given ones 0, 1, 2, …
+    pub(super) fn new(
+        given: Option<&[f64]>,
+        count: usize,
+        degree: usize,
+        closed: bool,
+    ) -> Result<Self, Error> {
+        let needed = if closed {
+            count + 1
+        } else {
+            count + degree + 1
+        };
+        let mut values = match given {
+            None => (0..needed).map(|i| i as f64).collect(),
+            Some(given) => given.to_vec(),
+        };
+        if values.len() != needed {
+            return Err(Error::Count {
+                what: "knots",
+                expected: "points + degree + 1 knots (closed: points + 1)",
+                got: values.len(),
+            });
+        }
+        if let Some(index) = values.iter().position(|u| !u.is_finite()) {
+            return Err(Error::NotFinite {
+                what: "knots",
+                index,
+                got: values[index],
+            });
+        }
+        if values.iter().any(|u| u.abs() > HUGE) {
+            values.iter_mut().for_each(|u| *u /= 1024.0);
+        }
+        if closed {
+            // Counted from the start, the first knot and the last are one another's images exactly.
+            let start = values[0];
+            values.iter_mut().for_each(|u| *u -= start);
+        }
+        let knots = Self {
+            values,
+            count,
+            degree,
+            closed,
+        };
+        match knots.fault() {
+            None => Ok(knots),
+            Some((index, expected)) => Err(Error::Item {
+                what: "knots",
+                index,
+                expected,
+                got: given.map_or(0.0, |given| given[index]),
+            }),
+        }
+    }
+
+    /// The first knot that cannot be, and what could.
+    fn fault(&self) -> Option<(usize, &'static str)> {
+        let (v, p, n) = (&self.values, self.degree, self.count);
+        if let Some(index) = v.windows(2).position(|pair| pair[0] > pair[1]) {
+            return Some((index + 1, "a knot not below the one before it"));
+        }
+        let (first, last) = if self.closed { (0, n) } else { (p, n) };
+        if v[first] == v[last] {
+            return Some((last, "a knot above that where the curve starts"));
+        }
+        if self.closed {
+            let parted = (0..n).find(|&i| self.at(i + p) == self.at(i + 2 * p));
+            return parted.map(|i| ((i + p).min(n), "at most degree times the same knot"));
+        }
+        if let Some(i) = (0..n).find(|&i| v[i] == v[i + p + 1]) {
+            return Some((i + p + 1, "at most degree + 1 times the same knot"));
+        }
+        let inside = |i: &usize| v[first] < v[*i] && v[*i] < v[last];
+        let parted = (p..n).filter(inside).find(|&i| v[i] == v[i + p]);
+        parted.map(|i| (i + p, "at most degree times the same knot inside"))
+    }
+
+    pub(super) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Knot i of those that control points 0, 1, 2, … have, around a closed one as often as needed.
+    pub(super) fn at(&self, i: usize) -> f64 {
+        if !self.closed {
+            return self.values[i];
+        }
+        // The first joint is the knot after those that are left of it.
+        let (n, period) = (self.count, self.values[self.count]);
+        let turns = self.degree.div_ceil(n);
+        let from_before = i + turns * n - self.degree;
+        let turn = (from_before / n) as f64 - turns as f64;
+        match self.values[from_before % n] {
+            value if value == period => (turn + 1.0) * period,
+            value => value + turn * period,
+        }
+    }
+
+    /// The first control point of each span between different knots.
+    pub(super) fn starts(&self) -> impl Iterator<Item = usize> {
+        let p = self.degree;
+        let all = if self.closed {
+            self.count
+        } else {
+            self.count - p
+        };
+        (0..all).filter(move |&k| self.at(k + p) < self.at(k + p + 1))
+    }
+
+    pub(super) fn spans(&self) -> usize {
+        self.starts().count()
+    }
+}

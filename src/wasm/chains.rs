@@ -1,0 +1,40 @@
+//! Bindings that make splines from other points than their control points. Out: a spline, as in `spline`.
+
+use super::arena;
+use super::spline::put;
+use crate::spline::Spline;
+use glam::DVec3;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// In: points. Leaves the natural spline through them, for an alpha from 0 on that of Catmull-Rom.
+#[wasm_bindgen]
+pub fn spline_through(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let spline = if alpha >= 0.0 {
+            // JavaScript's power: Rust's would be two kilobytes of the module.
+            Spline::catmull_rom(&points, closed, |length| js_sys::Math::pow(length, alpha))?
+        } else {
+            Spline::natural(&points, closed)?
+        };
+        Ok(put(a, &spline, dimension))
+    })
+}
+
+/// In: points, then knots (none for uniform ones). Leaves the Bézier form of the B-spline.
+#[wasm_bindgen]
+pub fn spline_from_bspline(
+    dimension: usize,
+    count: usize,
+    degree: usize,
+    closed: bool,
+    knots: usize,
+) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let knots = a.numbers(count * dimension, knots).to_vec();
+        let given = (!knots.is_empty()).then_some(&knots[..]);
+        let spline = Spline::from_bspline(&points, degree, given, closed)?;
+        Ok(put(a, &spline, dimension))
+    })
+}
