@@ -13,7 +13,7 @@ import { takeSpline } from "./spline.js";
 /**
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
- * @import { Extrema, Nearest } from "./places.js"
+ * @import { Class, Extrema, Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Spline } from "./spline.js"
@@ -531,6 +531,47 @@ export class Curve {
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
     return takeSpline(core().curve_offset(this.#load(), distance, tolerance), 2);
+  }
+
+  /**
+   * The parameters inside (0, 1) where the curve changes the side to which it bends, sorted; 2D only.
+   *
+   * @returns {Float64Array}
+   */
+  inflections() {
+    this.#plane("inflections");
+    return take(0, core().curve_inflections(this.#load()));
+  }
+
+  /**
+   * The parameters inside (0, 1) where the curve stops and goes back, sorted.
+   *
+   * @returns {Float64Array}
+   */
+  cusps() {
+    return take(0, core().curve_cusps(this.#dimension, this.#load()));
+  }
+
+  /**
+   * The kind of curve, judged by what it does for t from 0 to 1 and without regard to its size. In space a plane curve is
+   * judged in its plane, and one that lies in no plane is "twisted".
+   *
+   * @returns {Class}
+   */
+  classify() {
+    return places.CLASSES[core().curve_classify(this.#dimension, this.#load())];
+  }
+
+  /**
+   * All parameters in [0, 1] at which the tangent line passes through p, sorted; 2D only. Where every tangent does, the
+   * curve being straight: 0 and 1, the ends of the range.
+   *
+   * @param {PointLike} p
+   * @returns {Float64Array}
+   */
+  tangentsFrom(p) {
+    this.#plane("tangentsFrom");
+    return places.tangentsFrom(this.#flat, p);
   }
 
   /**

@@ -108,3 +108,28 @@ export function timesAt(flat, dimension, where) {
   load(flat);
   return take(0, core().curve_times_at(dimension, flat.length / dimension, axis, value));
 }
+
+/**
+ * The kind of a curve.
+ *
+ * @typedef {"point" | "line" | "quadratic" | "arch" | "serpentine" | "loop" | "cusp" | "twisted"} Class
+ */
+
+/**
+ * In the order of the core.
+ *
+ * @internal
+ * @type {readonly Class[]}
+ */
+export const CLASSES = ["point", "line", "quadratic", "arch", "serpentine", "loop", "cusp", "twisted"];
+
+/**
+ * @internal
+ * @param {Float64Array} flat
+ * @param {PointLike} p
+ * @returns {Float64Array}
+ */
+export function tangentsFrom(flat, p) {
+  writePoint(load(flat, 2), flat.length, p, 2, "p");
+  return take(0, core().curve_tangents_from(flat.length / 2));
+}

@@ -3,6 +3,7 @@ import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { core } from "./init.js";
 import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
+import { nearestLeft } from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { done } from "./refusal.js";
 import { through } from "./through.js";
@@ -12,6 +13,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  * @import { BSpline, BSplineOptions } from "./bspline.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
+ * @import { Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { ThroughOptions } from "./through.js"
  */
@@ -435,6 +437,18 @@ export class Spline {
     load(flat, 12).set(check.affine(matrix), flat.length);
     core().points_transform(dimension, flat.length / dimension);
     return splineOf({ ...this.#parts, flat: take(0, flat.length) });
+  }
+
+  /**
+   * The point of the spline that is nearest to p, of all segments; t runs from 0 to the number of segments. Of equally near
+   * points the one with the smallest t.
+   *
+   * @param {PointLike} p
+   * @returns {Nearest}
+   */
+  nearest(p) {
+    core().spline_nearest(this.#load(this.#coordinates(p, "p")));
+    return nearestLeft(this.dimension);
   }
 
   /**

@@ -9,6 +9,7 @@ mod basis;
 mod bernstein;
 mod bounds;
 mod casteljau;
+mod classify;
 mod derivative;
 mod deviation;
 mod eval;
@@ -17,6 +18,7 @@ mod extrema;
 mod flatten;
 mod flatten_any;
 mod hull;
+mod inflections;
 mod intersect;
 mod length;
 mod moments;
@@ -27,11 +29,13 @@ pub(crate) mod roots;
 mod straight;
 mod subdivide;
 mod trace;
+mod turning;
 
 pub use basis::Basis;
 pub use bernstein::bernstein;
 pub(crate) use bernstein::bernstein_into;
 pub use bounds::Bounds;
+pub use classify::Class;
 pub use flatten::Polyline;
 pub use intersect::{Contact, Intersection, SelfIntersection};
 pub use moments::Moments;
@@ -44,6 +48,7 @@ pub use trace::Pen;
 #[cfg(feature = "wasm")]
 pub(crate) use {
     extrema::{extrema_of, times_of},
+    inflections::inflections_of,
     nearest::nearest_parameter,
 };
 

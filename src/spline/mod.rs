@@ -14,6 +14,7 @@ mod joint;
 mod knots;
 mod length;
 mod measure;
+mod nearest;
 mod repair;
 mod through;
 

@@ -2,7 +2,10 @@
 //! behind them.
 
 use super::arena::{self, Arena};
-use crate::curve::{Nearest, extrema_of, nearest_on, nearest_parameter, times_of};
+use super::spline::spline;
+use crate::curve::{
+    Curve, Nearest, extrema_of, inflections_of, nearest_on, nearest_parameter, times_of, ulp,
+};
 use casteljau_kernels::nearest_in_space;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -54,7 +57,17 @@ pub fn cubic_nearest(
         .unwrap_or_else(|| nearest_parameter(&points.map(DVec3::from), DVec3::from(p)))
 }
 
-pub(super) fn put_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
+/// In: a point behind the spline. Leaves what `curve_nearest` does.
+#[wasm_bindgen]
+pub fn spline_nearest(dimension: usize) {
+    arena::with(|a| {
+        let (spline, end) = spline(a, dimension);
+        let nearest = spline.nearest_to(a.point_in_space(end, dimension));
+        put_nearest(a, nearest);
+    });
+}
+
+fn put_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
     let Nearest { t, point, distance } = nearest;
     a.put_numbers(0, &[t, distance, point.x, point.y, point.z]);
 }
@@ -73,4 +86,42 @@ pub fn curve_times_at(dimension: usize, count: usize, axis: usize, value: f64) -
 
 fn coordinates(a: &Arena, dimension: usize, count: usize, axis: usize) -> Vec<f64> {
     (0..count).map(|k| a.number(k * dimension + axis)).collect()
+}
+
+/// Leaves the parameters of the inflections of a plane curve.
+#[wasm_bindgen]
+pub fn curve_inflections(count: usize) -> usize {
+    arena::with(|a| {
+        let curve = in_space(a, 2, count);
+        let ts = inflections_of(curve.control_points(), ulp(curve.max_abs()));
+        a.put_numbers(0, &ts)
+    })
+}
+
+/// Leaves the parameters of the cusps.
+#[wasm_bindgen]
+pub fn curve_cusps(dimension: usize, count: usize) -> usize {
+    arena::with(|a| {
+        let ts = in_space(a, dimension, count).cusps();
+        a.put_numbers(0, &ts)
+    })
+}
+
+/// In: a point behind the control points, all of the plane. Leaves the parameters of the tangents through it.
+#[wasm_bindgen]
+pub fn curve_tangents_from(count: usize) -> usize {
+    arena::with(|a| {
+        let ts = in_space(a, 2, count).tangents_through(a.point_in_space(2 * count, 2));
+        a.put_numbers(0, &ts)
+    })
+}
+
+/// The number of the class in the order of `Class`.
+#[wasm_bindgen]
+pub fn curve_classify(dimension: usize, count: usize) -> usize {
+    arena::with(|a| in_space(a, dimension, count).classify() as usize)
+}
+
+fn in_space(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
+    Curve::from_points(a.points_in_space(0, count, dimension))
 }

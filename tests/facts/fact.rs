@@ -1,6 +1,6 @@
 //! A fact and how it is compared.
 
-use crate::common::{curve, largest};
+use crate::common::curve;
 use casteljau::Curve;
 use casteljau::glam::DVec3;
 use serde_json::Value;
@@ -63,17 +63,6 @@ impl<'a> Fact<'a> {
             .iter()
             .zip(expected)
             .for_each(|(&p, e)| self.near(p, e));
-    }
-
-    /// The curve passes a point at a t that is known to the fact's tolerance.
-    pub(crate) fn place(&self, curve: &Curve<DVec3>, t: f64, expected: &Value) {
-        let speed = largest(curve.derivative().control_points());
-        let difference = (curve.eval(t) - point(expected)).length();
-        assert!(
-            difference <= self.tolerance * (1.0 + 2.0 * speed),
-            "{}: {difference} at {t}",
-            self.id
-        );
     }
 }
 

@@ -6,12 +6,13 @@ mod common;
 mod fact;
 mod intersections;
 mod joined;
+mod places;
 
 use casteljau::Curve;
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use common::measure::{Ruler, farthest, from_segment};
-use common::{curve, in_space, largest, real};
+use common::{curve, in_space, real};
 use fact::{Fact, number, numbers, points};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -78,27 +79,20 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "continuity" => joined::continuity(fact),
         "bspline" => joined::bspline(fact),
         "easing" => joined::easing(fact),
-        "extrema" => extrema(fact),
-        "inflection" => inflections(fact),
+        "extrema" => places::extrema(fact),
+        "inflection" => places::inflections(fact),
         "circle" => circle(fact),
         "intersect" | "line_intersect" => intersections::meetings(fact),
         "selfintersect" => intersections::double_points(fact),
-        "nearest" => fact.place(
-            &fact.curve(),
-            number(&fact.expect["t"]),
-            &fact.expect["point"],
-        ),
+        "nearest" => places::nearest(fact),
+        "roots" => places::roots(fact),
+        "classify" => places::classify(fact),
         "min_distance" => {
             let (a, b) = (fact.named("a"), fact.named("b"));
             let (t, s) = (number(&fact.expect["t"]), number(&fact.expect["s"]));
             fact.number((a.eval(t) - b.eval(s)).length(), &fact.expect["distance"]);
         }
-        "solve_t" => {
-            let x = number(&fact.input["x"]);
-            numbers(&fact.expect)
-                .iter()
-                .for_each(|&t| assert!((fact.curve().eval(t).x - x).abs() < 1e-9));
-        }
+        "solve_t" => places::solve(fact),
         _ => return false,
     }
     true
@@ -152,40 +146,6 @@ fn flatten(fact: &Fact) {
             .iter()
             .any(|&p| from_segment(p, place, place) <= tolerance);
         assert!(reached, "{}: no vertex at {place}", fact.id);
-    }
-}
-
-/// At an extremum its coordinate of the derivative vanishes, and the box is touched.
-fn extrema(fact: &Fact) {
-    let (curve, derivative) = (fact.curve(), fact.curve().derivative());
-    let speed = largest(derivative.control_points());
-    for (axis, name) in ["x", "y"].iter().enumerate() {
-        for t in numbers(&fact.expect[name]) {
-            assert!(
-                derivative.eval(t)[axis].abs() < 1e-8 * speed,
-                "{} {name} {t}",
-                fact.id
-            );
-            let (at, bounds) = (curve.eval(t)[axis], curve.bounds());
-            assert!(
-                bounds.min[axis] <= at + 1e-9 && at - 1e-9 <= bounds.max[axis],
-                "{}",
-                fact.id
-            );
-        }
-    }
-}
-
-/// At an inflection the curvature changes its sign.
-fn inflections(fact: &Fact) {
-    let plane: Curve<DVec2> = curve(&fact.points("points"));
-    for t in numbers(&fact.expect) {
-        let (before, after) = (plane.curvature(t - 1e-6), plane.curvature(t + 1e-6));
-        assert!(
-            before * after < 0.0,
-            "{}: {before} and {after} about {t}",
-            fact.id
-        );
     }
 }
 

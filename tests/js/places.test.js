@@ -1,7 +1,7 @@
 // Places on curves: nearest, extrema, timesAt … by closed forms; the search itself is tested in Rust.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve } from "casteljau";
+import { Curve, Spline } from "casteljau";
 import { CUBIC, near, SPACE } from "./reference.js";
 
 const arch = new Curve(CUBIC); // (24t² − 16t³, 24t − 24t²)
@@ -36,6 +36,16 @@ test("nearest at every size", () => {
   }
 });
 
+test("nearest on a spline: t over all segments", () => {
+  const square = new Spline([[0, 0], [2, 0], [2, 2], [0, 2]], { degree: 1, closed: true });
+  assert.deepEqual(square.nearest([3, 1]), { t: 1.5, point: { x: 2, y: 1 }, distance: 1 });
+  assert.deepEqual(square.nearest([-1, 1]), { t: 3.5, point: { x: 0, y: 1 }, distance: 1 });
+  assert.deepEqual(square.nearest([1, 1]), { t: 0.5, point: { x: 1, y: 0 }, distance: 1 }, "the first of four");
+  const space = Spline.fromCurves([new Curve([[0, 0, 0], [0, 0, 4]]), new Curve([[0, 0, 4], [1, 2, 4], [4, 4, 4]])]);
+  assert.deepEqual(space.nearest([-3, -4, 2]), { t: 0.5, point: { x: 0, y: 0, z: 2 }, distance: 5 });
+  assert.throws(() => square.nearest([1, NaN]), { name: "RangeError", message: /^p\[1\]/ });
+});
+
 test("extrema: inside only, where the derivative changes its sign", () => {
   assert.deepEqual(arch.extrema(), { x: new Float64Array(0), y: Float64Array.of(0.5) });
   const space = new Curve([[0, 0, 0], [1, 2, -1], [2, -2, 3], [3, 0, 0]]).extrema();
@@ -54,6 +64,30 @@ test("timesAt: crossings, ends, touches", () => {
   near(new Curve([[0, 0, 5], [1, 1, 5]]).timesAt({ z: 5 }), [0, 1]);
 });
 
+test("inflections, cusps, classify, tangentsFrom", () => {
+  near(new Curve([[0, 0], [1, 0.25], [0, 1], [1, 0]]).inflections(), [0.5, 0.8]);
+  const cusp = new Curve([[0, 0], [1, 1], [0, 1], [1, 0]]);
+  near(cusp.cusps(), [0.5]);
+  assert.equal(cusp.inflections().length, 0);
+  const classes = {
+    point: [[2, 2], [2, 2]],
+    line: [[0, 0], [2, 2], [1, 1]],
+    quadratic: [[0, 0], [2, 2], [4, 0]],
+    arch: CUBIC,
+    serpentine: [[0, 0], [1, 2], [2, -2], [3, 0]],
+    loop: [[0, 0], [4, 2], [-2, 2], [2, 0]],
+    cusp: [[0, 0], [1, 1], [0, 1], [1, 0]],
+    twisted: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1]],
+  };
+  for (const [name, points] of Object.entries(classes)) {
+    assert.equal(new Curve(points).classify(), name);
+    assert.equal(new Curve(points.map(([x, y, z = x + y]) => [x, z, y])).classify(), name);
+  }
+  assert.equal(new Curve(classes.quadratic).elevate().elevate().classify(), "quadratic");
+  near(arch.tangentsFrom([10, 6]), [0.5]);
+  near(new Curve([[0, 0], [1, 1]]).tangentsFrom({ x: 3, y: 3 }), [0, 1]);
+});
+
 test("refusals name what came", () => {
   assert.throws(() => arch.nearest([1, NaN]), { name: "RangeError", message: /^p\[1\]: expected a finite number, got NaN/ });
   assert.throws(() => arch.nearest({ x: 1, y: Infinity }), { name: "RangeError", message: /^p\.y/ });
@@ -63,5 +97,8 @@ test("refusals name what came", () => {
   assert.throws(() => arch.timesAt({ z: 1 }), { name: "TypeError", message: /^where: expected one of x, y/ });
   assert.throws(() => arch.timesAt(/** @type {any} */ ({})), TypeError);
   assert.throws(() => arch.timesAt(/** @type {any} */ ({ x: 1, y: 2 })), TypeError);
+  assert.throws(() => new Curve(SPACE).inflections(), { name: "TypeError", message: /^inflections: expected a 2D curve/ });
+  assert.throws(() => new Curve(SPACE).tangentsFrom([0, 0, 0]), { name: "TypeError", message: /^tangentsFrom: expected a 2D/ });
+  assert.throws(() => arch.tangentsFrom([NaN, 0]), { name: "RangeError", message: /^p\[0\]/ });
   assert.throws(() => arch.timesAt({ x: Infinity }), { name: "RangeError", message: /^x: / });
 });

@@ -1,8 +1,10 @@
 //! Special points of curves: the nearest, extrema, inflections, cusps, where a coordinate has a value, between two curves.
 
+mod classes;
 #[path = "../common/mod.rs"]
 mod common;
 mod nearest;
+mod turns;
 
 use casteljau::glam::DVec3;
 use common::wild::{self, Kind};

@@ -4,7 +4,7 @@ use crate::common::wild::{self, ORDINARY};
 use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, extent, hostile, steps};
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Error, Point};
+use casteljau::{Curve, Error, Point, Spline};
 
 /// The least distance that samples and golden sections around the best of them find; never below the true one.
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
@@ -200,5 +200,25 @@ fn a_query_that_is_not_finite_is_refused() {
             matches!(refused, Err(Error::NotFinite { what: "p", .. })),
             "{refused:?}"
         );
+    }
+}
+
+#[test]
+fn on_a_chain_the_nearest_of_all_segments() {
+    let mut rng = Rng(94);
+    for case in 0..cases() / 20 {
+        let dimension = 2 + case % 2;
+        let (degree, closed) = (1 + rng.below(3), rng.chance(0.5));
+        let count = degree * (1 + rng.below(9)) + usize::from(!closed);
+        let points: Vec<DVec3> = (0..count).map(|_| rng.point(dimension)).collect();
+        let chain = Spline::new(&points, degree, closed).expect("fits");
+        let q = rng.point(dimension) * rng.pick(&[0.5, 1.5, 100.0]);
+        let found = chain.nearest(q).expect("finite");
+        let segments = chain.segments();
+        let of_all = segments
+            .iter()
+            .map(|s| s.nearest(q).expect("finite").distance);
+        assert_eq!(found.distance, of_all.fold(f64::INFINITY, f64::min));
+        assert!((found.point - chain.eval(found.t)).length() < 1e-13);
     }
 }

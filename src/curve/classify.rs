@@ -1,0 +1,170 @@
+//! What kind of curve is it?
+
+use super::inflections::{cusps_of, inflections_of};
+use super::length::hodograph;
+use super::nearest::unit_for;
+use super::roots::discriminant;
+use super::turning::turning;
+use super::{Curve, Points, ulp};
+use crate::list::points_of;
+use crate::point::Point;
+use glam::{DVec2, DVec3};
+
+/// The shape of a curve, as far as it does not change under affine maps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// All control points coincide.
+    Point,
+    /// All control points lie on a line; the curve may turn back on it.
+    Line,
+    /// A parabola, whatever the degree of its control polygon.
+    Quadratic,
+    /// It bends to one side only and does not cross itself.
+    Arch,
+    /// It changes the side to which it bends.
+    Serpentine,
+    /// It crosses or meets itself.
+    Loop,
+    /// It stops and goes back in a tip.
+    Cusp,
+    /// It lies in no plane.
+    Twisted,
+}
+
+impl<P: Point> Curve<P> {
+    /// The kind of curve, judged by what the curve does for t from 0 to 1.
+    ///
+    /// First by what it is: a point, a line, a parabola (a higher degree that only elevates one counts as such), in space
+    /// a curve that lies in no plane. What is left is judged in its plane: [`Class::Cusp`] if it has one inside,
+    /// [`Class::Loop`] if it meets itself, [`Class::Serpentine`] if it has an inflection inside, else [`Class::Arch`]. Of a cubic
+    /// these exclude each other, being the signs of the discriminant of B′×B″; of higher degrees the first that holds, in
+    /// this order, is given. The tests compare with the rounding of the control points and with nothing else, so they do not depend on
+    /// the size.
+    ///
+    /// Source: Stone and DeRose, "A geometric characterization of parametric cubic curves", ACM TOG 8 (1989); Loop and
+    /// Blinn, "Resolution independent curve rendering", SIGGRAPH 2005.
+    ///
+    /// ```
+    /// use casteljau::{Curve, curve::Class, glam::DVec2};
+    ///
+    /// let of = |points: [(f64, f64); 4]| Curve::new(&points.map(DVec2::from)).map(|curve| curve.classify());
+    /// assert_eq!(of([(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)])?, Class::Arch);
+    /// assert_eq!(of([(0.0, 0.0), (4.0, 2.0), (-2.0, 2.0), (2.0, 0.0)])?, Class::Loop);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn classify(&self) -> Class {
+        let (_, unit) = hodograph(&self.points);
+        let rounding = ulp(self.max_abs());
+        if unit <= 2.0 * rounding {
+            return Class::Point;
+        }
+        // From the start and about 1: an affine map, after which no power leaves the range.
+        let unit = unit_for(unit);
+        let start = self.start();
+        let ways: Points<P> = self
+            .points
+            .iter()
+            .map(|&p| p * unit - start * unit)
+            .collect();
+        let rounding = rounding * unit;
+        match in_its_plane(&ways, 2.0 * ways.len() as f64 * rounding) {
+            Flat::Line => Class::Line,
+            Flat::Not => Class::Twisted,
+            Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
+        }
+    }
+}
+
+/// The curve with the lowest degree that gives it to rounding.
+fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
+    while points.len() > 2 {
+        let slack = 2.0 * rounding * points.len() as f64;
+        let lower = Curve::from_points(lower(&points));
+        if !lower.elevated().equals(&Curve::from_slice(&points), slack) {
+            break;
+        }
+        points = lower.points;
+    }
+    points
+}
+
+/// One degree less, exact if there is such a curve: elevation solved from both ends to the middle.
+fn lower<P: Point>(p: &[P]) -> Points<P> {
+    let n = p.len() - 1;
+    let mut q = points_of(&p[..n]);
+    let middle = n.div_ceil(2);
+    for i in 1..middle {
+        q[i] = (p[i] * n as f64 - q[i - 1] * i as f64) / (n - i) as f64;
+    }
+    q[n - 1] = p[n];
+    for i in (middle..n - 1).rev() {
+        q[i] = (p[i + 1] * n as f64 - q[i + 1] * (n - i - 1) as f64) / (i + 1) as f64;
+    }
+    q
+}
+
+/// What a control polygon spans.
+enum Flat {
+    Line,
+    /// The points with a coordinate dropped: an affine map, which keeps the class.
+    Plane(Points<DVec3>),
+    Not,
+}
+
+/// `ways` begin at the origin.
+fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
+    let ways: Points<DVec3> = ways.iter().map(|way| way.in_space()).collect();
+    let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
+    let along = ways.iter().copied().fold(DVec3::ZERO, longest).unit();
+    let across = ways.iter().map(|&way| way - along * way.dot(along));
+    let across = across.fold(DVec3::ZERO, longest);
+    if across.norm() <= slack {
+        return Flat::Line;
+    }
+    let normal = along.cross(across.unit());
+    if ways.iter().any(|way| way.dot(normal).abs() > slack) {
+        return Flat::Not;
+    }
+    let size = normal.abs();
+    let flat = |way: &DVec3| {
+        if size.z >= size.x.max(size.y) {
+            DVec3::new(way.x, way.y, 0.0)
+        } else if size.x >= size.y {
+            DVec3::new(way.y, way.z, 0.0)
+        } else {
+            DVec3::new(way.z, way.x, 0.0)
+        }
+    };
+    Flat::Plane(ways.iter().map(flat).collect())
+}
+
+/// The class of a plane curve of its lowest degree; z = 0.
+fn class_in_plane(points: &[DVec3], rounding: f64) -> Class {
+    if points.len() == 3 {
+        Class::Quadratic
+    } else if !cusps_of(points, rounding).is_empty() {
+        Class::Cusp
+    } else if meets_itself(points) {
+        Class::Loop
+    } else if !inflections_of(points, rounding).is_empty() {
+        Class::Serpentine
+    } else {
+        Class::Arch
+    }
+}
+
+/// Whether the curve has a double point inside; the two parameters of a cubic's are −B/A ± √(−3 (B² − aA)) / A, where
+/// B′×B″ = a + 2Bt + At². Ends that coincide are a double point.
+fn meets_itself(points: &[DVec3]) -> bool {
+    let (slopes, _) = hodograph(points);
+    let (turning, _) = turning(&slopes, 0.0);
+    let [a, b, c] = *turning else {
+        let plane: Points<DVec2> = points.iter().map(|p| p.in_plane()).collect();
+        let closed = points[0] == points[points.len() - 1];
+        return closed || !Curve::from_points(plane).self_intersections().is_empty();
+    };
+    let (discriminant, lead) = (discriminant(a, b, c), a - 2.0 * b + c);
+    let (middle, reach) = ((a - b) / lead, (-3.0 * discriminant).sqrt() / lead.abs());
+    let inside = middle - reach >= 0.0 && middle + reach <= 1.0;
+    discriminant < 0.0 && (inside || points[0] == points[3])
+}

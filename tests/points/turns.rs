@@ -1,0 +1,232 @@
+//! Extrema, times at a coordinate, inflections and tangents: complete against samples, and nothing that is none.
+
+use crate::common::wild::{Kind, ORDINARY};
+use crate::common::{Rng, curve, largest, plane, real, ulp};
+use crate::{cases, hostile, steps};
+use casteljau::Curve;
+use casteljau::glam::{DVec2, DVec3};
+
+/// What rounding of the control points and of the evaluation may do to a coordinate.
+fn slack(points: &[DVec3]) -> f64 {
+    4.0 * (2.0 + real(points.len())) * ulp(largest(points))
+}
+
+/// From one turn to the next a coordinate runs one way, and then the other.
+#[test]
+fn coordinates_run_one_way_between_extrema() {
+    let mut rng = Rng(100);
+    for case in 0..cases() {
+        let points = hostile(&mut rng, &ORDINARY, 2);
+        let (on, axis): (Curve<DVec2>, usize) = (curve(&points), case % 2);
+        let at = |t: f64| on.eval(t)[axis];
+        let mut stops = vec![0.0];
+        stops.extend(on.extrema(axis).expect("an axis"));
+        assert!(stops.windows(2).all(|pair| pair[0] < pair[1]) && stops[stops.len() - 1] < 1.0);
+        stops.push(1.0);
+        let slack = slack(&points);
+        let mut last = 0.0;
+        for pair in stops.windows(2) {
+            let way = at(pair[1]) - at(pair[0]);
+            assert!(
+                way * last <= slack * slack,
+                "{points:?}: no turn at {}",
+                pair[0]
+            );
+            last = way;
+            let mut before = at(pair[0]);
+            for s in steps(20) {
+                let now = at(pair[0] + (pair[1] - pair[0]) * s);
+                assert!(
+                    (now - before) * way.signum() >= -slack,
+                    "{points:?}: back at {s} of {pair:?}"
+                );
+                before = now;
+            }
+        }
+    }
+}
+
+#[test]
+fn every_time_at_a_value_is_found_once() {
+    let mut rng = Rng(101);
+    for case in 0..cases() {
+        let points = hostile(&mut rng, &ORDINARY, 2);
+        let (on, axis): (Curve<DVec2>, usize) = (curve(&points), case % 2);
+        let turns = on.extrema(axis).expect("an axis");
+        let t = rng.unit();
+        // At a place, at a turn, at an end.
+        let wanted = match rng.below(4) {
+            0 if !turns.is_empty() => rng.pick(&turns),
+            1 => rng.pick(&[0.0, 1.0]),
+            _ => t,
+        };
+        let value = on.eval(wanted)[axis];
+        let found = on.times_at(axis, value).expect("finite");
+        let slack = slack(&points);
+        let off = |t: f64| on.eval(t)[axis] - value;
+        assert!(!found.is_empty(), "{points:?} at {wanted}");
+        assert!(found.windows(2).all(|pair| pair[0] < pair[1]), "{found:?}");
+        assert!(
+            found
+                .iter()
+                .all(|&t| (0.0..=1.0).contains(&t) && off(t).abs() <= slack),
+            "{points:?} {found:?}"
+        );
+        let mut ends = vec![0.0];
+        ends.extend(&found);
+        ends.push(1.0);
+        for pair in ends.windows(2) {
+            let within = steps(20).map(|s| off(pair[0] + (pair[1] - pair[0]) * s));
+            let (low, high) = within.fold((0.0, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
+            assert!(
+                low >= -slack || high <= slack,
+                "{points:?}: missed between {pair:?}"
+            );
+        }
+    }
+}
+
+/// The numerator of the curvature, with what rounding can make of it.
+fn bend(on: &Curve<DVec2>, t: f64) -> (f64, f64) {
+    let (first, second) = (on.derivative_at(t, 1), on.derivative_at(t, 2));
+    let n = real(on.degree());
+    let rounding = 8.0 * n * n * n * n * ulp(largest(on.control_points()));
+    let slopes = largest(on.derivative().control_points());
+    (
+        first.perp_dot(second),
+        rounding * (n + 1.0) * (slopes + rounding),
+    )
+}
+
+#[test]
+fn the_bend_keeps_its_side_between_inflections() {
+    let mut rng = Rng(102);
+    for _ in 0..cases() {
+        let points = hostile(&mut rng, &ORDINARY, 2);
+        let on: Curve<DVec2> = curve(&points);
+        let mut stops = vec![0.0];
+        stops.extend(on.inflections());
+        stops.push(1.0);
+        for pair in stops.windows(2) {
+            let (mut left, mut right) = (false, false);
+            for s in steps(20) {
+                let (bend, slack) = bend(&on, pair[0] + (pair[1] - pair[0]) * s);
+                left |= bend > slack;
+                right |= bend < -slack;
+            }
+            assert!(
+                !(left && right),
+                "{points:?}: an inflection between {pair:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn inflections_stay_under_affine_maps() {
+    let mut rng = Rng(103);
+    for _ in 0..cases() / 4 {
+        let degree = 3 + rng.below(4);
+        let points: Vec<DVec2> = (0..=degree).map(|_| rng.point(2).truncate()).collect();
+        let on = Curve::new(&points).expect("finite");
+        let plain = on.inflections();
+        // Where the bend crosses zero steeply.
+        let steep = |&t: &f64| bend(&on, t + 1e-4).0.abs().min(bend(&on, t - 1e-4).0.abs()) > 1e-4;
+        if !plain.iter().all(steep) {
+            continue;
+        }
+        let (a, b) = (rng.point(2).truncate(), rng.point(2).truncate());
+        if a.perp_dot(b).abs() < 0.1 {
+            continue;
+        }
+        let scale = rng.pick(&[1.0, 1e9, 1e-9, 1e250, 1e-250]);
+        let image: Vec<DVec2> = points.iter().map(|p| (a * p.x + b * p.y) * scale).collect();
+        let again = Curve::new(&image).expect("finite").inflections();
+        assert_eq!(again.len(), plain.len(), "{points:?}");
+        assert!(
+            again.iter().zip(&plain).all(|(a, b)| (a - b).abs() < 1e-9),
+            "{points:?}"
+        );
+    }
+}
+
+#[test]
+fn tangents_pass_through_the_point() {
+    let mut rng = Rng(104);
+    for _ in 0..cases() {
+        let points = hostile(
+            &mut rng,
+            &[
+                Kind::Random,
+                Kind::Integers,
+                Kind::Closed,
+                Kind::ZeroHandles,
+                Kind::Loop,
+            ],
+            2,
+        );
+        let (on, t): (Curve<DVec2>, f64) = (curve(&points), rng.unit());
+        let reach = rng.pick(&[0.0, 0.5, -2.0]);
+        let p = on.eval(t) + on.tangent(t) * reach;
+        let found = on.tangents_from(p).expect("finite");
+        assert!(found.windows(2).all(|pair| pair[0] < pair[1]), "{found:?}");
+        let off = |t: f64| (p - on.eval(t)).perp_dot(on.derivative_at(t, 1));
+        let size = largest(on.control_points()).max(p.abs().max_element());
+        let slack = 1e-13 * real(points.len()).powi(3) * size * size;
+        for &t in &found {
+            assert!(
+                (0.0..=1.0).contains(&t) && off(t).abs() <= slack,
+                "{points:?} {p} {t}"
+            );
+        }
+        // At a cusp B′ changes its sign, so this does too.
+        let mut stops = on.cusps();
+        stops.extend(found.iter().chain(&[0.0, 1.0]));
+        stops.sort_by(f64::total_cmp);
+        for pair in stops.windows(2) {
+            let within = steps(20).map(|s| off(pair[0] + (pair[1] - pair[0]) * s));
+            let (low, high) = within.fold((0.0, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
+            assert!(
+                low >= -slack || high <= slack,
+                "{points:?} {p}: missed between {pair:?}"
+            );
+        }
+        // Where the curve all but stops, its direction is lost in rounding.
+        let goes = on.derivative_at(t, 1).length() > 1e-3 * size;
+        assert!(!goes || !found.is_empty(), "{points:?} from {p} at {t}");
+    }
+}
+
+#[test]
+fn known_answers() {
+    let wave = plane(&[(0.0, 0.0), (1.0, 0.25), (0.0, 1.0), (1.0, 0.0)]);
+    let ts = wave.inflections();
+    assert!(
+        (ts[0] - 0.5).abs() < 1e-15 && (ts[1] - 0.8).abs() < 1e-15 && ts.len() == 2,
+        "{ts:?}"
+    );
+    // A double root that rounding splits: y = (t − 0.3)² touches 0 once.
+    let touch = plane(&[(0.0, 0.09), (0.5, -0.21), (1.0, 0.49)]);
+    let ts = touch.times_at(1, 0.0).expect("finite");
+    assert!(ts.len() == 1 && (ts[0] - 0.3).abs() < 1e-8, "{ts:?}");
+    let flat = plane(&[(0.0, 2.0), (5.0, 2.0), (1.0, 2.0)]);
+    assert_eq!(flat.times_at(1, 2.0).expect("finite"), [0.0, 1.0]);
+    assert!(flat.times_at(1, 2.1).expect("finite").is_empty());
+    assert!(flat.extrema(1).expect("y").is_empty());
+    assert!(
+        flat.extrema(2).is_err()
+            && flat.times_at(2, 0.0).is_err()
+            && flat.times_at(0, f64::NAN).is_err()
+    );
+    let line = plane(&[(0.0, 0.0), (1.0, 1.0)]);
+    assert_eq!(
+        line.tangents_from(DVec2::new(5.0, 5.0)).expect("finite"),
+        [0.0, 1.0]
+    );
+    assert!(
+        line.tangents_from(DVec2::new(5.0, 6.0))
+            .expect("finite")
+            .is_empty()
+    );
+    assert!(line.tangents_from(DVec2::NAN).is_err());
+}
