@@ -41,6 +41,7 @@ pub mod curve;
 mod easing;
 mod error;
 mod list;
+mod order;
 pub mod path;
 mod point;
 pub mod spline;

@@ -5,6 +5,7 @@
 
 use super::Spline;
 use crate::curve::{Contact, Curve, Intersection};
+use crate::order::sort_by;
 use glam::DVec2;
 
 /// Boxes are widened by this part of their coordinates: curves that rounding keeps apart count as meeting.
@@ -192,7 +193,7 @@ fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
             .then(p.at.t.total_cmp(&q.at.t))
             .then(p.at.u.total_cmp(&q.at.u))
     };
-    found.sort_by(order);
+    sort_by(&mut found, order);
     let (pieces, points): (Vec<Meeting>, Vec<Meeting>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, Contact::Overlap { .. }));
@@ -224,7 +225,7 @@ fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
         }
     }
     all.extend(pieces);
-    all.sort_by(order);
+    sort_by(&mut all, order);
     all
 }
 

@@ -4,6 +4,7 @@ use super::super::{Points, Scalars, ratio};
 use super::pieces::{stops, with_ends};
 use super::zone::joined;
 use super::{Contact, Curve, Intersection};
+use crate::order::sort_by;
 use casteljau_kernels as kernels;
 use casteljau_kernels::{Meeting, Piece, meet_cubics};
 use glam::DVec2;
@@ -128,13 +129,15 @@ impl Pair {
 
 /// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
 fn tidied(mut places: Vec<Place>) -> Vec<Place> {
-    places.sort_by(|p, q| p.0.total_cmp(&q.0));
+    sort_by(&mut places, |p, q| p.0.total_cmp(&q.0));
     for k in 1..places.len() {
         if places[k].0 - places[k - 1].0 <= ONE_PARAMETER {
             places[k].0 = places[k - 1].0;
         }
     }
-    places.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1)));
+    sort_by(&mut places, |p, q| {
+        p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1))
+    });
     let near = |p: (f64, f64), q: (f64, f64), within: f64| {
         (p.0 - q.0).abs() <= within && (p.1 - q.1).abs() <= within
     };

@@ -2,6 +2,7 @@
 
 use super::super::roots::roots_inside;
 use super::super::{Points, Scalars, evaluate};
+use crate::order::sort_by;
 use crate::point::Point;
 use glam::DVec2;
 
@@ -24,7 +25,7 @@ pub(super) fn stops(points: &[DVec2]) -> Scalars {
         let still = |&t: &f64| evaluate(&slopes, t).max_abs() <= most;
         found.extend(roots_inside(&row).into_iter().filter(still));
     }
-    found.sort_by(f64::total_cmp);
+    sort_by(&mut found, f64::total_cmp);
     found.dedup_by(|next, last| *next - *last <= ONE_ROOT);
     found
 }

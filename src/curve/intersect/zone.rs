@@ -1,6 +1,7 @@
 //! Contacts that belong together.
 
 use super::pair::Pair;
+use crate::order::sort_by;
 use casteljau_kernels::Contact;
 
 /// Gaps between contacts that are looked into; what is farther apart in either parameter is another place.
@@ -120,7 +121,9 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 
 /// The contacts in order, joined where they belong together.
 pub(super) fn joined(pair: &Pair, mut contacts: Vec<Contact>) -> Vec<Zone> {
-    contacts.sort_by(|p, q| p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0])));
+    sort_by(&mut contacts, |p, q| {
+        p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))
+    });
     let mut zones: Vec<Zone> = Vec::with_capacity(contacts.len());
     for contact in contacts {
         let next = Zone::new(contact);

@@ -1,0 +1,78 @@
+//! Sorting. std's sorts take 3 kB of the module for each type of item; this one takes a tenth of that.
+
+use std::cmp::Ordering;
+
+/// Up to here items are inserted one by one, without a buffer.
+const FEW: usize = 16;
+
+/// Sorts; items that compare equal keep their order. O(n log n).
+pub(crate) fn sort_by<T: Copy>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
+    for run in items.chunks_mut(FEW) {
+        insert_each(run, &order);
+    }
+    let mut width = FEW;
+    let mut merged = Vec::new();
+    while width < items.len() {
+        for pair in items.chunks_mut(2 * width) {
+            if let Some((left, right)) = pair.split_at_checked(width) {
+                merged.clear();
+                merge(left, right, &order, &mut merged);
+                pair.copy_from_slice(&merged);
+            }
+        }
+        width *= 2;
+    }
+}
+
+fn insert_each<T: Copy>(run: &mut [T], order: &impl Fn(&T, &T) -> Ordering) {
+    for sorted in 1..run.len() {
+        let item = run[sorted];
+        let mut place = sorted;
+        while place > 0 && order(&run[place - 1], &item).is_gt() {
+            run[place] = run[place - 1];
+            place -= 1;
+        }
+        run[place] = item;
+    }
+}
+
+fn merge<'a, T: Copy>(
+    mut left: &'a [T],
+    mut right: &'a [T],
+    order: &impl Fn(&T, &T) -> Ordering,
+    merged: &mut Vec<T>,
+) {
+    while let (Some(l), Some(r)) = (left.first(), right.first()) {
+        let side = if order(l, r).is_gt() {
+            &mut right
+        } else {
+            &mut left
+        };
+        merged.push(side[0]);
+        *side = &side[1..];
+    }
+    merged.extend_from_slice(left);
+    merged.extend_from_slice(right);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sort_by;
+
+    #[test]
+    fn sorts_as_std_does() {
+        let mut state = 1_u32;
+        for length in 0..200 {
+            let mut items: Vec<(u32, usize)> = (0..length)
+                .map(|k| {
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    ((state >> 16) % 40, k)
+                })
+                .collect();
+            let mut expected = items.clone();
+            expected.sort_by_key(|item| item.0);
+            sort_by(&mut items, |a, b| a.0.cmp(&b.0));
+            assert_eq!(items, expected);
+        }
+    }
+}
