@@ -3,7 +3,9 @@ import { core, cubicEval } from "./init.js";
 import { CHAIN, chainOf, meetChains, takeIntersections, takeSelfIntersections } from "./meetings.js";
 import * as places from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
+import { packedSpline } from "./path-packed.js";
 import { done } from "./refusal.js";
+import { svgOf } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { curveLength, curveTimeAtLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
@@ -18,6 +20,7 @@ import { takeSpline } from "./spline.js";
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Spline } from "./spline.js"
  * @import { Subdivision } from "./subdivision.js"
+ * @import { SvgOptions } from "./svg-write.js"
  */
 
 /**
@@ -585,6 +588,17 @@ export class Curve {
     const pen = check.drawingTarget(target);
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
     done(core().curve_trace(this.#load(), pen, tolerance));
+  }
+
+  /**
+   * The curve as SVG path data, see `Path.toSVG`; 2D only.
+   *
+   * @param {SvgOptions} [options]
+   * @returns {string}
+   */
+  toSVG(options) {
+    this.#plane("toSVG");
+    return svgOf(packedSpline(this.#flat, [this.degree], false), options);
   }
 
   /**

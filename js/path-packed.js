@@ -41,6 +41,40 @@ export function* extents(packed) {
   }
 }
 
+/**
+ * A path of one spline.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {number[]} degrees
+ * @param {boolean} closed
+ * @returns {Float64Array}
+ */
+export function packedSpline(flat, degrees, closed) {
+  return packedSplines([{ flat, degrees, closed }]);
+}
+
+/**
+ * A path of splines.
+ *
+ * @internal
+ * @param {{ flat: Float64Array, degrees: number[], closed: boolean }[]} parts
+ * @returns {Float64Array}
+ */
+export function packedSplines(parts) {
+  const packed = new Float64Array(parts.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 1));
+  packed[0] = parts.length;
+  let at = 1;
+  for (const { flat, degrees, closed } of parts) {
+    packed[at] = degrees.length;
+    packed[at + 1] = closed ? 1 : 0;
+    packed.set(degrees, at + 2);
+    packed.set(flat, (at += 2 + degrees.length));
+    at += flat.length;
+  }
+  return packed;
+}
+
 /** @template {Float64Array | Uint8Array} T */
 class Growing {
   /** @param {T} list */

@@ -1,16 +1,17 @@
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
 import { core } from "./init.js";
-import { extents } from "./path-packed.js";
+import { extents, packedSplines } from "./path-packed.js";
 import { boxAt, samePoints, writePoint } from "./points.js";
 import { Spline, splineOf } from "./spline.js";
 import { readSvg } from "./svg-read.js";
-import { svgText, tracePacked } from "./svg-write.js";
+import { svgOf, tracePacked } from "./svg-write.js";
 import { load, take, trim } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike } from "./check.js"
  * @import { Point } from "./points.js"
+ * @import { SvgOptions } from "./svg-write.js"
  */
 
 /**
@@ -26,6 +27,12 @@ import { load, take, trim } from "./transfer.js";
  */
 
 /**
+ * Integrals over what is inside, counted as often as the path winds around it.
+ *
+ * @typedef {{ area: number, x: number, y: number, xx: number, xy: number, yy: number }} Moments
+ */
+
+/**
  * What `Path.fromSVG` throws: a RangeError that knows where the error is, in characters from the start of the text, and
  * the path that was read before it (what SVG asks viewers to draw).
  *
@@ -34,9 +41,6 @@ import { load, take, trim } from "./transfer.js";
 
 /** @type {readonly FillRule[]} */
 const RULES = ["nonzero", "evenodd"];
-
-/** The most digits that `toFixed` knows. */
-const MOST_DIGITS = 100;
 
 /**
  * Several splines of the plane, open and closed: outlines with holes, icons, what SVG path data can say. It may be empty.
@@ -62,7 +66,7 @@ export class Path {
       return;
     }
     if (!Array.isArray(splines)) throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
-    this.#packed = pack(Array.from(splines, checkedSpline));
+    this.#packed = packedSplines(Array.from(splines, checkedSpline));
   }
 
   /**
@@ -91,7 +95,7 @@ export class Path {
     if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
       throw new TypeError(`json: expected an object with subpaths, got ${check.shown(json)}`);
     }
-    return pathOf(pack(Array.from(json.subpaths, (subpath) => checkedSpline(Spline.fromJSON(subpath), 0))));
+    return pathOf(packedSplines(Array.from(json.subpaths, (subpath) => checkedSpline(Spline.fromJSON(subpath), 0))));
   }
 
   /** The number of subpaths. */
@@ -111,7 +115,7 @@ export class Path {
    * Without `precision` "M0,0 L1,0.5 Z", numbers with the fewest digits that give them back, so that `fromSVG` reads an
    * equal path; with it "M0 0 1 .5Z", so many digits after the point at most and no character too many.
    *
-   * @param {{ precision?: number, tolerance?: number }} [options] `precision` 0 to 100, `tolerance` for degrees above 3
+   * @param {SvgOptions} [options]
    * @returns {string}
    */
   toSVG(options) {
@@ -152,6 +156,39 @@ export class Path {
    */
   controlBounds() {
     return this.#box(false);
+  }
+
+  /**
+   * The sum of the lengths of all segments.
+   *
+   * @param {number} [tolerance] the greatest error; without one 1e-12 of the length
+   * @returns {number}
+   */
+  length(tolerance) {
+    const most = check.optionalTolerance(tolerance);
+    load(this.#packed);
+    return take(0, core().path_length(most))[0];
+  }
+
+  /**
+   * The signed area inside, counter-clockwise subpaths positive (x right, y up); open ones are closed by a line.
+   *
+   * @returns {number}
+   */
+  area() {
+    load(this.#packed);
+    return core().path_area();
+  }
+
+  /**
+   * The integrals of 1, x, y, x², xy and y² over the inside; the centre of mass is (x, y) / area.
+   *
+   * @returns {Moments}
+   */
+  moments() {
+    load(this.#packed);
+    const [area, x, y, xx, xy, yy] = take(0, core().path_moments());
+    return { area, x, y, xx, xy, yy };
   }
 
   /**
@@ -298,21 +335,6 @@ function checkedSpline(spline, k) {
   return spline instanceof Curve ? { flat, degrees: [spline.degree], closed: false } : { flat, degrees: spline.degrees, closed: spline.closed };
 }
 
-/** @param {ReturnType<typeof checkedSpline>[]} parts */
-function pack(parts) {
-  const packed = new Float64Array(parts.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 1));
-  packed[0] = parts.length;
-  let at = 1;
-  for (const { flat, degrees, closed } of parts) {
-    packed[at] = degrees.length;
-    packed[at + 1] = closed ? 1 : 0;
-    packed.set(degrees, at + 2);
-    packed.set(flat, (at += 2 + degrees.length));
-    at += flat.length;
-  }
-  return packed;
-}
-
 /**
  * @param {Float64Array} packed
  * @returns {Spline[]}
@@ -321,14 +343,4 @@ function unpack(packed) {
   return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
     splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
   );
-}
-
-/**
- * @param {Float64Array} packed
- * @param {{ precision?: number, tolerance?: number } | undefined} options
- */
-function svgOf(packed, options) {
-  const { precision, tolerance } = check.options(options);
-  if (precision !== undefined) check.whole(precision, "precision", 0, MOST_DIGITS);
-  return svgText(packed, precision, check.optionalTolerance(tolerance));
 }

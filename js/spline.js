@@ -5,8 +5,10 @@ import { core } from "./init.js";
 import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
 import { nearestLeft } from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
+import { packedSpline } from "./path-packed.js";
 import { done } from "./refusal.js";
 import { through } from "./through.js";
+import { svgOf } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
 /**
@@ -16,6 +18,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  * @import { Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { ThroughOptions } from "./through.js"
+ * @import { SvgOptions } from "./svg-write.js"
  */
 
 /**
@@ -505,6 +508,18 @@ export class Spline {
    */
   toBSpline() {
     return toBSpline(this.#parts);
+  }
+
+  /**
+   * The spline as SVG path data, see `Path.toSVG`; 2D only.
+   *
+   * @param {SvgOptions} [options]
+   * @returns {string}
+   */
+  toSVG(options) {
+    const { flat, dimension, degrees, closed } = this.#parts;
+    if (dimension === 3) throw new TypeError("toSVG: expected a 2D spline, got a 3D one");
+    return svgOf(packedSpline(flat, degrees, closed), options);
   }
 
   /**

@@ -90,7 +90,8 @@ export function arc(x0, y0, n, x1, y1) {
   let [dx, dy] = [hx / rx, hy / ry];
   const scale = Math.max(Math.abs(dx), Math.abs(dy));
   const [px, py] = [dx / scale, dy / scale];
-  let length = scale * Math.sqrt(px * px + py * py);
+  const part = Math.sqrt(px * px + py * py);
+  let length = scale * part;
   if (!(rx > 0 && ry > 0 && length > 0 && length < Infinity)) return null;
   const largest = Math.max(Math.abs(x0), Math.abs(y0), Math.abs(x1), Math.abs(y1));
   let height = 0;
@@ -103,7 +104,7 @@ export function arc(x0, y0, n, x1, y1) {
   const [large, sweep] = [n[3] !== 0, n[4] !== 0];
   const side = large === sweep ? 1 : -1;
   /** @type {Pair} */
-  const u = [dx + side * (dy * (height / length)), dy + side * (-dx * (height / length))];
+  const u = [dx + side * (py * (height / part)), dy + side * (-px * (height / part))];
   const small = angle(height, length);
   const theta = large ? 2 * Math.PI - 2 * small : 2 * small;
   const pieces = Math.ceil(theta / LONGEST_PIECE);

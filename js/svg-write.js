@@ -1,4 +1,5 @@
 // Paths as SVG path data, and drawn; src/path/svg_write.rs writes the same.
+import * as check from "./check.js";
 import { core } from "./init.js";
 import { extents } from "./path-packed.js";
 import { done } from "./refusal.js";
@@ -6,6 +7,9 @@ import { load, take } from "./transfer.js";
 
 /** From here on a number has no digits after the point, and `String` writes it with an exponent. */
 const EXPONENT_FROM = 1e21;
+
+/** The most digits that `toFixed` knows. */
+const MOST_DIGITS = 100;
 
 const COMMANDS = ["", "L", "Q", "C"];
 
@@ -16,7 +20,7 @@ const COMMANDS = ["", "L", "Q", "C"];
  * @typedef {object} Pen
  * @property {(x: number, y: number) => void} move
  * @property {(degree: number, list: Float64Array, at: number) => void} curve
- * @property {() => void} close
+ * @property {(line: boolean) => void} close the argument says whether the last line is left to it
  */
 
 /**
@@ -31,12 +35,14 @@ function draw(packed, pen, tolerance, closing) {
   for (const { segments, closed, degrees, points, end } of extents(packed)) {
     pen.move(packed[points], packed[points + 1]);
     let at = points + 2;
+    let left = false;
     for (let k = 0; k < segments; k++) {
       const degree = packed[degrees + k];
       const after = at + 2 * degree;
       const ring = after > end;
+      left = ring && degree === 1 && !closing && leftToClose(packed, points, at);
       if (!ring && degree <= 3) pen.curve(degree, packed, at);
-      else if (!(ring && degree === 1 && !closing && leftToClose(packed, points, at))) {
+      else if (!left) {
         const curve = new Float64Array(2 * degree + 2);
         curve.set(packed.subarray(at - 2, Math.min(after, end)));
         if (ring) curve.set(packed.subarray(points, points + 2), 2 * degree);
@@ -45,7 +51,7 @@ function draw(packed, pen, tolerance, closing) {
       }
       at = after;
     }
-    if (closed) pen.close();
+    if (closed) pen.close(left && segments > 1);
   }
 }
 
@@ -108,18 +114,27 @@ export function tracePacked(packed, target, tolerance) {
 }
 
 /**
+ * How path data is written: `precision` (0 to 100) asks for the short form with so many digits after the point at most,
+ * `tolerance` is for degrees above 3, which become cubics.
+ *
+ * @typedef {{ precision?: number, tolerance?: number }} SvgOptions
+ */
+
+/**
  * A packed path as SVG path data.
  *
  * @internal
  * @param {Float64Array} packed
- * @param {number | undefined} precision
- * @param {number} tolerance 0 for the default
+ * @param {SvgOptions | undefined} options
  * @returns {string}
  */
-export function svgText(packed, precision, tolerance) {
-  checkTolerance(packed, tolerance);
+export function svgOf(packed, options) {
+  const { precision, tolerance } = check.options(options);
+  if (precision !== undefined) check.whole(precision, "precision", 0, MOST_DIGITS);
+  const most = check.optionalTolerance(tolerance);
+  checkTolerance(packed, most);
   const writer = precision === undefined ? new ExactWriter() : new BriefWriter(precision);
-  draw(packed, writer, tolerance, false);
+  draw(packed, writer, most, false);
   return writer.text;
 }
 
@@ -157,6 +172,8 @@ class BriefWriter {
   /** Where the pen is, in words; what numbers without a command would mean; the last number before the next. */
   #x = "";
   #y = "";
+  #startX = "";
+  #startY = "";
   #implied = "";
   #last = "";
 
@@ -170,8 +187,8 @@ class BriefWriter {
    * @param {number} y
    */
   move(x, y) {
-    this.#x = fixed(x, this.precision);
-    this.#y = fixed(y, this.precision);
+    this.#x = this.#startX = fixed(x, this.precision);
+    this.#y = this.#startY = fixed(y, this.precision);
     this.#put("M", [this.#x, this.#y]);
   }
 
@@ -190,7 +207,10 @@ class BriefWriter {
     this.#y = y;
   }
 
-  close() {
+  /** @param {boolean} line */
+  close(line) {
+    // Where rounding has left the last line no length, it is written.
+    if (line && this.#x === this.#startX && this.#y === this.#startY) this.#put("H", [this.#x]);
     this.text += "Z";
     this.#implied = "";
   }

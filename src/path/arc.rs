@@ -37,7 +37,8 @@ pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let mut d = half / radii;
     let scale = d.x.abs().max(d.y.abs());
     let part = d / scale;
-    let mut length = scale * (part.x * part.x + part.y * part.y).sqrt();
+    let part_length = (part.x * part.x + part.y * part.y).sqrt();
+    let mut length = scale * part_length;
     if !(radii.x > 0.0 && radii.y > 0.0 && length > 0.0 && length < f64::INFINITY) {
         return false;
     }
@@ -59,7 +60,7 @@ pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     if !(4.0 * radii.max_element() + largest).is_finite() {
         return false;
     }
-    let across = DVec2::new(d.y, -d.x) * (height / length);
+    let across = DVec2::new(part.y, -part.x) * (height / part_length);
     let u = d - if shape.large == shape.sweep {
         -across
     } else {

@@ -6,6 +6,8 @@
 
 mod arc;
 mod bounds;
+mod length;
+mod moments;
 mod svg_error;
 mod svg_number;
 mod svg_read;

@@ -4,7 +4,7 @@ use super::Path;
 use crate::curve::{Curve, Pen};
 use crate::error::Error;
 use crate::spline::Spline;
-use crate::surface::{push, written};
+use crate::surface::written_number;
 use glam::DVec2;
 
 /// More digits than this are not counted: JavaScript's `toFixed` knows no more.
@@ -40,7 +40,7 @@ impl Path {
                 Curve::from_slice(points).trace_on(&mut writer, tolerance);
             }
             if part.closed {
-                writer.close();
+                writer.close_subpath(closing && last > 0);
             }
         }
         Ok(writer.text)
@@ -73,6 +73,7 @@ struct Writer {
     precision: Option<u8>,
     /// In the short form: where the pen is, in words, and what a number without a command would mean.
     at: [String; 2],
+    start: [String; 2],
     implied: char,
     /// The last number, as far as it stands right before the next.
     last: String,
@@ -84,6 +85,7 @@ impl Writer {
             text: String::new(),
             precision,
             at: Default::default(),
+            start: Default::default(),
             implied: ' ',
             last: String::new(),
         }
@@ -105,9 +107,9 @@ impl Writer {
             if k > 0 {
                 self.text.push(' ');
             }
-            push_exactly(&mut self.text, p.x);
+            self.text.push_str(&written_number(p.x));
             self.text.push(',');
-            push_exactly(&mut self.text, p.y);
+            self.text.push_str(&written_number(p.y));
         }
     }
 
@@ -125,7 +127,19 @@ impl Writer {
             'L' if to[0] == self.at[0] => self.put('V', &words[0][1..]),
             _ => self.put(command, words.as_flattened()),
         }
+        if command == 'M' {
+            self.start.clone_from(&to);
+        }
         self.at = to;
+    }
+
+    /// Closes, with a line to the start or without one. Where rounding has left that line no length, it is written.
+    fn close_subpath(&mut self, line: bool) {
+        if line && self.precision.is_some() && self.at == self.start {
+            let x = [self.start[0].clone()];
+            self.put('H', &x);
+        }
+        self.close();
     }
 
     /// A command and its words, with no more between them than it needs to tell them apart.
@@ -170,37 +184,45 @@ impl Pen for Writer {
     }
 }
 
-/// The fewest digits that give a number back, as JavaScript writes it.
-fn push_exactly(text: &mut String, x: f64) {
-    if x == 0.0 || (1e-6..EXPONENT_FROM).contains(&x.abs()) {
-        push(text, format_args!("{x}"));
-    } else {
-        text.push_str(&written(x));
-    }
-}
-
 /// A number with at most so many digits after the point, without zeros that say nothing: "-.5".
 fn fixed(x: f64, digits: u8) -> String {
     if x.abs() >= EXPONENT_FROM {
-        return written(x).replace('+', "");
+        return written_number(x).replace('+', "");
     }
-    // Halfway between two such numbers Rust takes the even one, JavaScript the one farther from zero.
-    let halves = x * 2_f64.powi(i32::from(digits) + 1);
-    let tie = (halves % 2.0).abs() == 1.0;
-    let away = if x > 0.0 { x.next_up() } else { x.next_down() };
+    let (size, half) = (x.abs(), 2_f64.powi(-i32::from(digits) - 1));
     let digits = usize::from(digits);
-    let mut word = format!("{:.digits$}", if tie { away } else { x });
+    // Halfway between two such numbers Rust takes the even one, JavaScript the one farther from zero.
+    let tie = size / half % 2.0 == 1.0;
+    let mut word = if tie {
+        without_five(format!("{size:.*}", digits + 1))
+    } else {
+        format!("{size:.digits$}")
+    };
     if word.contains('.') {
         word.truncate(word.trim_end_matches('0').trim_end_matches('.').len());
     }
-    let (sign, size) = word.split_at(usize::from(word.starts_with('-')));
-    match size {
-        "0" => "0".into(),
-        _ => format!(
-            "{sign}{}",
-            size.strip_prefix("0")
-                .filter(|rest| rest.starts_with('.'))
-                .unwrap_or(size)
-        ),
+    match word.strip_prefix('0') {
+        Some("") => word,
+        Some(fraction) if x < 0.0 => format!("-{fraction}"),
+        Some(fraction) => fraction.into(),
+        None if x < 0.0 => format!("-{word}"),
+        None => word,
     }
+}
+
+/// A positive number without its last digit, a 5, rounded up.
+fn without_five(mut word: String) -> String {
+    word.pop();
+    let mut digits = word.trim_end_matches('.').to_owned().into_bytes();
+    for digit in digits.iter_mut().rev() {
+        match *digit {
+            b'9' => *digit = b'0',
+            b'.' => {}
+            _ => {
+                *digit += 1;
+                return String::from_utf8_lossy(&digits).into_owned();
+            }
+        }
+    }
+    format!("1{}", String::from_utf8_lossy(&digits))
 }

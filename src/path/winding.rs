@@ -128,11 +128,14 @@ impl Search {
     /// 1 where p lies to the left of the line from start to end, −1 to the right of it, where that is certain.
     fn side(&self, points: &[DVec2]) -> Option<i32> {
         let (a, b) = (points[0], points[points.len() - 1]);
+        // Always from the same end, so that the two directions of a segment are never judged differently.
+        let swapped = (b.y, b.x) < (a.y, a.x);
+        let (a, b) = if swapped { (b, a) } else { (a, b) };
         let (chord, way) = (b - a, self.p - a);
         let (one, other) = (chord.x * way.y, chord.y * way.x);
         let side = one - other;
         let certain = side.abs() > CERTAIN * (one.abs() + other.abs());
-        certain.then_some(if side > 0.0 { 1 } else { -1 })
+        certain.then_some(if (side > 0.0) == swapped { -1 } else { 1 })
     }
 }
 

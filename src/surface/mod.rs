@@ -71,7 +71,7 @@ pub use sets::{Height, TeapotOptions, Up};
 pub(crate) use tessellate::Filler;
 pub use text_reader::ParseError;
 pub(crate) use text_reader::{END as END_OF_TEXT, shown as shown_word};
-pub(crate) use text_write::{push, written};
+pub(crate) use text_write::written_number;
 pub use topology::{Side, SideName, Topology};
 pub use view::{Fineness, View};
 pub use weld::Weld;

@@ -28,7 +28,7 @@ impl Surface {
     pub fn to_text(&self) -> String {
         let mut text = format!("surface\nvertices {}\n", self.vertices().len());
         for vertex in self.vertices() {
-            let [x, y, z] = vertex.to_array().map(written);
+            let [x, y, z] = vertex.to_array().map(written_number);
             push(&mut text, format_args!("{x} {y} {z}\n"));
         }
         push(&mut text, format_args!("patches {}\n", self.patch_count()));
@@ -49,13 +49,13 @@ impl Surface {
 }
 
 /// Writing to a String cannot fail.
-pub(crate) fn push(text: &mut String, words: Arguments<'_>) {
+pub(super) fn push(text: &mut String, words: Arguments<'_>) {
     let _ = text.write_fmt(words);
 }
 
 /// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign): with an
 /// exponent from 10²¹ on and below 10⁻⁶.
-pub(crate) fn written(x: impl Display + LowerExp) -> String {
+pub(super) fn written(x: impl Display + LowerExp) -> String {
     let scientific = format!("{x:e}");
     let exponent = scientific.rsplit('e').next().map(str::parse::<i32>);
     match exponent {
@@ -63,4 +63,37 @@ pub(crate) fn written(x: impl Display + LowerExp) -> String {
         Some(Ok(..-6)) => scientific,
         _ => x.to_string(),
     }
+}
+
+/// Where one more digit than the shortest would be needed to decide how to round it, that digit is among so many binary
+/// places: 17 decimal ones have as many.
+const PLACES_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
+
+/// [`written`] for all f64: where two shortest forms are equally close, JavaScript takes the even one, Rust the upper.
+pub(crate) fn written_number(x: f64) -> String {
+    let plain = written(x);
+    let whole = x.abs() >= 1.0 / f64::EPSILON;
+    if x.abs() < 1.0 || !(whole || (x * PLACES_OF_A_TIE).fract() == 0.0) {
+        return plain;
+    }
+    even(&plain, x).unwrap_or(plain)
+}
+
+/// The form below the shortest one, if it is even and as close.
+fn even(plain: &str, x: f64) -> Option<String> {
+    let mantissa = plain.split('e').next()?;
+    let significant = mantissa.trim_end_matches('0').trim_end_matches('.');
+    let count = significant.bytes().filter(u8::is_ascii_digit).count();
+    let last = significant.bytes().last().filter(|digit| digit % 2 == 1)?;
+    // A tie has a 5 and then nothing: 20 digits more show that.
+    let all = format!("{x:.*e}", count + 20);
+    let digits: Vec<u8> = all.bytes().filter(u8::is_ascii_digit).collect();
+    let tail = digits.get(count..=count + 20)?;
+    if tail[0] != b'5' || tail[1..].iter().any(|&digit| digit != b'0') {
+        return None;
+    }
+    let mut lower = plain.to_owned();
+    let place = significant.len() - 1..significant.len();
+    lower.replace_range(place, char::from(last - 1).encode_utf8(&mut [0; 4]));
+    (lower.parse() == Ok(x)).then_some(lower)
 }

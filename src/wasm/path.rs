@@ -53,6 +53,30 @@ pub fn path_bounds(exact: bool) -> usize {
     })
 }
 
+/// The area inside.
+#[wasm_bindgen]
+pub fn path_area() -> f64 {
+    arena::with(|a| path(a).0.area())
+}
+
+/// Leaves the integrals of 1, x, y, x², xy and y² over the inside.
+#[wasm_bindgen]
+pub fn path_moments() -> usize {
+    arena::with(|a| {
+        let m = path(a).0.moments();
+        a.put_numbers(0, &[m.area, m.x, m.y, m.xx, m.xy, m.yy])
+    })
+}
+
+/// Leaves the length; a tolerance of 0 stands for the default.
+#[wasm_bindgen]
+pub fn path_length(tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let length = path(a).0.length(given(tolerance))?;
+        Ok(a.put_numbers(0, &[length]))
+    })
+}
+
 /// The winding number of a point.
 #[wasm_bindgen]
 pub fn path_winding(x: f64, y: f64) -> i32 {

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve, Path, Spline } from "casteljau";
+import { hash, pathText, Rng } from "./path-texts.js";
 import { near, recorder, refused, SEVEN, SPACE } from "./reference.js";
 
 const table = JSON.parse(readFileSync(new URL("../texts/svg.json", import.meta.url), "utf8"));
@@ -38,6 +39,80 @@ for (const { name, d, svg, subpaths, error, offset, ...brief } of table) {
     });
   });
 }
+
+test("both doors read and write the same: 20,000 texts, one in eight wrong", () => {
+  const rng = new Rng(1);
+  let state = 0x811c9dc5;
+  for (let k = 0; k < 20_000; k++) {
+    const d = pathText(rng);
+    const { path, error = "" } = read(d);
+    const all = path.toSVG();
+    for (const text of [error, all, path.toSVG({ precision: k % 8 })]) state = hash(state, text);
+    assert.ok(Path.fromSVG(all).equals(path), d);
+  }
+  assert.equal(state, 2_100_080_138); // as in tests/path/svg.rs
+});
+
+test("numbers of every size come back to the bit", () => {
+  const rng = new Rng(2);
+  const view = new DataView(new ArrayBuffer(8));
+  const wild = () => {
+    view.setUint32(0, rng.next());
+    view.setUint32(4, rng.next());
+    const number = view.getFloat64(0);
+    return rng.below(4) === 0 ? [0, -0, 1, 5e-324, Number.MAX_VALUE][rng.below(5)] : Number.isFinite(number) ? number : 0.5;
+  };
+  for (let k = 0; k < 5_000; k++) {
+    const closed = rng.below(2) === 0;
+    const degree = 1 + rng.below(3);
+    const count = degree * (1 + rng.below(4)) + (closed ? 0 : 1);
+    const spline = new Spline(Float64Array.from({ length: 2 * count }, wild), { degree, closed });
+    const [again] = Path.fromSVG(spline.toSVG()).subpaths;
+    assert.deepEqual([again.closed, again.degrees], [spline.closed, spline.degrees]);
+    assert.deepEqual(bits(again.controlPoints()), bits(spline.controlPoints()));
+  }
+});
+
+test("garbage", () => {
+  const alphabet = "MmLlHhVvCcSsQqTtAaZz0123456789.,-+eE \t\n\r\fxé😀\0\ud800";
+  const rng = new Rng(4);
+  for (let k = 0; k < 20_000; k++) {
+    const d = (rng.below(4) ? "M1 2" : "") + Array.from({ length: rng.below(60) }, () => alphabet[rng.below(alphabet.length)]).join("");
+    const { path, offset = 0 } = read(d);
+    assert.ok(offset <= d.length && Path.fromSVG(path.toSVG()).equals(path), d);
+  }
+});
+
+test("ten megabytes, good and bad", () => {
+  const large = (piece) => piece.repeat(1e7 / piece.length);
+  const icon = "m12.5 3.25c-1.5.5-3 1.25-4 2.75s-1 3.5.25 5 4 1.5 5.5 0h2l3-1.5q1-2 0-3.5t-2-1zm2 1a2 3 15 012.5 1.5z";
+  const path = Path.fromSVG(`M0 0${large(icon)}`);
+  assert.ok(path.subpathCount > 100_000 && path.length() > 1e6);
+  for (const good of ["z", "m0 0", "M0 0z", "0 0 ", "a0 0 0 0 0 0 0"]) assert.ok(Path.fromSVG(`M0 0 ${large(good)}`).subpathCount >= 0);
+  for (const bad of ["9", "e", "-", ".", ",", "M", "\u00a0", "1.", "((", "😀"]) {
+    assert.throws(() => Path.fromSVG(`M0 0L${large(bad)}`), (error) => error instanceof RangeError && error.message.length < 400);
+  }
+});
+
+test("curves and splines as path data", () => {
+  assert.equal(new Curve([[0, 0], [1, 1], [2, 0]]).toSVG(), "M0,0 Q1,1 2,0");
+  assert.equal(new Curve([[0, 0], [0.25, 1.5], [2, 0]]).toSVG({ precision: 1 }), "M0 0Q.3 1.5 2 0");
+  assert.equal(new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true }).toSVG(), "M0,0 L1,0 L0,1 Z");
+  refused(() => new Curve(SPACE).toSVG(), TypeError, /^toSVG: .*2D.*3D/);
+  refused(() => new Spline(SPACE).toSVG(), TypeError, /^toSVG: .*2D.*3D/);
+  refused(() => new Curve(SPACE.map((p) => p.slice(0, 2))).toSVG({ tolerance: 0 }), RangeError, /^tolerance: /);
+});
+
+test("sizes", () => {
+  const ring = Path.fromSVG(RING);
+  assert.equal(ring.area(), 12);
+  assert.equal(ring.length(), 24);
+  near(ring.moments(), { area: 12, x: 24, y: 24, xx: 68, xy: 48, yy: 68 });
+  const empty = new Path([]);
+  assert.deepEqual([empty.area(), empty.length(), empty.moments().xx], [0, 0, 0]);
+  near(Path.fromSVG("M10 5A5 5 0 1 1 0 5 5 5 0 0 1 10 5z").length(), 10 * Math.PI, 1e-9);
+  refused(() => ring.length(-1), RangeError, /^tolerance: /);
+});
 
 const RING = "M0 0H4V4H0Z M1 1V3H3V1Z";
 

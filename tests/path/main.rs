@@ -1,6 +1,11 @@
 //! Paths: SVG path data in and out, what is inside, how large they are.
 #![cfg(not(target_family = "wasm"))]
 
+mod arcs;
 #[path = "../common/mod.rs"]
 mod common;
+mod inside;
+mod sizes;
+mod svg;
 mod table;
+mod texts;

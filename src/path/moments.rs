@@ -1,0 +1,66 @@
+//! How much is inside, and where is its middle?
+
+use super::{Path, Subpath};
+use crate::curve::{Moments, area_about, moments};
+use glam::DVec2;
+
+impl Path {
+    /// The signed area inside: ½ ∫ (x dy − y dx), that of subpaths that run counter-clockwise positive (x right, y up).
+    ///
+    /// Open subpaths are closed by a line. Each part of the plane counts as often as the path winds around it, so a hole
+    /// that runs the other way is subtracted. Exact but for rounding, far from the origin too; infinite where the value
+    /// leaves the range of f64. Of the empty path 0.
+    pub fn area(&self) -> f64 {
+        let unit = self.max_abs();
+        let areas = self.parts().flat_map(|part| {
+            let start = part.points[0]; // from here the closing line sweeps nothing
+            part.segments()
+                .map(move |points| area_about(points, start, unit))
+        });
+        areas.sum::<f64>() * unit * unit
+    }
+
+    /// The integrals of 1, x, y, x², xy and y² over the inside, counted as by [`area`](Self::area).
+    ///
+    /// The centre of mass is (x, y) / area; x² and the others give inertia, about the origin. Exact but for rounding;
+    /// infinite where a value leaves the range of f64. Source: as [`Curve::moments`](crate::Curve::moments).
+    pub fn moments(&self) -> Moments {
+        let unit = self.max_abs();
+        let mut sum = Moments::default();
+        if unit > 0.0 {
+            self.parts()
+                .for_each(|part| sum += moments_of_subpath(part, unit));
+        }
+        // One factor after the other: each is finite, and 0 stays 0.
+        let scaled = |value: f64, power: usize| (0..power).fold(value, |product, _| product * unit);
+        Moments {
+            area: scaled(sum.area, 2),
+            x: scaled(sum.x, 3),
+            y: scaled(sum.y, 3),
+            xx: scaled(sum.xx, 4),
+            xy: scaled(sum.xy, 4),
+            yy: scaled(sum.yy, 4),
+        }
+    }
+}
+
+/// Those of one subpath, with `unit` as the unit: about its start, where nothing cancels, then about the origin.
+fn moments_of_subpath(part: Subpath<'_>, unit: f64) -> Moments {
+    let start = part.points[0] / unit;
+    let mut m = Moments::default();
+    let mut around = Vec::new();
+    for points in part.segments() {
+        around.clear();
+        around.extend(points.iter().map(|&p| p / unit - start));
+        m += moments(&around);
+    }
+    let DVec2 { x, y } = start;
+    Moments {
+        area: m.area,
+        x: m.x + x * m.area,
+        y: m.y + y * m.area,
+        xx: m.xx + x * (2.0 * m.x + x * m.area),
+        xy: m.xy + x * m.y + y * (m.x + x * m.area),
+        yy: m.yy + y * (2.0 * m.y + y * m.area),
+    }
+}

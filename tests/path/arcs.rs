@@ -1,0 +1,253 @@
+//! Arcs against the ellipse itself, with its centre found in another way: as SVG 1.1, F.6.5 has it.
+
+use crate::common::{Rng, real};
+use casteljau::glam::DVec2;
+use casteljau::{Path, Spline};
+use std::f64::consts::{PI, TAU};
+
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: DVec2,
+    to: DVec2,
+    radii: DVec2,
+    degrees: f64,
+    large: bool,
+    sweep: bool,
+}
+
+impl Arc {
+    fn read(&self) -> Spline<DVec2> {
+        let Self {
+            from,
+            to,
+            radii,
+            degrees,
+            ..
+        } = self;
+        let flags = [self.large, self.sweep].map(u8::from);
+        let d = format!(
+            "M{} {}A{} {} {} {} {} {} {}",
+            from.x, from.y, radii.x, radii.y, degrees, flags[0], flags[1], to.x, to.y
+        );
+        let path = Path::from_svg(&d).unwrap_or_else(|error| panic!("{d}: {error}"));
+        assert_eq!(path.subpath_count(), 1, "{d}");
+        path.subpaths().remove(0)
+    }
+
+    /// The centre, the radii, and the angle that is swept.
+    fn ellipse(&self) -> (DVec2, DVec2, f64) {
+        let turn = DVec2::from_angle(self.degrees.to_radians());
+        let half = turn.conjugate_by((self.from - self.to) / 2.0);
+        let mut r = self.radii;
+        let size = half.x.powi(2) / r.x.powi(2) + half.y.powi(2) / r.y.powi(2);
+        if size > 1.0 {
+            r *= size.sqrt();
+        }
+        let (rx2, ry2) = (r.x * r.x, r.y * r.y);
+        let (x2, y2) = (half.x * half.x, half.y * half.y);
+        let factor = ((rx2 * ry2 - rx2 * y2 - ry2 * x2) / (rx2 * y2 + ry2 * x2))
+            .max(0.0)
+            .sqrt();
+        let sign = if self.large == self.sweep { -1.0 } else { 1.0 };
+        let local = DVec2::new(r.x * half.y / r.y, -r.y * half.x / r.x) * (sign * factor);
+        let centre = turn.rotate(local) + (self.from + self.to) / 2.0;
+        let angle = |p: DVec2| (p / r).to_angle();
+        let mut swept = angle(-half - local) - angle(half - local);
+        if self.sweep && swept < 0.0 {
+            swept += TAU;
+        } else if !self.sweep && swept > 0.0 {
+            swept -= TAU;
+        }
+        (centre, r, swept)
+    }
+
+    /// A point on the unit circle of the ellipse.
+    fn on_circle(&self, p: DVec2, centre: DVec2, radii: DVec2) -> DVec2 {
+        let turn = DVec2::from_angle(self.degrees.to_radians());
+        turn.conjugate_by(p - centre) / radii
+    }
+}
+
+/// Turned backwards.
+trait Turn {
+    fn conjugate_by(self, v: DVec2) -> DVec2;
+}
+
+impl Turn for DVec2 {
+    fn conjugate_by(self, v: DVec2) -> DVec2 {
+        DVec2::new(self.x, -self.y).rotate(v)
+    }
+}
+
+fn check(arc: Arc) {
+    let spline = arc.read();
+    assert_eq!(spline.eval(0.0), arc.from, "{arc:?}");
+    assert_eq!(spline.eval(real(spline.segment_count())), arc.to, "{arc:?}");
+    let (centre, radii, swept) = arc.ellipse();
+    // What rounding moves the centre by, seen from the unit circle.
+    let far = arc.from.abs().max_element().max(arc.to.abs().max_element()) + radii.max_element();
+    let noise = 1e-14 * far / radii.min_element();
+    let mut before = arc.on_circle(arc.from, centre, radii);
+    let mut angle = 0.0;
+    for p in spline.sample(16).expect("few").into_iter().skip(1) {
+        let unit = arc.on_circle(p, centre, radii);
+        let off = (unit.length() - 1.0).abs();
+        assert!(off <= 1e-9 + noise, "{arc:?}: {off} at {p}");
+        let step = before.angle_to(unit);
+        assert!(step.abs() < 0.05, "{arc:?}");
+        assert!(step * swept > 0.0, "{arc:?}: backwards at {p}");
+        angle += step;
+        before = unit;
+    }
+    assert!(
+        (angle - swept).abs() < 1e-6 + noise,
+        "{arc:?}: {angle}, not {swept}"
+    );
+    // As few as the bound allows, and one more at most.
+    let pieces = real(spline.segment_count());
+    assert!(
+        pieces <= swept.abs() / 0.195 + 1.0 && pieces >= swept.abs() / 0.1952,
+        "{arc:?}"
+    );
+}
+
+#[test]
+fn arcs_lie_on_their_ellipse() {
+    let mut rng = Rng(11);
+    let mut checked = 0;
+    for _ in 0..20_000 {
+        let scale = rng.magnitude(-6.0, 6.0);
+        let mut place = || rng.point(2).truncate() * scale;
+        let (from, to) = (place(), place());
+        let arc = Arc {
+            from,
+            to,
+            radii: DVec2::new(rng.magnitude(-0.3, 1.0), rng.magnitude(-0.3, 1.0)) * scale,
+            degrees: rng.signed() * rng.pick(&[1.0, 45.0, 90.0, 180.0, 1000.0]),
+            large: rng.chance(0.5),
+            sweep: rng.chance(0.5),
+        };
+        // Where the chord is nearly the diameter, the centre hangs on the last digits of everything.
+        let (_, _, swept) = arc.ellipse();
+        if (swept.abs() - PI).abs() > 1e-3 {
+            checked += 1;
+            check(arc);
+        }
+    }
+    assert!(checked > 12_000, "{checked}");
+}
+
+#[test]
+fn quarters_and_halves_are_found_in_spite_of_rounding() {
+    let mut rng = Rng(12);
+    for _ in 0..5_000 {
+        let scale = rng.magnitude(-3.0, 3.0);
+        let centre = rng.point(2).truncate() * scale * rng.pick(&[0.0, 1.0, 1000.0]);
+        let radius = rng.unit() * scale + 1e-3 * scale;
+        // Two halves of a circle, as drawing programs write them.
+        let d = format!(
+            "M{} {}a{radius} {radius} 0 1 0 {} 0a{radius} {radius} 0 1 0 {} 0z",
+            centre.x - radius,
+            centre.y,
+            2.0 * radius,
+            -2.0 * radius
+        );
+        let path = Path::from_svg(&d).expect("a circle");
+        let noise = 4e-16 * (centre.abs().max_element() + radius) / radius;
+        for p in path.subpaths()[0].sample(8).expect("few") {
+            let off = (p.distance(centre) / radius - 1.0).abs();
+            assert!(off <= 1e-9 + 8.0 * noise, "{d}: {off}");
+        }
+        let area = -path.area() / (PI * radius * radius) - 1.0;
+        assert!(area.abs() <= 3e-9 + 8.0 * noise, "{d}: {area}");
+    }
+}
+
+#[test]
+fn radii_that_are_too_small_grow_until_they_reach() {
+    let mut rng = Rng(13);
+    for _ in 0..2_000 {
+        let (from, to) = (rng.point(2).truncate(), rng.point(2).truncate());
+        let arc = Arc {
+            from,
+            to,
+            radii: DVec2::new(rng.magnitude(-3.0, 0.0), rng.magnitude(-3.0, 0.0))
+                * 0.1
+                * from.distance(to),
+            degrees: rng.signed() * 180.0,
+            large: rng.chance(0.5),
+            sweep: rng.chance(0.5),
+        };
+        let spline = arc.read();
+        // Half an ellipse around the middle of the chord: 17 pieces, and through the point across.
+        assert_eq!(spline.segment_count(), 17, "{arc:?}");
+        let (centre, radii, _) = arc.ellipse();
+        assert!(centre.distance(from.midpoint(to)) < 1e-6 * radii.max_element());
+        for p in spline.sample(8).expect("few") {
+            let off = (arc.on_circle(p, from.midpoint(to), radii).length() - 1.0).abs();
+            assert!(
+                off <= 1e-9 + 1e-13 * radii.max_element() / radii.min_element(),
+                "{arc:?}: {off}"
+            );
+        }
+    }
+}
+
+#[test]
+fn wild_arcs_stay_finite_and_end_where_they_should() {
+    let mut rng = Rng(14);
+    let mut number = || {
+        let size = rng.magnitude(-320.0, 308.0);
+        rng.pick(&[size, -size, 1.0, 0.0, 5e-324, f64::MAX, 1e-300, 90.0])
+    };
+    for _ in 0..20_000 {
+        let n: Vec<f64> = (0..7).map(|_| number()).collect();
+        for flags in ["00", "01", "10", "11"] {
+            let d = format!(
+                "M{} {}A{} {} {} {flags}{} {}",
+                n[0], n[1], n[2], n[3], n[4], n[5], n[6]
+            );
+            let path = Path::from_svg(&d).unwrap_or_else(|error| panic!("{d}: {error}"));
+            if n[0] == n[5] && n[1] == n[6] {
+                assert!(path.is_empty(), "{d}");
+                continue;
+            }
+            let spline = &path.subpaths()[0];
+            let points = spline.control_points();
+            assert!(spline.segment_count() <= 33, "{d}");
+            assert!(points.iter().all(|p| p.is_finite()), "{d}");
+            assert_eq!(
+                (points[0], points[points.len() - 1]),
+                (DVec2::new(n[0], n[1]), DVec2::new(n[5], n[6])),
+                "{d}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_short_piece_of_a_vast_circle_keeps_its_digits() {
+    // The arrow of a chord of 2 under a radius of 1e9 is 5e-10.
+    let path = Path::from_svg("M0 0A1e9 1e9 0 0 1 2 0").expect("an arc");
+    let middle = path.subpaths()[0].eval(0.5);
+    assert!(
+        (middle.x - 1.0).abs() < 1e-15 && (middle.y + 5e-10).abs() < 1e-18,
+        "{middle}"
+    );
+}
+
+#[test]
+fn an_ellipse_has_its_area_and_its_length() {
+    let path = Path::from_svg("M3 0A3 2 0 0 1 -3 0 3 2 0 0 1 3 0Z").expect("an ellipse");
+    assert!((path.area() / (6.0 * PI) - 1.0).abs() < 2e-9);
+    // Perimeter of an ellipse with the axes 3 and 2: 15.865439589290589...
+    let length = path.length(None).expect("no tolerance");
+    assert!(
+        (length / 15.865_439_589_290_59 - 1.0).abs() < 1e-9,
+        "{length}"
+    );
+    let m = path.moments();
+    assert!(m.x.abs() < 1e-12 && m.xy.abs() < 1e-12);
+    assert!((m.xx / (6.0 * PI * 9.0 / 4.0) - 1.0).abs() < 4e-9);
+    assert!((m.yy / (6.0 * PI * 4.0 / 4.0) - 1.0).abs() < 4e-9);
+}

@@ -1,0 +1,280 @@
+//! What is inside: against the sum of the angles under which a fine polygon is seen, and as parts of the plane.
+
+use crate::common::{Rng, real, wild};
+use casteljau::glam::{DAffine2, DVec2};
+use casteljau::path::FillRule;
+use casteljau::{Curve, Path, Spline};
+use std::f64::consts::TAU;
+
+/// Outlines to ask: a letter with two holes, a leaf, a spiral of arcs, open strokes, shapes that cross themselves.
+pub(crate) const OUTLINES: [&str; 8] = [
+    // A letter B.
+    "M10 0V70H36C50 70 58 62 58 52 58 44 54 39 47 37 56 35 62 29 62 19 62 7 53 0 38 0Z\
+     M22 40H35C42 40 46 44 46 50S42 60 35 60H22ZM22 10H37C45 10 50 14 50 20S45 30 37 30H22Z",
+    // A leaf of quadratics.
+    "M0 0Q5 20 30 25 60 30 70 0 60-20 40-22T0 0z",
+    // A gear wheel, roughly.
+    "m20 0a20 20 0 01-4 12l4 6-6 5-6-4a20 20 0 01-14 0l-6 4-6-5 4-6a20 20 0 010-24l-4-6 6-5 6 4a20 20 0 0114 0l6-4 6 5-4 6a20 20 0 014 12z\
+     M8 0A8 8 0 10-8 0 8 8 0 108 0z",
+    // Open: filled as if closed.
+    "M0 0C10 40 50 40 60 0L40 10M70 0L80 0 75 10",
+    // A star that crosses itself, and a figure of eight.
+    "M0 30L18-24-28 10H28L-18-24Z",
+    "M0 0C40 40 40-40 0 0C-40 40-40-40 0 0Z",
+    // Twice around.
+    "M0 0H30V30H0V5H25V25H5V0Z M10 10H20V20H10Z",
+    // Horizontal and vertical pieces at equal heights, steps, without a length.
+    "M0 0H10V10H20V0H30V20H20V20H20V30H10V20H0V20V10H0Z",
+];
+
+fn angle_sum(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
+    let ring = |points: &Vec<DVec2>| -> f64 {
+        let closed = points.iter().zip(points.iter().cycle().skip(1));
+        closed.map(|(a, b)| (*a - p).angle_to(*b - p)).sum()
+    };
+    rings.iter().map(ring).sum()
+}
+
+fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
+    let from = |(a, b): (&DVec2, &DVec2)| {
+        crate::common::measure::from_segment(p.extend(0.0), a.extend(0.0), b.extend(0.0))
+    };
+    let ring = |points: &Vec<DVec2>| {
+        let closed = points.iter().zip(points.iter().cycle().skip(1));
+        closed.map(from).fold(f64::INFINITY, f64::min)
+    };
+    rings.iter().map(ring).fold(f64::INFINITY, f64::min)
+}
+
+/// Asks at random places, at the heights of joints and at their very places moved along.
+fn ask(path: &Path, rng: &mut Rng, questions: usize) {
+    let bounds = path.control_bounds().expect("not empty");
+    let size = bounds.diagonal();
+    let tolerance = 1e-5 * size;
+    let lines = path.flatten(tolerance).expect("a tolerance");
+    let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
+    let corners: Vec<DVec2> = path
+        .subpaths()
+        .iter()
+        .flat_map(|s| s.control_points().to_vec())
+        .collect();
+    for _ in 0..questions {
+        let random = bounds.min
+            + (bounds.max - bounds.min)
+                * DVec2::new(rng.unit() * 1.2 - 0.1, rng.unit() * 1.2 - 0.1);
+        let corner = rng.pick(&corners);
+        let height = path.bounds().expect("not empty");
+        let p = match rng.below(5) {
+            0 => DVec2::new(random.x, corner.y),
+            1 => DVec2::new(corner.x, random.y),
+            2 => DVec2::new(corner.x + size * 1e-3 * rng.signed(), corner.y),
+            3 => DVec2::new(random.x, rng.pick(&[height.min.y, height.max.y])),
+            _ => random,
+        };
+        if distance(&rings, p) <= 2.0 * tolerance {
+            continue;
+        }
+        let turns = angle_sum(&rings, p) / TAU;
+        assert!((turns - turns.round()).abs() < 1e-6, "{turns}");
+        let winding = path.winding(p);
+        assert_eq!(f64::from(winding), turns.round(), "{p} in {path:?}");
+        assert_eq!(path.contains(p, FillRule::NonZero), winding != 0);
+        assert_eq!(
+            path.contains(p, FillRule::EvenOdd),
+            winding.rem_euclid(2) == 1
+        );
+    }
+}
+
+#[test]
+fn outlines_wind_as_their_polygons_do() {
+    let mut rng = Rng(21);
+    for d in OUTLINES {
+        let path = Path::from_svg(d).expect("an outline");
+        ask(&path, &mut rng, 400);
+        let map = DAffine2::from_scale_angle_translation(
+            DVec2::new(2.0, -0.5),
+            0.7,
+            DVec2::new(-30.0, 100.0),
+        );
+        ask(&path.transform(&map), &mut rng, 100);
+        ask(&path.reverse(), &mut rng, 100);
+        for scale in [1e-9, 1e9] {
+            ask(
+                &path.transform(&DAffine2::from_scale(DVec2::splat(scale))),
+                &mut rng,
+                50,
+            );
+        }
+    }
+}
+
+#[test]
+fn random_paths_wind_as_their_polygons_do() {
+    let mut rng = Rng(22);
+    for _ in 0..1_000 {
+        let splines: Vec<Spline<DVec2>> = (0..1 + rng.below(3))
+            .map(|_| random_spline(&mut rng))
+            .collect();
+        let path = Path::new(&splines);
+        let large = |b: casteljau::curve::Bounds<DVec2>| {
+            b.diagonal() > 1e-6 * b.min.abs().max(b.max.abs()).max_element()
+        };
+        if path.control_bounds().is_some_and(large) {
+            ask(&path, &mut rng, 20);
+        }
+    }
+}
+
+/// Of all degrees, on a coarse lattice or not, straight, coincident and folded pieces among them.
+pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
+    let closed = rng.chance(0.5);
+    let degrees: Vec<usize> = (0..=rng.below(4))
+        .map(|_| rng.pick(&[1, 1, 2, 3, 3, 3, 4, 7]))
+        .collect();
+    let mut points = Vec::new();
+    for &degree in &degrees {
+        let kind = rng.pick(&wild::ORDINARY);
+        points.extend(
+            wild::points(rng, kind, degree, 2)
+                .iter()
+                .skip(1)
+                .map(|p| p.truncate()),
+        );
+    }
+    if rng.chance(0.5) {
+        points.iter_mut().for_each(|p| *p = (*p * 4.0).round());
+    }
+    if !closed {
+        points.push(rng.point(2).truncate());
+    }
+    Spline::with_degrees(points, &degrees, closed).expect("matching counts")
+}
+
+/// A patchwork of cells that share curved sides: every point of the plane lies in as many cells as the outline winds
+/// around it, on the sides too.
+#[test]
+fn parts_of_the_plane_share_no_point_and_leave_none() {
+    const N: usize = 4;
+    let mut rng = Rng(23);
+    for case in 0..150 {
+        let lattice = case % 2 == 0;
+        let mut place = |i: usize, j: usize| {
+            let jitter = rng.point(2).truncate() * if lattice { 0.0 } else { 0.3 };
+            DVec2::new(real(i), real(j)) + jitter
+        };
+        let nodes: Vec<Vec<DVec2>> = (0..=N)
+            .map(|j| (0..=N).map(|i| place(i, j)).collect())
+            .collect();
+        let mut side = |a: DVec2, b: DVec2| {
+            let degree = rng.pick(&[1, 1, 2, 3, 5]);
+            let bent = if lattice { 0.25 } else { 0.4 };
+            let inner = (1..degree).map(|k| {
+                a.lerp(b, real(k) / real(degree))
+                    + (rng.point(2).truncate() * bent * 8.0).round() / 8.0
+            });
+            let points: Vec<DVec2> = std::iter::once(a).chain(inner).chain([b]).collect();
+            Curve::new(&points).expect("finite")
+        };
+        let rows: Vec<Vec<Curve<DVec2>>> = (0..=N)
+            .map(|j| (0..N).map(|i| side(nodes[j][i], nodes[j][i + 1])).collect())
+            .collect();
+        let columns: Vec<Vec<Curve<DVec2>>> = (0..N)
+            .map(|j| {
+                (0..=N)
+                    .map(|i| side(nodes[j][i], nodes[j + 1][i]))
+                    .collect()
+            })
+            .collect();
+        let closed = |curves: &[Curve<DVec2>]| {
+            Path::from(Spline::from_curves(curves, true).expect("a ring"))
+        };
+        let cell = |i: usize, j: usize| {
+            closed(&[
+                rows[j][i].clone(),
+                columns[j][i + 1].clone(),
+                rows[j + 1][i].reverse(),
+                columns[j][i].reverse(),
+            ])
+        };
+        let cells: Vec<Path> = (0..N * N).map(|k| cell(k % N, k / N)).collect();
+        let mut around: Vec<Curve<DVec2>> = rows[0].clone();
+        around.extend(columns.iter().map(|row| row[N].clone()));
+        around.extend(rows[N].iter().rev().map(Curve::reverse));
+        around.extend(columns.iter().rev().map(|row| row[0].reverse()));
+        let outline = closed(&around);
+        let mut ask = |p: DVec2| {
+            let sum: i32 = cells.iter().map(|cell| cell.winding(p)).sum();
+            assert_eq!(sum, outline.winding(p), "case {case}: {p}");
+        };
+        for curve in rows.iter().chain(&columns).flatten() {
+            for t in [0.0, 0.125, 0.3, 0.5, 0.75, 0.9, 1.0] {
+                let p = curve.eval(t);
+                ask(p);
+                ask(DVec2::new(p.x.next_up(), p.y));
+                ask(DVec2::new(p.x, p.y.next_down()));
+            }
+        }
+        for _ in 0..50 {
+            ask(DVec2::new(rng.unit() * real(N), rng.unit() * real(N)));
+        }
+    }
+}
+
+#[test]
+fn on_the_boundary_left_and_lower_sides_belong_to_the_inside() {
+    for d in [
+        "M0 0H4V4H0Z",
+        "M0 0V4H4V0Z",
+        "M0 0L2 0 4 0 4 4Q2 4 0 4C0 3 0 1 0 0Z",
+    ] {
+        let square = Path::from_svg(d).expect("a square");
+        let inside = |x: f64, y: f64| square.contains(DVec2::new(x, y), FillRule::NonZero);
+        assert!(
+            inside(0.0, 2.0) && inside(2.0, 0.0) && inside(0.0, 0.0),
+            "{d}"
+        );
+        assert!(
+            !inside(4.0, 2.0) && !inside(2.0, 4.0) && !inside(4.0, 4.0),
+            "{d}"
+        );
+        assert!(!inside(4.0, 0.0) && !inside(0.0, 4.0), "{d}");
+        assert!(
+            inside(f64::MIN_POSITIVE, 3.0) && inside(4.0_f64.next_down(), 3.0),
+            "{d}"
+        );
+        assert!(!inside(-5e-324, 3.0) && !inside(2.0, -5e-324), "{d}");
+    }
+}
+
+#[test]
+fn points_without_a_place_are_outside() {
+    let square = Path::from_svg("M0 0H4V4H0Z").expect("a square");
+    for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+        assert_eq!(square.winding(DVec2::new(x, 2.0)), 0);
+        assert_eq!(square.winding(DVec2::new(2.0, x)), 0);
+    }
+    assert_eq!(Path::default().winding(DVec2::ZERO), 0);
+    assert!(!Path::default().contains(DVec2::ZERO, FillRule::EvenOdd));
+}
+
+#[test]
+fn wild_curves_take_no_time() {
+    let mut rng = Rng(24);
+    let start = std::time::Instant::now();
+    for _ in 0..20_000 {
+        let kind = rng.pick(&wild::ALL);
+        let degree = rng.pick(&[1, 2, 3, 3, 5, 16, 64]);
+        let points: Vec<DVec2> = wild::points(&mut rng, kind, degree, 2)
+            .iter()
+            .map(|p| p.truncate())
+            .collect();
+        let curve = Curve::new(&points).expect("finite");
+        let path = Path::from(curve.clone());
+        // On the curve, where everything is decided by the last digits.
+        let winding = path.winding(curve.eval(rng.unit()));
+        assert!(winding.unsigned_abs() <= 64, "{kind:?}");
+        path.winding(rng.pick(&points));
+    }
+    assert!(start.elapsed().as_secs() < 30, "{:?}", start.elapsed());
+}

@@ -1,0 +1,235 @@
+//! Areas, moments, lengths and boxes, under maps and against polygons.
+
+use crate::common::{Rng, real};
+use crate::inside::{OUTLINES, random_spline};
+use casteljau::curve::Moments;
+use casteljau::glam::{DAffine2, DMat2, DVec2};
+use casteljau::{Path, Spline};
+
+/// Of the polygons, by triangles from the first point of each.
+fn polygon_moments(rings: &[Vec<DVec2>]) -> Moments {
+    let mut sum = Moments::default();
+    for ring in rings {
+        for pair in ring
+            .windows(2)
+            .chain([[ring[ring.len() - 1], ring[0]].as_slice()])
+        {
+            let [a, b] = [pair[0], pair[1]];
+            let area = 0.5 * (a.x * b.y - b.x * a.y);
+            sum += Moments {
+                area,
+                x: area * (a.x + b.x) / 3.0,
+                y: area * (a.y + b.y) / 3.0,
+                xx: area * (a.x * a.x + a.x * b.x + b.x * b.x) / 6.0,
+                xy: area * (2.0 * a.x * a.y + a.x * b.y + b.x * a.y + 2.0 * b.x * b.y) / 12.0,
+                yy: area * (a.y * a.y + a.y * b.y + b.y * b.y) / 6.0,
+            };
+        }
+    }
+    sum
+}
+
+fn numbers(m: Moments) -> [f64; 6] {
+    [m.area, m.x, m.y, m.xx, m.xy, m.yy]
+}
+
+fn near(got: f64, expected: f64, most: f64, what: &str) {
+    assert!(
+        (got - expected).abs() <= most,
+        "{what}: {got}, not {expected} within {most}"
+    );
+}
+
+fn paths() -> Vec<Path> {
+    let mut rng = Rng(31);
+    let outlines = OUTLINES
+        .iter()
+        .map(|d| Path::from_svg(d).expect("an outline"));
+    let random = (0..200).map(|_| {
+        let splines: Vec<Spline<DVec2>> = (0..1 + rng.below(3))
+            .map(|_| random_spline(&mut rng))
+            .collect();
+        Path::new(&splines)
+    });
+    outlines.chain(random.collect::<Vec<_>>()).collect()
+}
+
+#[test]
+fn moments_are_those_of_fine_polygons() {
+    for path in paths() {
+        let size = path.max().max(1e-300);
+        let tolerance = 1e-6 * size;
+        let lines = path.flatten(tolerance).expect("a tolerance");
+        let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
+        let around: f64 = rings
+            .iter()
+            .flat_map(|ring| ring.windows(2))
+            .map(|pair| pair[0].distance(pair[1]))
+            .sum();
+        // A strip of the tolerance's width along the outline, at the greatest distance from the origin.
+        let strip = 1.1 * tolerance * (around + size);
+        let powers = [1.0, size, size, size * size, size * size, size * size];
+        let (got, expected) = (numbers(path.moments()), numbers(polygon_moments(&rings)));
+        for k in 0..6 {
+            near(got[k], expected[k], strip * powers[k], "moment");
+        }
+        near(path.area(), got[0], 1e-14 * size * size, "area");
+        let length = path.length(None).expect("no tolerance");
+        assert!(
+            length >= around * (1.0 - 1e-12) && length <= around + 1e-3 * (around + size),
+            "{length} {around}"
+        );
+        let rough = path.length(Some(1e-3 * size)).expect("a tolerance");
+        near(
+            rough,
+            length,
+            1e-3 * size + 1e-12 * length,
+            "length with a tolerance",
+        );
+    }
+}
+
+trait Largest {
+    fn max(&self) -> f64;
+}
+
+impl Largest for Path {
+    fn max(&self) -> f64 {
+        self.control_bounds()
+            .map_or(0.0, |b| b.min.abs().max(b.max.abs()).max_element())
+    }
+}
+
+#[test]
+fn areas_follow_maps_by_their_determinant() {
+    let mut rng = Rng(32);
+    for path in paths() {
+        let matrix = DMat2::from_cols(rng.point(2).truncate() * 3.0, rng.point(2).truncate() * 3.0);
+        let by = rng.point(2).truncate() * 1000.0;
+        let map = DAffine2::from_mat2_translation(matrix, by);
+        let image = path.transform(&map);
+        let (m, n) = (path.moments(), image.moments());
+        let size = image.max();
+        near(
+            n.area,
+            m.area * matrix.determinant(),
+            1e-11 * size * size,
+            "area",
+        );
+        near(image.area(), n.area, 1e-12 * size * size, "area alone");
+        // ∬ p over the image is det · (M ∬ p + area · by).
+        let first = (matrix * DVec2::new(m.x, m.y) + by * m.area) * matrix.determinant();
+        near(n.x, first.x, 1e-11 * size.powi(3), "x");
+        near(n.y, first.y, 1e-11 * size.powi(3), "y");
+        let back = path.reverse();
+        near(
+            back.area(),
+            -path.area(),
+            1e-14 * path.max().powi(2),
+            "reversed",
+        );
+        assert_eq!(back.reverse(), path);
+        let length = path.length(None).expect("no tolerance");
+        near(
+            back.length(None).expect("no tolerance"),
+            length,
+            1e-12 * length,
+            "length reversed",
+        );
+    }
+}
+
+#[test]
+fn far_from_the_origin_nothing_is_lost() {
+    let letter = Path::from_svg(OUTLINES[0]).expect("an outline");
+    let by = DVec2::new(2_f64.powi(30), -(2_f64.powi(31)));
+    let far = letter.transform(&DAffine2::from_translation(by));
+    near(
+        far.area(),
+        letter.area(),
+        1e-9 * letter.area().abs(),
+        "area",
+    );
+    let (m, n) = (letter.moments(), far.moments());
+    near(n.x / n.area - by.x, m.x / m.area, 1e-5, "centre");
+    near(n.y / n.area - by.y, m.y / m.area, 1e-5, "centre");
+}
+
+#[test]
+fn sizes_beyond_f64_are_infinite_and_never_nan() {
+    let mut rng = Rng(33);
+    for _ in 0..2_000 {
+        let scale = rng.pick(&[8e307, 1e200, 1e-200, 5e-324, 1e100, 0.0]);
+        let points: Vec<DVec2> = (0..6)
+            .map(|_| (rng.point(2).truncate() * 2.0).round() * scale)
+            .collect();
+        let path = Path::from(Spline::new(&points, 3, true).expect("six points"));
+        for number in numbers(path.moments())
+            .into_iter()
+            .chain([path.area(), path.length(None).expect("no tolerance")])
+        {
+            assert!(!number.is_nan(), "{points:?}");
+        }
+        let bounds = path.bounds().expect("not empty");
+        assert!(bounds.min.is_finite() && bounds.max.is_finite());
+    }
+}
+
+#[test]
+fn boxes_hold_their_path_and_touch_it() {
+    for path in paths() {
+        let (exact, loose) = (
+            path.bounds().expect("not empty"),
+            path.control_bounds().expect("not empty"),
+        );
+        assert!(loose.min.cmple(exact.min).all() && loose.max.cmpge(exact.max).all());
+        let points: Vec<DVec2> = path
+            .subpaths()
+            .iter()
+            .flat_map(|s| s.sample(64).expect("few"))
+            .collect();
+        let noise = 1e-15 * path.max();
+        let (mut min, mut max) = (points[0], points[0]);
+        for &p in &points {
+            (min, max) = (min.min(p), max.max(p));
+        }
+        assert!(
+            (min - exact.min).min_element() >= -noise && (exact.max - max).min_element() >= -noise
+        );
+        // 64 steps a segment come close.
+        let close = exact.diagonal().max(noise) * 0.05;
+        assert!(
+            (min - exact.min).max_element() <= close && (exact.max - max).max_element() <= close
+        );
+    }
+    assert_eq!(Path::default().bounds(), None);
+}
+
+#[test]
+fn splines_in_and_out() {
+    let mut rng = Rng(34);
+    for _ in 0..500 {
+        let splines: Vec<Spline<DVec2>> =
+            (0..rng.below(4)).map(|_| random_spline(&mut rng)).collect();
+        let path = Path::new(&splines);
+        assert_eq!(path.subpaths(), splines);
+        assert_eq!(path.subpath_count(), splines.len());
+        assert_eq!(
+            path.segment_count(),
+            splines.iter().map(Spline::segment_count).sum::<usize>()
+        );
+        for (k, spline) in splines.iter().enumerate() {
+            assert_eq!(path.subpath(k).as_ref(), Ok(spline));
+            let lines = path.flatten(1e-2).expect("a tolerance");
+            assert_eq!(lines[k], spline.flatten(1e-2).expect("a tolerance"));
+            assert_eq!(path.reverse().subpath(k), Ok(spline.reverse()));
+        }
+        assert!(path.subpath(splines.len()).is_err());
+        assert!(path.equals(&path.clone(), 0.0));
+        if !splines.is_empty() {
+            let moved = path.transform(&DAffine2::from_translation(DVec2::splat(1e-3)));
+            assert!(path.equals(&moved, 2e-3) && !path.equals(&moved, 1e-4));
+            assert!(!path.equals(&Path::new(&splines[1..]), real(1000)));
+        }
+    }
+}
