@@ -27,6 +27,12 @@ import { load, take, trim } from "./transfer.js";
  */
 
 /**
+ * The same with the point there and its distance from the point that was asked for.
+ *
+ * @typedef {PathTime & { point: Point, distance: number }} PathPoint
+ */
+
+/**
  * Integrals over what is inside, counted as often as the path winds around it.
  *
  * @typedef {{ area: number, x: number, y: number, xx: number, xy: number, yy: number }} Moments
@@ -192,6 +198,18 @@ export class Path {
   }
 
   /**
+   * The point of the path that is nearest to another point, the first of several; null for an empty path.
+   *
+   * @param {PointLike} point
+   * @returns {PathPoint | null}
+   */
+  nearest(point) {
+    load(this.#packed, 2).set(place(point), this.#packed.length);
+    const [subpath, t, x, y, distance] = take(0, core().path_nearest());
+    return subpath === undefined ? null : { subpath, t, point: { x, y }, distance };
+  }
+
+  /**
    * How often the path runs around a point, counter-clockwise positive (x right, y up); open subpaths are closed by a
    * line. On the boundary the point counts as if it lay a little to the right and above.
    *
@@ -199,10 +217,9 @@ export class Path {
    * @returns {number}
    */
   winding(point) {
-    const p = new Float64Array(2);
-    writePoint(p, 0, point, 2, "point");
+    const [x, y] = place(point);
     load(this.#packed);
-    return core().path_winding(p[0], p[1]);
+    return core().path_winding(x, y);
   }
 
   /**
@@ -317,6 +334,16 @@ function asPath(other) {
 /** @param {Float64Array} packed */
 function pathOf(packed) {
   return new Path(/** @type {any} */ (new CheckedPath(packed)));
+}
+
+/**
+ * @param {PointLike} point
+ * @returns {Float64Array}
+ */
+function place(point) {
+  const p = new Float64Array(2);
+  writePoint(p, 0, point, 2, "point");
+  return p;
 }
 
 /**

@@ -19,10 +19,8 @@ impl Path {
             check_tolerance(tolerance, self.max_abs())?;
         }
         let share = tolerance.map(|tolerance| tolerance / self.segment_count().max(1) as f64);
-        Ok(self
-            .segments()
-            .map(|points| segment_length(points, share))
-            .sum())
+        let lengths = self.segments().map(|points| segment_length(points, share));
+        Ok(lengths.fold(0.0, |sum, length| sum + length))
     }
 }
 

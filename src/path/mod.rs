@@ -8,6 +8,7 @@ mod arc;
 mod bounds;
 mod length;
 mod moments;
+mod nearest;
 mod svg_error;
 mod svg_number;
 mod svg_read;
@@ -16,6 +17,7 @@ mod trace;
 mod turn;
 mod winding;
 
+pub use nearest::PathPoint;
 pub use svg_error::SvgError;
 pub use winding::FillRule;
 

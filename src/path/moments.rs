@@ -17,7 +17,7 @@ impl Path {
             part.segments()
                 .map(move |points| area_about(points, start, unit))
         });
-        areas.sum::<f64>() * unit * unit
+        areas.fold(0.0, |sum, area| sum + area) * unit * unit
     }
 
     /// The integrals of 1, x, y, x², xy and y² over the inside, counted as by [`area`](Self::area).

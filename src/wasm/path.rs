@@ -77,6 +77,21 @@ pub fn path_length(tolerance: f64) -> isize {
     })
 }
 
+/// In: a point behind the path. Leaves the subpath, t, the nearest point and its distance; 0 for an empty path.
+#[wasm_bindgen]
+pub fn path_nearest() -> isize {
+    arena::answer(|a| {
+        let (path, end) = path(a);
+        let nearest = path.nearest(DVec2::new(a.number(end), a.number(end + 1)))?;
+        Ok(nearest.map_or(0, |n| {
+            a.put_numbers(
+                0,
+                &[n.subpath as f64, n.t, n.point.x, n.point.y, n.distance],
+            )
+        }))
+    })
+}
+
 /// The winding number of a point.
 #[wasm_bindgen]
 pub fn path_winding(x: f64, y: f64) -> i32 {

@@ -6,13 +6,14 @@ mod common;
 mod fact;
 mod intersections;
 mod joined;
+mod outlines;
 mod places;
 
 use casteljau::Curve;
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
 use common::measure::{Ruler, farthest, from_segment};
-use common::{curve, in_space, real};
+use common::{curve, real};
 use fact::{Fact, number, numbers, points};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -81,7 +82,9 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "easing" => joined::easing(fact),
         "extrema" => places::extrema(fact),
         "inflection" => places::inflections(fact),
-        "circle" => circle(fact),
+        "circle" => outlines::circle(fact),
+        "svgpath" => outlines::path_data(fact),
+        "contains" => outlines::contains(fact),
         "intersect" | "line_intersect" => intersections::meetings(fact),
         "selfintersect" => intersections::double_points(fact),
         "nearest" => places::nearest(fact),
@@ -147,27 +150,4 @@ fn flatten(fact: &Fact) {
             .any(|&p| from_segment(p, place, place) <= tolerance);
         assert!(reached, "{}: no vertex at {place}", fact.id);
     }
-}
-
-fn circle(fact: &Fact) {
-    let k = number(&fact.input["k"]);
-    let points = [
-        DVec3::X,
-        DVec3::new(1.0, k, 0.0),
-        DVec3::new(k, 1.0, 0.0),
-        DVec3::Y,
-    ];
-    let samples = curve::<DVec3>(&points).sample(100_000).expect("samples");
-    let errors: Vec<f64> = in_space(&samples)
-        .iter()
-        .map(|p| p.length() - 1.0)
-        .collect();
-    fact.number(
-        errors.iter().copied().fold(0.0, f64::max),
-        &fact.expect["max_radial_error"],
-    );
-    fact.number(
-        errors.iter().copied().fold(0.0, f64::min),
-        &fact.expect["min_radial_error"],
-    );
 }

@@ -138,6 +138,17 @@ test("bounds, flattening, empty paths", () => {
   assert.ok(empty.equals(Path.fromSVG("")));
 });
 
+test("the nearest point", () => {
+  const ring = Path.fromSVG(RING);
+  assert.deepEqual(ring.nearest([2, 2.5]), { subpath: 1, t: 1.5, point: { x: 2, y: 3 }, distance: 0.5 });
+  assert.deepEqual(ring.nearest({ x: 9, y: 4 }), { subpath: 0, t: 2, point: { x: 4, y: 4 }, distance: 5 });
+  assert.equal(new Path([]).nearest([0, 0]), null);
+  const path = new Path([new Spline(SEVEN), new Curve([[0, 9], [1, 8], [5, 7]])]);
+  const { subpath, t, point } = path.nearest([3, -1]);
+  near(path.subpaths[subpath].eval(t), point);
+  for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.nearest(bad), RangeError, /^point/);
+});
+
 test("paths of splines and curves, and back", () => {
   const spline = new Spline(SEVEN);
   const ring = new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true });

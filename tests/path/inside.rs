@@ -203,7 +203,7 @@ fn parts_of_the_plane_share_no_point_and_leave_none() {
         around.extend(rows[N].iter().rev().map(Curve::reverse));
         around.extend(columns.iter().rev().map(|row| row[0].reverse()));
         let outline = closed(&around);
-        let mut ask = |p: DVec2| {
+        let ask = |p: DVec2| {
             let sum: i32 = cells.iter().map(|cell| cell.winding(p)).sum();
             assert_eq!(sum, outline.winding(p), "case {case}: {p}");
         };

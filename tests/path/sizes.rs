@@ -233,3 +233,39 @@ fn splines_in_and_out() {
         }
     }
 }
+
+#[test]
+fn nothing_is_nearer_than_the_nearest_point() {
+    let mut rng = Rng(35);
+    for path in paths() {
+        let splines = path.subpaths();
+        let samples: Vec<DVec2> = splines
+            .iter()
+            .flat_map(|s| s.sample(200).expect("few"))
+            .collect();
+        let size = path.max();
+        for _ in 0..20 {
+            let p = match rng.below(3) {
+                0 => rng.pick(&samples),
+                1 => rng.pick(&samples) + rng.point(2).truncate() * size * 0.1,
+                _ => rng.point(2).truncate() * size * 2.0,
+            };
+            let nearest = path.nearest(p).expect("finite").expect("not empty");
+            let least = samples
+                .iter()
+                .map(|q| q.distance(p))
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest.distance <= least + 4e-15 * size, "{p}");
+            let there = splines[nearest.subpath].eval(nearest.t);
+            assert!(there.distance(nearest.point) <= 1e-14 * size, "{p}");
+            near(
+                nearest.point.distance(p),
+                nearest.distance,
+                4e-15 * size,
+                "distance",
+            );
+        }
+        assert!(path.nearest(DVec2::new(f64::NAN, 0.0)).is_err());
+    }
+    assert_eq!(Path::default().nearest(DVec2::ZERO), Ok(None));
+}

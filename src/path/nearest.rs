@@ -1,0 +1,88 @@
+//! Which point of the path is nearest?
+
+use super::Path;
+use crate::curve::{Nearest, check_finite, nearest_on};
+use crate::error::Error;
+use crate::list::Points;
+use crate::point::Point;
+use glam::{DVec2, DVec3};
+
+/// A point of a path, and its distance from the point that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PathPoint {
+    /// The index of the subpath.
+    pub subpath: usize,
+    /// The parameter on it, from 0 to its number of segments.
+    pub t: f64,
+    /// The point there.
+    pub point: DVec2,
+    /// Its distance from the point that was asked for.
+    pub distance: f64,
+}
+
+/// Squares of distances are compared after two roundings each: so little a box may seem too far.
+const ROUNDING: f64 = 1.0 - 8.0 * f64::EPSILON;
+
+impl Path {
+    /// The point of the path that is nearest to p, the first of several; of the empty path none.
+    ///
+    /// The least distance of all, as by [`Curve::nearest`](crate::Curve::nearest) on each segment that can have it: one whose
+    /// control points' box is farther than a point found before has not.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    pub fn nearest(&self, p: DVec2) -> Result<Option<PathPoint>, Error> {
+        check_finite("p", &[p])?;
+        // No point is farther than the nearest joint.
+        let ends = self
+            .segments()
+            .flat_map(|points| [points[0], points[points.len() - 1]]);
+        let mut most = ends
+            .map(|end| (end - p).length_squared())
+            .fold(f64::INFINITY, f64::min);
+        let mut best: Option<PathPoint> = None;
+        for (subpath, part) in self.parts().enumerate() {
+            for (k, points) in part.segments().enumerate() {
+                if distance_of_box(points, p) * ROUNDING > most {
+                    continue;
+                }
+                let Nearest { t, point, distance } = nearest_of(points, p);
+                if best.is_none_or(|best| distance < best.distance) {
+                    most = most.min(distance * distance);
+                    let t = k as f64 + t;
+                    best = Some(PathPoint {
+                        subpath,
+                        t,
+                        point,
+                        distance,
+                    });
+                }
+            }
+        }
+        Ok(best)
+    }
+}
+
+/// The square of the distance from p to the box of some points.
+#[inline]
+fn distance_of_box(points: &[DVec2], p: DVec2) -> f64 {
+    let (mut min, mut max) = (points[0], points[0]);
+    for &q in &points[1..] {
+        (min, max) = (min.min(q), max.max(q));
+    }
+    (min - p).max(p - max).max(DVec2::ZERO).length_squared()
+}
+
+/// The nearest point of one segment; in wasm in space, where the code is that of all curves.
+fn nearest_of(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
+    if cfg!(not(target_family = "wasm")) {
+        return nearest_on(points, p);
+    }
+    let points: Points<DVec3> = points.iter().map(|q| q.in_space()).collect();
+    let Nearest { t, point, distance } = nearest_on(&points, p.in_space());
+    Nearest {
+        t,
+        point: point.in_plane(),
+        distance,
+    }
+}
