@@ -46,7 +46,7 @@ export function* extents(packed) {
  *
  * @internal
  * @param {Float64Array} flat
- * @param {number[]} degrees
+ * @param {readonly number[]} degrees
  * @param {boolean} closed
  * @returns {Float64Array}
  */
@@ -58,7 +58,7 @@ export function packedSpline(flat, degrees, closed) {
  * A path of splines.
  *
  * @internal
- * @param {{ flat: Float64Array, degrees: number[], closed: boolean }[]} parts
+ * @param {{ flat: Float64Array, degrees: readonly number[], closed: boolean }[]} parts
  * @returns {Float64Array}
  */
 export function packedSplines(parts) {

@@ -1,7 +1,9 @@
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
 import { core } from "./init.js";
+import { CHAIN } from "./meetings.js";
 import { extents, packedSplines } from "./path-packed.js";
+import { meetPaths, nearestOnPath, takeTimes } from "./path-places.js";
 import { boxAt, samePoints, writePoint } from "./points.js";
 import { Spline, splineOf } from "./spline.js";
 import { readSvg } from "./svg-read.js";
@@ -10,6 +12,8 @@ import { load, take, trim } from "./transfer.js";
 
 /**
  * @import { MatrixLike, PointLike } from "./check.js"
+ * @import { Chain } from "./meetings.js"
+ * @import { PathIntersection, PathPoint, PathTime } from "./path-places.js"
  * @import { Point } from "./points.js"
  * @import { SvgOptions } from "./svg-write.js"
  */
@@ -18,18 +22,6 @@ import { load, take, trim } from "./transfer.js";
  * Which winding numbers count as inside: all but 0, or the odd ones.
  *
  * @typedef {"nonzero" | "evenodd"} FillRule
- */
-
-/**
- * A place on a path: the index of the subpath, and the parameter on it.
- *
- * @typedef {{ subpath: number, t: number }} PathTime
- */
-
-/**
- * The same with the point there and its distance from the point that was asked for.
- *
- * @typedef {PathTime & { point: Point, distance: number }} PathPoint
  */
 
 /**
@@ -72,7 +64,7 @@ export class Path {
       return;
     }
     if (!Array.isArray(splines)) throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
-    this.#packed = packedSplines(Array.from(splines, checkedSpline));
+    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSpline(spline, `splines[${k}]`)));
   }
 
   /**
@@ -101,7 +93,7 @@ export class Path {
     if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
       throw new TypeError(`json: expected an object with subpaths, got ${check.shown(json)}`);
     }
-    return pathOf(packedSplines(Array.from(json.subpaths, (subpath) => checkedSpline(Spline.fromJSON(subpath), 0))));
+    return pathOf(packedSplines(Array.from(json.subpaths, (subpath, k) => checkedSpline(Spline.fromJSON(subpath), `subpaths[${k}]`))));
   }
 
   /** The number of subpaths. */
@@ -177,6 +169,55 @@ export class Path {
   }
 
   /**
+   * The place that has the length s behind it, from the start of the first subpath; null for an empty path.
+   *
+   * @param {number} s beyond the ends the nearer end comes back
+   * @param {number} [tolerance] the greatest error, as a length
+   * @returns {PathTime | null}
+   */
+  timeAtLength(s, tolerance) {
+    check.finite(s, "s");
+    const most = check.optionalTolerance(tolerance);
+    load(this.#packed);
+    return takeTimes(core().path_time_at_length(s, most))[0] ?? null;
+  }
+
+  /**
+   * `segments` + 1 places that divide the whole path into parts of one length; none for an empty path.
+   *
+   * @param {number} segments
+   * @returns {PathTime[]}
+   */
+  evenly(segments) {
+    check.segmentCount(segments);
+    load(this.#packed);
+    const places = takeTimes(core().path_evenly(segments));
+    trim();
+    return places;
+  }
+
+  /**
+   * All places that the path shares with another one, or with a spline or a curve: sorted by subpath, then the other's,
+   * then t, then u.
+   *
+   * @param {Path | Spline | Curve} other
+   * @returns {PathIntersection[]}
+   */
+  intersect(other) {
+    const path = typeof other === "object" && other !== null && #packed in other;
+    return meetPaths(this.#packed, path ? other.#packed : packedSplines([checkedSpline(other, "other", "a Path, a Spline or a Curve")]));
+  }
+
+  /**
+   * The places that the path passes twice, on one subpath or on two; each pair once.
+   *
+   * @returns {PathIntersection[]}
+   */
+  selfIntersections() {
+    return meetPaths(this.#packed);
+  }
+
+  /**
    * The signed area inside, counter-clockwise subpaths positive (x right, y up); open ones are closed by a line.
    *
    * @returns {number}
@@ -204,9 +245,7 @@ export class Path {
    * @returns {PathPoint | null}
    */
   nearest(point) {
-    load(this.#packed, 2).set(place(point), this.#packed.length);
-    const [subpath, t, x, y, distance] = take(0, core().path_nearest());
-    return subpath === undefined ? null : { subpath, t, point: { x, y }, distance };
+    return nearestOnPath(this.#packed, place(point));
   }
 
   /**
@@ -350,16 +389,14 @@ function place(point) {
  * The parts of a subpath.
  *
  * @param {unknown} spline
- * @param {number} k
- * @returns {{ flat: Float64Array, degrees: number[], closed: boolean }}
+ * @param {string} name
+ * @param {string} [expected]
+ * @returns {Chain}
  */
-function checkedSpline(spline, k) {
-  if (!(spline instanceof Spline || spline instanceof Curve)) {
-    throw new TypeError(`splines[${k}]: expected a Spline or a Curve, got ${check.shown(spline)}`);
-  }
-  if (spline.dimension === 3) throw new TypeError(`splines[${k}]: expected a 2D one, got a 3D one`);
-  const flat = spline.controlPoints();
-  return spline instanceof Curve ? { flat, degrees: [spline.degree], closed: false } : { flat, degrees: spline.degrees, closed: spline.closed };
+function checkedSpline(spline, name, expected = "a Spline or a Curve") {
+  if (!(spline instanceof Spline || spline instanceof Curve)) throw new TypeError(`${name}: expected ${expected}, got ${check.shown(spline)}`);
+  if (spline.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
+  return spline[CHAIN]();
 }
 
 /**

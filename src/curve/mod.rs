@@ -58,7 +58,6 @@ pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use even::{ByLength, check_length};
 pub(crate) use flatten::MAX_VERTICES;
-pub(crate) use length::plane_cubic_length;
 pub(crate) use moments::moments;
 #[cfg(feature = "wasm")]
 pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};

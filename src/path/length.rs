@@ -1,35 +1,170 @@
-//! How long is it?
+//! How long is it, and where is the point that is so far along it?
 
-use super::Path;
-use crate::curve::{Curve, check_tolerance, plane_cubic_length};
+use super::{Path, PathTime};
+use crate::curve::{ByLength, Curve, check_length, check_segments, check_tolerance};
 use crate::error::Error;
 use crate::point::Point;
-use glam::DVec2;
+use casteljau_kernels::plane_cubic_length;
+use glam::{DVec2, DVec3};
 
 impl Path {
     /// The sum of the lengths of all segments; the gaps between subpaths do not count, nor do open ends.
     ///
-    /// `tolerance` is the greatest error, in the unit of the points; without one the length is right to 10⁻¹² of itself.
-    /// Of the empty path 0. Source: as [`Curve::length`].
+    /// `tolerance` is the greatest error of the sum, in the unit of the points; without one it is 10⁻¹² of the length. Of
+    /// the empty path 0. Source: as [`Curve::length`].
     ///
     /// # Errors
     /// As [`Curve::length`].
     pub fn length(&self, tolerance: Option<f64>) -> Result<f64, Error> {
+        let share = match tolerance {
+            Some(tolerance) => {
+                check_tolerance(tolerance, self.max_abs())?;
+                tolerance / self.segment_count().max(1) as f64
+            }
+            None => f64::INFINITY,
+        };
+        let lengths = self.segments().map(|points| segment_length(points, share));
+        Ok(lengths.fold(0.0, |sum, length| sum + length))
+    }
+
+    /// The place that has the length s behind it, counted from the start of the first subpath; of the empty path none.
+    ///
+    /// Outside of 0 to the whole length the nearer end comes back. Where a subpath ends and another one starts, it is the
+    /// start. `tolerance` is the greatest error, as a length; without one it is 10⁻¹² of the segment's.
+    ///
+    /// # Errors
+    /// As [`Curve::time_at_length`].
+    pub fn time_at_length(
+        &self,
+        s: f64,
+        tolerance: Option<f64>,
+    ) -> Result<Option<PathTime>, Error> {
+        check_length(s)?;
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        let share = tolerance.map(|tolerance| tolerance / self.segment_count().max(1) as f64);
-        let lengths = self.segments().map(|points| segment_length(points, share));
-        Ok(lengths.fold(0.0, |sum, length| sum + length))
+        if self.is_empty() {
+            return Ok(None);
+        }
+        let ruler = Ruler::new(self);
+        let (k, rest) = ruler.segment_at(s);
+        let t = ByLength::new(&ruler.curve(k), tolerance).time(rest);
+        Ok(Some(ruler.place(k, t)))
+    }
+
+    /// `segments` + 1 places that divide the whole path into parts of one length; of the empty path none.
+    ///
+    /// The first is the start of the first subpath, the last the end of the last one; the parts pay no heed to joints and
+    /// gaps. Of a path without a length: even steps of t.
+    ///
+    /// # Errors
+    /// As [`Curve::evenly`].
+    pub fn evenly(&self, segments: usize) -> Result<Vec<PathTime>, Error> {
+        check_segments(segments, 3)?;
+        if self.is_empty() {
+            return Ok(Vec::new());
+        }
+        let ruler = Ruler::new(self);
+        let mut places = Vec::with_capacity(segments + 1);
+        let mut table: Option<(usize, ByLength)> = None;
+        for i in 0..segments {
+            let part = i as f64 / segments as f64;
+            let (k, rest) = ruler.segment_of(part);
+            let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
+                Some(table) => table,
+                None => (k, ByLength::new(&ruler.curve(k), None)),
+            };
+            let t = if ruler.whole() > 0.0 {
+                curve.time(rest)
+            } else {
+                rest
+            };
+            places.push(ruler.place(k, t));
+            table = Some((k, curve));
+        }
+        places.push(ruler.place(ruler.segments.len() - 1, 1.0));
+        Ok(places)
     }
 }
 
 /// The length of one segment.
-fn segment_length(points: &[DVec2], tolerance: Option<f64>) -> f64 {
-    if let &[a, b, c, d] = points {
-        return plane_cubic_length([a, b, c, d].map(|p| p.to_array()));
+fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
+    if let &[a, b, c, d] = points
+        && tolerance == f64::INFINITY
+    {
+        return plane_cubic_length(&[a, b, c, d].map(|p| p.to_array()));
     }
-    // In space, as all lengths but those of plane cubics are computed.
-    let points = points.iter().map(|p| p.in_space()).collect();
-    Curve::from_points(points).arc_length(tolerance)
+    in_space(points).arc_length(tolerance)
+}
+
+/// In space, where all lengths but those of plane cubics are computed.
+fn in_space(points: &[DVec2]) -> Curve<DVec3> {
+    Curve::from_points(points.iter().map(|p| p.in_space()).collect())
+}
+
+/// The segments of a path, which is not empty, by their lengths.
+struct Ruler<'a> {
+    /// The subpath, the number on it, and the control points.
+    segments: Vec<(usize, usize, &'a [DVec2])>,
+    /// The length up to the start of each, and the whole.
+    starts: Vec<f64>,
+}
+
+impl<'a> Ruler<'a> {
+    fn new(path: &'a Path) -> Self {
+        let parts = path.parts().enumerate();
+        let segments: Vec<_> = parts
+            .flat_map(|(subpath, part)| {
+                let numbered = part.segments().enumerate();
+                numbered.map(move |(k, points)| (subpath, k, points))
+            })
+            .collect();
+        let mut starts = vec![0.0];
+        let mut whole = 0.0;
+        for (_, _, points) in &segments {
+            whole += segment_length(points, f64::INFINITY);
+            starts.push(whole);
+        }
+        Self { segments, starts }
+    }
+
+    fn whole(&self) -> f64 {
+        self.starts[self.segments.len()]
+    }
+
+    /// The segment in which a length ends, and what is left of it there: more than there is, past the end.
+    fn segment_at(&self, s: f64) -> (usize, f64) {
+        if s <= 0.0 {
+            return (0, 0.0);
+        }
+        let last = self.segments.len() - 1;
+        let k = self.starts[1..=last].partition_point(|&end| end <= s);
+        (k, s - self.starts[k])
+    }
+
+    /// The same for a part of the whole; without a length that of the t.
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "below the number of segments"
+    )]
+    #[allow(clippy::cast_sign_loss, reason = "not negative")]
+    fn segment_of(&self, part: f64) -> (usize, f64) {
+        if self.whole() > 0.0 {
+            return self.segment_at(part * self.whole());
+        }
+        let t = part * self.segments.len() as f64;
+        ((t as usize).min(self.segments.len() - 1), t.fract())
+    }
+
+    fn curve(&self, k: usize) -> Curve<DVec3> {
+        in_space(self.segments[k].2)
+    }
+
+    fn place(&self, k: usize, t: f64) -> PathTime {
+        let (subpath, before, _) = self.segments[k];
+        PathTime {
+            subpath,
+            t: before as f64 + t,
+        }
+    }
 }

@@ -6,6 +6,7 @@
 
 mod arc;
 mod bounds;
+mod intersect;
 mod length;
 mod moments;
 mod nearest;
@@ -17,6 +18,7 @@ mod trace;
 mod turn;
 mod winding;
 
+pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
 pub use svg_error::SvgError;
 pub use winding::FillRule;

@@ -19,6 +19,7 @@ mod repair;
 mod through;
 
 pub use bspline::BSpline;
+pub(crate) use chains::{Chains, Meeting};
 pub use continuity::Continuity;
 pub use joint::JointMode;
 pub use through::Through;

@@ -27,15 +27,18 @@ fn spline(a: &Arena, at: usize) -> (Spline<DVec2>, usize) {
 }
 
 fn put(a: &mut Arena, places: &[Intersection]) -> usize {
-    places.iter().fold(0, |at, place| {
-        let Intersection { t, u, point, kind } = *place;
-        let (code, t_end, u_end) = match kind {
-            Contact::Cross => (0.0, t, u),
-            Contact::Tangent => (1.0, t, u),
-            Contact::Overlap { t_end, u_end } => (2.0, t_end, u_end),
-        };
-        a.put_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
-    })
+    places.iter().fold(0, |at, &place| put_place(a, at, place))
+}
+
+/// Writes one place and returns where it ends.
+pub(super) fn put_place(a: &mut Arena, at: usize, place: Intersection) -> usize {
+    let Intersection { t, u, point, kind } = place;
+    let (code, t_end, u_end) = match kind {
+        Contact::Cross => (0.0, t, u),
+        Contact::Tangent => (1.0, t, u),
+        Contact::Overlap { t_end, u_end } => (2.0, t_end, u_end),
+    };
+    a.put_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
 }
 
 fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {

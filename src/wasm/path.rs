@@ -2,10 +2,11 @@
 
 use super::arena::{self, Arena};
 use super::given;
+use super::meetings::put_place;
 use super::spline::spline_at;
-use crate::curve::{Bounds, Curve, MAX_VERTICES, Pen, check_tolerance};
+use crate::curve::{Bounds, Curve, Intersection, MAX_VERTICES, Pen, check_tolerance};
 use crate::error::Error;
-use crate::path::Path;
+use crate::path::{Path, PathIntersection, PathTime};
 use crate::spline::Spline;
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -21,9 +22,14 @@ fn each(a: &Arena, mut f: impl FnMut(Spline<DVec3>)) -> usize {
 
 /// The path at the start of the arena, and where it ends.
 fn path(a: &Arena) -> (Path, usize) {
+    path_at(a, 0)
+}
+
+/// The same further on.
+fn path_at(a: &Arena, start: usize) -> (Path, usize) {
     let mut path = Path::default();
-    let mut at = 1;
-    for _ in 0..a.count(0) {
+    let mut at = start + 1;
+    for _ in 0..a.count(start) {
         let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
         let degrees = a.small_counts(at + 2, segments);
         let count = degrees.iter().sum::<u32>() as usize + usize::from(!closed);
@@ -89,6 +95,51 @@ pub fn path_nearest() -> isize {
                 &[n.subpath as f64, n.t, n.point.x, n.point.y, n.distance],
             )
         }))
+    })
+}
+
+/// Leaves the subpath and the t of a length, a tolerance of 0 standing for none; 0 for an empty path.
+#[wasm_bindgen]
+pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let time = path(a).0.time_at_length(s, given(tolerance))?;
+        Ok(put_times(a, time.as_slice()))
+    })
+}
+
+/// Leaves subpaths and ts of even steps.
+#[wasm_bindgen]
+pub fn path_evenly(segments: usize) -> isize {
+    arena::answer(|a| {
+        let times = path(a).0.evenly(segments)?;
+        Ok(put_times(a, &times))
+    })
+}
+
+fn put_times(a: &mut Arena, times: &[PathTime]) -> usize {
+    times.iter().fold(0, |at, time| {
+        a.put_numbers(at, &[time.subpath as f64, time.t])
+    })
+}
+
+/// In: one path, with `two` another one behind it. Leaves for each place that they share, or that one passes twice, the
+/// numbers of an intersection and both subpaths.
+#[wasm_bindgen]
+pub fn path_intersect(two: bool) -> usize {
+    arena::with(|a| {
+        let (first, end) = path_at(a, 0);
+        let places = if two {
+            first.intersect(&path_at(a, end).0)
+        } else {
+            first.self_intersections()
+        };
+        places.iter().fold(0, |at, place| {
+            let PathIntersection {
+                t, u, point, kind, ..
+            } = *place;
+            let at = put_place(a, at, Intersection { t, u, point, kind });
+            a.put_numbers(at, &[place.subpath as f64, place.other_subpath as f64])
+        })
     })
 }
 

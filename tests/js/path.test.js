@@ -149,6 +149,41 @@ test("the nearest point", () => {
   for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.nearest(bad), RangeError, /^point/);
 });
 
+test("by length", () => {
+  const ring = Path.fromSVG(RING);
+  assert.deepEqual(ring.timeAtLength(6), { subpath: 0, t: 1.5 });
+  assert.deepEqual(ring.timeAtLength(17), { subpath: 1, t: 0.5 });
+  assert.deepEqual([ring.timeAtLength(-1), ring.timeAtLength(99)], [{ subpath: 0, t: 0 }, { subpath: 1, t: 4 }]);
+  assert.deepEqual(ring.evenly(6).map(({ subpath, t }) => [subpath, t]), [[0, 0], [0, 1], [0, 2], [0, 3], [1, 0], [1, 2], [1, 4]]);
+  const empty = new Path([]);
+  assert.deepEqual([empty.timeAtLength(1), empty.evenly(3)], [null, []]);
+  for (const bad of [NaN, Infinity]) refused(() => ring.timeAtLength(bad), RangeError, /^s: /);
+  for (const bad of [0, -1, 0.5, NaN]) refused(() => ring.evenly(bad), RangeError, /^segments: /);
+});
+
+test("where paths meet", () => {
+  const ring = Path.fromSVG(RING);
+  const line = new Curve([[-1, 2], [2, 2]]);
+  const expected = [
+    { subpath: 0, t: 3.5, otherSubpath: 0, u: 1 / 3, point: { x: 0, y: 2 }, kind: "cross" },
+    { subpath: 1, t: 0.5, otherSubpath: 0, u: 2 / 3, point: { x: 1, y: 2 }, kind: "cross" },
+  ];
+  for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
+    const places = ring.intersect(other);
+    assert.deepEqual(places.map(({ u, ...rest }) => rest), expected.map(({ u, ...rest }) => rest));
+    near(places.map(({ u }) => u), expected.map(({ u }) => u));
+  }
+  const [overlap] = ring.intersect(new Curve([[1, 4], [3, 4]]));
+  assert.deepEqual({ ...overlap, kind: overlap.kind }, { subpath: 0, t: 2.25, otherSubpath: 0, u: 1, point: { x: 3, y: 4 }, kind: "overlap", tEnd: 2.75, uEnd: 0 });
+  const eight = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3");
+  assert.deepEqual(eight.selfIntersections().map(({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y]), [
+    [0, 0.5, 0, 2.5, 1, 1], [0, 0.5, 1, 1 / 3, 1, 1], [0, 1.5, 1, 2 / 3, 1, 2], [0, 2.5, 1, 1 / 3, 1, 1],
+  ]);
+  assert.deepEqual(new Path([]).intersect(ring), []);
+  for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]]) refused(() => ring.intersect(bad), TypeError, /^other: expected a Path/);
+  refused(() => ring.intersect(new Curve(SPACE)), TypeError, /^other: .*2D.*3D/);
+});
+
 test("paths of splines and curves, and back", () => {
   const spline = new Spline(SEVEN);
   const ring = new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true });

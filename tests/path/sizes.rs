@@ -4,6 +4,7 @@ use crate::common::{Rng, real};
 use crate::inside::{OUTLINES, random_spline};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
+use casteljau::path::PathTime;
 use casteljau::{Path, Spline};
 
 /// Of the polygons, by triangles from the first point of each.
@@ -255,7 +256,8 @@ fn nothing_is_nearer_than_the_nearest_point() {
                 .iter()
                 .map(|q| q.distance(p))
                 .fold(f64::INFINITY, f64::min);
-            assert!(nearest.distance <= least + 4e-15 * size, "{p}");
+            let off = nearest.distance - least;
+            assert!(off <= 1e-12 * size, "{p}: {off}");
             let there = splines[nearest.subpath].eval(nearest.t);
             assert!(there.distance(nearest.point) <= 1e-14 * size, "{p}");
             near(
@@ -268,4 +270,126 @@ fn nothing_is_nearer_than_the_nearest_point() {
         assert!(path.nearest(DVec2::new(f64::NAN, 0.0)).is_err());
     }
     assert_eq!(Path::default().nearest(DVec2::ZERO), Ok(None));
+}
+
+#[test]
+fn places_by_length_have_that_length_behind_them() {
+    let mut rng = Rng(36);
+    for path in paths() {
+        let whole = path.length(None).expect("no tolerance");
+        let splines = path.subpaths();
+        let lengths: Vec<f64> = splines
+            .iter()
+            .map(|s| s.length(None).expect("no tolerance"))
+            .collect();
+        // By the splines: what lies before, and their own.
+        let behind = |place: PathTime| -> f64 {
+            let own = &splines[place.subpath];
+            let k = (0..own.segment_count())
+                .rfind(|&k| real(k) <= place.t)
+                .unwrap_or(0);
+            let curves = own.segments();
+            let full: f64 = curves[..k]
+                .iter()
+                .map(|c| c.length(None).expect("no tolerance"))
+                .sum();
+            let rest = curves[k]
+                .subsegment(0.0, place.t - real(k))
+                .length(None)
+                .expect("no tolerance");
+            lengths[..place.subpath].iter().sum::<f64>() + full + rest
+        };
+        for _ in 0..10 {
+            let s = rng.unit() * whole;
+            let place = path
+                .time_at_length(s, None)
+                .expect("finite")
+                .expect("not empty");
+            near(behind(place), s, 1e-9 * whole, "length behind");
+        }
+        let count = 1 + rng.below(20);
+        let places = path.evenly(count).expect("few");
+        assert_eq!(places.len(), count + 1);
+        assert_eq!(places[0], PathTime { subpath: 0, t: 0.0 });
+        let last = splines.len() - 1;
+        assert_eq!(
+            places[count],
+            PathTime {
+                subpath: last,
+                t: real(splines[last].segment_count())
+            }
+        );
+        for (i, &place) in places.iter().enumerate() {
+            near(
+                behind(place),
+                whole * real(i) / real(count),
+                1e-9 * whole + 1e-15 * path.max(),
+                "even",
+            );
+        }
+    }
+    assert_eq!(Path::default().time_at_length(1.0, None), Ok(None));
+    assert_eq!(Path::default().evenly(3), Ok(Vec::new()));
+    let dot = Path::from_svg("M1 1ZM2 2Z").expect("dots");
+    assert_eq!(
+        dot.evenly(2).expect("few")[1],
+        PathTime { subpath: 1, t: 0.0 }
+    );
+    assert_eq!(
+        dot.time_at_length(5.0, None),
+        Ok(Some(PathTime { subpath: 1, t: 1.0 }))
+    );
+}
+
+#[test]
+fn paths_meet_where_their_splines_do() {
+    let mut rng = Rng(37);
+    for _ in 0..200 {
+        let mut some = || -> Vec<Spline<DVec2>> {
+            (0..rng.below(4)).map(|_| random_spline(&mut rng)).collect()
+        };
+        let (ours, theirs) = (some(), some());
+        let (a, b) = (Path::new(&ours), Path::new(&theirs));
+        let mut expected = Vec::new();
+        for (i, one) in ours.iter().enumerate() {
+            for (j, other) in theirs.iter().enumerate() {
+                expected.extend(
+                    one.intersect(other)
+                        .into_iter()
+                        .map(|place| (i, j, place.t, place.u, place.point)),
+                );
+            }
+        }
+        let got: Vec<_> = a
+            .intersect(&b)
+            .into_iter()
+            .map(|place| {
+                (
+                    place.subpath,
+                    place.other_subpath,
+                    place.t,
+                    place.u,
+                    place.point,
+                )
+            })
+            .collect();
+        assert_eq!(got, expected);
+        let own: Vec<_> = ours
+            .iter()
+            .flat_map(Spline::self_intersections)
+            .map(|place| place.point)
+            .collect();
+        let selves = a.self_intersections();
+        let same: Vec<_> = selves
+            .iter()
+            .filter(|m| m.subpath == m.other_subpath)
+            .map(|m| m.point)
+            .collect();
+        assert_eq!(same, own);
+        assert!(
+            selves
+                .iter()
+                .all(|m| (m.subpath, m.t) < (m.other_subpath, m.u))
+        );
+    }
 }
