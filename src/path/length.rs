@@ -47,6 +47,9 @@ impl Path {
             return Ok(None);
         }
         let ruler = Ruler::new(self);
+        if s > 0.0 && s >= ruler.whole() {
+            return Ok(Some(ruler.end()));
+        }
         let (k, rest) = ruler.segment_at(s);
         let t = ByLength::new(&ruler.curve(k), tolerance).time(rest);
         Ok(Some(ruler.place(k, t)))
@@ -82,7 +85,7 @@ impl Path {
             places.push(ruler.place(k, t));
             table = Some((k, curve));
         }
-        places.push(ruler.place(ruler.segments.len() - 1, 1.0));
+        places.push(ruler.end());
         Ok(places)
     }
 }
@@ -158,6 +161,10 @@ impl<'a> Ruler<'a> {
 
     fn curve(&self, k: usize) -> Curve<DVec3> {
         in_space(self.segments[k].2)
+    }
+
+    fn end(&self) -> PathTime {
+        self.place(self.segments.len() - 1, 1.0)
     }
 
     fn place(&self, k: usize, t: f64) -> PathTime {

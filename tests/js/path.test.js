@@ -163,10 +163,10 @@ test("by length", () => {
 
 test("where paths meet", () => {
   const ring = Path.fromSVG(RING);
-  const line = new Curve([[-1, 2], [2, 2]]);
+  const line = new Curve([[-1, 2.25], [2, 2.25]]);
   const expected = [
-    { subpath: 0, t: 3.5, otherSubpath: 0, u: 1 / 3, point: { x: 0, y: 2 }, kind: "cross" },
-    { subpath: 1, t: 0.5, otherSubpath: 0, u: 2 / 3, point: { x: 1, y: 2 }, kind: "cross" },
+    { subpath: 0, t: 3.4375, otherSubpath: 0, u: 1 / 3, point: { x: 0, y: 2.25 }, kind: "cross" },
+    { subpath: 1, t: 0.625, otherSubpath: 0, u: 2 / 3, point: { x: 1, y: 2.25 }, kind: "cross" },
   ];
   for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
     const places = ring.intersect(other);
