@@ -9,6 +9,7 @@ import { svgOf } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { curveLength, curveTimeAtLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
+import { frameTimes, frameWishes, takeFrames } from "./frames.js";
 import { readTree } from "./subdivision.js";
 import { takeSpline } from "./spline.js";
 
@@ -19,6 +20,7 @@ import { takeSpline } from "./spline.js";
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Spline } from "./spline.js"
+ * @import { FrameOptions, Frames } from "./frames.js"
  * @import { Subdivision } from "./subdivision.js"
  * @import { SvgOptions } from "./svg-write.js"
  */
@@ -246,6 +248,37 @@ export class Curve {
   curvature(t) {
     check.finite(t, "t");
     return core().curve_curvature(this.#dimension, this.#load(), t);
+  }
+
+  /**
+   * The torsion (B′ × B″)·B‴ / |B′ × B″|² at t: how fast, by length, the plane of the bend turns about the tangent;
+   * positive like a right-handed screw. 0 in 2D, and where a 3D curve stays in a plane; else where B′ × B″ vanishes its
+   * limit, which may be infinite.
+   *
+   * @param {number} t
+   * @returns {number}
+   */
+  torsion(t) {
+    check.finite(t, "t");
+    return this.#dimension === 2 ? 0 : core().curve_torsion(this.#load(), t);
+  }
+
+  /**
+   * Rotation-minimising frames: the normals do not turn about the tangents, to 10⁻⁹, also through inflections, straight
+   * pieces and cusps. 3D only.
+   *
+   *     const { points, tangents, normals } = path.frames(path.evenly(100), { normal: [0, 0, 1] }); // a camera's flight
+   *
+   * @param {number | ArrayLike<number>} where a number of segments, for frames at t = i / segments, or values of t
+   * @param {FrameOptions} [options]
+   * @returns {Frames}
+   */
+  frames(where, options) {
+    if (this.#dimension === 2) throw new TypeError("frames: expected a 3D curve, got a 2D one");
+    const ts = frameTimes(where, 1);
+    const wishes = frameWishes(ts, options);
+    const count = this.#load(wishes);
+    return takeFrames(done(core().curve_frames(count, ts.length, wishes.length > ts.length)));
   }
 
   /**

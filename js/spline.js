@@ -1,6 +1,7 @@
 import { fromBSpline, toBSpline } from "./bspline.js";
 import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
+import { frameTimes, frameWishes, takeFrames } from "./frames.js";
 import { core } from "./init.js";
 import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
 import { nearestLeft } from "./places.js";
@@ -16,6 +17,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { Nearest } from "./places.js"
+ * @import { FrameOptions, Frames } from "./frames.js"
  * @import { Point } from "./points.js"
  * @import { ThroughOptions } from "./through.js"
  * @import { SvgOptions } from "./svg-write.js"
@@ -266,6 +268,22 @@ export class Spline {
   flatten(tolerance) {
     check.positive(tolerance, "tolerance");
     return takePolyline(core().spline_flatten(this.#load(), tolerance), this.dimension);
+  }
+
+  /**
+   * Rotation-minimising frames, as of a curve; round corners they turn with the tangent, the short way. The frames of a
+   * closed spline need not meet. 3D only.
+   *
+   * @param {number | ArrayLike<number>} where a number of segments per curve, as for `sample`, or values of t
+   * @param {FrameOptions} [options]
+   * @returns {Frames}
+   */
+  frames(where, options) {
+    if (this.dimension === 2) throw new TypeError("frames: expected a 3D spline, got a 2D one");
+    const ts = frameTimes(where, this.segmentCount);
+    const wishes = frameWishes(ts, options);
+    this.#load(wishes);
+    return takeFrames(done(core().spline_frames(ts.length, wishes.length > ts.length)));
   }
 
   /**

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 /// A derivative counts as vanishing when it is below this part of the largest one that its degree allows: rounding of
 /// the control points and of the evaluation leaves about n·2⁻⁵³.
-const VANISHING_RATIO: f64 = 1e-13;
+pub(super) const VANISHING_RATIO: f64 = 1e-13;
 
 impl<P: Point> Curve<P> {
     /// The derivative as a curve: B′(t) has the control points n (Pᵢ₊₁ − Pᵢ), degree n − 1.
@@ -106,7 +106,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// The Taylor expansion at t; `None` for a curve that is a point.
-    fn taylor(&self, t: f64) -> Option<Taylor<P>> {
+    pub(super) fn taylor(&self, t: f64) -> Option<Taylor<P>> {
         let mut points = differences(&self.points);
         let scale = super::max_abs(&points);
         if scale == 0.0 {
@@ -145,14 +145,14 @@ impl<P: Point> Curve<P> {
 ///
 /// `scale` is the longest coordinate difference of the control polygon, so that neither 1e300 nor 1e-300 leaves the
 /// range of f64.
-struct Taylor<P: Point> {
-    scale: f64,
+pub(super) struct Taylor<P: Point> {
+    pub(super) scale: f64,
     /// c₁ … cₙ.
-    coefficients: Points<P>,
+    pub(super) coefficients: Points<P>,
     /// The order of the first that does not vanish.
-    first: usize,
+    pub(super) first: usize,
     /// At t = 1, and just before a zero of B′, limits come from the left, where odd powers of τ are negative.
-    from_left: bool,
+    pub(super) from_left: bool,
 }
 
 impl<P: Point> Taylor<P> {
@@ -167,7 +167,7 @@ impl<P: Point> Taylor<P> {
     }
 
     /// The order of the first later term that is not parallel to the first; at regular points the second.
-    fn bend(&self) -> Option<usize> {
+    pub(super) fn bend(&self) -> Option<usize> {
         if self.first == 1 && P::DIMENSION == 2 {
             return (self.coefficients.len() > 1).then_some(2);
         }

@@ -17,6 +17,7 @@ mod even;
 mod extrema;
 mod flatten;
 mod flatten_any;
+mod frames;
 mod hull;
 mod inflections;
 mod intersect;
@@ -28,6 +29,7 @@ mod product;
 pub(crate) mod roots;
 mod straight;
 mod subdivide;
+mod torsion;
 mod trace;
 mod turning;
 
@@ -37,6 +39,7 @@ pub(crate) use bernstein::bernstein_into;
 pub use bounds::Bounds;
 pub use classify::Class;
 pub use flatten::Polyline;
+pub use frames::Frame;
 pub use intersect::{Contact, Intersection, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
@@ -59,6 +62,7 @@ pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar}
 pub(crate) use even::{ByLength, check_length};
 pub(crate) use flatten::MAX_VERTICES;
 pub(crate) use moments::moments;
+pub(crate) use frames::{Chain, FRAME_NUMBERS, frames_along};
 #[cfg(feature = "wasm")]
 pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 

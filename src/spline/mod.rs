@@ -9,6 +9,7 @@ mod build;
 pub(crate) mod chains;
 mod continuity;
 mod edit;
+mod frames;
 mod intersect;
 mod joint;
 mod knots;

@@ -4,7 +4,7 @@
 use super::arena::{self, Arena};
 use super::given;
 use super::spline::spline;
-use crate::curve::Curve;
+use crate::curve::{Curve, Frame};
 use crate::error::Error;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -80,4 +80,48 @@ pub fn spline_evenly(dimension: usize, segments: usize) -> isize {
 #[wasm_bindgen]
 pub fn spline_area() -> f64 {
     arena::with(|a| spline(a, 2).0.swept_area())
+}
+
+/// The torsion at t of a curve in space.
+#[wasm_bindgen]
+pub fn curve_torsion(count: usize, t: f64) -> f64 {
+    arena::with(|a| curve(a, 3, count).torsion(t))
+}
+
+/// In: `number` parameters behind the points of a curve in space, then, if `wanted`, a first normal. Leaves points, tangents,
+/// normals and binormals, one kind after the other; the number of frames.
+#[wasm_bindgen]
+pub fn curve_frames(count: usize, number: usize, wanted: bool) -> isize {
+    arena::answer(|a| {
+        let (ts, normal) = wishes(a, 3 * count, number, wanted);
+        let frames = curve(a, 3, count).frames_at(&ts, normal)?;
+        Ok(put_frames(a, &frames))
+    })
+}
+
+/// The same for a spline.
+#[wasm_bindgen]
+pub fn spline_frames(number: usize, wanted: bool) -> isize {
+    arena::answer(|a| {
+        let (spline, end) = spline(a, 3);
+        let (ts, normal) = wishes(a, end, number, wanted);
+        let frames = spline.frames_at(&ts, normal)?;
+        Ok(put_frames(a, &frames))
+    })
+}
+
+fn wishes(a: &Arena, at: usize, number: usize, wanted: bool) -> (Vec<f64>, Option<DVec3>) {
+    let normal = wanted.then(|| a.point_in_space(at + number, 3));
+    (a.numbers(at, number).to_vec(), normal)
+}
+
+fn put_frames(a: &mut Arena, frames: &[Frame]) -> usize {
+    let kinds: [fn(&Frame) -> DVec3; 4] =
+        [|f| f.point, |f| f.tangent, |f| f.normal, |f| f.binormal];
+    let mut at = 0;
+    for kind in kinds {
+        let vectors: Vec<DVec3> = frames.iter().map(kind).collect();
+        at = a.put_from_space(at, &vectors, 3);
+    }
+    frames.len()
 }

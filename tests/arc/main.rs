@@ -4,6 +4,7 @@ mod area;
 #[path = "../common/mod.rs"]
 mod common;
 mod even;
+mod frames;
 mod length;
 
 /// CASTELJAU_DEEP=1 asks for many more cases.

@@ -112,3 +112,58 @@ test("timeAtLength and evenly: refusals", () => {
     refused(() => target.evenly(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
   }
 });
+
+/** (t, t², t³) */
+const TWISTED = [[0, 0, 0], [1 / 3, 0, 0], [2 / 3, 1 / 3, 0], [1, 1, 1]];
+
+test("torsion", () => {
+  const curve = new Curve(TWISTED);
+  for (const t of [0, 0.3, 1]) near([curve.torsion(t)], [3 / (1 + 9 * t ** 2 + 9 * t ** 4)]);
+  assert.equal(new Curve(CUBIC).torsion(0.3), 0);
+  assert.equal(new Curve(CUBIC.map(([x, y]) => [x, y, 3])).torsion(0.3), 0);
+  refused(() => curve.torsion(NaN), RangeError, /^t: expected a finite number, got NaN$/);
+  refused(() => new Curve(CUBIC).torsion("1"), TypeError, /^t: expected a number, got "1"$/);
+});
+
+test("frames: orthonormal, without twist, as many as asked for", () => {
+  const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  const at = (array, i) => [...array.slice(3 * i, 3 * i + 3)];
+  const curve = new Curve(TWISTED);
+  for (const target of [curve, new Spline(TWISTED), new Spline([...TWISTED, [2, 1, 4], [2, 0, 3], [1, 0, 3]])]) {
+    for (const where of [8, target.evenly(10), [0.1, 0.5, 0.2]]) {
+      const frames = target.frames(where);
+      const ts = typeof where === "number" ? Array.from({ length: 8 * (target.segmentCount ?? 1) + 1 }, (_, i) => i / 8) : where;
+      Object.values(frames).forEach(owned);
+      near(frames.points, target.evalAt(ts));
+      ts.forEach((_, i) => {
+        const [u, v, w] = [frames.tangents, frames.normals, frames.binormals].map((array) => at(array, i));
+        near([dot(u, u), dot(v, v), dot(w, w), dot(u, v), dot(v, w), dot(w, u)], [1, 1, 1, 0, 0, 0]);
+        near([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]], w);
+      });
+    }
+  }
+  // However many steps: the same last frame.
+  near(at(curve.frames(1).normals, 1), at(curve.frames(1000).normals, 1000), 1e-9);
+  near(at(curve.frames(1).normals, 0), [0, 1, 0]);
+  // Upright in a plane: up stays up, over the cusp too.
+  const cusp = new Curve([[0, 0, 5], [1, 1, 5], [0, 1, 5], [1, 0, 5]]);
+  const { normals } = cusp.frames(7, { normal: { x: 3, y: 0, z: 1 } });
+  const first = at(normals, 0);
+  const up = cusp.frames(7, { normal: [0, 0, 2] });
+  for (let i = 0; i <= 7; i++) {
+    near(at(up.normals, i), [0, 0, 1], 1e-9);
+    near([normals[3 * i + 2]], [first[2]], 1e-9);
+  }
+});
+
+test("frames: refusals", () => {
+  refused(() => new Curve(CUBIC).frames(4), TypeError, /^frames: expected a 3D curve, got a 2D one$/);
+  refused(() => new Spline(SEVEN).frames(4), TypeError, /^frames: expected a 3D spline, got a 2D one$/);
+  const curve = new Curve(TWISTED);
+  for (const n of [0, 1.5, NaN]) refused(() => curve.frames(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
+  refused(() => curve.frames(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
+  refused(() => curve.frames("4"), TypeError, /^ts: expected an array of numbers, got "4"$/);
+  refused(() => curve.frames([0, NaN]), RangeError, /^ts\[1\]: expected a finite number, got NaN$/);
+  refused(() => curve.frames(4, { normal: [0, 1] }), RangeError, /^normal: expected 3 coordinates, got 2$/);
+  refused(() => curve.frames(4, { normal: [0, 1, Infinity] }), RangeError, /^normal\[2\]: expected a finite number, got Infinity$/);
+});

@@ -1,0 +1,44 @@
+//! Which way up, along a spline in space?
+
+use super::Spline;
+use crate::curve::{Chain, Curve, FRAME_NUMBERS, Frame, check_segments, frames_along};
+use crate::error::Error;
+use glam::DVec3;
+
+impl Chain for Spline<DVec3> {
+    fn place(&self, t: f64) -> (usize, f64) {
+        self.locate(t)
+    }
+    fn link(&self, k: usize) -> Curve<DVec3> {
+        self.curve(k)
+    }
+}
+
+impl Spline<DVec3> {
+    /// Rotation-minimising frames at even steps of t, `per_curve` steps a segment, both ends included.
+    ///
+    /// As [`frames_at`](Self::frames_at) without a wish for the first normal.
+    ///
+    /// # Errors
+    /// As [`sample`](Self::sample).
+    pub fn frames(&self, per_curve: usize) -> Result<Vec<Frame>, Error> {
+        check_segments(per_curve, FRAME_NUMBERS)?;
+        let total = per_curve.saturating_mul(self.segment_count());
+        check_segments(total, FRAME_NUMBERS)?;
+        let ts: Vec<f64> = (0..=total).map(|i| i as f64 / per_curve as f64).collect();
+        self.frames_at(&ts, None)
+    }
+
+    /// Rotation-minimising frames at the given parameters, each carried on from the one before; see
+    /// [`Curve::frames_at`].
+    ///
+    /// At a joint with a corner the frame turns with the tangent, the short way; where the tangent turns right back, the
+    /// normal stays. The frames of a closed spline need not meet: what its ends differ by is the twist that the curve
+    /// itself has.
+    ///
+    /// # Errors
+    /// As [`Curve::frames_at`].
+    pub fn frames_at(&self, ts: &[f64], normal: Option<DVec3>) -> Result<Vec<Frame>, Error> {
+        frames_along(self, ts, normal)
+    }
+}

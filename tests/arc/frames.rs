@@ -1,0 +1,344 @@
+//! Torsion and frames, against closed forms and the differential equation of a frame without twist.
+
+use crate::common::wild::{self, ALL, ORDINARY};
+use crate::common::{Rng, curve, plane, real};
+use crate::thorough;
+use casteljau::curve::Frame;
+use casteljau::glam::{DAffine3, DVec3};
+use casteljau::{Curve, Error, Spline};
+
+/// The Bézier points of Σ cₖ tᵏ.
+fn from_powers(powers: &[DVec3]) -> Curve<DVec3> {
+    let n = powers.len() - 1;
+    let binomial = |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * real(n - i) / real(i + 1));
+    let point = |i: usize| {
+        (0..=i)
+            .map(|k| powers[k] * (binomial(i, k) / binomial(n, k)))
+            .sum()
+    };
+    Curve::new(&(0..=n).map(point).collect::<Vec<_>>()).expect("finite")
+}
+
+fn twisted() -> Curve<DVec3> {
+    from_powers(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z])
+}
+
+/// A turn of the helix (cos, sin, c·t) by its Taylor series, right to 10⁻¹⁵.
+fn helix(pitch: f64) -> Curve<DVec3> {
+    let mut term = 1.0;
+    let powers: Vec<DVec3> = (0..=24)
+        .map(|k: usize| {
+            if k > 0 {
+                term /= real(k);
+            }
+            let [x, y] = [[1., 0.], [0., 1.], [-1., 0.], [0., -1.]][k % 4];
+            DVec3::new(x * term, y * term, if k == 1 { pitch } else { 0.0 })
+        })
+        .collect();
+    from_powers(&powers)
+}
+
+#[test]
+fn torsion_has_closed_forms() {
+    for i in 0..=10 {
+        let t = real(i) / 10.0;
+        let expected = 3.0 / (1.0 + 9.0 * t * t + 9.0 * t.powi(4));
+        assert!((twisted().torsion(t) - expected).abs() < 1e-13 * expected);
+        assert!((twisted().reverse().torsion(1.0 - t) - expected).abs() < 1e-13 * expected);
+        let mirrored = twisted().transform(&DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0)));
+        assert!((mirrored.torsion(t) + expected).abs() < 1e-13 * expected);
+        let large = twisted().transform(&DAffine3::from_scale(DVec3::splat(1e200)));
+        assert!((large.torsion(t) * 1e200 - expected).abs() < 1e-13 * expected);
+        for pitch in [0.3, 1.0, -2.0] {
+            let expected = pitch / (1.0 + pitch * pitch);
+            assert!(
+                (helix(pitch).torsion(t) - expected).abs() < 1e-10,
+                "{t} {}",
+                helix(pitch).torsion(t)
+            );
+        }
+    }
+}
+
+#[test]
+fn torsion_where_it_has_no_value_or_a_limit() {
+    assert_eq!(
+        plane(&[(0., 0.), (1., 2.), (3., 1.), (4., 4.)]).torsion(0.3),
+        0.0
+    );
+    let flat = curve::<DVec3>(&[
+        DVec3::ZERO,
+        DVec3::X,
+        DVec3::new(2., 1., 0.),
+        DVec3::new(2., 3., 0.),
+    ]);
+    assert_eq!(flat.torsion(0.5), 0.0);
+    assert_eq!(curve::<DVec3>(&[DVec3::ZERO, DVec3::ONE]).torsion(0.5), 0.0);
+    assert_eq!(curve::<DVec3>(&[DVec3::ONE; 4]).torsion(0.5), 0.0);
+    // (t, t³, t⁴): at the inflection the limit; by the formula 12·24 t² · … ∼ 2 · 1 at 0.
+    let inflection = from_powers(&[DVec3::ZERO, DVec3::X, DVec3::ZERO, DVec3::Y, DVec3::Z]);
+    let near = inflection.torsion(1e-5);
+    assert!(
+        (inflection.torsion(0.0) - near).abs() < 1e-6,
+        "{} {near}",
+        inflection.torsion(0.0)
+    );
+    // (t², t³, t⁴) and (t², t³, t⁵): infinite, and finite.
+    let sharp = from_powers(&[DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]);
+    assert_eq!(sharp.torsion(0.0), f64::INFINITY);
+    assert_eq!(
+        sharp
+            .transform(&DAffine3::from_scale(DVec3::new(1., 1., -1.)))
+            .torsion(0.0),
+        f64::NEG_INFINITY
+    );
+    let smooth = from_powers(&[
+        DVec3::ZERO,
+        DVec3::ZERO,
+        DVec3::X,
+        DVec3::Y,
+        DVec3::ZERO,
+        DVec3::Z,
+    ]);
+    let near = smooth.torsion(1e-4);
+    assert!(
+        (smooth.torsion(0.0) - near).abs() < 1e-3 * near.abs(),
+        "{} {near}",
+        smooth.torsion(0.0)
+    );
+    let mut rng = Rng(1847);
+    for kind in ALL {
+        for degree in [1, 2, 3, 4, 6, 64] {
+            let curve: Curve<DVec3> = curve(&wild::points(&mut rng, kind, degree, 3));
+            for t in [0.0, 0.3, 1.0] {
+                assert!(!curve.torsion(t).is_nan());
+            }
+        }
+    }
+}
+
+fn orthonormal(frame: &Frame) {
+    let Frame {
+        tangent,
+        normal,
+        binormal,
+        ..
+    } = *frame;
+    for v in [tangent, normal, binormal] {
+        assert!((v.length() - 1.0).abs() < 1e-14, "{frame:?}");
+    }
+    for (u, v) in [(tangent, normal), (normal, binormal), (binormal, tangent)] {
+        assert!(u.dot(v).abs() < 1e-14, "{frame:?}");
+    }
+    assert!((tangent.cross(normal) - binormal).length() < 1e-14);
+}
+
+/// N′ = −(N·T′) T by the method of Runge and Kutta.
+fn without_twist(curve: &Curve<DVec3>, mut normal: DVec3, lo: f64, hi: f64) -> DVec3 {
+    let steps = 4000;
+    let h = (hi - lo) / real(steps);
+    let change = |t: f64, n: DVec3| {
+        let (first, second) = (curve.derivative_at(t, 1), curve.derivative_at(t, 2));
+        let (speed, tangent) = (first.length(), first.normalize());
+        let turning = (second - tangent * tangent.dot(second)) / speed;
+        tangent * -n.dot(turning)
+    };
+    for i in 0..steps {
+        let t = lo + h * real(i);
+        let a = change(t, normal);
+        let b = change(t + h / 2.0, normal + a * (h / 2.0));
+        let c = change(t + h / 2.0, normal + b * (h / 2.0));
+        let d = change(t + h, normal + c * h);
+        normal += (a + (b + c) * 2.0 + d) * (h / 6.0);
+    }
+    normal
+}
+
+#[test]
+fn frames_do_not_twist() {
+    let mut rng = Rng(2008);
+    let mut curves = vec![twisted(), helix(0.5)];
+    for degree in [2, 3, 3, 3, 4, 5, 9] {
+        curves.push(curve(&wild::points(
+            &mut rng,
+            wild::Kind::Random,
+            degree,
+            3,
+        )));
+    }
+    for curve in &curves {
+        for segments in [1, 2, 10] {
+            let frames = curve.frames(segments).expect("frames");
+            assert_eq!(frames.len(), segments + 1);
+            frames.iter().for_each(orthonormal);
+            for pair in frames.windows(2) {
+                let expected = without_twist(curve, pair[0].normal, pair[0].t, pair[1].t);
+                let off = (pair[1].normal - expected).length();
+                assert!(off < 1e-8, "{off:e} off, {segments} segments of {curve:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn plane_curves_keep_their_binormal() {
+    // An arch, an S, a cusp, a zero-length handle, a loop, a half turn-back; in a tilted plane.
+    let shapes: [&[(f64, f64)]; 6] = [
+        &[(0., 0.), (0., 2.), (2., 2.), (2., 0.)],
+        &[(0., 0.), (2., 2.), (0., -2.), (2., 0.)],
+        &[(0., 0.), (1., 1.), (0., 1.), (1., 0.)],
+        &[(0., 0.), (0., 0.), (2., 2.), (2., 0.)],
+        &[(0., 0.), (3., 2.), (-1., 2.), (2., 0.)],
+        &[(1., -1.), (-1. / 3., 1.), (-1. / 3., -1.), (1., 1.)],
+    ];
+    let (u, v) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(0.0, 1.0, 0.0));
+    for shape in shapes {
+        let points: Vec<DVec3> = shape.iter().map(|&(x, y)| u * x + v * y).collect();
+        let path: Curve<DVec3> = curve(&points);
+        for segments in [1, 3, 10, 101] {
+            let frames = path.frames(segments).expect("frames");
+            frames.iter().for_each(orthonormal);
+            let first = frames[0].binormal;
+            for frame in &frames {
+                assert!(
+                    (frame.binormal - first).length() < 1e-8,
+                    "{shape:?} {segments} at {}: {frame:?}",
+                    frame.t
+                );
+            }
+            assert!(first.cross(u.cross(v)).length() < 1e-12);
+        }
+        // A normal out of the plane stays.
+        let up = u.cross(v);
+        for frame in path
+            .frames_at(&path.evenly(20).expect("steps"), Some(up))
+            .expect("frames")
+        {
+            assert!(
+                (frame.normal - up).length() < 1e-8,
+                "{shape:?} at {}: {frame:?}",
+                frame.t
+            );
+        }
+    }
+}
+
+#[test]
+fn straight_pieces_change_nothing() {
+    let line = curve::<DVec3>(&[DVec3::ZERO, DVec3::new(1., 2., 2.)]);
+    let frames = line.frames(4).expect("frames");
+    frames.iter().for_each(orthonormal);
+    assert!(
+        frames
+            .iter()
+            .all(|frame| (frame.normal - frames[0].normal).length() < 1e-15)
+    );
+    // There and back: the normal stays, the binormal turns.
+    let back = curve::<DVec3>(&[DVec3::ZERO, DVec3::X * 2.0, DVec3::ZERO]);
+    let frames = back
+        .frames_at(&[0.0, 0.3, 0.7, 1.0], Some(DVec3::Z))
+        .expect("frames");
+    frames.iter().for_each(orthonormal);
+    assert!(
+        frames
+            .iter()
+            .all(|frame| (frame.normal - DVec3::Z).length() < 1e-12),
+        "{frames:?}"
+    );
+    assert!((frames[3].tangent + DVec3::X).length() < 1e-12);
+    let point = curve::<DVec3>(&[DVec3::ONE; 4]).frames(2).expect("frames");
+    assert!(
+        point
+            .iter()
+            .all(|f| f.tangent == DVec3::ZERO && f.normal == DVec3::ZERO && f.point == DVec3::ONE)
+    );
+}
+
+#[test]
+fn frames_of_hostile_curves() {
+    let mut rng = Rng(2009);
+    for case in 0..thorough(2_000, 100_000) {
+        let degree = if case % 50 == 0 { 64 } else { 1 + rng.below(6) };
+        let kind = if case % 10 == 0 {
+            rng.pick(&ALL)
+        } else {
+            rng.pick(&ORDINARY)
+        };
+        let curve: Curve<DVec3> = curve(&wild::points(&mut rng, kind, degree, 3));
+        let frames = curve.frames(1 + rng.below(4)).expect("frames");
+        if frames[0].tangent != DVec3::ZERO {
+            frames.iter().for_each(orthonormal);
+        }
+    }
+}
+
+#[test]
+fn splines_go_round_corners() {
+    // Round a square, standing upright: up stays up.
+    let corners = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(|(x, y)| DVec3::new(x, y, 0.0));
+    let square = Spline::new(&corners, 1, true).expect("a square");
+    let frames = square.frames(3).expect("frames");
+    assert_eq!(frames.len(), 13);
+    let up = square
+        .frames_at(&[0.0, 0.5, 1.5, 2.0, 3.5, 4.0, 1.0], Some(DVec3::Z))
+        .expect("frames");
+    up.iter().chain(&frames).for_each(orthonormal);
+    assert!(
+        up.iter()
+            .all(|frame| (frame.normal - DVec3::Z).length() < 1e-12),
+        "{up:?}"
+    );
+    assert!((frames[3].tangent - DVec3::Y).length() < 1e-15 && frames[3].t == 1.0);
+    // A smooth chain is as its one curve.
+    let whole = twisted();
+    let (left, right) = whole.split(0.5);
+    let halves = Spline::from_curves(&[left, right], false).expect("joined");
+    let (a, b) = (
+        whole.frames(8).expect("frames"),
+        halves.frames(4).expect("frames"),
+    );
+    for (a, b) in a.iter().zip(&b) {
+        assert!((a.normal - b.normal).length() < 1e-9 && (a.point - b.point).length() < 1e-15);
+    }
+    // A segment without a length, at the start and between.
+    let degenerate = [
+        [0., 0., 0.],
+        [0., 0., 0.],
+        [2., 0., 0.],
+        [2., 0., 0.],
+        [2., 2., 0.],
+    ]
+    .map(DVec3::from);
+    let frames = Spline::new(&degenerate, 1, false)
+        .expect("a spline")
+        .frames_at(&[0.0, 1.0, 2.5, 3.5], Some(DVec3::Z));
+    let frames = frames.expect("frames");
+    frames[1..].iter().for_each(orthonormal);
+    assert!(
+        frames[1..].iter().all(|frame| frame.normal == DVec3::Z),
+        "{frames:?}"
+    );
+}
+
+#[test]
+fn refusals() {
+    let curve = twisted();
+    assert!(matches!(curve.frames(0), Err(Error::Range { .. })));
+    assert!(matches!(
+        curve.frames(usize::MAX),
+        Err(Error::TooMany { .. })
+    ));
+    assert!(matches!(
+        curve.frames_at(&[0.0, f64::NAN], None),
+        Err(Error::NotFinite {
+            what: "ts",
+            index: 1,
+            ..
+        })
+    ));
+    assert!(matches!(
+        curve.frames_at(&[0.0], Some(DVec3::NAN)),
+        Err(Error::NotFinite { what: "normal", .. })
+    ));
+    assert_eq!(curve.frames_at(&[], None), Ok(Vec::new()));
+}
