@@ -95,14 +95,14 @@ impl Curve<DVec3> {
 pub(crate) const FRAME_NUMBERS: usize = 13;
 
 /// Curves one after the other.
-pub(crate) trait Chain {
+pub(crate) trait Railway {
     /// The curve of a t and the parameter on it.
     fn place(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
     fn link(&self, k: usize) -> Curve<DVec3>;
 }
 
-impl Chain for Curve<DVec3> {
+impl Railway for Curve<DVec3> {
     fn place(&self, t: f64) -> (usize, f64) {
         (0, t)
     }
@@ -113,7 +113,7 @@ impl Chain for Curve<DVec3> {
 
 /// Frames along a chain; see [`Curve::frames_at`].
 pub(crate) fn frames_along(
-    chain: &dyn Chain,
+    chain: &dyn Railway,
     ts: &[f64],
     normal: Option<DVec3>,
 ) -> Result<Vec<Frame>, Error> {

@@ -63,6 +63,7 @@ pub(crate) use even::{ByLength, check_length};
 pub(crate) use flatten::MAX_VERTICES;
 pub(crate) use moments::moments;
 pub(crate) use frames::{Chain, FRAME_NUMBERS, frames_along};
+pub(crate) use frames::{FRAME_NUMBERS, Railway, frames_along};
 #[cfg(feature = "wasm")]
 pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 

@@ -1,6 +1,7 @@
 //! Facts on curves from closed forms and from other libraries' tests: `../shared/data/curve-facts.json`.
 #![cfg(not(target_family = "wasm"))]
 
+mod along;
 #[path = "../common/mod.rs"]
 mod common;
 mod fact;
@@ -75,6 +76,10 @@ fn holds(kind: &str, fact: &Value) -> bool {
             fact.all_near(&fact.curve().subsegment(t0, t1), &fact.expect);
         }
         "elevate" => fact.all_near(&fact.curve().elevate().expect("degree 2"), &fact.expect),
+        "length" => along::length(fact),
+        "inverse_length" => along::inverse_length(fact),
+        "length_centroid" => along::length_centroid(fact),
+        "area" => return along::area(fact),
         "convert" => convert(fact),
         "flatten" => flatten(fact),
         "continuity" => joined::continuity(fact),

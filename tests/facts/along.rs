@@ -1,0 +1,65 @@
+//! Facts about lengths and areas.
+
+use crate::common::{curve, integral};
+use crate::fact::Fact;
+use casteljau::Curve;
+use casteljau::glam::{DVec2, DVec3};
+
+pub(crate) fn length(fact: &Fact) {
+    let points = fact.points("points");
+    let space = fact.curve().length(None).expect("a length");
+    fact.number(space, &fact.expect);
+    if points.iter().all(|p| p.z == 0.0) {
+        let plane = curve::<DVec2>(&points).length(None).expect("a length");
+        fact.number(plane, &fact.expect);
+    }
+}
+
+/// The length s may be the word "length": the whole.
+pub(crate) fn inverse_length(fact: &Fact) {
+    let plane: Curve<DVec2> = curve(&fact.points("points"));
+    for whole in [plane.length(None), fact.curve().length(None)] {
+        let s = fact.input["s"].as_f64().unwrap_or(whole.expect("a length"));
+        fact.number(plane.time_at_length(s, None).expect("a t"), &fact.expect);
+        fact.number(
+            fact.curve().time_at_length(s, None).expect("a t"),
+            &fact.expect,
+        );
+    }
+}
+
+/// Of a curve; false for an outline.
+pub(crate) fn area(fact: &Fact) -> bool {
+    if fact.input.get("points").is_none() {
+        return false;
+    }
+    let plane: Curve<DVec2> = curve(&fact.points("points"));
+    fact.number(plane.area(), &fact.expect);
+    fact.number(plane.moments().area, &fact.expect);
+    true
+}
+
+/// ∫ B |B′| dt / ∫ |B′| dt, as the mean over points at even steps along the curve, and with its length below.
+pub(crate) fn length_centroid(fact: &Fact) {
+    let plane: Curve<DVec2> = curve(&fact.points("points"));
+    let whole = plane.length(None).expect("a length");
+    let steps = plane.evenly(2000).expect("steps");
+    // The mean over even steps of the length: Simpson's rule.
+    let weight = |i: usize| match i {
+        0 | 2000 => 1.0,
+        _ if i % 2 == 1 => 4.0,
+        _ => 2.0,
+    };
+    let sum: DVec2 = steps
+        .iter()
+        .enumerate()
+        .map(|(i, &t)| plane.eval(t) * weight(i))
+        .sum();
+    let mean = sum / 6000.0;
+    fact.near(mean.extend(0.0), &fact.expect);
+    // And the integral itself.
+    let points = fact.points("points");
+    let space: Curve<DVec3> = curve(&points);
+    let of = |k: usize| integral::integral(&points, (0.0, 1.0), &|t| space.eval(t)[k]) / whole;
+    fact.near(DVec3::new(of(0), of(1), 0.0), &fact.expect);
+}
