@@ -119,7 +119,7 @@ export class Spline {
    */
   static through(points, options) {
     const { length, dimension } = through(points, options);
-    return made(length, dimension);
+    return takeSpline(length, dimension);
   }
 
   /**
@@ -135,7 +135,7 @@ export class Spline {
    */
   static fromBSpline(points, options) {
     const { length, dimension } = fromBSpline(points, options);
-    return made(length, dimension);
+    return takeSpline(length, dimension);
   }
 
   /**
