@@ -26,6 +26,12 @@ import { takeSpline } from "./spline.js";
  */
 
 /**
+ * A curve of a lower degree, and its greatest distance at equal t.
+ *
+ * @typedef {{ curve: Curve, error: number }} Reduced
+ */
+
+/**
  * One Bézier curve of degree 1 to 64, in the plane or in space.
  *
  * B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ; t runs from 0 to 1, values outside extrapolate. The end points come back exactly.
@@ -547,6 +553,40 @@ export class Curve {
    */
   timesAt(where) {
     return places.timesAt(this.#flat, this.#dimension, where);
+  }
+
+  /**
+   * The closest curve of degree n − 1 with the same ends, and the greatest distance between both at equal t: no such curve
+   * has a smaller one. A line comes back with the error 0.
+   *
+   * @returns {Reduced}
+   */
+  reduce() {
+    const used = core().curve_reduce(this.#dimension, this.#load());
+    return { curve: curveOf(take(1, used), this.#dimension), error: take(0, 1)[0] };
+  }
+
+  /**
+   * The curve of degree n − 1 that passes n points, 2 to 65. Above ten or so, even parameters make it swing out between
+   * the points; `Spline.through` does not.
+   *
+   * @param {PointsLike} points
+   * @param {ArrayLike<number>} [ts] the parameter of each point; by default in proportion to the chords, from 0 to 1 (even
+   *   ones where two neighbours coincide)
+   * @param {{ dimension?: 2 | 3 }} [options]
+   * @returns {Curve}
+   * @throws {RangeError} for equal parameters
+   */
+  static through(points, ts, options) {
+    const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+    const count = flat.length / dimension;
+    if (count < 2 || count > 65) throw new RangeError(`points: expected 2 to 65 points, got ${count}`);
+    const parameters = ts === undefined ? new Float64Array() : check.numbers(ts, "ts");
+    if (ts !== undefined && parameters.length !== count) {
+      throw new RangeError(`ts: expected ${count} numbers, one for each point, got ${parameters.length}`);
+    }
+    load(flat, parameters.length).set(parameters, flat.length);
+    return made(core().curve_through(dimension, count, parameters.length), dimension);
   }
 
   /**

@@ -52,6 +52,9 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
 /** @type {readonly JointMode[]} in the order of the core */
 const MODES = ["free", "g1", "c1", "c2", "g2", "auto"];
 
+/** @type {readonly ("round" | "miter" | "bevel")[]} in the order of the core */
+const JOINS = ["round", "miter", "bevel"];
+
 /**
  * Bézier curves joined end to end: segment k covers t from k to k + 1 and keeps its own degree.
  *
@@ -501,6 +504,25 @@ export class Spline {
   [CHAIN]() {
     inPlane("intersect", "spline", this.dimension);
     return this.#parts;
+  }
+
+  /**
+   * The parallel at a distance along the normal: that of each segment (see `Curve.offset`), joined at corners on both
+   * sides. 2D only. Nothing is trimmed; a closed spline stays closed.
+   *
+   * @param {number} distance
+   * @param {{ tolerance?: number, join?: "round" | "miter" | "bevel" }} [options] `join`: arcs about the corners by
+   *   default; a mitre reaches at most 4 distances
+   * @returns {Spline}
+   */
+  offset(distance, options) {
+    if (this.dimension === 3) throw new TypeError("offset: expected a 2D spline, got a 3D one");
+    check.finite(distance, "distance");
+    const { tolerance, join = "round" } = check.options(options);
+    const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
+    const given = check.optionalTolerance(tolerance);
+    this.#load();
+    return takeSpline(core().spline_offset(distance, given, code), 2);
   }
 
   /**

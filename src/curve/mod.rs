@@ -26,10 +26,12 @@ mod moments;
 mod nearest;
 mod offset;
 mod product;
+mod reduce;
 pub(crate) mod roots;
 mod straight;
 mod subdivide;
 mod torsion;
+mod through;
 mod trace;
 mod turning;
 
@@ -44,8 +46,8 @@ pub use intersect::{Contact, Intersection, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
 pub(crate) use nearest::nearest_on;
-#[cfg(feature = "wasm")]
-pub(crate) use offset::Chain;
+pub(crate) use offset::{Chain, offset_tolerance};
+pub use reduce::Reduced;
 pub use subdivide::Subdivision;
 pub use trace::Pen;
 #[cfg(feature = "wasm")]

@@ -16,6 +16,7 @@ mod knots;
 mod length;
 mod measure;
 mod nearest;
+mod offset;
 mod repair;
 mod through;
 
@@ -23,6 +24,9 @@ pub use bspline::BSpline;
 pub(crate) use chains::{Chains, Meeting};
 pub use continuity::Continuity;
 pub use joint::JointMode;
+pub use offset::OffsetJoin;
+#[cfg(feature = "wasm")]
+pub(crate) use offset::parallel_of;
 pub use through::Through;
 
 use crate::curve::{Curve, check_finite, max_abs};

@@ -3,7 +3,8 @@
 use super::arena::{self, Arena};
 use super::given;
 use crate::curve::{Chain, Curve};
-use glam::DVec2;
+use crate::spline::{OffsetJoin, parallel_of};
+use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Leaves a chain as a spline; its number of f64.
@@ -23,5 +24,55 @@ pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
         let curve = Curve::<DVec2>::from_slice(a.points(0, count));
         let chain = curve.parallel(distance, given(tolerance))?;
         Ok(put(a, &chain))
+    })
+}
+
+/// In: a spline of the plane. Leaves its parallel; join: 0 round, 1 miter, 2 bevel.
+#[wasm_bindgen]
+pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
+    arena::answer(|a| {
+        let (segments, closed) = (a.count(0), a.number(1) != 0.0);
+        let head = 2 + segments;
+        let mut at = head;
+        let mut curves = Vec::with_capacity(segments);
+        for k in 0..segments {
+            let degree = a.count(2 + k);
+            let inner = k + 1 < segments || !closed;
+            let mut points = a.points::<DVec2>(at, degree + usize::from(inner)).to_vec();
+            if !inner {
+                points.push(a.points(head, 1)[0]);
+            }
+            curves.push(Curve::from_slice(&points));
+            at += 2 * degree;
+        }
+        let join = match join {
+            1 => OffsetJoin::Miter,
+            2 => OffsetJoin::Bevel,
+            _ => OffsetJoin::Round,
+        };
+        let chain = parallel_of(&curves, closed, distance, given(tolerance), join)?;
+        Ok(put(a, &chain))
+    })
+}
+
+/// Leaves the error and the control points of the curve of one degree less.
+#[wasm_bindgen]
+pub fn curve_reduce(dimension: usize, count: usize) -> usize {
+    arena::with(|a| {
+        let curve: Curve<DVec3> = Curve::from_points(a.points_in_space(0, count, dimension));
+        let reduced = curve.reduce();
+        let at = a.put_numbers(0, &[reduced.error]);
+        a.put_from_space(at, reduced.curve.control_points(), dimension)
+    })
+}
+
+/// In: points, and behind them as many parameters or none. Leaves the control points of the curve through them.
+#[wasm_bindgen]
+pub fn curve_through(dimension: usize, count: usize, number: usize) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let ts = (number > 0).then(|| a.numbers(count * dimension, number));
+        let curve = Curve::through(&points, ts)?;
+        Ok(a.put_from_space(0, curve.control_points(), dimension))
     })
 }

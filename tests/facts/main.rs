@@ -8,6 +8,7 @@ mod fact;
 mod intersections;
 mod joined;
 mod outlines;
+mod parallel;
 mod places;
 
 use casteljau::Curve;
@@ -84,6 +85,8 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "flatten" => flatten(fact),
         "continuity" => joined::continuity(fact),
         "bspline" => joined::bspline(fact),
+        "offset" => parallel::offset(fact),
+        "reduce" => parallel::reduce(fact),
         "easing" => joined::easing(fact),
         "extrema" => places::extrema(fact),
         "inflection" => places::inflections(fact),

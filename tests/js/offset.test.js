@@ -34,3 +34,35 @@ test("what cannot be done is refused", () => {
   assert.throws(() => curve.offset(1e308), { name: "RangeError", message: /^distance: / });
   assert.throws(() => new Curve([0, 0, 0, 1, 1, 1], { dimension: 3 }).offset(1), TypeError);
 });
+
+test("corners of a spline are joined", () => {
+  const square = new Spline([0, 0, 4, 0, 4, 4, 0, 4], { degree: 1, closed: true });
+  const round = square.offset(-1, { tolerance: 1e-6 });
+  assert.ok(round.closed);
+  assert.deepEqual(round.bounds(), { min: { x: -1, y: -1 }, max: { x: 5, y: 5 } });
+  const miter = square.offset(-1, { join: "miter" });
+  assert.deepEqual(miter.degrees, new Array(12).fill(1));
+  assert.ok(miter.toJSON().points.some(([x, y]) => x === 5 && y === 5));
+  assert.deepEqual(square.offset(-1, { join: "bevel" }).degrees, new Array(8).fill(1));
+  assert.throws(() => square.offset(1, { join: /** @type {any} */ ("sharp") }), { name: "RangeError", message: /^join: / });
+});
+
+test("reduce gives the closest curve, and how close", () => {
+  const { curve, error } = new Curve([0, 0, 2, 0, 3, 1, 3, 3]).reduce();
+  assert.ok(error < 1e-15);
+  assert.ok(curve.equals(new Curve([0, 0, 3, 0, 3, 3]), 1e-14));
+  assert.deepEqual(new Curve([0, 0, 1, 2, 2, 0]).reduce().error, 1);
+});
+
+test("a curve through points", () => {
+  const points = [[0, 0], [1, 2], [3, 1], [4, 4]];
+  const curve = Curve.through(points, [0, 0.25, 0.5, 1]);
+  [0, 0.25, 0.5, 1].forEach((t, i) => {
+    const { x, y } = curve.eval(t);
+    assert.ok(Math.hypot(x - points[i][0], y - points[i][1]) < 1e-14);
+  });
+  assert.equal(Curve.through([[0, 0, 1], [1, 2, 3], [3, 1, 0]]).dimension, 3);
+  assert.throws(() => Curve.through(points, [0, 1, 1, 2]), { name: "RangeError", message: /^ts: expected parameters that differ/ });
+  assert.throws(() => Curve.through(points, [0, 1]), { name: "RangeError", message: /^ts: / });
+  assert.throws(() => Curve.through([[0, 0]]), { name: "RangeError", message: /^points: / });
+});

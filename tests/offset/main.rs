@@ -1,8 +1,10 @@
 //! Parallel curves: as far as was asked from the curve, everywhere, without gaps.
 #![cfg(not(target_family = "wasm"))]
 
+mod chains;
 #[path = "../common/mod.rs"]
 mod common;
+mod lower;
 mod truth;
 
 use casteljau::Curve;

@@ -1,0 +1,111 @@
+//! Which curve of one degree less is closest?
+//!
+//! Two curves of degrees n and n − 1 differ by a polynomial whose leading coefficient is that of the first, ΔⁿP₀. Of
+//! all polynomials with this leading coefficient that vanish at both ends, the Chebyshev polynomial Tₙ, stretched until
+//! its outermost zeros are the ends, has the least maximum. Taking that one away leaves the best curve there is.
+
+use super::{Curve, Points, Scalars, ratio};
+use crate::point::Point;
+use std::f64::consts::FRAC_PI_2;
+
+/// A curve of a lower degree in the place of another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduced<P: Point> {
+    /// The curve of degree n − 1, with the same ends.
+    pub curve: Curve<P>,
+    /// The greatest distance between points of both curves at equal t, which bounds that between the curves.
+    pub error: f64,
+}
+
+impl<P: Point> Curve<P> {
+    /// The curve of degree n − 1 with the same ends that is closest at equal t, and its greatest distance.
+    ///
+    /// B(t) − R(t) = e·C(t) with C(t) = Tₙ((2t − 1) cos(π/2n)), which runs n − 1 times between −1 and 1, and e = Δⁿ / (2²ⁿ⁻¹
+    /// cosⁿ(π/2n)), Δⁿ being the n-th difference of the control points: the greatest distance is |e| exactly, and no other curve of
+    /// this degree with these ends has a smaller one. An elevated curve comes back with an error of rounding size; a line reduces to
+    /// itself, with the error 0. Source: Lachance, "Chebyshev economization for parametric surfaces", CAGD 5 (1988).
+    #[must_use]
+    pub fn reduce(&self) -> Reduced<P> {
+        let n = self.degree();
+        if n == 1 {
+            return Reduced {
+                curve: self.clone(),
+                error: 0.0,
+            };
+        }
+        let stretch = (FRAC_PI_2 / ratio(n, 1)).cos();
+        let excess = self.top_difference(stretch);
+        let wave = stretched_chebyshev(n, stretch);
+        let lower: Points<P> = self
+            .points
+            .iter()
+            .zip(&wave)
+            .map(|(&p, &c)| p - excess * c)
+            .collect();
+        Reduced {
+            curve: Self::from_points(unelevated(&lower)),
+            error: excess.norm(),
+        }
+    }
+
+    /// Δⁿ / (2²ⁿ⁻¹ stretchⁿ), halved along the way so that nothing overflows.
+    fn top_difference(&self, stretch: f64) -> P {
+        let mut row = self.points.clone();
+        for last in (1..row.len()).rev() {
+            for i in 0..last {
+                row[i] = (row[i + 1] * 0.25 - row[i] * 0.25) * (1.0 / stretch);
+            }
+        }
+        row[0] * 2.0
+    }
+}
+
+/// The Bernstein coefficients of Tₙ(stretch · (2t − 1)), by T(k+1) = 2x T(k) − T(k−1); those of the ends are 0 for the
+/// stretch that is used here.
+fn stretched_chebyshev(n: usize, stretch: f64) -> Scalars {
+    let mut before: Scalars = [1.0].into_iter().collect();
+    let mut now: Scalars = [-stretch, stretch].into_iter().collect();
+    for k in 1..n {
+        let raised = raise(&raise(&before));
+        let at = |i: usize| now.get(i).copied().unwrap_or(0.0);
+        let next = (0..=k + 1)
+            .map(|i| {
+                let upper = if i > 0 { at(i - 1) } else { 0.0 };
+                let part = ratio(i, k + 1);
+                2.0 * stretch * (part * upper - (1.0 - part) * at(i)) - raised[i]
+            })
+            .collect();
+        before = std::mem::replace(&mut now, next);
+    }
+    (now[0], now[n]) = (0.0, 0.0);
+    now
+}
+
+/// Degree elevation of coefficients.
+fn raise(low: &[f64]) -> Scalars {
+    let count = low.len();
+    let at = |i: usize| low.get(i).copied().unwrap_or(0.0);
+    (0..=count)
+        .map(|i| {
+            let part = ratio(i, count);
+            let lower = if i > 0 { part * at(i - 1) } else { 0.0 };
+            lower + (1.0 - part) * at(i)
+        })
+        .collect()
+}
+
+/// The control points of a curve that was elevated: from both ends to the middle, where errors do not grow.
+fn unelevated<P: Point>(high: &[P]) -> Points<P> {
+    let n = high.len() - 1;
+    let mut low: Points<P> = high[..n].iter().copied().collect();
+    for i in 1..n.div_ceil(2) {
+        let (all, part) = (ratio(n, n - i), ratio(i, n - i));
+        low[i] = high[i] * all - low[i - 1] * part;
+    }
+    low[n - 1] = high[n];
+    for i in (n.div_ceil(2)..n - 1).rev() {
+        let (all, part) = (ratio(n, i + 1), ratio(n - i - 1, i + 1));
+        low[i] = high[i + 1] * all - low[i + 1] * part;
+    }
+    low
+}

@@ -1,0 +1,157 @@
+//! Which curve passes through points?
+
+use super::{Curve, Points, Scalars, check_finite, ratio};
+use crate::error::{Error, MAX_DEGREE};
+use crate::point::Point;
+
+/// Rounds in which what rounding has left between the curve and the points is interpolated and added.
+const REFINEMENTS: usize = 2;
+
+impl<P: Point> Curve<P> {
+    /// The curve of degree n − 1 that passes n points at given parameters, P(tᵢ) = pᵢ.
+    ///
+    /// 2 to 65 points. Without parameters they go with the length of the chords from 0 to 1, or evenly where two neighbours
+    /// coincide. Given ones may lie anywhere, in any order. Points at t = 0 and t = 1 are control points, exactly; the others are
+    /// met to some ulps of the largest control point. That is much larger than the points where many are interpolated: above ten
+    /// or so, even parameters make the curve swing out between the points (Runge), and a spline through them is the better answer;
+    /// parameters that crowd toward the ends, ½ − ½cos(πi/(n−1)), do not. Source: Newton's interpolation with the products
+    /// in Bernstein form; Ainsworth and Sánchez, "Computing the Bézier control points of the Lagrangian interpolant in
+    /// arbitrary dimension", SIAM J. Sci. Comput. 38 (2016).
+    ///
+    /// # Errors
+    /// [`Error::Count`] unless there are 2 to 65 points and as many parameters, [`Error::NotFinite`] for a NaN or an infinity,
+    /// [`Error::Range`] for equal parameters.
+    pub fn through(points: &[P], ts: Option<&[f64]>) -> Result<Self, Error> {
+        check_finite("points", points)?;
+        let ts = ts.map_or_else(|| chord_lengths(points), Scalars::from);
+        check_through(points.len(), &ts)?;
+        let mut curve = interpolate(points, &ts);
+        for _ in 0..REFINEMENTS {
+            let missing: Points<P> = points
+                .iter()
+                .zip(&ts)
+                .map(|(&p, &t)| p - super::evaluate(&curve, t))
+                .collect();
+            let repair = interpolate(&missing, &ts);
+            let better: Points<P> = curve.iter().zip(&repair).map(|(&p, &q)| p + q).collect();
+            if !better.iter().all(|p| p.is_finite()) {
+                break;
+            }
+            curve = better;
+        }
+        for (&t, &p) in ts.iter().zip(points) {
+            let last = curve.len() - 1;
+            if t == 0.0 {
+                curve[0] = p;
+            } else if t == 1.0 {
+                curve[last] = p;
+            }
+        }
+        match curve.iter().find(|p| !p.is_finite()) {
+            Some(p) => Err(Error::Range {
+                what: "ts",
+                expected: "parameters so far apart that the control points are finite",
+                got: p.max_abs(),
+            }),
+            None => Ok(Self::from_points(curve)),
+        }
+    }
+}
+
+fn check_through(count: usize, ts: &[f64]) -> Result<(), Error> {
+    if !(2..=MAX_DEGREE + 1).contains(&count) {
+        return Err(Error::Count {
+            what: "points",
+            expected: "2 to 65 points",
+            got: count,
+        });
+    }
+    if ts.len() != count {
+        return Err(Error::Count {
+            what: "ts",
+            expected: "a parameter for each point",
+            got: ts.len(),
+        });
+    }
+    if let Some(index) = ts.iter().position(|t| !t.is_finite()) {
+        return Err(Error::NotFinite {
+            what: "ts",
+            index,
+            got: ts[index],
+        });
+    }
+    let twice = |i: usize| ts[..i].contains(&ts[i]);
+    match (1..count).find(|&i| twice(i)) {
+        Some(i) => Err(Error::Range {
+            what: "ts",
+            expected: "parameters that differ",
+            got: ts[i],
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Parameters from 0 to 1 in proportion to the length of the chords; even ones where a chord has none.
+fn chord_lengths<P: Point>(points: &[P]) -> Scalars {
+    let quarter = |pair: &[P]| (pair[1] * 0.25 - pair[0] * 0.25).norm() / 128.0;
+    let total: f64 = points.windows(2).map(quarter).sum();
+    let last = points.len().saturating_sub(1);
+    let mut sum = 0.0;
+    let mut ts: Scalars = [0.0].into_iter().collect();
+    ts.extend(points.windows(2).map(|pair| {
+        sum += quarter(pair);
+        sum / total
+    }));
+    ts[last] = 1.0;
+    if ts.windows(2).all(|t| t[0] < t[1]) {
+        return ts;
+    }
+    (0..=last).map(|i| ratio(i, last.max(1))).collect()
+}
+
+/// Newton's interpolation: p(k) = p(k−1) + [p₀ … pₖ] (t − t₀) … (t − t(k−1)), everything in Bernstein form.
+fn interpolate<P: Point>(points: &[P], ts: &[f64]) -> Points<P> {
+    let mut divided: Points<P> = points.iter().copied().collect();
+    for level in 1..points.len() {
+        for i in (level..points.len()).rev() {
+            divided[i] = (divided[i] - divided[i - 1]) / (ts[i] - ts[i - level]);
+        }
+    }
+    let mut sum: Points<P> = divided[..1].iter().copied().collect();
+    let mut product: Scalars = [1.0].into_iter().collect();
+    for k in 1..points.len() {
+        let (root, old) = (ts[k - 1], product);
+        // (t − r) q has the coefficients of i/k (1 − r) q(i−1) − (1 − i/k) r q(i).
+        let mixed = |i: usize, low: &dyn Fn(usize) -> f64, a: f64, b: f64| {
+            let part = ratio(i, k);
+            let upper = if i > 0 { part * a * low(i - 1) } else { 0.0 };
+            upper
+                + if i < k {
+                    (1.0 - part) * b * low(i)
+                } else {
+                    0.0
+                }
+        };
+        product = (0..=k)
+            .map(|i| mixed(i, &|j| old[j], 1.0 - root, -root))
+            .collect();
+        let raised = |i: usize| {
+            let part = ratio(i, k);
+            let upper = if i > 0 {
+                sum[i - 1] * part
+            } else {
+                P::default()
+            };
+            let lower = if i < k {
+                sum[i] * (1.0 - part)
+            } else {
+                P::default()
+            };
+            upper + lower
+        };
+        sum = (0..=k)
+            .map(|i| raised(i) + divided[k] * product[i])
+            .collect();
+    }
+    sum
+}

@@ -1,0 +1,145 @@
+//! Which spline runs beside?
+
+use super::Spline;
+use crate::curve::{Chain, Curve, offset_tolerance};
+use crate::error::Error;
+use crate::point::Point;
+use glam::DVec2;
+
+/// How the parallels of two segments are joined at a corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum OffsetJoin {
+    /// An arc about the corner: every point has the right distance from it.
+    #[default]
+    Round,
+    /// The tangents go on until they meet, at most 4 distances away (as in SVG); else as `Bevel`. On the inner side as
+    /// `Bevel`.
+    Miter,
+    /// A straight line.
+    Bevel,
+}
+
+/// The farthest tip of a mitre, in distances from its corner: SVG's default `stroke-miterlimit`.
+const MITER_LIMIT: f64 = 4.0;
+
+/// At a joint the ends of two parallels may differ by this part of the tolerance without being joined.
+const SMOOTH_PART: f64 = 1.0 / 64.0;
+
+impl Spline<DVec2> {
+    /// The parallel at a distance along the normal: that of each segment, joined at corners.
+    ///
+    /// As [`Curve::offset`], whose words on cusps, tolerance and points hold here too; a segment that is a point is left
+    /// out. Where tangents differ at a joint `join` leads from one side to the other, on the inside of a corner too, where the
+    /// parallels cross: nothing is trimmed. Joints that are smooth need no join (the ends may differ by 1/64 of the tolerance). A
+    /// closed spline stays closed.
+    ///
+    /// # Errors
+    /// As [`Curve::offset`].
+    pub fn offset(
+        &self,
+        distance: f64,
+        tolerance: Option<f64>,
+        join: OffsetJoin,
+    ) -> Result<Self, Error> {
+        let curves = self.segments();
+        parallel_of(&curves, self.closed, distance, tolerance, join).map(Chain::spline)
+    }
+}
+
+/// The parallel of curves that follow each other.
+pub(crate) fn parallel_of(
+    curves: &[Curve<DVec2>],
+    closed: bool,
+    distance: f64,
+    tolerance: Option<f64>,
+    join: OffsetJoin,
+) -> Result<Chain, Error> {
+    let largest = curves.iter().map(Curve::max_abs).fold(0.0, f64::max);
+    let box_of = || {
+        let boxes = curves.iter().map(Curve::control_bounds);
+        boxes
+            .reduce(|a, b| a.union(b))
+            .map_or(0.0, |b| b.diagonal())
+    };
+    let tolerance = offset_tolerance(distance, tolerance, largest, box_of)?;
+    let own = tolerance * (1.0 - SMOOTH_PART);
+    let mut chain = Chain::default();
+    let moves = |curve: &&Curve<DVec2>| {
+        let points = curve.control_points();
+        distance == 0.0 || points.iter().any(|&p| p != points[0])
+    };
+    let mut bent: Vec<&Curve<DVec2>> = curves.iter().filter(moves).collect();
+    if bent.is_empty() {
+        bent.extend(&curves[..1]);
+    }
+    let corner = |chain: &mut Chain, before: &Curve<DVec2>, after: &Curve<DVec2>| {
+        let (from, to) = (end_tangent(before), start_tangent(after));
+        if (to - from).length() * distance.abs() > SMOOTH_PART * tolerance {
+            chain.join(after.start(), from, to, distance, own, join);
+        }
+    };
+    for (k, curve) in bent.iter().enumerate() {
+        if k > 0 {
+            corner(&mut chain, bent[k - 1], curve);
+        }
+        chain.add_parallel(curve, distance, own);
+    }
+    if closed {
+        corner(&mut chain, bent[bent.len() - 1], bent[0]);
+        // The end is the start, which the list has once.
+        chain.points.pop();
+        chain.closed = true;
+    }
+    Ok(chain)
+}
+
+impl Chain {
+    /// Leads from the parallel before a corner to the one after it.
+    fn join(
+        &mut self,
+        corner: DVec2,
+        from: DVec2,
+        to: DVec2,
+        distance: f64,
+        tolerance: f64,
+        join: OffsetJoin,
+    ) {
+        if join == OffsetJoin::Round {
+            return self.turn(corner, from, to, distance, tolerance);
+        }
+        let outside = from.perp_dot(to) * distance < 0.0;
+        // The tip is 1/cos(θ/2) distances away, and 1 + cos θ = 2cos²(θ/2).
+        let twice = 1.0 + from.dot(to);
+        if join == OffsetJoin::Miter && outside && twice * MITER_LIMIT * MITER_LIMIT >= 2.0 {
+            self.line_to(corner + (from + to).perp() * (distance / twice));
+        }
+        self.line_to(corner + to.perp() * distance);
+    }
+}
+
+/// The tangent at the start: toward the first control point that is not the start itself.
+fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
+    let points = curve.control_points();
+    way(points[0], points.iter())
+}
+
+fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
+    let points = curve.control_points();
+    -way(points[points.len() - 1], points.iter().rev())
+}
+
+/// From a point toward the first of others that is not next to nothing away.
+fn way<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
+    let step = |p: &DVec2| *p * 0.5 - from * 0.5;
+    let far = others
+        .clone()
+        .map(|p| Point::max_abs(step(p)))
+        .fold(0.0, f64::max);
+    let mut steps = others.map(step);
+    steps
+        .find(|&v| Point::max_abs(v) > NOTHING * far)
+        .map_or(DVec2::ZERO, Point::unit)
+}
+
+/// A handle of this part of the curve's size has no direction.
+const NOTHING: f64 = 1e-13;

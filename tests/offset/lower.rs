@@ -1,0 +1,111 @@
+//! Curves of a lower degree, and curves through points.
+
+use crate::common::{Rng, largest, real, ulp};
+use crate::truth::at;
+use casteljau::Curve;
+use casteljau::glam::DVec2;
+
+fn random(rng: &mut Rng, degree: usize) -> Curve<DVec2> {
+    let points: Vec<DVec2> = (0..=degree).map(|_| rng.point(2).truncate()).collect();
+    Curve::new(&points).expect("finite")
+}
+
+#[test]
+fn the_error_is_the_greatest_distance() {
+    let mut rng = Rng(5);
+    for degree in (1..=12).chain([20, 33, 64]) {
+        for _ in 0..40 {
+            let curve = random(&mut rng, degree);
+            let reduced = curve.reduce();
+            assert_eq!(reduced.curve.degree(), degree.saturating_sub(1).max(1));
+            assert_eq!(
+                (reduced.curve.start(), reduced.curve.end()),
+                (curve.start(), curve.end())
+            );
+            let steps = 4000;
+            let apart = |k: usize| {
+                let t = real(k) / real(steps);
+                (at(curve.control_points(), t) - at(reduced.curve.control_points(), t)).length()
+            };
+            let most = (0..=steps).map(apart).fold(0.0, f64::max);
+            let noise = 1e-13 * largest(reduced.curve.control_points());
+            assert!(
+                (most - reduced.error).abs() <= 1e-3 * reduced.error + noise,
+                "degree {degree}: {most}, {}",
+                reduced.error
+            );
+        }
+    }
+}
+
+#[test]
+fn elevated_curves_come_back() {
+    let mut rng = Rng(6);
+    for degree in (1..=12).chain([32, 63]) {
+        let curve = random(&mut rng, degree);
+        let back = curve.elevate().expect("below 64").reduce();
+        assert!(back.error <= 1e-14);
+        assert!(
+            back.curve.equals(&curve, 1e-12),
+            "degree {degree}: {:?}, {curve:?}",
+            back.curve
+        );
+    }
+}
+
+#[test]
+fn through_points() {
+    let mut rng = Rng(7);
+    for count in (2..=16).chain([33, 65]) {
+        let points: Vec<DVec2> = (0..count).map(|_| rng.point(2).truncate()).collect();
+        let last = real(count - 1);
+        let crowded: Vec<f64> = (0..count)
+            .map(|i| 0.5 - 0.5 * (std::f64::consts::PI * real(i) / last).cos())
+            .collect();
+        for ts in [None, Some(&crowded[..])] {
+            let curve = Curve::through(&points, ts).expect("different");
+            assert_eq!((curve.start(), curve.end()), (points[0], points[count - 1]));
+            let given = ts.map_or_else(|| chords(&points), <[f64]>::to_vec);
+            let size = largest(curve.control_points());
+            for (&t, &p) in given.iter().zip(&points) {
+                let missed = (at(curve.control_points(), t) - p).length();
+                assert!(
+                    missed <= real(count) * 4.0 * ulp(size),
+                    "{count}: {missed}, control points {size}"
+                );
+            }
+        }
+    }
+}
+
+fn chords(points: &[DVec2]) -> Vec<f64> {
+    let lengths: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).length()).collect();
+    let total: f64 = lengths.iter().sum();
+    let mut ts = vec![0.0];
+    for length in lengths {
+        ts.push(ts[ts.len() - 1] + length / total);
+    }
+    ts
+}
+
+#[test]
+fn through_points_of_a_known_curve() {
+    let mut rng = Rng(8);
+    for degree in 1..=10 {
+        let curve = random(&mut rng, degree);
+        let ts: Vec<f64> = (0..=degree).map(|k| real(k) / real(degree)).collect();
+        let points = curve.eval_at(&ts);
+        let found = Curve::through(&points, Some(&ts)).expect("different");
+        assert!(found.equals(&curve, 1e-11), "degree {degree}");
+    }
+}
+
+#[test]
+fn what_cannot_be_done_is_refused() {
+    let points = [DVec2::ZERO, DVec2::X, DVec2::Y];
+    assert!(Curve::through(&points, Some(&[0.0, 0.5, 0.5])).is_err());
+    assert!(Curve::through(&points, Some(&[0.0, 0.5])).is_err());
+    assert!(Curve::through(&points[..1], None).is_err());
+    assert!(Curve::through(&[DVec2::ONE; 3], None).is_ok());
+    assert!(Curve::through(&[DVec2::NAN; 3], None).is_err());
+}
