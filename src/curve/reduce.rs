@@ -5,6 +5,7 @@
 //! its outermost zeros are the ends, has the least maximum. Taking that one away leaves the best curve there is.
 
 use super::{Curve, Points, Scalars, ratio};
+use crate::list::points_of;
 use crate::point::Point;
 use std::f64::consts::FRAC_PI_2;
 
@@ -97,7 +98,7 @@ fn raise(low: &[f64]) -> Scalars {
 /// The control points of a curve that was elevated: from both ends to the middle, where errors do not grow.
 fn unelevated<P: Point>(high: &[P]) -> Points<P> {
     let n = high.len() - 1;
-    let mut low: Points<P> = high[..n].iter().copied().collect();
+    let mut low: Points<P> = points_of(&high[..n]);
     for i in 1..n.div_ceil(2) {
         let (all, part) = (ratio(n, n - i), ratio(i, n - i));
         low[i] = high[i] * all - low[i - 1] * part;

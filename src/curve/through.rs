@@ -2,6 +2,7 @@
 
 use super::{Curve, Points, Scalars, check_finite, ratio};
 use crate::error::{Error, MAX_DEGREE};
+use crate::list::points_of;
 use crate::point::Point;
 
 /// Rounds in which what rounding has left between the curve and the points is interpolated and added.
@@ -111,13 +112,13 @@ fn chord_lengths<P: Point>(points: &[P]) -> Scalars {
 
 /// Newton's interpolation: p(k) = p(k−1) + [p₀ … pₖ] (t − t₀) … (t − t(k−1)), everything in Bernstein form.
 fn interpolate<P: Point>(points: &[P], ts: &[f64]) -> Points<P> {
-    let mut divided: Points<P> = points.iter().copied().collect();
+    let mut divided: Points<P> = points_of(points);
     for level in 1..points.len() {
         for i in (level..points.len()).rev() {
             divided[i] = (divided[i] - divided[i - 1]) / (ts[i] - ts[i - level]);
         }
     }
-    let mut sum: Points<P> = divided[..1].iter().copied().collect();
+    let mut sum: Points<P> = points_of(&divided[..1]);
     let mut product: Scalars = [1.0].into_iter().collect();
     for k in 1..points.len() {
         let (root, old) = (ts[k - 1], product);
