@@ -106,7 +106,7 @@ export class Spline {
     const closed = Boolean(check.options(options).closed);
     const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
     load(Float64Array.from([curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers]));
-    return takeSpline(core().spline_from_curves(dimension), dimension);
+    return made(core().spline_from_curves(dimension), dimension);
   }
 
   /**
@@ -522,7 +522,7 @@ export class Spline {
     const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
     const given = check.optionalTolerance(tolerance);
     this.#load();
-    return takeSpline(core().spline_offset(distance, given, code), 2);
+    return made(core().spline_offset(distance, given, code), 2);
   }
 
   /**
@@ -588,7 +588,7 @@ export class Spline {
 
   /** @param {number} length */
   #made(length) {
-    return takeSpline(length, this.dimension);
+    return made(length, this.dimension);
   }
 
   /**
@@ -657,8 +657,10 @@ export function splineOf(parts) {
  * @param {number} length
  * @param {2 | 3} dimension
  */
-export function takeSpline(length, dimension) {
+function made(length, dimension) {
   const numbers = take(0, length);
   const head = 2 + numbers[0];
   return splineOf({ flat: numbers.slice(head), dimension, degrees: [...numbers.subarray(2, head)], closed: numbers[1] === 1 });
 }
+
+export { made as takeSpline };

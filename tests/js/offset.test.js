@@ -51,7 +51,7 @@ test("reduce gives the closest curve, and how close", () => {
   const { curve, error } = new Curve([0, 0, 2, 0, 3, 1, 3, 3]).reduce();
   assert.ok(error < 1e-15);
   assert.ok(curve.equals(new Curve([0, 0, 3, 0, 3, 3]), 1e-14));
-  assert.deepEqual(new Curve([0, 0, 1, 2, 2, 0]).reduce().error, 1);
+  assert.ok(Math.abs(new Curve([0, 0, 1, 2, 2, 0]).reduce().error - 1) < 1e-15);
 });
 
 test("a curve through points", () => {
