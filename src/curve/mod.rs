@@ -30,8 +30,8 @@ mod reduce;
 pub(crate) mod roots;
 mod straight;
 mod subdivide;
-mod torsion;
 mod through;
+mod torsion;
 mod trace;
 mod turning;
 
@@ -63,9 +63,8 @@ pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use even::{ByLength, check_length};
 pub(crate) use flatten::MAX_VERTICES;
-pub(crate) use moments::moments;
-pub(crate) use frames::{Chain, FRAME_NUMBERS, frames_along};
 pub(crate) use frames::{FRAME_NUMBERS, Railway, frames_along};
+pub(crate) use moments::moments;
 #[cfg(feature = "wasm")]
 pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
 
