@@ -111,11 +111,11 @@ export function segmentCount(value, name = "segments") {
  * @returns {T}
  */
 export function oneOf(value, name, words) {
-  const list = words.map((word) => JSON.stringify(word)).join(", ");
-  if (typeof value !== "string") throw new TypeError(`${name}: expected one of ${list}, got ${shown(value)}`);
   const found = words.find((word) => word === value);
-  if (found === undefined) throw new RangeError(`${name}: expected one of ${list}, got ${shown(value)}`);
-  return found;
+  if (found !== undefined) return found;
+  const list = words.map((word) => JSON.stringify(word)).join(", ");
+  const message = `${name}: expected one of ${list}, got ${shown(value)}`;
+  throw typeof value === "string" ? new RangeError(message) : new TypeError(message);
 }
 
 /**

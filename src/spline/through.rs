@@ -28,8 +28,9 @@ const POLE: f64 = -0.267_949_192_431_122_7;
 /// After so many steps a power of the pole is below the rounding error of 1: 0.268³² = 5·10⁻¹⁹.
 const RUN_IN: usize = 32;
 
-/// Above this coordinates are computed at 2⁻¹⁰ of their size, so that no sum overflows.
+/// Above this coordinates are computed at a part of their size, so that no sum overflows.
 const HUGE: f64 = 1e300;
+const SHRUNK: f64 = 1.0 / 1024.0;
 
 impl<P: Point> Spline<P> {
     /// A cubic spline through points; its joints are the points, at t = 0, 1, 2, …
@@ -59,55 +60,74 @@ impl<P: Point> Spline<P> {
     /// Sources: Unser, "Splines: a perfect fit for signal and image processing", 1999 (the recursive filter); Yuksel,
     /// Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
     pub fn through(points: &[P], kind: Through, closed: bool) -> Result<Self, Error> {
-        match kind {
-            Through::Natural => Self::natural(points, closed),
-            Through::CatmullRom { alpha } => {
-                if !(0.0..=1.0).contains(&alpha) {
-                    return Err(Error::Range {
-                        what: "alpha",
-                        expected: "0 to 1",
-                        got: alpha,
-                    });
-                }
-                Self::catmull_rom(points, closed, |length| power(length, alpha))
-            }
+        let Through::CatmullRom { alpha } = kind else {
+            return Self::through_by(points, closed, None);
+        };
+        if !(0.0..=1.0).contains(&alpha) {
+            return Err(Error::Range {
+                what: "alpha",
+                expected: "0 to 1",
+                got: alpha,
+            });
         }
+        Self::through_by(points, closed, Some(&|length| power(length, alpha)))
     }
 
-    /// The natural cubic spline.
-    pub(crate) fn natural(points: &[P], closed: bool) -> Result<Self, Error> {
-        with_handles(points, closed, |p| {
-            derivatives(p, closed).into_iter().map(|d| (d, d)).collect()
-        })
-    }
-
-    /// The Catmull-Rom spline, `step` being the step of the parameter by the length of a chord.
-    pub(crate) fn catmull_rom(
+    /// The Catmull-Rom spline whose parameter has these steps by the lengths of chords; without, the natural one.
+    pub(crate) fn through_by(
         points: &[P],
         closed: bool,
-        step: impl Fn(f64) -> f64,
+        step: Option<&dyn Fn(f64) -> f64>,
     ) -> Result<Self, Error> {
-        with_handles(points, closed, |p| {
-            let last = p.len() - 1;
-            let around = |i: usize| match i {
-                0 if closed => [p[last], p[0], p[1]],
-                0 => [p[0], p[0], p[1]],
-                _ if i < last => [p[i - 1], p[i], p[i + 1]],
-                _ if closed => [p[i - 1], p[i], p[0]],
-                _ => [p[i - 1], p[i], p[i]],
-            };
-            let ends = |i: usize| !closed && (i == 0 || i == last);
-            let derivative = |i: usize| {
-                let [a, b, c] = around(i);
-                if ends(i) {
-                    return (c - a, c - a);
-                }
-                let (ahead, behind) =
-                    catmull_rom([a, b, c], [step((b - a).norm()), step((c - b).norm())]);
-                (behind, ahead)
-            };
-            (0..p.len()).map(derivative).collect()
-        })
+        let count = points.len();
+        if count < 2 {
+            return Err(Error::Count {
+                what: "points",
+                expected: "at least 2 points",
+                got: count,
+            });
+        }
+        let limit = MAX_OUTPUT_F64 / (3 * P::DIMENSION);
+        if count > limit {
+            return Err(Error::TooMany {
+                what: "points",
+                limit,
+                needed: count,
+            });
+        }
+        check_finite("points", points)?;
+        let unit = if max_abs(points) > HUGE { SHRUNK } else { 1.0 };
+        let row = Row {
+            points: points.iter().map(|&p| p * unit).collect(),
+            closed,
+        };
+        let derivatives = match step {
+            None => row.natural(),
+            Some(step) => row.catmull_rom(step),
+        };
+        let handle = |i: usize, along: P| {
+            let handle = (row.points[i] + along / 3.0) / unit;
+            // Of points at the end of numbers, handles lie beyond: they stay at the point.
+            if handle.is_finite() {
+                handle
+            } else {
+                points[i]
+            }
+        };
+        let segments = count - usize::from(!closed);
+        let mut all = Vec::with_capacity(3 * segments + 1);
+        for i in 0..segments {
+            let next = (i + 1) % count;
+            all.extend([
+                points[i],
+                handle(i, derivatives[i].1),
+                handle(next, -derivatives[next].0),
+            ]);
+        }
+        if !closed {
+            all.push(points[segments]);
+        }
+        Ok(Self::from_parts(all, &vec![3; segments], closed))
     }
 }
 
@@ -124,97 +144,73 @@ fn power(length: f64, alpha: f64) -> f64 {
     }
 }
 
-/// A spline by its derivatives: of the segment before each point, and of the one after it.
-fn with_handles<P: Point>(
-    points: &[P],
+/// Points in a row, or around.
+struct Row<P> {
+    points: Vec<P>,
     closed: bool,
-    derivatives: impl Fn(&[P]) -> Vec<(P, P)>,
-) -> Result<Spline<P>, Error> {
-    let count = points.len();
-    if count < 2 {
-        return Err(Error::Count {
-            what: "points",
-            expected: "at least 2 points",
-            got: count,
-        });
-    }
-    let limit = MAX_OUTPUT_F64 / (3 * P::DIMENSION);
-    if count > limit {
-        return Err(Error::TooMany {
-            what: "points",
-            limit,
-            needed: count,
-        });
-    }
-    check_finite("points", points)?;
-    let unit = if max_abs(points) > HUGE {
-        1.0 / 1024.0
-    } else {
-        1.0
-    };
-    let small: Vec<P> = points.iter().map(|&p| p * unit).collect();
-    let derivatives = derivatives(&small);
-    let handle = |i: usize, along: P| {
-        let handle = (small[i] + along / 3.0) / unit;
-        // Of points at the end of numbers, handles lie beyond: they stay at the point.
-        if handle.is_finite() {
-            handle
-        } else {
-            points[i]
-        }
-    };
-    let segments = if closed { count } else { count - 1 };
-    let mut all = Vec::with_capacity(3 * segments + 1);
-    for i in 0..segments {
-        let next = (i + 1) % count;
-        all.extend([
-            points[i],
-            handle(i, derivatives[i].1),
-            handle(next, -derivatives[next].0),
-        ]);
-    }
-    if !closed {
-        all.push(points[count - 1]);
-    }
-    Ok(Spline::from_parts(all, &vec![3; segments], closed))
 }
 
-/// The derivatives of the natural spline.
-///
-/// (1, 4, 1) is undone by a filter that runs forward and one that runs back, each of which needs no more than its last
-/// value. Both begin some steps early, where their past has no weight any more: around the ring, or at a free end in the
-/// mirror image beyond it (a natural spline goes on turned by 180° about its end, its derivatives mirrored).
-fn derivatives<P: Point>(p: &[P], closed: bool) -> Vec<P> {
-    let count = p.len();
-    let right = |i: usize| {
-        let (before, after) = match i {
-            0 if closed => (p[count - 1], p[1]),
-            0 => (p[0] * 2.0 - p[1], p[1]),
-            _ if i < count - 1 => (p[i - 1], p[i + 1]),
-            _ if closed => (p[i - 1], p[0]),
-            _ => (p[i - 1], p[i] * 2.0 - p[i - 1]),
+impl<P: Point> Row<P> {
+    /// The indices of the points before and after one; at a free end its own.
+    fn beside(&self, i: usize) -> (usize, usize) {
+        let count = self.points.len();
+        if self.closed {
+            ((i + count - 1) % count, (i + 1) % count)
+        } else {
+            (i.saturating_sub(1), (i + 1).min(count - 1))
+        }
+    }
+
+    /// The derivatives of the segment before each point, and of the one after it.
+    fn catmull_rom(&self, step: &dyn Fn(f64) -> f64) -> Vec<(P, P)> {
+        let derivatives = |i: usize| {
+            let (before, after) = self.beside(i);
+            let points = [before, i, after].map(|k| self.points[k]);
+            let step = |from: usize, to: usize, chord: P| {
+                if from == to { 0.0 } else { step(chord.norm()) }
+            };
+            let steps = [
+                step(before, i, points[1] - points[0]),
+                step(i, after, points[2] - points[1]),
+            ];
+            let (ahead, behind) = catmull_rom(points, steps);
+            (behind, ahead)
         };
-        (after - before) * 3.0
-    };
-    let period = if closed { count } else { 2 * (count - 1) };
-    // Index i of the ring, or of the row and its mirror images; counted from the run-in on.
-    let at = |i: usize| {
-        let i = i % period;
-        if i < count { i } else { period - i }
-    };
-    let early = RUN_IN.div_ceil(period) * period - RUN_IN;
-    let mut forward = P::default();
-    (early..early + RUN_IN).for_each(|i| forward = right(at(i)) + forward * POLE);
-    let mut found: Vec<P> = Vec::with_capacity(count + RUN_IN);
-    for i in 0..count + RUN_IN {
-        forward = right(at(i)) + forward * POLE;
-        found.push(forward);
+        (0..self.points.len()).map(derivatives).collect()
     }
-    let mut back = P::default();
-    for value in found.iter_mut().rev() {
-        back = *value + back * POLE;
-        *value = back * -POLE;
+
+    /// The same of the natural spline, where both are equal.
+    ///
+    /// (1, 4, 1) is undone by a filter that runs forward and one that runs back, each of which needs no more than its last
+    /// value. Both begin some steps early, where their past has no weight any more: around the ring, or at a free end in
+    /// the mirror image beyond it (a natural spline goes on turned by 180° about its end, its derivatives mirrored).
+    fn natural(&self) -> Vec<(P, P)> {
+        let count = self.points.len();
+        let period = if self.closed { count } else { 2 * (count - 1) };
+        let right = |i: usize| {
+            // Of the ring, or of the row and its mirror images.
+            let i = i % period;
+            let i = if i < count { i } else { period - i };
+            let (before, after) = self.beside(i);
+            let at_end = !self.closed && (i == before || i == after);
+            (self.points[after] - self.points[before]) * if at_end { 6.0 } else { 3.0 }
+        };
+        // A whole number of periods before the first point.
+        let early = RUN_IN.div_ceil(period) * period;
+        let mut found = Vec::with_capacity(count + RUN_IN);
+        let mut forward = P::default();
+        for i in early - RUN_IN..early + count + RUN_IN {
+            forward = right(i) + forward * POLE;
+            if i >= early {
+                found.push((forward, forward));
+            }
+        }
+        let mut back = P::default();
+        for pair in found.iter_mut().rev() {
+            back = pair.0 + back * POLE;
+            *pair = (back * -POLE, back * -POLE);
+        }
+        found.truncate(count);
+        found
     }
-    found.truncate(count);
-    found
 }

@@ -11,12 +11,10 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub fn spline_through(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let spline = if alpha >= 0.0 {
-            // JavaScript's power: Rust's would be two kilobytes of the module.
-            Spline::catmull_rom(&points, closed, |length| js_sys::Math::pow(length, alpha))?
-        } else {
-            Spline::natural(&points, closed)?
-        };
+        // JavaScript's power: Rust's would be two kilobytes of the module.
+        let power = |length| js_sys::Math::pow(length, alpha);
+        let step: Option<&dyn Fn(f64) -> f64> = if alpha < 0.0 { None } else { Some(&power) };
+        let spline = Spline::through_by(&points, closed, step)?;
         Ok(put(a, &spline, dimension))
     })
 }
