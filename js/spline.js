@@ -3,6 +3,7 @@ import * as check from "./check.js";
 import { Curve, takePolyline } from "./curve.js";
 import { frameTimes, frameWishes, takeFrames } from "./frames.js";
 import { core } from "./init.js";
+import { modeCode, modeCodes } from "./joints.js";
 import { CHAIN, chainOf, inPlane, meetChains, meetSelf } from "./meetings.js";
 import { nearestLeft } from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
@@ -18,29 +19,10 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { Nearest } from "./places.js"
  * @import { FrameOptions, Frames } from "./frames.js"
+ * @import { Continuity, JointMode } from "./joints.js"
  * @import { Point } from "./points.js"
  * @import { ThroughOptions } from "./through.js"
  * @import { SvgOptions } from "./svg-write.js"
- */
-
-/**
- * What is kept at a joint while points move: nothing; aligned handles; equal first derivatives; equal second ones, too;
- * aligned handles and equal curvatures (2D only); or handles that follow the neighbouring joints (centripetal Catmull-Rom).
- *
- * @typedef {"free" | "g1" | "c1" | "c2" | "g2" | "auto"} JointMode
- */
-
-/**
- * What is true at a joint.
- *
- * @typedef {object} Continuity
- * @property {boolean} c0 the segments meet
- * @property {boolean} g1 they have the same tangent direction
- * @property {boolean} c1 they have the same first derivative
- * @property {boolean} g2 they have the same tangent and curvature
- * @property {boolean} c2 they have the same first and second derivative
- * @property {number} gap the distance between the two ends
- * @property {number} angle the angle between the two tangents, in radians
  */
 
 /**
@@ -48,9 +30,6 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  *
  * @typedef {{ flat: Float64Array, dimension: 2 | 3, degrees: number[], closed: boolean }} Parts
  */
-
-/** @type {readonly JointMode[]} in the order of the core */
-const MODES = ["free", "g1", "c1", "c2", "g2", "auto"];
 
 /** @type {readonly ("round" | "miter" | "bevel")[]} in the order of the core */
 const JOINS = ["round", "miter", "bevel"];
@@ -122,7 +101,7 @@ export class Spline {
    */
   static through(points, options) {
     const { length, dimension } = through(points, options);
-    return takeSpline(length, dimension);
+    return made(length, dimension);
   }
 
   /**
@@ -138,7 +117,7 @@ export class Spline {
    */
   static fromBSpline(points, options) {
     const { length, dimension } = fromBSpline(points, options);
-    return takeSpline(length, dimension);
+    return made(length, dimension);
   }
 
   /**
@@ -401,8 +380,11 @@ export class Spline {
   movePoint(index, to, options) {
     const last = this.#parts.flat.length / this.dimension - 1;
     check.whole(index, "index", 0, last);
-    const modes = this.#modes(check.options(options).joints);
-    const behind = Float64Array.from([...this.#coordinates(to, "to"), ...modes]);
+    const modes = modeCodes(check.options(options).joints, this.segmentCount, this.dimension);
+    const place = this.#coordinates(to, "to");
+    const behind = new Float64Array(place.length + modes.length);
+    behind.set(place);
+    behind.set(modes, place.length);
     return this.#made(core().spline_move_point(this.#load(behind), index));
   }
 
@@ -416,7 +398,7 @@ export class Spline {
    */
   setJoint(joint, mode) {
     this.#checkJoint(joint);
-    return this.#made(core().spline_set_joint(this.#load(), joint, this.#modeCode(mode, "mode")));
+    return this.#made(core().spline_set_joint(this.#load(), joint, modeCode(mode, "mode", this.dimension)));
   }
 
   /**
@@ -604,28 +586,6 @@ export class Spline {
   /** @param {unknown} joint */
   #checkJoint(joint) {
     check.whole(joint, "joint", this.closed ? 0 : 1, this.segmentCount - 1);
-  }
-
-  /**
-   * @param {ArrayLike<JointMode | undefined> | Record<number, JointMode> | undefined} joints
-   * @returns {number[]} a code for each segment's start
-   */
-  #modes(joints) {
-    const modes = /** @type {Record<number, JointMode | undefined>} */ (check.options(joints, "joints"));
-    return this.#parts.degrees.map((_, k) => {
-      const mode = modes[k];
-      return mode === undefined ? 0 : this.#modeCode(mode, `joints[${k}]`);
-    });
-  }
-
-  /**
-   * @param {JointMode} mode
-   * @param {string} name
-   */
-  #modeCode(mode, name) {
-    const code = MODES.indexOf(check.oneOf(mode, name, MODES));
-    if (mode === "g2" && this.dimension === 3) throw new RangeError(`${name}: expected a 2D spline for "g2", got a 3D one`);
-    return code;
   }
 }
 
