@@ -2,6 +2,7 @@
 //!
 //! They live apart so that a build for small size can compile them for speed. They check nothing but lengths.
 
+mod angle;
 mod bend;
 mod bicubic;
 mod curve;
@@ -18,6 +19,7 @@ mod sample;
 mod speed;
 mod weights;
 
+pub use angle::cos_sin;
 pub use bend::{BEND_SLACK, Bends, Sizes};
 pub use bicubic::BicubicGrid;
 pub use curve::sample_plane_cubic;

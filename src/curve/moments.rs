@@ -2,8 +2,9 @@
 
 use super::{Curve, Points, evaluate, max_abs};
 use crate::point::Point;
-use casteljau_kernels::{GAUSS_8, GAUSS_16, GAUSS_32};
+use casteljau_kernels::{GAUSS_8, GAUSS_16, GAUSS_32, cos_sin};
 use glam::DVec2;
+use std::f64::consts::PI;
 
 /// Integrals over the region that the segment from the origin to the curve's point sweeps, as the point runs along the
 /// curve; counted positive while it turns counter-clockwise (x right, y up).
@@ -108,7 +109,7 @@ fn computed_rule(count: usize) -> (Vec<f64>, Vec<f64>) {
     let n = count as f64;
     (1..=count / 2)
         .map(|i| {
-            let mut z = (std::f64::consts::PI * (i as f64 - 0.25) / (n + 0.5)).cos();
+            let (mut z, _) = cos_sin(PI * (i as f64 - 0.25) / (n + 0.5));
             let mut slope = 1.0;
             for _ in 0..6 {
                 let (value, derivative) = legendre(count, z);

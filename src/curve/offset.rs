@@ -10,7 +10,7 @@ use super::{Curve, check_tolerance, ulp};
 use crate::error::Error;
 use crate::point::Point;
 use crate::spline::Spline;
-use casteljau_kernels::{Parallel, Plane, Source};
+use casteljau_kernels::{Parallel, Plane, Source, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -160,12 +160,14 @@ impl Chain {
             sin.atan2(cos)
         };
         let pieces = arc_pieces(angle, distance.abs(), tolerance);
-        let handle = distance * (4.0 / 3.0) * (0.25 * angle / pieces).tan();
+        let (cos, sin) = cos_sin(0.25 * angle / pieces);
+        let handle = distance * (4.0 / 3.0) * (sin / cos);
         let tangent = |k: f64| {
             if k == pieces {
                 to
             } else {
-                DVec2::from_angle(angle * (k / pieces)).rotate(from)
+                let (cos, sin) = cos_sin(angle * (k / pieces));
+                DVec2::new(cos, sin).rotate(from)
             }
         };
         let at = |tangent: DVec2| about + tangent.perp() * distance;
@@ -189,8 +191,9 @@ const REVERSED_SINE: f64 = 1e-12;
 fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
     let mut pieces = 1.0;
     loop {
-        let quarter = 0.25 * angle / pieces;
-        let error = (2.0 / 27.0) * quarter.sin().powi(6) / quarter.cos().powi(2);
+        let (cos, sin) = cos_sin(0.25 * angle / pieces);
+        let square = sin * sin;
+        let error = (2.0 / 27.0) * square * square * square / (cos * cos);
         if error * radius <= tolerance || pieces >= MOST_ARC_PIECES {
             return pieces;
         }

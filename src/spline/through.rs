@@ -131,17 +131,21 @@ impl<P: Point> Spline<P> {
     }
 }
 
-/// The length to a power; the powers that have a name without a power function.
+/// A length to a power from 0 to 1: the product of its square roots, fourth roots … where alpha has binary digits. Within
+/// some ulps, and without the power function.
 fn power(length: f64, alpha: f64) -> f64 {
-    if alpha == 0.0 {
-        1.0
-    } else if alpha == 0.5 {
-        length.sqrt()
-    } else if alpha == 1.0 {
-        length
-    } else {
-        length.powf(alpha)
+    if alpha >= 1.0 {
+        return length;
     }
+    let (mut product, mut root, mut rest) = (1.0, length, alpha);
+    while rest > 0.0 && root != 1.0 {
+        (root, rest) = (root.sqrt(), 2.0 * rest);
+        if rest >= 1.0 {
+            product *= root;
+            rest -= 1.0;
+        }
+    }
+    product
 }
 
 /// Points in a row, or around.

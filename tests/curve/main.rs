@@ -1,5 +1,6 @@
 //! Curves: what must hold for every curve, natively and in wasm, judged by closed forms and by exact arithmetic.
 
+mod angle;
 mod basis;
 #[path = "../common/mod.rs"]
 mod common;

@@ -15,6 +15,7 @@ mod vector;
 pub use source::Source;
 pub use vector::Plane;
 
+use crate::cos_sin;
 use source::Place;
 
 /// How often a piece may be cut in two.
@@ -133,7 +134,7 @@ impl<'a> Parallel<'a> {
             let next = if k == pieces {
                 *to
             } else {
-                let (sin, cos) = (angle * k / pieces).sin_cos();
+                let (cos, sin) = cos_sin(angle * k / pieces);
                 let tangent = from.tangent * cos + from.tangent.turned() * sin;
                 End { tangent, ..*from }
             };
