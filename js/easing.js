@@ -209,16 +209,14 @@ function solved(table, starts, x) {
   if (at === 0) x = Math.min(upper(x, 2 ** 5), table[WIDTH]);
   const far = x - table[at];
   let d = far * (table[at + 10] + far * (table[at + 11] + far * table[at + 12]));
-  let least = 0;
   if (at === 0 && x < table[WIDTH] * NEAR_START) {
     d = sizeAtStart(table, x);
   } else if (d > 0.5 / PIECES) {
     // From the node that is nearer: what is small is subtracted from what is exact.
     at += WIDTH;
-    least = -1 / PIECES;
-    d += least;
+    d -= 1 / PIECES;
   }
-  return newton(table, at, x, d, least, least + 1 / PIECES);
+  return newton(table, at, x, d);
 }
 
 /**
@@ -235,7 +233,7 @@ function sizeAtStart(table, x) {
 }
 
 /**
- * y at the zero of x(node + d) − x between least and most, by Newton's method; a step that leaves them is a bisection.
+ * y at the zero of x(node + d) − x, by Newton's method; a step that leaves the pieces beside the node is a bisection.
  *
  * Newton's method has ended when the error that its step leaves, step² · |x″| / (2 x′), is negligible: against t at the
  * first node, against 1 at the others.
@@ -243,16 +241,16 @@ function sizeAtStart(table, x) {
  * @param {Float64Array} table
  * @param {number} at
  * @param {number} x
- * @param {number} d
- * @param {number} least
- * @param {number} most
+ * @param {number} d where to begin
  */
-function newton(table, at, x, d, least, most) {
+function newton(table, at, x, d) {
   const c1 = table[at + 2];
   const c2 = table[at + 3];
   const c3 = table[at + 4];
   const sought = x - table[at] - table[at + 1];
   const origin = at === 0 ? 0 : 1;
+  let least = -origin / PIECES;
+  let most = 1 / PIECES;
   for (let count = 0; count < MOST_STEPS; count++) {
     const off = sought - d * (c1 + d * (c2 + d * c3));
     if (off === 0) break;

@@ -143,18 +143,16 @@ impl Easing {
         } = self.nodes[k];
         let far = x - before.value;
         let mut d = far * (a + far * (b + far * c));
-        let mut least = 0.0;
         if k == 0 && x < self.nodes[1].x.value * NEAR_START {
             d = size_at_start(&before, x);
         } else if d > 0.5 * STEP {
             // From the node that is nearer: what is small is subtracted from what is exact.
             k += 1;
-            least = -STEP;
-            d += least;
+            d -= STEP;
         }
         let Node { x: along, y, .. } = &self.nodes[k];
         let origin = if k == 0 { 0.0 } else { 1.0 };
-        y.at(newton(along, x, d, least, origin))
+        y.at(newton(along, x, d, origin))
     }
 }
 
@@ -288,14 +286,14 @@ fn size_at_start(start: &Expansion, x: f64) -> f64 {
     1.0 / (start.by[0] / x + start.by[1].abs().sqrt() / x.sqrt() + 1.0 / cubic)
 }
 
-/// The zero of x(node + d) − x between least and a piece more, by Newton's method; a step that leaves them is a bisection.
+/// The zero of x(node + d) − x, by Newton's method; a step that leaves the pieces beside the node is a bisection.
 ///
 /// Newton's method has ended when the error that its step leaves, step² · |x″| / (2 x′), is negligible: against t at the
 /// first node (origin 0), against 1 at the others.
-fn newton(along: &Expansion, x: f64, mut d: f64, mut least: f64, origin: f64) -> f64 {
+fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
     let [a, b, c] = along.by;
     let sought = x - along.value - along.low;
-    let mut most = least + STEP;
+    let (mut least, mut most) = (-origin * STEP, STEP);
     for _ in 0..MOST_STEPS {
         let off = sought - d * (a + d * (b + d * c));
         if off == 0.0 {
