@@ -16,7 +16,7 @@ import { takeSpline } from "./spline.js";
 /**
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
- * @import { Class, Extrema, Nearest } from "./places.js"
+ * @import { Class, Distance, Extrema, Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Spline } from "./spline.js"
@@ -651,6 +651,28 @@ export class Curve {
   }
 
   /**
+   * The least distance between the points of this curve and another one, 0 where they meet, and where it is: the least of
+   * all, for t and u in [0, 1]. Of several such places any one.
+   *
+   * @param {Curve} curve of the same dimension
+   * @returns {Distance}
+   */
+  distanceTo(curve) {
+    return places.distance(this.#flat, this.#alike(curve), this.#dimension);
+  }
+
+  /**
+   * The Hausdorff distance of two curves: the greatest distance that a point of either has from the other. 0 says that
+   * they are the same set of points. Within 1e-9 of itself.
+   *
+   * @param {Curve} curve of the same dimension
+   * @returns {number}
+   */
+  hausdorff(curve) {
+    return places.hausdorff(this.#flat, this.#alike(curve), this.#dimension);
+  }
+
+  /**
    * Draws the curve on a canvas context or a Path2D: `moveTo` its start, then the curve. 2D only.
    *
    * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
@@ -712,6 +734,17 @@ export class Curve {
   #box(exact) {
     core().curve_bounds(this.#dimension, this.#load(), exact);
     return boxAt(take(0, 6), this.#dimension);
+  }
+
+  /**
+   * The numbers of a curve of the same dimension.
+   *
+   * @param {unknown} curve
+   */
+  #alike(curve) {
+    const other = check.instanceOf(curve, "curve", Curve);
+    if (other.#dimension === this.#dimension) return other.#flat;
+    throw new TypeError(`curve: expected a ${this.#dimension}D curve, got a ${other.#dimension}D one`);
   }
 
   /** @param {string} method */

@@ -133,3 +133,35 @@ export function tangentsFrom(flat, p) {
   writePoint(load(flat, 2), flat.length, p, 2, "p");
   return take(0, core().curve_tangents_from(flat.length / 2));
 }
+
+/**
+ * Where two curves are nearest to each other: t on the first, u on the second.
+ *
+ * @typedef {{ distance: number, t: number, u: number }} Distance
+ */
+
+/**
+ * @internal
+ * @param {Float64Array} flat
+ * @param {Float64Array} other
+ * @param {2 | 3} dimension
+ * @returns {Distance}
+ */
+export function distance(flat, other, dimension) {
+  load(flat, other.length).set(other, flat.length);
+  core().curve_distance(dimension, flat.length / dimension, other.length / dimension);
+  const numbers = arena(3);
+  return { distance: numbers[0], t: numbers[1], u: numbers[2] };
+}
+
+/**
+ * @internal
+ * @param {Float64Array} flat
+ * @param {Float64Array} other
+ * @param {2 | 3} dimension
+ * @returns {number}
+ */
+export function hausdorff(flat, other, dimension) {
+  load(flat, other.length).set(other, flat.length);
+  return core().curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
+}

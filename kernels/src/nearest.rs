@@ -1,7 +1,10 @@
 //! The point of a cubic that is nearest to the origin.
 
-/// Halvings after which several roots count as one: squared distances differ by the square of the width there.
-const MOST_HALVINGS: u32 = 26;
+/// Halvings of the coefficients, before their rounding counts.
+const ROUGH_HALVINGS: u32 = 5;
+
+/// Further halvings, after which several roots count as one: squared distances differ by the square of the width there.
+const MOST_HALVINGS: u32 = 24;
 
 /// Steps that even a root of multiplicity 5, where Newton's method converges slowest, does not need.
 const MOST_STEPS: usize = 80;
@@ -31,10 +34,10 @@ fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64>
     if !(PLAIN_SIZES.contains(&best.size) || best.size == 0.0) {
         return None;
     }
-    let cubic = Cubic::new(&points);
+    let cubic = Cubic::new(points);
     let whole = cubic.quintic();
     if signs(&whole) != 0 {
-        cubic.search(&whole, [0.0, 1.0], MOST_HALVINGS, &mut best);
+        cubic.search(&whole, [0.0, 1.0], ROUGH_HALVINGS, &mut best);
     }
     best.take(1.0, dot(&points[3], &points[3]));
     Some(best.t)
@@ -54,18 +57,6 @@ fn signs(b: &Quintic) -> u32 {
 }
 
 #[inline(always)]
-fn halves(b: &Quintic) -> (Quintic, Quintic) {
-    let (mut left, mut right) = (*b, *b);
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 0..5 - level {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
-    (left, right)
-}
-
-#[inline(always)]
 fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     let mut sum = a[0] * b[0];
     for k in 1..D {
@@ -79,23 +70,67 @@ fn each<const D: usize>(f: impl Fn(usize) -> f64) -> [f64; D] {
     std::array::from_fn(f)
 }
 
-/// The control points with the differences of which the derivatives are made.
-struct Cubic<'a, const D: usize> {
-    points: &'a [[f64; D]; 4],
-    slopes: [[f64; D]; 3],
-    bends: [[f64; D]; 2],
+/// The halves of the coefficients.
+#[inline(always)]
+fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
+    let (mut left, mut right) = (*b, *b);
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 0..5 - level {
+            right[i] = 0.5 * (right[i] + right[i + 1]);
+        }
+    }
+    (left, right)
 }
 
-impl<'a, const D: usize> Cubic<'a, D> {
+/// As `Cubic::search`, but the control points are halved and not the coefficients: close together those are small, and so
+/// is their rounding then.
+#[inline(never)]
+fn search_closely<const D: usize>(
+    points: Points<D>,
+    [lo, hi]: [f64; 2],
+    halvings: u32,
+    best: &mut Best,
+) {
+    let piece = Cubic::new(points);
+    if piece.settles(&piece.quintic(), [0.0, 1.0], [lo, hi], halvings == 0, best) {
+        return;
+    }
+    let (left, right) = halves(&piece.points);
+    let mid = 0.5 * (lo + hi);
+    search_closely(left, [lo, mid], halvings - 1, best);
+    // A root in the middle may, by rounding, lie in neither half.
+    let centre = &right[0];
+    let before: [f64; D] = each(|k| centre[k] - left[2][k]);
+    let after: [f64; D] = each(|k| right[1][k] - centre[k]);
+    if dot(centre, &before) < 0.0 && dot(centre, &after) >= 0.0 {
+        best.take(mid, dot(centre, centre));
+    }
+    search_closely(right, [mid, hi], halvings - 1, best);
+}
+
+type Points<const D: usize> = [[f64; D]; 4];
+
+#[inline(always)]
+fn halves<const D: usize>([p, q, r, s]: &Points<D>) -> (Points<D>, Points<D>) {
+    let middle = |a: &[f64; D], b: &[f64; D]| -> [f64; D] { each(|k| 0.5 * (a[k] + b[k])) };
+    let (pq, qr, rs) = (middle(p, q), middle(q, r), middle(r, s));
+    let (pqr, qrs) = (middle(&pq, &qr), middle(&qr, &rs));
+    let centre = middle(&pqr, &qrs);
+    ([*p, pq, pqr, centre], [centre, qrs, rs, *s])
+}
+
+/// The control points with the differences of which the derivatives are made.
+struct Cubic<const D: usize> {
+    points: Points<D>,
+    slopes: [[f64; D]; 3],
+}
+
+impl<const D: usize> Cubic<D> {
     #[inline(always)]
-    fn new(points: &'a [[f64; D]; 4]) -> Self {
+    fn new(points: Points<D>) -> Self {
         let slopes = [0, 1, 2].map(|i| each(|k| 3.0 * (points[i + 1][k] - points[i][k])));
-        let bends = [0, 1].map(|i| each(|k| 2.0 * (slopes[i + 1][k] - slopes[i][k])));
-        Self {
-            points,
-            slopes,
-            bends,
-        }
+        Self { points, slopes }
     }
 
     #[inline(always)]
@@ -112,36 +147,68 @@ impl<'a, const D: usize> Cubic<'a, D> {
     }
 
     /// Halves until a piece has at most one change of sign; from left to right.
-    fn search(&self, piece: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
-        let signs = signs(piece);
-        let changes = (signs ^ (signs >> 1)) & 31;
-        if changes == 0 {
+    fn search(&self, quintic: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
+        if self.settles(quintic, [lo, hi], [0.0, 1.0], false, best) {
             return;
         }
-        // One change, or as good as one: a minimum only where the sign begins negative.
-        if changes & (changes - 1) == 0 || halvings == 0 {
-            if signs & 1 == 1 {
-                let k = changes.trailing_zeros() as usize;
-                let (before, after) = (piece[k], piece[k + 1]);
-                let guess = 0.2 * (k as f64 + before / (before - after));
-                let (t, square) = self.close_in([lo, hi], lo + (hi - lo) * guess, best.slack);
-                best.take(t, square);
-            }
+        if halvings == 0 {
+            // A root at its ends may, by rounding, be on neither side.
+            let piece = self.piece(lo, hi);
+            best.take(lo, dot(&piece[0], &piece[0]));
+            search_closely(piece, [lo, hi], MOST_HALVINGS, best);
+            best.take(hi, dot(&piece[3], &piece[3]));
             return;
         }
-        let (left, right) = halves(piece);
+        let (left, right) = quintic_halves(quintic);
         let mid = 0.5 * (lo + hi);
         self.search(&left, [lo, mid], halvings - 1, best);
         self.search(&right, [mid, hi], halvings - 1, best);
     }
 
-    /// The root of B·B′ at which it rises through zero between lo and hi, by Newton's method kept within them, and |B|²
-    /// there. It ends with the step that shortens the distance by less than rounding.
+    /// Whether the quintic of a piece, from lo to hi on this curve, has at most one change of sign, or `force`. Takes its
+    /// minimum, which there is only where the sign begins negative. This curve is a part of the whole one.
+    #[inline(always)]
+    fn settles(
+        &self,
+        quintic: &Quintic,
+        [lo, hi]: [f64; 2],
+        [from, to]: [f64; 2],
+        force: bool,
+        best: &mut Best,
+    ) -> bool {
+        let signs = signs(quintic);
+        let changes = (signs ^ (signs >> 1)) & 31;
+        let settled = changes & changes.wrapping_sub(1) == 0 || force;
+        if settled && changes != 0 && signs & 1 == 1 {
+            let k = changes.trailing_zeros() as usize;
+            let (before, after) = (quintic[k], quintic[k + 1]);
+            let guess = 0.2 * (k as f64 + before / (before - after));
+            let (t, square) = self.close_in([lo, hi], lo + (hi - lo) * guess, best.slack);
+            best.take(from + (to - from) * t, square);
+        }
+        settled
+    }
+
+    /// The control points of the piece from lo to hi.
+    fn piece(&self, lo: f64, hi: f64) -> Points<D> {
+        let at = |[a, b, c]: [f64; 3]| -> [f64; D] {
+            let mix = |p: &[f64; D], q: &[f64; D], t: f64| -> [f64; D] {
+                each(|k| p[k] * (1.0 - t) + q[k] * t)
+            };
+            let [p, q, r, s] = &self.points;
+            let (pq, qr, rs) = (mix(p, q, a), mix(q, r, a), mix(r, s, a));
+            mix(&mix(&pq, &qr, b), &mix(&qr, &rs, b), c)
+        };
+        [[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at)
+    }
+
+    /// The root of B·B′ at which it rises through zero, by Newton's method kept between lo and hi, and |B|² there. It ends with the step that shortens the distance by less than rounding.
     #[inline(always)]
     fn close_in(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
+        let bends = [0, 1].map(|i| each(|k| 2.0 * (self.slopes[i + 1][k] - self.slopes[i][k])));
         let mut t = guess;
         for _ in 0..MOST_STEPS {
-            let (square, value, slope) = self.about(t);
+            let (square, value, slope) = self.about(&bends, t);
             if value < 0.0 {
                 lo = t;
             } else {
@@ -158,16 +225,16 @@ impl<'a, const D: usize> Cubic<'a, D> {
                 0.5 * (lo + hi)
             };
         }
-        (t, self.about(t).0)
+        (t, self.about(&bends, t).0)
     }
 
     /// |B|² at t and half its first and second derivatives.
     #[inline(always)]
-    fn about(&self, t: f64) -> (f64, f64, f64) {
+    fn about(&self, [y, z]: &[[f64; D]; 2], t: f64) -> (f64, f64, f64) {
         let u = 1.0 - t;
         let (uu, ut, tt) = (u * u, 2.0 * (u * t), t * t);
         let (a, b, c, d) = (uu * u, 3.0 * (uu * t), 3.0 * (u * tt), tt * t);
-        let ([p, q, r, s], [v, w, x], [y, z]) = (self.points, &self.slopes, &self.bends);
+        let ([p, q, r, s], [v, w, x]) = (&self.points, &self.slopes);
         let point = each(|k| (p[k] * a + q[k] * b) + (r[k] * c + s[k] * d));
         let first = each(|k| v[k] * uu + w[k] * ut + x[k] * tt);
         let second: [f64; D] = each(|k| y[k] * u + z[k] * t);

@@ -4,6 +4,7 @@
 //! (B(t) − q)·B′(t) = 0, found by isolation and not by sampling, and both ends. Plane and space go the same way; degrees
 //! up to 3 have a kernel of their own, which looks at minima only.
 
+use super::distance::Way;
 use super::product::product_of;
 use super::roots::roots_inside;
 use super::{Curve, Points, check_finite, evaluate, max_abs};
@@ -21,6 +22,9 @@ pub struct Nearest<P> {
     /// Its distance from the point that was asked for.
     pub distance: f64,
 }
+
+/// Steps of Newton's method after a root was found; one or two at most places.
+const MOST_STEPS: usize = 12;
 
 impl<P: Point> Curve<P> {
     /// The point of the curve that is nearest to p: the least |B(t) − p| for t in \[0, 1\], ends included.
@@ -115,12 +119,32 @@ fn of_any_degree<P: Point>(points: &[P]) -> f64 {
     let n = points.len() - 1;
     let rate = product_of(n, n - 1, |i, j| points[i].dot(points[j + 1] - points[j]));
     let slack = 4.0 * f64::EPSILON * max_abs(points);
+    let way = Way::new(points);
     let (mut best, mut least) = (0.0, points[0].norm());
     for t in roots_inside(&rate).into_iter().chain([1.0]) {
-        let distance = evaluate(points, t).norm();
+        let (t, distance) = closer(&way, t);
         if distance < least - slack {
             (best, least) = (t, distance);
         }
     }
     best
+}
+
+/// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve
+/// hardly moves the roots of B·B′ are not known well. The parameter and the distance.
+fn closer<P: Point>(way: &Way<P>, mut t: f64) -> (f64, f64) {
+    let mut p = way.at(t);
+    for _ in 0..MOST_STEPS {
+        let [first, second] = way.derivatives(t);
+        let next = t - p.dot(first) / (first.dot(first) + p.dot(second));
+        if !(next > 0.0 && next < 1.0) {
+            break;
+        }
+        let q = way.at(next);
+        if q.dot(q) >= p.dot(p) {
+            break;
+        }
+        (t, p) = (next, q);
+    }
+    (t, p.norm())
 }

@@ -4,7 +4,8 @@
 use super::arena::{self, Arena};
 use super::spline::spline;
 use crate::curve::{
-    Curve, Nearest, extrema_of, inflections_of, nearest_on, nearest_parameter, times_of, ulp,
+    Curve, Distance, Nearest, extrema_of, inflections_of, nearest_on, nearest_parameter, times_of,
+    ulp,
 };
 use casteljau_kernels::nearest_in_space;
 use glam::DVec3;
@@ -120,6 +121,30 @@ pub fn curve_tangents_from(count: usize) -> usize {
 #[wasm_bindgen]
 pub fn curve_classify(dimension: usize, count: usize) -> usize {
     arena::with(|a| in_space(a, dimension, count).classify() as usize)
+}
+
+/// In: the control points of another curve behind those of the first. Leaves the distance, t and u.
+#[wasm_bindgen]
+pub fn curve_distance(dimension: usize, count: usize, other_count: usize) {
+    arena::with(|a| {
+        let [first, other] = two(a, dimension, count, other_count);
+        let Distance { distance, t, u } = first.distance_to(&other);
+        a.put_numbers(0, &[distance, t, u]);
+    });
+}
+
+/// The Hausdorff distance of two curves, one behind the other.
+#[wasm_bindgen]
+pub fn curve_hausdorff(dimension: usize, count: usize, other_count: usize) -> f64 {
+    arena::with(|a| {
+        let [first, other] = two(a, dimension, count, other_count);
+        first.hausdorff(&other)
+    })
+}
+
+fn two(a: &Arena, dimension: usize, count: usize, other_count: usize) -> [Curve<DVec3>; 2] {
+    [(0, count), (count * dimension, other_count)]
+        .map(|(at, count)| Curve::from_points(a.points_in_space(at, count, dimension)))
 }
 
 fn in_space(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {

@@ -98,11 +98,7 @@ fn holds(kind: &str, fact: &Value) -> bool {
         "nearest" => places::nearest(fact),
         "roots" => places::roots(fact),
         "classify" => places::classify(fact),
-        "min_distance" => {
-            let (a, b) = (fact.named("a"), fact.named("b"));
-            let (t, s) = (number(&fact.expect["t"]), number(&fact.expect["s"]));
-            fact.number((a.eval(t) - b.eval(s)).length(), &fact.expect["distance"]);
-        }
+        "min_distance" => places::min_distance(fact),
         "solve_t" => places::solve(fact),
         _ => return false,
     }

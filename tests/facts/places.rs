@@ -144,3 +144,13 @@ pub(crate) fn nearest(fact: &Fact) {
     check(fact, &fact.curve(), query, |p| p);
     check(fact, &flat(fact), query.truncate(), |p| p.extend(0.0));
 }
+
+pub(crate) fn min_distance(fact: &Fact) {
+    let found = fact.named("a").distance_to(&fact.named("b"));
+    fact.number(found.distance, &fact.expect["distance"]);
+    for (got, name) in [(found.t, "t"), (found.u, "s")] {
+        if let Some(expected) = fact.expect.get(name) {
+            fact.number(got, expected);
+        }
+    }
+}

@@ -88,6 +88,19 @@ test("inflections, cusps, classify, tangentsFrom", () => {
   near(new Curve([[0, 0], [1, 1]]).tangentsFrom({ x: 3, y: 3 }), [0, 1]);
 });
 
+test("distanceTo and hausdorff", () => {
+  const line = new Curve([[0, 8], [8, 8]]);
+  near(Object.values(arch.distanceTo(line)), [2, 0.5, 0.5], 1e-7);
+  assert.equal(arch.distanceTo(line).distance, 2);
+  assert.equal(arch.distanceTo(arch).distance, 0);
+  assert.equal(arch.distanceTo(new Curve([[4, 0], [4, 9]])).distance, 0);
+  assert.equal(arch.hausdorff(arch.reverse()), 0);
+  assert.equal(arch.hausdorff(new Curve([[0, 0], [8, 0]])), 6);
+  const [low, high] = [0, 3].map((z) => new Curve(CUBIC.map(([x, y]) => [x, y, z])));
+  assert.equal(low.distanceTo(high).distance, 3);
+  near([low.hausdorff(high)], [3]);
+});
+
 test("refusals name what came", () => {
   assert.throws(() => arch.nearest([1, NaN]), { name: "RangeError", message: /^p\[1\]: expected a finite number, got NaN/ });
   assert.throws(() => arch.nearest({ x: 1, y: Infinity }), { name: "RangeError", message: /^p\.y/ });
@@ -100,5 +113,7 @@ test("refusals name what came", () => {
   assert.throws(() => new Curve(SPACE).inflections(), { name: "TypeError", message: /^inflections: expected a 2D curve/ });
   assert.throws(() => new Curve(SPACE).tangentsFrom([0, 0, 0]), { name: "TypeError", message: /^tangentsFrom: expected a 2D/ });
   assert.throws(() => arch.tangentsFrom([NaN, 0]), { name: "RangeError", message: /^p\[0\]/ });
+  assert.throws(() => arch.distanceTo(new Curve(SPACE)), { name: "TypeError", message: /^curve: expected a 2D curve, got a 3D/ });
+  assert.throws(() => arch.hausdorff(/** @type {any} */ ([[0, 0], [1, 1]])), { name: "TypeError", message: /^curve: / });
   assert.throws(() => arch.timesAt({ x: Infinity }), { name: "RangeError", message: /^x: / });
 });

@@ -1,5 +1,6 @@
 //! Special points of curves: the nearest, extrema, inflections, cusps, where a coordinate has a value, between two curves.
 
+mod apart;
 mod classes;
 #[path = "../common/mod.rs"]
 mod common;

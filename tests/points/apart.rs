@@ -1,0 +1,216 @@
+//! The distance between curves, least and greatest, judged by grids of samples.
+
+use crate::common::wild::ORDINARY;
+use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
+use crate::{cases, hostile, steps};
+use casteljau::Curve;
+use casteljau::glam::{DVec2, DVec3};
+use std::time::Instant;
+
+/// Two curves that may cross, touch, overlap, or be the same.
+fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
+    let a = hostile(rng, &ORDINARY, dimension);
+    let on: Curve<DVec3> = curve(&a);
+    let (s, t) = (rng.unit(), rng.unit());
+    let b = match rng.below(8) {
+        0 => a.clone(),
+        1 => on.subsegment(s, t).control_points().to_vec(),
+        2 => {
+            let way = rng.point(dimension) * rng.magnitude(-12.0, 1.0);
+            a.iter().map(|&p| p + way).collect()
+        }
+        3 => a
+            .iter()
+            .rev()
+            .map(|&p| p + rng.point(dimension) * 1e-9)
+            .collect(),
+        4 => {
+            let mut b = hostile(rng, &ORDINARY, dimension);
+            b[0] = on.eval(t);
+            b
+        }
+        _ => {
+            let way = rng.point(dimension) * rng.pick(&[0.0, 1.0, 3.0]);
+            hostile(rng, &ORDINARY, dimension)
+                .iter()
+                .map(|&p| p + way)
+                .collect()
+        }
+    };
+    (a, b)
+}
+
+/// Whether all digits are right; some are not where curves run along each other.
+fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
+    let (p, q): (Curve<P>, Curve<P>) = (curve(a), curve(b));
+    let started = Instant::now();
+    let found = p.distance_to(&q);
+    let took = started.elapsed().as_millis();
+    let low = a.len().max(b.len()) <= 4;
+    assert!(!low || took < 100, "{took} ms: {a:?} {b:?}");
+    assert!((0.0..=1.0).contains(&found.t) && (0.0..=1.0).contains(&found.u));
+    let size = largest(a).max(largest(b));
+    let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);
+    let there = (p.eval(found.t) - q.eval(found.u)).norm();
+    assert!((there - found.distance).abs() <= slack, "{found:?} {there}");
+    // From samples of the one to the nearest point of the other, which is tested elsewhere.
+    let least = |p: &Curve<P>, q: &Curve<P>| {
+        let of = |t: f64| q.nearest(p.eval(t)).expect("finite").distance;
+        steps(60).map(of).fold(f64::INFINITY, f64::min)
+    };
+    let sampled = least(&p, &q).min(least(&q, &p));
+    let side_by_side = 1e-5 * size;
+    assert!(
+        found.distance <= sampled + side_by_side,
+        "{found:?}, but {sampled}: {a:?} {b:?}"
+    );
+    let back = q.distance_to(&p);
+    let apart = (back.distance - found.distance).abs();
+    assert!(
+        apart <= side_by_side + slack,
+        "{found:?} {back:?}: {a:?} {b:?}"
+    );
+    found.distance <= sampled * (1.0 + 1e-11) + slack && apart <= 1e-9 * found.distance + slack
+}
+
+#[test]
+fn nothing_sampled_is_less_apart() {
+    let mut rng = Rng(120);
+    let mut rough = 0;
+    for case in 0..cases() / 4 {
+        let (a, b) = pair(&mut rng, 2 + case % 2);
+        let exact = if case % 2 == 0 {
+            check::<DVec2>(&a, &b)
+        } else {
+            check::<DVec3>(&a, &b)
+        };
+        rough += usize::from(!exact);
+    }
+    println!("{rough} of {} to fewer digits", cases() / 4);
+    assert!(rough <= cases() / 400, "{rough}");
+}
+
+#[test]
+fn known_distances() {
+    let arch = plane(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)]);
+    let line = plane(&[(0.0, 2.0), (2.0, 2.0)]);
+    let found = arch.distance_to(&line);
+    assert!(
+        (found.distance - 0.5).abs() < 1e-15 && (found.t - 0.5).abs() < 1e-7,
+        "{found:?}"
+    );
+    assert_eq!(arch.distance_to(&arch).distance, 0.0);
+    assert_eq!(
+        arch.distance_to(&plane(&[(1.0, 0.0), (1.0, 5.0)])).distance,
+        0.0
+    );
+    // Parallel lines, a point, and curves that touch.
+    assert_eq!(
+        line.distance_to(&plane(&[(5.0, 7.0), (1.0, 7.0)])).distance,
+        5.0
+    );
+    assert_eq!(
+        line.distance_to(&plane(&[(1.0, 3.0), (1.0, 3.0)])).distance,
+        1.0
+    );
+    let bowl = plane(&[(-1.0, 1.0), (0.0, -1.0), (1.0, 1.0)]);
+    assert_eq!(
+        bowl.distance_to(&plane(&[(-1.0, -1.0), (0.0, 1.0), (1.0, -1.0)]))
+            .distance,
+        0.0
+    );
+    // Above each other in space, in the same distance everywhere.
+    let points = [(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)];
+    let at = |z: f64| Curve::new(&points.map(|(x, y)| DVec3::new(x, y, z))).expect("finite");
+    assert_eq!(at(0.0).distance_to(&at(3.0)).distance, 3.0);
+    for scale in [1e300, 1e-300] {
+        let big = |curve: &Curve<DVec2>| {
+            Curve::new(
+                &curve
+                    .control_points()
+                    .iter()
+                    .map(|&p| p * scale)
+                    .collect::<Vec<_>>(),
+            )
+            .expect("finite")
+        };
+        let found = big(&arch).distance_to(&big(&line));
+        assert!((found.distance / scale - 0.5).abs() < 1e-15, "{found:?}");
+    }
+}
+
+#[test]
+fn no_sample_is_farther_than_the_hausdorff_distance() {
+    let mut rng = Rng(121);
+    for case in 0..cases() / 10 {
+        let dimension = 2 + case % 2;
+        let (a, b) = pair(&mut rng, dimension);
+        let (p, q): (Curve<DVec3>, Curve<DVec3>) = (curve(&a), curve(&b));
+        let started = Instant::now();
+        let found = p.hausdorff(&q);
+        let took = started.elapsed().as_millis();
+        assert!(
+            a.len().max(b.len()) > 4 || took < 50,
+            "{took} ms: {a:?} {b:?}"
+        );
+        let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(largest(&a).max(largest(&b)));
+        let farthest = |p: &Curve<DVec3>, q: &Curve<DVec3>| {
+            let of = |t: f64| q.nearest(p.eval(t)).expect("finite").distance;
+            let (far, at) = steps(60)
+                .map(|t| (of(t), t))
+                .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
+            // And about the farthest sample.
+            steps(20)
+                .map(|s| of((at + (s - 0.5) / 30.0).clamp(0.0, 1.0)))
+                .fold(far, f64::max)
+        };
+        let sampled = farthest(&p, &q).max(farthest(&q, &p));
+        assert!(
+            found >= sampled * (1.0 - 2e-9) - slack,
+            "{found}, but {sampled}: {a:?} {b:?}"
+        );
+        // The ends of the finest of samples are within a step of the farthest point.
+        let most = sampled
+            + (p.derivative()
+                .control_points()
+                .iter()
+                .chain(q.derivative().control_points()))
+            .map(|d| d.length())
+            .fold(0.0, f64::max)
+                / 120.0;
+        assert!(found <= most + slack, "{found} above {most}: {a:?} {b:?}");
+        let back = q.hausdorff(&p);
+        assert!(
+            (back - found).abs() <= 4e-9 * found + slack,
+            "{found} {back}: {a:?} {b:?}"
+        );
+    }
+}
+
+#[test]
+fn known_hausdorff_distances() {
+    let arch = plane(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)]);
+    let line = plane(&[(0.0, 0.0), (2.0, 0.0)]);
+    assert_eq!(arch.hausdorff(&arch), 0.0);
+    assert_eq!(arch.hausdorff(&arch.reverse()), 0.0);
+    assert_eq!(arch.elevate().expect("below 64").hausdorff(&arch), 0.0);
+    assert_eq!(arch.hausdorff(&line), 1.5);
+    assert_eq!(
+        line.hausdorff(&plane(&[(0.0, 0.0), (2.0, 0.0), (0.0, 0.0), (2.0, 0.0)])),
+        0.0
+    );
+    assert_eq!(
+        line.hausdorff(&plane(&[(0.5, 0.0), (0.0, 0.0), (2.0, 0.0), (5.0, 0.0)])),
+        3.0
+    );
+    assert_eq!(line.hausdorff(&plane(&[(0.0, 7.0), (2.0, 7.0)])), 7.0);
+    assert_eq!(
+        line.hausdorff(&plane(&[(0.0, 3.0), (0.0, 3.0)])),
+        13.0_f64.sqrt()
+    );
+    assert!(
+        (arch.hausdorff(&arch.subsegment(0.0, 0.5)) - arch.hausdorff(&arch.subsegment(0.5, 1.0)))
+            .abs()
+            < 1e-9
+    );
+}
