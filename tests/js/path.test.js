@@ -176,9 +176,8 @@ test("where paths meet", () => {
   const [overlap] = ring.intersect(new Curve([[1, 4], [3, 4]]));
   assert.deepEqual({ ...overlap, kind: overlap.kind }, { subpath: 0, t: 2.25, otherSubpath: 0, u: 1, point: { x: 3, y: 4 }, kind: "overlap", tEnd: 2.75, uEnd: 0 });
   const eight = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3");
-  assert.deepEqual(eight.selfIntersections().map(({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y]), [
-    [0, 0.5, 0, 2.5, 1, 1], [0, 0.5, 1, 1 / 3, 1, 1], [0, 1.5, 1, 2 / 3, 1, 2], [0, 2.5, 1, 1 / 3, 1, 1],
-  ]);
+  const twice = eight.selfIntersections().flatMap(({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y]);
+  near(twice, [[0, 0.5, 0, 2.5, 1, 1], [0, 0.5, 1, 1 / 3, 1, 1], [0, 1.5, 1, 2 / 3, 1, 2], [0, 2.5, 1, 1 / 3, 1, 1]].flat());
   assert.deepEqual(new Path([]).intersect(ring), []);
   for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]]) refused(() => ring.intersect(bad), TypeError, /^other: expected a Path/);
   refused(() => ring.intersect(new Curve(SPACE)), TypeError, /^other: .*2D.*3D/);
