@@ -3,18 +3,27 @@
 use super::Path;
 use crate::curve::{Bounds, Curve, MAX_VERTICES, Polyline, check_tolerance, max_abs};
 use crate::error::Error;
-use glam::DVec2;
+use crate::point::Point;
+use glam::{DVec2, DVec3};
 
 impl Path {
     /// The smallest box that contains the path; of the empty path none.
     ///
-    /// Exact to rounding, as [`Curve::bounds`].
+    /// Exact to rounding, as [`Curve::bounds`]. Extrema are looked for only on segments with control points outside of the
+    /// box around all joints.
     pub fn bounds(&self) -> Option<Bounds<DVec2>> {
-        let boxes = self.segments().map(|points| match *points {
-            [a, b] => corners(a, b),
-            _ => Curve::from_slice(points).bounds(),
-        });
-        boxes.reduce(Bounds::union)
+        let first = *self.points.first()?;
+        let joints = self.segments().map(|points| points[points.len() - 1]);
+        let joined = joints.fold(corners(first, first), Bounds::including);
+        let segments = self.segments();
+        Some(segments.fold(joined, |bounds, points| {
+            let inside = |p: &DVec2| p.cmpge(bounds.min).all() && p.cmple(bounds.max).all();
+            if points.iter().all(inside) {
+                bounds
+            } else {
+                bounds.union(exact(points))
+            }
+        }))
     }
 
     /// The box of the control points, which contains the path and is cheaper than [`bounds`](Self::bounds).
@@ -73,4 +82,17 @@ fn check_vertices(count: usize, left: usize) -> Result<(), Error> {
 
 fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {
     Bounds { min: a, max: a }.including(b)
+}
+
+/// The box of one segment; in wasm in space, where the code is that of all curves.
+fn exact(points: &[DVec2]) -> Bounds<DVec2> {
+    if cfg!(not(target_family = "wasm")) {
+        return Curve::from_slice(points).bounds();
+    }
+    let points = points.iter().map(|p| p.in_space()).collect();
+    let Bounds { min, max } = Curve::<DVec3>::from_points(points).bounds();
+    Bounds {
+        min: min.in_plane(),
+        max: max.in_plane(),
+    }
 }

@@ -91,14 +91,25 @@ impl Path {
 }
 
 /// The length of one segment.
+///
+/// Without a tolerance, lines and quadratics have a short way too: a quadratic is a cubic with control points at a third
+/// and two thirds of the way; from its start, so that nothing is lost far from the origin.
 fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
-    if let &[a, b, c, d] = points
-        && tolerance == f64::INFINITY
-    {
-        return plane_cubic_length(&[a, b, c, d].map(|p| p.to_array()));
+    let plain = tolerance == f64::INFINITY;
+    match *points {
+        [a, b, c, d] if plain => plane_cubic_length(&[a, b, c, d].map(|p| p.to_array())),
+        [a, b, c] if plain && points.iter().all(|p| p.max_abs() < FAR) => {
+            let (first, way) = ((b - a) * (2.0 / 3.0), c - a);
+            let raised = [DVec2::ZERO, first, first + way / 3.0, way];
+            plane_cubic_length(&raised.map(|p| p.to_array()))
+        }
+        [a, b] if (b - a).is_finite() => Point::norm(b - a),
+        _ => in_space(points).arc_length(tolerance),
     }
-    in_space(points).arc_length(tolerance)
 }
+
+/// Differences of coordinates up to here are numbers.
+const FAR: f64 = 1e300;
 
 /// In space, where all lengths but those of plane cubics are computed.
 fn in_space(points: &[DVec2]) -> Curve<DVec3> {

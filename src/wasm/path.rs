@@ -4,7 +4,7 @@ use super::arena::{self, Arena};
 use super::given;
 use super::meetings::put_place;
 use super::spline::spline_at;
-use crate::curve::{Bounds, Curve, Intersection, MAX_VERTICES, Pen, check_tolerance};
+use crate::curve::{Curve, Intersection, MAX_VERTICES, Pen, check_tolerance};
 use crate::error::Error;
 use crate::path::{Path, PathIntersection, PathTime};
 use crate::spline::Spline;
@@ -44,18 +44,13 @@ fn path_at(a: &Arena, start: usize) -> (Path, usize) {
 #[wasm_bindgen]
 pub fn path_bounds(exact: bool) -> usize {
     arena::with(|a| {
-        let mut bounds: Option<Bounds<DVec3>> = None;
-        each(a, |spline| {
-            let own = if exact {
-                spline.bounds()
-            } else {
-                spline.control_bounds()
-            };
-            bounds = Some(bounds.map_or(own, |all| all.union(own)));
-        });
-        bounds.map_or(0, |bounds| {
-            a.put_from_space(0, &[bounds.min, bounds.max], 2)
-        })
+        let (path, _) = path(a);
+        let bounds = if exact {
+            path.bounds()
+        } else {
+            path.control_bounds()
+        };
+        bounds.map_or(0, |bounds| a.put(0, &[bounds.min, bounds.max]))
     })
 }
 
