@@ -1,8 +1,9 @@
 // Does more work cost more per item? Each row is one kind of work at several sizes.
 import { Bezier } from "bezier-js";
-import { Curve, Spline, Surface } from "casteljau";
+import { Curve, Path, Spline, Surface } from "casteljau";
 import { assertSame, median, timesInTurn } from "./harness.js";
 import { cubics, random } from "./inputs.js";
+import { ours as measured, outlines } from "./path.js";
 import { checkLoop, netsOf } from "./teapot.js";
 
 /**
@@ -116,10 +117,24 @@ function moveSteps() {
   });
 }
 
+/** Path data, parsed and measured; the item is a character. */
+function pathSteps() {
+  return [1e4, 1e5, 1e6, 1e7].map((characters) => {
+    const d = outlines(characters);
+    return {
+      size: characters,
+      items: characters,
+      check: () => assertSame("path", measured(d).box, measured(Path.fromSVG(d).toSVG()).box, 0),
+      ours: () => measured(d).length,
+    };
+  });
+}
+
 const ROWS = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
+  { id: "growth-path", work: "path data of 10 kB … 10 MB: parse, bounds, length: per character", steps: pathSteps },
   { id: "growth-through", work: "natural spline through 100 … 100,000 points: per point", steps: throughSteps },
   { id: "growth-move", work: "a handle of 100 … 100,000 C2 segments moved: per segment", steps: moveSteps },
 ];

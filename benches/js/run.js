@@ -4,7 +4,7 @@
 //   node benches/js/run.js teapot     only rows whose id contains "teapot"; writes nothing
 //   node benches/js/run.js --quick    does each piece of work once, to see that the sides agree; writes nothing
 //
-// The files: targets.js says what is asked; harness.js how times are taken; curve.js, easing.js, teapot.js (with baseline.js),
+// The files: targets.js says what is asked; harness.js how times are taken; curve.js, easing.js, path.js, teapot.js (with baseline.js),
 // adaptive.js, start.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
@@ -14,6 +14,7 @@ import * as easing from "./easing.js";
 import * as growth from "./growth.js";
 import { FULL, QUICK, race } from "./harness.js";
 import * as native from "./native.js";
+import * as path from "./path.js";
 import * as start from "./start.js";
 import { comparisons, growths } from "./table.js";
 import { judged } from "./targets.js";
@@ -48,13 +49,13 @@ function conditions() {
     versions: {
       [name]: version,
       node: process.versions.node,
-      ...Object.fromEntries(["bezier-easing", "bezier-js", "three", "verb-nurbs"].map((peer) => [peer, npm(peer)])),
+      ...Object.fromEntries(["bezier-easing", "bezier-js", "paper", "svg-path-properties", "three", "verb-nurbs"].map((peer) => [peer, npm(peer)])),
       ...Object.fromEntries(["kurbo", "lyon_geom"].map((peer) => [peer, crate(peer)])),
     },
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [...curve.rows, ...easing.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);

@@ -16,6 +16,9 @@ export const TARGETS = {
   split: { least: 5 },
   easing: { least: 1 / 1.5 },
 
+  "path-paper": { least: 5 },
+  "path-properties": { least: 5 },
+
   "teapot-16-reused-three": { least: 40 },
   "teapot-64-reused-three": { least: 40 },
   "teapot-16-reused-loop": { least: 3 },
@@ -31,6 +34,7 @@ export const TARGETS = {
   "growth-segments": { most: 2 },
   "growth-patches": { most: 2 },
   "growth-sample": { most: 2 },
+  "growth-path": { most: 2 },
   "growth-through": { most: 2 },
   "growth-move": { most: 2 },
 
