@@ -9,7 +9,7 @@
 
 use super::cross::cross;
 use super::piece::{Piece, Row, range, time_at};
-use super::{Contact, Meeting};
+use super::{Contact, Meeting, SPLIT};
 
 /// Heights up to so many times the slack count as contact where a piece cannot be thrown away. Above 1, so that halving
 /// ends.
@@ -55,7 +55,7 @@ impl<R: Row> Meeting<R> {
         if one_crossing && self.monotone(a, b, &heights) {
             return;
         }
-        let (before_a, after_a) = a.split(0.5);
+        let (before_a, after_a) = a.split(SPLIT);
         let x = after_a.x.get()[0];
         let (before_b, after_b) = b.split(time_at(b.x.get(), x));
         self.matched(&before_a, &before_b);

@@ -17,7 +17,8 @@ pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option
         }
     }
     let side = |[x, y]: [f64; 2]| dx * (y - y0) - dy * (x - x0);
-    let (least, most) = range((0..=n).map(|i| side(a.point(i))));
+    let (least, most) = range((1..n + 1).map(|i| side(a.point(i))));
+    let (least, most) = (least.min(0.0), most.max(0.0));
     let margin = slack * (dx.abs() + dy.abs());
     let mut sides = b.x.clone();
     let (bx, by) = (b.x.get(), b.y.get());
@@ -55,24 +56,25 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     Some((lo, if hi < lo { lo } else { hi }))
 }
 
-/// The first parameter where the hull of points that starts below 0 gets to 0.
+/// The first parameter where the upper hull of points that start below 0 gets to 0, or 1 at the last.
+///
+/// The hull goes from each of its points to the one in the steepest direction.
 #[inline(always)]
 fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
-    let mut first = n as f64;
-    for j in 1..=n {
-        let above = height(j);
-        if above < 0.0 {
-            continue;
-        }
-        for i in 0..j {
-            let below = height(i);
-            if below < 0.0 {
-                let at = i as f64 + (j - i) as f64 * (below / (below - above));
-                if at < first {
-                    first = at;
-                }
+    let (mut i, mut low) = (0, height(0));
+    loop {
+        let (mut next, mut high, mut rise) = (n, low, f64::NEG_INFINITY);
+        for j in i + 1..n + 1 {
+            let here = height(j);
+            let slope = (here - low) / (j - i) as f64;
+            if slope > rise {
+                (next, high, rise) = (j, here, slope);
             }
         }
+        if high >= 0.0 || next == n {
+            let steps = if high > low { low / (low - high) } else { 1.0 };
+            return (i as f64 + (next - i) as f64 * steps) / n as f64;
+        }
+        (i, low) = (next, high);
     }
-    first / n as f64
 }

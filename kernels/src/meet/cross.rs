@@ -15,6 +15,9 @@ pub(super) enum Crossing {
 /// Newton's method doubles the digits with each step; what takes longer is not where it is looked for.
 const NEWTON_STEPS: usize = 8;
 
+/// A step so small, in parameters of the piece, is followed by one of its square, and that is the last one.
+const NEARLY: f64 = 1e-4;
+
 /// So far out of its piece, in parameters of the piece, a search is given up.
 const ASTRAY: f64 = 0.5;
 
@@ -66,7 +69,7 @@ impl<R: Row> Meeting<R> {
             if !(s > -ASTRAY && s < 1.0 + ASTRAY && r > -ASTRAY && r < 1.0 + ASTRAY) {
                 return None;
             }
-            if step_s.abs() + step_r.abs() < 1e-9 {
+            if step_s.abs() + step_r.abs() < NEARLY {
                 return self.settled(a, b, s, r);
             }
         }

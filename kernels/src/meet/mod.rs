@@ -31,6 +31,12 @@ pub struct Contact {
 /// A clip that leaves more than this is not worth another one: then a piece is halved. Source: Sederberg and Nishita.
 const WORTH_CLIPPING: f64 = 0.8;
 
+/// Where both pieces keep more than this they are halved at once.
+const WORTH_GOING_ON: f64 = 0.6;
+
+/// Where a piece is halved: not in the middle, where symmetric curves like to meet, to be found by both halves.
+const SPLIT: f64 = 0.484375;
+
 /// The search, with what it has found.
 pub struct Meeting<R> {
     /// The whole curves.
@@ -79,13 +85,11 @@ impl<R: Row> Meeting<R> {
             let Some(left_a) = clip(&b, &mut a, self.slack) else {
                 return;
             };
-            let many = match self.crossing(&a, &b) {
-                Crossing::Found(contact) => return self.found.push(contact),
-                Crossing::Many => true,
-                Crossing::Unclear => false,
-            };
-            let stuck = left_a > WORTH_CLIPPING && left_b > WORTH_CLIPPING;
-            if (many || stuck) && self.run_along(&a, &b) {
+            if let Crossing::Found(contact) = self.crossing(&a, &b) {
+                return self.found.push(contact);
+            }
+            let stuck = left_a > WORTH_GOING_ON && left_b > WORTH_GOING_ON;
+            if stuck && self.run_along(&a, &b) {
                 return;
             }
             if stuck {
@@ -103,11 +107,11 @@ impl<R: Row> Meeting<R> {
         if size_a <= self.slack && size_b <= self.slack {
             self.note(a, b);
         } else if size_a > size_b {
-            let (before, after) = a.split(0.5);
+            let (before, after) = a.split(SPLIT);
             self.pair(before, b.clone());
             self.pair(after, b.clone());
         } else {
-            let (before, after) = b.split(0.5);
+            let (before, after) = b.split(SPLIT);
             self.pair(a.clone(), before);
             self.pair(a.clone(), after);
         }

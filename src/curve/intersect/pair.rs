@@ -4,7 +4,6 @@ use super::super::{Points, Scalars, ratio};
 use super::pieces::{stops, with_ends};
 use super::zone::joined;
 use super::{Contact, Curve, Intersection};
-use crate::order::sort_by;
 use casteljau_kernels as kernels;
 use casteljau_kernels::{Meeting, Piece, meet_cubics};
 use glam::DVec2;
@@ -20,6 +19,9 @@ const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// Parameters so close are the same: a few roundings of numbers up to 1.
 const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
+
+/// A crossing that two pieces share is found by both, with some roundings between.
+const ONE_PLACE: f64 = 1e-10;
 
 /// A contact so near to an end of a shared piece is that end.
 const ONE_END: f64 = 1e-7;
@@ -90,9 +92,14 @@ impl Pair {
 
     /// What the contacts are, in order.
     pub(super) fn places(&self, found: Vec<kernels::Contact>) -> Vec<Place> {
-        let mut places = Vec::new();
-        for zone in joined(self, found) {
-            self.settle(&zone, &mut places);
+        let mut places = Vec::with_capacity(found.len());
+        if found.iter().all(|contact| contact.crossing) {
+            let place = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            places.extend(found.iter().map(place).map(|(t, u)| (t, u, Contact::Cross)));
+        } else {
+            for zone in joined(self, found) {
+                self.settle(&zone, &mut places);
+            }
         }
         tidied(places)
     }
@@ -129,33 +136,53 @@ impl Pair {
 
 /// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
 fn tidied(mut places: Vec<Place>) -> Vec<Place> {
-    sort_by(&mut places, |p, q| p.0.total_cmp(&q.0));
+    sort(&mut places, |p, q| p.0 < q.0);
     for k in 1..places.len() {
         if places[k].0 - places[k - 1].0 <= ONE_PARAMETER {
             places[k].0 = places[k - 1].0;
         }
     }
-    sort_by(&mut places, |p, q| {
-        p.0.total_cmp(&q.0).then(p.1.total_cmp(&q.1))
-    });
-    let near = |p: (f64, f64), q: (f64, f64), within: f64| {
-        (p.0 - q.0).abs() <= within && (p.1 - q.1).abs() <= within
-    };
-    let all = places.clone();
-    let mut k = 0;
-    places.retain(|&(t, u, kind)| {
-        k += 1;
-        let single = |kind: Contact| !matches!(kind, Contact::Overlap { .. });
-        let again = |q: &Place| single(q.2) && near((t, u), (q.0, q.1), ONE_PARAMETER);
-        let at_overlap = |q: &Place| match q.2 {
-            Contact::Overlap { t_end, u_end } => {
-                near((t, u), (q.0, q.1), ONE_END) || near((t, u), (t_end, u_end), ONE_END)
-            }
-            _ => false,
+    sort(&mut places, |p, q| (p.0, p.1) < (q.0, q.1));
+    let mut kept: Vec<Place> = Vec::with_capacity(places.len());
+    for &place in &places {
+        let again = kept
+            .iter()
+            .rev()
+            .any(|q| near(place, (q.0, q.1), ONE_PLACE) && is_point(q));
+        if !(is_point(&place) && (again || ends_piece(place, &places))) {
+            kept.push(place);
+        }
+    }
+    kept
+}
+
+/// By insertion: the lists are short, or nearly in order.
+fn sort(places: &mut [Place], before: impl Fn(&Place, &Place) -> bool) {
+    for k in 1..places.len() {
+        let mut i = k;
+        while i > 0 && before(&places[i], &places[i - 1]) {
+            places.swap(i, i - 1);
+            i -= 1;
+        }
+    }
+}
+
+fn is_point(place: &Place) -> bool {
+    !matches!(place.2, Contact::Overlap { .. })
+}
+
+fn near(p: Place, (t, u): (f64, f64), within: f64) -> bool {
+    (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
+}
+
+/// Whether a place is an end of a shared piece.
+fn ends_piece(place: Place, all: &[Place]) -> bool {
+    all.iter().any(|q| {
+        let Contact::Overlap { t_end, u_end } = q.2 else {
+            return false;
         };
-        !single(kind) || !(all[..k - 1].iter().any(again) || all.iter().any(at_overlap))
-    });
-    places
+        near(place, (q.0, q.1), ONE_END) || near(place, (t_end, u_end), ONE_END)
+    })
 }
 
 /// The point of both; where one of them ends there, its end as it was given.

@@ -9,13 +9,16 @@ use glam::DVec2;
 /// The derivative vanishes where it is below this part of its largest coefficient: a root is known to some roundings.
 const VANISHING_RATIO: f64 = 1e-12;
 
+/// A resultant above this part of what it could be is not 0: far above its rounding.
+const NEVER_RATIO: f64 = 1e-9;
+
 /// Parameters closer than this are one: what is left of a double root.
 const ONE_ROOT: f64 = 1e-7;
 
 /// The parameters inside (0, 1) where the derivative vanishes: cusps, and where a straight curve turns back.
 pub(super) fn stops(points: &[DVec2]) -> Scalars {
     let mut found = Scalars::new();
-    if runs_forward(points) {
+    if runs_forward(points) || never_stops(points) {
         return found;
     }
     let slopes: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
@@ -28,6 +31,24 @@ pub(super) fn stops(points: &[DVec2]) -> Scalars {
     sort_by(&mut found, f64::total_cmp);
     found.dedup_by(|next, last| *next - *last <= ONE_ROOT);
     found
+}
+
+/// Whether the derivative of a quadratic or a cubic vanishes nowhere, for sure: the resultant of its coordinates, in
+/// cross products of the control edges, is not 0.
+fn never_stops(points: &[DVec2]) -> bool {
+    let edge = |i: usize| points[i + 1] - points[i];
+    let (resultant, size) = match points.len() {
+        3 => (edge(0).perp_dot(edge(1)), edge(0).perp_dot(edge(1).perp())),
+        4 => {
+            let (e, f, g) = (edge(0), edge(1), edge(2));
+            let (ef, eg, fg) = (e.perp_dot(f), e.perp_dot(g), f.perp_dot(g));
+            let product = 4.0 * ef * fg;
+            let most = e.max_abs().max(f.max_abs()).max(g.max_abs());
+            (eg * eg - product, most * most * most * most)
+        }
+        _ => return false,
+    };
+    resultant.abs() > NEVER_RATIO * size.abs()
 }
 
 /// Whether no control edge runs against the chord: then the curve passes no point twice.
