@@ -82,8 +82,11 @@ impl Chains {
     /// The parameter on the chain; the end of a closed one is its start.
     fn at(&self, curve: usize, t: f64) -> f64 {
         let (chain, k) = self.places[curve];
+        self.start_at(chain, k as f64 + t)
+    }
+
+    fn start_at(&self, chain: usize, t: f64) -> f64 {
         let (count, closed) = self.sizes[chain];
-        let t = k as f64 + t;
         if closed && t == count as f64 { 0.0 } else { t }
     }
 
@@ -100,7 +103,7 @@ impl Chains {
                 found.push(self.meeting(other, (i, j), place));
             }
         });
-        joined(found)
+        joined(found, self, other)
     }
 
     fn meeting(&self, other: &Self, (i, j): (usize, usize), place: Intersection) -> Meeting {
@@ -173,7 +176,7 @@ impl Chains {
             let overlap = matches!(m.at.kind, Contact::Overlap { .. });
             !(overlap || m.a == m.b && self.one_joint(m.a, m.at.t, m.at.u))
         });
-        joined(found)
+        joined(found, self, self)
     }
 
     /// Whether two parameters on a chain are one joint.
@@ -186,7 +189,7 @@ impl Chains {
 }
 
 /// In order; shared pieces that continue across joints made one, and what was found on both sides of a joint once.
-fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
+fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
     let order = |p: &Meeting, q: &Meeting| {
         (p.a, p.b)
             .cmp(&(q.a, q.b))
@@ -197,6 +200,14 @@ fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
     let (pieces, points): (Vec<Meeting>, Vec<Meeting>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, Contact::Overlap { .. }));
+    let ends: Vec<(usize, usize, f64, f64)> = pieces
+        .iter()
+        .flat_map(|m| {
+            let (t_end, u_end) = end_of(m);
+            [(m.at.t, m.at.u), (t_end, u_end)]
+                .map(|(t, u)| (m.a, m.b, a.start_at(m.a, t), b.start_at(m.b, u)))
+        })
+        .collect();
     let pieces = joined_pieces(pieces);
     let mut all: Vec<Meeting> = Vec::with_capacity(pieces.len() + points.len());
     for point in points {
@@ -214,12 +225,10 @@ fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
             }
             continue;
         }
-        let at_piece = pieces.iter().any(|q| {
-            let Contact::Overlap { t_end, u_end } = q.at.kind else {
-                return false;
-            };
-            same(q) && (near(q.at.t, q.at.u) || near(t_end, u_end))
-        });
+        // Sorted by the chains, then by t, but for the ends: those are few.
+        let at_piece = ends
+            .iter()
+            .any(|&(a, b, t, u)| (a, b) == (point.a, point.b) && near(t, u));
         if !at_piece {
             all.push(point);
         }
@@ -229,17 +238,21 @@ fn joined(mut found: Vec<Meeting>) -> Vec<Meeting> {
     all
 }
 
+/// The parameters of the end of a shared piece, or of a point.
+fn end_of(meeting: &Meeting) -> (f64, f64) {
+    match meeting.at.kind {
+        Contact::Overlap { t_end, u_end } => (t_end, u_end),
+        _ => (meeting.at.t, meeting.at.u),
+    }
+}
+
 /// Shared pieces, sorted by t, that go on where another one ends, in the same direction, become one.
 fn joined_pieces(pieces: Vec<Meeting>) -> Vec<Meeting> {
     let mut all: Vec<Meeting> = Vec::new();
     for piece in pieces {
-        let Contact::Overlap { t_end, u_end } = piece.at.kind else {
-            continue;
-        };
+        let (t_end, u_end) = end_of(&piece);
         let continues = |q: &&mut Meeting| {
-            let Contact::Overlap { t_end: t, u_end: u } = q.at.kind else {
-                return false;
-            };
+            let (t, u) = end_of(q);
             (q.a, q.b) == (piece.a, piece.b)
                 && (t - piece.at.t).abs() <= ONE_JOINT
                 && (u - piece.at.u).abs() <= ONE_JOINT

@@ -4,6 +4,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod chains;
 mod generate;
+mod known;
+mod metamorphic;
 mod random;
 mod reference;
+mod selves;
+mod time;

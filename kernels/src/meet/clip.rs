@@ -42,15 +42,21 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     }
     let n = row.len() - 1;
     let (mut lo, mut hi) = (0.0, 1.0);
-    if row[0] < low {
-        lo = entry(n, |i| row[i] - low);
-    } else if row[0] > high {
-        lo = entry(n, |i| high - row[i]);
+    // The sign that takes an end outside to below the height that is to be reached.
+    let below = |end: f64| {
+        if end < low {
+            Some((1.0, low))
+        } else if end > high {
+            Some((-1.0, -high))
+        } else {
+            None
+        }
+    };
+    if let Some((sign, height)) = below(row[0]) {
+        lo = entry(n, |i| sign * row[i] - height);
     }
-    if row[n] < low {
-        hi = 1.0 - entry(n, |i| row[n - i] - low);
-    } else if row[n] > high {
-        hi = 1.0 - entry(n, |i| high - row[n - i]);
+    if let Some((sign, height)) = below(row[n]) {
+        hi = 1.0 - entry(n, |i| sign * row[n - i] - height);
     }
     // Rounding may turn a single parameter around.
     Some((lo, if hi < lo { lo } else { hi }))
@@ -61,6 +67,9 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
 /// The hull goes from each of its points to the one in the steepest direction.
 #[inline(always)]
 fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
+    if n == 3 {
+        return entry_of_cubic([height(0), height(1), height(2), height(3)]);
+    }
     let (mut i, mut low) = (0, height(0));
     loop {
         let (mut next, mut high, mut rise) = (n, low, f64::NEG_INFINITY);
@@ -77,4 +86,34 @@ fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
         }
         (i, low) = (next, high);
     }
+}
+
+/// The same written out.
+#[inline(always)]
+fn entry_of_cubic([a, b, c, d]: [f64; 4]) -> f64 {
+    let third = 1.0 / 3.0;
+    let rise = |from: f64, to: f64| {
+        if to > from {
+            (from / (from - to)).min(1.0)
+        } else {
+            1.0
+        }
+    };
+    let (to_b, to_c, to_d) = (b - a, 0.5 * (c - a), third * (d - a));
+    if to_b >= to_c && to_b >= to_d {
+        if b >= 0.0 {
+            return third * rise(a, b);
+        }
+        if c - b < 0.5 * (d - b) {
+            return third + 2.0 * third * rise(b, d);
+        }
+        if c >= 0.0 {
+            return third + third * rise(b, c);
+        }
+    } else if to_c < to_d {
+        return rise(a, d);
+    } else if c >= 0.0 {
+        return 2.0 * third * rise(a, c);
+    }
+    2.0 * third + third * rise(c, d)
 }

@@ -17,6 +17,9 @@ const LAST_STEP: f64 = 1e-15;
 /// Directions closer than this are equal but for rounding.
 const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
+/// What is left of the angle where a contact of higher order is met as well as it can be.
+const NEARLY_PARALLEL: f64 = 1e-7;
+
 /// The point and the first two derivatives.
 pub(super) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
     let n = (points.len() - 1) as f64;
@@ -138,6 +141,8 @@ impl Pair {
             }
         }
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
-        inside.then_some((t, u)).filter(|&place| self.one(place))
+        let (da, db) = (taylor(&self.curves[0], t)[1], taylor(&self.curves[1], u)[1]);
+        let parallel = da.perp_dot(db).abs() <= NEARLY_PARALLEL * da.length() * db.length();
+        (inside && parallel && self.one((t, u))).then_some((t, u))
     }
 }

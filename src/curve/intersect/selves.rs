@@ -6,8 +6,9 @@ use super::pieces::{runs_forward, stops};
 use super::{Contact, Curve, SelfIntersection};
 use glam::DVec2;
 
-/// A loop shorter than this, in parameters, is a cusp but for rounding: it is as large as the square.
-const LEAST_LOOP: f64 = 1e-7;
+/// A loop shorter than this, in parameters, is a cusp but for rounding, from whose root the branches part with the third
+/// power.
+const LEAST_LOOP: f64 = 2e-5;
 
 /// Halvings after which a piece that still turns back is left alone: a cusp is smaller than rounding then.
 const HALVINGS: usize = 30;
@@ -16,8 +17,8 @@ impl Curve<DVec2> {
     /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1.
     ///
     /// Ends count: a closed curve passes its start again, t = 0 and u = 1. A point that it passes three times comes as
-    /// three pairs. A cusp is no such point, and neither is a piece that is run through again (a straight curve that
-    /// turns back): the list holds single points only.
+    /// three pairs. A cusp is no such point, and neither is a piece that is run through again: the list holds single points
+    /// only, and a straight curve that turns back has none.
     ///
     /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) =
     /// a(σ² − π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut where they turn,
@@ -29,6 +30,9 @@ impl Curve<DVec2> {
         let Some(pair) = Pair::new(&self.points, &self.points) else {
             return Vec::new();
         };
+        if is_straight(&pair) {
+            return Vec::new();
+        }
         let mut places: Vec<_> = if self.degree() == 3 {
             double_point(&pair).into_iter().collect()
         } else {
@@ -44,6 +48,18 @@ impl Curve<DVec2> {
             })
             .collect()
     }
+}
+
+fn is_straight(pair: &Pair) -> bool {
+    let points = &pair.curves[0];
+    let longest = points
+        .iter()
+        .map(|p| *p - points[0])
+        .max_by(|p, q| p.length_squared().total_cmp(&q.length_squared()));
+    let along = longest.unwrap_or(DVec2::ZERO).normalize_or_zero();
+    points
+        .iter()
+        .all(|p| along.perp_dot(*p - points[0]).abs() <= pair.slack)
 }
 
 /// The parameters of the double point of a cubic.
@@ -74,13 +90,8 @@ fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
     let last = cuts.len() - 1;
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let found = pair.search(&cuts, &cuts, pairs);
-    // The pieces before and after a cut meet there, which is no news.
-    let apart = found.into_iter().filter(|contact| {
-        let [t, u] = [contact.t, contact.u];
-        u[0].min(u[1]) - t[1] > LEAST_LOOP
-    });
-    let places = pair.places(apart.collect());
-    places
+    // The pieces before and after a cut meet there, which is no news; the caller leaves it out.
+    pair.places(found)
         .into_iter()
         .filter(|place| !matches!(place.2, Contact::Overlap { .. }))
         .map(|(t, u, _)| (t, u))

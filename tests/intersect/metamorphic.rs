@@ -1,0 +1,90 @@
+//! Rotated, scaled, reversed and swapped pairs meet at the same places.
+
+use crate::common::Rng;
+use crate::generate::{case, new};
+use casteljau::Curve;
+use casteljau::curve::{Contact, Intersection};
+use casteljau::glam::{DAffine2, DVec2};
+
+/// Places that do not depend on rounding: crossings at an angle, away from ends.
+fn firm(found: &[Intersection], a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64)> {
+    let inside = |t: f64| t > 1e-3 && t < 1.0 - 1e-3;
+    found
+        .iter()
+        .filter(|p| p.kind == Contact::Cross && inside(p.t) && inside(p.u))
+        .filter(|p| a.tangent(p.t).perp_dot(b.tangent(p.u)).abs() > 1e-2)
+        // Next to a cusp a place is known to the third root of rounding.
+        .filter(|p| runs(a, p.t) && runs(b, p.u))
+        .map(|p| (p.t, p.u))
+        .collect()
+}
+
+fn runs(c: &Curve<DVec2>, t: f64) -> bool {
+    c.derivative_at(t, 1).length() > 1e-2 * c.control_bounds().diagonal()
+}
+
+fn same(all: &[(f64, f64)], some: &[(f64, f64)]) -> bool {
+    some.iter().all(|p| {
+        all.iter()
+            .any(|q| (p.0 - q.0).abs().max((p.1 - q.1).abs()) < 1e-6)
+    })
+}
+
+fn places(found: &[Intersection]) -> Vec<(f64, f64)> {
+    found.iter().map(|p| (p.t, p.u)).collect()
+}
+
+#[test]
+fn the_results_follow() {
+    for seed in 0..6000 {
+        let case = case(&mut Rng(seed));
+        let (a, b) = (case.a, case.b);
+        let found = a.intersect(&b);
+        // A piece from a parameter to itself is a point with the shape of rounding.
+        let size = |c: &Curve<DVec2>| c.control_bounds().diagonal();
+        if size(&a).min(size(&b)) < 1e-9 * size(&a).max(size(&b)) {
+            continue;
+        }
+        let fixed = firm(&found, &a, &b);
+        let told = |how: &str| format!("{} (seed {seed}), {how}: {found:?}", case.name);
+
+        let swapped: Vec<(f64, f64)> = b.intersect(&a).iter().map(|p| (p.u, p.t)).collect();
+        assert!(same(&swapped, &fixed), "{}", told("swapped"));
+
+        let reversed: Vec<(f64, f64)> = a
+            .reverse()
+            .intersect(&b)
+            .iter()
+            .map(|p| (1.0 - p.t, p.u))
+            .collect();
+        assert!(same(&reversed, &fixed), "{}", told("reversed"));
+
+        let turn = DAffine2::from_angle(0.7);
+        let turned = places(&a.transform(&turn).intersect(&b.transform(&turn)));
+        assert!(same(&turned, &fixed), "{}", told("turned"));
+    }
+}
+
+/// Powers of two round nothing, so everything is the same, tangencies and shared pieces included.
+#[test]
+fn scaled_by_powers_of_two() {
+    for seed in 0..3000 {
+        let case = case(&mut Rng(seed));
+        let found = case.a.intersect(&case.b);
+        for exponent in [-30, 30] {
+            let scale = |c: &Curve<DVec2>| {
+                let points: Vec<DVec2> = c
+                    .control_points()
+                    .iter()
+                    .map(|p| *p * 2_f64.powi(exponent))
+                    .collect();
+                new(&points)
+            };
+            let scaled = scale(&case.a).intersect(&scale(&case.b));
+            let plain = |found: &[Intersection]| {
+                found.iter().map(|p| (p.t, p.u, p.kind)).collect::<Vec<_>>()
+            };
+            assert_eq!(plain(&found), plain(&scaled), "{} (seed {seed})", case.name);
+        }
+    }
+}
