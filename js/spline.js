@@ -489,6 +489,39 @@ export class Spline {
   }
 
   /**
+   * A spline of few cubics along points in order (a stroke drawn by hand, a dense polyline): every point lies within the
+   * tolerance of it. Corners stay corners, the other joints are smooth; points that repeat count once.
+   *
+   * @param {PointsLike} points at least 2
+   * @param {number} tolerance
+   * @param {{ closed?: boolean, dimension?: 2 | 3 }} [options] `closed`: lead back from the last point to the first
+   * @returns {Spline}
+   */
+  static fit(points, tolerance, options) {
+    const { closed = false, dimension: wanted } = check.options(options);
+    const { flat, dimension } = flatten(points, wanted, 2);
+    const count = flat.length / dimension;
+    if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
+    check.positive(tolerance, "tolerance");
+    load(flat);
+    const spline = made(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
+    trim();
+    return spline;
+  }
+
+  /**
+   * A spline of fewer cubics: no point of it is farther than the tolerance from this one, nor the other way round.
+   * Corners stay. Where there are no fewer segments the spline comes back as it is.
+   *
+   * @param {number} tolerance
+   * @returns {Spline}
+   */
+  simplify(tolerance) {
+    check.positive(tolerance, "tolerance");
+    return this.#made(core().spline_simplify(this.#load(), tolerance));
+  }
+
+  /**
    * The parallel at a distance along the normal: that of each segment (see `Curve.offset`), joined at corners on both
    * sides. 2D only. Nothing is trimmed; a closed spline stays closed.
    *

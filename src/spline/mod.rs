@@ -8,7 +8,9 @@ mod bspline;
 mod build;
 pub(crate) mod chains;
 mod continuity;
+mod cubics;
 mod edit;
+mod fit;
 mod frames;
 mod intersect;
 mod joint;
@@ -18,6 +20,7 @@ mod measure;
 mod nearest;
 mod offset;
 mod repair;
+mod simplify;
 mod through;
 
 pub use bspline::BSpline;

@@ -3,7 +3,7 @@
 use super::arena::{self, Arena};
 use super::given;
 use crate::curve::{Chain, Curve};
-use crate::spline::{OffsetJoin, parallel_of};
+use crate::spline::{OffsetJoin, Spline, parallel_of};
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -75,4 +75,20 @@ pub fn curve_through(dimension: usize, count: usize, number: usize) -> isize {
         let curve = Curve::through(&points, ts)?;
         Ok(a.put_from_space(0, curve.control_points(), dimension))
     })
+}
+
+/// In: points of a stroke. Leaves the spline along them.
+#[wasm_bindgen]
+pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let spline = Spline::fit(&points, tolerance, closed)?;
+        Ok(super::spline::put(a, &spline, dimension))
+    })
+}
+
+/// Leaves a spline of fewer cubics.
+#[wasm_bindgen]
+pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
+    super::spline::changed(dimension, |_, spline, _| spline.simplify(tolerance))
 }

@@ -39,7 +39,7 @@ pub(super) fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> us
 }
 
 /// Leaves a changed spline; its number of f64.
-fn changed(
+pub(super) fn changed(
     dimension: usize,
     change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
 ) -> isize {

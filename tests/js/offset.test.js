@@ -66,3 +66,30 @@ test("a curve through points", () => {
   assert.throws(() => Curve.through(points, [0, 1]), { name: "RangeError", message: /^ts: / });
   assert.throws(() => Curve.through([[0, 0]]), { name: "RangeError", message: /^points: / });
 });
+
+test("a spline along a stroke, and with fewer segments", () => {
+  const points = Array.from({ length: 500 }, (_, k) => [k / 50, Math.sin(k / 50)]);
+  const fitted = Spline.fit(points, 1e-3);
+  assert.ok(fitted.segmentCount < 12);
+  const line = fitted.flatten(1e-4).points;
+  for (const [x, y] of points) {
+    let nearest = Infinity;
+    for (let i = 0; i + 3 < line.length; i += 2) nearest = Math.min(nearest, fromSegment(x, y, line.subarray(i, i + 4)));
+    assert.ok(nearest < 1.2e-3, `${nearest}`);
+  }
+  const corner = Spline.fit([[0, 0], [1, 0], [2, 0], [2, 1], [2, 2]], 0.01);
+  assert.equal(corner.segmentCount, 2);
+  assert.ok(Spline.fit([[0, 0], [1, 0], [1, 1]], 0.01, { closed: true }).closed);
+  assert.equal(Spline.fit([0, 0, 0, 1, 1, 1], 0.1, { dimension: 3 }).dimension, 3);
+  const cut = fitted.insert(0.3).insert(0.5).insert(2.5);
+  assert.ok(cut.simplify(1e-3).segmentCount < cut.segmentCount);
+  assert.throws(() => Spline.fit([[0, 0]], 1), { name: "RangeError", message: /^points: / });
+  assert.throws(() => Spline.fit([[0, 0], [1, 1]], 0), { name: "RangeError", message: /^tolerance: / });
+  assert.throws(() => cut.simplify(-1), { name: "RangeError", message: /^tolerance: / });
+});
+
+function fromSegment(x, y, [ax, ay, bx, by]) {
+  const [dx, dy] = [bx - ax, by - ay];
+  const s = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(ax + s * dx - x, ay + s * dy - y);
+}

@@ -5,6 +5,7 @@ mod chains;
 #[path = "../common/mod.rs"]
 mod common;
 mod lower;
+mod strokes;
 mod truth;
 
 use casteljau::Curve;

@@ -1,0 +1,258 @@
+//! A chain of few cubics along many points in order.
+//!
+//! From each point the longest run is sought that one cubic can follow: as many points as before, then twice as many as
+//! long as it works, then bisection. The cubic has the tangents of the points at both ends of the run, so pieces join
+//! smoothly; the lengths of its handles come from least squares, first with parameters along the run, then across the
+//! curve with each point's own foot (Gauss and Newton's method). Sources: Schneider, "An algorithm for automatically
+//! fitting digitized curves", Graphics Gems (1990), for the start; Wang, Pottmann and Liu, "Fitting B-spline curves to
+//! point clouds by curvature-based squared distance minimization", ACM TOG 25 (2006), for what follows.
+
+use crate::point::Point;
+
+/// What the cubics must keep.
+#[derive(Clone, Copy)]
+pub(crate) struct Promise {
+    /// The greatest distance between a point and its foot on a cubic.
+    pub(crate) tolerance: f64,
+    /// Whether the way between two points counts, too: then the chords of the cubic between their feet take their share.
+    pub(crate) between: bool,
+}
+
+/// Points in order, with the tangent and the way from the start of each.
+pub(crate) struct Trail<P> {
+    pub(crate) points: Vec<P>,
+    pub(crate) tangents: Vec<P>,
+    pub(crate) lengths: Vec<f64>,
+    pub(crate) promise: Promise,
+}
+
+/// The most points that least squares look at; all are checked.
+const MOST_SAMPLES: usize = 48;
+
+/// Rounds of least squares, and of Newton's method for a foot.
+const MOST_ROUNDS: usize = 6;
+const FOOT_ROUNDS: usize = 2;
+
+/// A first error above this many tolerances is not worth improving.
+const HOPELESS: f64 = 50.0;
+
+/// Bisections of the longest run: it is found to 1/64.
+const BISECTIONS: usize = 6;
+
+/// Added to the diagonal of the normal equations, whose other terms are up to 1.
+const DAMPING: f64 = 1e-6;
+
+/// A handle is at most this part of the way of its run.
+const LONGEST_HANDLE: f64 = 1.5;
+
+/// The way from the first point to each.
+pub(crate) fn ways<P: Point>(points: &[P]) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mut lengths = vec![0.0];
+    lengths.extend(points.windows(2).map(|p| {
+        sum += (p[1] - p[0]).norm();
+        sum
+    }));
+    lengths
+}
+
+impl<P: Point> Trail<P> {
+    /// Appends the cubics of the run between two indices: the index of each end, and the two handles before it.
+    pub(crate) fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
+        let (mut from, mut step) = (first, last - first);
+        while from < last {
+            let (to, handles) = self.longest(from, last, step);
+            out.push((to, handles));
+            step = to - from;
+            from = to;
+        }
+    }
+
+    fn longest(&self, from: usize, last: usize, step: usize) -> (usize, [P; 2]) {
+        let mut best = (from + 1, self.straight(from, from + 1));
+        if let Some(handles) = self.handles(from, from + 1) {
+            best.1 = handles;
+        }
+        let (mut fails, mut to) = (last + 1, (from + step.max(2)).min(last));
+        let mut bisections = 0;
+        while to > best.0 {
+            match self.handles(from, to) {
+                Some(handles) => best = (to, handles),
+                None => fails = to,
+            }
+            if fails > last {
+                to = (from + 2 * (best.0 - from)).min(last);
+            } else {
+                bisections += 1;
+                let wide = fails - best.0 > (best.0 - from) / 4;
+                to = if bisections > BISECTIONS && !wide {
+                    best.0
+                } else {
+                    best.0 + (fails - best.0) / 2
+                };
+            }
+        }
+        best
+    }
+
+    /// The handles of a straight cubic.
+    fn straight(&self, from: usize, to: usize) -> [P; 2] {
+        let (a, b) = (self.points[from], self.points[to]);
+        [a.mix(b, 1.0 / 3.0), a.mix(b, 2.0 / 3.0)]
+    }
+
+    /// The handles of a cubic that keeps the promise along a run, if one was found.
+    fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
+        let way = self.lengths[to] - self.lengths[from];
+        let (start, end) = (self.points[from], self.points[to]);
+        let (t0, t1) = (self.tangents[from], self.tangents[to]);
+        let mut samples = self.samples(from, to);
+        let (mut a, mut b) = (way / 3.0, way / 3.0);
+        let mut previous = f64::INFINITY;
+        for round in 0..MOST_ROUNDS {
+            let cubic = [start, start + t0 * a, end + t1 * -b, end];
+            let mut equations = Equations::default();
+            let mut worst: f64 = 0.0;
+            for (index, u) in &mut samples {
+                let p = self.points[*index];
+                if round > 0 {
+                    *u = foot(&cubic, p, *u);
+                }
+                let (q, w, _) = at(&cubic, *u);
+                worst = worst.max((q - p).norm());
+                let along = if round > 0 { w.unit() } else { P::default() };
+                equations.add(q - p, along, (t0, t1), *u);
+            }
+            if worst <= self.promise.tolerance && self.keeps(&cubic, from, to, &samples) {
+                return Some([cubic[1], cubic[2]]);
+            }
+            let limit = HOPELESS * self.promise.tolerance;
+            if round > 1 && !(worst < 0.8 * previous && worst < limit) {
+                return None;
+            }
+            previous = worst;
+            let (da, db) = equations.solved();
+            let most = LONGEST_HANDLE * way;
+            (a, b) = ((a + da).clamp(0.0, most), (b + db).clamp(0.0, most));
+        }
+        None
+    }
+
+    /// Inner points of a run, evenly by index, and their parameters by the way.
+    fn samples(&self, from: usize, to: usize) -> Vec<(usize, f64)> {
+        let count = (to - from - 1).min(MOST_SAMPLES);
+        (1..=count)
+            .map(|k| {
+                let index = from + k * (to - from) / (count + 1);
+                (index, self.part(from, to, index))
+            })
+            .collect()
+    }
+
+    /// How far a point is along a run.
+    fn part(&self, from: usize, to: usize, index: usize) -> f64 {
+        let (a, b) = (self.lengths[from], self.lengths[to]);
+        if b > a {
+            (self.lengths[index] - a) / (b - a)
+        } else {
+            0.5
+        }
+    }
+
+    /// Whether all points of a run keep the promise.
+    fn keeps(&self, cubic: &[P; 4], from: usize, to: usize, samples: &[(usize, f64)]) -> bool {
+        let mut known = samples.iter().copied().chain([(to, 1.0)]);
+        let (mut left, mut right) = ((from, 0.0), known.next().unwrap_or((to, 1.0)));
+        let mut last: (f64, f64) = (0.0, 0.0);
+        for index in from + 1..=to {
+            while index > right.0 {
+                (left, right) = (right, known.next().unwrap_or((to, 1.0)));
+            }
+            // The parameter that the samples have found, between them in proportion.
+            let guess = left.1 + (right.1 - left.1) * self.part(left.0, right.0, index);
+            let p = self.points[index];
+            let u = if index == to {
+                1.0
+            } else {
+                foot(cubic, p, guess).max(last.0)
+            };
+            let off = (at(cubic, u).0 - p).norm();
+            let share = if self.promise.between {
+                sag(cubic, last.0, u)
+            } else {
+                0.0
+            };
+            if off.max(last.1) + share > self.promise.tolerance {
+                return false;
+            }
+            last = (u, off);
+        }
+        true
+    }
+}
+
+/// The normal equations of the two lengths.
+#[derive(Default)]
+struct Equations {
+    aa: f64,
+    ab: f64,
+    bb: f64,
+    ra: f64,
+    rb: f64,
+}
+
+impl Equations {
+    /// Adds a point that is off, without what is off along a direction.
+    fn add<P: Point>(&mut self, off: P, along: P, (t0, t1): (P, P), u: f64) {
+        let r = 1.0 - u;
+        let across = |v: P| v - along * v.dot(along);
+        let (ja, jb) = (
+            across(t0 * (3.0 * u * r * r)),
+            across(t1 * (-3.0 * u * u * r)),
+        );
+        self.aa += ja.dot(ja);
+        self.ab += ja.dot(jb);
+        self.bb += jb.dot(jb);
+        self.ra -= ja.dot(off);
+        self.rb -= jb.dot(off);
+    }
+
+    fn solved(&self) -> (f64, f64) {
+        let (aa, bb) = (self.aa + DAMPING, self.bb + DAMPING);
+        let scale = 1.0 / (aa * bb - self.ab * self.ab);
+        (
+            (self.ra * bb - self.rb * self.ab) * scale,
+            (self.rb * aa - self.ra * self.ab) * scale,
+        )
+    }
+}
+
+/// The point and the first two derivatives of a cubic.
+fn at<P: Point>(p: &[P; 4], u: f64) -> (P, P, P) {
+    let (d0, d1, d2) = (p[1] - p[0], p[2] - p[1], p[3] - p[2]);
+    let r = 1.0 - u;
+    (
+        P::blend4(*p, [r * r * r, 3.0 * r * r * u, 3.0 * r * u * u, u * u * u]),
+        P::blend3([d0, d1, d2], [3.0 * r * r, 6.0 * r * u, 3.0 * u * u]),
+        (d1 - d0).mix(d2 - d1, u) * 6.0,
+    )
+}
+
+/// The parameter of the foot of a point on a cubic, near a guess.
+fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
+    for _ in 0..FOOT_ROUNDS {
+        let (q, w, b) = at(cubic, u);
+        let gap = p - q;
+        let slope = w.dot(w) - gap.dot(b);
+        if slope > 0.0 {
+            u = (u + gap.dot(w) / slope).clamp(0.0, 1.0);
+        }
+    }
+    u
+}
+
+/// How far a cubic may be from its chord between two parameters: h²/8 of the largest second derivative.
+fn sag<P: Point>(cubic: &[P; 4], u0: f64, u1: f64) -> f64 {
+    let h = u1 - u0;
+    at(cubic, u0).2.norm().max(at(cubic, u1).2.norm()) * h * h * 0.125
+}

@@ -1,0 +1,215 @@
+//! Splines along points, and splines of fewer segments.
+
+use crate::common::{Rng, real};
+use crate::truth::{dense, farthest};
+use casteljau::glam::{DVec2, DVec3};
+use casteljau::{Point, Spline};
+
+/// A smooth spline of random cubics, with a corner here and there.
+fn known(rng: &mut Rng, segments: usize, corners: bool) -> (Spline<DVec2>, Vec<DVec2>) {
+    let mut points = vec![rng.point(2).truncate()];
+    let mut way = DVec2::from_angle(6.0 * rng.unit());
+    let mut sharp = Vec::new();
+    for k in 0..segments {
+        let start = points[points.len() - 1];
+        let turn = DVec2::from_angle(rng.signed());
+        let end = start + turn.rotate(way) * (1.0 + rng.unit());
+        let leave = turn.rotate(turn.rotate(way));
+        points.extend([start + way * 0.4, end - leave * 0.4, end]);
+        way = leave;
+        if corners && k + 1 < segments && rng.chance(0.3) {
+            sharp.push(end);
+            way = DVec2::from_angle(if rng.chance(0.5) { 1.8 } else { -1.8 }).rotate(way);
+        }
+    }
+    (Spline::new(&points, 3, false).expect("finite"), sharp)
+}
+
+fn kinks(spline: &Spline<DVec2>) -> Vec<DVec2> {
+    (1..spline.segment_count())
+        .filter(|&k| !spline.continuity(k, Some(1e-6)).expect("a joint").g1)
+        .map(|k| spline.eval(real(k)))
+        .collect()
+}
+
+#[test]
+fn points_lie_within_the_tolerance_and_corners_are_found() {
+    let mut rng = Rng(41);
+    let mut beside = 0;
+    for case in 0..300 {
+        let count = 2 + rng.below(8);
+        let (spline, sharp) = known(&mut rng, count, case % 2 == 0);
+        let points = spline.sample(200).expect("samples");
+        let tolerance = rng.magnitude(-5.0, -1.8);
+        let fitted = Spline::fit(&points, tolerance, false).expect("finite");
+        assert_eq!(fitted.eval(0.0), points[0]);
+        let off = farthest(&dense(&fitted, 0.01 * tolerance), &points, tolerance);
+        assert!(off <= 1.02 * tolerance, "{case}: {off} for {tolerance}");
+        let found = kinks(&fitted);
+        for p in &sharp {
+            assert!(
+                found.iter().any(|q| (*q - *p).length() < 0.02 + tolerance),
+                "{case}: no corner at {p}"
+            );
+        }
+        beside += found.len().saturating_sub(sharp.len());
+        if tolerance > 1e-3 {
+            assert!(
+                fitted.segment_count() <= 3 * spline.segment_count(),
+                "{case}: {}",
+                fitted.segment_count()
+            );
+        }
+    }
+    // Bends too tight to be told from corners.
+    assert!(beside <= 3, "{beside}");
+}
+
+#[test]
+fn degenerate_points() {
+    let p = DVec2::new(3.0, 4.0);
+    let one = Spline::fit(&[p, p, p], 0.1, false).expect("finite");
+    assert_eq!(one.control_points(), [p, p]);
+    assert!(Spline::fit(&[p], 0.1, false).is_err());
+    let line: Vec<DVec2> = (0..1000).map(|k| p * real(k)).collect();
+    assert_eq!(
+        Spline::fit(&line, 0.01, false)
+            .expect("finite")
+            .segment_count(),
+        1
+    );
+    // There and back again.
+    let back: Vec<DVec2> = line.iter().chain(line.iter().rev()).copied().collect();
+    let fitted = Spline::fit(&back, 0.01, false).expect("finite");
+    assert!(farthest(&dense(&fitted, 1e-4), &back, 0.01) <= 0.01);
+    assert_eq!(fitted.segment_count(), 2);
+    for scale in [1e300, 1e-300, 1e9] {
+        let far: Vec<DVec2> = (0..100)
+            .map(|k| DVec2::from_angle(real(k) * 0.05) * scale)
+            .collect();
+        let fitted = Spline::fit(&far, 1e-3 * scale, false).expect("finite");
+        assert!(fitted.control_points().iter().all(|p| p.is_finite()));
+        assert!(fitted.segment_count() < 10);
+    }
+}
+
+#[test]
+fn a_square_and_a_circle() {
+    let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+    let fitted = Spline::fit(&square, 0.01, true).expect("finite");
+    assert!(fitted.is_closed());
+    assert_eq!((fitted.segment_count(), kinks(&fitted).len()), (4, 3));
+    let circle: Vec<DVec2> = (0..360)
+        .map(|k| DVec2::from_angle(real(k).to_radians()))
+        .collect();
+    let fitted = Spline::fit(&circle, 1e-3, true).expect("finite");
+    assert!(fitted.segment_count() <= 5, "{}", fitted.segment_count());
+    assert!(
+        (0..fitted.segment_count()).all(|k| fitted.continuity(k, Some(1e-9)).expect("a joint").g1)
+    );
+}
+
+#[test]
+fn strokes_with_noise() {
+    let mut rng = Rng(43);
+    for _ in 0..50 {
+        let (spline, _) = known(&mut rng, 4, false);
+        let tolerance = 0.02;
+        let noisy: Vec<DVec2> = spline
+            .sample(60)
+            .expect("samples")
+            .iter()
+            .map(|&p| p + rng.point(2).truncate() * (0.5 * tolerance))
+            .collect();
+        let fitted = Spline::fit(&noisy, tolerance, false).expect("finite");
+        assert!(farthest(&dense(&fitted, 1e-4), &noisy, tolerance) <= 1.01 * tolerance);
+        assert!(fitted.segment_count() <= 24, "{}", fitted.segment_count());
+    }
+}
+
+#[test]
+fn space_as_well() {
+    let helix: Vec<DVec3> = (0..2000)
+        .map(|k| {
+            let t = real(k) * 0.01;
+            DVec3::new(t.cos(), t.sin(), 0.2 * t)
+        })
+        .collect();
+    let fitted = Spline::fit(&helix, 1e-3, false).expect("finite");
+    let line = fitted.flatten(1e-4).expect("flat").points;
+    for &p in &helix {
+        let near = line
+            .windows(2)
+            .map(|s| crate::common::measure::from_segment(p, s[0], s[1]));
+        assert!(near.fold(f64::INFINITY, f64::min) <= 1.2e-3);
+    }
+    assert!(fitted.segment_count() < 30, "{}", fitted.segment_count());
+}
+
+#[test]
+fn many_points_in_time() {
+    let points: Vec<DVec2> = (0..100_000)
+        .map(|k| {
+            let t = real(k) * 1e-3;
+            DVec2::new(t, (3.0 * t).sin() + 0.2 * (11.0 * t).cos())
+        })
+        .collect();
+    let start = std::time::Instant::now();
+    let fitted = Spline::fit(&points, 1e-3, false).expect("finite");
+    println!("{} segments, {:?}", fitted.segment_count(), start.elapsed());
+    assert!(start.elapsed().as_secs_f64() < 10.0);
+}
+
+#[test]
+fn simplified_splines_are_close_both_ways() {
+    let mut rng = Rng(47);
+    for case in 0..300 {
+        let count = 1 + rng.below(6);
+        let (spline, sharp) = known(&mut rng, count, case % 2 == 0);
+        let mut cut = spline.clone();
+        for k in (0..spline.segment_count()).rev() {
+            for part in [0.8, 0.6, 0.3] {
+                cut = cut.insert(real(k) + part).expect("inside");
+            }
+        }
+        let tolerance = rng.magnitude(-5.0, -1.5);
+        let simple = cut.simplify(tolerance).expect("finite");
+        assert!(simple.segment_count() <= cut.segment_count());
+        let sag = 0.01 * tolerance;
+        let (a, b) = (dense(&cut, sag), dense(&simple, sag));
+        let apart = farthest(&a, &b, tolerance).max(farthest(&b, &a, tolerance));
+        assert!(apart <= 1.02 * tolerance, "{case}: {apart} for {tolerance}");
+        let found = kinks(&simple);
+        assert!(
+            sharp
+                .iter()
+                .all(|p| found.iter().any(|q| (*q - *p).length() < 1e-9)),
+            "{case}"
+        );
+        if tolerance > 1e-3 {
+            assert!(
+                simple.segment_count() < cut.segment_count(),
+                "{case}: {}",
+                simple.segment_count()
+            );
+        }
+    }
+}
+
+#[test]
+fn simplifying_what_is_simple() {
+    let point = Spline::new(&[DVec2::ONE; 4], 3, false).expect("finite");
+    assert_eq!(point.simplify(0.1).expect("finite"), point);
+    let cubic = [(0.0, 0.0), (1.0, 3.0), (4.0, 3.0), (5.0, 0.0)].map(DVec2::from);
+    let one = Spline::new(&cubic, 3, false).expect("finite");
+    assert_eq!(one.simplify(0.001).expect("finite"), one);
+    let scaled = cubic.map(|p| p.in_plane() * 1e9);
+    assert_eq!(
+        Spline::new(&scaled, 3, false)
+            .expect("finite")
+            .simplify(1e6)
+            .expect("finite")
+            .segment_count(),
+        1
+    );
+}
