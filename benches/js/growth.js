@@ -130,10 +130,27 @@ function pathSteps() {
   });
 }
 
+/** Even steps along a cubic; the item is a step. */
+function evenSteps() {
+  const [numbers] = cubics(1);
+  const curve = new Curve(numbers);
+  return [10, 100, 1000, 10_000, 100_000].map((steps) => ({
+    size: steps,
+    items: steps,
+    check: () => {
+      const ts = curve.evenly(steps);
+      const half = curve.subsegment(0, ts[steps / 2]).length();
+      assertSame("half of the steps", [0.5 * curve.length()], [half], 1e-11 * half);
+    },
+    ours: () => curve.evenly(steps)[steps >> 1],
+  }));
+}
+
 const ROWS = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
+  { id: "growth-evenly", work: "10 … 100,000 even steps along a cubic: per step", steps: evenSteps },
   { id: "growth-path", work: "path data of 10 kB … 10 MB: parse, bounds, length: per character", steps: pathSteps },
   { id: "growth-through", work: "natural spline through 100 … 100,000 points: per point", steps: throughSteps },
   { id: "growth-move", work: "a handle of 100 … 100,000 C2 segments moved: per segment", steps: moveSteps },

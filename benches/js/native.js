@@ -15,6 +15,8 @@ const GROUPS = [
   { group: "eval", work: "native: eval(t), one point", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "split", work: "native: split(t)", items: 1000, peers: ["lyon_geom"] },
   { group: "halve", work: "native: halve", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "length", work: "native: length of a cubic, to 1e-9", items: 1000, peers: ["kurbo"] },
+  { group: "length-0.001", work: "native: length of a cubic, to 0.001", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];

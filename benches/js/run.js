@@ -13,6 +13,7 @@ import * as curve from "./curve.js";
 import * as easing from "./easing.js";
 import * as growth from "./growth.js";
 import { FULL, QUICK, race } from "./harness.js";
+import * as measure from "./measure.js";
 import * as native from "./native.js";
 import * as path from "./path.js";
 import * as start from "./start.js";
@@ -55,7 +56,7 @@ function conditions() {
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [...curve.rows, ...easing.rows, ...measure.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);

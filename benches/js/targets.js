@@ -14,6 +14,7 @@ export const TARGETS = {
   "sample-fresh": { least: 8 },
   eval: { least: 1 },
   split: { least: 5 },
+  length: { least: 3 },
   easing: { least: 1 / 1.5 },
 
   "path-paper": { least: 5 },
@@ -34,9 +35,14 @@ export const TARGETS = {
   "growth-segments": { most: 2 },
   "growth-patches": { most: 2 },
   "growth-sample": { most: 2 },
+  "growth-evenly": { most: 2 },
   "growth-path": { most: 2 },
   "growth-through": { most: 2 },
   "growth-move": { most: 2 },
+
+  "length-kurbo": { least: 1 },
+  "length-0.001-lyon_geom": { least: 1 },
+  "length-0.001-kurbo": { least: 1 },
 
   "flatten-0.1-kurbo": { least: 1 },
   "flatten-0.01-kurbo": { least: 1 },
