@@ -146,12 +146,30 @@ function evenSteps() {
   }));
 }
 
+/** The nearest point of a chain; the item is a segment. */
+function nearestSteps() {
+  return [4, 16, 64, 256].map((count) => {
+    const spline = Spline.through(walk(count + 1));
+    const query = { x: count / 4, y: 3 };
+    return {
+      size: count,
+      items: count,
+      check: () => {
+        const each = spline.segments().map((curve) => curve.nearest(query).distance);
+        assertSame("nearest", [Math.min(...each)], [spline.nearest(query).distance], 1e-12);
+      },
+      ours: () => spline.nearest(query).distance,
+    };
+  });
+}
+
 const ROWS = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
   { id: "growth-evenly", work: "10 … 100,000 even steps along a cubic: per step", steps: evenSteps },
   { id: "growth-path", work: "path data of 10 kB … 10 MB: parse, bounds, length: per character", steps: pathSteps },
+  { id: "growth-nearest", work: "nearest point of 4 … 256 segments: per segment", steps: nearestSteps },
   { id: "growth-through", work: "natural spline through 100 … 100,000 points: per point", steps: throughSteps },
   { id: "growth-move", work: "a handle of 100 … 100,000 C2 segments moved: per segment", steps: moveSteps },
 ];

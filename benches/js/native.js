@@ -17,6 +17,7 @@ const GROUPS = [
   { group: "halve", work: "native: halve", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "length", work: "native: length of a cubic, to 1e-9", items: 1000, peers: ["kurbo"] },
   { group: "length-0.001", work: "native: length of a cubic, to 0.001", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "nearest", work: "native: nearest point of a cubic", items: 1000, peers: ["kurbo"] },
   { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];

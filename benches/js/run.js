@@ -16,6 +16,7 @@ import { FULL, QUICK, race } from "./harness.js";
 import * as measure from "./measure.js";
 import * as native from "./native.js";
 import * as path from "./path.js";
+import * as nearest from "./nearest.js";
 import * as start from "./start.js";
 import { comparisons, growths } from "./table.js";
 import { judged } from "./targets.js";
@@ -56,7 +57,7 @@ function conditions() {
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...measure.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [...curve.rows, ...easing.rows, ...measure.rows, ...nearest.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);

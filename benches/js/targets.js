@@ -15,6 +15,7 @@ export const TARGETS = {
   eval: { least: 1 },
   split: { least: 5 },
   length: { least: 3 },
+  nearest: { least: 5 },
   easing: { least: 1 / 1.5 },
 
   "path-paper": { least: 5 },
@@ -37,6 +38,7 @@ export const TARGETS = {
   "growth-sample": { most: 2 },
   "growth-evenly": { most: 2 },
   "growth-path": { most: 2 },
+  "growth-nearest": { most: 2 },
   "growth-through": { most: 2 },
   "growth-move": { most: 2 },
 
@@ -46,6 +48,7 @@ export const TARGETS = {
 
   "flatten-0.1-kurbo": { least: 1 },
   "flatten-0.01-kurbo": { least: 1 },
+  "nearest-kurbo": { least: 1 },
   "flatten-0.1-kurbo-segments": { least: 1 },
   "flatten-0.01-kurbo-segments": { least: 1 },
 };

@@ -6,6 +6,7 @@ mod curves;
 mod flatten;
 mod inputs;
 mod length;
+mod nearest;
 mod teapot;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -17,6 +18,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, length::bench, teapot::bench
+    targets = flatten::bench, curves::bench, length::bench, nearest::bench, teapot::bench
 }
 criterion_main!(all);
