@@ -18,6 +18,8 @@ const GROUPS = [
   { group: "length", work: "native: length of a cubic, to 1e-9", items: 1000, peers: ["kurbo"] },
   { group: "length-0.001", work: "native: length of a cubic, to 0.001", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "nearest", work: "native: nearest point of a cubic", items: 1000, peers: ["kurbo"] },
+  { group: "intersect", work: "native: curve × curve, random pairs", items: 500, peers: ["lyon_geom"] },
+  { group: "intersect-9", work: "native: curve × curve, 9 intersections", items: 1, peers: ["lyon_geom"] },
   { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];

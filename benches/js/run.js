@@ -4,7 +4,7 @@
 //   node benches/js/run.js teapot     only rows whose id contains "teapot"; writes nothing
 //   node benches/js/run.js --quick    does each piece of work once, to see that the sides agree; writes nothing
 //
-// The files: targets.js says what is asked; harness.js how times are taken; curve.js, easing.js, path.js, teapot.js (with baseline.js),
+// The files: targets.js says what is asked; harness.js how times are taken; curve.js, easing.js, intersect.js, path.js, teapot.js (with baseline.js),
 // adaptive.js, start.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
@@ -14,6 +14,7 @@ import * as easing from "./easing.js";
 import * as growth from "./growth.js";
 import { FULL, QUICK, race } from "./harness.js";
 import * as measure from "./measure.js";
+import * as intersect from "./intersect.js";
 import * as native from "./native.js";
 import * as path from "./path.js";
 import * as nearest from "./nearest.js";
@@ -57,7 +58,7 @@ function conditions() {
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...measure.rows, ...nearest.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [...curve.rows, ...easing.rows, ...intersect.rows, ...measure.rows, ...nearest.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);

@@ -21,6 +21,12 @@ export const TARGETS = {
   "path-paper": { least: 5 },
   "path-properties": { least: 5 },
 
+  "intersect-9-bezier-js": { least: 500 },
+  "intersect-9-paper": { least: 20 },
+  "intersect-paper": { least: 20 },
+  "intersect-lyon_geom": { least: 1 },
+  "intersect-9-lyon_geom": { least: 1 },
+
   "teapot-16-reused-three": { least: 40 },
   "teapot-64-reused-three": { least: 40 },
   "teapot-16-reused-loop": { least: 3 },

@@ -5,6 +5,7 @@
 mod curves;
 mod flatten;
 mod inputs;
+mod intersect;
 mod length;
 mod nearest;
 mod teapot;
@@ -18,6 +19,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, length::bench, nearest::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, teapot::bench
 }
 criterion_main!(all);

@@ -131,7 +131,8 @@ fn long_chains() {
         assert!(a.self_intersections().is_empty());
         start.elapsed().as_secs_f64()
     };
-    time(100);
-    let (short, long) = (time(1000), time(10_000));
-    assert!(long < 40.0 * short, "{short} s, {long} s");
+    // The least of three: the machine has other things to do.
+    let least = |segments: usize| (0..3).map(|_| time(segments)).fold(f64::INFINITY, f64::min);
+    let (short, long) = (least(1000), least(10_000));
+    assert!(long < 30.0 * short, "{short} s, {long} s");
 }
