@@ -6,6 +6,9 @@ use crate::curve::{MAX_OUTPUT_F64, check_finite};
 use crate::error::{Error, MAX_DEGREE};
 use crate::point::Point;
 
+/// The most insertions: a few seconds. A segment of degree p takes p (p − 1).
+const MAX_STEPS: usize = 1 << 28;
+
 /// A B-spline: control points, knots and a degree.
 ///
 /// Open: for n points of degree p there are n + p + 1 knots u₀ ≤ u₁ ≤ …, and the curve runs over [uₚ, uₙ]. Closed: there are
@@ -47,7 +50,8 @@ impl<P: Point> Spline<P> {
     /// # Errors
     /// [`Error::Range`] for a degree outside of 1 to 64, [`Error::Count`] for too few points (open: degree + 1) or a wrong
     /// number of knots, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a knot below the one before it,
-    /// or one too many of the same: more than p inside would part the curve. [`Error::TooMany`] above 1 GiB.
+    /// or one too many of the same: more than p inside would part the curve. [`Error::TooMany`] above 1 GiB, or above
+    /// 2²⁸/p² segments.
     ///
     /// Sources: Böhm, "Inserting new knots into B-spline curves", 1980; Ramshaw, "Blossoms are polar forms", 1989.
     pub fn from_bspline(
@@ -74,7 +78,7 @@ impl<P: Point> Spline<P> {
         check_finite("points", points)?;
         let knots = Knots::new(knots, count, degree, closed)?;
         let spans = knots.spans();
-        let limit = MAX_OUTPUT_F64 / P::DIMENSION / degree - 1;
+        let limit = (MAX_OUTPUT_F64 / P::DIMENSION / degree - 1).min(MAX_STEPS / degree / degree);
         if spans > limit {
             return Err(Error::TooMany {
                 what: "segments",
@@ -127,10 +131,15 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
     let (degree, spans) = (knots.degree(), knots.spans());
     let mut all = Vec::with_capacity(spans * degree + 1);
     let mut segment = vec![P::default(); degree + 1];
+    let mut local = vec![0.0; 2 * degree + 1];
     for k in knots.starts() {
         let at = |i: usize| points[(k + i) % points.len()];
         segment.iter_mut().enumerate().for_each(|(i, p)| *p = at(i));
-        to_bezier(&mut segment, knots, k);
+        local
+            .iter_mut()
+            .enumerate()
+            .for_each(|(i, u)| *u = knots.at(k + i));
+        to_bezier(&mut segment, &local);
         all.extend_from_slice(&segment[..degree]);
     }
     if !closed {
@@ -139,24 +148,22 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
     Spline::from_parts(all, &vec![degree; spans], closed)
 }
 
-/// Turns the control points of the span [a, b] between the knots uₚ and uₚ₊₁, counted from `first` on, into those of
-/// Bézier.
+/// Turns the control points of the span [a, b] between the knots uₚ and uₚ₊₁ into those of Bézier.
 ///
 /// With f the blossom of the segment, point i comes in as f(uᵢ₊₁ … uᵢ₊ₚ). Inserting a makes it f(a … a uₚ₊₁ … uₚ₊ᵢ), with i
 /// knots from b on; inserting b, f(a … a b … b).
-fn to_bezier<P: Point>(points: &mut [P], knots: &Knots, first: usize) {
+fn to_bezier<P: Point>(points: &mut [P], u: &[f64]) {
     let p = points.len() - 1;
-    let u = |i: usize| knots.at(first + i);
-    let (a, b) = (u(p), u(p + 1));
+    let (a, b) = (u[p], u[p + 1]);
     for level in 1..p {
         for i in 0..p - level {
-            let (from, to) = (u(i + level), u(i + p + 1));
+            let (from, to) = (u[i + level], u[i + p + 1]);
             points[i] = points[i].mix(points[i + 1], (a - from) / (to - from));
         }
     }
     for level in 1..p {
         for i in (level + 1..=p).rev() {
-            let to = u(p + i - level + 1);
+            let to = u[p + i - level + 1];
             points[i] = points[i - 1].mix(points[i], (b - a) / (to - a));
         }
     }

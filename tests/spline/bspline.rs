@@ -351,4 +351,14 @@ fn long_ones_in_linear_time() {
         .collect();
     let spline = Spline::from_bspline(&points, 3, None, true).expect("a ring");
     assert_eq!(spline.segment_count(), 1_000_000);
+    // What would take minutes is refused at once.
+    let refused = Spline::from_bspline(&points, 64, None, true);
+    assert!(matches!(
+        refused,
+        Err(Error::TooMany {
+            what: "segments",
+            limit: 65_536,
+            ..
+        })
+    ));
 }
