@@ -5,7 +5,7 @@ import * as places from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints } from "./points.js";
 import { packedSpline } from "./path-packed.js";
 import { done } from "./refusal.js";
-import { svgOf } from "./svg-write.js";
+import { svgOf, traceOn } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 import { curveLength, curveTimeAtLength } from "./measure.js";
 import { basisNumbers, BASES } from "./basis.js";
@@ -680,9 +680,7 @@ export class Curve {
    */
   trace(target, options) {
     this.#plane("trace");
-    const pen = check.drawingTarget(target);
-    const tolerance = check.optionalTolerance(check.options(options).tolerance);
-    done(core().curve_trace(this.#load(), pen, tolerance));
+    traceOn(packedSpline(this.#flat, [this.degree], false), target, options);
   }
 
   /**

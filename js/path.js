@@ -7,7 +7,7 @@ import { meetPaths, nearestOnPath, takeTimes } from "./path-places.js";
 import { boxAt, samePoints, writePoint } from "./points.js";
 import { Spline, splineOf } from "./spline.js";
 import { readSvg } from "./svg-read.js";
-import { svgOf, tracePacked } from "./svg-write.js";
+import { svgOf, traceOn } from "./svg-write.js";
 import { load, take, trim } from "./transfer.js";
 
 /**
@@ -338,8 +338,7 @@ export class Path {
    * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {
-    const pen = check.drawingTarget(target);
-    tracePacked(this.#packed, pen, check.optionalTolerance(check.options(options).tolerance));
+    traceOn(this.#packed, target, options);
   }
 
   /**

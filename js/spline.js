@@ -10,7 +10,7 @@ import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./point
 import { packedSpline } from "./path-packed.js";
 import { done } from "./refusal.js";
 import { through } from "./through.js";
-import { svgOf } from "./svg-write.js";
+import { svgOf, traceOn } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
 /**
@@ -547,11 +547,9 @@ export class Spline {
    * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {
-    if (this.dimension === 3) throw new TypeError("trace: expected a 2D spline, got a 3D one");
-    const pen = check.drawingTarget(target);
-    const tolerance = check.optionalTolerance(check.options(options).tolerance);
-    this.#load();
-    done(core().spline_trace(pen, tolerance));
+    const { flat, dimension, degrees, closed } = this.#parts;
+    if (dimension === 3) throw new TypeError("trace: expected a 2D spline, got a 3D one");
+    traceOn(packedSpline(flat, degrees, closed), target, options);
   }
 
   /**

@@ -96,10 +96,12 @@ function checkTolerance(packed, tolerance) {
  *
  * @internal
  * @param {Float64Array} packed
- * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
- * @param {number} tolerance 0 for the default
+ * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} given
+ * @param {{ tolerance?: number } | undefined} options for degrees above 3
  */
-export function tracePacked(packed, target, tolerance) {
+export function traceOn(packed, given, options) {
+  const target = check.drawingTarget(given);
+  const tolerance = check.optionalTolerance(check.options(options).tolerance);
   checkTolerance(packed, tolerance);
   const pen = {
     move: (/** @type {number} */ x, /** @type {number} */ y) => target.moveTo(x, y),

@@ -3,8 +3,8 @@
 //! What is read is checked as by the constructors.
 
 use crate::point::Point;
-use crate::{Curve, Patch, Spline};
-use glam::DVec3;
+use crate::{Curve, Patch, Path, Spline};
+use glam::{DVec2, DVec3};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Deserialize as Read, Serialize as Write, Serializer};
 
@@ -20,6 +20,12 @@ struct SplineForm<P> {
     points: Vec<P>,
     degrees: Vec<usize>,
     closed: bool,
+}
+
+/// `{ "subpaths": [{ "points": [[x, y], …], "degrees": [3, …], "closed": false }, …] }`
+#[derive(Read, Write)]
+struct PathForm {
+    subpaths: Vec<Spline<DVec2>>,
 }
 
 /// `{ "net": [[x, y, z], …], "degreeU": 3, "degreeV": 3 }`
@@ -63,6 +69,20 @@ impl<'de, P: Point + Read<'de>> Deserialize<'de> for Spline<P> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let form = SplineForm::deserialize(deserializer)?;
         Self::with_degrees(form.points, &form.degrees, form.closed).map_err(D::Error::custom)
+    }
+}
+
+impl Write for Path {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let subpaths = self.subpaths();
+        PathForm { subpaths }.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Path {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = PathForm::deserialize(deserializer)?;
+        Ok(Self::new(&form.subpaths))
     }
 }
 

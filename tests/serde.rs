@@ -3,7 +3,7 @@
 #![cfg(all(feature = "serde", not(target_family = "wasm")))]
 
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Patch, Spline};
+use casteljau::{Curve, Patch, Path, Spline};
 
 const CURVE: &str = r#"{"points":[[0.0,0.5],[1.0,2.0],[2.0,0.1]]}"#;
 const SPLINE: &str =
@@ -21,6 +21,18 @@ fn a_spline_keeps_its_degrees() {
     let spline: Spline<DVec2> = serde_json::from_str(SPLINE).unwrap();
     assert_eq!(spline.degrees(), [2, 1]);
     assert_eq!(serde_json::to_string(&spline).unwrap(), SPLINE);
+}
+
+#[test]
+fn a_path_is_a_list_of_splines() {
+    let text = r#"{"subpaths":[{"points":[[0.0,0.0],[1.0,2.0]],"degrees":[1],"closed":false},{"points":[[0.0,0.0],[1.0,2.0]],"degrees":[2],"closed":true}]}"#;
+    let path: Path = serde_json::from_str(text).unwrap();
+    assert_eq!(
+        path.to_svg(None, None).unwrap(),
+        "M0,0 L1,2 M0,0 Q1,2 0,0 Z"
+    );
+    assert_eq!(serde_json::to_string(&path).unwrap(), text);
+    assert!(serde_json::from_str::<Path>(&text.replace("[2]", "[3]")).is_err());
 }
 
 #[test]

@@ -104,21 +104,10 @@ impl Spline<DVec2> {
     /// # Errors
     /// As [`Curve::trace`](crate::Curve::trace).
     pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
-        self.trace_in_plane(pen, tolerance)
-    }
-}
-
-impl<P: Point> Spline<P> {
-    /// Draws the spline as seen along z.
-    pub(crate) fn trace_in_plane(
-        &self,
-        pen: &mut impl Pen,
-        tolerance: Option<f64>,
-    ) -> Result<(), Error> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        pen.move_to(self.points[0].in_plane());
+        pen.move_to(self.points[0]);
         for k in 0..self.segment_count() {
             self.curve(k).trace_on(pen, tolerance);
         }

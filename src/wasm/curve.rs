@@ -1,15 +1,10 @@
 //! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::pen::CanvasPen;
-use super::{by_dimension, given};
-use crate::curve::{
-    Basis, Curve, Pen, Subdivision, bernstein, cubic_scalar, evaluate, split_numbers,
-};
-use crate::error::Error;
+use super::by_dimension;
+use crate::curve::{Basis, Curve, Subdivision, bernstein, cubic_scalar, evaluate, split_numbers};
 use crate::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
@@ -264,23 +259,4 @@ pub fn points_transform(dimension: usize, count: usize) {
             a.put_from_space(at, &[image], dimension);
         }
     });
-}
-
-/// Draws a curve of the plane on a context or a path; a tolerance of 0 stands for the default.
-#[wasm_bindgen]
-pub fn curve_trace(count: usize, target: &JsValue, tolerance: f64) -> isize {
-    // Not drawn from within the arena: the target may be JavaScript that calls back.
-    let curve = arena::with(|a| curve_in_space(a, 2, count));
-    arena::settle(trace(&curve, &mut CanvasPen::new(target), given(tolerance)))
-}
-
-fn trace(
-    curve: &Curve<DVec3>,
-    pen: &mut CanvasPen,
-    tolerance: Option<f64>,
-) -> Result<usize, Error> {
-    curve.check_trace(tolerance)?;
-    pen.move_to(curve.start().truncate());
-    curve.trace_on(pen, tolerance);
-    Ok(0)
 }

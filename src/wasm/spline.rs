@@ -3,12 +3,10 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use super::pen::CanvasPen;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
 use glam::DVec3;
-use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
@@ -183,15 +181,4 @@ pub fn spline_remove(dimension: usize, joint: usize) -> isize {
 #[wasm_bindgen]
 pub fn spline_reverse(dimension: usize) -> isize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))
-}
-
-/// Draws a spline of the plane on a context or a path; a tolerance of 0 stands for the default.
-#[wasm_bindgen]
-pub fn spline_trace(target: &JsValue, tolerance: f64) -> isize {
-    let (spline, _) = arena::with(|a| spline(a, 2));
-    arena::settle(
-        spline
-            .trace_in_plane(&mut CanvasPen::new(target), given(tolerance))
-            .map(|()| 0),
-    )
 }
