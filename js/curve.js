@@ -740,7 +740,7 @@ export class Curve {
    * @param {unknown} curve
    */
   #alike(curve) {
-    const other = check.instanceOf(curve, "curve", Curve);
+    const other = asCurve(curve, "curve");
     if (other.#dimension === this.#dimension) return other.#flat;
     throw new TypeError(`curve: expected a ${this.#dimension}D curve, got a ${other.#dimension}D one`);
   }
@@ -775,9 +775,12 @@ function curveFrom(points, options) {
   return new Curve(points, options);
 }
 
-/** @param {unknown} other */
-function asCurve(other) {
-  return check.instanceOf(other, "other", Curve);
+/**
+ * @param {unknown} other
+ * @param {string} [name]
+ */
+function asCurve(other, name = "other") {
+  return check.instanceOf(other, name, Curve);
 }
 
 /**
