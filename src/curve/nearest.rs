@@ -6,7 +6,7 @@
 
 use super::distance::Way;
 use super::product::product_of;
-use super::roots::roots_inside;
+use super::roots::{roots_inside, sign_changes};
 use super::{Curve, Points, check_finite, evaluate, max_abs};
 use crate::error::Error;
 use crate::point::Point;
@@ -22,6 +22,9 @@ pub struct Nearest<P> {
     /// Its distance from the point that was asked for.
     pub distance: f64,
 }
+
+/// Halvings after which several roots count as one: squared distances differ by the square of the width there.
+const MOST_HALVINGS: usize = 26;
 
 /// Steps of Newton's method after a root was found; one or two at most places.
 const MOST_STEPS: usize = 12;
@@ -116,18 +119,45 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 
 /// The same for points given from the query, through the roots of B·B′.
 fn of_any_degree<P: Point>(points: &[P]) -> f64 {
-    let n = points.len() - 1;
-    let rate = product_of(n, n - 1, |i, j| points[i].dot(points[j + 1] - points[j]));
     let slack = 4.0 * f64::EPSILON * max_abs(points);
     let way = Way::new(points);
     let (mut best, mut least) = (0.0, points[0].norm());
-    for t in roots_inside(&rate).into_iter().chain([1.0]) {
+    let mut consider = |t: f64| {
         let (t, distance) = closer(&way, t);
         if distance < least - slack {
             (best, least) = (t, distance);
         }
-    }
+    };
+    search(points, [0.0, 1.0], MOST_HALVINGS, &mut consider);
+    consider(1.0);
     best
+}
+
+/// The places where B·B′ changes sign from − to +, from left to right. The control points are halved and not the
+/// coefficients: where roots lie close together those are small, and so is their rounding then.
+fn search<P: Point>(
+    points: &[P],
+    [lo, hi]: [f64; 2],
+    halvings: usize,
+    consider: &mut impl FnMut(f64),
+) {
+    let n = points.len() - 1;
+    let rate = product_of(n, n - 1, |i, j| points[i].dot(points[j + 1] - points[j]));
+    let (changes, sign) = sign_changes(&rate);
+    if changes == 0 || changes == 1 && sign > 0.0 {
+        return;
+    }
+    if changes == 1 || halvings == 0 {
+        roots_inside(&rate)
+            .iter()
+            .for_each(|s| consider(lo + (hi - lo) * s));
+        return;
+    }
+    let (left, right) = Curve::from_slice(points).halve();
+    let mid = 0.5 * (lo + hi);
+    search(&left.points, [lo, mid], halvings - 1, consider);
+    consider(mid);
+    search(&right.points, [mid, hi], halvings - 1, consider);
 }
 
 /// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve

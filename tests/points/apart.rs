@@ -47,7 +47,7 @@ fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let found = p.distance_to(&q);
     let took = started.elapsed().as_millis();
     let low = a.len().max(b.len()) <= 4;
-    assert!(!low || took < 100, "{took} ms: {a:?} {b:?}");
+    assert!(!low || took < 1000, "{took} ms: {a:?} {b:?}");
     assert!((0.0..=1.0).contains(&found.t) && (0.0..=1.0).contains(&found.u));
     let size = largest(a).max(largest(b));
     let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);

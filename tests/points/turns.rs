@@ -199,6 +199,20 @@ fn tangents_pass_through_the_point() {
 
 #[test]
 fn known_answers() {
+    // A triple root of the bend at ½, after a simple one.
+    let star = plane(&[
+        (1.0, 1.0),
+        (2.0, -2.0),
+        (-2.0, 1.0),
+        (1.0, -2.0),
+        (1.0, 1.0),
+        (1.0, -2.0),
+    ]);
+    let ts = star.inflections();
+    assert!(
+        ts.len() == 2 && (ts[0] - 0.434_258_545_910_66).abs() < 1e-12 && (ts[1] - 0.5).abs() < 1e-4,
+        "{ts:?}"
+    );
     let wave = plane(&[(0.0, 0.0), (1.0, 0.25), (0.0, 1.0), (1.0, 0.0)]);
     let ts = wave.inflections();
     assert!(
