@@ -1,6 +1,6 @@
 //! Lengths: integrals of the speed.
 
-use crate::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, Rule};
+use crate::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
 use wide::f64x2;
 
 type Complex = [f64; 2];
@@ -9,11 +9,11 @@ type Complex = [f64; 2];
 /// |z − root| differs from a linear function integrates to half the square of this times a logarithm.
 const AT_THE_END: f64 = 1e-8;
 
-/// The rules have 8, 16, 24, 32 and 48 points. From the least (|z − 1| + |z + 1|) / 2 of a root z on, the interval being
+/// The rules have 8, 16, 24, 32, 48 and 64 points. From the least (|z − 1| + |z + 1|) / 2 of a root z on, the interval being
 /// [−1, 1], each errs by less than 5·10⁻¹³ of the integral, and mostly much less: half the axis of the ellipse through z about ±1, inside of
 /// which the speed is analytic. Found by integrating |z − root|, whose integral has a closed form, for roots all around
 /// each ellipse.
-const LEAST_AXIS: [f64; 5] = [2.45, 1.29, 1.12, 1.0655, 1.0275];
+const LEAST_AXIS: [f64; 6] = [2.45, 1.29, 1.12, 1.0655, 1.0275, 1.0156];
 
 /// A root off the middle has the interval cut so many times as far from its end as the root is: on either side of the
 /// cut a rule of 24 or 32 points suffices for this root.
@@ -106,12 +106,12 @@ impl Speed {
     fn integral(&self, roots: &Roots, lo: f64, hi: f64, depth: usize) -> f64 {
         let half = 0.5 * (hi - lo);
         let axes = roots.axes(lo, hi);
-        if axes.least() >= LEAST_AXIS[4] * half {
+        if axes.least() >= LEAST_AXIS[5] * half {
             return self.by_rule(lo, half, axes.least());
         }
         // One is near, or at an end.
         let (axis, root) = roots.nearest(axes, lo, hi);
-        if axis >= LEAST_AXIS[4] * half || depth >= MOST_CUTS {
+        if axis >= LEAST_AXIS[5] * half || depth >= MOST_CUTS {
             return self.by_rule(lo, half, axis);
         }
         let cut = place_of_cut(root, lo, hi);
@@ -143,8 +143,10 @@ impl Speed {
             }
         } else if axis >= LEAST_AXIS[3] * half {
             here.sum(&GAUSS_32)
-        } else {
+        } else if axis >= LEAST_AXIS[4] * half {
             here.sum(&GAUSS_48)
+        } else {
+            here.sum(&GAUSS_64)
         };
         half * sum
     }
