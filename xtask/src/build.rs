@@ -54,7 +54,7 @@ fn compilation() -> Command {
         .env_remove("RUSTFLAGS")
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
     cargo.arg("--config").arg(format!(
-        "target.wasm32-unknown-unknown.rustflags=[{remap:?}]"
+        "target.wasm32-unknown-unknown.rustflags=[{remap:?},\"-Clink-arg=--emit-relocs\"]"
     ));
     cargo
 }

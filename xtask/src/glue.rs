@@ -1,5 +1,6 @@
 //! From the compiler's wasm to the files of js/glue: bindings, optimised module, its bytes as text.
 
+use crate::reach::Linked;
 use crate::{encode, shell, snip};
 use anyhow::{Context, Result, ensure};
 use std::fs;
@@ -60,23 +61,21 @@ pub(crate) fn folder() -> PathBuf {
 
 /// Makes everything in js/glue from the wasm that cargo built.
 pub(crate) fn generate(compiled: &Path) -> Result<()> {
-    bindings(compiled)?;
-    let bound = folder().join("casteljau_bg.wasm");
-    snip::panics(&bound)?.emit_wasm_file(&bound)?;
-    for export in snip::exports(&bound)? {
-        let known = starts(&export, &COMMON) || PARTS.iter().any(|p| starts(&export, p.own));
+    let linked = Linked::read(&fs::read(compiled)?)?;
+    for (export, _) in linked.exports() {
+        let known = starts(export, &COMMON) || PARTS.iter().any(|p| starts(export, p.own));
         ensure!(
             known,
             "{export} starts like no function of a part in xtask/src/glue.rs"
         );
     }
+    let whole = bound(compiled, &linked, &folder(), |_| true)?;
     let glue = without_side_effects(&fs::read_to_string(folder().join("casteljau.js"))?)?;
     fs::write(folder().join("casteljau.js"), &glue)?;
-    let mut optimisers = vec![optimiser(&bound, "casteljau")?];
+    let mut optimisers = vec![optimiser(&whole, "casteljau")?];
     for part in PARTS {
-        let cut = folder().join(format!("{}_bg.wasm", part.name));
         let mine = |export: &str| starts(export, part.own) || starts(export, &COMMON);
-        snip::without(&bound, |export| !mine(export))?.emit_wasm_file(&cut)?;
+        let cut = bound(compiled, &linked, &scratch(part.name), mine)?;
         optimisers.push(optimiser(&cut, part.name)?);
         // A copy each: the glue keeps the memory that it belongs to in its own variables.
         fs::write(folder().join(format!("{}.js", part.name)), &glue)?;
@@ -85,9 +84,8 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     for mut optimiser in optimisers {
         ensure!(optimiser.wait()?.success(), "wasm-opt failed");
     }
-    fs::remove_file(bound)?;
+    fs::remove_file(whole)?;
     for part in PARTS {
-        fs::remove_file(folder().join(format!("{}_bg.wasm", part.name)))?;
         let wasm = fs::read(folder().join(format!("{}.wasm", part.name)))?;
         let bytes = |end: &str| folder().join(format!("{}-bytes.{end}", part.name));
         fs::write(bytes("js"), encode::module(&wasm))?;
@@ -96,17 +94,38 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
 }
 
+/// Where the bindings of a part are made.
+fn scratch(part: &str) -> PathBuf {
+    shell::target_dir().join("wasm").join(part)
+}
+
+/// The module with some of its exports and what these need, with bindings, in a folder.
+fn bound(
+    compiled: &Path,
+    linked: &Linked,
+    folder: &Path,
+    wanted: impl Fn(&str) -> bool,
+) -> Result<PathBuf> {
+    fs::create_dir_all(folder)?;
+    let bound = folder.join("casteljau_bg.wasm");
+    let reduced = folder.join("reduced.wasm");
+    snip::reduced(compiled, linked, &wanted)?.emit_wasm_file(&reduced)?;
+    bindings(&reduced, folder)?;
+    fs::remove_file(reduced)?;
+    snip::without(&bound, |export| !wanted(export))?.emit_wasm_file(&bound)?;
+    Ok(bound)
+}
+
 /// The default module path is omitted: `import.meta` would break IIFE bundles and `require()`.
-fn bindings(compiled: &Path) -> Result<()> {
+fn bindings(reduced: &Path, folder: &Path) -> Result<()> {
     Bindgen::new()
         .web(true)?
         .typescript(true)
         .omit_default_module_path(true)
-        .remove_name_section(false) // the names tell which functions only panic
         .remove_producers_section(true)
-        .input_path(compiled)
+        .input_path(reduced)
         .out_name("casteljau")
-        .generate(folder())
+        .generate(folder)
         .context("generating the bindings")
 }
 

@@ -5,6 +5,7 @@ mod browser;
 mod build;
 mod encode;
 mod glue;
+mod reach;
 mod serve;
 mod setup;
 mod shell;

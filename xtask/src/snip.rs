@@ -1,39 +1,60 @@
-//! Panics without their words.
+//! Modules without what they do not need: panics without their words, and no function or constant that none of the wanted
+//! exports reaches.
 //!
 //! A panic ends in a trap: nothing unwinds, and nothing prints the message. So every function that only prepares a
 //! message becomes a bare trap here, and so does every function that formats one: nothing else in the module formats
-//! anything. The optimiser then drops all that only these functions needed (a quarter of the module). Bounds are checked
-//! as before.
+//! anything. What only these functions need goes with them (a quarter of the module). Bounds are checked as before.
 
-use anyhow::Result;
+use crate::reach::{Linked, Unreached};
+use anyhow::{Context, Result};
+use std::collections::HashSet;
 use std::path::Path;
 use walrus::{ExportId, FunctionBuilder, FunctionId, FunctionKind, Module};
 
-/// The module with the bodies of all panicking functions replaced.
-pub(crate) fn panics(compiled: &Path) -> Result<Module> {
+/// The module with bare traps for all that panics, and for all that no wanted export reaches.
+pub(crate) fn reduced(
+    compiled: &Path,
+    linked: &Linked,
+    wanted: impl Fn(&str) -> bool,
+) -> Result<Module> {
     let mut module = Module::from_file(compiled)?;
-    let panicking: Vec<FunctionId> = module
-        .funcs
-        .iter_local()
-        .map(|(id, _)| id)
-        .filter(|&id| {
-            let name = module.funcs.get(id).name.as_deref();
+    // In the order of their indices.
+    let functions: Vec<FunctionId> = module.funcs.iter().map(|f| f.id()).collect();
+    let panicking: HashSet<usize> = (0..functions.len())
+        .filter(|&k| {
+            let name = module.funcs.get(functions[k]).name.as_deref();
             name.is_some_and(|name| {
                 let path = without_hashes(&format!("{:#}", rustc_demangle::demangle(name)));
                 panics_only(&path) || formats(&path)
             })
         })
         .collect();
-    for id in panicking {
-        trap(&mut module, id);
+    let roots = linked.exports().iter().filter(|(name, _)| wanted(name));
+    let unreached = linked.unreached(roots.map(|&(_, index)| index), &panicking)?;
+    for &k in unreached.functions.union(&panicking) {
+        trap(
+            &mut module,
+            *functions.get(k).context("an index of no function")?,
+        );
     }
+    erase(&mut module, &unreached)?;
     Ok(module)
 }
 
-/// The names of all exports.
-pub(crate) fn exports(bound: &Path) -> Result<Vec<String>> {
-    let module = Module::from_file(bound)?;
-    Ok(module.exports.iter().map(|e| e.name.clone()).collect())
+/// Zeros for constants that nothing needs, which the optimiser packs away; and no relocations, which are void now.
+fn erase(module: &mut Module, unreached: &Unreached) -> Result<()> {
+    let segments: Vec<_> = module.data.iter().map(|data| data.id()).collect();
+    for (segment, bytes) in &unreached.bytes {
+        let id = *segments
+            .get(*segment)
+            .context("an index of no data segment")?;
+        let place = module.data.get_mut(id).value.get_mut(bytes.clone());
+        place.context("a constant outside of its segment")?.fill(0);
+    }
+    for name in ["linking", "reloc.CODE", "reloc.DATA"] {
+        module.customs.remove_raw(name);
+    }
+    Ok(())
 }
 
 /// The module without some of its exports and all that only these needed.

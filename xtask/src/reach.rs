@@ -1,0 +1,211 @@
+//! What of a module do some of its exports need? Functions and constants, exactly.
+//!
+//! The linker leaves its relocations in the module (`--emit-relocs`): each place in a function or a constant that names
+//! another one. So what is reached from some exports is known, also through tables of functions and of constants, which
+//! an optimiser must keep whole. Format: tool-conventions of WebAssembly, Linking.md.
+
+use anyhow::{Context, Result, bail};
+use std::collections::HashSet;
+use std::ops::Range;
+use wasmparser::{
+    ExternalKind, KnownCustom, Linking, LinkingSectionReader, Parser, Payload, RelocSectionReader,
+    RelocationEntry, RelocationType, SymbolInfo, TypeRef,
+};
+
+/// A function by its index, or bytes of a data segment.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Item {
+    Function(usize),
+    Bytes(usize, Range<usize>),
+}
+
+/// A linked module that still has its relocations.
+#[derive(Default)]
+pub(crate) struct Linked {
+    /// The item of each symbol; none for what is neither a function nor data.
+    symbols: Vec<Option<Item>>,
+    imported: usize,
+    /// Where each local function and each data segment lies in the file.
+    functions: Vec<Range<usize>>,
+    segments: Vec<Range<usize>>,
+    /// Where something is named, and by which symbol.
+    names: Vec<(usize, usize)>,
+    /// The functions that are exported.
+    exports: Vec<(String, usize)>,
+    start: Option<usize>,
+}
+
+/// What is left out: functions by their index, and bytes of data segments.
+#[derive(Default)]
+pub(crate) struct Unreached {
+    pub(crate) functions: HashSet<usize>,
+    pub(crate) bytes: Vec<(usize, Range<usize>)>,
+}
+
+impl Linked {
+    pub(crate) fn read(wasm: &[u8]) -> Result<Self> {
+        let mut linked = Self::default();
+        let (mut code, mut data) = (0, 0);
+        for payload in Parser::new(0).parse_all(wasm) {
+            match payload? {
+                Payload::ImportSection(imports) => {
+                    for import in imports.into_imports() {
+                        let function = matches!(import?.ty, TypeRef::Func(_));
+                        linked.imported += usize::from(function);
+                    }
+                }
+                Payload::ExportSection(exports) => {
+                    for export in exports {
+                        let export = export?;
+                        if export.kind == ExternalKind::Func {
+                            let name = export.name.to_owned();
+                            linked.exports.push((name, export.index as usize));
+                        }
+                    }
+                }
+                Payload::StartSection { func, .. } => linked.start = Some(func as usize),
+                Payload::CodeSectionStart { range, .. } => code = range.start,
+                Payload::CodeSectionEntry(body) => linked.functions.push(body.range()),
+                Payload::DataSection(segments) => {
+                    data = segments.range().start;
+                    for segment in segments {
+                        let segment = segment?;
+                        let end = segment.range.end;
+                        linked.segments.push(end - segment.data.len()..end);
+                    }
+                }
+                Payload::CustomSection(section) => match section.as_known() {
+                    KnownCustom::Linking(linking) => linked.read_symbols(&linking)?,
+                    KnownCustom::Reloc(relocations) => {
+                        let start = match section.name() {
+                            "reloc.CODE" => code,
+                            "reloc.DATA" => data,
+                            _ => continue,
+                        };
+                        linked.read_relocations(&relocations, start)?;
+                    }
+                    _ => {}
+                },
+                _ => {}
+            }
+        }
+        if linked.symbols.is_empty() || linked.names.is_empty() {
+            bail!("the module has no relocations: was it linked with --emit-relocs?");
+        }
+        Ok(linked)
+    }
+
+    fn read_symbols(&mut self, linking: &LinkingSectionReader) -> Result<()> {
+        for part in linking.subsections() {
+            let Linking::SymbolTable(symbols) = part? else {
+                continue;
+            };
+            for symbol in symbols {
+                self.symbols.push(match symbol? {
+                    SymbolInfo::Func { index, .. } => Some(Item::Function(index as usize)),
+                    SymbolInfo::Data {
+                        symbol: Some(place),
+                        ..
+                    } => {
+                        let from = place.offset as usize;
+                        let bytes = from..from + place.size as usize;
+                        Some(Item::Bytes(place.index as usize, bytes))
+                    }
+                    _ => None,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn read_relocations(&mut self, section: &RelocSectionReader, start: usize) -> Result<()> {
+        use RelocationType::{GlobalIndexI32, GlobalIndexLeb, TableNumberLeb, TypeIndexLeb};
+        for entry in section.entries() {
+            let RelocationEntry {
+                ty, offset, index, ..
+            } = entry?;
+            // These name no symbol, or none that has a body.
+            if !matches!(
+                ty,
+                TypeIndexLeb | GlobalIndexLeb | GlobalIndexI32 | TableNumberLeb
+            ) {
+                self.names.push((start + offset as usize, index as usize));
+            }
+        }
+        Ok(())
+    }
+
+    /// The functions that are exported, by name and index.
+    pub(crate) fn exports(&self) -> &[(String, usize)] {
+        &self.exports
+    }
+
+    /// What nothing needs that starts from some functions, if some others' bodies are left out.
+    pub(crate) fn unreached(
+        &self,
+        roots: impl Iterator<Item = usize>,
+        empty: &HashSet<usize>,
+    ) -> Result<Unreached> {
+        let mut names = self.names.clone();
+        names.sort_unstable();
+        let mut waiting: Vec<Item> = roots.chain(self.start).map(Item::Function).collect();
+        let mut reached: HashSet<Item> = waiting.iter().cloned().collect();
+        while let Some(item) = waiting.pop() {
+            if matches!(&item, Item::Function(index) if empty.contains(index)) {
+                continue;
+            }
+            let Some(place) = self.place(&item) else {
+                continue; // imported
+            };
+            let from = names.partition_point(|&(at, _)| at < place.start);
+            for &(_, symbol) in names[from..].iter().take_while(|&&(at, _)| at < place.end) {
+                let named = self
+                    .symbols
+                    .get(symbol)
+                    .context("a relocation of no symbol")?;
+                if let Some(named) = named.clone()
+                    && reached.insert(named.clone())
+                {
+                    waiting.push(named);
+                }
+            }
+        }
+        Ok(self.rest(&reached))
+    }
+
+    /// Where an item's bytes lie in the file.
+    fn place(&self, item: &Item) -> Option<Range<usize>> {
+        match item {
+            Item::Function(index) => {
+                let local = index.checked_sub(self.imported)?;
+                self.functions.get(local).cloned()
+            }
+            Item::Bytes(segment, bytes) => {
+                let start = self.segments.get(*segment)?.start;
+                Some(start + bytes.start..start + bytes.end)
+            }
+        }
+    }
+
+    fn rest(&self, reached: &HashSet<Item>) -> Unreached {
+        let mut rest = Unreached::default();
+        let all = self.imported..self.imported + self.functions.len();
+        rest.functions
+            .extend(all.filter(|&k| !reached.contains(&Item::Function(k))));
+        for symbol in self.symbols.iter().flatten() {
+            if let Item::Bytes(segment, bytes) = symbol
+                && !reached.contains(symbol)
+                && !reached.iter().any(|other| shares(other, *segment, bytes))
+            {
+                rest.bytes.push((*segment, bytes.clone()));
+            }
+        }
+        rest
+    }
+}
+
+/// Whether a reached item has some of these bytes: constants may share them.
+fn shares(item: &Item, segment: usize, bytes: &Range<usize>) -> bool {
+    matches!(item, Item::Bytes(k, other)
+        if *k == segment && other.start < bytes.end && bytes.start < other.end)
+}
