@@ -2,6 +2,7 @@
 
 use super::turn::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
+use std::f64::consts::TAU;
 
 /// The longest piece in radians. A cubic with the ends, the tangents and the middle of an arc of θ is off by at most
 /// 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: here 9.95·10⁻¹⁰. Source: Goldapp, "Approximation of circular arcs by cubic
@@ -26,81 +27,102 @@ pub(super) struct Arc {
 /// Hands the points after the first of each cubic to `cubic`; false, and nothing is handed out, where the arc is a line:
 /// a radius is 0, or too small beside the other for f64.
 ///
-/// The ellipse is mapped to the unit circle. Half the chord there is d; the centre lies at ±√(1 − d²) across. Places
-/// are computed from the start, so that a short piece of a vast ellipse keeps its digits: the chord of an angle 2β is
-/// 2 sin β, in the direction at β.
+/// Places are computed from the start, so that a short piece of a vast ellipse keeps its digits: the chord of an angle
+/// 2β is 2 sin β, in the direction at β.
 pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
-    let axis = direction_of_degrees(shape.degrees);
-    let back = DVec2::new(axis.x, -axis.y);
-    let half = turned(shape.from * 0.5 - shape.to * 0.5, back);
-    let mut radii = shape.radii;
-    let mut d = half / radii;
-    let scale = d.x.abs().max(d.y.abs());
-    let part = d / scale;
-    let part_length = (part.x * part.x + part.y * part.y).sqrt();
-    let mut length = scale * part_length;
-    if !(radii.x > 0.0 && radii.y > 0.0 && length > 0.0 && length < f64::INFINITY) {
+    let Some(ellipse) = Ellipse::of(shape) else {
         return false;
-    }
-    let largest = shape
-        .from
-        .abs()
-        .max_element()
-        .max(shape.to.abs().max_element());
-    let noise = ROUNDING * (1.0 + largest / radii.min_element());
-    let mut height = 0.0;
-    if length >= 1.0 - noise {
-        radii *= length;
-        d /= length;
-        length = 1.0;
-    } else {
-        height = ((1.0 - length) * (1.0 + length)).sqrt();
-    }
-    // No point is farther from the start than two radii and a handle.
-    if !(4.0 * radii.max_element() + largest).is_finite() {
-        return false;
-    }
-    let across = DVec2::new(part.y, -part.x) * (height / part_length);
-    let u = d - if shape.large == shape.sweep {
-        -across
-    } else {
-        across
     };
-    let small = angle(DVec2::new(height, length));
-    let theta = if shape.large {
-        std::f64::consts::TAU - 2.0 * small
-    } else {
-        2.0 * small
-    };
+    let theta = ellipse.theta;
     let pieces = (theta / LONGEST_PIECE).ceil();
+    let half_step = direction(theta / (2.0 * pieces));
     let sign = if shape.sweep { 1.0 } else { -1.0 };
-    let step = direction(theta / (2.0 * pieces));
-    let step = DVec2::new(step.x, sign * step.y);
+    let step = DVec2::new(half_step.x, sign * half_step.y);
     let reach = 4.0 / 3.0 * step.y / (1.0 + step.x);
-    // From the unit circle to the plane.
-    let out = |v: DVec2| turned(v * radii, axis);
-    // The tangent at the end of the angle β, turned by +90° from there.
-    let tangent = |beta: DVec2| {
-        let end = turned(u, turned(beta, beta));
-        out(DVec2::new(-end.y, end.x)) * reach
-    };
+    // The arc has come to the angle 2β.
     let mut beta = DVec2::X;
     let mut place = shape.from;
-    let mut handle = tangent(beta);
+    let mut handle = ellipse.normal_at(turned(beta, beta)) * reach;
     let mut left = pieces;
     while left > 0.0 {
         left -= 1.0;
         beta = turned(beta, step);
-        let middle = turned(u, beta);
-        let chord = DVec2::new(-middle.y, middle.x) * (2.0 * beta.y);
         let next = if left == 0.0 {
             shape.to
         } else {
-            shape.from + out(chord)
+            shape.from + ellipse.chord(beta)
         };
-        let next_handle = tangent(beta);
+        let next_handle = ellipse.normal_at(turned(beta, beta)) * reach;
         cubic(&[place + handle, next - next_handle, next]);
         (place, handle) = (next, next_handle);
     }
     true
+}
+
+/// The ellipse of an arc, as the image of the unit circle.
+struct Ellipse {
+    radii: DVec2,
+    axis: DVec2,
+    /// The start, on the unit circle.
+    start: DVec2,
+    /// The angle of the arc, there.
+    theta: f64,
+}
+
+impl Ellipse {
+    /// Half the chord on the unit circle is d; the centre lies at ±√(1 − d²) across.
+    fn of(shape: &Arc) -> Option<Self> {
+        let axis = direction_of_degrees(shape.degrees);
+        let back = DVec2::new(axis.x, -axis.y);
+        let half = turned(shape.from * 0.5 - shape.to * 0.5, back);
+        let mut radii = shape.radii;
+        let mut d = half / radii;
+        let scale = d.x.abs().max(d.y.abs());
+        let part = d / scale;
+        let part_length = (part.x * part.x + part.y * part.y).sqrt();
+        let mut length = scale * part_length;
+        if !(radii.x > 0.0 && radii.y > 0.0 && length > 0.0 && length < f64::INFINITY) {
+            return None;
+        }
+        let largest = shape.from.abs().max(shape.to.abs()).max_element();
+        let noise = ROUNDING * (1.0 + largest / radii.min_element());
+        let mut height = 0.0;
+        if length >= 1.0 - noise {
+            radii *= length;
+            d /= length;
+            length = 1.0;
+        } else {
+            height = ((1.0 - length) * (1.0 + length)).sqrt();
+        }
+        // No point is farther from the start than two radii and a handle.
+        if !(4.0 * radii.max_element() + largest).is_finite() {
+            return None;
+        }
+        let across = DVec2::new(part.y, -part.x) * (height / part_length);
+        let left = shape.large == shape.sweep;
+        let small = 2.0 * angle(DVec2::new(height, length));
+        Some(Self {
+            radii,
+            axis,
+            start: if left { d + across } else { d - across },
+            theta: if shape.large { TAU - small } else { small },
+        })
+    }
+
+    /// From the unit circle to the plane.
+    fn out(&self, v: DVec2) -> DVec2 {
+        turned(v * self.radii, self.axis)
+    }
+
+    /// The radius of the unit circle at an angle from the start, turned by +90°.
+    fn normal_at(&self, angle: DVec2) -> DVec2 {
+        let end = turned(self.start, angle);
+        self.out(DVec2::new(-end.y, end.x))
+    }
+
+    /// The way from the start to the angle 2β.
+    fn chord(&self, beta: DVec2) -> DVec2 {
+        let middle = turned(self.start, beta);
+        self.out(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))
+    }
 }
