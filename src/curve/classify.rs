@@ -67,7 +67,7 @@ impl<P: Point> Curve<P> {
             .map(|&p| p * unit - start * unit)
             .collect();
         let rounding = rounding * unit;
-        match in_its_plane(&ways, 2.0 * ways.len() as f64 * rounding) {
+        match in_its_plane(&ways, 4.0 * ways.len() as f64 * rounding) {
             Flat::Line => Class::Line,
             Flat::Not => Class::Twisted,
             Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
@@ -78,7 +78,7 @@ impl<P: Point> Curve<P> {
 /// The curve with the lowest degree that gives it to rounding.
 fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
-        let slack = 2.0 * rounding * points.len() as f64;
+        let slack = 4.0 * rounding * points.len() as f64;
         let lower = Curve::from_points(lower(&points));
         if !lower.elevated().equals(&Curve::from_slice(&points), slack) {
             break;

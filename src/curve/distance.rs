@@ -38,10 +38,9 @@ impl<P: Point> Curve<P> {
     /// The least distance between the points of two curves, and where: |A(t) − B(u)| for t and u in \[0, 1\], ends included.
     ///
     /// The least of all, not of a neighbourhood, to 10⁻¹² of itself or 2 (n + m + 2) ulps of the largest coordinate,
-    /// whichever is more; not above those ulps the curves meet and the distance is 0. Of several such places any one is given. Points
-    /// and straight curves are curves like others. Where curves run side by side in all but the same distance, the
-    /// search ends after 1536 pairs of pieces with the least distance seen, which is then known to less than their deviation
-    /// from one distance.
+    /// whichever is more; not above those ulps the curves meet and the distance is 0. Of several such places any one is
+    /// given. Points and straight curves are curves like others. Where curves run side by side in all but the same
+    /// distance, the search ends after 1536 pairs of pieces with the least distance seen.
     ///
     /// Source: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA 1998.
     ///

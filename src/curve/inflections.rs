@@ -116,7 +116,7 @@ pub(crate) fn cusps_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
         return Scalars::new();
     }
     let rate = product_of(m, m - 1, |i, j| slopes[i].dot(slopes[j + 1] - slopes[j]));
-    let slack = 4.0 * (m + 2) as f64 * (rounding / unit + f64::EPSILON);
+    let slack = 8.0 * (m + 2) as f64 * (rounding / unit + f64::EPSILON);
     let slope = |t: f64| evaluate(&slopes, t);
     let is_cusp = |t: f64| slope(t).norm() <= slack && slope(t - ASIDE).dot(slope(t + ASIDE)) < 0.0;
     let stops = roots_inside(&rate).into_iter();
