@@ -8,6 +8,7 @@ mod inputs;
 mod intersect;
 mod length;
 mod nearest;
+mod offset;
 mod teapot;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -20,5 +21,6 @@ criterion_group! {
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
     targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, teapot::bench
+    targets = flatten::bench, curves::bench, length::bench, offset::bench, teapot::bench
 }
 criterion_main!(all);

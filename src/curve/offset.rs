@@ -220,10 +220,8 @@ impl<'a> Bent<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
         let scale = power_of_two(reach);
         let start = curve.start() * scale;
-        let mut points = [[0.0; 2]; crate::error::MAX_DEGREE + 1];
-        for (local, &p) in points.iter_mut().zip(curve.control_points()) {
-            *local = (p * scale - start).to_array();
-        }
+        let points: super::Points<DVec2> =
+            curve.points.iter().map(|&p| p * scale - start).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
         let unit = if scaled.abs() < FARTHEST {
             1.0 / scale
@@ -232,7 +230,7 @@ impl<'a> Bent<'a> {
         };
         Self {
             curve,
-            source: Source::new(&points[..=curve.degree()]),
+            source: Source::new(bytemuck::cast_slice(&points)),
             distance,
             tolerance,
             scaled: (scaled, tolerance / unit),

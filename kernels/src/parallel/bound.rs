@@ -45,7 +45,7 @@ impl Parallel<'_> {
             ..Pair::default()
         };
         middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
-        self.see(cubic, &mut middle, from.foot.t, to.foot.t);
+        self.see(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
         self.error(&middle).abs() <= self.tolerance
             && self.holds_between(cubic, from, &middle, halvings - 1)
             && self.holds_between(cubic, &middle, to, halvings - 1)
@@ -98,29 +98,33 @@ impl Parallel<'_> {
         let distance = self.distance.abs();
         let d = self.direction(v);
         let (least, most) = range(&products2(&d, &d));
-        let fastest = most.sqrt();
         let (lean_least, lean_most) = range(&products3(e, &d));
-        let lean = lean_most.max(-lean_least) + rest * (fastest + 4.0 * high);
         let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
         let ahead = products2(&v, &d);
         let bend = products31(e, &turn);
-        let forward: [f64; 5] = std::array::from_fn(|i| ahead[i] - bend[i]);
-        let (f_least, f_most) = range(&forward);
-        let forward = f_least.max(-f_most) - rest * (8.0 * fastest + 32.0 * high);
-        let mut found = f64::INFINITY;
-        if least > 0.0 {
-            let delta = lean / least.sqrt();
-            let up = (low * low - delta * delta).max(0.0).sqrt();
-            let across = (high - distance).max(distance - up);
-            if delta < low || distance + high <= self.tolerance {
-                found = (across * across + delta * delta).sqrt();
-            }
-            if forward > lean && delta < 0.5 * low {
-                let off = (high - distance).max(distance - low);
-                found = found.min(off + FOOT_SAFETY * lean * lean / (2.0 * low * forward));
+        let (f_least, f_most) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
+        let mut lean = lean_most.max(-lean_least);
+        let mut forward = f_least.max(-f_most);
+        if rest > 0.0 {
+            let fastest = most.sqrt();
+            lean += rest * (fastest + 4.0 * high);
+            forward -= rest * (8.0 * fastest + 32.0 * high);
+        }
+        let squares = lean * lean;
+        if forward > lean && squares < 0.25 * low * low * least {
+            let off = (high - distance).max(distance - low);
+            let found = off + FOOT_SAFETY * squares / (2.0 * low * forward);
+            if found <= self.tolerance {
+                return found;
             }
         }
-        found
+        if least <= 0.0 || squares >= low * low * least {
+            return f64::INFINITY;
+        }
+        let delta_squared = squares / least;
+        let up = (low * low - delta_squared).max(0.0).sqrt();
+        let across = (high - distance).max(distance - up);
+        (across * across + delta_squared).sqrt()
     }
 
     /// A quadratic field with the directions of B′: B′ itself, or, where it vanishes at an end, divided by u or 1 − u.

@@ -23,14 +23,19 @@ impl Source {
     /// The parameters inside (0, 1) where B′ vanishes.
     pub fn cusps(&self) -> Vec<f64> {
         let mut found = Vec::new();
-        let hodograph = self.hodograph();
         let n = self.degree();
         if n <= 3 {
-            let mut vectors = [Plane::default(); 3];
-            vectors[..n].copy_from_slice(&hodograph[..n]);
-            self.search::<3>(&vectors, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
+            self.search::<3>(
+                &self.first_vectors(),
+                3,
+                (0.0, 1.0),
+                MOST_HALVINGS,
+                &mut found,
+            );
         } else {
-            self.search::<64>(&hodograph, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
+            let mut vectors = [Plane::default(); 64];
+            vectors[..n].copy_from_slice(self.differences());
+            self.search::<64>(&vectors, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
         }
         found.dedup_by(|b, a| *b - *a < 2.0 * BESIDE * BESIDE);
         found
@@ -154,9 +159,14 @@ impl Parallel<'_> {
         if most_bend <= 0.0 {
             return true;
         }
-        let way = v0 + v2;
-        let least = v0.dot(way).min(v1.dot(way)).min(v2.dot(way));
-        let least = least.max(0.0) / way.length();
-        least * least * least > most_bend
+        let squares = [
+            v0.square(),
+            v0.dot(v1),
+            (v0.dot(v2) + 2.0 * v1.square()) * (1.0 / 3.0),
+            v1.dot(v2),
+            v2.square(),
+        ];
+        let least = squares.into_iter().fold(f64::INFINITY, f64::min).max(0.0);
+        least * least.sqrt() > most_bend
     }
 }

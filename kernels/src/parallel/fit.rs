@@ -7,10 +7,10 @@ use super::{End, Parallel, Place};
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
 /// Rounds of least squares.
-const MOST_ROUNDS: usize = 4;
+const MOST_ROUNDS: usize = 3;
 
 /// A first error above this many tolerances is not worth improving.
-const HOPELESS: f64 = 300.0;
+const HOPELESS: f64 = 100.0;
 
 /// Added to the diagonal of the normal equations.
 const DAMPING: f64 = 1e-5;
@@ -45,7 +45,8 @@ impl Parallel<'_> {
             let mut normal = [0.0; 5];
             let mut worst: f64 = 0.0;
             for pair in &mut pairs[1..4] {
-                self.see(&cubic, pair, from.place.t, to.place.t);
+                let steps = if round == 0 { 2 } else { 1 };
+                self.see(&cubic, pair, (from.place.t, to.place.t), steps);
                 let n = pair.n;
                 let error = self.error(pair);
                 worst = worst.max(error.abs());
@@ -109,15 +110,20 @@ impl Parallel<'_> {
     }
 
     /// Evaluates the cubic and looks for the place of the source from which its point is seen along the normal.
-    pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, t0: f64, t1: f64) {
+    pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
         (pair.q, pair.w) = at(cubic, pair.s);
-        for _ in 0..2 {
-            let place = self.source.at(pair.foot.t);
+        for _ in 0..steps {
+            let place = if pair.n == Plane::default() {
+                self.source.at(pair.foot.t)
+            } else {
+                pair.foot
+            };
             let gap = pair.q - place.b;
-            let t = pair.foot.t + gap.dot(place.v) / (place.v.square() - gap.dot(place.a));
-            pair.foot.t = if t > t0 && t < t1 { t } else { pair.foot.t };
+            let t = place.t + gap.dot(place.v) / (place.v.square() - gap.dot(place.a));
+            let t = if t > t0 && t < t1 { t } else { place.t };
+            pair.foot = self.source.at(t);
+            pair.n = Plane { x: 1.0, y: 0.0 };
         }
-        pair.foot = self.source.at(pair.foot.t);
         pair.n = pair.foot.v.unit().turned();
     }
 

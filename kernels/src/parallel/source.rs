@@ -8,9 +8,11 @@ const MOST_POINTS: usize = 65;
 
 /// A curve, ready to be asked for points and derivatives.
 pub struct Source {
-    points: [Plane; MOST_POINTS],
-    /// The differences of neighbours.
-    differences: [Plane; MOST_POINTS],
+    /// The control points, and the differences of neighbours, of a degree above 3.
+    many: Vec<Plane>,
+    differences: Vec<Plane>,
+    /// The control points up to degree 3.
+    few: [Plane; 4],
     count: usize,
     /// Taylor coefficients at t = 0, where the degree is at most 3.
     powers: [Plane; 4],
@@ -33,19 +35,23 @@ impl Source {
     /// From 2 to 65 control points, of a size of about 1 and near the origin.
     pub fn new(given: &[[f64; 2]]) -> Self {
         let count = given.len().min(MOST_POINTS);
-        let mut points = [Plane::default(); MOST_POINTS];
-        for (p, &[x, y]) in points.iter_mut().zip(given) {
-            *p = Plane { x, y };
+        let mut few = [Plane::default(); 4];
+        let (mut many, mut differences) = (Vec::new(), Vec::new());
+        if count > 4 {
+            many.extend(given[..count].iter().map(|&[x, y]| Plane { x, y }));
+            differences.extend(many.windows(2).map(|p| p[1] - p[0]));
+        } else {
+            for (p, &[x, y]) in few.iter_mut().zip(given) {
+                *p = Plane { x, y };
+            }
         }
+        let all = if count > 4 { &many } else { &few[..count] };
         let n = count.saturating_sub(1);
-        let mut differences = [Plane::default(); MOST_POINTS];
-        for (difference, p) in differences.iter_mut().zip(points[..count].windows(2)) {
-            *difference = p[1] - p[0];
-        }
-        let speed = differences[..n]
-            .iter()
-            .fold(0.0, |m: f64, e| m.max(e.square()));
-        let [p0, p1, p2, p3] = [points[0], points[1], points[2], points[3]];
+        let speed = all
+            .windows(2)
+            .fold(0.0, |m: f64, p| m.max((p[1] - p[0]).square()));
+        let fourth = fourth_bound(all);
+        let [p0, p1, p2, p3] = few;
         let powers = match count {
             0 | 1 => [p0, Plane::default(), Plane::default(), Plane::default()],
             2 => [p0, p1 - p0, Plane::default(), Plane::default()],
@@ -56,11 +62,12 @@ impl Source {
             }
         };
         Self {
-            points,
+            many,
             differences,
+            few,
             count,
             powers,
-            fourth: fourth_bound(&points[..count]),
+            fourth,
             speed: n as f64 * speed.sqrt(),
         }
     }
@@ -81,16 +88,17 @@ impl Source {
         self.count - 1
     }
 
-    /// The control points of B′.
-    pub(crate) fn hodograph(&self) -> [Plane; 64] {
-        let n = self.degree() as f64;
-        std::array::from_fn(|i| {
-            if i + 1 < self.count {
-                (self.points[i + 1] - self.points[i]) * n
-            } else {
-                Plane::default()
-            }
-        })
+    fn points(&self) -> &[Plane] {
+        if self.count > 4 {
+            &self.many
+        } else {
+            &self.few[..self.count]
+        }
+    }
+
+    /// The differences of neighbours, for degrees above 3.
+    pub(crate) fn differences(&self) -> &[Plane] {
+        &self.differences
     }
 
     /// The control points of B′ as a quadratic, up to degree 3.
@@ -102,7 +110,7 @@ impl Source {
     /// The tangents at both ends: toward the first control point that is not the end itself.
     pub fn end_tangents(&self) -> [Plane; 2] {
         let least = VANISHING_SPEED * self.speed;
-        let points = &self.points[..self.count];
+        let points = self.points();
         let toward = |end: Plane, p: &Plane| {
             let way = *p - end;
             (way.length() > least).then(|| way.unit())
@@ -132,7 +140,10 @@ impl Source {
     /// By de Casteljau's algorithm; derivatives from the differences, so that they keep their digits next to handles
     /// without a length.
     fn at_by_casteljau(&self, t: f64) -> Place {
-        let (mut row, mut slopes) = (self.points, self.differences);
+        let mut row = [Plane::default(); MOST_POINTS];
+        let mut slopes = row;
+        row[..self.count].copy_from_slice(&self.many);
+        slopes[..self.degree()].copy_from_slice(&self.differences);
         let s = 1.0 - t;
         let n = self.degree();
         for last in (1..=n).rev() {
