@@ -12,6 +12,7 @@ const MOST_MINUTES = 60;
 const GROUPS = [
   { group: "flatten-0.1", work: "native: flatten a cubic, tolerance 0.1", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "flatten-0.01", work: "native: flatten a cubic, tolerance 0.01", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  { group: "offset-0.1", work: "native: offset of a cubic by 10, tolerance 0.1", items: 1000, peers: ["kurbo"] },
   { group: "eval", work: "native: eval(t), one point", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "split", work: "native: split(t)", items: 1000, peers: ["lyon_geom"] },
   { group: "halve", work: "native: halve", items: 1000, peers: ["kurbo", "lyon_geom"] },

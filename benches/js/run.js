@@ -16,6 +16,7 @@ import { FULL, QUICK, race } from "./harness.js";
 import * as measure from "./measure.js";
 import * as intersect from "./intersect.js";
 import * as native from "./native.js";
+import * as offset from "./offset.js";
 import * as path from "./path.js";
 import * as nearest from "./nearest.js";
 import * as start from "./start.js";
@@ -58,7 +59,7 @@ function conditions() {
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...intersect.rows, ...measure.rows, ...nearest.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [...curve.rows, ...easing.rows, ...intersect.rows, ...measure.rows, ...nearest.rows, ...offset.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const grown = growth.results(effort, wanted).map(judge);

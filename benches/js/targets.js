@@ -14,6 +14,7 @@ export const TARGETS = {
   "sample-fresh": { least: 8 },
   eval: { least: 1 },
   split: { least: 5 },
+  offset: { least: 100 },
   length: { least: 3 },
   nearest: { least: 5 },
   easing: { least: 1 / 1.5 },
@@ -52,6 +53,7 @@ export const TARGETS = {
   "length-0.001-lyon_geom": { least: 1 },
   "length-0.001-kurbo": { least: 1 },
 
+  "offset-0.1-kurbo": { least: 1 },
   "flatten-0.1-kurbo": { least: 1 },
   "flatten-0.01-kurbo": { least: 1 },
   "nearest-kurbo": { least: 1 },

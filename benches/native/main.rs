@@ -20,7 +20,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, teapot::bench
-    targets = flatten::bench, curves::bench, length::bench, offset::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, teapot::bench
 }
 criterion_main!(all);
