@@ -13,7 +13,7 @@ impl<P: Point> Curve<P> {
     ///
     /// 2 to 65 points. Without parameters they go with the length of the chords from 0 to 1, or evenly where two neighbours
     /// coincide. Given ones may lie anywhere, in any order. Points at t = 0 and t = 1 are control points, exactly; the others are
-    /// met to some ulps of the largest control point. That is much larger than the points where many are interpolated: above ten
+    /// met to some ulps of the largest control point (checked up to 16 points). That is much larger than the points where many are interpolated: above ten
     /// or so, even parameters make the curve swing out between the points (Runge), and a spline through them is the better answer;
     /// parameters that crowd toward the ends, ½ − ½cos(πi/(n−1)), do not. Source: Newton's interpolation with the products
     /// in Bernstein form; Ainsworth and Sánchez, "Computing the Bézier control points of the Lagrangian interpolant in

@@ -29,7 +29,7 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
     there.max(back) / tolerance
 }
 
-const KINDS: [Kind; 10] = [
+const KINDS: [Kind; 12] = [
     Kind::Random,
     Kind::Integers,
     Kind::Closed,
@@ -40,6 +40,8 @@ const KINDS: [Kind; 10] = [
     Kind::Elevated,
     Kind::LongHandle,
     Kind::Spike,
+    Kind::OneAway,
+    Kind::Coincident,
 ];
 
 /// Some thousands, or millions with CASTELJAU_DEEP.
@@ -47,7 +49,7 @@ fn cases() -> usize {
     if std::env::var_os("CASTELJAU_DEEP").is_some() {
         2_000_000
     } else {
-        4_000
+        8_000
     }
 }
 

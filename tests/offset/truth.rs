@@ -75,7 +75,8 @@ impl Walker<'_> {
             return;
         }
         let t = 0.5 * (t0 + t1);
-        let n = self.tangent(t, 1.0);
+        let side = if t > 0.5 { -1.0 } else { 1.0 };
+        let n = self.tangent(t, side);
         let o = at(self.points, t) + n.perp() * self.distance;
         let flat = (o - (o0 + o1) * 0.5).length() < self.step && angle.abs() < 0.2;
         if flat && t1 - t0 < 0.01 {
@@ -83,7 +84,7 @@ impl Walker<'_> {
             return;
         }
         self.walk((t0, n0), (t, n), out);
-        self.walk((t, self.tangent(t, 1.0)), (t1, n1), out);
+        self.walk((t, n), (t1, n1), out);
     }
 }
 

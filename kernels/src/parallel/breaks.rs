@@ -83,8 +83,14 @@ impl Source {
                 t -= place.v.dot(place.a) / square;
             }
         }
+        if t <= BESIDE || t >= 1.0 - BESIDE {
+            return None;
+        }
         let zero = self.at(t).v.length() <= ZERO_SPEED * self.speed();
-        (zero && t > BESIDE && t < 1.0 - BESIDE).then_some(t)
+        // Next to handles without a length B′ is small, too, but does not turn back.
+        let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
+        let turns = self.at(t - beside).v.dot(self.at(t + beside).v) < 0.0;
+        (zero && turns).then_some(t)
     }
 
     /// The tangents before and after a cusp.
@@ -93,7 +99,7 @@ impl Source {
         if place.a.length() > VANISHING_BEND * self.speed() {
             return (-place.a.unit(), place.a.unit());
         }
-        let beside = BESIDE.sqrt();
+        let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
         (self.at(t - beside).v.unit(), self.at(t + beside).v.unit())
     }
 
