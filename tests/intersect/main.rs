@@ -12,3 +12,4 @@ mod random;
 mod reference;
 mod selves;
 mod time;
+mod wild;

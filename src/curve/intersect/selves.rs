@@ -1,9 +1,10 @@
 //! Where does a curve meet itself?
 
-use super::super::Points;
+use super::super::{Bounds, Points, blossom_piece};
 use super::pair::Pair;
 use super::pieces::{runs_forward, stops};
 use super::{Contact, Curve, SelfIntersection};
+use crate::point::Point;
 use glam::DVec2;
 
 /// A loop shorter than this, in parameters, is a cusp but for rounding, from whose root the branches part with the third
@@ -84,11 +85,24 @@ fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
     for to in stops(&pair.curves[0]).into_iter().chain([1.0]) {
-        cut(&pair.curves[0], from, to, 0, &mut cuts);
+        cut(pair, from, to, 0, &mut cuts);
         from = to;
     }
     let last = cuts.len() - 1;
+    let boxes: Vec<Bounds<DVec2>> = cuts
+        .windows(2)
+        .map(|ends| {
+            let mut piece = Points::from(&pair.curves[0][..]);
+            blossom_piece(&mut piece, ends[0], ends[1]);
+            Curve::from_points(piece).control_bounds()
+        })
+        .collect();
+    let touch = |&(i, j): &(usize, usize)| {
+        let gap = boxes[i].min.max(boxes[j].min) - boxes[i].max.min(boxes[j].max);
+        gap.max_element() <= pair.slack
+    };
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
+    let pairs = pairs.filter(touch);
     let found = pair.search(&cuts, &cuts, pairs);
     // The pieces before and after a cut meet there, which is no news; the caller leaves it out.
     pair.places(found)
@@ -99,13 +113,16 @@ fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
 }
 
 /// Cuts a piece until its parts run forward, and notes where they end.
-fn cut(points: &[DVec2], from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
-    let mut piece = Points::from(points);
-    super::super::blossom_piece(&mut piece, from, to);
-    if depth == HALVINGS || runs_forward(&piece) {
+fn cut(pair: &Pair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
+    let mut piece = Points::from(&pair.curves[0][..]);
+    blossom_piece(&mut piece, from, to);
+    let small = piece
+        .iter()
+        .all(|p| (*p - piece[0]).max_abs() <= pair.slack);
+    if depth == HALVINGS || small || runs_forward(&piece) {
         return cuts.push(to);
     }
     let middle = 0.5 * (from + to);
-    cut(points, from, middle, depth + 1, cuts);
-    cut(points, middle, to, depth + 1, cuts);
+    cut(pair, from, middle, depth + 1, cuts);
+    cut(pair, middle, to, depth + 1, cuts);
 }

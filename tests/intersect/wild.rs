@@ -1,0 +1,72 @@
+//! Hostile numbers: no panic, no NaN, and an end in reasonable time.
+
+use crate::common::Rng;
+use crate::generate::new;
+use casteljau::Curve;
+use casteljau::curve::Contact;
+use casteljau::glam::DVec2;
+
+fn coordinate(rng: &mut Rng) -> f64 {
+    match rng.below(8) {
+        0 => rng.pick(&[
+            0.0,
+            -0.0,
+            5e-324,
+            -1e-320,
+            1e300,
+            -1e300,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+        ]),
+        1 => rng.signed() * rng.magnitude(-300.0, 300.0),
+        2 => 1.0 + f64::EPSILON * rng.signed() * 8.0,
+        3 => rng.signed() * 1e-9,
+        _ => rng.pick(&[0.0, 1.0, 2.0, -1.0, 0.5]),
+    }
+}
+
+fn wild(rng: &mut Rng) -> Curve<DVec2> {
+    let degree = if rng.chance(0.95) {
+        1 + rng.below(6)
+    } else {
+        7 + rng.below(58)
+    };
+    let mut points: Vec<DVec2> = (0..=degree)
+        .map(|_| DVec2::new(coordinate(rng), coordinate(rng)))
+        .collect();
+    if rng.chance(0.2) {
+        let (i, j) = (rng.below(degree + 1), rng.below(degree + 1));
+        points[i] = points[j];
+    }
+    new(&points)
+}
+
+#[test]
+fn any_numbers() {
+    for seed in 0..2_000 {
+        let mut rng = Rng(seed);
+        let a = wild(&mut rng);
+        let b = if rng.chance(0.2) {
+            a.reverse()
+        } else {
+            wild(&mut rng)
+        };
+        for place in a.intersect(&b) {
+            let inside = |t: f64| (0.0..=1.0).contains(&t);
+            let ends = match place.kind {
+                Contact::Overlap { t_end, u_end } => inside(t_end) && inside(u_end),
+                _ => true,
+            };
+            assert!(
+                inside(place.t) && inside(place.u) && ends && place.point.is_finite(),
+                "seed {seed}: {place:?}"
+            );
+        }
+        for place in a.self_intersections() {
+            assert!(
+                0.0 <= place.t && place.t < place.u && place.u <= 1.0 && place.point.is_finite(),
+                "seed {seed}: {place:?}"
+            );
+        }
+    }
+}
