@@ -17,9 +17,9 @@ impl<P: Point> Curve<P> {
     /// max(maxₜ minᵤ |A(t) − B(u)|, maxᵤ minₜ |A(t) − B(u)|), symmetric, in the unit of the points: 0 says that the curves
     /// are the same set of points, whatever their parameters. Not less than the truth by more than 10⁻⁹ of it or some ulps
     /// of the largest coordinate, and never more: pieces are halved until the distance of two pieces, run through side by
-    /// side, proves that. The proof is given up after 600 nearest points, which takes curves that run along
-    /// each other at another pace, above degree 3 or all but straight; the greatest distance seen is given. Points and straight curves are curves like
-    /// others.
+    /// side, proves that. The proof is given up after 600 nearest points, which takes curves that run along each other at
+    /// another pace, above degree 3 or all but straight; the greatest distance seen is given. Points and straight curves
+    /// are curves like others.
     ///
     /// Source: Alt and Scharf, "Computing the Hausdorff distance between curved objects", IJCGA 18 (2008).
     ///
