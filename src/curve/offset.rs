@@ -17,6 +17,12 @@ use std::f64::consts::PI;
 /// The tolerance by default, as a part of the diagonal of the control points' box.
 const DEFAULT_RATIO: f64 = 1e-4;
 
+/// And at least this part of the largest coordinate and the distance.
+const LEAST_DEFAULT: f64 = 1e-12;
+
+/// What rounding leaves of a distance, as a part of it and the curve's size.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Up to this distance, in sizes of the curve, its own size is told from a point: beyond, it is far below an ulp.
 const FARTHEST: f64 = 1e30;
 
@@ -68,7 +74,9 @@ pub(crate) fn offset_tolerance(
     }
     match given {
         Some(tolerance) => check_tolerance(tolerance, reach).map(|()| tolerance),
-        None => Ok((DEFAULT_RATIO * diagonal()).max(4.0 * ulp(reach))),
+        None => Ok((DEFAULT_RATIO * diagonal())
+            .max(LEAST_DEFAULT * reach)
+            .max(4.0 * ulp(reach))),
     }
 }
 
@@ -233,7 +241,11 @@ impl<'a> Bent<'a> {
             source: Source::new(bytemuck::cast_slice(&points)),
             distance,
             tolerance,
-            scaled: (scaled, tolerance / unit),
+            // Distances cannot be told to less than rounding.
+            scaled: (
+                scaled,
+                (tolerance / unit).max(ROUNDING * (1.0 + scaled.abs())),
+            ),
             unit,
         }
     }

@@ -111,3 +111,29 @@ fn wild_curves() {
         }
     }
 }
+
+/// Huge, tiny, of any degree: an answer of finite numbers in time.
+#[test]
+fn any_curve_has_a_parallel() {
+    let mut rng = Rng(1999);
+    for _ in 0..500 {
+        let kind = rng.pick(&wild::ALL);
+        let degree = if rng.chance(0.8) {
+            3
+        } else {
+            1 + rng.below(12)
+        };
+        let points: Vec<DVec2> = wild::points(&mut rng, kind, degree, 2)
+            .iter()
+            .map(|p| p.truncate())
+            .collect();
+        let curve = Curve::new(&points).expect("finite");
+        let distance = largest(&points) * rng.signed() * rng.magnitude(-9.0, 3.0);
+        let offset = curve.offset(distance, None).expect("finite");
+        assert!(
+            offset.control_points().iter().all(|p| p.is_finite()),
+            "{curve:?} at {distance}"
+        );
+        assert!(offset.segment_count() < 20_000, "{curve:?} at {distance}");
+    }
+}
