@@ -2,8 +2,8 @@
 
 use crate::common::{curve, integral};
 use crate::fact::Fact;
-use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::{Curve, Path};
 
 pub(crate) fn length(fact: &Fact) {
     let points = fact.points("points");
@@ -28,15 +28,18 @@ pub(crate) fn inverse_length(fact: &Fact) {
     }
 }
 
-/// Of a curve; false for an outline.
-pub(crate) fn area(fact: &Fact) -> bool {
-    if fact.input.get("points").is_none() {
-        return false;
+/// Of a curve, or of an outline with its length.
+pub(crate) fn area(fact: &Fact) {
+    if let Some(outline) = fact.input.get("svg") {
+        let path = Path::from_svg(outline.as_str().expect("path data")).expect("good data");
+        fact.number(path.area().abs(), &fact.expect["abs_area"]);
+        let length = path.length(None).expect("no tolerance");
+        fact.number(length, &fact.expect["perimeter"]);
+        return;
     }
     let plane: Curve<DVec2> = curve(&fact.points("points"));
     fact.number(plane.area(), &fact.expect);
     fact.number(plane.moments().area, &fact.expect);
-    true
 }
 
 /// ∫ B |B′| dt / ∫ |B′| dt, as the mean over points at even steps along the curve, and with its length below.

@@ -1,0 +1,168 @@
+// The facts on curves from closed forms and from other libraries' tests, ../shared/data/curve-facts.json, through the package.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { Curve, Path, Spline, easing } from "casteljau";
+
+const file = new URL("../../../shared/data/curve-facts.json", import.meta.url);
+const facts = await readFile(file, "utf8").then(JSON.parse, () => null);
+
+const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
+const point = ([x, y]) => ({ x, y });
+const pairs = (flat) => Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
+
+/** Numbers, or nested lists of them, within the fact's tolerance. */
+function near(got, expected, tol, what = "") {
+  if (got && typeof got === "object" && "x" in got) near([got.x, got.y, got.z].slice(0, expected.length), expected, tol, what);
+  else if (Array.isArray(expected)) {
+    assert.equal(got.length, expected.length, `${what}: got ${JSON.stringify(Array.from(got))}, expected ${JSON.stringify(expected)}`);
+    expected.forEach((part, k) => near(got[k], part, tol, `${what}[${k}]`));
+  } else assert.ok(Math.abs(got - expected) <= tol, `${what}: got ${got}, expected ${expected} ± ${tol}`);
+}
+
+/** Meetings: an overlap, or points with kinds. */
+function meetings({ input, expect, tol }) {
+  const found = new Curve(input.a).intersect(new Curve(input.b));
+  if (expect.overlap) return assert.ok(found.some(({ kind }) => kind === "overlap"), JSON.stringify(found));
+  if (expect.count === undefined) return; // the note tells what is acceptable
+  assert.equal(found.length, expect.count, JSON.stringify(found));
+  // Equal t may be in either order.
+  const order = (list) => list.map((_, k) => k).sort((i, j) => (Math.abs(list[i].t - list[j].t) > 1e-6 ? list[i].t - list[j].t : list[i].u - list[j].u));
+  const wanted = expect.t.map((t, k) => ({ t, u: expect.s[k], point: expect.points[k], tangent: expect.tangent?.[k] }));
+  const [mine, theirs] = [order(found), order(wanted)];
+  mine.forEach((i, k) => {
+    const [m, w] = [found[i], wanted[theirs[k]]];
+    near([m.t, m.u], [w.t, w.u], tol);
+    if (w.tangent !== undefined) assert.equal(m.kind, w.tangent ? "tangent" : "cross", JSON.stringify(m));
+  });
+}
+
+function offset({ input, expect, tol }) {
+  const curve = new Curve(input.points);
+  const spline = curve.offset(input.distance, expect.ends ? undefined : { tolerance: tol / 10 });
+  const points = pairs(spline.sample(64)).map(point);
+  assert.ok(points.every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y)));
+  if (expect.ends) {
+    near([points[0], points.at(-1)], expect.ends, tol, "ends");
+    assert.ok(points.every(({ y }) => Math.abs(y - expect.ends[0][1]) <= tol), "straight");
+    return;
+  }
+  // Past a cusp of the offset a point may be nearer to another part of the curve, never farther.
+  const d = Math.abs(input.distance);
+  for (const p of points) assert.ok(curve.nearest(p).distance <= d + tol);
+}
+
+function svg({ input, expect, tol }) {
+  if (expect.error) return assert.throws(() => Path.fromSVG(input.d), RangeError);
+  const path = Path.fromSVG(input.d);
+  const curves = path.subpaths.flatMap((spline) => spline.segments());
+  if (expect.segments) {
+    near(curves.map((curve) => pairs(curve.controlPoints())), expect.segments.map(([, points]) => points), tol, "segments");
+  }
+  if (expect.segment_count) assert.equal(curves.length, expect.segment_count);
+  if (expect.reversed) assert.deepEqual(path.reverse().toSVG(), Path.fromSVG(expect.reversed).toSVG());
+  if (expect.arc) {
+    const center = point(expect.arc.center);
+    for (const p of path.subpaths.flatMap((spline) => pairs(spline.sample(32)).map(point))) {
+      near(distance(p, center), expect.arc.radius, 1e-9 * expect.arc.radius, "radius");
+    }
+  }
+}
+
+const KINDS = {
+  eval: ({ input, expect, tol }) => near(new Curve(input.points).eval(input.t), expect, tol),
+  derivative: ({ input, expect, tol }) => near(new Curve(input.points).derivativeAt(input.t, input.order), expect, tol),
+  tangent: ({ input, expect, tol }) => near(new Curve(input.points).tangent(input.t), expect, tol),
+  curvature: ({ input, expect, tol }) => near(new Curve(input.points).curvature(input.t), expect, tol),
+  bbox({ input, expect, tol }) {
+    const { min, max } = new Curve(input.points).bounds();
+    near([min, max], [expect.min, expect.max], tol);
+  },
+  extrema({ input, expect, tol }) {
+    const { x, y } = new Curve(input.points).extrema();
+    near([x, y].map((ts) => Array.from(ts)), [expect.x, expect.y], tol, "extrema");
+  },
+  inflection: ({ input, expect, tol }) => near(new Curve(input.points).inflections(), expect, tol, "inflections"),
+  classify: ({ input, expect }) => assert.equal(new Curve(input.points).classify(), expect.class),
+  selfintersect({ input, expect, tol }) {
+    const found = new Curve(input.points).selfIntersections();
+    assert.equal(found.length, expect.count, JSON.stringify(found));
+    if (expect.count) near([found[0].t, found[0].u], expect.t, tol, "t");
+  },
+  split({ input, expect, tol }) {
+    const halves = new Curve(input.points).split(input.t).map((half) => pairs(half.controlPoints()));
+    near(halves, [expect.left, expect.right], tol);
+  },
+  subsegment: ({ input, expect, tol }) => near(pairs(new Curve(input.points).subsegment(input.t0, input.t1).controlPoints()), expect, tol),
+  elevate: ({ input, expect, tol }) => near(pairs(new Curve(input.points).elevate().controlPoints()), expect, tol),
+  reduce({ input, expect, tol }) {
+    const { curve, error } = new Curve(input.points).reduce();
+    near(pairs(curve.controlPoints()), expect.points, tol);
+    near(error, expect.error, tol);
+  },
+  length: ({ input, expect, tol }) => near(new Curve(input.points).length(), expect, tol),
+  inverse_length({ input, expect, tol }) {
+    const curve = new Curve(input.points);
+    near(curve.timeAtLength(input.s === "length" ? curve.length() : input.s), expect, tol);
+  },
+  nearest({ input, expect, tol }) {
+    const found = new Curve(input.points).nearest(input.query);
+    near(found.distance, expect.distance, tol, "distance");
+    const ts = [expect.t, ...(expect.also_t ?? [])];
+    assert.ok(ts.some((t) => Math.abs(found.t - t) <= tol), `t: got ${found.t}, expected one of ${ts}`);
+  },
+  intersect: meetings,
+  line_intersect: meetings,
+  min_distance({ input, expect, tol }) {
+    const { distance, t, u } = new Curve(input.a).distanceTo(new Curve(input.b));
+    near([distance, t, u], [expect.distance, expect.t, expect.s], tol);
+  },
+  area({ input, expect, tol }) {
+    if (!input.svg) return near(new Curve(input.points).area(), expect, tol);
+    const path = Path.fromSVG(input.svg);
+    near(Math.abs(path.area()), expect.abs_area, tol);
+    near(path.length(), expect.perimeter, tol);
+  },
+  contains: ({ input, expect }) => assert.deepEqual(input.queries.map((p) => Path.fromSVG(input.svg).contains(p)), expect),
+  easing: ({ input, expect, tol }) => near(easing(...input.bezier)(input.x), expect, tol),
+  circle({ input, expect, tol }) {
+    const { k } = input;
+    const quarter = new Curve([[1, 0], [1, k], [k, 1], [0, 1]]);
+    const errors = pairs(quarter.sample(10_000)).map(([x, y]) => Math.hypot(x, y) - 1);
+    near([Math.min(...errors), Math.max(...errors)], [expect.min_radial_error, expect.max_radial_error], tol);
+  },
+  convert({ input, expect, tol }) {
+    if (input.catmull_rom) return near(pairs(Curve.fromBasis("catmull-rom", input.catmull_rom).controlPoints()), expect, tol);
+    const monomials = new Curve(input.points).toBasis([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+    near(["x", "y"].map((_, axis) => pairs(monomials).map((c) => c[axis]).reverse()), [expect.x, expect.y], tol);
+  },
+  bspline({ input, expect, tol }) {
+    const { points, degree, knots, u } = input;
+    const spline = Spline.fromBSpline(points, { degree, knots });
+    near(spline.eval(u - knots[degree]), expect, tol); // knots one apart: a segment for each
+  },
+  continuity({ input, expect }) {
+    const { c0, g1, c1, c2 } = Spline.fromCurves([new Curve(input.a), new Curve(input.b)]).continuity(1);
+    assert.deepEqual({ C0: c0, G1: g1, C1: c1, C2: c2 }, { C0: expect.C0, G1: expect.G1, C1: expect.C1, C2: expect.C2 });
+  },
+  offset,
+  flatten({ input, expect }) {
+    const { points } = new Curve(input.points).flatten(input.tolerance);
+    assert.ok(points.length / 2 - 1 <= Math.max(expect.greedy_min_segments + 1, 1.1 * expect.greedy_min_segments));
+  },
+  svgpath: svg,
+  solve_t({ input, expect, tol }) {
+    const { points, ...value } = input;
+    near(new Curve(points).timesAt(value), expect, tol, "ts");
+  },
+};
+
+/** Nothing in the interface can express them: rational weights, polynomials, the centroid by length. */
+const WITHOUT = ["eval_rational", "roots", "length_centroid"];
+
+for (const fact of facts ?? []) {
+  const check = KINDS[fact.kind];
+  if (!check) assert.ok(WITHOUT.includes(fact.kind), `no check for facts of the kind ${fact.kind}`);
+  test(`${fact.id}: ${fact.source}`, { skip: !check && "nothing in the interface can express it" }, () => check(fact));
+}
+test("the facts are there", { skip: !facts && "no ../shared/data" }, () => assert.ok(facts.length > 100));
