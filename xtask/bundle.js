@@ -23,6 +23,17 @@ const withoutBytes = {
   },
 };
 
+/** The gate to the module that has only what the applet calls: the classic script hands no curve out. */
+const appletsPart = {
+  name: "applets-part",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]curves-gate\.js$/ }, async ({ path }) => {
+      const contents = (await readFile(path, "utf8")).replaceAll("./glue/curves", "./glue/applet");
+      return { contents, resolveDir: sources };
+    });
+  },
+};
+
 /**
  * Keeps the facade out of the bundles of the applet and the elements, so that a page which imports several of them has
  * one core and one wasm module. They must therefore go through js/index.js and nothing else of js/.
@@ -62,5 +73,5 @@ await Promise.all([
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
   bundle("applet/index.js", "applet.js", { plugins: [facadeExternal("applet")] }),
   bundle("elements/index.js", "elements.js", { plugins: [facadeExternal("elements")], inject: ["xtask/no-dom.js"], minify: true }),
-  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true }),
+  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletsPart] }),
 ]);

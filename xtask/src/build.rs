@@ -29,6 +29,8 @@ fn bindings() -> Result<()> {
         "curves-bytes.js",
         "surfaces.wasm",
         "surfaces-bytes.js",
+        "applet.wasm",
+        "applet-bytes.js",
         "functions.d.ts",
     ]
     .map(|name| glue::folder().join(name));

@@ -29,7 +29,7 @@ pub(crate) struct Part {
     own: &'static [&'static str],
 }
 
-pub(crate) const PARTS: [Part; 2] = [
+pub(crate) const PARTS: [Part; 3] = [
     Part {
         name: "curves",
         own: &[
@@ -44,6 +44,22 @@ pub(crate) const PARTS: [Part; 2] = [
     Part {
         name: "surfaces",
         own: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
+    },
+    // What js/applet calls, for bezier-app.js, which hands no curve out.
+    Part {
+        name: "applet",
+        own: &[
+            "cubic_eval",
+            "curve_cubics",
+            "curve_eval",
+            "curve_hull",
+            "curve_scaffold",
+            "curve_split",
+            "spline_append",
+            "spline_continuity",
+            "spline_move_point",
+            "spline_set_joint",
+        ],
     },
 ];
 
