@@ -1,0 +1,53 @@
+//! A letter with a hole, a bolder one around it, and where a line cuts it, as an SVG picture:
+//!
+//!     cargo run --example outline > outline.svg
+
+use casteljau::glam::DVec2;
+use casteljau::path::FillRule;
+use casteljau::spline::OffsetJoin;
+use casteljau::{Curve, Path, Spline};
+use std::error::Error;
+
+/// An italic "o": outside counter-clockwise on the screen, inside the other way round.
+const LETTER: &str = "M120 40C60 40 30 90 30 150S60 220 105 220 200 170 200 110 170 40 120 40Z\
+    M118 65C155 65 168 90 168 118S140 195 107 195 62 180 62 148 85 65 118 65Z";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let letter = Path::from_svg(LETTER)?;
+    let bold: Vec<Spline<DVec2>> = letter
+        .subpaths()
+        .iter()
+        .map(|outline| outline.offset(6.0, Some(0.01), OffsetJoin::Round))
+        .collect::<Result<_, _>>()?;
+    let line = Curve::new(&[DVec2::new(10.0, 60.0), DVec2::new(220.0, 190.0)])?;
+    let cuts = letter.intersect(&Path::new(&[Spline::from_curves(&[line.clone()], false)?]));
+    let middle = line.eval(0.5);
+    let inside = letter.contains(middle, FillRule::NonZero);
+
+    println!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 230 250\">");
+    let bold = Path::new(&bold).to_svg(Some(2), None)?;
+    println!("<path d=\"{bold}\" fill=\"#cde\"/>");
+    println!(
+        "<path d=\"{}\" fill=\"#246\"/>",
+        letter.to_svg(Some(2), None)?
+    );
+    println!(
+        "<path d=\"{}\" stroke=\"#c40\"/>",
+        line.to_svg(Some(2), None)?
+    );
+    for cut in &cuts {
+        println!(
+            "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"4\" fill=\"#c40\"/>",
+            cut.point.x, cut.point.y
+        );
+    }
+    println!("</svg>");
+    eprintln!(
+        "area {:.1}, length {:.1}, {} cuts, the middle of the line is {}",
+        letter.area(),
+        letter.length(None)?,
+        cuts.len(),
+        if inside { "inside" } else { "outside" }
+    );
+    Ok(())
+}
