@@ -10,6 +10,7 @@ mod known;
 mod metamorphic;
 mod random;
 mod reference;
+mod reported;
 mod selves;
 mod time;
 mod wild;

@@ -5,6 +5,7 @@
 //! what belongs together and [`settle`] says what a zone is: a tangency, a shared piece, or crossings too close for the
 //! search.
 
+mod exact;
 mod near;
 mod pair;
 mod pieces;

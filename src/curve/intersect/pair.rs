@@ -71,15 +71,11 @@ impl Pair {
 
     /// Everything that the curves share, in order.
     pub(super) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
-        let found = if self.stops.iter().all(|stops| stops.is_empty()) {
-            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
+        let places = if self.is_of_lines() {
+            self.lines()
         } else {
-            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
-            let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
-            let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-            self.search(&cuts_a, &cuts_b, pairs)
+            self.exact(self.places(self.contacts()))
         };
-        let places = self.places(found);
         places
             .into_iter()
             .map(|(t, u, kind)| Intersection {
@@ -89,6 +85,18 @@ impl Pair {
                 kind,
             })
             .collect()
+    }
+
+    /// All contacts of the curves.
+    fn contacts(&self) -> Vec<kernels::Contact> {
+        if self.stops.iter().all(|stops| stops.is_empty()) {
+            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
+        } else {
+            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
+            let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
+            let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+            self.search(&cuts_a, &cuts_b, pairs)
+        }
     }
 
     /// What the contacts are, in order.

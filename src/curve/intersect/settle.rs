@@ -139,7 +139,7 @@ impl Pair {
     }
 
     /// Tangent where the directions differ by no more than rounding can turn them.
-    fn kind(&self, t: f64, u: f64) -> Contact {
+    pub(super) fn kind(&self, t: f64, u: f64) -> Contact {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];
             let tangent = Curve::from_slice(points).tangent(t);

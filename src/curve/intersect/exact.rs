@@ -1,0 +1,234 @@
+//! Last looks at the places that two curves share: ends and stops that meet are met exactly, what rounding makes several
+//! places is one, and two lines are judged by their ends.
+
+use super::super::evaluate;
+use super::Contact;
+use super::near::taylor;
+use super::pair::{Pair, Place};
+use glam::DVec2;
+
+/// Places closer than this, at size 1, are one where an end or a stop lies between them.
+const ONE_PLACE: f64 = 1e-8;
+
+/// And no farther apart than this in the parameter.
+const NEARBY: f64 = 1e-4;
+
+/// Gaps that are looked into, in either parameter.
+const LARGEST_GAP: f64 = 0.05;
+
+/// Heights up to so many times the slack are none: those of both curves, and their difference.
+const NO_HEIGHT: f64 = 4.0;
+
+/// A shared piece of two lines is longer than this many times the slack.
+const LEAST_OVERLAP: f64 = 64.0;
+
+impl Pair {
+    /// Whether both are lines with a length.
+    pub(super) fn is_of_lines(&self) -> bool {
+        self.curves.iter().all(|c| c.len() == 2 && c[0] != c[1])
+    }
+
+    /// What two lines share. Wherever they run along each other an end lies on the other line.
+    pub(super) fn lines(&self) -> Vec<Place> {
+        let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
+        for end in [0.0, 1.0] {
+            for place in [self.foot(1, end), self.foot(0, end)] {
+                if self.one(place) {
+                    ends.push(place);
+                }
+            }
+        }
+        let by_t = |p: &(f64, f64), q: &(f64, f64)| p.0.total_cmp(&q.0);
+        let (first, last) = (
+            ends.iter().copied().min_by(by_t),
+            ends.iter().copied().max_by(by_t),
+        );
+        if let (Some(first), Some(last)) = (first, last) {
+            let [a, _] = &self.curves;
+            let long = (evaluate(a, last.0) - evaluate(a, first.0))
+                .abs()
+                .max_element();
+            if long > LEAST_OVERLAP * self.slack {
+                let (t_end, u_end) = last;
+                return vec![(first.0, first.1, Contact::Overlap { t_end, u_end })];
+            }
+            // Where both ends meet, that is the place.
+            let both = |&(t, u): &(f64, f64)| t.fract() == 0.0 && u.fract() == 0.0;
+            let (t, u) = ends.iter().copied().find(both).unwrap_or(first);
+            return vec![(t, u, self.kind(t, u))];
+        }
+        let inside = |t: f64| t > 0.0 && t < 1.0;
+        self.lines_crossing()
+            .filter(|&(t, u)| inside(t) && inside(u))
+            .map(|(t, u)| (t, u, Contact::Cross))
+            .into_iter()
+            .collect()
+    }
+
+    fn lines_crossing(&self) -> Option<(f64, f64)> {
+        let [a, b] = &self.curves;
+        let (d, e, gap) = (a[1] - a[0], b[1] - b[0], b[0] - a[0]);
+        let turn = d.perp_dot(e);
+        (turn != 0.0).then(|| (gap.perp_dot(e) / turn, gap.perp_dot(d) / turn))
+    }
+
+    /// The place where an end of the other line is nearest to a line, `curve`.
+    fn foot(&self, curve: usize, end: f64) -> (f64, f64) {
+        let line = &self.curves[curve];
+        let along = line[1] - line[0];
+        let point = evaluate(&self.curves[1 - curve], end);
+        let x = ((point - line[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        if curve == 1 {
+            self.snapped((end, x))
+        } else {
+            self.snapped((x, end))
+        }
+    }
+
+    /// The same places with those at ends and stops exact, and each once.
+    pub(super) fn exact(&self, mut places: Vec<Place>) -> Vec<Place> {
+        if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
+            return places; // a point has no ends of its own
+        }
+        for t in [0.0, 1.0] {
+            for u in [0.0, 1.0] {
+                if evaluate(&self.curves[0], t) == evaluate(&self.curves[1], u) {
+                    self.gather(&mut places, (t, u), true);
+                }
+            }
+        }
+        for curve in [0, 1] {
+            for &stop in &self.stops[curve] {
+                let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
+                while let Some(&(t, u, _)) = places.iter().find(near) {
+                    let tip = if curve == 0 {
+                        self.opposite(stop, u)
+                    } else {
+                        self.across(t, stop)
+                    };
+                    if !(self.one(tip) && self.gather(&mut places, tip, false)) {
+                        break;
+                    }
+                }
+            }
+        }
+        self.one_crossing_each(&mut places);
+        places
+    }
+
+    /// Whether a place is not at a parameter of a curve, but next to it.
+    fn is_next_to(&self, curve: usize, place: &Place, at: f64) -> bool {
+        let t = if curve == 0 { place.0 } else { place.1 };
+        t != at && self.is_near(curve, t, at)
+    }
+
+    fn is_near(&self, curve: usize, t: f64, at: f64) -> bool {
+        let points = &self.curves[curve];
+        (t - at).abs() <= NEARBY
+            && (evaluate(points, t) - evaluate(points, at))
+                .abs()
+                .max_element()
+                <= ONE_PLACE
+    }
+
+    /// Puts one place where others are next to it; with `always` also where none is, unless a shared piece ends there.
+    /// Whether it replaced any.
+    fn gather(&self, places: &mut Vec<Place>, (t, u): (f64, f64), always: bool) -> bool {
+        let near = |p: f64, q: f64| self.is_near(0, p, t) && self.is_near(1, q, u);
+        let mut ends_piece = false;
+        for place in places.iter_mut() {
+            let Contact::Overlap { t_end, u_end } = &mut place.2 else {
+                continue;
+            };
+            if near(place.0, place.1) {
+                (place.0, place.1, ends_piece) = (t, u, true);
+            } else if near(*t_end, *u_end) {
+                (*t_end, *u_end, ends_piece) = (t, u, true);
+            }
+        }
+        let before = places.len();
+        places.retain(|place| !(is_point(place) && near(place.0, place.1)));
+        let replaced = places.len() < before;
+        if !ends_piece && (replaced || always) {
+            let k = places.partition_point(|place| (place.0, place.1) < (t, u));
+            places.insert(k, (t, u, self.kind(t, u)));
+        }
+        replaced
+    }
+
+    /// Crossings between which nothing but rounding keeps the curves apart are one, or a touch if both sides are the same.
+    fn one_crossing_each(&self, places: &mut Vec<Place>) {
+        let mut k = 1;
+        let mut first = 0;
+        while k < places.len() {
+            if self.is_continued(places[k - 1], places[k]) {
+                let (p, q) = (places[first], places[k]);
+                let run_ends =
+                    k + 1 == places.len() || !self.is_continued(places[k], places[k + 1]);
+                if run_ends {
+                    let (t, u) = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+                    places[first] = (t, u, self.kind_between(p, q));
+                    places.drain(first + 1..=k);
+                    k = first + 1;
+                    first = k;
+                    k += 1;
+                    continue;
+                }
+            } else {
+                first = k;
+            }
+            k += 1;
+        }
+    }
+
+    fn is_continued(&self, p: Place, q: Place) -> bool {
+        let (gap_t, gap_u) = (q.0 - p.0, q.1 - p.1);
+        // A place that a curve passes twice is two.
+        let [a, _] = &self.curves;
+        let same = (evaluate(a, p.0) - evaluate(a, q.0)).abs().max_element() <= self.slack;
+        is_crossing(&p)
+            && is_crossing(&q)
+            && !(same && gap_t.abs().max(gap_u.abs()) > ONE_PLACE)
+            && gap_t.abs() < LARGEST_GAP
+            && gap_u.abs() < LARGEST_GAP
+            && [0.25, 0.5, 0.75].iter().all(|&part| {
+                self.height(p.0 + part * gap_t, p.1 + part * gap_u) <= NO_HEIGHT * self.slack
+            })
+    }
+
+    /// Where the sides before and after differ, a crossing.
+    fn kind_between(&self, p: Place, q: Place) -> Contact {
+        let (before, after) = (self.side(p, p.0 - q.0), self.side(q, q.0 - p.0));
+        if before * after > 0.0 {
+            Contact::Tangent
+        } else {
+            Contact::Cross
+        }
+    }
+
+    /// On which side of the second curve the first one is, some way from a place; 0 where it ends before that shows.
+    fn side(&self, (t, u, _): Place, mut way: f64) -> f64 {
+        loop {
+            way *= 2.0;
+            let at = t + way;
+            if !(0.0..=1.0).contains(&at) || way.abs() > LARGEST_GAP || way == 0.0 {
+                return 0.0;
+            }
+            let (_, u) = self.opposite(at, u);
+            let [b, direction, _] = taylor(&self.curves[1], u);
+            let gap: DVec2 = evaluate(&self.curves[0], at) - b;
+            let height = direction.normalize_or_zero().perp_dot(gap);
+            if height.abs() > 4.0 * NO_HEIGHT * self.slack {
+                return height.signum();
+            }
+        }
+    }
+}
+
+fn is_point(place: &Place) -> bool {
+    !matches!(place.2, Contact::Overlap { .. })
+}
+
+fn is_crossing(place: &Place) -> bool {
+    place.2 == Contact::Cross
+}

@@ -1,0 +1,120 @@
+//! Places at ends, at tips and between curves that nearly coincide, each once and exact; cases that a tester found.
+
+use casteljau::Curve;
+use casteljau::curve::{Contact, Intersection};
+use casteljau::glam::DVec2;
+
+fn curve(points: &[[f64; 2]]) -> Curve<DVec2> {
+    let points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();
+    Curve::new(&points).expect("a curve")
+}
+
+fn kinds(found: &[Intersection]) -> Vec<(f64, f64, Contact)> {
+    found.iter().map(|f| (f.t, f.u, f.kind)).collect()
+}
+
+#[test]
+fn halves_of_a_line_meet_in_the_middle() {
+    for k in 0..2000 {
+        let x = |m: u32| f64::from((k * m) % 97) / 10.0;
+        let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
+        let (a, b) = line.split(0.1 + f64::from(k % 9) / 11.0);
+        let expected = vec![(1.0, 0.0, Contact::Tangent)];
+        assert_eq!(kinds(&a.intersect(&b)), expected, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn a_part_of_a_line_lies_on_it() {
+    for k in 0..2000 {
+        let x = |m: u32| f64::from((k * m) % 101) / 7.0;
+        let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
+        let (from, to) = (0.05 + x(13) / 40.0, 0.55 + x(17) / 40.0);
+        let found = line.intersect(&line.subsegment(from, to));
+        let [place] = found[..] else {
+            panic!("{line:?} from {from} to {to}: {found:?}")
+        };
+        let Contact::Overlap { t_end, u_end } = place.kind else {
+            panic!("{line:?}: {place:?}")
+        };
+        assert!((place.t - from).abs() < 1e-12 && (t_end - to).abs() < 1e-12);
+        assert_eq!((place.u, u_end), (0.0, 1.0));
+    }
+}
+
+#[test]
+fn ends_that_touch_are_exact_from_both_sides() {
+    let cases = [
+        (
+            [[1.0, 1.0], [2.0, 1.0]].to_vec(),
+            [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]].to_vec(),
+        ),
+        (
+            [[1.0, 2.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]].to_vec(),
+            [[2.0, 1.0], [2.0, 0.0], [2.0, 0.0]].to_vec(),
+        ),
+    ];
+    for (k, (a, b)) in cases.iter().enumerate() {
+        let (a, b) = (curve(a), curve(b));
+        let (t, u) = if k == 0 { (0.0, 1.0) } else { (1.0, 0.0) };
+        assert_eq!(kinds(&a.intersect(&b)), [(t, u, Contact::Tangent)]);
+        assert_eq!(kinds(&b.intersect(&a)), [(u, t, Contact::Tangent)]);
+        assert_eq!(
+            kinds(&a.reverse().intersect(&b)),
+            [(1.0 - t, u, Contact::Tangent)]
+        );
+    }
+    let (a, b) = (
+        curve(&[[1.1, 7.4], [5.9, 1.3]]),
+        curve(&[[5.9, 1.3], [1.0, 4.6]]),
+    );
+    assert_eq!(kinds(&a.intersect(&b)), [(1.0, 0.0, Contact::Cross)]);
+}
+
+#[test]
+fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
+    let ts = |a: &Curve<DVec2>, b: &Curve<DVec2>| -> Vec<(f64, Contact)> {
+        a.intersect(b).iter().map(|f| (f.t, f.kind)).collect()
+    };
+    let a = curve(&[[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]);
+    let b = curve(&[[1e-9, 0.0], [1.0, 2.0 + 1e-9], [3.0, 1.0]]);
+    let found = ts(&a, &b);
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!((found[0].0 - 0.29843788).abs() < 1e-6 && found[0].1 == Contact::Cross);
+    assert_eq!(found[1].0, 1.0);
+    let c = curve(&[[0.0, 0.0], [1.0, 3.0], [3.0, -2.0], [4.0, 1.0]]);
+    let beside: Vec<DVec2> = c
+        .control_points()
+        .iter()
+        .map(|&p| p + DVec2::new(1e-9, 0.0))
+        .collect();
+    let found = ts(&c, &Curve::new(&beside).expect("a curve"));
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(
+        found.iter().all(|&(_, kind)| kind == Contact::Cross),
+        "{found:?}"
+    );
+    let a = curve(&[[0.0, 2.0], [1.0, 0.0]]);
+    let b = curve(&[
+        [3.6851080130843286e-7, 1.999999999999966],
+        [0.999999999999983, -1.8425540065421643e-7],
+    ]);
+    assert_eq!(ts(&a, &b).len(), 1);
+}
+
+#[test]
+fn the_tip_of_a_turn_back_is_one_place() {
+    let there_and_back = curve(&[[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]);
+    let across = curve(&[[-1.0, 1.0], [2.0, 1.0]]);
+    let found = there_and_back.intersect(&across);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!((found[0].t - 0.5).abs() < 1e-12 && (found[0].u - 1.0 / 3.0).abs() < 1e-12);
+    let from = curve(&[[0.0, 1.0], [2.0, 1.0]]);
+    assert_eq!(there_and_back.intersect(&from).len(), 1);
+    assert_eq!(from.intersect(&there_and_back).len(), 1);
+    let (loop_, bent) = (
+        curve(&[[1.0, 2.0], [2.0, 0.0], [0.0, 0.0], [1.0, 2.0]]),
+        curve(&[[0.0, 2.0], [2.0, 2.0], [0.0, 2.0]]),
+    );
+    assert_eq!(loop_.intersect(&bent).len(), bent.intersect(&loop_).len());
+}
