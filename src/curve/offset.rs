@@ -128,17 +128,24 @@ impl Chain {
         distance: f64,
         tolerance: f64,
     ) {
-        let mut stops = vec![curve.start()];
-        stops.extend(curve.turns_along(way).iter().map(|&t| curve.eval(t)));
-        stops.push(curve.end());
+        let mut turns = curve.turns_along(way);
+        turns.push(1.0);
+        // Signs are those of the derivative: points that differ may be equal when rounded.
         let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
-        for pair in stops.windows(2) {
-            let length = (pair[1] - pair[0]).dot(way);
+        let (mut t, mut from) = (0.0, curve.start());
+        for &next in &turns {
+            let to = if next < 1.0 {
+                curve.eval(next)
+            } else {
+                curve.end()
+            };
+            let sign = curve.sign_along(way, 0.5 * (t + next));
             match runs.last_mut() {
-                _ if length == 0.0 => {}
-                Some((_, end, sign)) if *sign == length.signum() => *end = pair[1],
-                _ => runs.push((pair[0], pair[1], length.signum())),
+                _ if sign == 0.0 => {}
+                Some((_, end, last)) if *last == sign => *end = to,
+                _ => runs.push((from, to, sign)),
             }
+            (t, from) = (next, to);
         }
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
             let normal = way.perp() * sign;
@@ -212,7 +219,7 @@ fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
 /// A half circle in pieces of this number is off by less than rounding.
 const MOST_ARC_PIECES: f64 = 512.0;
 
-/// A curve that bends, moved to the origin and scaled to about 1.
+/// A curve that bends, scaled to a size of about 1.
 struct Bent<'a> {
     curve: &'a Curve<DVec2>,
     source: Source,
@@ -227,9 +234,7 @@ struct Bent<'a> {
 impl<'a> Bent<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
         let scale = power_of_two(reach);
-        let start = curve.start() * scale;
-        let points: super::Points<DVec2> =
-            curve.points.iter().map(|&p| p * scale - start).collect();
+        let points: super::Points<DVec2> = curve.points.iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
         let unit = if scaled.abs() < FARTHEST {
             1.0 / scale

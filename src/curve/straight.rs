@@ -10,6 +10,9 @@ use glam::DVec2;
 const ULPS: f64 = 4.0;
 const LARGEST_PART: f64 = 1e-10;
 
+/// A difference of at most this part of the longest, times the degree, has no direction.
+const NO_SLOPE: f64 = 1e-15;
+
 impl Curve<DVec2> {
     /// The unit vector along a straight curve, from its start to its farthest control point; `None` if it bends or is a
     /// point.
@@ -36,11 +39,29 @@ impl Curve<DVec2> {
 
     /// The parameters inside (0, 1) at which the curve stops along a direction, sorted.
     pub(crate) fn turns_along(&self, way: DVec2) -> Scalars {
-        let slopes: Scalars = self
-            .points
-            .windows(2)
-            .map(|pair| (pair[1] * 0.5 - pair[0] * 0.5).dot(way))
-            .collect();
-        roots_inside(&slopes)
+        roots_inside(&self.slopes_along(way))
+    }
+
+    /// The sign of the derivative along a direction; 0 for none.
+    pub(crate) fn sign_along(&self, way: DVec2, t: f64) -> f64 {
+        let mut row = self.slopes_along(way);
+        for last in (1..row.len()).rev() {
+            for i in 0..last {
+                row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+            }
+        }
+        if row[0] == 0.0 { 0.0 } else { row[0].signum() }
+    }
+
+    /// The differences of neighbours along a direction; those that rounding makes are none.
+    fn slopes_along(&self, way: DVec2) -> Scalars {
+        let slope = |pair: &[DVec2]| (pair[1] * 0.5 - pair[0] * 0.5).dot(way);
+        let mut slopes: Scalars = self.points.windows(2).map(slope).collect();
+        let longest = slopes.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
+        let least = NO_SLOPE * longest * self.degree() as f64;
+        for s in &mut slopes {
+            *s = if s.abs() <= least { 0.0 } else { *s };
+        }
+        slopes
     }
 }

@@ -11,7 +11,14 @@ pub(crate) struct Truth {
 
 /// De Casteljau's algorithm, plainly.
 pub(crate) fn at(points: &[DVec2], t: f64) -> DVec2 {
-    let mut row = [DVec2::ZERO; 65];
+    if points.len() <= 4 {
+        return at_in::<4>(points, t);
+    }
+    at_in::<65>(points, t)
+}
+
+fn at_in<const N: usize>(points: &[DVec2], t: f64) -> DVec2 {
+    let mut row = [DVec2::ZERO; N];
     row[..points.len()].copy_from_slice(points);
     for last in (1..points.len()).rev() {
         for i in 0..last {
@@ -25,59 +32,72 @@ fn differences(points: &[DVec2]) -> Vec<DVec2> {
     points.windows(2).map(|p| p[1] - p[0]).collect()
 }
 
+/// Below this part of the greatest speed only rounding tells which way round a curve turns at a stop.
+const STOP: f64 = 1e-13;
+
+/// Half the parameters about a stop that are left out: beside it the tangent is known to 10⁻⁷.
+const BESIDE: f64 = 1e-9;
+
+/// A handle below this part of the longest is told to be none, as the control points' own rounding is as large.
+const NO_HANDLE: f64 = 1e-15;
+
+/// A curve with its derivative.
 struct Walker<'a> {
     points: &'a [DVec2],
     hodograph: Vec<DVec2>,
-    fastest: f64,
     distance: f64,
     step: f64,
 }
 
 impl Walker<'_> {
-    /// The unit tangent; at a zero of the derivative that of a neighbour on the given side.
-    fn tangent(&self, t: f64, side: f64) -> DVec2 {
-        let mut beside = 0.0;
-        loop {
-            let v = at(&self.hodograph, t + side * beside);
-            if v.length() > 1e-13 * self.fastest || beside > 0.1 {
-                return v.normalize_or_zero();
-            }
-            beside = if beside == 0.0 { 1e-9 } else { beside * 4.0 };
+    fn tangent(&self, t: f64) -> DVec2 {
+        at(&self.hodograph, t).normalize_or_zero()
+    }
+
+    fn point(&self, t: f64, tangent: DVec2) -> DVec2 {
+        at(self.points, t) + tangent.perp() * self.distance
+    }
+
+    /// The tangents at both ends: toward the first control point that is another one.
+    fn end_tangents(&self) -> (DVec2, DVec2) {
+        let longest = self
+            .hodograph
+            .iter()
+            .map(|v| v.length())
+            .fold(0.0, f64::max);
+        let least = NO_HANDLE * real(self.hodograph.len()) * longest;
+        let toward = |p: DVec2, q: &DVec2| {
+            let way = *q - p;
+            (way.length() > least).then(|| way.normalize())
+        };
+        let (p, q) = (self.points[0], self.points[self.points.len() - 1]);
+        let first = self.points.iter().find_map(|r| toward(p, r));
+        let last = self.points.iter().rev().find_map(|r| toward(q, r));
+        (first.unwrap_or_default(), -last.unwrap_or_default())
+    }
+
+    /// Around a point by an angle; the first vertex is there already.
+    fn turn(&self, t: f64, from: DVec2, angle: f64, out: &mut Vec<DVec2>) {
+        let steps = (1.0 + angle.abs() * (self.distance.abs() / self.step).sqrt())
+            .min(4000.0)
+            .floor();
+        let mut k = 1.0;
+        while k <= steps {
+            out.push(self.point(t, DVec2::from_angle(angle * k / steps).rotate(from)));
+            k += 1.0;
         }
     }
 
     /// From one parameter to another, whose tangents are known; the first vertex is there already.
     fn walk(&self, (t0, n0): (f64, DVec2), (t1, n1): (f64, DVec2), out: &mut Vec<DVec2>) {
-        let (p0, p1) = (at(self.points, t0), at(self.points, t1));
-        let (o0, o1) = (
-            p0 + n0.perp() * self.distance,
-            p1 + n1.perp() * self.distance,
-        );
-        let (sin, cos) = (n0.perp_dot(n1), n0.dot(n1));
-        let angle = sin.atan2(cos);
+        let (o0, o1) = (self.point(t0, n0), self.point(t1, n1));
+        let angle = n0.angle_to(n1);
         if t1 - t0 < 1e-13 {
-            // A turn about a point; half a turn goes around the outside.
-            let half = angle.abs() > PI - 1e-2;
-            let angle = if half {
-                -angle.abs().copysign(self.distance)
-            } else {
-                angle
-            };
-            let steps = (1.0 + angle.abs() * (self.distance.abs() / self.step).sqrt())
-                .min(4000.0)
-                .floor();
-            let mut k = 1.0;
-            while k <= steps {
-                let n = DVec2::from_angle(angle * k / steps).rotate(n0);
-                out.push(p1 + n.perp() * self.distance);
-                k += 1.0;
-            }
-            return;
+            return self.turn(t1, n0, angle, out);
         }
         let t = 0.5 * (t0 + t1);
-        let side = if t > 0.5 { -1.0 } else { 1.0 };
-        let n = self.tangent(t, side);
-        let o = at(self.points, t) + n.perp() * self.distance;
+        let n = self.tangent(t);
+        let o = self.point(t, n);
         let flat = (o - (o0 + o1) * 0.5).length() < self.step && angle.abs() < 0.2;
         if flat && t1 - t0 < 0.01 {
             out.push(o1);
@@ -88,22 +108,94 @@ impl Walker<'_> {
     }
 }
 
+/// The parameters inside (0, 1) where the speed is least, and those speeds as parts of the greatest.
+pub(crate) fn slowest(points: &[DVec2]) -> Vec<(f64, f64)> {
+    let slopes = differences(points);
+    let fastest = slopes.iter().map(|v| v.length()).fold(0.0, f64::max);
+    let speed = |t: f64| at(&slopes, t).length();
+    // Close steps next to the ends, too, where short handles stop.
+    let near: Vec<f64> = (10..40).map(|k| 0.5_f64.powi(k)).collect();
+    let even = (1..512).map(|k| real(k) / 512.0);
+    let mut ts: Vec<f64> = near
+        .iter()
+        .copied()
+        .chain(even)
+        .chain(near.iter().map(|t| 1.0 - t))
+        .collect();
+    ts.extend([0.0, 1.0]);
+    ts.sort_by(f64::total_cmp);
+    let speeds: Vec<f64> = ts.iter().map(|&t| speed(t)).collect();
+    let mut found = Vec::new();
+    for k in 1..ts.len() - 1 {
+        if speeds[k] > speeds[k - 1] || speeds[k] >= speeds[k + 1] {
+            continue;
+        }
+        let (mut lo, mut hi) = (ts[k - 1], ts[k + 1]);
+        for _ in 0..90 {
+            let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+            if speed(a) < speed(b) {
+                hi = b;
+            } else {
+                lo = a;
+            }
+        }
+        found.push((lo, speed(lo) / fastest));
+    }
+    found
+}
+
 impl Truth {
-    /// Vertices of the parallel, its chords within about `step` of it.
-    pub(crate) fn new(points: &[DVec2], distance: f64, step: f64) -> Self {
-        let hodograph = differences(points);
-        let fastest = hodograph.iter().map(|v| v.length()).fold(0.0, f64::max);
+    /// Vertices of the parallel, its chords within about `step` of it; the bits of `around` tell which stops are
+    /// passed around their inside: a curve that only just does not stop may turn either way.
+    pub(crate) fn new(
+        points: &[DVec2],
+        stops: &[f64],
+        distance: f64,
+        step: f64,
+        around: u32,
+    ) -> Self {
         let walker = Walker {
             points,
-            hodograph,
-            fastest,
+            hodograph: differences(points),
             distance,
             step,
         };
-        let (first, last) = (walker.tangent(0.0, 1.0), walker.tangent(1.0, -1.0));
-        let mut vertices = vec![points[0] + first.perp() * distance];
-        walker.walk((0.0, first), (1.0, last), &mut vertices);
+        let (first, last) = walker.end_tangents();
+        let mut vertices = vec![walker.point(0.0, first)];
+        let mut from = (0.0, first);
+        for (k, stop) in stops.iter().enumerate() {
+            let (before, after) = (stop - BESIDE, stop + BESIDE);
+            let (n0, n1) = (walker.tangent(before), walker.tangent(after));
+            walker.walk(from, (before, n0), &mut vertices);
+            let angle = n0.angle_to(n1);
+            let outside = if around >> k & 1 == 0 {
+                -1.0_f64.copysign(distance)
+            } else {
+                1.0_f64.copysign(distance)
+            };
+            // A stop without a turn back has no side.
+            let angle = if angle.abs() < 3.0 || angle.signum() == outside {
+                angle
+            } else {
+                angle + outside * 2.0 * PI
+            };
+            walker.turn(*stop, n0, angle, &mut vertices);
+            from = (after, n1);
+        }
+        walker.walk(from, (1.0, last), &mut vertices);
         Self { vertices }
+    }
+
+    /// All parallels that rounding cannot tell from the true one.
+    pub(crate) fn all(points: &[DVec2], distance: f64, step: f64) -> Vec<Self> {
+        let inside = |t: &f64| *t > 2.0 * BESIDE && *t < 1.0 - 2.0 * BESIDE;
+        let slow = slowest(points)
+            .into_iter()
+            .filter(|&(_, speed)| speed < STOP);
+        let stops: Vec<f64> = slow.map(|(t, _)| t).filter(inside).collect();
+        (0..1_u32 << stops.len().min(4))
+            .map(|around| Self::new(points, &stops, distance, step, around))
+            .collect()
     }
 
     /// The greatest distance of some points, which follow the polyline, from it.

@@ -8,7 +8,7 @@ use super::{End, Parallel, Source, VANISHING_SPEED};
 const MOST_HALVINGS: usize = 30;
 
 /// At a zero that is found, |B′| may be this part of its largest value: the root is known to some ulps only.
-const ZERO_SPEED: f64 = 1e-12;
+const ZERO_SPEED: f64 = 1e-14;
 
 /// Below this part of the largest speed a second derivative gives no direction.
 const VANISHING_BEND: f64 = 1e-9;

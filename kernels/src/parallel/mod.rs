@@ -31,7 +31,7 @@ const SHORTEST: f64 = 1e-12;
 const SIXTEENTHS_OF_A_TURN: f64 = 8.0 / std::f64::consts::PI;
 
 /// Below this part of the largest speed a derivative is only rounding.
-pub(crate) const VANISHING_SPEED: f64 = 1e-13;
+pub(crate) const VANISHING_SPEED: f64 = 1e-15;
 
 /// An end of a piece: the place, the unit tangent as seen from inside the piece, and the way the parallel goes there:
 /// 1 along the tangent, −1 against it (where it has passed its cusp).

@@ -1,21 +1,25 @@
 //! The curve of which parallels are made.
 
-use super::VANISHING_SPEED;
 use super::vector::Plane;
 
 /// The most control points of a curve.
 const MOST_POINTS: usize = 65;
 
-/// A curve, ready to be asked for points and derivatives.
+/// A handle of at most this part of the largest difference has no direction: rounding moves its end as far.
+const NO_HANDLE: f64 = 1e-15;
+
+/// A curve, ready to be asked for points and derivatives; points are told from its start.
 pub struct Source {
     /// The control points, and the differences of neighbours, of a degree above 3.
     many: Vec<Plane>,
     differences: Vec<Plane>,
-    /// The control points up to degree 3.
-    few: [Plane; 4],
     count: usize,
-    /// Taylor coefficients at t = 0, where the degree is at most 3.
-    powers: [Plane; 4],
+    /// Taylor coefficients at t = 0 in t, and at t = 1 in 1 − t, where the degree is at most 3: next to an end only
+    /// those of that end keep the digits of short handles.
+    powers: [[Plane; 4]; 2],
+    /// The control points of B′ as a quadratic, there.
+    slopes: [Plane; 3],
+    tangents: [Plane; 2],
     /// A bound on the fourth derivative: 0 up to degree 3.
     fourth: f64,
     /// The largest |B′| of the hodograph's control points.
@@ -32,44 +36,62 @@ pub(crate) struct Place {
 }
 
 impl Source {
-    /// From 2 to 65 control points, of a size of about 1 and near the origin.
+    /// From 2 to 65 control points, of a size of about 1.
     pub fn new(given: &[[f64; 2]]) -> Self {
-        let count = given.len().min(MOST_POINTS);
-        let mut few = [Plane::default(); 4];
-        let (mut many, mut differences) = (Vec::new(), Vec::new());
-        if count > 4 {
-            many.extend(given[..count].iter().map(|&[x, y]| Plane { x, y }));
-            differences.extend(many.windows(2).map(|p| p[1] - p[0]));
-        } else {
-            for (p, &[x, y]) in few.iter_mut().zip(given) {
-                *p = Plane { x, y };
-            }
+        let count = given.len().clamp(1, MOST_POINTS);
+        let mut all = [Plane::default(); MOST_POINTS];
+        for (p, &[x, y]) in all.iter_mut().zip(given) {
+            *p = Plane { x, y };
         }
-        let all = if count > 4 { &many } else { &few[..count] };
-        let n = count.saturating_sub(1);
-        let speed = all
-            .windows(2)
-            .fold(0.0, |m: f64, p| m.max((p[1] - p[0]).square()));
-        let fourth = fourth_bound(all);
-        let [p0, p1, p2, p3] = few;
-        let powers = match count {
-            0 | 1 => [p0, Plane::default(), Plane::default(), Plane::default()],
-            2 => [p0, p1 - p0, Plane::default(), Plane::default()],
-            3 => [p0, (p1 - p0) * 2.0, (p2 - p1) - (p1 - p0), Plane::default()],
-            _ => {
-                let (e0, e1, e2) = (p1 - p0, p2 - p1, p3 - p2);
-                [p0, e0 * 3.0, (e1 - e0) * 3.0, (e2 - e1) - (e1 - e0)]
-            }
-        };
-        Self {
-            many,
-            differences,
-            few,
+        let all = &all[..count];
+        let difference = |i: usize| all[i + 1] - all[i];
+        let n = count - 1;
+        let square = (0..n).fold(0.0, |m: f64, i| m.max(difference(i).square()));
+        let mut source = Self {
+            many: Vec::new(),
+            differences: Vec::new(),
             count,
-            powers,
-            fourth,
-            speed: n as f64 * speed.sqrt(),
+            powers: Default::default(),
+            slopes: Default::default(),
+            tangents: Default::default(),
+            fourth: fourth_bound(all),
+            speed: n as f64 * square.sqrt(),
+        };
+        source.tangents = source.tangents_of(all);
+        if count > 4 {
+            source.many.extend(all.iter().map(|&p| p - all[0]));
+            source.differences.extend((0..n).map(difference));
+        } else if n > 0 {
+            let mut e = [Plane::default(); 3];
+            e[..n]
+                .iter_mut()
+                .enumerate()
+                .for_each(|(i, e)| *e = difference(i));
+            let end = all[n] - all[0];
+            source.powers = [
+                powers(e, n, Plane::default()),
+                powers(reversed(e, n), n, end),
+            ];
+            source.slopes = match n {
+                1 => [e[0]; 3],
+                2 => [e[0] * 2.0, e[0] + e[1], e[1] * 2.0],
+                _ => e.map(|e| e * 3.0),
+            };
         }
+        source
+    }
+
+    /// The tangents at both ends: toward the first control point that is not the end itself.
+    fn tangents_of(&self, points: &[Plane]) -> [Plane; 2] {
+        let least = NO_HANDLE * self.speed;
+        let toward = |end: Plane, p: &Plane| {
+            let way = *p - end;
+            (way.length() > least).then(|| way.unit())
+        };
+        let (first, last) = (points[0], points[self.count - 1]);
+        let start = points.iter().find_map(|p| toward(first, p));
+        let end = points.iter().rev().find_map(|p| toward(last, p));
+        [start.unwrap_or_default(), -end.unwrap_or_default()]
     }
 
     /// The largest |B′| that the control points allow.
@@ -88,14 +110,6 @@ impl Source {
         self.count - 1
     }
 
-    fn points(&self) -> &[Plane] {
-        if self.count > 4 {
-            &self.many
-        } else {
-            &self.few[..self.count]
-        }
-    }
-
     /// The differences of neighbours, for degrees above 3.
     pub(crate) fn differences(&self) -> &[Plane] {
         &self.differences
@@ -103,22 +117,12 @@ impl Source {
 
     /// The control points of B′ as a quadratic, up to degree 3.
     pub(crate) fn first_vectors(&self) -> [Plane; 3] {
-        let [_, c1, c2, c3] = self.powers;
-        [c1, c1 + c2, c1 + c2 * 2.0 + c3 * 3.0]
+        self.slopes
     }
 
-    /// The tangents at both ends: toward the first control point that is not the end itself.
+    /// The tangents at both ends.
     pub fn end_tangents(&self) -> [Plane; 2] {
-        let least = VANISHING_SPEED * self.speed;
-        let points = self.points();
-        let toward = |end: Plane, p: &Plane| {
-            let way = *p - end;
-            (way.length() > least).then(|| way.unit())
-        };
-        let (first, last) = (points[0], points[self.count - 1]);
-        let start = points.iter().find_map(|p| toward(first, p));
-        let end = points.iter().rev().find_map(|p| toward(last, p));
-        [start.unwrap_or_default(), -end.unwrap_or_default()]
+        self.tangents
     }
 
     /// The place at t.
@@ -127,13 +131,18 @@ impl Source {
         if self.count > 4 {
             return self.at_by_casteljau(t);
         }
-        let [c0, c1, c2, c3] = self.powers;
+        let (side, sign, s) = if t <= 0.5 {
+            (0, 1.0, t)
+        } else {
+            (1, -1.0, 1.0 - t)
+        };
+        let [c0, c1, c2, c3] = self.powers[side];
         let (d2, d3) = (c2 * 2.0, c3 * 3.0);
         Place {
             t,
-            b: c0 + (c1 + (c2 + c3 * t) * t) * t,
-            v: c1 + (d2 + d3 * t) * t,
-            a: d2 + d3 * (2.0 * t),
+            b: c0 + (c1 + (c2 + c3 * s) * s) * s,
+            v: (c1 + (d2 + d3 * s) * s) * sign,
+            a: d2 + d3 * (2.0 * s),
         }
     }
 
@@ -164,6 +173,19 @@ impl Source {
             a: (slopes[1] - slopes[0]) * (n * (n - 1.0)),
         }
     }
+}
+
+/// Taylor coefficients of a curve from its start and the differences of its n + 1 control points.
+fn powers(e: [Plane; 3], n: usize, start: Plane) -> [Plane; 4] {
+    let second = (e[1] - e[0]) * [0.0, 0.0, 1.0, 3.0][n];
+    let third = ((e[2] - e[1]) - (e[1] - e[0])) * if n == 3 { 1.0 } else { 0.0 };
+    [start, e[0] * n as f64, second, third]
+}
+
+/// The differences when the curve runs the other way.
+fn reversed(mut e: [Plane; 3], n: usize) -> [Plane; 3] {
+    e[..n].reverse();
+    e.map(|e| -e)
 }
 
 /// n(n−1)(n−2)(n−3) times the longest fourth difference.
