@@ -11,8 +11,8 @@ mod truth;
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 use common::wild;
-use common::{Rng, largest, real, ulp};
-use truth::{Truth, at, dense};
+use common::{Rng, largest, ulp};
+use truth::{Truth, dense};
 
 /// How far chords are from their curves, in tolerances.
 const SAG: f64 = 0.04;
