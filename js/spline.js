@@ -511,7 +511,8 @@ export class Spline {
 
   /**
    * A spline of fewer cubics: no point of it is farther than the tolerance from this one, nor the other way round.
-   * Corners stay. Where there are no fewer segments the spline comes back as it is.
+   * Corners stay. Where there are no fewer segments, and none is above degree 3, the spline comes back as it is; higher
+   * degrees become cubics, more of them where that is what the tolerance takes.
    *
    * @param {number} tolerance
    * @returns {Spline}

@@ -37,13 +37,16 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Some thousands, or millions with CASTELJAU_DEEP. Known to fail beyond: 3 of 20,000, a cusp at t = 1/2 (case 8198) and
-/// turns of FewUlps of degree 5 and 17 between ends of like tangents (1765, 5101), which `near` and `tiny` do not see.
+/// Not held yet: a cusp at t = ½ (case 8198), and curves of degree 5 and 17 a few ulps across that turn between ends of like
+/// tangents (1765, 5101), which `near` and `tiny` do not see.
+const FAILING: [usize; 3] = [1765, 5101, 8198];
+
+/// Some thousands, or millions with CASTELJAU_DEEP.
 fn cases() -> usize {
     if std::env::var_os("CASTELJAU_DEEP").is_some() {
         2_000_000
     } else {
-        1_700
+        8_000
     }
 }
 
@@ -74,16 +77,14 @@ fn wild_curves() {
             continue;
         }
         let found = error(&curve, distance, tolerance);
-        if std::env::var_os("SHOW").is_none() {
-            assert!(
-                found <= 1.1,
-                "{case} {kind:?}: {found} tolerances, {curve:?} at {distance}, {tolerance}"
-            );
-        } else if found > 1.1 {
-            println!(
-                "{case} {kind:?} degree {degree}: {found} {curve:?} d {distance} tol {tolerance}"
-            );
+        if FAILING.contains(&case) {
+            println!("{case} {kind:?}: known to fail, {found} tolerances");
+            continue;
         }
+        assert!(
+            found <= 1.1,
+            "{case} {kind:?}: {found} tolerances, {curve:?} at {distance}, {tolerance}"
+        );
     }
 }
 
