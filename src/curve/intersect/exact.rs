@@ -57,19 +57,24 @@ impl Pair {
             let (t, u) = ends.iter().copied().find(both).unwrap_or(first);
             return vec![(t, u, self.kind(t, u))];
         }
-        let inside = |t: f64| t > 0.0 && t < 1.0;
         self.lines_crossing()
-            .filter(|&(t, u)| inside(t) && inside(u))
             .map(|(t, u)| (t, u, Contact::Cross))
             .into_iter()
             .collect()
     }
 
+    /// Where two lines cross: the ends of each lie on both sides of the other. What is left of nearly parallel ones where
+    /// rounding decides is no place.
     fn lines_crossing(&self) -> Option<(f64, f64)> {
-        let [a, b] = &self.curves;
-        let (d, e, gap) = (a[1] - a[0], b[1] - b[0], b[0] - a[0]);
-        let turn = d.perp_dot(e);
-        (turn != 0.0).then(|| (gap.perp_dot(e) / turn, gap.perp_dot(d) / turn))
+        let part = |line: usize| {
+            let (ours, other) = (&self.curves[line], &self.curves[1 - line]);
+            let along = other[1] - other[0];
+            let [from, to] = [0, 1].map(|k| (ours[k] - other[0]).perp_dot(along));
+            (from * to < 0.0).then(|| from / (from - to))
+        };
+        let (t, u) = (part(0)?, part(1)?);
+        let beside = self.opposite(t, u);
+        [(t, u), beside].into_iter().find(|&place| self.one(place))
     }
 
     /// The place where an end of the other line is nearest to a line, `curve`.
