@@ -85,7 +85,7 @@ export class Spline {
     const closed = Boolean(check.options(options).closed);
     const numbers = curves.flatMap((curve) => [...curve.controlPoints()]);
     load(Float64Array.from([curves.length, closed ? 1 : 0, ...curves.map((curve) => curve.degree), ...numbers]));
-    return made(core().spline_from_curves(dimension), dimension);
+    return takeSpline(core().spline_from_curves(dimension), dimension);
   }
 
   /**
@@ -101,7 +101,7 @@ export class Spline {
    */
   static through(points, options) {
     const { length, dimension } = through(points, options);
-    return made(length, dimension);
+    return takeSpline(length, dimension);
   }
 
   /**
@@ -117,7 +117,7 @@ export class Spline {
    */
   static fromBSpline(points, options) {
     const { length, dimension } = fromBSpline(points, options);
-    return made(length, dimension);
+    return takeSpline(length, dimension);
   }
 
   /**
@@ -504,7 +504,7 @@ export class Spline {
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
     load(flat);
-    const spline = made(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
+    const spline = takeSpline(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
     trim();
     return spline;
   }
@@ -538,7 +538,7 @@ export class Spline {
     const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
     const given = check.optionalTolerance(tolerance);
     this.#load();
-    return made(core().spline_offset(distance, given, code), 2);
+    return takeSpline(core().spline_offset(distance, given, code), 2);
   }
 
   /**
@@ -602,7 +602,7 @@ export class Spline {
 
   /** @param {number} length */
   #made(length) {
-    return made(length, this.dimension);
+    return takeSpline(length, this.dimension);
   }
 
   /**
@@ -649,10 +649,8 @@ export function splineOf(parts) {
  * @param {number} length
  * @param {2 | 3} dimension
  */
-function made(length, dimension) {
+export function takeSpline(length, dimension) {
   const numbers = take(0, length);
   const head = 2 + numbers[0];
   return splineOf({ flat: numbers.slice(head), dimension, degrees: [...numbers.subarray(2, head)], closed: numbers[1] === 1 });
 }
-
-export { made as takeSpline };
