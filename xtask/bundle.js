@@ -1,7 +1,7 @@
 // Bundles js/ into dist/ with esbuild. Called by `cargo xtask build`; runs from the repository's root.
 import { build } from "esbuild";
-import { readFile } from "node:fs/promises";
-import { dirname, relative, resolve, sep } from "node:path";
+import { readFile, readdir, rm } from "node:fs/promises";
+import { relative, resolve, sep } from "node:path";
 
 const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
@@ -36,28 +36,28 @@ const appletsPart = {
 
 /**
  * Keeps the facade out of the bundles of the applet and the elements, so that a page which imports several of them has
- * one core and one wasm module. They must therefore go through js/index.js and nothing else of js/.
+ * one core and one wasm module. They must therefore go through js/index.js, and to nothing else of js/ than the folders
+ * named here.
  */
-const facadeExternal = (folder) => ({
+const facadeExternal = (...folders) => ({
   name: "facade-external",
   setup(build) {
     build.onResolve({ filter: /^\.\.?\// }, ({ path, importer, resolveDir }) => {
       if (importer.includes("node_modules")) return undefined;
       const target = resolve(resolveDir, path);
       if (target === resolve(sources, "index.js")) return { path: "./index.js", external: true };
-      const inside = dirname(target).startsWith(resolve(sources, folder));
+      const inside = folders.some((folder) => target.startsWith(resolve(sources, folder) + sep));
       if (inside || !importer) return undefined;
       const from = relative(sources, importer).split(sep).join("/");
-      return { errors: [{ text: `js/${from} imports ${path}: js/${folder} may import only ../index.js of the package` }] };
+      const allowed = folders.map((folder) => `js/${folder}`).join(", ");
+      return { errors: [{ text: `js/${from} imports ${path}: it may import only js/index.js and from ${allowed}` }] };
     });
   },
 });
 
-/** Bundles one entry of js/ into one file of dist/. */
-const bundle = (entry, name, options = {}) =>
+/** What all bundles have in common. */
+const bundleAs = (options) =>
   build({
-    entryPoints: [resolve(sources, entry)],
-    outfile: `dist/${name}`,
     bundle: true,
     format: "esm",
     target: "es2022",
@@ -68,10 +68,31 @@ const bundle = (entry, name, options = {}) =>
     ...options,
   });
 
+/** Bundles one entry of js/ into one file of dist/. */
+const bundle = (entry, name, options = {}) => bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
+
+/**
+ * The elements come in parts: elements.js, what is loaded only when a surface comes near (elements-surface.js), and what
+ * both need (elements-shared.js). The names stay the same from version to version.
+ */
+const elements = () =>
+  bundleAs({
+    entryPoints: { elements: resolve(sources, "elements/index.js"), "elements-surface": resolve(sources, "elements/surface/stage.js") },
+    outdir: "dist",
+    splitting: true,
+    chunkNames: "elements-shared",
+    plugins: [facadeExternal("elements", "applet")],
+    inject: ["xtask/no-dom.js"],
+    minify: true,
+  });
+
+/** No part of an earlier build stays, to be published. */
+const parts = (await readdir("dist").catch(() => [])).filter((name) => /^elements\b.*\.js$/.test(name));
+await Promise.all(parts.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   bundle("index.js", "index.js"),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
   bundle("applet/index.js", "applet.js", { plugins: [facadeExternal("applet")] }),
-  bundle("elements/index.js", "elements.js", { plugins: [facadeExternal("elements")], inject: ["xtask/no-dom.js"], minify: true }),
+  elements(),
   bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletsPart] }),
 ]);

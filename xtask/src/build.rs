@@ -79,6 +79,8 @@ fn bundles() -> Result<()> {
         "slim.js",
         "applet.js",
         "elements.js",
+        "elements-shared.js",
+        "elements-surface.js",
         "bezier-app.js",
         "casteljau.wasm",
     ];
@@ -140,8 +142,15 @@ pub(crate) fn site() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
     inputs.extend(
-        ["index.js", "applet.js", "elements.js", "bezier-app.js"]
-            .map(|name| root.join("dist").join(name)),
+        [
+            "index.js",
+            "applet.js",
+            "elements.js",
+            "elements-shared.js",
+            "elements-surface.js",
+            "bezier-app.js",
+        ]
+        .map(|name| root.join("dist").join(name)),
     );
     inputs.push(root.join("package-lock.json"));
     let work = Work {

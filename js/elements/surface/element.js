@@ -6,7 +6,7 @@ import { acceptDrops } from "./files.js";
 import { frame } from "./frame.js";
 import { Gestures, ZOOM_STEP } from "./gestures.js";
 import { Handles } from "./handles.js";
-import { Stage } from "./stage.js";
+import { loadStage } from "./loading.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { Turning } from "./turning.js";
@@ -15,6 +15,7 @@ import { MODEL_NAMES, STATES } from "./words.js";
 /**
  * @import { View } from "./camera.js"
  * @import { Facts } from "./geometry.js"
+ * @import { Stage } from "./stage.js"
  */
 
 /** The element begins its work when it is so near to what is seen of the page. */
@@ -38,8 +39,10 @@ export class BezierSurface extends SurfaceAttributes {
   #deafen = null;
   /** @type {View} */
   #camera = HOME;
-  /** @type {"webgl" | "flat" | "lost"} */
-  #state = "webgl";
+  /** What there is to see; see STATES. @type {keyof typeof STATES} */
+  #state = "coming";
+  /** The stage being fetched, for this stay in the document. @type {Promise<void> | null} */
+  #coming = null;
   /** @type {Facts | null} */
   #facts = null;
   #turning = new Turning();
@@ -80,6 +83,7 @@ export class BezierSurface extends SurfaceAttributes {
    * @returns {Promise<Blob | null>}
    */
   async toBlob() {
+    await this.#coming;
     await this.updateComplete;
     return this.#stage?.toBlob() ?? null;
   }
@@ -95,6 +99,7 @@ export class BezierSurface extends SurfaceAttributes {
   disconnectedCallback() {
     super.disconnectedCallback();
     this.#watch?.disconnect();
+    this.#watch = this.#coming = null;
     this.#deafen?.();
     this.#deafen = null;
     this.#camera = this.view;
@@ -105,24 +110,38 @@ export class BezierSurface extends SurfaceAttributes {
   /** @param {boolean} visible */
   #seen(visible) {
     this.#visible = visible;
-    if (visible) this.#start();
+    if (visible && !this.#stage) this.#coming ??= this.#start();
     if (visible) this.#stage?.schedule();
   }
 
-  #start() {
-    if (this.#stage || !this.isConnected) return;
+  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has another watch. */
+  async #start() {
+    const watch = this.#watch;
+    /** @type {typeof Stage | null} */
+    const loaded = await loadStage().catch(() => null);
+    if (watch !== this.#watch || !this.isConnected) return;
+    this.#coming = null;
+    if (loaded) return this.#build(loaded);
+    this.#setState("missing");
+  }
+
+  /** @param {keyof typeof STATES} state */
+  #setState(state) {
+    this.#state = state;
+    this.requestUpdate();
+  }
+
+  /** @param {typeof Stage} loaded */
+  #build(loaded) {
     const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
     const canvas = find("canvas");
-    this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
+    this.#stage = new loaded(canvas, find(".probe"), this.#camera, {
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
         this.#tell(facts);
       },
       refused: (message) => this.#desk.say(message),
-      stateChanged: (state) => {
-        this.#state = state;
-        this.requestUpdate();
-      },
+      stateChanged: (state) => this.#setState(state),
       turning: () => this.#visible && this.#turns(),
     });
     this.#handles ??= new Handles(find(".overlay"), { moved: (...args) => this.#pulled(...args), sight: () => this.#stage?.sight() ?? null });

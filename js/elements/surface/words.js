@@ -10,8 +10,10 @@ export const FINENESS_NAMES = { segments: "by segments", tolerance: "by toleranc
 export const EVALUATION_NAMES = { cpu: "WebAssembly", forward: "forward differences", gpu: "graphics card" };
 /** @type {Record<string, string>} */
 export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", net: "control net", casteljau: "de Casteljau" };
-/** @type {Record<string, string>} */
+/** What there is to say of the picture. */
 export const STATES = {
+  coming: "",
+  missing: "The part that draws surfaces could not be loaded. It is asked for again when the picture comes back into view.",
   webgl: "",
   flat: "This browser offers no WebGL2: the surface is drawn as lines.",
   lost: "The graphics card was taken away; the picture comes back with it.",
