@@ -1,19 +1,27 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
 
-const CSS = `
-:host {
+/** The colours of a light page. */
+export const LIGHT = `
   --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
   --bz-curve: #0072b2; --bz-handle: #d55e00; --bz-first: #0072b2; --bz-second: #d55e00; --bz-level1: #009e73; --bz-level2: #cc79a7;
-  --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-hit: 24px;
+  --bz-accent: #0067a3; --bz-on-accent: #ffffff;`;
+
+/** Those that differ on a dark page. */
+export const DARK = `
+  --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
+  --bz-curve: #56b4e9; --bz-handle: #e69f00; --bz-first: #56b4e9; --bz-second: #e69f00;
+  --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;`;
+
+/** What everything of ours has in common: colours by role, size of a hit box, letters. */
+export const TOKENS = `
+:host {${LIGHT}
+  --bz-hit: 24px;
   display: block; box-sizing: border-box; max-inline-size: 100%;
   color-scheme: light dark; color: var(--bz-ink);
   font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
 }
 @media (prefers-color-scheme: dark) {
-  :host {
-    --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
-    --bz-curve: #56b4e9; --bz-handle: #e69f00; --bz-first: #56b4e9; --bz-second: #e69f00;
-    --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;
+  :host {${DARK}
   }
 }
 @media (any-pointer: coarse) { :host { --bz-hit: 44px; } }
@@ -26,6 +34,25 @@ const CSS = `
   .probe { forced-color-adjust: none; }
 }
 *, ::after { box-sizing: border-box; }
+`;
+
+/** Buttons, labels, the ring of the focus, and what only screen readers find. */
+export const CONTROLS = `
+fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; align-items: center; }
+legend { float: left; padding: 0; margin-inline-end: 0.1rem; font-weight: 600; }
+button {
+  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px;
+  padding: 0.32rem 0.7rem; min-block-size: 2.25rem; cursor: pointer;
+}
+button:hover { border-color: var(--bz-accent); color: var(--bz-accent); }
+button:disabled { opacity: 0.55; cursor: default; }
+label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
+input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
+:focus-visible { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
+.away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+`;
+
+const CSS = `${TOKENS}${CONTROLS}
 .frame { outline: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); }
 .stage { position: relative; background: var(--bz-paper); border-radius: 10px 10px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
 ::slotted(canvas) {
@@ -59,28 +86,16 @@ const CSS = `
 }
 .controls { display: flex; flex-wrap: wrap; gap: 0.75rem 1.4rem; align-items: center; padding: 0.8rem 0.9rem; }
 .row { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; }
-fieldset { border: 0; margin: 0; padding: 0; min-inline-size: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 0.9rem; align-items: center; }
-legend { float: left; padding: 0; margin-inline-end: 0.1rem; font-weight: 600; }
-button {
-  font: inherit; color: inherit; background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 7px;
-  padding: 0.32rem 0.7rem; min-block-size: 2.25rem; cursor: pointer;
-}
-button:hover { border-color: var(--bz-accent); color: var(--bz-accent); }
-button:disabled { opacity: 0.55; cursor: default; }
 kbd {
   font: 600 0.8em/1 ui-monospace, "SF Mono", Menlo, Consolas, monospace; color: var(--bz-quiet); border: 1px solid var(--bz-rim);
   border-block-end-width: 2px; border-radius: 4px; padding: 0.1em 0.4em; margin-inline-start: 0.25em;
 }
-label { display: inline-flex; gap: 0.4rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
-input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--bz-accent); }
 .t { font-weight: 600; flex: 1 1 15rem; }
 .t input { flex: 1; min-inline-size: 6rem; accent-color: var(--bz-accent); }
 .t .value { min-inline-size: 2.4em; font-weight: 400; font-variant-numeric: tabular-nums; }
 .t i { font-family: ui-serif, Georgia, serif; font-size: 1.1em; }
-:focus-visible { outline: 2px solid var(--bz-accent); outline-offset: 2px; }
 .handle :focus-visible { outline: none; }
 .hint { flex: 1 1 100%; display: flex; flex-wrap: wrap; gap: 0.2rem 1.4rem; margin: 0; align-items: center; color: var(--bz-quiet); font-size: 0.875rem; }
-.away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 `;
 
 /** One sheet for each document. @type {WeakMap<Document, CSSStyleSheet>} */

@@ -1,14 +1,15 @@
 // The custom elements of the package. Importing this module defines them; where there is no document it does nothing.
-import { BezierSurface as Element } from "./surface/element.js";
+import { BezierSurface as Surface } from "./surface/element.js";
 
 /**
  * @import { BezierSurfaceConstructor } from "./types.js"
  */
 
-const NAME = "bezier-surface";
-
 /** The class of `<bezier-surface>`. */
-export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (/** @type {unknown} */ (Element));
+export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (/** @type {unknown} */ (Surface));
+
+/** What is defined, by its name. */
+const ELEMENTS = { "bezier-surface": Surface };
 
 const registry = globalThis.customElements;
-if (registry && !registry.get(NAME)) registry.define(NAME, Element);
+for (const [name, type] of Object.entries(ELEMENTS)) if (registry && !registry.get(name)) registry.define(name, type);
