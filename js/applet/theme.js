@@ -3,23 +3,26 @@
 /**
  * The roles of colour. Each has a custom property `--bz-<role>` in style.js.
  */
-const ROLES = /** @type {const} */ (["ink", "quiet", "paper", "curve", "handle", "first", "second", "level1", "level2"]);
+export const ROLES = /** @type {const} */ (["ink", "quiet", "paper", "curve", "handle", "first", "second", "level1", "level2"]);
 
-/** @typedef {Record<typeof ROLES[number], string>} Theme */
+/** @typedef {typeof ROLES[number]} Role */
+/** @typedef {Record<Role, string>} Theme */
 
 /**
- * Reads the colours off a probe element, which resolves variables and system colours alike.
+ * Reads colours off a probe element, which resolves variables and system colours alike.
  *
+ * @template {string} [R=Role]
  * @param {HTMLElement} probe
- * @returns {Theme}
+ * @param {readonly R[]} [roles] each has a custom property `--bz-<role>`
+ * @returns {Record<R, string>}
  */
-export function readTheme(probe) {
+export function readTheme(probe, roles = /** @type {readonly any[]} */ (ROLES)) {
   const style = getComputedStyle(probe);
-  const read = (/** @type {string} */ role) => {
+  const read = (/** @type {R} */ role) => {
     probe.style.color = `var(--bz-${role})`;
     return [role, style.color];
   };
-  return Object.fromEntries(ROLES.map(read));
+  return Object.fromEntries(roles.map(read));
 }
 
 /** When these change, so do the colours. */
