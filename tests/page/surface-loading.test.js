@@ -1,0 +1,119 @@
+// The part of <bezier-surface> that draws comes by itself, when one is near: late, never, twice, or after the element has gone.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openPage } from "./browser.js";
+import { facts, look, ready, surfacePage } from "./surface-page.js";
+
+const PART = "**/elements-surface.js";
+const MISSING = "could not be loaded";
+
+/** Opens a page whose requests for the part go to `answer`; `asked` counts them. */
+async function openWithRoute(t, html, answer) {
+  const page = await openPage(t, "about:blank", { viewport: { width: 800, height: 900 }, reducedMotion: "reduce" });
+  const asked = { count: 0 };
+  await page.route(PART, (route) => (asked.count++, answer(route)));
+  await page.route("**/loading.html", (route) => route.fulfill({ contentType: "text/html", body: html }));
+  await page.goto("/loading.html");
+  await page.waitForFunction(() => customElements.get("bezier-surface"));
+  return { page, asked };
+}
+
+/** A gate that holds requests back until it is opened. */
+function gate() {
+  let open;
+  const opened = new Promise((done) => (open = done));
+  return { open, pass: (route) => opened.then(() => route.continue()) };
+}
+
+test("a page without a surface in sight does not fetch it; it is fetched once for two that come near", async (t) => {
+  const html = surfacePage("", "<bezier-surface id=second></bezier-surface>").replace("<main>", '<main><div style="height: 4000px"></div>');
+  const { page, asked } = await openWithRoute(t, html, (route) => route.continue());
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 200)));
+  assert.equal(asked.count, 0);
+  await page.locator("#second").scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => [...document.querySelectorAll("bezier-surface")].every((each) => /triangles/.test(each.shadowRoot.querySelector(".facts").textContent)));
+  assert.equal(asked.count, 1);
+});
+
+test("until it is there the element waits, and what is asked of it then counts", async (t) => {
+  const late = gate();
+  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), late.pass);
+  await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
+  const element = page.locator("bezier-surface");
+  await element.evaluate((each) => Object.assign(each, { segments: 3, view: { turn: 12 } }));
+  await page.getByRole("button", { name: "Nearer" }).click();
+  const blob = element.evaluate((each) => each.toBlob().then((picture) => picture?.type));
+  late.open();
+  assert.equal(await blob, "image/png");
+  await ready(page);
+  assert.equal((await facts(page)).triangles, 18);
+  const view = await element.evaluate((each) => each.view);
+  assert.equal(view.turn, 12);
+  assert.ok(view.zoom > 1);
+  assert.ok((await look(page)).inked > 3000);
+});
+
+test("an element that has gone before it arrives stays at rest; put in again it draws", async (t) => {
+  const late = gate();
+  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4"'), late.pass);
+  await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
+  const contexts = await page.evaluate(() => {
+    globalThis.made = 0;
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (...args) {
+      globalThis.made++;
+      return original.apply(this, args);
+    };
+    globalThis.element = document.querySelector("bezier-surface");
+    element.remove();
+    return globalThis.made;
+  });
+  late.open();
+  await page.evaluate(() => import("/dist/elements-surface.js").then(() => new Promise((done) => setTimeout(done))));
+  assert.equal(await page.evaluate(() => globalThis.made), contexts);
+  await page.evaluate(() => document.querySelector("main").append(element));
+  await ready(page);
+  assert.ok((await page.evaluate(() => globalThis.made)) > contexts);
+});
+
+test("taken out and put in again before it arrives, it is built once", async (t) => {
+  const late = gate();
+  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4"'), late.pass);
+  await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
+  await page.evaluate(async () => {
+    globalThis.made = 0;
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (...args) {
+      globalThis.made++;
+      return original.apply(this, args);
+    };
+    const element = document.querySelector("bezier-surface");
+    for (let i = 0; i < 5; i++) {
+      element.remove();
+      document.querySelector("main").append(element);
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    }
+  });
+  late.open();
+  await ready(page);
+  assert.equal(await page.evaluate(() => globalThis.made), 1);
+});
+
+test("where it cannot be fetched the element says so, and asks again when it is put in again", async (t) => {
+  let broken = true;
+  const { page, asked } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), (route) => (broken ? route.abort() : route.continue()));
+  await page.getByText(MISSING).waitFor();
+  await page.getByRole("slider", { name: "Segments" }).fill("5"); // the panel goes on
+  assert.equal(await page.locator("bezier-surface").evaluate((each) => each.toBlob()), null);
+  const before = asked.count;
+  const again = () => page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
+  await again();
+  await page.waitForFunction(() => true);
+  broken = false;
+  await again();
+  await ready(page);
+  assert.ok(asked.count > before);
+  await page.getByText(MISSING).waitFor({ state: "detached" });
+  assert.equal((await facts(page)).triangles, 50);
+  assert.ok(page.problems.splice(0).every((text) => /ERR_FAILED|Failed to load resource/.test(text)));
+});
