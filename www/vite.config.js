@@ -1,14 +1,15 @@
-// The site: every index.html below www/ is a page. Built into site/ with relative URLs, so that it works in any folder.
+// The site: every .html file below www/ is a page. Built into site/ with relative URLs, so that it works in any folder.
 import { createReadStream, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { lessonSamples } from "./build/samples.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
 
 const pages = readdirSync(www, { recursive: true, encoding: "utf8" })
-  .filter((name) => /(^|[\\/])index\.html$/.test(name))
+  .filter((name) => name.endsWith(".html"))
   .map((name) => www + name);
 
 /** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. */
@@ -25,6 +26,12 @@ const classicScript = {
   },
 };
 
+/** package.json says that importing a module of the package does nothing but a few; those of the pages are another matter. */
+const pagesAct = {
+  name: "pages-act",
+  transform: (/** @type {string} */ code, /** @type {string} */ id) => (id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null),
+};
+
 export default defineConfig({
   root: www,
   base: "./",
@@ -36,7 +43,7 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [classicScript],
+  plugins: [classicScript, pagesAct, lessonSamples],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

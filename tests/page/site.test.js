@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { assertAccessible, openPage, root } from "./browser.js";
 import { drag, drawn, handle, openTutorial, points, TUTORIAL } from "./applet-page.js";
 
-const PAGES = ["/", "/applet/", "/surface/", "/teapot/"];
+const PAGES = ["/", "/applet/", "/surfaces/", "/teapot/"];
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 
 for (const path of PAGES) {

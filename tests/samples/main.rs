@@ -1,0 +1,45 @@
+//! The Rust samples of the site, run: each must print what www/samples/<name>.txt holds, as its JavaScript twin does.
+//! A new sample needs its two lines below; the last test tells if they were forgotten.
+#![cfg(not(target_family = "wasm"))]
+
+/// In the samples a line that is written is a statement: readers see `println!`.
+macro_rules! writeln {
+    ($out:expr) => { $out.push('\n') };
+    ($out:expr, $($line:tt)*) => { $out.push_str(&(format!($($line)*) + "\n")) };
+}
+
+#[path = "../../www/samples/eval.rs"]
+mod eval;
+
+type Sample = fn(&mut String);
+
+const SAMPLES: &[(&str, Sample)] = &[("eval", eval::sample)];
+
+fn folder() -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("www/samples")
+}
+
+#[test]
+fn samples_print_what_the_site_shows() {
+    for (name, sample) in SAMPLES {
+        let expected = std::fs::read_to_string(folder().join(format!("{name}.txt")))
+            .unwrap_or_else(|error| panic!("{name}.txt: {error}"));
+        let mut out = String::new();
+        sample(&mut out);
+        assert_eq!(out, expected, "www/samples/{name}.rs");
+    }
+}
+
+#[test]
+fn every_sample_is_run() {
+    let files = std::fs::read_dir(folder()).expect("www/samples");
+    let paths = files.map(|file| file.expect("a file").path());
+    let mut names: Vec<String> = paths
+        .filter(|path| path.extension().is_some_and(|ending| ending == "rs"))
+        .map(|path| path.file_stem().expect("a name").to_string_lossy().into())
+        .collect();
+    names.sort();
+    let mut run: Vec<&str> = SAMPLES.iter().map(|(name, _)| *name).collect();
+    run.sort_unstable();
+    assert_eq!(names, run);
+}

@@ -1,0 +1,2 @@
+// What the page needs is in the parts; this starts them.
+import "../parts/page.js";

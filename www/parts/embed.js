@@ -1,0 +1,2 @@
+// The figure that the query asks for.
+import "casteljau/elements";

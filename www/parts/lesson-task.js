@@ -1,0 +1,165 @@
+// <lesson-task name="make-c1" for="figure-id">what to do</lesson-task>: a task that checks itself.
+//
+// www/tasks/<name>.js exports what it knows; all of it is optional except that there must be `check` or `predict`:
+//   check(figure, element) → { done, words }    pure; `element` is the one that `for` names, `figure` its property
+//   reveal(element)                             shows the answer in that element
+//   predict = { options: [string, …], answer: index, because: string }    asked first
+import { button, element, uniqueId } from "./dom.js";
+
+/** @typedef {{ done: boolean, words: string }} Verdict */
+/** @typedef {{ options: string[], answer: number, because: string }} Prediction */
+/** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, predict?: Prediction }} Task */
+
+/** @type {Record<string, () => Promise<Task>>} */
+const TASKS = import.meta.glob("../tasks/*.js");
+
+/** What a target says when its reader moved something, or its page did. */
+const EVENTS = ["input", "change", "update"];
+
+export class LessonTask extends HTMLElement {
+  /** @type {Task} */ #task = {};
+  #steps = element("div", { className: "steps" });
+  #words = element("p", { className: "words" });
+  #buttons = element("div", { className: "buttons" });
+  /** @type {number | null} */ #guess = null;
+  /** Whether the reader has moved something: before, nothing is judged unasked. */ #touched = false;
+  #frame = 0;
+  #built = false;
+  #opened = false;
+  /** @type {EventTarget | null} */ #target = null;
+
+  connectedCallback() {
+    if (!this.#built) void this.#build();
+    else this.#listen();
+  }
+
+  disconnectedCallback() {
+    for (const type of EVENTS) this.#target?.removeEventListener(type, this);
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#target = null;
+  }
+
+  /** "open" until the task is "done", or its answer "revealed". */
+  get state() {
+    return this.dataset.state ?? "open";
+  }
+
+  /** The element that the task is about, or null. */
+  get target() {
+    const id = this.getAttribute("for");
+    return id ? document.getElementById(id) : null;
+  }
+
+  async #build() {
+    this.#built = true;
+    this.dataset.state = "open";
+    const prompt = element("div", { className: "prompt" }, ...this.childNodes);
+    this.#words.setAttribute("role", "status");
+    this.append(prompt, this.#steps, this.#buttons, this.#words);
+    try {
+      const load = TASKS[`../tasks/${this.getAttribute("name")}.js`];
+      if (!load) throw new Error(`there is no task of the name ${this.getAttribute("name")}`);
+      this.#task = await load();
+      if (this.target) await customElements.whenDefined(this.target.localName);
+    } catch (error) {
+      return this.#say(String(error));
+    }
+    if (this.#task.predict) this.#askFirst(this.#task.predict);
+    else this.#open();
+  }
+
+  /** The prediction: one of several, before anything can be tried. @param {Prediction} predict */
+  #askFirst({ options }) {
+    const name = uniqueId("guess");
+    const radios = options.map((text, i) => {
+      const radio = Object.assign(document.createElement("input"), { type: "radio", name, value: String(i) });
+      return element("label", {}, radio, element("span", {}, text));
+    });
+    const field = element("fieldset", {}, element("legend", {}, "Predict first"), ...radios);
+    const guess = button("That is my guess", () => {
+      const chosen = /** @type {HTMLInputElement | null} */ (field.querySelector("input:checked"));
+      if (!chosen) return this.#say("Choose one first.");
+      this.#guess = Number(chosen.value);
+      /** @type {HTMLFieldSetElement} */ (field).disabled = true;
+      if (this.#task.check) this.#say("Noted. Now find out.");
+      this.#open();
+      /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
+      if (!this.#task.check) this.#finish("");
+    });
+    this.#steps.append(field);
+    this.#buttons.replaceChildren(guess);
+  }
+
+  /** Now it can be tried. */
+  #open() {
+    this.#opened = true;
+    const buttons = [];
+    if (this.#task.check) buttons.push(button("Check", () => this.check()));
+    if (this.#task.reveal) buttons.push(button("Reveal", () => this.reveal()));
+    this.#buttons.replaceChildren(...buttons);
+    this.#listen();
+  }
+
+  #listen() {
+    this.#target = this.#opened && this.#task.check ? this.target : null;
+    for (const type of EVENTS) this.#target?.addEventListener(type, this);
+  }
+
+  /** The live check: at most once a frame, after the reader moved something. @param {Event} event */
+  handleEvent(event) {
+    this.#touched ||= event.type !== "update";
+    if (!this.#touched || this.state !== "open") return;
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      const verdict = this.#verdict();
+      if (verdict.done) this.#finish(verdict.words);
+    });
+  }
+
+  /** Judges now, and says what is missing. */
+  check() {
+    const { done, words } = this.#verdict();
+    if (done) this.#finish(words);
+    else this.#say(words);
+  }
+
+  /** @returns {Verdict} */
+  #verdict() {
+    const target = this.target;
+    try {
+      return this.#task.check?.(/** @type {any} */ (target)?.figure, target) ?? { done: false, words: "" };
+    } catch (error) {
+      return { done: false, words: `This cannot be judged: ${error}` };
+    }
+  }
+
+  /** Shows the answer. What was done already stays done. */
+  reveal() {
+    const done = this.state === "done";
+    if (!done) this.dataset.state = "revealed";
+    this.#task.reveal?.(this.target);
+    if (!done) this.#say(["This is one answer.", this.#verdict().words, this.#judged()].filter(Boolean).join(" "));
+  }
+
+  /** @param {string} words */
+  #finish(words) {
+    this.dataset.state = "done";
+    this.#say([words, this.#judged()].filter(Boolean).join(" "));
+  }
+
+  /** What became of the guess. */
+  #judged() {
+    const { predict } = this.#task;
+    if (!predict) return "";
+    const right = this.#guess === predict.answer ? "You predicted it." : `Your guess was another; the answer is: ${predict.options[predict.answer]}.`;
+    return `${right} ${predict.because}`;
+  }
+
+  /** @param {string} words */
+  #say(words) {
+    if (this.#words.textContent !== words) this.#words.textContent = words;
+  }
+}
+
+customElements.define("lesson-task", LessonTask);

@@ -1,2 +1,0 @@
-// The page is the two elements; this defines them.
-import "casteljau/elements";
