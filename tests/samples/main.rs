@@ -8,12 +8,50 @@ macro_rules! writeln {
     ($out:expr, $($line:tt)*) => { $out.push_str(&(format!($($line)*) + "\n")) };
 }
 
+#[path = "../../www/samples/basis.rs"]
+mod basis;
+#[path = "../../www/samples/bernstein.rs"]
+mod bernstein;
+#[path = "../../www/samples/casteljau.rs"]
+mod casteljau;
+#[path = "../../www/samples/degrees.rs"]
+mod degrees;
 #[path = "../../www/samples/eval.rs"]
 mod eval;
+#[path = "../../www/samples/joints.rs"]
+mod joints;
+#[path = "../../www/samples/polyline.rs"]
+mod polyline;
+#[path = "../../www/samples/properties.rs"]
+mod properties;
+#[path = "../../www/samples/quadratic.rs"]
+mod quadratic;
+#[path = "../../www/samples/recursion.rs"]
+mod recursion;
+#[path = "../../www/samples/splines.rs"]
+mod splines;
+#[path = "../../www/samples/split.rs"]
+mod split;
+#[path = "../../www/samples/uses.rs"]
+mod uses;
 
 type Sample = fn(&mut String);
 
-const SAMPLES: &[(&str, Sample)] = &[("eval", eval::sample)];
+const SAMPLES: &[(&str, Sample)] = &[
+    ("basis", basis::sample),
+    ("bernstein", bernstein::sample),
+    ("casteljau", casteljau::sample),
+    ("degrees", degrees::sample),
+    ("eval", eval::sample),
+    ("joints", joints::sample),
+    ("polyline", polyline::sample),
+    ("properties", properties::sample),
+    ("quadratic", quadratic::sample),
+    ("recursion", recursion::sample),
+    ("splines", splines::sample),
+    ("split", split::sample),
+    ("uses", uses::sample),
+];
 
 fn folder() -> std::path::PathBuf {
     std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("www/samples")

@@ -1,0 +1,25 @@
+import { Spline } from "casteljau";
+
+export function sample(print) {
+  const points = [[60, 380], [170, 110], [300, 330], [420, 90], [610, 300]];
+  const kinds = {
+    natural: Spline.through(points, { kind: "natural" }),
+    "Catmull-Rom": Spline.through(points, { kind: "catmull-rom", alpha: 0.5 }),
+    "B-spline": Spline.fromBSpline(points),
+  };
+
+  // How smooth is the first joint, and how near does the whole spline come to the second point?
+  for (const [name, spline] of Object.entries(kinds)) {
+    const { c1, c2 } = spline.continuity(1);
+    const off = spline.nearest(points[1]).distance;
+    print(`${name}: ${c2 ? "C2" : c1 ? "C1" : "G1"}, ${off.toFixed(1)} from P1`);
+  }
+
+  // Move the first point by 50 and look at the far end.
+  const shifted = [[60, 330], ...points.slice(1)];
+  for (const kind of ["natural", "catmull-rom"]) {
+    const before = Spline.through(points, { kind }).eval(3.5);
+    const after = Spline.through(shifted, { kind }).eval(3.5);
+    print(`${kind}: the far end moves by ${Math.hypot(after.x - before.x, after.y - before.y).toFixed(3)}`);
+  }
+}

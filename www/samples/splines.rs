@@ -1,0 +1,51 @@
+use casteljau::{Spline, glam::DVec2, spline::Through};
+
+pub(crate) fn sample(out: &mut String) {
+    let points = [
+        (60.0, 380.0),
+        (170.0, 110.0),
+        (300.0, 330.0),
+        (420.0, 90.0),
+        (610.0, 300.0),
+    ]
+    .map(DVec2::from);
+    let catmull_rom = Through::CatmullRom { alpha: 0.5 };
+    let kinds = [
+        (
+            "natural",
+            Spline::through(&points, Through::Natural, false).unwrap(),
+        ),
+        (
+            "Catmull-Rom",
+            Spline::through(&points, catmull_rom, false).unwrap(),
+        ),
+        (
+            "B-spline",
+            Spline::from_bspline(&points, 3, None, false).unwrap(),
+        ),
+    ];
+
+    // How smooth is the first joint, and how near does the whole spline come to the second point?
+    for (name, spline) in &kinds {
+        let joint = spline.continuity(1, None).unwrap();
+        let smooth = if joint.c2 {
+            "C2"
+        } else if joint.c1 {
+            "C1"
+        } else {
+            "G1"
+        };
+        let off = spline.nearest(points[1]).unwrap().distance;
+        writeln!(out, "{name}: {smooth}, {off:.1} from P1");
+    }
+
+    // Move the first point by 50 and look at the far end.
+    let mut shifted = points;
+    shifted[0].y -= 50.0;
+    for (name, kind) in [("natural", Through::Natural), ("catmull-rom", catmull_rom)] {
+        let before = Spline::through(&points, kind, false).unwrap().eval(3.5);
+        let after = Spline::through(&shifted, kind, false).unwrap().eval(3.5);
+        let moved = before.distance(after);
+        writeln!(out, "{name}: the far end moves by {moved:.3}");
+    }
+}

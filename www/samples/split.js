@@ -1,0 +1,24 @@
+import { Curve, Spline } from "casteljau";
+
+const show = (curve) => {
+  const c = curve.controlPoints();
+  return [0, 2, 4, 6].map((k) => `(${c[k]}, ${c[k + 1]})`).join(" ");
+};
+
+export function sample(print) {
+  const points = [[0, 8], [8, 0], [24, 0], [32, 8]];
+  const curve = new Curve(points);
+
+  const [q, r] = curve.split(0.5);
+  print(`q: ${show(q)}`);
+  print(`r: ${show(r)}`);
+
+  // The piece between two parameters: two cuts. Backwards when they are swapped.
+  print(`third quarter: ${show(curve.subsegment(0.5, 0.75))}`);
+  print(`reversed: ${show(curve.subsegment(1, 0))}`);
+
+  // A joint more, the same line: what drawing programs do when you click on a path.
+  const spline = new Spline(points).insert(0.5);
+  const same = Math.hypot(spline.eval(1.5).x - curve.eval(0.75).x, spline.eval(1.5).y - curve.eval(0.75).y);
+  print(`${spline.segmentCount} segments, moved by ${same}`);
+}

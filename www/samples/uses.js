@@ -1,0 +1,18 @@
+import { Path, Spline, easing } from "casteljau";
+
+export function sample(print) {
+  // Movement: CSS's cubic-bezier(0.42, 0, 0.58, 1) answers which part of the way is done at which part of the time.
+  const inOut = easing(0.42, 0, 0.58, 1);
+  print(`ease-in-out: ${[0, 0.25, 0.5, 0.75, 1].map((x) => inOut(x).toFixed(3)).join(" ")}`);
+
+  // A camera: through four stops, at even speed. The parameter does not run evenly; the length does.
+  const way = Spline.through([[60, 380], [170, 110], [420, 90], [610, 300]]);
+  const ts = [...way.evenly(4)].map((t) => t.toFixed(3));
+  print(`a quarter of the way each: t = ${ts.join(" ")}`);
+
+  // A letter: an outline of pieces. Is a point inside? How large is its box?
+  const o = Path.fromSVG("M 50 10 C 90 10 90 90 50 90 S 10 10 50 10 Z");
+  const { min, max } = o.bounds();
+  print(`o: ${o.contains([50, 50])}, outside: ${o.contains([85, 15])}`);
+  print(`box from [${min.x}, ${min.y}] to [${max.x}, ${max.y}]`);
+}

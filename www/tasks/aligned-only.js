@@ -1,0 +1,32 @@
+import { HAND, distance, verdict } from "../curves/judge.js";
+
+/** Clearly unequal lengths: one handle at least half as long again as the other. */
+const UNEQUAL = 1.5;
+/** Nobody sees a corner of two degrees. */
+const STRAIGHT_DEGREES = 2;
+
+/** The angle by which the line turns at P3, in degrees. @param {[number, number][]} points */
+function turn([, , p2, p3, p4]) {
+  const [a, b] = [Math.atan2(p3[1] - p2[1], p3[0] - p2[0]), Math.atan2(p4[1] - p3[1], p4[0] - p3[0])];
+  return Math.abs(Math.atan2(Math.sin(b - a), Math.cos(b - a)) * 180) / Math.PI;
+}
+
+/** @param {{ points: [number, number][] }} figure */
+export function check({ points }) {
+  if (points.length < 7) return verdict(false, "Show all seven points first (m).");
+  const [before, after] = [distance(points[2], points[3]), distance(points[3], points[4])];
+  if (Math.min(before, after) < HAND) return verdict(false, "Both handles need a length.");
+  const degrees = turn(points);
+  const ratio = Math.max(before, after) / Math.min(before, after);
+  const words = `The line turns by ${degrees.toFixed(1)}° at P3; one handle is ${ratio.toFixed(2)} times as long as the other.`;
+  const done = degrees < STRAIGHT_DEGREES && ratio > UNEQUAL;
+  return verdict(done, done ? `${words} Smooth to the eye (G1), a jolt to a traveller (not C1).` : words);
+}
+
+/** @param {{ points: [number, number][] }} element */
+export function reveal(element) {
+  const points = /** @type {[number, number][]} */ ([...element.points]);
+  const [[x2, y2], [x3, y3]] = [points[2], points[3]];
+  points[4] = [x3 + (x3 - x2) / 2, y3 + (y3 - y2) / 2];
+  element.points = points;
+}

@@ -1,0 +1,14 @@
+import { Curve } from "casteljau";
+import { HAND, apart, firstCurve, px, verdict } from "../curves/judge.js";
+
+/** The curve to be found; the page shows it dashed. */
+export const TARGET = /** @type {[number, number][]} */ ([[110, 370], [30, 40], [520, 30], [560, 330]]);
+
+/** @param {{ pieces: { curve: any }[] }} figure */
+export function check(figure) {
+  const gap = apart(firstCurve(figure), new Curve(TARGET));
+  return verdict(gap <= HAND, gap <= HAND ? `Within ${px(gap)} all along.` : `Still up to ${px(gap)} apart.`);
+}
+
+/** @param {{ points: [number, number][] }} element */
+export const reveal = (element) => void (element.points = TARGET);

@@ -1,0 +1,20 @@
+import { Curve } from "casteljau";
+import { apart, firstCurve, px, verdict } from "../curves/judge.js";
+
+/** [t³ t² t 1]·M·P = P0 + t (P3 − P0) */
+const STRAIGHT = [0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0];
+
+/** @param {{ basis: string, points: [number, number][], pieces: { curve: any }[] }} figure */
+export function check(figure) {
+  if (figure.basis !== "matrix") return verdict(false, "Change a number of the matrix.");
+  const curve = firstCurve(figure);
+  if (!curve) return verdict(false, "This matrix makes no curve.");
+  const gap = apart(curve, new Curve([figure.points[0], figure.points[3]]));
+  return verdict(gap < 0.5, gap < 0.5 ? "The straight line from P0 to P3, evenly run through." : `The curve is up to ${px(gap)} from where the line would be at the same t.`);
+}
+
+/** @param {{ matrix: number[], basis: string }} element */
+export function reveal(element) {
+  element.basis = "matrix";
+  element.matrix = STRAIGHT;
+}

@@ -1,0 +1,23 @@
+import { HAND, px, verdict } from "../curves/judge.js";
+
+/** How high the curve is to be, in px above the line from P0 to P2. */
+const WANTED = 180;
+
+export const predict = {
+  options: ["180 px above it", "270 px above it", "360 px above it"],
+  answer: 2,
+  because: "At t = ½ the weights are ¼, ½, ¼: the curve goes half as far as P1 does.",
+};
+
+/** @param {{ points: [number, number][] }} figure */
+export function check({ points: [p0, p1, p2] }) {
+  if (Math.abs(p0[1] - p2[1]) > HAND) return verdict(false, "Leave P0 and P2 level with each other: move P1 only.");
+  const high = (p0[1] + p2[1]) / 2 - p1[1];
+  return verdict(Math.abs(high / 2 - WANTED) <= HAND / 2, `P1 is ${px(high)} above the line, the curve reaches ${px(Math.max(0, high / 2))}.`);
+}
+
+/** @param {{ points: [number, number][] }} element */
+export function reveal(element) {
+  const [p0, , p2] = element.points;
+  element.points = [p0, [(p0[0] + p2[0]) / 2, p0[1] - 2 * WANTED], [p2[0], p0[1]]];
+}
