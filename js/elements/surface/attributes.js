@@ -12,7 +12,7 @@ export class SurfaceAttributes extends LitElement {
   static properties = {
     model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
     segments: number, tolerance: number, pixels: number, flatness: number, lines: number, u: number, v: number, step: number, patch: number,
-    controls: flag, turn: flag,
+    controls: flag, turn: flag, swept: flag,
   };
 
   #memo = new Memo();
@@ -43,6 +43,7 @@ export class SurfaceAttributes extends LitElement {
     this.patch = null;
     this.controls = false;
     this.turn = false;
+    this.swept = false;
   }
 
   /**
@@ -52,8 +53,8 @@ export class SurfaceAttributes extends LitElement {
    * @returns {import("./settings.js").Settings}
    */
   settings() {
-    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step } = this;
-    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step };
+    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept } = this;
+    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept };
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 }

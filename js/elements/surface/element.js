@@ -3,6 +3,7 @@ import { adoptProperties, SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
+import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { Gestures, ZOOM_STEP } from "./gestures.js";
 import { Handles } from "./handles.js";
@@ -20,6 +21,8 @@ import { MODEL_NAMES, STATES } from "./words.js";
 
 /** The element begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
+/** Farther away than so many heights of what is seen it gives the graphics card back. */
+const FAR = "150% 0px";
 /** A file is shown with no more, at first. */
 const MOST_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
@@ -33,8 +36,8 @@ export class BezierSurface extends SurfaceAttributes {
   #stage = null;
   /** @type {Handles | null} */
   #handles = null;
-  /** @type {IntersectionObserver | null} */
-  #watch = null;
+  /** @type {IntersectionObserver[]} */
+  #watches = [];
   /** @type {(() => void) | null} */
   #deafen = null;
   /** @type {View} */
@@ -77,6 +80,12 @@ export class BezierSurface extends SurfaceAttributes {
     this.#move(view);
   }
 
+  /** What is shown, as plain values; see SurfaceFigure in ../types.js. */
+  get figure() {
+    const scene = this.#scene();
+    return figureOf(scene, (this.#facts && this.#stage?.factsOf(scene)) ?? this.#facts);
+  }
+
   /**
    * The picture as it is now, a PNG.
    *
@@ -91,15 +100,14 @@ export class BezierSurface extends SurfaceAttributes {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["surface", "view"]);
-    const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
-    observer.observe(this);
-    this.#watch = observer;
+    this.#watches = [this.#watch(NEAR, (near) => this.#seen(near)), this.#watch(FAR, (kept) => kept || this.#stage?.rest())];
   }
 
   disconnectedCallback() {
     super.disconnectedCallback();
-    this.#watch?.disconnect();
-    this.#watch = this.#coming = null;
+    this.#watches.forEach((watch) => watch.disconnect());
+    this.#watches = [];
+    this.#coming = null;
     this.#deafen?.();
     this.#deafen = null;
     this.#camera = this.view;
@@ -107,19 +115,31 @@ export class BezierSurface extends SurfaceAttributes {
     this.#stage = null;
   }
 
+  /**
+   * @param {string} margin
+   * @param {(inside: boolean) => void} act
+   */
+  #watch(margin, act) {
+    const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), { rootMargin: margin });
+    observer.observe(this);
+    return observer;
+  }
+
   /** @param {boolean} visible */
   #seen(visible) {
     this.#visible = visible;
-    if (visible && !this.#stage) this.#coming ??= this.#start();
-    if (visible) this.#stage?.schedule();
+    if (!visible) return;
+    if (!this.#stage) this.#coming ??= this.#start();
+    this.#stage?.wake();
+    this.#stage?.schedule();
   }
 
-  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has another watch. */
+  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has other watches. */
   async #start() {
-    const watch = this.#watch;
+    const watches = this.#watches;
     /** @type {typeof Stage | null} */
     const loaded = await loadStage().catch(() => null);
-    if (watch !== this.#watch || !this.isConnected) return;
+    if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
     if (loaded) return this.#build(loaded);
     this.#setState("missing");
@@ -172,10 +192,12 @@ export class BezierSurface extends SurfaceAttributes {
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
     if (changed.has("turn") && this.turn) this.#turning.restart();
-    if (!this.#stage) return;
-    const scene = this.#scene();
-    this.#handles?.update(scene);
-    this.#stage.show(scene);
+    if (this.#stage) {
+      const scene = this.#scene();
+      this.#handles?.update(scene);
+      this.#stage.show(scene);
+    }
+    this.dispatchEvent(new Event("update"));
   }
 
   #turns() {

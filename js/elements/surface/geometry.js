@@ -1,8 +1,9 @@
 // From the surface and the settings to what is drawn: meshes and straight pieces, made again only when they change.
+import { arrowsAt } from "./arrows.js";
 import { Memo } from "./memo.js";
 import { errorBound } from "./bound.js";
 import * as lines from "./lines.js";
-import { patchesOf } from "./patches.js";
+import { patchesOf, sweptBy } from "./patches.js";
 import { cracksOf, depthOf, piecesMesh } from "./pieces.js";
 import { MOST_GPU_DEGREE } from "./shaders.js";
 
@@ -27,14 +28,17 @@ import { MOST_GPU_DEGREE } from "./shaders.js";
  * @typedef {{ triangles: number, vertices: number, ms: number | null, error: number | null, unit: "" | "px", recursion: Recursion | null }} Facts
  */
 
+/** The layers of curves as bodies. */
+export const WIRES = /** @type {const} */ (["tubes", "ribbons"]);
 /** In radii of the surface. */
 const TUBE_RADIUS = 0.0085;
 const TUBE_SIDES = 10;
+const RIBBON_WIDTH = 0.03;
 
 export class Geometry {
   #memo = new Memo();
   #ms = 0;
-  #tubesMs = 0;
+  #wiresMs = { tubes: 0, ribbons: 0 };
   /** What the text's recursion left, where it made the mesh. @type {import("./pieces.js").Piece[]} */
   #pieces = [];
   /** @type {unknown[]} */
@@ -67,12 +71,24 @@ export class Geometry {
   }
 
   /**
+   * What is drawn of the surface: all of it, or what the curve of constant u has swept.
+   *
+   * @param {Scene} scene
+   */
+  shown({ surface, settings: { swept, u } }) {
+    if (!swept || u === 1) return surface;
+    return this.#memo.get("swept", [surface, u], () => sweptBy(surface, u));
+  }
+
+  /**
    * The mesh of the core.
    *
    * @param {Scene} scene
    * @returns {Mesh}
    */
-  mesh({ surface, settings: { fineness, shading, evaluation } }) {
+  mesh(scene) {
+    const { fineness, shading, evaluation } = scene.settings;
+    const surface = this.shown(scene);
     const own = shading === "patches" || shading === "gaussian" || shading === "mean"; // needs patch numbers and uvs
     const method = evaluation === "forward" ? "forward-difference" : "bernstein";
     const sight = "pixels" in fineness ? this.#sight : null;
@@ -131,7 +147,7 @@ export class Geometry {
     const { shading } = scene.settings;
     if (shading !== "gaussian" && shading !== "mean") return null;
     const mesh = this.mesh(scene);
-    return this.#memo.get("curvatures", [this.version()], () => curvaturesOf(scene.surface, mesh));
+    return this.#memo.get("curvatures", [this.version()], () => curvaturesOf(this.shown(scene), mesh));
   }
 
   /**
@@ -145,8 +161,9 @@ export class Geometry {
   }
 
   /** @param {Scene} scene */
-  isocurves({ surface, settings }) {
-    return this.#memo.get("isocurves", [surface, settings.lines], () => lines.isocurves(surface, settings.lines));
+  isocurves(scene) {
+    const [surface, count] = [this.shown(scene), scene.settings.lines];
+    return this.#memo.get("isocurves", [surface, count], () => lines.isocurves(surface, count));
   }
 
   /**
@@ -157,27 +174,31 @@ export class Geometry {
   cracks(scene) {
     if (!("flatness" in scene.settings.fineness)) return null;
     this.mesh(scene);
-    return this.#memo.get("cracks", [this.version()], () => cracksOf(scene.surface, this.#pieces));
+    return this.#memo.get("cracks", [this.version()], () => cracksOf(this.shown(scene), this.#pieces));
   }
 
   /**
-   * The curves as bodies.
+   * The curves as bodies: tubes, or ribbons that lie in the surface.
    *
+   * @param {"tubes" | "ribbons"} kind
    * @param {Scene} scene
    * @returns {Mesh}
    */
-  tubes({ surface, frame, settings: { lines: count } }) {
-    const radius = frame.radius * TUBE_RADIUS;
+  wires(kind, scene) {
+    const { frame, settings: { lines: count } } = scene;
+    const surface = this.shown(scene);
+    const size = kind === "tubes" ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES } : { width: frame.radius * RIBBON_WIDTH };
     const make = (/** @type {Mesh | undefined} */ into) => {
-      const [mesh, ms] = timed(() => surface.wireframe({ lines: count, radius, sides: TUBE_SIDES, into }));
-      this.#tubesMs = ms;
+      const [mesh, ms] = timed(() => surface.wireframe({ lines: count, ...size, into }));
+      this.#wiresMs[kind] = ms;
       return mesh;
     };
-    return this.#memo.get("tubes", [surface, frame, count], make);
+    return this.#memo.get(kind, [surface, frame, count], make);
   }
 
-  get tubesVersion() {
-    return this.#memo.version("tubes");
+  /** @param {"tubes" | "ribbons"} kind */
+  wiresVersion(kind) {
+    return this.#memo.version(kind);
   }
 
   /** @param {Scene} scene */
@@ -195,6 +216,11 @@ export class Geometry {
     return this.#memo.get("casteljau", [surface, picked, u, v, step], () => lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step));
   }
 
+  /** The derivatives and the normal at (u, v). @param {Scene} scene */
+  derivatives({ surface, picked, frame, settings: { u, v } }) {
+    return this.#memo.get("derivatives", [surface, picked, u, v], () => arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius));
+  }
+
   /**
    * What the picture is made of, in numbers.
    *
@@ -206,11 +232,12 @@ export class Geometry {
     const shown = layers.has("surface") || layers.has("mesh");
     /** @type {Facts} */
     const facts = shown ? this.#meshFacts(scene) : { triangles: 0, vertices: 0, ms: 0, error: null, unit: "", recursion: null };
-    if (layers.has("tubes")) {
-      const { indices, positions } = this.tubes(scene);
+    for (const kind of WIRES) {
+      if (!layers.has(kind)) continue;
+      const { indices, positions } = this.wires(kind, scene);
       facts.triangles += indices.length / 3;
       facts.vertices += positions.length / 3;
-      if (facts.ms !== null) facts.ms += this.#tubesMs;
+      if (facts.ms !== null) facts.ms += this.#wiresMs[kind];
     }
     return facts;
   }
@@ -235,7 +262,9 @@ export class Geometry {
    * @param {Scene} scene
    * @returns {{ error: number | null, unit: "" | "px" }}
    */
-  #error({ surface, settings: { fineness } }) {
+  #error(scene) {
+    const { fineness } = scene.settings;
+    const surface = this.shown(scene);
     if ("flatness" in fineness) return { error: null, unit: "" }; // it bounds no distance
     if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
     if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };

@@ -1,5 +1,6 @@
 // The picture in WebGL2.
 import * as twgl from "twgl.js";
+import { WIRES } from "./geometry.js";
 import { GlKit } from "./gl-kit.js";
 import { GlLines } from "./gl-lines.js";
 import { unitGrid } from "./patch-texture.js";
@@ -52,9 +53,9 @@ export class GlView {
     gl.disable(gl.BLEND);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const onGpu = geometry.onGpu(scene);
-    if (onGpu) this.#kit.texture.fill(scene.surface);
+    if (onGpu) this.#kit.texture.fill(geometry.shown(scene));
     if (scene.settings.layers.has("surface")) onGpu ? this.#patches(picture) : this.#mesh(picture);
-    if (scene.settings.layers.has("tubes")) this.#tubes(picture);
+    for (const kind of WIRES) if (scene.settings.layers.has(kind)) this.#wires(kind, picture);
     this.#lines.draw(picture, onGpu);
   }
 
@@ -83,10 +84,13 @@ export class GlView {
     batch.draw(this.#kit.gl.TRIANGLES);
   }
 
-  /** @param {Picture} picture */
-  #tubes(picture) {
+  /**
+   * @param {"tubes" | "ribbons"} kind
+   * @param {Picture} picture
+   */
+  #wires(kind, picture) {
     const { scene, geometry, theme } = picture;
-    const mesh = geometry.tubes(scene);
+    const mesh = geometry.wires(kind, scene);
     const program = this.#kit.program("mesh");
     const make = () => ({
       arrays: {
@@ -95,10 +99,10 @@ export class GlView {
       },
       indices: mesh.indices,
     });
-    const batch = this.#kit.batch("tubes");
-    batch.fill(geometry.tubesVersion, make, program);
+    const batch = this.#kit.batch(kind);
+    batch.fill(geometry.wiresVersion(kind), make, program);
     this.#uniforms(program, picture);
-    twgl.setUniforms(program, { mode: MODES.smooth, front: theme.wire });
+    twgl.setUniforms(program, { mode: MODES.smooth, front: theme.wire, back: theme.wire });
     batch.draw(this.#kit.gl.TRIANGLES);
   }
 

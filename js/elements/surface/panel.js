@@ -35,7 +35,7 @@ const [FINEST, COARSEST] = [1e-4, 0.2];
 export function panel(port) {
   return html`<div class="controls" part="controls">
     ${modelControls(port)} ${meshControls(port)} ${lookControls(port)} ${layerControls(port)}
-    ${port.settings.layers.has("casteljau") ? casteljauControls(port) : nothing} ${fileControls(port)}
+    ${placeControls(port)} ${fileControls(port)}
   </div>`;
 }
 
@@ -148,21 +148,32 @@ function layerControls(port) {
   const { settings: { layers, lines }, set } = port;
   const layer = (/** @type {import("./settings.js").Layer} */ each) => box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
-    ${layers.has("isocurves") || layers.has("tubes") ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
+    ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(/** @type {any} */ (each))) ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
+}
+
+/**
+ * The sliders of u and v, where something is shown at them.
+ *
+ * @param {PanelPort} port
+ */
+function placeControls(port) {
+  const { layers, swept, u, v } = port.settings;
+  const steps = layers.has("casteljau");
+  if (!steps && !layers.has("derivatives") && !swept) return nothing;
+  const unit = { min: 0, max: 1, step: UV_STEP };
+  return html`<fieldset class="wide"><legend>${steps ? "De Casteljau on the grid" : "Place"}</legend>
+    ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}
+    ${steps ? stepper(port) : nothing}
+  </fieldset>`;
 }
 
 /** @param {PanelPort} port */
-function casteljauControls(port) {
-  const { settings: { u, v, step }, set } = port;
-  const unit = { min: 0, max: 1, step: UV_STEP };
-  return html`<fieldset class="wide"><legend>De Casteljau on the grid</legend>
-    ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}
-    <div class="row">
+function stepper({ settings: { step }, set }) {
+  return html`<div class="row">
       <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>Step back</button>
       <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>Next step</button>
     </div>
-    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS.slice(step < 2 ? 0 : 1, step).join(" ")}</p>
-  </fieldset>`;
+    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS.slice(step < 2 ? 0 : 1, step).join(" ")}</p>`;
 }
 
 /** @param {PanelPort} port */

@@ -1,5 +1,8 @@
+// The patches of a surface one by one, and surfaces of parts of them.
+import { Surface } from "../../index.js";
+
 /**
- * @import { Patch, Surface } from "../../index.js"
+ * @import { Patch } from "../../index.js"
  */
 
 /** @type {WeakMap<Surface, Patch[]>} */
@@ -15,4 +18,23 @@ export function patchesOf(surface) {
   const patches = known.get(surface) ?? Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k));
   known.set(surface, patches);
   return patches;
+}
+
+/**
+ * What of a surface the curve of constant u has swept on its way from 0: the first piece of every patch.
+ *
+ * @param {Surface} surface
+ * @param {number} u
+ * @returns {Surface}
+ */
+export function sweptBy(surface, u) {
+  const pieces = patchesOf(surface).map((patch) => patch.splitU(u)[0]);
+  return Surface.parse(`${pieces.length}\n${pieces.map(bpt).join("")}`);
+}
+
+/** @param {Patch} patch */
+function bpt(patch) {
+  const points = patch.controlPoints();
+  const rows = Array.from({ length: points.length / 3 }, (_, k) => points.subarray(3 * k, 3 * k + 3).join(" "));
+  return `${patch.degreeU} ${patch.degreeV}\n${rows.join("\n")}\n`;
 }

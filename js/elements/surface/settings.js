@@ -6,7 +6,7 @@ export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spo
 export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
 export const AXES = /** @type {const} */ (["z", "y"]);
 export const EVALUATIONS = /** @type {const} */ (["cpu", "forward", "gpu"]);
-export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "net", "casteljau"]);
+export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "ribbons", "net", "casteljau", "derivatives"]);
 
 /** Cells along each direction of a patch. */
 export const MOST_SEGMENTS = 64;
@@ -37,6 +37,7 @@ export const STEPS = 4;
  * @property {number} u
  * @property {number} v
  * @property {number} step
+ * @property {boolean} swept
  */
 
 /**
@@ -46,7 +47,7 @@ export const STEPS = 4;
  * @typedef {{ segments: number } | { tolerance: number } | { pixels: number } | { flatness: number }} Fineness
  */
 
-/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "flatness" | "lines" | "shading" | "show" | "evaluation" | "u" | "v" | "step", unknown>} Attributes */
+/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "flatness" | "lines" | "shading" | "show" | "evaluation" | "u" | "v" | "step" | "swept", unknown>} Attributes */
 
 /**
  * @param {Attributes} given
@@ -68,6 +69,7 @@ export function settingsOf(given) {
     u: number(given.u, 0, 1, 0.5),
     v: number(given.v, 0, 1, 0.5),
     step: Math.round(number(given.step, 1, STEPS, STEPS)),
+    swept: Boolean(given.swept),
   };
 }
 

@@ -3,6 +3,7 @@ import { moved, sightOf } from "./camera.js";
 import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
+import { Lease } from "./lease.js";
 import { followTheme, readTheme } from "./theme.js";
 
 /**
@@ -41,6 +42,7 @@ export class Stage {
   #frame = 0;
   #before = 0;
   #lost = false;
+  #lease;
   /** @type {(() => void)[]} */
   #endings = [];
 
@@ -57,16 +59,17 @@ export class Stage {
     this.#port = port;
     this.#view = GlView.on(canvas) ?? FlatView.on(canvas);
     this.#lost = this.#view instanceof GlView && this.#view.lost;
+    this.#lease = Lease.of(canvas);
+    if (this.#lost) this.#lease.renew();
     port.stateChanged(this.#lost ? "lost" : this.#view instanceof GlView ? "webgl" : "flat");
     this.#listen();
   }
 
   #listen() {
     const canvas = this.#canvas;
-    const lost = (/** @type {Event} */ event) => {
-      event.preventDefault(); // it may come back
+    const lost = () => {
       this.#lost = true;
-      this.#port.stateChanged("lost");
+      if (!this.#lease.ended) this.#port.stateChanged("lost");
     };
     const restored = () => {
       this.#lost = false;
@@ -109,6 +112,21 @@ export class Stage {
     this.schedule();
   }
 
+  /** Gives the graphics card back while nobody looks: a browser lends few of them at a time. */
+  rest() {
+    if (!(this.#view instanceof GlView) || this.#lost) return;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lost = true;
+    this.#view.drop();
+    this.#lease.end();
+  }
+
+  /** The picture comes back after a rest. */
+  wake() {
+    this.#lease.renew();
+  }
+
   /** How the scene is seen now, on so many CSS pixels; null before there is one. */
   sight() {
     const { clientWidth, clientHeight } = this.#canvas;
@@ -136,7 +154,7 @@ export class Stage {
     const { width, height } = canvas;
     const ratio = width / seen.width;
     this.geometry.seen(seen.sight, seen.width, seen.height);
-    const facts = this.#factsOf(scene);
+    const facts = this.factsOf(scene);
     if (!facts) return;
     this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
     this.#port.drawn(facts, seen.sight, seen.width, seen.height);
@@ -148,7 +166,7 @@ export class Stage {
    *
    * @param {Scene} scene
    */
-  #factsOf(scene) {
+  factsOf(scene) {
     try {
       return this.geometry.facts(scene);
     } catch (error) {
@@ -171,6 +189,7 @@ export class Stage {
    * @returns {Promise<Blob | null>}
    */
   toBlob() {
+    if (this.#lost) return Promise.resolve(null);
     this.draw();
     return new Promise((done) => this.#canvas.toBlob(done));
   }

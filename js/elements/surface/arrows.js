@@ -1,0 +1,59 @@
+// The two derivatives at a place of a patch, and the normal on both, as arrows.
+
+/**
+ * @import { Patch } from "../../index.js"
+ */
+
+/** @typedef {[number, number, number]} Vector */
+
+/** The longer derivative, the normal and the arrows' heads: in radii of the surface. */
+const [LONGEST, HEAD] = [0.55, 0.07];
+
+/**
+ * Straight pieces: the derivatives in one scale, the normal as long as the longer of them. Where both vanish there are
+ * pieces without a length.
+ *
+ * @param {Patch} patch
+ * @param {number} u
+ * @param {number} v
+ * @param {number} radius of the surface
+ */
+export function arrowsAt(patch, u, v, radius) {
+  const at = vector(patch.eval(u, v));
+  const partials = patch.partials(u, v);
+  const [alongU, alongV] = [vector(partials.u), vector(partials.v)];
+  const scale = (LONGEST * radius) / (Math.max(Math.hypot(...alongU), Math.hypot(...alongV)) || 1);
+  const normal = times(vector(patch.normal(u, v)), LONGEST * radius);
+  const head = HEAD * radius;
+  return {
+    u: arrow(at, times(alongU, scale), normal, head),
+    v: arrow(at, times(alongV, scale), normal, head),
+    normal: arrow(at, normal, alongU, head),
+    at: Float32Array.from(at),
+  };
+}
+
+/**
+ * A shaft and two strokes at its tip, which lie in the plane of the arrow and another vector.
+ *
+ * @param {Vector} from
+ * @param {Vector} way
+ * @param {Vector} aside
+ * @param {number} head
+ */
+function arrow(from, way, aside, head) {
+  const tip = plus(from, way);
+  const length = Math.hypot(...way);
+  if (length === 0) return new Float32Array();
+  const back = times(way, -Math.min(head / length, 0.5));
+  const across = times(aside, (0.4 * Math.hypot(...back)) / (Math.hypot(...aside) || 1));
+  const strokes = [1, -1].flatMap((side) => [...tip, ...plus(plus(tip, back), times(across, side))]);
+  return Float32Array.from([...from, ...tip, ...strokes]);
+}
+
+/** @param {{ x: number, y: number, z?: number }} point @returns {Vector} */
+const vector = ({ x, y, z = 0 }) => [x, y, z];
+/** @param {Vector} a @param {number} k @returns {Vector} */
+const times = ([x, y, z], k) => [k * x, k * y, k * z];
+/** @param {Vector} a @param {Vector} b @returns {Vector} */
+const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
