@@ -57,6 +57,7 @@ export class BezierSurface extends SurfaceAttributes {
     names: () => ({ page: this.ownerDocument, name: this.#subject.given ? "surface" : this.settings().model }),
   });
   #visible = false;
+  #kept = false;
 
   /** The surface that is shown, moved points and all. */
   get surface() {
@@ -100,7 +101,7 @@ export class BezierSurface extends SurfaceAttributes {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["surface", "view"]);
-    this.#watches = [this.#watch(NEAR, (near) => this.#seen(near)), this.#watch(FAR, (kept) => kept || this.#stage?.rest())];
+    this.#watches = [this.#watch(FAR, (kept) => this.#keep(kept)), this.#watch(NEAR, (near) => this.#seen(near))];
   }
 
   disconnectedCallback() {
@@ -125,6 +126,12 @@ export class BezierSurface extends SurfaceAttributes {
     return observer;
   }
 
+  /** @param {boolean} kept whether it is near enough to keep the graphics card */
+  #keep(kept) {
+    this.#kept = kept;
+    if (!kept) this.#stage?.rest();
+  }
+
   /** @param {boolean} visible */
   #seen(visible) {
     this.#visible = visible;
@@ -141,6 +148,7 @@ export class BezierSurface extends SurfaceAttributes {
     const loaded = await loadStage().catch(() => null);
     if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
+    if (!this.#kept) return; // it was scrolled past
     if (loaded) return this.#build(loaded);
     this.#setState("missing");
   }
