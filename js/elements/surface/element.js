@@ -136,6 +136,7 @@ export class BezierSurface extends SurfaceAttributes {
   #seen(visible) {
     this.#visible = visible;
     if (!visible) return;
+    this.#kept = true; // the other watch may tell later
     if (!this.#stage) this.#coming ??= this.#start();
     this.#stage?.wake();
     this.#stage?.schedule();
