@@ -1,0 +1,94 @@
+// How little control points weigh: bytes of a curve and of the teapot, as points and as pieces.
+import { html, svg } from "lit";
+import { Curve, Surface } from "casteljau";
+import { Figure, numeric, oneOf } from "./figure.js";
+import { choice, slider } from "./parts.js";
+import { grouped } from "./words.js";
+
+const BYTES_PER_NUMBER = 4; // 32-bit floats on both sides
+const BYTES_PER_INDEX = 2;
+const MOST_SEGMENTS = 64;
+const TEAPOT = Surface.teapot();
+
+/** @typedef {{ name: string, bytes: number }} Weight */
+
+/**
+ * A cubic in space: its four points, and the points of its polyline.
+ *
+ * @param {number} segments
+ * @returns {Weight[]}
+ */
+export function curveBytes(segments) {
+  const curve = new Curve([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+  return [
+    { name: "control points", bytes: curve.controlPoints().length * BYTES_PER_NUMBER },
+    { name: "polyline", bytes: curve.sample(segments).length * BYTES_PER_NUMBER },
+  ];
+}
+
+/**
+ * The teapot: points and the lists of its patches; the mesh with and without normals.
+ *
+ * @param {number} segments
+ * @returns {Weight[]}
+ */
+export function teapotBytes(segments) {
+
+  const mesh = TEAPOT.tessellate({ segments }, { weld: "position" });
+  const indices = TEAPOT.patches.reduce((sum, patch) => sum + patch.length, 0);
+  return [
+    { name: "control points", bytes: TEAPOT.vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
+    { name: "mesh", bytes: mesh.positions.byteLength + mesh.indices.byteLength },
+    { name: "with normals", bytes: mesh.positions.byteLength + mesh.indices.byteLength + mesh.normals.byteLength },
+  ];
+}
+
+/** `<fig-bytes model="teapot" segments="16">` */
+export class FigBytes extends Figure {
+  static properties = {
+    model: oneOf(["teapot", "curve"]),
+    segments: numeric({ least: 1, most: MOST_SEGMENTS, whole: true, otherwise: 16 }),
+  };
+
+  constructor() {
+    super();
+    this.model = "teapot";
+    this.segments = 16;
+  }
+
+  /** @param {Weight[]} weights */
+  picture(weights) {
+    const [left, right, line] = [112, 84, 40];
+    const length = this.wide - left - right;
+    const most = Math.max(...weights.map(({ bytes }) => bytes));
+    const height = weights.length * line + 16;
+    return html`
+      <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label=${weights.map(({ name, bytes }) => `${name}: ${bytes} bytes`).join("; ")}>
+        ${weights.map(({ name, bytes }, i) => svg`
+          <text class="end" x=${left - 10} y=${i * line + 32}>${name}</text>
+          <rect class="bar ${i === 0 ? "mine" : ""}" x=${left} y=${i * line + 14} width=${Math.max(1, (length * bytes) / most)} height="26" rx="2" />
+          <text x=${left + Math.max(1, (length * bytes) / most) + 8} y=${i * line + 32} data-bytes=${bytes}>${grouped(bytes)} B</text>`)}
+      </svg>
+    `;
+  }
+
+  render() {
+    const weights = this.model === "teapot" ? teapotBytes(this.segments) : curveBytes(this.segments);
+    const ratio = weights[1].bytes / weights[0].bytes;
+    return html`
+      <div class="frame">
+        <div class="stage">${this.picture(weights)}</div>
+        <p class="facts">
+          ${this.model === "teapot"
+            ? html`${TEAPOT.vertices.length / 3} points and ${TEAPOT.patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
+            : html`4 points against the ${this.segments + 1} of a polyline:`}
+          <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> the bytes${ratio < 1 ? ", yes, fewer" : ""}, and still not round when you come closer.
+        </p>
+        <div class="controls">
+          ${slider({ name: "Segments", value: this.segments, min: 1, max: MOST_SEGMENTS, step: 1, text: String(this.segments), change: (n) => { this.segments = n; this.tell(); } })}
+          ${choice({ name: "Of", options: [["teapot", "the teapot"], ["curve", "a curve"]], value: this.model, change: (model) => { this.model = model; this.tell(); } })}
+        </div>
+      </div>
+    `;
+  }
+}

@@ -1,0 +1,187 @@
+// The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's scaffold and its box.
+import { html, svg } from "lit";
+import { Curve } from "casteljau";
+import { Figure, numeric } from "./figure.js";
+import { check, diamond, disc, polyline, ring, slider, square } from "./parts.js";
+import { decimal, short, subscript, tuple } from "./words.js";
+
+const POINTS = /** @type {const} */ ([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+/** The corner of the coordinate planes that is opposite to the origin. */
+const FAR = /** @type {const} */ ([7, 8, 10]);
+const DEGREES_PER_PIXEL = 0.5;
+const DEGREES_PER_KEY = 5;
+const RADIANS = Math.PI / 180;
+
+/**
+ * Seen from far away: turned about the z axis, tilted against the horizon.
+ *
+ * @param {number} turn degrees
+ * @param {number} tilt degrees
+ * @returns {(point: ArrayLike<number>) => [number, number]} right and down
+ */
+export function seen(turn, tilt) {
+  const [c, s] = [Math.cos(turn * RADIANS), Math.sin(turn * RADIANS)];
+  const [ct, st] = [Math.cos(tilt * RADIANS), Math.sin(tilt * RADIANS)];
+  return ({ 0: x, 1: y, 2: z }) => [c * y - s * x, st * (c * x + s * y) - ct * z];
+}
+
+/** @param {ArrayLike<number>} flat @returns {number[][]} */
+const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]]);
+
+/** `<fig-curve-3d t="0.5" turn="-42" tilt="22">` */
+export class FigCurve3d extends Figure {
+  static properties = {
+    t: numeric({ least: 0, most: 1, otherwise: 0.5 }),
+    turn: numeric({ least: -180, most: 180, otherwise: -42 }),
+    tilt: numeric({ least: -90, most: 90, otherwise: 22 }),
+    scaffold: { state: true },
+    shadows: { state: true },
+    box: { state: true },
+  };
+
+  constructor() {
+    super();
+    this.t = 0.5;
+    this.turn = -42;
+    this.tilt = 22;
+    this.scaffold = true;
+    this.shadows = true;
+    this.box = false;
+    this.curve = new Curve(POINTS);
+  }
+
+  /** @param {number} turn @param {number} tilt */
+  orbit(turn, tilt) {
+    this.turn = ((((turn + 180) % 360) + 360) % 360) - 180;
+    this.tilt = Math.min(Math.max(tilt, -90), 90);
+  }
+
+  /** @param {PointerEvent} start */
+  drag(start) {
+    if (start.button !== 0) return;
+    const target = /** @type {SVGElement} */ (start.currentTarget);
+    target.setPointerCapture(start.pointerId);
+    const [turn, tilt] = [this.turn, this.tilt];
+    const ends = new AbortController();
+    target.addEventListener("pointermove", (event) =>
+      this.orbit(turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL, tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL), { signal: ends.signal });
+    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    /** @type {Record<string, [number, number]>} */
+    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const arrow = arrows[event.key];
+    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.orbit(this.turn + arrow[0] * DEGREES_PER_KEY, this.tilt + arrow[1] * DEGREES_PER_KEY);
+  }
+
+  /** From space to the picture, which always holds the ball around the planes. */
+  view() {
+    const height = Math.round(Math.min(470, Math.max(300, this.wide * 0.68)));
+    const look = seen(this.turn, this.tilt);
+    const scale = Math.min(this.wide, height) / Math.hypot(...FAR) / 0.97;
+    const [cx, cy] = look(FAR.map((side) => side / 2));
+    const place = (/** @type {ArrayLike<number>} */ point) => {
+      const [x, y] = look(point);
+      return /** @type {[number, number]} */ ([this.wide / 2 + (x - cx) * scale, height / 2 + (y - cy) * scale]);
+    };
+    return { height, place };
+  }
+
+  /** A curve's picture is the curve of its control points' pictures: seen from far away, the map is affine. */
+  flat(/** @type {Curve} */ curve, /** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
+    return new Curve(triples(curve.controlPoints()).flatMap(place), { dimension: 2 });
+  }
+
+  /** Where the three planes are: each on the far side of the box, so that it is never in front of the curve. */
+  behind() {
+    const towards = [Math.cos(this.turn * RADIANS), Math.sin(this.turn * RADIANS), Math.sin(this.tilt * RADIANS)];
+    return towards.map((part, axis) => (part >= 0 ? 0 : FAR[axis]));
+  }
+
+  planes(/** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
+    const planes = this.behind();
+    const lines = [0, 1, 2].flatMap((along) => [0, 1, 2].filter((across) => across !== along).flatMap((across) => {
+      const fixed = 3 - along - across; // the plane's own axis
+      return Array.from({ length: FAR[across] + 1 }, (_, i) => [0, FAR[along]].flatMap((end) => {
+        const point = [0, 0, 0];
+        [point[along], point[across], point[fixed]] = [end, i, planes[fixed]];
+        return place(point);
+      }));
+    }));
+    const axes = ["x", "y", "z"].map((name, axis) => {
+      const at = (/** @type {number} */ value) => place([0, 1, 2].map((k) => (k === axis ? value : k === 2 || axis === 2 ? planes[k] : FAR[k] - planes[k])));
+      const [x, y] = at(FAR[axis] / 2);
+      const away = axis === 2 ? [-16, 0] : [0, 16];
+      return svg`<text class="middle math quiet" x=${x + away[0]} y=${y + 4 + away[1]}>${name}</text>`;
+    });
+    return svg`${lines.map((line) => polyline("gridline", line))}${axes}`;
+  }
+
+  shadow(/** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
+    const at = this.curve.eval(this.t);
+    const planes = this.behind();
+    return [0, 1, 2].map((axis) => {
+      const onto = (/** @type {ArrayLike<number>} */ p) => place(Array.from(p, (v, k) => (k === axis ? planes[k] : v)));
+      const [x, y] = onto([at.x, at.y, at.z]);
+      return svg`<path class="ghost" d=${this.flat(this.curve, onto).toSVG({ precision: 2 })} />
+        ${polyline("dropped", [...place([at.x, at.y, at.z]), x, y])}${ring(x, y, "var(--quiet)")}`;
+    });
+  }
+
+  bounds(/** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
+    const { min, max } = this.curve.bounds();
+    const corner = (/** @type {number} */ k) => place([k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z]);
+    const edges = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1, 2, 4].filter((bit) => !(k & bit)).map((bit) => [k, k | bit]));
+    return edges.map(([p, q]) => polyline("edge", [...corner(p), ...corner(q)]));
+  }
+
+  picture() {
+    const { height, place } = this.view();
+    const drawn = this.flat(this.curve, place);
+    const control = POINTS.map(place);
+    const at = this.curve.eval(this.t);
+    const levels = this.curve.scaffold(this.t).map((level) => triples(level).map(place));
+    const words = `A cubic in space, seen from ${Math.round(this.turn)} degrees around and ${Math.round(this.tilt)} above; arrow keys turn it. At t = ${decimal(this.t)} the point is ${tuple([at.x, at.y, at.z], 3)}`;
+    return html`
+      <svg class="orbit" viewBox="0 0 ${this.wide} ${height}" role="img" tabindex="0" aria-label=${words} @pointerdown=${this.drag} @keydown=${this.key}>
+        ${this.planes(place)}
+        ${this.shadows ? this.shadow(place) : ""}
+        ${this.box ? this.bounds(place) : ""}
+        ${polyline("polygon", drawn.controlPoints())}
+        <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
+        ${this.scaffold ? levels.slice(1, -1).map((level, k) => [polyline(`level${k + 1}`, level.flat()), level.map(([x, y]) => ring(x, y, `var(--level${k + 1})`))]) : ""}
+        ${control.map(([x, y], i) => svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="haloed middle math strong" x=${x} y=${y - 12}>b${subscript(i)}</text>`)}
+        ${diamond(...place([at.x, at.y, at.z]))}
+      </svg>
+    `;
+  }
+
+  render() {
+    const at = this.curve.eval(this.t);
+    const { min, max } = this.curve.bounds();
+    const range = (/** @type {"x" | "y" | "z"} */ axis) => html`<i>${axis}</i> from ${short(min[axis], 3)} to ${short(max[axis], 3)}`;
+    const turnTo = (/** @type {number} */ turn) => this.orbit(turn, this.tilt);
+    return html`
+      <div class="frame">
+        <div class="stage">${this.picture()}</div>
+        <p class="facts">
+          <span class="math">b</span><sup>3</sup>(${decimal(this.t)}) = <b class="point">${tuple([at.x, at.y, at.z], 4)}</b> of the control points
+          ${POINTS.map((p, i) => html`${i ? ", " : ""}<span class="math">b${subscript(i)}</span> ${tuple(p)}`)}.
+        </p>
+        <p class="facts">The curve's box: ${range("x")}, ${range("y")}, ${range("z")}. Length ${decimal(this.curve.length(), 4)}.</p>
+        <div class="controls">
+          ${slider({ name: html`<i>t</i>`, value: this.t, min: 0, max: 1, text: decimal(this.t), change: (t) => { this.t = t; this.tell(); } })}
+          ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
+          ${slider({ name: "Tilt", value: this.tilt, min: -90, max: 90, step: 1, text: `${decimal(this.tilt, 0)}°`, change: (tilt) => this.orbit(this.turn, tilt) })}
+          ${check({ name: "scaffold", value: this.scaffold, change: (on) => (this.scaffold = on) })}
+          ${check({ name: "shadows on the planes", value: this.shadows, change: (on) => (this.shadows = on) })}
+          ${check({ name: "box of the curve", value: this.box, change: (on) => (this.box = on) })}
+        </div>
+      </div>
+    `;
+  }
+}

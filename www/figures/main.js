@@ -1,0 +1,3 @@
+// All figures on one page.
+import "../parts/page.js";
+import "./index.js";
