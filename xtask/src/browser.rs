@@ -1,4 +1,4 @@
-//! Finds Chromium and its driver, or installs them.
+//! Finds Chromium and its driver, Firefox and WebKitGTK, or installs them.
 
 use crate::shell;
 use anyhow::{Result, bail};
@@ -13,6 +13,8 @@ const BROWSERS: [&str; 4] = [
     "google-chrome-stable",
 ];
 const DRIVERS: [&str; 2] = ["chromedriver", "chromium.chromedriver"];
+const FIREFOXES: [&str; 2] = ["firefox-esr", "firefox"];
+const MAC_FIREFOX: &str = "/Applications/Firefox.app/Contents/MacOS/firefox";
 const MAC_CHROME: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
 /// The flags of every browser that the tests start; tests/page/browser.js has the same.
@@ -91,16 +93,50 @@ fn can_apt() -> bool {
 
 /// Ubuntu has no chromium-driver (its chromium is a snap, useless in a container): there this fails.
 fn apt() -> Option<()> {
+    install(&["chromium", "chromium-driver"])
+}
+
+/// Installs packages of Debian; nothing where that is not possible.
+fn install(packages: &[&str]) -> Option<()> {
     if !can_apt() {
         return None;
     }
-    println!("installing chromium and chromium-driver (apt-get)");
+    println!("installing {} (apt-get)", packages.join(", "));
     let apt = |args: &[&str]| {
         let mut command = shell::command("apt-get", args);
         shell::run_quietly(command.env("DEBIAN_FRONTEND", "noninteractive")).ok()
     };
     apt(&["update"])?;
-    apt(&["install", "-y", "chromium", "chromium-driver"])
+    apt(&[&["install", "-y"], packages].concat())
+}
+
+/// Firefox, installed from apt if need be.
+pub(crate) fn firefox() -> Option<PathBuf> {
+    let given = || env::var_os("FIREFOX_PATH").map(PathBuf::from);
+    let mac = || Some(PathBuf::from(MAC_FIREFOX)).filter(|path| path.exists());
+    let found = || {
+        given()
+            .or_else(|| on_path(&FIREFOXES))
+            .or_else(mac)
+            .filter(|_| has_screen())
+    };
+    found().or_else(|| install(&["firefox-esr", "xvfb"]).and_then(|()| found()))
+}
+
+/// The driver of WebKitGTK, which brings a browser, installed from apt if need be.
+pub(crate) fn webkit() -> Option<PathBuf> {
+    let given = || env::var_os("WEBKIT_DRIVER").map(PathBuf::from);
+    let found = || {
+        given()
+            .or_else(|| on_path(&["WebKitWebDriver"]))
+            .filter(|_| has_screen())
+    };
+    found().or_else(|| install(&["webkit2gtk-driver", "xvfb"]).and_then(|()| found()))
+}
+
+/// On Linux the two need an X server, be it one without a screen.
+fn has_screen() -> bool {
+    !cfg!(target_os = "linux") || env::var_os("DISPLAY").is_some() || on_path(&["Xvfb"]).is_some()
 }
 
 /// Downloads the Chromium that belongs to the pinned playwright-core, and asks where it is.

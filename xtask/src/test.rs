@@ -3,6 +3,7 @@
 use crate::{browser, build, setup, shell, stamp, wasm_test};
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
+use std::process::Command;
 use std::time::Instant;
 
 struct Step {
@@ -11,7 +12,7 @@ struct Step {
     act: fn() -> Result<()>,
 }
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 15] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
@@ -71,6 +72,16 @@ const STEPS: [Step; 13] = [
         name: "page",
         title: "Page tests, in Chromium",
         act: page,
+    },
+    Step {
+        name: "page-firefox",
+        title: "The main page tests, in Firefox",
+        act: page_firefox,
+    },
+    Step {
+        name: "page-webkit",
+        title: "The main page tests, in WebKitGTK",
+        act: page_webkit,
     },
     Step {
         name: "packaging",
@@ -216,23 +227,54 @@ fn page() -> Result<()> {
     node_tests("tests/page", &["--test-concurrency=2"])
 }
 
+fn page_firefox() -> Result<()> {
+    in_other_browser("firefox", "FIREFOX_PATH", browser::firefox())
+}
+
+fn page_webkit() -> Result<()> {
+    in_other_browser("webkit", "WEBKIT_DRIVER", browser::webkit())
+}
+
+/// The tests of tests/browsers. Where the browser cannot be had (no Debian, no root) they are left out, in so many words:
+/// the same pages have passed in Chromium.
+fn in_other_browser(name: &str, variable: &str, path: Option<PathBuf>) -> Result<()> {
+    let Some(path) = path else {
+        println!(
+            "!! LEFT OUT: {name} is not here and cannot be installed; {variable} can say where it is"
+        );
+        return Ok(());
+    };
+    build::site()?;
+    let (mut tests, files) = (node_test(), test_files("tests/browsers"));
+    tests.env_remove("FIREFOX_PATH").env_remove("WEBKIT_DRIVER");
+    tests.env(variable, path);
+    // One file after the other: each starts a browser.
+    shell::run(tests.arg("--test-concurrency=1").args(files))
+}
+
 fn packaging() -> Result<()> {
     build::build()?;
     node_tests("tests/packaging", &[])
 }
 
+fn node_test() -> Command {
+    shell::node(&["--test", "--test-reporter=spec"])
+}
+
 /// The files are listed here because Node 20 and 22 read a folder's name differently.
+fn test_files(folder: &str) -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = stamp::files_below(&shell::root().join(folder));
+    files.retain(|file| file.to_string_lossy().ends_with(".test.js"));
+    files
+}
+
 fn node_tests(folder: &str, options: &[&str]) -> Result<()> {
-    let files: Vec<PathBuf> = stamp::files_below(&shell::root().join(folder));
-    let files: Vec<PathBuf> = files
-        .into_iter()
-        .filter(|file| file.to_string_lossy().ends_with(".test.js"))
-        .collect();
+    let files = test_files(folder);
     if files.is_empty() {
         println!("no tests yet in {folder}");
         return Ok(());
     }
-    let mut tests = shell::node(&["--test", "--test-reporter=spec"]);
+    let mut tests = node_test();
     if folder != "tests/js" {
         tests.env("CHROME_PATH", browser::find()?.chrome);
     }

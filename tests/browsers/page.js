@@ -1,0 +1,65 @@
+// What the tests in other browsers share: the browsers that are asked for, and pages in them.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { delimiter, join } from "node:path";
+import { after, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { serve } from "../page/server.js";
+import { start } from "./session.js";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+/** Where each is: a variable (xtask sets one), else a name on PATH. */
+const PROGRAMS = [
+  { name: "firefox", variable: "FIREFOX_PATH", names: ["firefox-esr", "firefox"] },
+  { name: "webkit", variable: "WEBKIT_DRIVER", names: ["WebKitWebDriver"] },
+];
+
+/** Collects what goes wrong before anything else runs. */
+const WATCH = `<script>globalThis.problems = [];
+addEventListener("error", (event) => problems.push(String(event.message || event.target?.src || event.type)), true);
+addEventListener("unhandledrejection", (event) => problems.push(String(event.reason)));
+const loud = console.error; console.error = (...words) => (problems.push(words.join(" ")), loud(...words));</script>`;
+
+/**
+ * Defines tests in each browser that a variable names, or else in those on PATH. The page's errors count as failures.
+ *
+ *     inEach((test) => {
+ *       test("…", html, async (session) => { … });
+ *
+ * @param {(test: (title: string, html: string, act: (session: import("./session.js").Session) => Promise<void>) => void) => void} define
+ */
+export function inEach(define) {
+  for (const [name, path] of found()) {
+    if (!path) test(`${name}: not installed`, { skip: true });
+    else define(browserTests(name, path));
+  }
+}
+
+function found() {
+  const { env } = process;
+  const folders = (env.PATH ?? "").split(delimiter);
+  const onPath = (names) => names.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
+  const given = PROGRAMS.filter(({ variable }) => env[variable]);
+  return (given.length > 0 ? given : PROGRAMS).map(({ name, variable, names }) => [name, env[variable] ?? onPath(names)]);
+}
+
+/** One browser and one server for all tests of a file. */
+function browserTests(name, path) {
+  let [session, site, count] = [undefined, undefined, 0];
+  after(async () => {
+    await (await session)?.end();
+    (await site)?.close();
+  });
+  return (title, html, act) =>
+    test(`${name}: ${title}`, async () => {
+      site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
+      session ??= start(name, path);
+      const { url, pages } = await site;
+      const page = `/${name}-${++count}.html`;
+      pages.set(page, html.replace('<meta charset="utf-8">', `<meta charset="utf-8">${WATCH}`));
+      const browser = await session;
+      await browser.open(url + page);
+      await act(browser);
+      assert.deepEqual(await browser.evaluate(() => globalThis.problems), [], "the page's console is clean");
+    });
+}
