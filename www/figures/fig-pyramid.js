@@ -115,14 +115,15 @@ export class FigPyramid extends Figure {
     const [x, y] = this.place(level, index);
     const value = Curve.bernstein(level, this.t)[index];
     const chosen = level === this.chosen[0] && index === this.chosen[1];
+    const shown = decimal(value, this.wide / (this.degree + 1) < 48 ? 2 : 3);
     const width = Math.min(58, this.wide / (this.degree + 1) - 4);
     return svg`<g class="node ${chosen ? "chosen" : ""}" role="button" tabindex=${chosen ? 0 : -1} aria-pressed=${chosen}
-        aria-label=${`level ${level}, coefficient ${index}: ${decimal(value, 3)}`}
+        aria-label=${`level ${level}, coefficient ${index}: ${shown}`}
         @click=${() => this.choose(level, index)} @pointerenter=${(/** @type {PointerEvent} */ event) => event.pointerType === "mouse" && this.choose(level, index)}>
       <rect x=${x - width / 2} y=${y - NODE_HEIGHT / 2} width=${width} height=${NODE_HEIGHT} rx="6" />
-      <text class="middle" x=${x} y=${y + 4.5}>${decimal(value, width < 44 ? 2 : 3)}</text>
-      ${level === this.degree ? svg`<text class="middle math" x=${x} y=${y + NODE_HEIGHT / 2 + 17}>b${subscript(index)}</text>` : ""}
-    </g>`;
+      <text class="middle" x=${x} y=${y + 4.5}>${shown}</text>
+    </g>
+    ${level === this.degree ? svg`<text class="middle math" x=${x} y=${y + NODE_HEIGHT / 2 + 17} aria-hidden="true">b${subscript(index)}</text>` : ""}`;
   }
 
   picture(/** @type {Steps[]} */ ways) {
