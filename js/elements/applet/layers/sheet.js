@@ -1,0 +1,175 @@
+// What the layers draw on, and the few ways in which all of them do.
+import { DASH, hollow, stroke } from "../../../applet/pen.js";
+import { Lens } from "./lens.js";
+
+/** @typedef {import("../../../index.js").Curve} Curve */
+/** @typedef {import("./theme.js").Theme} Theme */
+/** @typedef {import("./theme.js").Role} Role */
+/** @typedef {import("./words.js").Word} Word */
+/** @typedef {import("../state.js").State} State */
+/** @typedef {[number, number]} Place */
+
+/**
+ * A paper with a lens before it. Paths go through the lens; marks and words stand on the picture, at `lens.place`.
+ *
+ * @typedef {object} Sheet
+ * @property {CanvasRenderingContext2D} ctx scaled to the view box
+ * @property {Theme} theme
+ * @property {number} px the length of a CSS pixel on the picture
+ * @property {Lens} lens
+ * @property {State["box"]} box
+ * @property {Word[]} words to be placed when all is drawn
+ * @property {number[]} marks what words keep clear of: x, y and radius, one after the other
+ */
+
+/**
+ * @param {import("../../../applet/pen.js").Paper<Role>} paper
+ * @param {State} state
+ * @returns {Sheet}
+ */
+export function sheetOn({ ctx, theme, px }, state) {
+  return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], marks: [] };
+}
+
+/**
+ * Begins a path along curves.
+ *
+ * @param {Sheet} sheet
+ * @param {readonly Curve[]} curves
+ */
+export function along({ lens, px }, curves) {
+  lens.beginPath();
+  for (const curve of curves) {
+    const p = curve.controlPoints();
+    lens.moveTo(p[0], p[1]);
+    if (p.length === 8) lens.bezierCurveTo(p[2], p[3], p[4], p[5], p[6], p[7]);
+    else if (p.length === 6) lens.quadraticCurveTo(p[2], p[3], p[4], p[5]);
+    else if (p.length === 4) lens.lineTo(p[2], p[3]);
+    else traceCloseUp(curve, lens, px);
+  }
+}
+
+/** Higher degrees are drawn as cubics, within this share of a pixel. */
+const TRACE_PX = 0.05;
+
+/**
+ * @param {Curve} curve
+ * @param {Lens} lens
+ * @param {number} px
+ */
+function traceCloseUp(curve, lens, px) {
+  const target = /** @type {any} */ (lens);
+  try {
+    curve.trace(target, { tolerance: (TRACE_PX * px) / lens.scale });
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    curve.trace(target); // closer than its numbers can tell
+  }
+}
+
+/**
+ * Begins a path through points.
+ *
+ * @param {Sheet} sheet
+ * @param {ArrayLike<number>} flat
+ */
+export function through(sheet, flat) {
+  sheet.lens.beginPath();
+  addThrough(sheet, flat);
+}
+
+/**
+ * @param {Sheet} sheet
+ * @param {ArrayLike<number>} flat
+ */
+export function addThrough({ lens }, flat) {
+  for (let i = 0; i < flat.length; i += 2) {
+    if (i) lens.lineTo(flat[i], flat[i + 1]);
+    else lens.moveTo(flat[0], flat[1]);
+  }
+}
+
+/**
+ * Separate lines: four numbers each.
+ *
+ * @param {Sheet} sheet
+ * @param {ArrayLike<number>} flat
+ */
+export function lines({ lens }, flat) {
+  lens.beginPath();
+  for (let i = 0; i < flat.length; i += 4) {
+    lens.moveTo(flat[i], flat[i + 1]);
+    lens.lineTo(flat[i + 2], flat[i + 3]);
+  }
+}
+
+/**
+ * The path that there is, dashed.
+ *
+ * @param {Sheet} sheet
+ * @param {string} colour
+ * @param {number} width
+ */
+export function dashed(sheet, colour, width) {
+  sheet.ctx.setLineDash(DASH.map((length) => length * sheet.px));
+  stroke(sheet, colour, width);
+  sheet.ctx.setLineDash([]);
+}
+
+/**
+ * Faintly, what is drawn meanwhile.
+ *
+ * @param {Sheet} sheet
+ * @param {number} opacity
+ * @param {() => void} draw
+ */
+export function faint({ ctx }, opacity, draw) {
+  ctx.globalAlpha = opacity;
+  draw();
+  ctx.globalAlpha = 1;
+}
+
+/**
+ * Hollow marks at points.
+ *
+ * @param {Sheet} sheet
+ * @param {ArrayLike<number>} flat
+ * @param {string} colour
+ */
+export function hollows(sheet, flat, colour) {
+  for (let i = 0; i < flat.length; i += 2) {
+    const at = mark(sheet, flat[i], flat[i + 1], HOLLOW_ROOM);
+    if (at) hollow(sheet, at, colour);
+  }
+}
+
+/** Words keep this far from the middle of a hollow mark, in CSS pixels. */
+const HOLLOW_ROOM = 5;
+
+/**
+ * The picture's place of a point, of which words will keep clear.
+ *
+ * @param {Sheet} sheet
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius in CSS pixels
+ * @returns {Place | null} null where it is too far outside to be seen
+ */
+export function mark(sheet, x, y, radius) {
+  const at = sheet.lens.place(x, y);
+  if (!isSeen(sheet, at)) return null;
+  sheet.marks.push(at[0], at[1], radius * sheet.px);
+  return at;
+}
+
+/** What lies this far outside, in CSS pixels, shows nothing of itself inside. */
+const OUTSIDE = 200;
+
+/**
+ * @param {Pick<Sheet, "box" | "px">} sheet
+ * @param {Place} at
+ */
+export function isSeen({ box, px }, [x, y]) {
+  const most = OUTSIDE * px;
+  return x >= -most && y >= -most && x <= box.width + most && y <= box.height + most;
+}

@@ -1,0 +1,19 @@
+// The colours of the layers.
+import { ROLES as FIRST } from "../../../applet/theme.js";
+
+/** Beyond the roles of the small applet: the hues of the third and the fourth level. */
+export const ROLES = /** @type {const} */ ([...FIRST, "level3", "level4"]);
+
+/** @typedef {typeof ROLES[number]} Role */
+/** @typedef {Record<Role, string>} Theme */
+
+/**
+ * The hue of a level of a construction or of a tree.
+ *
+ * @param {Theme} theme
+ * @param {number} level from 1
+ * @returns {string}
+ */
+export function hue(theme, level) {
+  return [theme.level4, theme.level1, theme.level2, theme.level3][level % 4];
+}

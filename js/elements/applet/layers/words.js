@@ -1,0 +1,96 @@
+// Where words stand: beside what they name, clear of marks and of each other where there is room.
+import { atEdge, label } from "../../../applet/pen.js";
+
+/** @typedef {import("./sheet.js").Sheet} Sheet */
+/** @typedef {[number, number]} Place */
+
+/**
+ * @typedef {object} Word
+ * @property {string} text
+ * @property {Place} at what is named, on the picture
+ * @property {Place} away the direction in which the word would best stand, of length 1
+ * @property {number} gap from there to the middle of the word, in CSS pixels
+ * @property {number} rank the smallest are placed first
+ */
+
+/** About the size of a character of a label, in CSS pixels. */
+const CHARACTER = { width: 8, height: 16 };
+/** Turns of the best direction that are tried, in this order, in eighths of a circle. */
+const TURNS = [0, 1, -1, 2, -2, 3, -3, 4];
+/** How far away, in gaps. */
+const RINGS = [1, 1.5, 2.1];
+/** Words keep this far from the edge of the picture, in CSS pixels. */
+const MARGIN = 11;
+/** Beyond so many words the picture is full anyway. */
+const MOST_WORDS = 200;
+
+/**
+ * Places all words of a sheet and writes them.
+ *
+ * @param {Sheet} sheet
+ */
+export function writeWords(sheet) {
+  const words = sheet.words.sort((a, b) => a.rank - b.rank).slice(0, MOST_WORDS);
+  /** @type {number[]} boxes: middle, half width, half height */
+  const taken = [];
+  for (let i = 0; i < sheet.marks.length; i += 3) {
+    const [x, y, r] = [sheet.marks[i], sheet.marks[i + 1], sheet.marks[i + 2]];
+    taken.push(x, y, r, r);
+  }
+  for (const word of words) {
+    const halfWidth = (CHARACTER.width * [...word.text].length * sheet.px) / 2;
+    const halfHeight = (CHARACTER.height * sheet.px) / 2;
+    const at = bestPlace(sheet, word, taken, halfWidth, halfHeight);
+    taken.push(at[0], at[1], halfWidth, halfHeight);
+    label(sheet, word.text, at);
+  }
+}
+
+/**
+ * The first free place; where none is, the one that overlaps least.
+ *
+ * @param {Sheet} sheet
+ * @param {Word} word
+ * @param {number[]} taken
+ * @param {number} halfWidth
+ * @param {number} halfHeight
+ * @returns {Place}
+ */
+function bestPlace({ box, px }, { at, away, gap }, taken, halfWidth, halfHeight) {
+  /** @type {Place} */
+  let best = at;
+  let least = Infinity;
+  for (const ring of RINGS) {
+    for (const turn of TURNS) {
+      const [c, s] = [Math.cos((turn * Math.PI) / 4), Math.sin((turn * Math.PI) / 4)];
+      const [dx, dy] = [c * away[0] - s * away[1], s * away[0] + c * away[1]];
+      const long = Math.max(0, halfWidth - MARGIN * px) * Math.abs(dx);
+      const reach = gap * px * ring + long;
+      const place = atEdge(box, [at[0] + dx * reach, at[1] + dy * reach], MARGIN * px);
+      const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight);
+      if (cost < least) [best, least] = [place, cost];
+      if (least === 0) return best;
+    }
+  }
+  return best;
+}
+
+/**
+ * The area that a box shares with those that are taken.
+ *
+ * @param {number[]} taken
+ * @param {number} x
+ * @param {number} y
+ * @param {number} halfWidth
+ * @param {number} halfHeight
+ * @returns {number}
+ */
+function overlap(taken, x, y, halfWidth, halfHeight) {
+  let sum = 0;
+  for (let i = 0; i < taken.length; i += 4) {
+    const width = halfWidth + taken[i + 2] - Math.abs(x - taken[i]);
+    const height = halfHeight + taken[i + 3] - Math.abs(y - taken[i + 1]);
+    if (width > 0 && height > 0) sum += width * height;
+  }
+  return sum;
+}
