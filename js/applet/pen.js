@@ -29,7 +29,8 @@ export const DISC_RADIUS = 6;
 const SQUARE_HALF = 5;
 const HOLLOW_RADIUS = 3.5;
 const DIAMOND_HALF = 7;
-const FONT = 13;
+/** Of the names of points: weight and size. */
+const FONT = /** @type {const} */ ([600, 13]);
 /** The rim of paper around words, on both sides together. */
 const HALO = 4;
 
@@ -139,9 +140,10 @@ export function diamond(paper, [x, y]) {
  * @param {AnyPaper} paper
  * @param {string} words
  * @param {Place} centre
+ * @param {readonly [weight: number, size: number]} [font]
  */
-export function label({ ctx, theme, px }, words, [x, y]) {
-  ctx.font = `600 ${FONT * px}px system-ui, sans-serif`;
+export function label({ ctx, theme, px }, words, [x, y], [weight, size] = FONT) {
+  ctx.font = `${weight} ${size * px}px system-ui, sans-serif`;
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   ctx.strokeStyle = theme.paper;

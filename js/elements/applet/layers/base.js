@@ -1,6 +1,6 @@
 // What is always drawn: the curve, the points with their names and tangents, the point at t.
 import * as pen from "../../../applet/pen.js";
-import { along, dashed, isSeen, lines, mark } from "./sheet.js";
+import { along, dashed, isSeen, lines, mark, onPicture } from "./sheet.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("../figure.js").Figure} Figure */
@@ -56,7 +56,7 @@ export const handles = {
   draw(sheet, { flat, arrows }) {
     lines(sheet, flat);
     pen.stroke(sheet, sheet.theme.handle, pen.TANGENT_WIDTH);
-    if (arrows) heads(sheet, flat, sheet.theme.handle, pen.DISC_RADIUS);
+    if (arrows) heads(sheet, onPicture(sheet, flat), sheet.theme.handle, pen.DISC_RADIUS);
   },
 };
 
@@ -64,19 +64,19 @@ export const handles = {
  * Heads at the ends of lines that are vectors.
  *
  * @param {Sheet} sheet
- * @param {ArrayLike<number>} flat four numbers for each line
+ * @param {ArrayLike<number>} flat four numbers for each line, on the picture
  * @param {string} colour
  * @param {number} [back] how far before the end the tip is, in CSS pixels
  */
-export function heads({ ctx, lens, px, box }, flat, colour, back = 0) {
+export function heads(sheet, flat, colour, back = 0) {
+  const { ctx, px } = sheet;
   ctx.beginPath();
   for (let i = 0; i < flat.length; i += 4) {
-    const from = lens.place(flat[i], flat[i + 1]);
-    const to = lens.place(flat[i + 2], flat[i + 3]);
-    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-    if (!(length > (ARROW_HEAD + back) * px) || !isSeen({ box, px }, to)) continue;
-    const [dx, dy] = [((to[0] - from[0]) / length) * px, ((to[1] - from[1]) / length) * px];
-    const [x, y] = [to[0] - back * dx, to[1] - back * dy];
+    const [toX, toY] = [flat[i + 2], flat[i + 3]];
+    const length = Math.hypot(toX - flat[i], toY - flat[i + 1]);
+    if (!(length > (ARROW_HEAD + back) * px) || !isSeen(sheet, [toX, toY])) continue;
+    const [dx, dy] = [((toX - flat[i]) / length) * px, ((toY - flat[i + 1]) / length) * px];
+    const [x, y] = [toX - back * dx, toY - back * dy];
     const [long, wide] = [ARROW_HEAD, ARROW_HEAD / 2.4];
     ctx.moveTo(x, y);
     ctx.lineTo(x - long * dx - wide * dy, y - long * dy + wide * dx);

@@ -1,9 +1,17 @@
 // All layers, and the picture that they make together. Drawing is a function of its arguments only.
 import * as base from "./base.js";
 import * as construction from "./construction.js";
+import * as features from "./features.js";
+import * as measures from "./measures.js";
+import { names } from "./names.js";
+import * as polylines from "./polylines.js";
 import { sheetOn } from "./sheet.js";
+import * as strings from "./strings.js";
+import * as ways from "./ways.js";
+import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
 
+export { treeOf } from "./polylines.js";
 export { ROLES } from "./theme.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
@@ -24,13 +32,28 @@ export { ROLES } from "./theme.js";
 /** From the back to the front. @type {readonly Layer[]} */
 const ALL = [
   construction.hull,
+  strings.envelope,
+  weights,
+  features.bounds,
   construction.polygon,
   base.waiting,
+  ways.comb,
+  measures.offset,
+  strings.extrapolation,
   base.curve,
   construction.halves,
+  polylines.segments,
+  polylines.tree,
+  measures.ticks,
   base.joints,
+  ways.normals,
+  ways.tangents,
   base.handles,
   construction.scaffold,
+  features.extrema,
+  features.inflections,
+  measures.nearest,
+  names,
   base.points,
   base.atT,
 ];

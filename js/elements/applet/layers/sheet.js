@@ -173,3 +173,14 @@ export function isSeen({ box, px }, [x, y]) {
   const most = OUTSIDE * px;
   return x >= -most && y >= -most && x <= box.width + most && y <= box.height + most;
 }
+
+/**
+ * @param {Sheet} sheet
+ * @param {ArrayLike<number>} flat points of the plane
+ * @returns {number[]} their places on the picture
+ */
+export function onPicture({ lens }, flat) {
+  const places = [];
+  for (let i = 0; i < flat.length; i += 2) places.push(...lens.place(flat[i], flat[i + 1]));
+  return places;
+}

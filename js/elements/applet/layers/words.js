@@ -10,7 +10,7 @@ import { atEdge, label } from "../../../applet/pen.js";
  * @property {Place} at what is named, on the picture
  * @property {Place} away the direction in which the word would best stand, of length 1
  * @property {number} gap from there to the middle of the word, in CSS pixels
- * @property {number} rank the smallest are placed first
+ * @property {number} rank the smallest are placed first; from 1 on they are light
  */
 
 /** About the size of a character of a label, in CSS pixels. */
@@ -21,6 +21,8 @@ const TURNS = [0, 1, -1, 2, -2, 3, -3, 4];
 const RINGS = [1, 1.5, 2.1];
 /** Words keep this far from the edge of the picture, in CSS pixels. */
 const MARGIN = 11;
+/** The font of all but the names of the control points: weight and size. */
+const LIGHT = /** @type {const} */ ([450, 12]);
 /** Beyond so many words the picture is full anyway. */
 const MOST_WORDS = 200;
 
@@ -42,7 +44,7 @@ export function writeWords(sheet) {
     const halfHeight = (CHARACTER.height * sheet.px) / 2;
     const at = bestPlace(sheet, word, taken, halfWidth, halfHeight);
     taken.push(at[0], at[1], halfWidth, halfHeight);
-    label(sheet, word.text, at);
+    label(sheet, word.text, at, word.rank ? LIGHT : undefined);
   }
 }
 

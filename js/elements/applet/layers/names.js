@@ -1,0 +1,138 @@
+// Names on the construction at t, in the notation of the labels.
+import { mark } from "./sheet.js";
+import { selected } from "./weights.js";
+
+/** @typedef {import("./sheet.js").Sheet} Sheet */
+/** @typedef {import("../figure.js").Figure} Figure */
+/** @typedef {import("../state.js").State} State */
+/** @typedef {import("../state.js").Labels} Labels */
+/** @typedef {{ text: string, at: ArrayLike<number>, away: [number, number] }} Name */
+
+const DISTANCE = 16;
+/** Names double with every level: above these degrees there is no room. */
+const MOST_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
+
+export const names = {
+  name: "names",
+  title: "Names on the construction",
+
+  /**
+   * @param {Figure} figure
+   * @param {State} state
+   */
+  derive: (figure, state) => namesOf(figure, state),
+
+  /**
+   * @param {Sheet} sheet
+   * @param {Name[]} data
+   */
+  draw(sheet, data) {
+    for (const { text, at, away } of data) {
+      const place = mark(sheet, at[0], at[1], 0);
+      if (place) sheet.words.push({ text, at: place, away, gap: DISTANCE, rank: 2 });
+    }
+  },
+};
+
+/**
+ * With the halves shown, the points of both: q and r, of the selected piece. Else the points of the scaffold.
+ *
+ * @param {Figure} figure
+ * @param {State} state
+ * @returns {Name[]}
+ */
+export function namesOf(figure, { layers, labels, basis, segment, t }) {
+  if (labels === "none") return [];
+  if (layers.has("halves")) {
+    const piece = selected(figure, segment);
+    return piece && piece.curve.degree <= MOST_DEGREE.b0 ? halfNames(piece.curve.split(t)) : [];
+  }
+  if (!layers.has("scaffold") || basis !== "bezier" || figure.degree > MOST_DEGREE[labels]) return [];
+  return figure.pieces.flatMap(({ curve, indices }) => scaffoldNames(curve.scaffold(t), labels, indices[0]));
+}
+
+/**
+ * @param {import("../../../index.js").Curve[]} halves
+ * @returns {Name[]}
+ */
+function halfNames(halves) {
+  return halves.flatMap((half, side) => {
+    const flat = half.controlPoints();
+    const middle = (flat.length - 2) / 4;
+    return Array.from({ length: flat.length / 2 }, (_, i) => ({
+      text: `${"qr"[side]}${i}`,
+      at: flat.subarray(2 * i, 2 * i + 2),
+      away: /** @type {[number, number]} */ (i < middle ? [-1, 0] : [1, 0]),
+    }));
+  });
+}
+
+/**
+ * @param {Float64Array[]} levels
+ * @param {Labels} labels
+ * @param {number} first the index of the piece's first point
+ * @returns {Name[]}
+ */
+function scaffoldNames(levels, labels, first) {
+  return levels.slice(1).flatMap((flat, k) =>
+    Array.from({ length: flat.length / 2 }, (_, i) => ({
+      text: nameAt(labels, k + 1, first + i, k + 2 === levels.length),
+      at: flat.subarray(2 * i, 2 * i + 2),
+      away: awayFrom(levels[k], flat, i),
+    })),
+  );
+}
+
+/**
+ * Across the line on which the point lies, to the side where the level below is not.
+ *
+ * @param {Float64Array} below
+ * @param {Float64Array} flat
+ * @param {number} i
+ * @returns {[number, number]}
+ */
+function awayFrom(below, flat, i) {
+  const [dx, dy] = [below[2 * i + 2] - below[2 * i], below[2 * i + 3] - below[2 * i + 1]];
+  const length = Math.hypot(dx, dy) || 1;
+  const next = flat.length > 2 ? (i ? i - 1 : 1) : i;
+  const [x, y] = [flat[2 * next] - flat[2 * i], flat[2 * next + 1] - flat[2 * i + 1]];
+  const side = dx * y - dy * x > 0 ? 1 : -1;
+  return length > 0 && (dx || dy) ? [(side * dy) / length, (-side * dx) / length] : [0, -1];
+}
+
+/**
+ * The name of a point of the scaffold: P12, P1223; b₁²; p12, p12-23. The last one is the curve's own.
+ *
+ * @param {Labels} labels
+ * @param {number} level from 1
+ * @param {number} index of the first point that it comes from
+ * @param {boolean} last
+ * @returns {string}
+ */
+export function nameAt(labels, level, index, last) {
+  if (labels === "b0") return `b${digits(index, SUBSCRIPTS)}${digits(level, SUPERSCRIPTS)}`;
+  if (labels === "p0") return last ? "P(t)" : `p${chained(level, index, "-")}`;
+  return last ? "P" : `P${chained(level, index + (labels === "P1" ? 1 : 0), "")}`;
+}
+
+/**
+ * @param {number} level
+ * @param {number} index
+ * @param {string} between
+ * @returns {string}
+ */
+function chained(level, index, between) {
+  if (level === 1) return `${index}${index + 1 > 9 ? "," : ""}${index + 1}`;
+  return chained(level - 1, index, between) + between + chained(level - 1, index + 1, between);
+}
+
+const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";
+const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/**
+ * @param {number} number
+ * @param {string} alphabet
+ */
+function digits(number, alphabet) {
+  return [...String(number)].map((digit) => alphabet[Number(digit)]).join("");
+}

@@ -1,0 +1,70 @@
+// The curve from lines alone, and the curve beyond its ends.
+import { CURVE_WIDTH, stroke } from "../../../applet/pen.js";
+import { Curve } from "../../../index.js";
+import { BEYOND } from "../state.js";
+import { along, dashed, faint, lines } from "./sheet.js";
+
+/** @typedef {import("./sheet.js").Sheet} Sheet */
+/** @typedef {import("../figure.js").Figure} Figure */
+
+/** Strings on each piece, and on all together. */
+const STRINGS = 32;
+const MOST_STRINGS = 2000;
+const STRING_OPACITY = 0.7;
+
+/** The last line of the scaffold, at many t: the curve is what all of them touch. */
+export const envelope = {
+  name: "envelope",
+  title: "String art: the envelope",
+
+  /** @param {Figure} figure */
+  derive({ pieces }) {
+    const count = Math.max(4, Math.min(STRINGS, Math.floor(MOST_STRINGS / pieces.length)));
+    return pieces.map(({ curve }) => stringsOf(curve, count));
+  },
+
+  /**
+   * @param {Sheet} sheet
+   * @param {Float64Array[]} all
+   */
+  draw(sheet, all) {
+    for (const flat of all) {
+      lines(sheet, flat);
+      faint(sheet, STRING_OPACITY, () => stroke(sheet, sheet.theme.level1, 1));
+    }
+  },
+};
+
+/**
+ * The ends of the last line but one level below the point: the curves of the first n and of the last n points.
+ *
+ * @param {Curve} curve
+ * @param {number} count
+ * @returns {Float64Array} four numbers for each string
+ */
+export function stringsOf(curve, count) {
+  const points = curve.controlPoints();
+  if (points.length === 4) return points;
+  const from = new Curve(points.subarray(0, -2), { dimension: 2 }).sample(count);
+  const to = new Curve(points.subarray(2), { dimension: 2 }).sample(count);
+  const flat = new Float64Array(4 * (count + 1));
+  for (let k = 0; k <= count; k++) flat.set([from[2 * k], from[2 * k + 1], to[2 * k], to[2 * k + 1]], 4 * k);
+  return flat;
+}
+
+export const extrapolation = {
+  name: "extrapolation",
+  title: "Beyond t = 0 and t = 1",
+
+  /** @param {Figure} figure */
+  derive: ({ pieces }) => pieces.flatMap(({ curve }) => [curve.subsegment(-BEYOND, 0), curve.subsegment(1, 1 + BEYOND)]),
+
+  /**
+   * @param {Sheet} sheet
+   * @param {Curve[]} curves
+   */
+  draw(sheet, curves) {
+    along(sheet, curves);
+    dashed(sheet, sheet.theme.curve, CURVE_WIDTH / 2);
+  },
+};

@@ -1,0 +1,111 @@
+// The tree of halves as a small diagram in the emptiest corner: t from left to right, each level a row.
+import { stroke } from "../../../applet/pen.js";
+import { hue } from "./theme.js";
+
+/** @typedef {import("./polylines.js").Node} Node */
+/** @typedef {import("./sheet.js").Sheet} Sheet */
+/** @typedef {import("../figure.js").Figure} Figure */
+/** @typedef {[number, number]} Place */
+
+/** In CSS pixels. */
+const WIDTH = 190;
+const ROW = 13;
+const PADDING = 10;
+const MARGIN = 8;
+const DOT_RADIUS = 2.5;
+/** Deeper levels are not shown: a row has no more room. */
+const MOST_ROWS = 8;
+const OPACITY = 0.88;
+/** More trees than these side by side are no more than dots. */
+const MOST_TREES = 12;
+
+/**
+ * @param {Sheet} sheet
+ * @param {Node[]} roots one for each piece
+ * @param {Figure} figure
+ */
+export function drawDiagram(sheet, roots, figure) {
+  if (!roots.length || roots.length > MOST_TREES) return;
+  const { ctx, theme, px, box } = sheet;
+  const rows = Math.min(MOST_ROWS, Math.max(...roots.map(depthOf)));
+  const width = Math.min(WIDTH * px, box.width / 2);
+  const height = (rows * ROW + 2 * PADDING) * px;
+  const [x, y] = emptiestCorner(sheet, figure, width, height);
+  ctx.beginPath();
+  ctx.rect(x, y, width, height);
+  ctx.globalAlpha = OPACITY;
+  ctx.fillStyle = theme.paper;
+  ctx.fill();
+  ctx.globalAlpha = 1;
+  stroke(sheet, theme.quiet, 1);
+  const inner = width - 2 * PADDING * px;
+  const place = (/** @type {number} */ root, /** @type {Node} */ { t0, t1 }, /** @type {number} */ depth) =>
+    /** @type {Place} */ ([x + PADDING * px + (inner * (root + (t0 + t1) / 2)) / roots.length, y + (PADDING + ROW * depth) * px]);
+  for (let depth = rows; depth >= 0; depth--) drawRow(sheet, roots, depth, place);
+}
+
+/**
+ * The nodes of a level, and the branches to the halves.
+ *
+ * @param {Sheet} sheet
+ * @param {Node[]} roots
+ * @param {number} depth
+ * @param {(root: number, node: Node, depth: number) => Place} place
+ */
+function drawRow(sheet, roots, depth, place) {
+  const { ctx, theme, px } = sheet;
+  /** @type {[number, Node][]} */
+  const nodes = roots.flatMap((root, k) => level(root, depth).map((node) => /** @type {[number, Node]} */ ([k, node])));
+  ctx.beginPath();
+  for (const [k, node] of nodes) {
+    for (const half of (depth < MOST_ROWS && node.halves) || []) {
+      ctx.moveTo(...place(k, node, depth));
+      ctx.lineTo(...place(k, half, depth + 1));
+    }
+  }
+  stroke(sheet, theme.quiet, 1);
+  ctx.beginPath();
+  for (const [k, node] of nodes) {
+    const [x, y] = place(k, node, depth);
+    ctx.moveTo(x + DOT_RADIUS * px, y);
+    ctx.arc(x, y, DOT_RADIUS * px, 0, 2 * Math.PI);
+  }
+  ctx.fillStyle = hue(theme, depth + 1);
+  ctx.fill();
+}
+
+/**
+ * @param {Node} node
+ * @param {number} depth
+ * @returns {Node[]}
+ */
+function level(node, depth) {
+  if (depth === 0) return [node];
+  return node.halves ? node.halves.flatMap((half) => level(half, depth - 1)) : [];
+}
+
+/**
+ * @param {Node} node
+ * @returns {number} 0 without halves
+ */
+function depthOf(node) {
+  return node.halves ? 1 + Math.max(...node.halves.map(depthOf)) : 0;
+}
+
+/**
+ * @param {Sheet} sheet
+ * @param {Figure} figure
+ * @param {number} width
+ * @param {number} height
+ * @returns {Place}
+ */
+function emptiestCorner({ lens, box, px }, { points }, width, height) {
+  const margin = MARGIN * px;
+  const [right, bottom] = [box.width - width - margin, box.height - height - margin];
+  /** @type {Place[]} */
+  const corners = [[margin, bottom], [right, bottom], [right, margin], [margin, margin]];
+  const places = points.map(([x, y]) => lens.place(x, y));
+  const crowd = (/** @type {Place} */ [left, top]) =>
+    places.filter(([x, y]) => x > left - 2 * margin && x < left + width + 2 * margin && y > top - 2 * margin && y < top + height + 2 * margin).length;
+  return corners.reduce((best, corner) => (crowd(corner) < crowd(best) ? corner : best));
+}
