@@ -1,0 +1,98 @@
+// The elements of the installed tarball: through the bundlers and as they are, in Chromium under a strict policy.
+import assert from "node:assert/strict";
+import { build as esbuild } from "esbuild";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { rollup } from "rollup";
+import { build as vite } from "vite";
+import webpack from "webpack";
+import { openPage } from "../page/browser.js";
+import { serve } from "../page/server.js";
+import { installed } from "./fixture.js";
+
+/** All that a page has to allow for the elements; their styles are sheets of their own, which no policy forbids. */
+const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
+const LATE = /surface/;
+
+const fixture = await installed();
+after(fixture.remove);
+
+/** What the page of a user does; it prints how many triangles the element draws. */
+const PROGRAM = `import { Surface } from "casteljau";
+import "casteljau/elements";
+const element = document.createElement("bezier-surface");
+element.surface = Surface.teapot({ lid: false });
+document.body.append(element);
+const facts = () => element.shadowRoot.querySelector(".facts").textContent;
+const timer = setInterval(() => /triangles/.test(facts()) && (clearInterval(timer), console.log(facts().match(/[\\d\\u2009]+/)[0])), 20);
+`;
+const PRINTED = "6\u2009912"; // 24 patches of 2 · 12² triangles
+const page = (script) => `<!doctype html><html lang="en"><title>A page</title><body>${script}</body></html>`;
+const entry = await fixture.write("src/main.js", PROGRAM);
+
+/** Serves a folder under the policy; what the page prints, and the scripts it has fetched by then. */
+async function visit(t, folder, path = "/index.html") {
+  const server = await serve({ "/": folder }, { "Content-Security-Policy": CSP });
+  t.after(server.close);
+  const page = await openPage(t, "about:blank", { baseURL: server.url });
+  const scripts = [];
+  page.on("request", (request) => request.resourceType() === "script" && scripts.push(new URL(request.url()).pathname));
+  const printed = page.waitForEvent("console", (message) => message.type() === "log");
+  await page.goto(path);
+  return { printed: (await printed).text(), scripts };
+}
+
+/** Builds into a folder of its own; the page has one script, main.js. */
+const outputs = {
+  async Vite(outDir) {
+    await fixture.write("index.html", page('<script type="module" src="/src/main.js"></script>'));
+    await vite({ root: fixture.folder, configFile: false, logLevel: "error", build: { outDir, modulePreload: { polyfill: false } } });
+  },
+  async "webpack 5"(path) {
+    const options = { entry, mode: "production", output: { path, filename: "main.js", publicPath: "auto" }, performance: false };
+    const stats = await new Promise((done, failed) => webpack(options, (error, result) => (error ? failed(error) : done(result))));
+    assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
+  },
+  async Rollup(dir) {
+    const resolve = createRequire(entry).resolve;
+    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
+    const bundle = await rollup({ input: entry, plugins: [plugin], onwarn: (warning) => assert.fail(warning.message) });
+    await bundle.write({ dir, format: "es" });
+  },
+  async esbuild(outdir) {
+    const { warnings } = await esbuild({ entryPoints: [entry], bundle: true, format: "esm", splitting: true, minify: true, outdir, logLevel: "silent" });
+    assert.deepEqual(warnings, []);
+  },
+};
+
+for (const [bundler, build] of Object.entries(outputs)) {
+  test(`${bundler}: the elements are defined, what draws comes when it is needed`, async (t) => {
+    const name = `out/${bundler.replace(" ", "-")}`;
+    await build(join(fixture.folder, name));
+    if (bundler !== "Vite") await fixture.write(`${name}/index.html`, page('<script type="module" src="main.js"></script>'));
+    const { printed, scripts } = await visit(t, join(fixture.folder, name));
+    assert.equal(printed, PRINTED);
+    assert.ok(scripts.length > 1, `more files than one: ${scripts}`);
+  });
+}
+
+test("esbuild, one classic script", async (t) => {
+  await fixture.write("out/iife/index.html", page('<script src="main.js"></script>'));
+  await esbuild({ entryPoints: [entry], bundle: true, format: "iife", minify: true, outfile: join(fixture.folder, "out/iife/main.js"), logLevel: "silent" });
+  const { printed, scripts } = await visit(t, join(fixture.folder, "out/iife"));
+  assert.deepEqual([printed, scripts], [PRINTED, ["/main.js"]]);
+});
+
+test("no bundler: one script tag, and tags of HTML", async (t) => {
+  const folder = join(fixture.installed, "dist");
+  await fixture.write("node_modules/casteljau/dist/probe.js", `const timer = setInterval(() => {
+  const facts = document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? "";
+  if (/triangles/.test(facts)) clearInterval(timer), console.log(facts.match(/[\\d\\u2009]+/)[0]);
+}, 20);\n`);
+  const lines = '<script type="module" src="elements.js"></script><bezier-surface model="patch"></bezier-surface><script src="probe.js"></script>';
+  await fixture.write("node_modules/casteljau/dist/tag.html", page(lines));
+  const { printed, scripts } = await visit(t, folder, "/tag.html");
+  assert.equal(printed, "288"); // 2 · 12²
+  assert.deepEqual(scripts.filter((path) => LATE.test(path)), ["/elements-surface.js"]);
+});
