@@ -1,2 +1,16 @@
-// What the page needs is in the parts; this starts them.
+// The page is the laboratory with the editor inside; this starts them and keeps the curve in the address.
 import "../parts/page.js";
+import { keepInAddress } from "../figures/address.js";
+import { EasingLab } from "./easing-lab.js";
+import { parse, rounded } from "./value.js";
+
+customElements.define("easing-lab", EasingLab);
+const lab = /** @type {EasingLab} */ (document.querySelector("easing-lab"));
+
+keepInAddress(lab, {
+  read: (state) => {
+    const { curve } = /** @type {{ curve: number[] }} */ (state);
+    lab.value = parse(curve.join(","));
+  },
+  write: () => ({ curve: rounded(lab.value) }),
+});

@@ -135,6 +135,20 @@ export const style = css`
   .thumb .curve { stroke-width: 4; }
   .thumb .thin { fill: none; stroke: var(--quiet); stroke-width: 1; stroke-opacity: 0.55; }
   .thumb .order { font-size: 0.78rem; color: var(--quiet); letter-spacing: 0.08em; }
+  .code { border-block-start: 1px solid var(--rim); }
+  .code:first-child { border-block-start: 0; }
+  .code .bar { display: flex; gap: 0.8rem; align-items: center; justify-content: space-between; padding: 0.35rem 0.5rem 0 0.9rem; }
+  .code .bar span { flex: 1; color: var(--quiet); font-size: 0.875rem; }
+  .code .bar button { min-block-size: 1.9rem; padding: 0.1rem 0.7rem; }
+  pre { margin: 0; padding: 0.35rem 0.9rem 0.75rem; white-space: pre-wrap; overflow-wrap: anywhere; max-block-size: 16rem; overflow: auto; font: 0.8125rem/1.55 ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
+  pre:focus-visible { outline-offset: -2px; }
+  .problem { margin: 0; padding: 0.5rem 0.9rem; border-block-start: 1px solid var(--rim); border-inline-start: 4px solid var(--handle); }
+  .problem:empty { display: none; }
+  h3 { margin: 0; padding: 0.7rem 0.9rem 0; font-size: 1rem; }
+  h3 + .facts { border-block-start: 0; padding-block-start: 0.2rem; }
+  h2 { margin: 2rem 0 0.4rem; font-size: 1.25rem; line-height: 1.3; letter-spacing: -0.01em; }
+  .say { margin: 0 0 0.8rem; max-inline-size: 42rem; font-size: 1.0625rem; line-height: 1.6; text-wrap: pretty; }
+  .frame + .frame { margin-block-start: 1rem; }
   @media print {
     .controls, .handle { display: none; }
     .frame { background: none; }
