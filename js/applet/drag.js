@@ -12,13 +12,14 @@
  * @property {() => number} count how many handles there are
  * @property {(index: number) => void} grabbed
  * @property {() => void} schedule asks for a frame, which calls `apply`
- * @property {(index: number, to: Place) => void} move
+ * @property {(index: number, to: Place, drag: { from: Place, event?: PointerEvent }) => void} move where it came from, and
+ *   the move, which knows the keys that are held
  * @property {() => void} begun the first pointer has come down: what is now may have to be restored
  * @property {() => void} restored Esc, or the only pointer was taken away: back to what was at the beginning
  * @property {(moved: number[]) => void} ended the last pointer has gone up; the points that have been moved
  */
 
-/** @typedef {{ index: number, grip: Place, from: Place, to: Place | null }} Drag */
+/** @typedef {{ index: number, grip: Place, from: Place, to: Place | null, event?: PointerEvent }} Drag */
 
 /** A second press within this distance of the last one is on the same stack. */
 const SAME_PLACE_PX = 4;
@@ -59,7 +60,7 @@ export class Drags {
     const waiting = [...this.#drags.values()].filter(({ to }) => to);
     for (const drag of waiting) {
       this.#moved.add(drag.index);
-      this.#port.move(drag.index, drag.to ?? drag.from);
+      this.#port.move(drag.index, drag.to ?? drag.from, drag);
       drag.to = null;
     }
     return waiting.length > 0;
@@ -150,6 +151,7 @@ export class Drags {
     if (!drag) return;
     const [x, y] = this.#port.toBox(event);
     drag.to = [x - drag.grip[0], y - drag.grip[1]];
+    drag.event = event;
     if (!isNear(this.#lastPress, event)) this.#lastPress = null;
     this.#port.schedule();
   }
@@ -168,7 +170,7 @@ export class Drags {
     if (!drag) return;
     if (this.#drags.size === 1) return void this.cancel();
     this.#drags.delete(event.pointerId);
-    this.#port.move(drag.index, drag.from); // others are still moving
+    this.#port.move(drag.index, drag.from, { from: drag.from }); // others are still moving
     this.#port.schedule();
   }
 }

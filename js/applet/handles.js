@@ -9,6 +9,15 @@ import { isOnCurve } from "./words.js";
 /** The inputs' step: what Alt and an arrow key do. */
 const FINEST_STEP = 0.1;
 
+/**
+ * What the handles are called, and whether their points lie on the curve.
+ *
+ * @typedef {{ nameOf: (index: number) => string, kindOf: (index: number) => string }} Nature
+ */
+
+/** @type {Nature} */
+const CUBICS = { nameOf: (index) => `P${index}`, kindOf: (index) => (isOnCurve(index) ? "on" : "off") };
+
 export class Handles {
   /** @type {Handle[]} */
   #handles = [];
@@ -56,23 +65,27 @@ export class Handles {
   /**
    * As many handles as points, each at its place.
    *
-   * @param {[number, number][]} points
+   * @param {readonly [number, number][]} points
+   * @param {Box & { x?: number, y?: number }} [view] the part of the plane that is seen, if not the box
+   * @param {Nature} [nature]
    */
-  update(points) {
+  update(points, view = this.#box, nature = CUBICS) {
     while (this.#handles.length > points.length) this.#handles.pop()?.box.remove();
     while (this.#handles.length < points.length) this.#add(this.#handles.length);
-    points.forEach((point, i) => this.#place(this.#handles[i], point));
+    points.forEach((point, i) => {
+      this.#place(this.#handles[i], point, view);
+      name(this.#handles[i], nature.nameOf(i), nature.kindOf(i));
+    });
   }
 
   /** @param {number} index */
   #add(index) {
     const page = this.#overlay.ownerDocument;
     const input = (/** @type {"x" | "y"} */ axis) =>
-      element(page, "input", { type: "range", "aria-label": `P${index} ${axis}`, "data-axis": axis });
+      element(page, "input", { type: "range", "data-axis": axis });
     const [x, y] = [input("x"), input("y")];
     y.tabIndex = -1; // all four arrows work on x; a screen reader finds both
-    const kind = isOnCurve(index) ? "on" : "off";
-    const box = element(page, "div", { className: "handle", part: "handle", "data-index": index, "data-kind": kind }, x, y);
+    const box = element(page, "div", { className: "handle", part: "handle", "data-index": index }, x, y);
     this.#overlay.append(box);
     this.#handles.push({ box, x, y });
   }
@@ -80,15 +93,27 @@ export class Handles {
   /**
    * @param {Handle} handle
    * @param {[number, number]} point
+   * @param {Box & { x?: number, y?: number }} view
    */
-  #place({ box, x, y }, point) {
+  #place({ box, x, y }, point, view) {
     const { width, height } = this.#box;
-    const at = clamped(this.#box, point);
-    box.style.left = `${(100 * at[0]) / width}%`;
-    box.style.top = `${(100 * at[1]) / height}%`;
+    const at = clamped(view, point);
+    box.style.left = `${(100 * (at[0] - (view.x ?? 0))) / view.width}%`;
+    box.style.top = `${(100 * (at[1] - (view.y ?? 0))) / view.height}%`;
     setRange(x, point[0], point[0], width);
     setRange(y, height - point[1], point[1], height); // more is higher up
   }
+}
+
+/**
+ * @param {Handle} handle
+ * @param {string} called
+ * @param {string} kind
+ */
+function name({ box, x, y }, called, kind) {
+  if (box.dataset.name === called && box.dataset.kind === kind) return;
+  Object.assign(box.dataset, { name: called, kind });
+  for (const input of [x, y]) input.setAttribute("aria-label", `${called} ${input.dataset.axis}`);
 }
 
 /**

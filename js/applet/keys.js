@@ -74,7 +74,7 @@ function isPlain(event) {
  * @param {KeyboardEvent} event
  * @returns {boolean}
  */
-function isForText(event) {
+export function isForText(event) {
   const target = /** @type {HTMLElement | undefined} */ (event.composedPath()[0]);
   if (!target || !("localName" in target)) return false;
   if (target.isContentEditable || target.ownerDocument.designMode === "on") return true;

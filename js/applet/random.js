@@ -38,15 +38,47 @@ export function generator(seed) {
  * @returns {State}
  */
 export function randomized(state, random) {
-  const draw = (/** @type {number[][]} */ others) =>
-    roomiest(Array.from({ length: CANDIDATES }, () => randomPlace(state.box, random)), others);
+  const segments = (pointCount(state) - 1) / POINTS_PER_SEGMENT;
+  return { ...state, spline: randomChain(state.box, segments, () => state.joint, random) };
+}
+
+/**
+ * Random cubics inside the box whose joints are held.
+ *
+ * @param {Box} box
+ * @param {number} segments
+ * @param {(joint: number) => Parameters<Spline["setJoint"]>[1]} modeOf
+ * @param {() => number} random
+ * @returns {Spline}
+ */
+export function randomChain(box, segments, modeOf, random) {
+  let spline = cubics(randomPlaces(box, POINTS_PER_SEGMENT * segments + 1, random));
+  for (let joint = 1; joint < segments; joint++) spline = withJointInside(spline, joint, modeOf(joint), box, random);
+  return spline;
+}
+
+/**
+ * Places inside the box, none close to another.
+ *
+ * @param {Box} box
+ * @param {number} count
+ * @param {() => number} random
+ * @returns {[number, number][]}
+ */
+export function randomPlaces(box, count, random) {
   /** @type {[number, number][]} */
   const points = [];
-  while (points.length < pointCount(state)) points.push(draw(points));
-  let spline = cubics(points);
-  const segments = (pointCount(state) - 1) / POINTS_PER_SEGMENT;
-  for (let joint = 1; joint < segments; joint++) spline = withJointInside(spline, joint, state, draw);
-  return { ...state, spline };
+  while (points.length < count) points.push(roomyPlace(box, points, random));
+  return points;
+}
+
+/**
+ * @param {Box} box
+ * @param {number[][]} others
+ * @param {() => number} random
+ */
+function roomyPlace(box, others, random) {
+  return roomiest(Array.from({ length: CANDIDATES }, () => randomPlace(box, random)), others);
 }
 
 /**
@@ -54,20 +86,21 @@ export function randomized(state, random) {
  *
  * @param {Spline} spline
  * @param {number} joint
- * @param {State} state
- * @param {(others: number[][]) => [number, number]} draw
+ * @param {Parameters<Spline["setJoint"]>[1]} mode
+ * @param {Box} box
+ * @param {() => number} random
  * @returns {Spline}
  */
-function withJointInside(spline, joint, state, draw) {
+function withJointInside(spline, joint, mode, box, random) {
   const anchor = POINTS_PER_SEGMENT * joint;
   for (let draws = 0; ; draws++) {
-    const held = spline.setJoint(joint, state.joint);
-    if (isInside(state.box, pairs(held.controlPoints())[anchor + 1])) return held;
+    const held = spline.setJoint(joint, mode);
+    if (draws > MOST_DRAWS || isInside(box, pairs(held.controlPoints())[anchor + 1])) return held;
     const points = pairs(spline.controlPoints());
     const others = points.filter((_, index) => Math.abs(index - anchor) > 1);
-    for (const index of [anchor - 1, anchor, anchor + 1]) points[index] = draw(others);
+    for (const index of [anchor - 1, anchor, anchor + 1]) points[index] = roomyPlace(box, others, random);
     // The mirror image in the centre of what is inside is inside.
-    if (draws >= MOST_DRAWS) points[anchor] = [state.box.width / 2, state.box.height / 2];
+    if (draws >= MOST_DRAWS) points[anchor] = [box.width / 2, box.height / 2];
     if (draws >= MOST_DRAWS) points[anchor + 1] = points[anchor - 1];
     spline = cubics(points);
   }
@@ -90,12 +123,21 @@ function randomPlace({ width, height }, random) {
  * @returns {[number, number]}
  */
 export function roomiestPlace(state) {
-  return roomiest(gridPlaces(state.box), pairs(state.spline.controlPoints()));
+  return roomiestAmong(state.box, pairs(state.spline.controlPoints()));
+}
+
+/**
+ * @param {Box} box
+ * @param {readonly number[][]} points
+ * @returns {[number, number]}
+ */
+export function roomiestAmong(box, points) {
+  return roomiest(gridPlaces(box), points);
 }
 
 /**
  * @param {[number, number][]} places
- * @param {number[][]} others
+ * @param {readonly number[][]} others
  * @returns {[number, number]} the place with the greatest distance to the nearest of the others
  */
 function roomiest(places, others) {

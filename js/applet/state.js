@@ -225,12 +225,12 @@ export function appended(state, point) {
 /**
  * The nearest place inside the view box.
  *
- * @param {Box} box
+ * @param {Box & { x?: number, y?: number }} box
  * @param {ArrayLike<number>} point
  * @returns {[number, number]}
  */
-export function clamped({ width, height }, point) {
-  return [Math.min(Math.max(point[0], 0), width), Math.min(Math.max(point[1], 0), height)];
+export function clamped({ x = 0, y = 0, width, height }, point) {
+  return [Math.min(Math.max(point[0], x), x + width), Math.min(Math.max(point[1], y), y + height)];
 }
 
 /**

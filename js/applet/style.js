@@ -4,13 +4,13 @@
 export const LIGHT = `
   --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;
   --bz-curve: #0072b2; --bz-handle: #d55e00; --bz-first: #0072b2; --bz-second: #d55e00; --bz-level1: #009e73; --bz-level2: #cc79a7;
-  --bz-accent: #0067a3; --bz-on-accent: #ffffff;`;
+  --bz-accent: #0067a3; --bz-on-accent: #ffffff; --bz-broken-ink: #b34700; --bz-smooth-ink: #00704f;`;
 
 /** Those that differ on a dark page. */
 export const DARK = `
   --bz-ink: #e8edf2; --bz-quiet: #a9b5c1; --bz-paper: #12171d; --bz-panel: #1b222a; --bz-rim: #36414c; --bz-field: #7d8b99;
   --bz-curve: #56b4e9; --bz-handle: #e69f00; --bz-first: #56b4e9; --bz-second: #e69f00;
-  --bz-accent: #7cc4f0; --bz-on-accent: #0d141a;`;
+  --bz-accent: #7cc4f0; --bz-on-accent: #0d141a; --bz-broken-ink: #f0b13c; --bz-smooth-ink: #3ecf9f;`;
 
 /** What everything of ours has in common: colours by role, size of a hit box, letters. */
 export const TOKENS = `
@@ -52,7 +52,8 @@ input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 
 .away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 `;
 
-const CSS = `${TOKENS}${CONTROLS}
+/** Everything inside the small applet. */
+export const CSS = `${TOKENS}${CONTROLS}
 .frame { outline: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); }
 .stage { position: relative; background: var(--bz-paper); border-radius: 10px 10px 0 0; touch-action: pan-y pinch-zoom; -webkit-tap-highlight-color: transparent; }
 ::slotted(canvas) {
@@ -77,13 +78,9 @@ const CSS = `${TOKENS}${CONTROLS}
 .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
 .status { display: flex; gap: 0.6rem; align-items: baseline; margin: 0; padding: 0.6rem 0.9rem; border-block: 1px solid var(--bz-rim); min-block-size: 4.1em; }
 .verdict { flex: none; min-inline-size: 2.6em; padding: 0 0.45em; border-radius: 5px; text-align: center; font-weight: 650; border: 1.5px solid currentColor; }
-.verdict[data-verdict="C0"] { color: var(--bz-broken, #b34700); }
-.verdict[data-verdict="G1"], .verdict[data-verdict="C1"] { color: var(--bz-smooth, #00704f); }
+.verdict { color: var(--bz-smooth, var(--bz-smooth-ink)); }
+.verdict[data-verdict="C0"], .verdict[data-verdict="open"] { color: var(--bz-broken, var(--bz-broken-ink)); }
 .verdict:empty { display: none; }
-@media (prefers-color-scheme: dark) {
-  .verdict[data-verdict="C0"] { color: var(--bz-broken, #f0b13c); }
-  .verdict[data-verdict="G1"], .verdict[data-verdict="C1"] { color: var(--bz-smooth, #3ecf9f); }
-}
 .controls { display: flex; flex-wrap: wrap; gap: 0.75rem 1.4rem; align-items: center; padding: 0.8rem 0.9rem; }
 .row { display: flex; flex-wrap: wrap; gap: 0.5rem; align-items: center; }
 kbd {

@@ -8,17 +8,51 @@ import { description, jointLabel } from "./words.js";
 /** So long after the last change something is said: a drag is told once. */
 const PAUSE_MS = 500;
 
+/** Announces what has changed, once nothing has changed for a while. */
+export class Speaker {
+  #live;
+  #news;
+  #words = "";
+  #timer = 0;
+
+  /**
+   * @param {HTMLElement} live
+   * @param {() => string} news asked for just before something is said: what else there is to say
+   */
+  constructor(live, news) {
+    this.#live = live;
+    this.#news = news;
+  }
+
+  /** @param {string} [words] */
+  say(words = this.#words) {
+    this.#words = words;
+    clearTimeout(this.#timer);
+    this.#timer = window.setTimeout(() => this.#speak(), PAUSE_MS);
+  }
+
+  end() {
+    clearTimeout(this.#timer);
+  }
+
+  #speak() {
+    const words = [this.#words, this.#news()].filter(Boolean).join(". ");
+    if (words) this.#live.textContent = words;
+    this.#words = "";
+  }
+}
+
 export class Voice {
   #view;
   /** @type {{ state: State, derived: Derived } | null} */
   #shown = null;
-  #words = "";
   #told = "";
-  #timer = 0;
+  #speaker;
 
   /** @param {View} view */
   constructor(view) {
     this.#view = view;
+    this.#speaker = new Speaker(view.live, () => this.#news());
   }
 
   /**
@@ -33,35 +67,28 @@ export class Voice {
     if (this.#shown?.state === state) return;
     const first = this.#shown === null;
     this.#shown = { state, derived };
-    if (!first) return this.#wait();
+    if (!first) return this.#speaker.say();
     this.#told = verdict; // what is there from the start is described, not announced
-    this.#speak();
+    this.#news();
   }
 
   /** @param {string} words announced together with what has changed at P3 */
   say(words) {
-    this.#words = words;
-    this.#wait();
+    this.#speaker.say(words);
   }
 
   end() {
-    clearTimeout(this.#timer);
+    this.#speaker.end();
   }
 
-  #wait() {
-    clearTimeout(this.#timer);
-    this.#timer = window.setTimeout(() => this.#speak(), PAUSE_MS);
-  }
-
-  #speak() {
-    if (!this.#shown) return;
+  #news() {
+    if (!this.#shown) return "";
     const { state, derived } = this.#shown;
     setText(this.#view.description, description(state, derived));
     const { verdict, text } = jointLabel(state, derived);
     const news = verdict === this.#told ? "" : text;
     this.#told = verdict;
-    if (this.#words || news) this.#view.live.textContent = [this.#words, news].filter(Boolean).join(". ");
-    this.#words = "";
+    return news;
   }
 }
 
@@ -71,6 +98,6 @@ export class Voice {
  * @param {HTMLElement} element
  * @param {string} text
  */
-function setText(element, text) {
+export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -1,7 +1,7 @@
 // What pages see of the elements: types alone, which name nothing of the libraries inside.
 
 /**
- * @import { Surface } from "../index.js"
+ * @import { Curve, Spline, Surface } from "../index.js"
  */
 
 /**
@@ -89,6 +89,75 @@
  * @property {SurfaceFigure} figure what is shown, as plain values; read-only
  * @property {() => Promise<Blob | null>} toBlob the picture as a PNG; null before there is one
  */
+
+/** @typedef {"free" | "g1" | "c1" | "c2" | "g2" | "auto"} JointMode */
+
+/**
+ * What a `<bezier-applet>` shows, for companions and pages.
+ *
+ * @typedef {object} AppletFigure
+ * @property {[number, number][]} points the shown control points
+ * @property {number} shown how many
+ * @property {string} basis
+ * @property {number} degree of the pieces
+ * @property {number[] | null} matrix 16 numbers M, row-major: each piece is [t³ t² t 1]·M·P of its four points; null where there is no such
+ * @property {number} t
+ * @property {number} segment the piece that t is about
+ * @property {string[]} names of the points
+ * @property {("on" | "off" | "wait")[]} kinds of the points: on the curve, off it, waiting for more points
+ * @property {{ curve: Curve, indices: number[] }[]} pieces in Bézier form, with the points that each is made of
+ * @property {Spline | null} spline the pieces as one chain; null where they do not meet
+ * @property {ReturnType<Spline["continuity"]>[]} continuity at each inner joint
+ * @property {{ segments: number, error: number } | null} tree of the subdivision, where it is shown: its polyline's segments, and
+ *   how far it is from the curve
+ */
+
+/**
+ * `<bezier-applet>`: control points that are dragged, the curve that they mean, and what there is to see about it. Attributes
+ * are read as any text: what cannot be used counts as the last good one, and is told below the picture. Events "input" (while
+ * something moves) and "change" (when it is done) tell what the user does, and bubble; "update" follows every change, whoever
+ * made it, and does not bubble.
+ *
+ * @typedef {object} AppletProperties
+ * @property {[number, number][]} points all control points, 670 × 480, y down; an attribute "x,y x,y …"
+ * @property {string} mode how many of them are shown; "" for all
+ * @property {string} basis "bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal" or "matrix"
+ * @property {string} matrix 16 numbers for the basis "matrix", row-major: [t³ t² t 1]·M·P
+ * @property {string} degree 1 to 64, or "n": one curve
+ * @property {JointMode[]} joints what is held at each inner joint; as an attribute words, the last one for all further joints
+ * @property {number} t from 0 to 1; half beyond both ends where the extrapolation is shown
+ * @property {string} segment the number of the piece that t is about, from 0
+ * @property {string} show words of "polygon hull scaffold halves weights tangents normals comb bounds extrema inflections tree segments
+ *   nearest offset ticks envelope extrapolation names"
+ * @property {string} labels the notation: "P0", "P1", "b0", "p0" or "none"
+ * @property {string} tolerance of the tree, in pixels
+ * @property {string} segments of the uniform polyline
+ * @property {string} offset the distance of the parallel
+ * @property {string} ticks parts of equal length
+ * @property {string} view what is seen: "x y width height"
+ * @property {string | boolean | null} controls whether the panel is shown; words of "joints t points curve show fine save coordinates
+ *   zoom" show these groups only
+ * @property {boolean} readonly whether the points stay where they are
+ * @property {string} hotkeys "off": no keys but the arrows
+ * @property {string} theme "light", "dark" or "auto"
+ * @property {string} label what screen readers call the picture
+ * @property {Record<string, unknown>} state everything, as plain data
+ * @property {AppletFigure} figure what is shown; read-only
+ * @property {() => void} undo
+ * @property {() => void} redo
+ * @property {() => void} reset everything as it was at first
+ * @property {(seed?: number) => void} randomize
+ * @property {(t?: number) => [Curve, Curve]} split shows the halves at t, and returns those of the selected segment
+ * @property {(t?: number) => void} insert cuts the selected segment; the curve stays as it is
+ * @property {(index?: number) => void} remove a point; the curve heals. Without an index the element itself, as every element
+ * @property {(...what: (Node | string | [number, number])[]) => void} append a point; nodes go into the element, as into every one
+ * @property {() => void} toggleMode few points, or all
+ * @property {() => Record<string, unknown>} toJSON
+ * @property {(what: { t?: number, index?: number, point?: [number, number] }, done?: boolean) => void} steer as if the user did it
+ */
+
+/** @typedef {Omit<HTMLElement, "append" | "remove"> & AppletProperties} BezierAppletElement */
+/** @typedef {{ new (): BezierAppletElement, prototype: BezierAppletElement }} BezierAppletConstructor */
 
 /** @typedef {HTMLElement & SurfaceProperties} BezierSurfaceElement */
 /** @typedef {{ new (): BezierSurfaceElement, prototype: BezierSurfaceElement }} BezierSurfaceConstructor */

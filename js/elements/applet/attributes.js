@@ -1,0 +1,135 @@
+// The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
+import { LitElement } from "lit";
+import { withJoints } from "./edits.js";
+import { FIELDS } from "./fields.js";
+import { firstState } from "./state.js";
+
+/** @typedef {import("./state.js").State} State */
+
+const text = { type: String, reflect: true };
+/** true and false as well as the words of an attribute. */
+const converter = {
+  fromAttribute: (/** @type {string | null} */ value) => value,
+  toAttribute: (/** @type {unknown} */ value) => (value === true ? "" : value === false || value === null ? null : String(value)),
+};
+
+/** Keeps the state and the attributes the same. */
+export class AppletAttributes extends LitElement {
+  static properties = {
+    controls: { converter, reflect: true }, readonly: { type: Boolean, reflect: true }, hotkeys: text, theme: text, label: text,
+  };
+
+  static get observedAttributes() {
+    return [...super.observedAttributes, ...Object.keys(FIELDS)];
+  }
+
+  /** @type {State} */
+  #state = firstState();
+  /** Attributes that have been written from outside and not yet been read. @type {Set<string>} */
+  #unread = new Set();
+  /** What was wrong with an attribute. @type {Map<string, string>} */
+  #problems = new Map();
+  /** What the attributes say, or what the state said when they were read. @type {Map<string, string>} */
+  #known = new Map(Object.entries(FIELDS).map(([name, { write }]) => [name, write(this.#state)]));
+  #writing = false;
+
+  constructor() {
+    super();
+    /** @type {string | boolean | null} null: no panel; words: parts of it; else all of it */
+    this.controls = null;
+    this.readonly = false;
+    this.hotkeys = "on";
+    this.theme = "auto";
+    this.label = "";
+  }
+
+  /** @protected @returns {State} what is shown now, the attributes read */
+  now() {
+    if (this.#unread.size) this.#read();
+    return this.#state;
+  }
+
+  /**
+   * @protected
+   * @param {State} state
+   */
+  become(state) {
+    this.now();
+    this.#state = state;
+  }
+
+  /** @protected */
+  get problems() {
+    return [...this.#problems.values()];
+  }
+
+  /**
+   * @param {string} name
+   * @param {string | null} before
+   * @param {string | null} value
+   */
+  attributeChangedCallback(name, before, value) {
+    if (!Object.hasOwn(FIELDS, name)) return super.attributeChangedCallback(name, before, value);
+    if (this.#writing) return;
+    this.#unread.add(name);
+    this.requestUpdate();
+  }
+
+  /** What cannot be used is told of, and the last good one stays. */
+  #read() {
+    const names = Object.keys(FIELDS).filter((name) => this.#unread.has(name));
+    this.#unread.clear();
+    for (const name of names) {
+      this.#problems.delete(name);
+      try {
+        this.#state = this.#readOne(name, this.getAttribute(name));
+      } catch (error) {
+        this.#problems.set(name, error instanceof Error ? error.message : String(error));
+      }
+    }
+    if (names.includes("joints")) this.#state = withJoints(this.#state, this.#state.joints);
+    for (const name of names) this.#known.set(name, FIELDS[name].write(this.#state));
+  }
+
+  /**
+   * @param {string} name
+   * @param {string | null} given null: as at first
+   * @returns {State}
+   */
+  #readOne(name, given) {
+    const { parse, put, get } = FIELDS[name];
+    return put(this.#state, given === null ? get(firstState()) : parse(given));
+  }
+
+  /** What has changed otherwise than by an attribute is written into it. @protected */
+  reflectState() {
+    const state = this.now();
+    this.#writing = true;
+    for (const [name, { write }] of Object.entries(FIELDS)) {
+      const value = write(state);
+      if (value === this.#known.get(name)) continue;
+      this.#known.set(name, value);
+      this.#problems.delete(name);
+      if (name === "mode" && value === "") this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    }
+    this.#writing = false;
+  }
+}
+
+for (const name of Object.keys(FIELDS)) {
+  if (["points", "joints", "t"].includes(name)) continue; // these are data, see element.js
+  Object.defineProperty(AppletAttributes.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    /** @this {any} */
+    get() {
+      return FIELDS[name].write(this.now());
+    },
+    /** @this {HTMLElement} @param {unknown} value */
+    set(value) {
+      if (value === null || value === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, String(value));
+    },
+  });
+}

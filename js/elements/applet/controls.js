@@ -1,0 +1,49 @@
+// Native form controls, as templates.
+import { html, nothing } from "lit";
+
+/**
+ * @param {unknown} label
+ * @param {readonly string[]} words
+ * @param {string} chosen
+ * @param {Record<string, unknown>} names what the words are called, where not by themselves
+ * @param {(word: string) => void} act
+ * @param {boolean} [off]
+ */
+export function choice(label, words, chosen, names, act, off = false) {
+  const changed = (/** @type {Event} */ event) => act(/** @type {HTMLSelectElement} */ (event.target).value);
+  const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+  return html`<label class="line"><span>${label}</span><select ?disabled=${off} @change=${changed}>${words.map(option)}</select></label>`;
+}
+
+/**
+ * @param {unknown} label
+ * @param {string} name
+ * @param {number} value
+ * @param {{ min: number, max: number, step: number }} range
+ * @param {(value: number, done: boolean) => void} act
+ */
+export function slider(label, name, value, { min, max, step }, act) {
+  const to = (/** @type {boolean} */ done) => (/** @type {Event} */ event) => act(Number(/** @type {HTMLInputElement} */ (event.target).value), done);
+  return html`<label class="line"><span>${label}</span>
+    <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to(false)} @change=${to(true)}>
+    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : value}</span></label>`;
+}
+
+/**
+ * @param {string} label
+ * @param {boolean} checked
+ * @param {(on: boolean) => void} act
+ */
+export function box(label, checked, act) {
+  const changed = (/** @type {Event} */ event) => act(/** @type {HTMLInputElement} */ (event.target).checked);
+  return html`<label><input type="checkbox" .checked=${checked} @change=${changed}>${label}</label>`;
+}
+
+/**
+ * @param {string} label
+ * @param {() => void} act
+ * @param {{ key?: string, off?: boolean, pressed?: boolean }} [more]
+ */
+export function button(label, act, { key, off = false, pressed } = {}) {
+  return html`<button type="button" ?disabled=${off} aria-keyshortcuts=${key ?? nothing} aria-pressed=${pressed ?? nothing} @click=${act}>${label}${key ? html` <kbd>${key}</kbd>` : nothing}</button>`;
+}

@@ -1,0 +1,258 @@
+// Everything that changes the state, by the page or by the user; undo and redo; the events that tell.
+import { AppletAttributes } from "./attributes.js";
+import * as edits from "./edits.js";
+import { FIELDS, jsonOf, stateOf } from "./fields.js";
+import { figureOf } from "./figure.js";
+import { History } from "./history.js";
+import { reportOf } from "./report.js";
+import { firstState, toggled } from "./state.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./state.js").Place} Place */
+/** @typedef {import("./figure.js").Figure} Figure */
+
+/** What a figure is made of: as long as these are the same, it is. @type {readonly (keyof State)[]} */
+const MAKINGS = ["points", "shown", "basis", "degree", "matrix", "labels"];
+
+export class AppletEditing extends AppletAttributes {
+  /** @protected */
+  history = new History();
+  /** @protected what could not be done */
+  message = "";
+  /** What the user began with, for `reset`. @type {State | null} */
+  #origin = null;
+  /** @type {{ state: State, figure: Figure } | null} */
+  #made = null;
+
+  /** All points, also the hidden ones; a copy. @returns {Place[]} */
+  get points() {
+    return this.now().points.map(([x, y]) => [x, y]);
+  }
+
+  set points(points) {
+    this.byPage((state) => FIELDS.points.put(state, points));
+  }
+
+  /** The mode of each inner joint. */
+  get joints() {
+    return edits.modesOf(this.now());
+  }
+
+  set joints(joints) {
+    this.byPage((state) => edits.withJoints(state, /** @type {State} */ (FIELDS.joints.put(state, joints)).joints));
+  }
+
+  get t() {
+    return this.now().t;
+  }
+
+  set t(t) {
+    this.show(FIELDS.t.put(this.now(), t));
+  }
+
+  /** Everything that is shown, as plain data. @returns {Record<string, unknown>} */
+  get state() {
+    return jsonOf(this.now());
+  }
+
+  set state(json) {
+    const state = stateOf(json);
+    this.byPage(() => state);
+  }
+
+  toJSON() {
+    return this.state;
+  }
+
+  /** What is shown, as companions read it. */
+  get figure() {
+    return reportOf(this.now(), this.made());
+  }
+
+  undo() {
+    this.byPage((state) => this.history.undo(state), false);
+  }
+
+  redo() {
+    this.byPage((state) => this.history.redo(state), false);
+  }
+
+  /** Everything as it was when the user came. */
+  reset() {
+    this.byPage((state) => this.#origin ?? state);
+  }
+
+  /** @param {number} [seed] */
+  randomize(seed = Math.floor(Math.random() * 2 ** 32)) {
+    this.byPage((state) => edits.randomized(state, seed));
+  }
+
+  /**
+   * Shows the two halves at t.
+   *
+   * @param {number} [t]
+   * @returns {[import("../../index.js").Curve, import("../../index.js").Curve]} of the selected segment
+   */
+  split(t = this.t) {
+    const next = FIELDS.show.put(FIELDS.t.put(this.now(), t), [...new Set([...this.now().layers, "halves"])]);
+    const { pieces } = figureOf(next);
+    if (!pieces.length) throw new RangeError("split: expected a curve, got too few points for one");
+    this.byPage(() => next);
+    return pieces[Math.min(next.segment, pieces.length - 1)].curve.split(t);
+  }
+
+  /** @param {number} [t] */
+  insert(t) {
+    this.byPage((state) => edits.inserted(state, t));
+  }
+
+  /** @param {number} [index] a point; without one the element itself is removed, as every element */
+  remove(index) {
+    if (index === undefined) super.remove();
+    else this.byPage((state) => edits.removed(state, index));
+  }
+
+  /** @param {(Place | Node | string)[]} what a point; nodes are appended to the element, as to every one */
+  append(...what) {
+    const [point] = what;
+    if (Array.isArray(point)) this.byPage((state) => edits.appended(state, point));
+    else super.append(.../** @type {(Node | string)[]} */ (what));
+  }
+
+  /** Few points, or all. */
+  toggleMode() {
+    this.byPage(toggled);
+  }
+
+  /**
+   * As if the user did it in the figure.
+   *
+   * @param {{ t?: number, index?: number, point?: Place }} what
+   * @param {boolean} [done] whether the undo step is complete
+   */
+  steer({ t, index, point }, done = true) {
+    if (this.readonly && index !== undefined) return;
+    this.during((state) => {
+      const next = t === undefined ? state : FIELDS.t.put(state, t);
+      return index === undefined ? next : edits.withPointAt(next, index, point);
+    });
+    if (done) this.settle();
+  }
+
+  /** @protected @returns {Figure} of the state as it is now */
+  made() {
+    const state = this.now();
+    const same = this.#made && MAKINGS.every((name) => this.#made?.state[name] === state[name]);
+    if (!this.#made || !same) this.#made = { state, figure: figureOf(state) };
+    return this.#made.figure;
+  }
+
+  /**
+   * @protected
+   * @param {State} state
+   */
+  show(state) {
+    if (state === this.now()) return;
+    this.become(state);
+    this.requestUpdate();
+  }
+
+  /**
+   * By the page: an undo step, but no events. What is refused changes nothing.
+   *
+   * @protected
+   * @param {(state: State) => State} change
+   * @param {boolean} [step]
+   */
+  byPage(change, step = true) {
+    this.settle();
+    const before = this.now();
+    this.#origin ??= before;
+    const next = change(before);
+    if (step) this.history.touch(before);
+    this.show(next);
+    this.history.close(next);
+  }
+
+  /**
+   * A part of what the user is doing; `settle` completes it.
+   *
+   * @protected
+   * @param {(state: State) => State} change
+   */
+  during(change) {
+    const before = this.now();
+    const next = change(before);
+    this.#origin ??= before;
+    this.history.touch(before);
+    this.show(next);
+    this.fire("input");
+  }
+
+  /** What the user was doing is complete. @protected */
+  settle() {
+    if (this.history.close(this.now())) this.fire("change");
+  }
+
+  /**
+   * Something the user does at once. What cannot be done is told of.
+   *
+   * @protected
+   * @param {(state: State) => State} change
+   * @returns {boolean} whether it was done
+   */
+  byUser(change) {
+    this.settle();
+    return this.attempt(() => {
+      this.during(change);
+      this.settle();
+    });
+  }
+
+  /**
+   * @protected
+   * @param {() => void} act
+   * @returns {boolean}
+   */
+  attempt(act) {
+    let message = "";
+    try {
+      act();
+    } catch (error) {
+      message = error instanceof Error ? error.message : String(error);
+    }
+    this.say(message);
+    return message === "";
+  }
+
+  /**
+   * @protected
+   * @param {string} message
+   */
+  say(message) {
+    if (message === this.message) return;
+    this.message = message;
+    this.requestUpdate();
+  }
+
+  /** Esc: what the user was doing has not been done. @protected */
+  giveUp() {
+    const before = this.history.abandon();
+    if (!before) return;
+    this.show(before);
+    this.fire("input");
+  }
+
+  /** @protected The first state that a user sees. */
+  get origin() {
+    return this.#origin ?? firstState();
+  }
+
+  /**
+   * @protected
+   * @param {"input" | "change"} type
+   */
+  fire(type) {
+    this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
+  }
+}

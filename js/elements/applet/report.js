@@ -1,0 +1,53 @@
+// What is shown, as the page and the companions read it.
+import { treeOf } from "./layers/index.js";
+import { jointFacts } from "./words.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./figure.js").Figure} Figure */
+
+/**
+ * What holds at each inner joint.
+ *
+ * @param {Figure} figure
+ * @returns {import("./words.js").Continuity[]} none where there is no chain
+ */
+export function continuityOf({ spline }) {
+  return spline ? Array.from({ length: spline.segmentCount - 1 }, (_, k) => spline.continuity(k + 1)) : [];
+}
+
+/**
+ * @param {Figure} figure
+ * @returns {import("./words.js").JointFacts[]}
+ */
+export function jointsOf(figure) {
+  return continuityOf(figure).map((continuity, k) => jointFacts(figure, k + 1, continuity));
+}
+
+/**
+ * @param {State} state
+ * @param {Figure} figure
+ */
+export function reportOf(state, figure) {
+  const { pieces, spline, names, kinds, degree, matrix } = figure;
+  return {
+    points: figure.points.map(([x, y]) => /** @type {[number, number]} */ ([x, y])),
+    shown: state.shown,
+    basis: state.basis,
+    degree,
+    matrix,
+    t: state.t,
+    segment: Math.min(state.segment, Math.max(0, pieces.length - 1)),
+    names,
+    kinds,
+    pieces,
+    spline,
+    get continuity() {
+      return continuityOf(figure);
+    },
+    get tree() {
+      if (!state.layers.has("tree")) return null;
+      const { segments, error } = treeOf(figure, state);
+      return { segments, error };
+    },
+  };
+}

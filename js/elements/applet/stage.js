@@ -1,0 +1,190 @@
+// The picture: a canvas, a handle over each point, and the hands that move them; drawn at most once a frame.
+import { Drags } from "../../applet/drag.js";
+import { Handles } from "../../applet/handles.js";
+import { clamped } from "../../applet/state.js";
+import { onDoubleTap } from "../../applet/taps.js";
+import { followTheme, readTheme } from "../../applet/theme.js";
+import { followSize } from "../../applet/view.js";
+import { nameOf } from "./figure.js";
+import { listenToGestures } from "./gestures.js";
+import { drawFigure, ROLES } from "./layers/index.js";
+import { isHome, scaleOf, toPlane } from "./state.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./state.js").Place} Place */
+/** @typedef {import("./figure.js").Figure} Figure */
+
+/**
+ * @typedef {object} StagePort
+ * @property {() => { state: State, figure: Figure }} now
+ * @property {() => boolean} fixed whether nothing can be moved
+ * @property {() => void} begun
+ * @property {(index: number, to: Place, drag: { from: Place, event?: PointerEvent }) => void} move
+ * @property {() => void} restored
+ * @property {(moved: number[]) => void} ended
+ * @property {(index: number) => void} grabbed
+ * @property {(at: Place) => unknown} doubleTap
+ * @property {(at: Place) => unknown} tap on an empty place
+ * @property {(at: Place | null) => unknown} point the pointer has moved
+ * @property {(factor: number, from: Place, to: Place) => void} look
+ * @property {(told: { name: string, words: string }[]) => void} drawn with what the layers tell
+ */
+
+export class Stage {
+  /** The length of a CSS pixel in the box's units. */
+  px = 1;
+  #canvas;
+  #overlay;
+  #probe;
+  #port;
+  #handles;
+  #drags;
+  #context;
+  #theme;
+  #frame = 0;
+  /** @type {(() => void)[]} */
+  #endings = [];
+
+  /**
+   * @param {{ canvas: HTMLCanvasElement, overlay: HTMLElement, probe: HTMLElement }} parts
+   * @param {StagePort} port
+   */
+  constructor({ canvas, overlay, probe }, port) {
+    this.#canvas = canvas;
+    this.#overlay = overlay;
+    this.#probe = probe;
+    this.#port = port;
+    this.#context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    this.#theme = readTheme(probe, ROLES);
+    this.#handles = new Handles(overlay, port.now().state.box);
+    this.#drags = new Drags(overlay, this.#dragPort());
+    this.#listen();
+  }
+
+  get handles() {
+    return this.#handles;
+  }
+
+  get dragging() {
+    return this.#drags.active;
+  }
+
+  get theme() {
+    return this.#theme;
+  }
+
+  /** Begins to follow the size and the colours. */
+  start() {
+    if (this.#endings.length) return;
+    this.#endings = [
+      followTheme(this.#probe, () => this.recolour()),
+      followSize(this.#canvas, /** @type {any} */ ({ overlay: this.#overlay }), (width) => this.#resized(width)),
+      () => cancelAnimationFrame(this.#frame),
+    ];
+    this.recolour();
+  }
+
+  /** Leaves nothing running. */
+  end() {
+    this.#drags.cancel();
+    for (const ending of this.#endings.splice(0)) ending();
+    this.#frame = 0;
+  }
+
+  /** The colours may be others. */
+  recolour() {
+    this.#theme = readTheme(this.#probe, ROLES);
+    this.schedule();
+  }
+
+  schedule() {
+    if (this.#frame === 0 && this.#endings.length) this.#frame = requestAnimationFrame(() => this.#nextFrame());
+  }
+
+  /** Lets go of all points, which return. @returns {boolean} whether there was one */
+  cancel() {
+    return this.#drags.cancel();
+  }
+
+  /** Lets go of all points, which stay where they are. */
+  release() {
+    this.#drags.end();
+  }
+
+  draw() {
+    const { state, figure } = this.#port.now();
+    const { width, height } = this.#canvas;
+    this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
+    const told = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
+    this.place();
+    this.#port.drawn(told);
+  }
+
+  /** Puts the handles where the points are. */
+  place() {
+    const { state, figure } = this.#port.now();
+    const { names, kinds, points } = figure;
+    this.#handles.update(points, state.view, { nameOf: (i) => (state.labels === "none" ? nameOf("P0", i) : names[i]), kindOf: (i) => kinds[i] });
+    for (const input of this.#overlay.getElementsByTagName("input")) input.disabled = this.#port.fixed();
+  }
+
+  #nextFrame() {
+    this.#frame = 0;
+    this.#drags.apply();
+    this.draw();
+  }
+
+  /** @param {number} width in CSS pixels */
+  #resized(width) {
+    this.px = width > 0 ? this.#port.now().state.box.width / width : 1;
+    this.draw(); // at once: a canvas of a new size is empty
+  }
+
+  /**
+   * @param {{ clientX: number, clientY: number }} event
+   * @returns {Place} in the plane
+   */
+  #placeAt({ clientX, clientY }) {
+    const { left, top, width, height } = this.#overlay.getBoundingClientRect();
+    const { state } = this.#port.now();
+    return toPlane(state, [((clientX - left) / width) * state.box.width, ((clientY - top) / height) * state.box.height]);
+  }
+
+  #listen() {
+    const [overlay, port] = [this.#overlay, this.#port];
+    onDoubleTap(overlay, (event) => port.doubleTap(this.#placeAt(event)));
+    overlay.addEventListener("click", (event) => event.target === overlay && port.tap(this.#placeAt(event)));
+    overlay.addEventListener("pointermove", (event) => port.point(this.#placeAt(event)));
+    overlay.addEventListener("pointerleave", () => port.point(null));
+    listenToGestures(overlay, {
+      place: (event) => this.#placeAt(event),
+      enlarged: () => !isHome(port.now().state),
+      look: port.look,
+    });
+  }
+
+  /** @returns {import("../../applet/drag.js").DragPort} */
+  #dragPort() {
+    const port = this.#port;
+    return {
+      placeOf: (index) => clamped(port.now().state.view, port.now().figure.points[index]),
+      toBox: (event) => this.#placeAt(event),
+      boxOf: (index) => this.#handles.boxOf(index),
+      count: () => (port.fixed() ? 0 : this.#handles.count),
+      grabbed: (index) => {
+        this.#handles.focus(index);
+        port.grabbed(index);
+      },
+      schedule: () => this.schedule(),
+      move: (index, to, drag) => port.move(index, clamped(port.now().state.view, to), drag),
+      begun: port.begun,
+      restored: port.restored,
+      ended: port.ended,
+    };
+  }
+
+  /** The length of a CSS pixel in the plane. */
+  get reach() {
+    return this.px * scaleOf(this.#port.now().state);
+  }
+}
