@@ -6,7 +6,11 @@ import { firstState } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 
-const text = { type: String, reflect: true };
+/** What goes without saying is no attribute. @param {string} first */
+const text = (first) => ({
+  converter: { fromAttribute: (/** @type {string | null} */ value) => value ?? first, toAttribute: (/** @type {unknown} */ value) => (value === first ? null : String(value)) },
+  reflect: true,
+});
 /** true and false as well as the words of an attribute. */
 const converter = {
   fromAttribute: (/** @type {string | null} */ value) => value,
@@ -16,7 +20,7 @@ const converter = {
 /** Keeps the state and the attributes the same. */
 export class AppletAttributes extends LitElement {
   static properties = {
-    controls: { converter, reflect: true }, readonly: { type: Boolean, reflect: true }, hotkeys: text, theme: text, label: text,
+    controls: { converter, reflect: true }, readonly: { type: Boolean, reflect: true }, hotkeys: text("on"), theme: text("auto"), label: text(""),
   };
 
   static get observedAttributes() {

@@ -191,7 +191,9 @@ export class AppletEditing extends AppletAttributes {
 
   /** What the user was doing is complete. @protected */
   settle() {
-    if (this.history.close(this.now())) this.fire("change");
+    if (!this.history.close(this.now())) return;
+    this.fire("change");
+    this.requestUpdate();
   }
 
   /**

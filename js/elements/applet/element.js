@@ -80,6 +80,7 @@ export class BezierApplet extends AppletEditing {
       const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
       this.#stage = new Stage({ canvas: find("canvas"), overlay: find(".overlay"), probe: find(".probe") }, this.#stagePort());
       this.#speaker = new Speaker(find("[role=status]"), () => this.#describe());
+      this.#describe();
     }
     this.#stage.start();
   }
