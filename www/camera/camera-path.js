@@ -1,0 +1,307 @@
+// A camera on its way: what it sees, where it is, and what even speed and calm frames are worth.
+import { css, html, svg } from "lit";
+import { codeBox } from "../figures/code-box.js";
+import { Figure } from "../figures/figure.js";
+import { check, choice, handle, list, pathOf, slider } from "../figures/parts.js";
+import { decimal, short } from "../figures/words.js";
+import { cameraCode } from "./code.js";
+import { equalSteps, framesOf, lookingAt, minimising, pathThrough, roll, timeAt } from "./path.js";
+import { cameraIn, drawCamera, drawFrames, drawScene, line, orbiting, stroke, TEAPOT_MIDDLE } from "./scene.js";
+import { added, BOX, FEWEST_POINTS, FIRST, moved, removed } from "./state.js";
+
+const HALF_SIGHT = 0.7; // radians: 80° across
+const DRAWN_FRAMES = 40;
+const ROLL_STEPS = 240;
+const SECONDS = 14;
+const DEGREES_PER_PIXEL = 0.4;
+const DEGREES_PER_KEY = 5;
+const COLOURS = /** @type {const} */ (["ink", "quiet", "grid", "curve", "handle", "level1", "level2", "paper"]);
+
+/** `<camera-path>` */
+export class CameraPath extends Figure {
+  static properties = { state: { attribute: false }, progress: { state: true }, chosen: { state: true }, playing: { state: true }, orbit: { state: true } };
+  static styles = [Figure.styles, css`
+    .views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 1px; background: var(--rim); }
+    .view { position: relative; background: var(--paper); }
+    .view > b { position: absolute; inset: 0.5rem auto auto 0.7rem; font-size: 0.875rem; font-weight: 600; pointer-events: none; }
+    canvas { display: block; inline-size: 100%; block-size: auto; aspect-ratio: 3 / 2; background: var(--paper); }
+    #eye { aspect-ratio: 2 / 1; }
+    .key-line { display: inline-block; inline-size: 1.1rem; block-size: 0; border-block-start: 3px solid; vertical-align: middle; margin-inline: 0.6rem 0.3rem; }
+    .wide { grid-column: 1 / -1; }
+  `];
+
+  constructor() {
+    super();
+    this.state = FIRST;
+    this.progress = 0;
+    this.chosen = 3;
+    this.playing = false;
+    this.orbit = { turn: -62, tilt: 30 };
+    this.frame = 0;
+    this.themes = [matchMedia("(prefers-color-scheme: dark)"), matchMedia("(forced-colors: active)")];
+    this.repaint = () => this.requestUpdate();
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    for (const theme of this.themes) theme.addEventListener("change", this.repaint);
+  }
+
+  disconnectedCallback() {
+    super.disconnectedCallback();
+    for (const theme of this.themes) theme.removeEventListener("change", this.repaint);
+    this.stop();
+  }
+
+  /** How many equal times are marked. */
+  get steps() {
+    return this.wide < 520 ? 24 : 48;
+  }
+
+  /** @param {Map<string, unknown>} changed */
+  willUpdate(changed) {
+    if (!changed.has("state") && !changed.has("wide")) return;
+    this.path = pathThrough(this.state.points, this.state);
+    this.length = this.path.length();
+    this.chosen = Math.min(this.chosen, this.state.points.length - 1);
+    this.line = this.path.sample(24);
+    this.stops = this.path.evalAt(equalSteps(this.path, this.steps, this.state.even));
+    this.frames = framesOf(this.path, this.path.evenly(DRAWN_FRAMES), this.state.frames);
+  }
+
+  /** The camera now. */
+  now() {
+    const t = timeAt(this.path, this.progress, this.state.even);
+    // Frenet's frame keeps its last answer where the path is straight, so it is asked all along the way.
+    const ts = [...Array.from({ length: 60 }, (_, i) => (t * i) / 60), t];
+    const frame = /** @type {import("./path.js").Frame} */ (framesOf(this.path, ts, this.state.frames).at(-1));
+    return { t, frame, camera: cameraIn(this.state.look === "teapot" ? lookingAt(frame, TEAPOT_MIDDLE) : frame, HALF_SIGHT) };
+  }
+
+  play() {
+    if (this.playing) return this.stop();
+    this.playing = true;
+    let before = performance.now();
+    const step = (/** @type {number} */ now) => {
+      const next = this.progress + (now - before) / 1000 / SECONDS;
+      before = now;
+      this.progress = next <= 1 ? next : 0;
+      this.frame = requestAnimationFrame(step);
+    };
+    this.frame = requestAnimationFrame(step);
+  }
+
+  stop() {
+    cancelAnimationFrame(this.frame);
+    this.playing = false;
+  }
+
+  /** @param {import("./state.js").State} state */
+  change(state) {
+    this.state = state;
+    this.tell();
+  }
+
+  updated() {
+    const style = getComputedStyle(this);
+    const colours = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+    const { camera, frame } = this.now();
+    this.paint("eye", camera, (sheet) => {
+      drawScene(sheet, /** @type {any} */ (colours));
+      stroke(sheet, colours.handle, 1.5, () => line(sheet, /** @type {Float64Array} */ (this.line)));
+    });
+    this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (sheet) => {
+      drawScene(sheet, /** @type {any} */ (colours));
+      stroke(sheet, colours.quiet, 1.5, () => line(sheet, /** @type {Float64Array} */ (this.line)));
+      drawFrames(sheet, /** @type {any} */ (this.frames), 0.9, /** @type {any} */ (colours));
+      drawFrames(sheet, [frame], 1.6, /** @type {any} */ (colours));
+      drawCamera(sheet, { ...camera, angle: 0.5 }, 1.3, colours.ink);
+    });
+  }
+
+  /** @param {string} name @param {import("./scene.js").Camera} camera @param {(sheet: import("./scene.js").Sheet) => void} draw */
+  paint(name, camera, draw) {
+    const canvas = /** @type {HTMLCanvasElement} */ (this.renderRoot.querySelector(`#${name}`));
+    const width = canvas.clientWidth;
+    if (!width) return;
+    const height = canvas.clientHeight;
+    const sharp = devicePixelRatio;
+    if (canvas.width !== Math.round(width * sharp)) [canvas.width, canvas.height] = [width, height].map((side) => Math.round(side * sharp));
+    const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    ctx.setTransform(sharp, 0, 0, sharp, 0, 0);
+    ctx.clearRect(0, 0, width, height);
+    draw({ ctx, width, height, camera });
+  }
+
+  /** @param {PointerEvent} start */
+  drag(start) {
+    if (start.button !== 0) return;
+    const target = /** @type {HTMLElement} */ (start.currentTarget);
+    target.setPointerCapture(start.pointerId);
+    const { turn, tilt } = this.orbit;
+    const ends = new AbortController();
+    const move = (/** @type {PointerEvent} */ event) => this.orbitTo(turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL, tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL);
+    target.addEventListener("pointermove", move, { signal: ends.signal });
+    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    /** @type {Record<string, [number, number]>} */
+    const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const arrow = arrows[event.key];
+    if (!arrow || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    this.orbitTo(this.orbit.turn + arrow[0] * DEGREES_PER_KEY, this.orbit.tilt + arrow[1] * DEGREES_PER_KEY);
+  }
+
+  /** @param {number} turn @param {number} tilt */
+  orbitTo(turn, tilt) {
+    this.orbit = { turn, tilt: Math.min(Math.max(tilt, 2), 88) };
+  }
+
+  /** Seen from above, with handles. */
+  top() {
+    const wide = this.wide >= 720 ? (this.wide - 1) / 2 : this.wide;
+    const height = Math.round((wide * 2) / 3);
+    const scale = Math.min(wide / (BOX.max[0] - BOX.min[0]), height / (BOX.max[1] - BOX.min[1])) * 0.94;
+    const [cx, cy] = [0, 1].map((k) => (BOX.min[k] + BOX.max[k]) / 2);
+    const place = (/** @type {readonly number[]} */ [x, y]) => /** @type {[number, number]} */ ([wide / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale]);
+    const unplace = (/** @type {readonly number[]} */ [px, py]) => /** @type {[number, number]} */ ([cx + (px - wide / 2) / scale, cy - (py - height / 2) / scale]);
+    const flat = (/** @type {ArrayLike<number>} */ points) => Array.from({ length: points.length / 3 }, (_, i) => place([points[3 * i], points[3 * i + 1]])).flat();
+    const stops = flat(/** @type {Float64Array} */ (this.stops));
+    const { frame } = this.now();
+    const [ex, ey] = place(frame.point);
+    const [tx, ty] = [frame.tangent[0], -frame.tangent[1]];
+    return html`
+      <svg viewBox="0 0 ${wide} ${height}" role="img" aria-label="The path from above, with marks at equal times; ${this.state.points.length} points to drag">
+        <circle class="ghost" cx=${place([0, 0])[0]} cy=${place([0, 0])[1]} r=${2 * scale} /><path class="ghost" d=${pathOf([...place([2, 0]), ...place([3.4, 0])])} />
+        <path class="curve" d=${pathOf(flat(/** @type {Float64Array} */ (this.line)))} />
+        ${Array.from({ length: stops.length / 2 }, (_, i) => svg`<circle class="stop" cx=${stops[2 * i]} cy=${stops[2 * i + 1]} r="3" fill="var(--paper)" stroke="var(--handle)" stroke-width="1.5" />`)}
+        ${this.state.points.map((point, k) => {
+          const [x, y] = place(point);
+          return svg`<circle class="on" cx=${x} cy=${y} r=${k === this.chosen ? 8 : 6} /><text class="haloed middle ${k === this.chosen ? "strong" : ""}" x=${x} y=${y - 13}>${k + 1}</text>`;
+        })}
+        <path class="at" d="M${ex + 11 * tx} ${ey + 11 * ty}L${ex - 7 * tx - 7 * ty} ${ey - 7 * ty + 7 * tx}L${ex - 7 * tx + 7 * ty} ${ey - 7 * ty - 7 * tx}Z" />
+      </svg>
+      ${this.state.points.map((point, k) => handle({
+        name: `Point ${k + 1}`, at: [point[0], point[1]], place, unplace, size: [wide, height], box: { min: [BOX.min[0], BOX.min[1]], max: [BOX.max[0], BOX.max[1]] }, step: 0.1,
+        say: (value) => short(value, 2), move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])), done: () => this.tell(), focus: () => (this.chosen = k),
+      }))}
+    `;
+  }
+
+  /** Ways in equal times, at both speeds: marks along the straightened path. */
+  strip() {
+    const [left, right] = [74, 16];
+    const x = (/** @type {number} */ s) => left + (s / /** @type {number} */ (this.length)) * (this.wide - left - right);
+    const lengths = (/** @type {boolean} */ even) => {
+      if (even) return Array.from({ length: this.steps + 1 }, (_, i) => (i / this.steps) * /** @type {number} */ (this.length));
+      return this.rawLengths();
+    };
+    const row = (/** @type {boolean} */ even, /** @type {number} */ y, /** @type {string} */ words) => svg`
+      <text class="end ${even === this.state.even ? "strong" : "quiet"}" x=${left - 10} y=${y + 4}>${words}</text>
+      <path class="axis" d="M${left} ${y}H${this.wide - right}" />
+      ${lengths(even).map((s) => svg`<circle class="tick" data-even=${even} data-s=${s} cx=${x(s)} cy=${y} r="3" fill="var(--paper)" stroke=${even === this.state.even ? "var(--handle)" : "var(--quiet)"} stroke-width="1.5" />`)}`;
+    const s = this.state.even ? this.progress * /** @type {number} */ (this.length) : this.lengthUpTo(this.now().t);
+    return html`
+      <svg viewBox="0 0 ${this.wide} 74" role="img" aria-label="The path straightened, with marks at ${this.steps} equal times: evenly spaced at even speed, crowded and sparse at raw speed">
+        ${row(true, 22, "even")}${row(false, 54, "raw t")}
+        <path class="at" d="M${x(s)} ${(this.state.even ? 22 : 54) - 9}l7 9l-7 9l-7 -9Z" />
+      </svg>
+    `;
+  }
+
+  /** The way behind the camera at equal steps of t. */
+  rawLengths() {
+    return Array.from(equalSteps(this.path, this.steps, false), (t) => this.lengthUpTo(t));
+  }
+
+  /** @param {number} t */
+  lengthUpTo(t) {
+    const segments = this.path.segments();
+    const k = Math.min(Math.floor(t), segments.length - 1);
+    const before = segments.slice(0, k).reduce((sum, segment) => sum + segment.length(), 0);
+    return before + (t > k ? segments[k].subsegment(0, t - k).length() : 0);
+  }
+
+  /** How frames turn about the path, against rotation-minimising ones. */
+  rolls() {
+    const ts = this.path.evenly(ROLL_STEPS);
+    const carried = minimising(this.path, ts);
+    const kinds = /** @type {const} */ ([["minimising", "level1", "", "rotation-minimising"], ["frenet", "handle", "2 4", "Frenet"], ["upright", "curve", "8 4", "upright"]]);
+    const [left, right, height] = [74, 16, 130];
+    const x = (/** @type {number} */ i) => left + (i / ROLL_STEPS) * (this.wide - left - right);
+    const y = (/** @type {number} */ degrees) => 12 + ((180 - degrees) / 360) * (height - 34);
+    const lists = kinds.map(([kind]) => framesOf(this.path, ts, kind).map((frame, i) => roll(frame, carried[i])));
+    // A leap from 180° to −180° is none: the line is lifted there.
+    const trace = (/** @type {number[]} */ list) => list.map((value, i) => `${i === 0 || Math.abs(value - list[i - 1]) > 300 ? "M" : "L"}${x(i).toFixed(1)} ${y(value).toFixed(1)}`).join("");
+    const leap = (/** @type {number[]} */ list) => Math.max(...list.slice(1).map((value, i) => Math.abs(((value - list[i] + 540) % 360) - 180)));
+    return html`
+      <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="How far frames are turned about the path, in degrees, along the way">
+        ${[-180, 0, 180].map((degrees) => svg`<path class="gridline" d="M${left} ${y(degrees)}H${this.wide - right}" /><text class="quiet end" x=${left - 10} y=${y(degrees) + 4}>${decimal(degrees, 0)}°</text>`)}
+        ${kinds.map(([kind, colour, dash], k) => svg`<path d=${trace(lists[k])} fill="none" stroke="var(--${colour})" stroke-width=${kind === this.state.frames ? 3 : 1.75} stroke-dasharray=${dash} stroke-linejoin="round" />`)}
+        <text class="quiet" x=${left} y=${height - 5}>start</text><text class="quiet end" x=${this.wide - right} y=${height - 5}>end</text>
+      </svg>
+      <p class="facts">
+        ${kinds.map(([, colour, dash, words]) => html`<span class="key-line" style="border-color: var(--${colour}); border-style: ${dash ? (dash === "2 4" ? "dotted" : "dashed") : "solid"}"></span>${words}`)}.
+        In one of ${ROLL_STEPS} equal steps Frenet's frame turns by up to <b class="leap">${decimal(leap(lists[1]), 0)}°</b> about the path, the rotation-minimising one by ${decimal(leap(lists[0]), 0)}°.
+      </p>
+    `;
+  }
+
+  controls() {
+    const { state } = this;
+    const set = (/** @type {Partial<import("./state.js").State>} */ part) => this.change({ ...state, ...part });
+    return html`
+      <div class="controls">
+        <button @click=${this.play}>${this.playing ? "Pause" : "Play"}</button>
+        ${slider({ name: "Time", value: this.progress, min: 0, max: 1, step: 0.001, text: decimal(this.progress), change: (progress) => { this.stop(); this.progress = progress; } })}
+        ${choice({ name: "Speed", options: [[true, "even"], [false, html`raw <i>t</i>`]], value: state.even, change: (even) => set({ even }) })}
+        ${choice({ name: "Frame", options: [["minimising", "rotation-minimising"], ["frenet", "Frenet"], ["upright", "upright"]], value: state.frames, change: (frames) => set({ frames }) })}
+        ${choice({ name: "Look", options: [["ahead", "ahead"], ["teapot", "at the teapot"]], value: state.look, change: (look) => set({ look }) })}
+      </div>
+      <div class="controls">
+        ${slider({ name: `Height of point ${this.chosen + 1}`, value: state.points[this.chosen][2], min: BOX.min[2], max: BOX.max[2], step: 0.1, text: decimal(state.points[this.chosen][2], 1),
+          change: (z) => this.change(moved(state, this.chosen, [state.points[this.chosen][0], state.points[this.chosen][1], z])) })}
+        <div class="row">
+          <button @click=${() => this.change(added(state, this.chosen, (t) => { const { x, y, z } = /** @type {any} */ (this.path.eval(t)); return [x, y, z]; }))}>Add a point behind ${this.chosen + 1}</button>
+          <button ?disabled=${state.points.length <= FEWEST_POINTS} @click=${() => this.change(removed(state, this.chosen))}>Delete point ${this.chosen + 1}</button>
+          <button @click=${() => this.change(FIRST)}>Reset</button>
+        </div>
+        ${list({ name: "Path", options: [["natural", "natural spline"], ["catmull-rom", "centripetal Catmull-Rom"]], value: state.kind, change: (kind) => set({ kind: /** @type {"natural"} */ (kind) }) })}
+        ${check({ name: "closed", value: state.closed, change: (closed) => set({ closed }) })}
+      </div>
+    `;
+  }
+
+  render() {
+    const { frame, t } = this.now();
+    const where = frame.point.map((value) => short(value, 1)).join(", ");
+    return html`
+      <div class="frame">
+        <div class="views">
+          <div class="view wide"><canvas id="eye" role="img" aria-label="What the camera sees from (${where})"></canvas><b>What the camera sees</b></div>
+          <div class="view"><canvas id="outside" class="orbit" role="img" tabindex="0" aria-label="The scene from outside: path, frames and camera; arrow keys turn it" @pointerdown=${this.drag} @keydown=${this.key}></canvas><b>From outside</b></div>
+          <div class="view stage">${this.top()}<b>From above</b></div>
+        </div>
+        <p class="facts">At <i>t</i> = <b class="t">${decimal(t, 3)}</b> of ${this.path.segmentCount}, the camera is at (${where}); the path is ${decimal(/** @type {number} */ (this.length), 2)} long.</p>
+        ${this.controls()}
+      </div>
+      <h2>Equal times, equal ways</h2>
+      <p class="say">
+        A spline's <i>t</i> runs through every piece between two points in one unit, however long it is. A camera that follows <i>t</i> creeps where points are close and rushes where they are not. Measuring the way, and asking
+        for the <i>t</i> that belongs to it, makes the speed even.
+      </p>
+      <div class="frame"><div class="stage">${this.strip()}</div></div>
+      <h2>Which way is up?</h2>
+      <p class="say">
+        The path says where ahead is, but not where up is. Frenet takes the inside of the bend for it: the camera tips over where the bend changes sides. A rotation-minimising frame is carried along
+        without any turn about the path. Of all frames along this path it turns the least.
+      </p>
+      <div class="frame"><div class="stage">${this.rolls()}</div></div>
+      <h2>Take it along</h2>
+      <div class="frame">${codeBox({ name: "JavaScript", text: cameraCode(this.state, this.progress, frame.point) })}</div>
+    `;
+  }
+}
