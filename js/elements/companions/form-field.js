@@ -1,0 +1,76 @@
+// A companion that is a field of a form.
+import { LitElement } from "lit";
+import { Companion } from "./companion.js";
+
+/** What forms need besides the value. */
+export class FormField extends Companion {
+  static formAssociated = true;
+  static shadowRootOptions = { ...LitElement.shadowRootOptions, delegatesFocus: true };
+  /** @type {import("lit").PropertyDeclarations} */
+  static properties = {
+    defaultValue: { attribute: "value", reflect: true },
+    name: { reflect: true },
+    required: { type: Boolean, reflect: true },
+    disabled: { type: Boolean, reflect: true },
+  };
+
+  /** @protected */
+  internals = this.attachInternals();
+  /** Whether a fieldset or the element itself is switched off. */
+  #off = false;
+
+  constructor() {
+    super();
+    /** @type {string | null} */
+    this.defaultValue = null;
+    this.name = "";
+    this.required = false;
+    this.disabled = false;
+    this.addEventListener("invalid", () => this.renderNow()); // else there may be nothing yet to put the focus on
+  }
+
+  get form() {
+    return this.internals.form;
+  }
+
+  get labels() {
+    return this.internals.labels;
+  }
+
+  get validity() {
+    return this.internals.validity;
+  }
+
+  get validationMessage() {
+    return this.internals.validationMessage;
+  }
+
+  get willValidate() {
+    return this.internals.willValidate;
+  }
+
+  checkValidity() {
+    return this.internals.checkValidity();
+  }
+
+  reportValidity() {
+    return this.internals.reportValidity();
+  }
+
+  /** @protected */
+  get off() {
+    return this.#off;
+  }
+
+  /** What it is called: by the attribute, by a label of the page, or so. @protected @param {string} fallback */
+  nameFor(fallback) {
+    const words = [...this.labels].map((label) => label.textContent?.trim()).filter(Boolean);
+    return this.label || words.join(" ") || fallback;
+  }
+
+  /** @param {boolean} off */
+  formDisabledCallback(off) {
+    this.#off = off;
+    this.requestUpdate();
+  }
+}

@@ -1,0 +1,128 @@
+// A companion that follows the applet that its `for` names, whichever of the two comes first.
+import { Companion } from "./companion.js";
+import { elementFor, followIds } from "./links.js";
+
+/**
+ * What a companion needs of an applet.
+ *
+ * @typedef {HTMLElement & { figure: any, steer(change: object, done: boolean): void }} Target
+ */
+
+export class Linked extends Companion {
+  /** @type {import("lit").PropertyDeclarations} */
+  static properties = { htmlFor: { attribute: "for", reflect: true } };
+
+  /** @type {Target | null} */
+  #target = null;
+  #frame = 0;
+  /** The id that is looked for. */
+  #id = "";
+  /** @type {(() => void) | null} */
+  #unwatch = null;
+  /** The kind of element whose definition is awaited. */
+  #awaited = "";
+  /** Why the link does not work. */
+  #broken = "";
+
+  constructor() {
+    super();
+    this.htmlFor = "";
+  }
+
+  /** The applet that `for` names; null while there is none. */
+  get target() {
+    return this.#target;
+  }
+
+  disconnectedCallback() {
+    super.disconnectedCallback();
+    this.#look("");
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+  }
+
+  /**
+   * The user chooses t here.
+   *
+   * @protected
+   * @param {number} t
+   * @param {boolean} done
+   */
+  setT(t, done) {
+    if (this.#target) this.#target.steer({ t }, done);
+    else Object.assign(this, { t });
+    this.tell(done);
+  }
+
+  willUpdate() {
+    if (this.isConnected) this.#look(this.htmlFor ?? "");
+  }
+
+  problems() {
+    return [this.#broken];
+  }
+
+  /**
+   * Looks for the applet, and goes on looking while elements and ids change.
+   *
+   * @param {string} id empty: no longer
+   */
+  #look(id) {
+    if (id === this.#id) return;
+    this.#id = id;
+    this.#unwatch?.();
+    this.#unwatch = id ? followIds(this.getRootNode(), () => this.#find()) : null;
+    this.#find();
+  }
+
+  #find() {
+    const found = this.#id ? elementFor(this, this.#id) : null;
+    const able = found !== null && "steer" in found;
+    const awaited = found !== null && !able && found.localName.includes("-") && !customElements.get(found.localName);
+    if (awaited) this.#awaitDefinition(found.localName);
+    const what = found ? `a ${found.localName}${awaited ? " that is not defined" : ""}` : "which is nowhere";
+    const broken = able || !this.#id ? "" : `for: expected the id of a bezier-applet, got “${this.#id}”, ${what}.`;
+    if (broken !== this.#broken) this.requestUpdate();
+    this.#broken = broken;
+    this.#follow(able ? /** @type {Target} */ (found) : null);
+  }
+
+  /** @param {string} name */
+  async #awaitDefinition(name) {
+    if (this.#awaited === name) return;
+    this.#awaited = name;
+    await customElements.whenDefined(name);
+    this.#awaited = "";
+    if (this.#id) this.#find();
+  }
+
+  /** @param {Target | null} target */
+  #follow(target) {
+    if (target === this.#target) return;
+    for (const type of ["update", "focusin", "focusout"]) {
+      this.#target?.removeEventListener(type, this.#updated);
+      target?.addEventListener(type, this.#updated);
+    }
+    this.#target = target;
+    this.requestUpdate();
+  }
+
+  /** However often the applet changes, a companion is drawn once a frame. */
+  #updated = (/** @type {Event} */ event) => {
+    if (event.type !== "update") return this.attended(event);
+    if (this.near) this.#frame ||= requestAnimationFrame(() => this.#refresh());
+  };
+
+  #refresh() {
+    this.#frame = 0;
+    this.requestUpdate();
+  }
+
+  /**
+   * The focus comes to the applet or leaves it.
+   *
+   * @protected
+   * @param {Event} _event
+   */
+  attended(_event) {}
+}

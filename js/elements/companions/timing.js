@@ -1,0 +1,108 @@
+// The text of a timing function, and the picture of it in numbers.
+import { quoted, readNumber } from "./numbers.js";
+
+/** @typedef {[number, number, number, number]} Handles x1, y1, x2, y2 */
+
+/**
+ * The keywords of CSS, and three that leave the unit square.
+ *
+ * @type {Record<string, Handles>}
+ */
+export const PRESETS = {
+  ease: [0.25, 0.1, 0.25, 1],
+  linear: [0, 0, 1, 1],
+  "ease-in": [0.42, 0, 1, 1],
+  "ease-out": [0, 0, 0.58, 1],
+  "ease-in-out": [0.42, 0, 0.58, 1],
+  "step back first": [0.36, 0, 0.66, -0.56],
+  "go too far": [0.34, 1.56, 0.64, 1],
+  "both": [0.68, -0.6, 0.32, 1.6],
+};
+/** So many of them are words of CSS. */
+const KEYWORDS = 5;
+
+/**
+ * @param {string} text "cubic-bezier(x1, y1, x2, y2)" or a keyword of CSS for one
+ * @returns {Handles}
+ * @throws {RangeError}
+ */
+export function readTiming(text) {
+  const word = text.trim().toLowerCase();
+  const keyword = Object.keys(PRESETS).slice(0, KEYWORDS).find((name) => name === word);
+  if (keyword) return [...PRESETS[keyword]];
+  const inside = word.match(/^cubic-bezier\((.*)\)$/)?.[1];
+  const numbers = inside?.split(",").map(readNumber) ?? [];
+  if (numbers.length !== 4 || numbers.some(Number.isNaN)) throw new RangeError(`expected cubic-bezier(x1, y1, x2, y2), got ${quoted(text)}`);
+  ["x1", "", "x2"].forEach((name, k) => name && checkAbscissa(name, numbers[k]));
+  return /** @type {Handles} */ (numbers);
+}
+
+/**
+ * @param {string} name
+ * @param {number} x
+ */
+export function checkAbscissa(name, x) {
+  if (!(x >= 0 && x <= 1)) throw new RangeError(`${name}: expected a number from 0 to 1, got ${x}`);
+}
+
+/** @param {Handles} handles */
+export function timingText(handles) {
+  return `cubic-bezier(${handles.join(", ")})`;
+}
+
+/**
+ * The preset with these handles.
+ *
+ * @param {Handles} handles
+ * @returns {string} empty: none
+ */
+export function presetOf(handles) {
+  return Object.keys(PRESETS).find((name) => PRESETS[name].every((x, k) => x === handles[k])) ?? "";
+}
+
+/** The picture in its own units. */
+export const SQUARE = { width: 260, height: 312, side: 26 };
+/** Air above and below what is shown. */
+const AIR = 0.25;
+
+/** @typedef {[number, number]} Heights the interval of y that is shown */
+
+/**
+ * Enough for both handles.
+ *
+ * @param {Handles} handles
+ * @returns {Heights}
+ */
+export function heightsOf([, y1, , y2]) {
+  return [Math.min(0, y1, y2) - AIR, Math.max(1, y1, y2) + AIR];
+}
+
+/** @param {number} x */
+export function across(x) {
+  return SQUARE.side + x * (SQUARE.width - 2 * SQUARE.side);
+}
+
+/**
+ * @param {Heights} heights
+ * @param {number} y
+ */
+export function down([low, high], y) {
+  return SQUARE.height * (1 - (y - low) / (high - low));
+}
+
+/**
+ * Where a place in the picture is; x within 0 and 1, y within what is shown, both to two digits.
+ *
+ * @param {Heights} heights
+ * @param {number} left in parts of the width
+ * @param {number} top in parts of the height
+ * @returns {[number, number]}
+ */
+export function placeAt([low, high], left, top) {
+  const x = (left * SQUARE.width - SQUARE.side) / (SQUARE.width - 2 * SQUARE.side);
+  const clamp = (/** @type {number} */ value, /** @type {number} */ least, /** @type {number} */ most) => Math.min(Math.max(value, least), most);
+  return [rounded(clamp(x, 0, 1)), rounded(clamp(high - top * (high - low), low, high))];
+}
+
+/** @param {number} x */
+export const rounded = (x) => Math.round(100 * x) / 100 + 0;
