@@ -8,7 +8,7 @@ const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.
 /** What a task sees of <bezier-applet>: one curve of all points, or cubics that share their ends. */
 function applet({ points, whole = false, ...rest }) {
   const pieces = () => {
-    if (element.basis === "matrix") return [{ curve: Curve.fromBasis(element.matrix, element.points) }];
+    if (element.basis === "matrix") return [{ curve: Curve.fromBasis(element.matrix.split(" ").map(Number), element.points) }];
     if (whole || element.points.length < 7) return [{ curve: new Curve(element.points) }];
     return new Spline(element.points).segments().map((curve) => ({ curve }));
   };
@@ -33,7 +33,7 @@ const SEVEN = [[70, 330], [90, 120], [250, 110], [330, 200], [430, 300], [560, 3
 /** Each task: its start, what one may try in vain, and what does it. The answer that it reveals must count too. */
 const TASKS = {
   "half-height": { start: () => ({ t: 0.5 }), vain: [(e) => (e.t = 0.69), (e) => (e.t = -0.71)], right: (e) => (e.t = 0.71) },
-  "half-pixel": { start: () => applet({ points: ARCH, segments: 4 }), vain: [(e) => (e.segments = 23), (e) => (e.segments = 25)], right: (e) => (e.segments = 24) },
+  "half-pixel": { start: () => applet({ points: ARCH, segments: "4" }), vain: [(e) => (e.segments = "23"), (e) => (e.segments = "25")], right: (e) => (e.segments = "24") },
   "top-180": {
     start: () => applet({ points: [[80, 420], [335, 200], [590, 420]] }),
     vain: [(e) => (e.points = [[80, 420], [335, 240], [590, 420]]), (e) => (e.points = [[80, 420], [335, 60], [590, 300]])],
@@ -43,8 +43,8 @@ const TASKS = {
   "basis-through": { start: () => applet({ points: ARCH }), vain: [(e) => (e.basis = "hermite"), (e) => (e.basis = "natural")], right: (e) => (e.basis = "catmull-rom") },
   "straight-matrix": {
     start: () => applet({ points: ARCH }),
-    vain: [(e) => Object.assign(e, { basis: "matrix", matrix: Curve.basisMatrix("bezier") }), (e) => (e.matrix = [0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0])],
-    right: (e) => (e.matrix = [0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0]),
+    vain: [(e) => Object.assign(e, { basis: "matrix", matrix: [...Curve.basisMatrix("bezier")].join(" ") }), (e) => (e.matrix = "0 0 0 0 -1 0 0 1 0 0 0 0 1 0 0 0")],
+    right: (e) => (e.matrix = "0 0 0 0 0 0 0 0 -1 0 0 1 1 0 0 0"),
   },
   "level-scaffold": {
     start: () => applet({ points: HILL, t: 0.75 }),
@@ -130,9 +130,9 @@ test("task enough-pieces", async () => {
   const tree = (segments, error) => check({ tree: { segments, error } }).done;
   assert.deepEqual([tree(16, 1.64), tree(32, 0.41), tree(64, 0.1)], [false, true, false]);
   assert.equal(check({ tree: null }).done, false);
-  const element = { tolerance: 8 };
+  const element = { tolerance: "8" };
   reveal(element);
-  const pieces = leaves(new Curve([[60, 400], [60, 20], [620, 20], [600, 400]]).subdivide(element.tolerance));
+  const pieces = leaves(new Curve([[60, 340], [60, 20], [620, 20], [600, 340]]).subdivide(Number(element.tolerance)));
   const error = Math.max(...pieces.map(({ curve }) => curve.hausdorff(new Curve([curve.eval(0), curve.eval(1)]))));
   assert.equal(tree(pieces.length, error), true);
 });

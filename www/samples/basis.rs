@@ -20,7 +20,7 @@ pub(crate) fn sample(out: &mut String) {
         writeln!(out, "{name}: {a:.1} to {b:.1}");
     }
 
-    // Hermite takes two ends and the derivatives there: three times the handles of the Bézier curve.
+    // Hermite takes two ends and the velocities there, three handles long.
     let bezier = Curve::new(&points).unwrap();
     let ends_and_speeds = [
         (120.0, 360.0),
@@ -43,5 +43,5 @@ pub(crate) fn sample(out: &mut String) {
     let middle = Curve::from_basis(Basis::Matrix(matrix), points)
         .unwrap()
         .eval(0.5);
-    writeln!(out, "amid the line: ({:.1}, {:.1})", middle.x, middle.y);
+    writeln!(out, "amid the line: {middle:.1}");
 }

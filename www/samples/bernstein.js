@@ -17,9 +17,9 @@ export function sample(print) {
   const p = new Curve(points).eval(t);
   print(`curve: (${p.x.toFixed(4)}, ${p.y.toFixed(4)})`);
 
-  // At t = 1/2 the weights are the binomial coefficients, over 2 to the power of the degree.
+  // At t = 1/2 the weights are the binomial coefficients, over 2 to the degree.
   for (let degree = 1; degree <= 5; degree++) {
-    const row = [...Curve.bernstein(degree, 0.5)].map((weight) => weight * 2 ** degree);
+    const row = Curve.bernstein(degree, 0.5).map((w) => w * 2 ** degree);
     print(`degree ${degree}: ${row.join(" ")}`);
   }
 }

@@ -17,7 +17,7 @@ pub(crate) fn sample(out: &mut String) {
     let p = Curve::new(&points).unwrap().eval(t);
     writeln!(out, "curve: ({:.4}, {:.4})", p.x, p.y);
 
-    // At t = 1/2 the weights are the binomial coefficients, over 2 to the power of the degree.
+    // At t = 1/2 the weights are the binomial coefficients, over 2 to the degree.
     for degree in 1..=5_usize {
         let power = 2_f64.powf(degree as f64);
         let row: Vec<String> = bernstein(degree, 0.5)

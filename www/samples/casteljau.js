@@ -3,7 +3,8 @@ import { Curve } from "casteljau";
 // The whole algorithm, for any degree: divide every leg, drop one point, repeat.
 function casteljau(points, t) {
   if (points.length === 1) return points[0];
-  const next = points.slice(1).map((b, i) => points[i].map((a, k) => (1 - t) * a + t * b[k]));
+  const divide = (a, b) => a.map((x, k) => (1 - t) * x + t * b[k]);
+  const next = points.slice(1).map((b, i) => divide(points[i], b));
   return casteljau(next, t);
 }
 
@@ -13,8 +14,10 @@ export function sample(print) {
 
   // The library keeps all levels: four points, three, two, one.
   for (const level of new Curve(points).scaffold(0.25)) {
-    const pairs = [];
-    for (let k = 0; k < level.length; k += 2) pairs.push(`(${level[k]}, ${level[k + 1]})`);
-    print(pairs.join(" "));
+    const text = [];
+    for (let k = 0; k < level.length; k += 2) {
+      text.push(`(${level[k]}, ${level[k + 1]})`);
+    }
+    print(text.join(" "));
   }
 }

@@ -10,14 +10,14 @@ fn show(curve: &Curve<DVec2>) -> String {
 }
 
 pub(crate) fn sample(out: &mut String) {
-    // The same curve with one more control point, again and again: the polygon closes in on it.
+    // The same curve with more and more points: the polygon closes in on it.
     let mut curve = Curve::new(&[(0.0, 0.0), (3.0, 6.0), (6.0, 0.0)].map(DVec2::from)).unwrap();
     for _ in 2..=5 {
         writeln!(out, "degree {}: {}", curve.degree(), show(&curve));
         curve = curve.elevate().unwrap();
     }
 
-    // And back. A curve that needs its degree leaves an error, and reduce says how large.
+    // And back. A curve that needs its degree leaves an error.
     let lower = curve.reduce();
     let (from, to) = (curve.degree(), lower.curve.degree());
     let exact = lower.error < 1e-12;
@@ -26,7 +26,7 @@ pub(crate) fn sample(out: &mut String) {
     let error = Curve::new(&cubic).unwrap().reduce().error;
     writeln!(out, "a real cubic: error {error:.3}");
 
-    // One of eleven points moves by 100: how far does the curve move at t = 0, 1/4, 1/2, 3/4, 1?
+    // One of eleven points moves by 100. How far does the curve move?
     let moves =
         [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| format!("{:.1}", 100.0 * bernstein(10, t).unwrap()[5]));
     writeln!(out, "degree 10, P5 moved by 100: {}", moves.join(" "));

@@ -1,16 +1,21 @@
 import { Spline } from "casteljau";
 
-const tell = ({ c0, g1, c1, g2, c2 }) =>
-  Object.entries({ c0, g1, c1, g2, c2 }).filter(([, holds]) => holds).map(([name]) => name.toUpperCase()).join(" ");
+const tell = (of) => {
+  const held = ["c0", "g1", "c1", "g2", "c2"].filter((name) => of[name]);
+  return held.join(" ").toUpperCase();
+};
 
 export function sample(print) {
-  // P2, P3, P4 on one line, but P3 not amid them: smooth to the eye, not to a clock.
-  const spline = new Spline([[70, 330], [90, 120], [210, 100], [330, 200], [390, 250], [520, 400], [600, 160]]);
+  // P2, P3, P4 on one line, but P3 not amid them: smooth only to the eye.
+  const first = [[70, 330], [90, 120], [210, 100], [330, 200]];
+  const second = [[390, 250], [520, 400], [600, 160]];
+  const spline = new Spline([...first, ...second]);
   print(`aligned: ${tell(spline.continuity(1))}`);
 
   const [before, after] = spline.segments();
   const speed = (v) => Math.hypot(v.x, v.y).toFixed(1);
-  print(`speed at P3: ${speed(before.derivativeAt(1))} before, ${speed(after.derivativeAt(0))} after`);
+  const [a, b] = [before.derivativeAt(1), after.derivativeAt(0)].map(speed);
+  print(`speed at P3: ${a} before, ${b} after`);
 
   for (const mode of ["c1", "g2", "c2"]) {
     const set = spline.setJoint(1, mode);
@@ -18,7 +23,8 @@ export function sample(print) {
   }
 
   // Move P2 and hold the joint: P4 swings round on the other side.
-  const moved = spline.setJoint(1, "c1").movePoint(2, [230, 60], { joints: ["free", "c1"] });
+  const held = spline.setJoint(1, "c1");
+  const moved = held.movePoint(2, [230, 60], { joints: ["free", "c1"] });
   const [x, y] = moved.controlPoints().subarray(8, 10);
   print(`P4 is now (${x}, ${y})`);
 }

@@ -18,7 +18,7 @@ fn tell(of: Continuity) -> String {
 }
 
 pub(crate) fn sample(out: &mut String) {
-    // P2, P3, P4 on one line, but P3 not amid them: smooth to the eye, not to a clock.
+    // P2, P3, P4 on one line, but P3 not amid them: smooth only to the eye.
     let points = [
         (70.0, 330.0),
         (90.0, 120.0),

@@ -3,7 +3,7 @@ import { Curve } from "casteljau";
 export function sample(print) {
   const curve = new Curve([[60, 400], [160, 40], [480, 40], [600, 400]]);
 
-  // Eleven points, ten segments. i / 10 reaches 1 exactly; adding 0.1 ten times does not.
+  // Ten segments, eleven points. i / 10 reaches 1; adding 0.1 ten times does not.
   let sum = 0;
   for (let i = 0; i <= 10; i++) {
     const { x, y } = curve.eval(i / 10);
@@ -17,8 +17,10 @@ export function sample(print) {
     const points = curve.sample(segments);
     let length = 0;
     for (let k = 2; k < points.length; k += 2) {
-      length += Math.hypot(points[k] - points[k - 2], points[k + 1] - points[k - 1]);
+      const [x, y] = [points[k] - points[k - 2], points[k + 1] - points[k - 1]];
+      length += Math.hypot(x, y);
     }
-    print(`${segments} segments: ${(curve.length() - length).toFixed(3)} too short`);
+    const missing = curve.length() - length;
+    print(`${segments} segments: ${missing.toFixed(3)} too short`);
   }
 }

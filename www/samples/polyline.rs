@@ -4,7 +4,7 @@ pub(crate) fn sample(out: &mut String) {
     let points = [(60.0, 400.0), (160.0, 40.0), (480.0, 40.0), (600.0, 400.0)];
     let curve = Curve::new(&points.map(DVec2::from)).unwrap();
 
-    // Eleven points, ten segments. i / 10 reaches 1 exactly; adding 0.1 ten times does not.
+    // Ten segments, eleven points. i / 10 reaches 1; adding 0.1 ten times does not.
     let mut sum = 0.0;
     for i in 0..=10 {
         let t = f64::from(i) / 10.0;

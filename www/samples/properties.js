@@ -1,14 +1,14 @@
 import { Curve } from "casteljau";
 
 export function sample(print) {
-  // A curve in space. It starts along P1 − P0 and ends along P3 − P2, three times as fast as they are long.
+  // A curve in space. Its velocities at the ends are 3(P1 − P0) and 3(P3 − P2).
   const curve = new Curve([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
   const show = ({ x, y, z }) => `(${x}, ${y}, ${z})`;
   print(`amid: ${show(curve.eval(0.5))}`);
   print(`sets off with ${show(curve.derivativeAt(0))}`);
   print(`arrives with ${show(curve.derivativeAt(1))}`);
 
-  // Move the points, then draw; or draw, then move: the same curve. (Half as large, turned by 90°, shifted.)
+  // Map the points, then draw; or draw, then map: the same. (Half as large, turned.)
   const matrix = [0, 0.5, -0.5, 0, 300, 20];
   const flat = new Curve([[60, 400], [160, 40], [480, 40], [600, 400]]);
   const p = flat.eval(0.3);
@@ -16,9 +16,10 @@ export function sample(print) {
   const other = flat.transform(matrix).eval(0.3);
   print(`affine: ${Math.hypot(other.x - moved.x, other.y - moved.y) < 1e-12}`);
 
-  // The curve keeps inside the hull, and reaches only part of the way to P1 and P2.
+  // Inside the hull, and only part of the way to P1 and P2.
   const { min, max } = flat.bounds();
-  print(`y from ${min.y.toFixed(1)} to ${max.y.toFixed(1)}, points from 40 to 400`);
+  const [low, high] = [min.y.toFixed(1), max.y.toFixed(1)];
+  print(`y from ${low} to ${high}, points from 40 to 400`);
 
   // What no quadratic does: an S. It turns the other way at an inflection.
   const s = new Curve([[60, 400], [600, 400], [60, 60], [600, 60]]);

@@ -2,7 +2,7 @@ use casteljau::Curve;
 use casteljau::glam::{DAffine2, DVec2, DVec3};
 
 pub(crate) fn sample(out: &mut String) {
-    // A curve in space. It starts along P1 − P0 and ends along P3 − P2, three times as fast as they are long.
+    // A curve in space. Its velocities at the ends are 3(P1 − P0) and 3(P3 − P2).
     let points = [
         [0.0, 2.0, 3.0],
         [2.0, 3.0, 5.0],
@@ -16,7 +16,7 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "sets off with {}", show(first));
     writeln!(out, "arrives with {}", show(last));
 
-    // Move the points, then draw; or draw, then move: the same curve. (Half as large, turned by 90°, shifted.)
+    // Map the points, then draw; or draw, then map: the same. (Half as large, turned.)
     let map = DAffine2::from_cols_array(&[0.0, 0.5, -0.5, 0.0, 300.0, 20.0]);
     let points = [(60.0, 400.0), (160.0, 40.0), (480.0, 40.0), (600.0, 400.0)];
     let flat = Curve::new(&points.map(DVec2::from)).unwrap();
@@ -24,7 +24,7 @@ pub(crate) fn sample(out: &mut String) {
     let other = flat.transform(&map).eval(0.3);
     writeln!(out, "affine: {}", other.distance(moved) < 1e-12);
 
-    // The curve keeps inside the hull, and reaches only part of the way to P1 and P2.
+    // Inside the hull, and only part of the way to P1 and P2.
     let (low, high) = (flat.bounds().min.y, flat.bounds().max.y);
     writeln!(out, "y from {low:.1} to {high:.1}, points from 40 to 400");
 

@@ -3,7 +3,9 @@ import { Curve } from "casteljau";
 /** Draws by halving: `line` gets the pieces that count as straight. */
 function draw(curve, tolerance, line) {
   const c = curve.controlPoints();
-  const leg = (a, b) => Math.hypot(c[2 * b] - c[2 * a], c[2 * b + 1] - c[2 * a + 1]);
+  const leg = (a, b) => {
+    return Math.hypot(c[2 * b] - c[2 * a], c[2 * b + 1] - c[2 * a + 1]);
+  };
   const D1 = leg(0, 1) + leg(1, 2) + leg(2, 3);
   const D2 = leg(0, 3);
   if (D1 - D2 < tolerance) return line(curve);
@@ -15,7 +17,7 @@ function draw(curve, tolerance, line) {
 export function sample(print) {
   const curve = new Curve([[60, 400], [60, 20], [620, 20], [600, 400]]);
 
-  // D1 − D2 is no distance. What is the distance from the curve to the line that was drawn for it?
+  // D1 − D2 is no distance. How far is the curve from what is drawn for it?
   for (const tolerance of [64, 8, 1, 0.125]) {
     let pieces = 0;
     let error = 0;

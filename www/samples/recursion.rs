@@ -20,7 +20,7 @@ pub(crate) fn sample(out: &mut String) {
     let points = [(60.0, 400.0), (60.0, 20.0), (620.0, 20.0), (600.0, 400.0)];
     let curve = Curve::new(&points.map(DVec2::from)).unwrap();
 
-    // D1 − D2 is no distance. What is the distance from the curve to the line that was drawn for it?
+    // D1 − D2 is no distance. How far is the curve from what is drawn for it?
     for tolerance in [64.0, 8.0, 1.0, 0.125] {
         let mut pieces = 0;
         let mut error = 0_f64;

@@ -8,7 +8,7 @@ export function sample(print) {
     "B-spline": Spline.fromBSpline(points),
   };
 
-  // How smooth is the first joint, and how near does the whole spline come to the second point?
+  // How smooth is the first joint, and how near does the spline come to P1?
   for (const [name, spline] of Object.entries(kinds)) {
     const { c1, c2 } = spline.continuity(1);
     const off = spline.nearest(points[1]).distance;
@@ -20,6 +20,7 @@ export function sample(print) {
   for (const kind of ["natural", "catmull-rom"]) {
     const before = Spline.through(points, { kind }).eval(3.5);
     const after = Spline.through(shifted, { kind }).eval(3.5);
-    print(`${kind}: the far end moves by ${Math.hypot(after.x - before.x, after.y - before.y).toFixed(3)}`);
+    const moved = Math.hypot(after.x - before.x, after.y - before.y);
+    print(`${kind}: the far end moves by ${moved.toFixed(3)}`);
   }
 }

@@ -25,7 +25,7 @@ pub(crate) fn sample(out: &mut String) {
         ),
     ];
 
-    // How smooth is the first joint, and how near does the whole spline come to the second point?
+    // How smooth is the first joint, and how near does the spline come to P1?
     for (name, spline) in &kinds {
         let joint = spline.continuity(1, None).unwrap();
         let smooth = if joint.c2 {

@@ -17,8 +17,9 @@ export function sample(print) {
   print(`third quarter: ${show(curve.subsegment(0.5, 0.75))}`);
   print(`reversed: ${show(curve.subsegment(1, 0))}`);
 
-  // A joint more, the same line: what drawing programs do when you click on a path.
+  // A joint more, the same line: what drawing programs do on a click.
   const spline = new Spline(points).insert(0.5);
-  const same = Math.hypot(spline.eval(1.5).x - curve.eval(0.75).x, spline.eval(1.5).y - curve.eval(0.75).y);
-  print(`${spline.segmentCount} segments, moved by ${same}`);
+  const [a, b] = [spline.eval(1.5), curve.eval(0.75)];
+  const moved = Math.hypot(a.x - b.x, a.y - b.y);
+  print(`${spline.segmentCount} segments, moved by ${moved}`);
 }

@@ -21,7 +21,7 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "third quarter: {}", show(&curve.subsegment(0.5, 0.75)));
     writeln!(out, "reversed: {}", show(&curve.subsegment(1.0, 0.0)));
 
-    // A joint more, the same line: what drawing programs do when you click on a path.
+    // A joint more, the same line: what drawing programs do on a click.
     let spline = Spline::new(&points, 3, false).unwrap().insert(0.5).unwrap();
     let moved = spline.eval(1.5).distance(curve.eval(0.75));
     writeln!(out, "{} segments, moved by {moved}", spline.segment_count());

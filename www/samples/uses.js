@@ -1,11 +1,12 @@
 import { Path, Spline, easing } from "casteljau";
 
 export function sample(print) {
-  // Movement: CSS's cubic-bezier(0.42, 0, 0.58, 1) answers which part of the way is done at which part of the time.
+  // Movement: how much of the way is done after how much of the time?
   const inOut = easing(0.42, 0, 0.58, 1);
-  print(`ease-in-out: ${[0, 0.25, 0.5, 0.75, 1].map((x) => inOut(x).toFixed(3)).join(" ")}`);
+  const values = [0, 0.25, 0.5, 0.75, 1].map((x) => inOut(x).toFixed(3));
+  print(`ease-in-out: ${values.join(" ")}`);
 
-  // A camera: through four stops, at even speed. The parameter does not run evenly; the length does.
+  // A camera: through four stops, at even speed. t does not run evenly.
   const way = Spline.through([[60, 380], [170, 110], [420, 90], [610, 300]]);
   const ts = [...way.evenly(4)].map((t) => t.toFixed(3));
   print(`a quarter of the way each: t = ${ts.join(" ")}`);

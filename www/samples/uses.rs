@@ -4,12 +4,12 @@ use casteljau::spline::Through;
 use casteljau::{Easing, Path, Spline};
 
 pub(crate) fn sample(out: &mut String) {
-    // Movement: CSS's cubic-bezier(0.42, 0, 0.58, 1) answers which part of the way is done at which part of the time.
+    // Movement: how much of the way is done after how much of the time?
     let in_out = Easing::new(0.42, 0.0, 0.58, 1.0).unwrap();
     let values = [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| format!("{:.3}", in_out.eval(x)));
     writeln!(out, "ease-in-out: {}", values.join(" "));
 
-    // A camera: through four stops, at even speed. The parameter does not run evenly; the length does.
+    // A camera: through four stops, at even speed. t does not run evenly.
     let stops = [(60.0, 380.0), (170.0, 110.0), (420.0, 90.0), (610.0, 300.0)];
     let way = Spline::through(&stops.map(DVec2::from), Through::Natural, false).unwrap();
     let ts: Vec<String> = way

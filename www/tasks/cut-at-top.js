@@ -11,7 +11,7 @@ export const predict = {
 
 /** @param {{ pieces: { curve: any }[], continuity: { g1: boolean }[] }} figure */
 export function check(figure) {
-  if (figure.pieces.length < 2) return verdict(false, "It is one piece still. Slide t and press Insert.");
+  if (figure.pieces.length < 2) return verdict(false, "It is one piece still. Slide t and press Cut at t.");
   const slopes = figure.pieces.slice(1).map(({ curve }) => Math.abs(curve.tangent(0).y));
   const level = slopes.some((slope) => slope < LEVEL);
   return verdict(level, level ? "The new joint is the top: both of its handles lie level." : "Cut, but not at the top. Undo, and look for the place where the tangent lies level.");

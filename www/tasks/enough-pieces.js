@@ -18,7 +18,7 @@ export function check({ tree }) {
   return verdict(tree.segments <= ENOUGH, tree.segments <= ENOUGH ? words : `${words} Too many: a larger tolerance will do.`);
 }
 
-/** @param {{ tolerance: number, figure: any }} element */
+/** @param {{ tolerance: string }} element */
 export function reveal(element) {
-  element.tolerance = 0.125;
+  element.tolerance = "0.0625";
 }

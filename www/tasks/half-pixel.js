@@ -9,8 +9,9 @@ export const predict = {
   because: "The error falls with the square of the number of segments: twice as many are four times as close.",
 };
 
-/** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: number }} element */
-export function check(figure, { segments }) {
+/** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: string | number }} element its attribute, as a property */
+export function check(figure, element) {
+  const segments = Number(element.segments);
   const curve = firstCurve(figure);
   const error = polylineError(curve, segments);
   if (error >= FORGIVEN) return verdict(false, `${segments} segments: the curve strays by ${px(error)}.`);
@@ -18,10 +19,10 @@ export function check(figure, { segments }) {
   return verdict(!spare, `${segments} segments: ${px(error)}. ${spare ? "Fewer will do." : "One less would not do."}`);
 }
 
-/** @param {{ figure: any, segments: number }} element */
+/** @param {{ figure: any, segments: string | number }} element */
 export function reveal(element) {
   const curve = firstCurve(element.figure);
   let segments = 1;
   while (polylineError(curve, segments) >= FORGIVEN) segments += 1;
-  element.segments = segments;
+  element.segments = String(segments);
 }

@@ -13,8 +13,8 @@ export function check(figure) {
   return verdict(gap < 0.5, gap < 0.5 ? "The straight line from P0 to P3, evenly run through." : `The curve is up to ${px(gap)} from where the line would be at the same t.`);
 }
 
-/** @param {{ matrix: number[], basis: string }} element */
+/** @param {{ matrix: string, basis: string }} element */
 export function reveal(element) {
   element.basis = "matrix";
-  element.matrix = STRAIGHT;
+  element.matrix = STRAIGHT.join(" ");
 }
