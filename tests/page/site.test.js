@@ -50,8 +50,8 @@ test("the picture changes with the colour scheme, and is as sharp as the display
 
 test("the first page holds the applet and the code that embeds it, to the letter", async (t) => {
   const page = await openPage(t, "/");
-  await handle(page, 6).waitFor();
-  const shown = await page.locator("pre").first().innerText();
+  await page.locator("section", { has: page.locator("#embed") }).locator('[part="handle"][data-index="6"]').waitFor();
+  const shown = (await page.locator("pre").allInnerTexts()).join("\n");
   assert.ok(shown.includes(TUTORIAL), shown);
   for (const [name, title] of [["The applet on a plain page", /applet/], ["The teapot", /teapot/i]]) {
     await page.goto("/");

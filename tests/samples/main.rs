@@ -18,6 +18,8 @@ mod casteljau;
 mod degrees;
 #[path = "../../www/samples/eval.rs"]
 mod eval;
+#[path = "../../www/samples/home.rs"]
+mod home;
 #[path = "../../www/samples/joints.rs"]
 mod joints;
 #[path = "../../www/samples/polyline.rs"]
@@ -43,6 +45,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("casteljau", casteljau::sample),
     ("degrees", degrees::sample),
     ("eval", eval::sample),
+    ("home", home::sample),
     ("joints", joints::sample),
     ("polyline", polyline::sample),
     ("properties", properties::sample),

@@ -1,0 +1,86 @@
+// A figure that the reader has changed is in the page's address, to be kept or sent: #id?points=…&t=…, with what differs
+// from the page. Written when a change is done, read with suspicion. The elements know nothing of it.
+import { apply, LONGEST_ADDRESS, read, SHARED, write } from "./address.js";
+
+/** Applications keep a state of their own there. */
+const OTHERS = "#state=";
+const ELEMENTS = Object.keys(SHARED).join(",");
+
+/** What each element was on the page, before the address or the reader. @type {WeakMap<Element, Map<string, string | null>>} */
+const originals = new WeakMap();
+
+/** @param {Element} element */
+const attributes = (element) => new Map(Object.keys(SHARED[element.localName]).map((name) => [name, element.getAttribute(name)]));
+
+/** An element and the id by which the address names it: its own, or its figure's. @param {Element} element */
+const idOf = (element) => element.id || element.closest("[id]")?.id || "";
+
+/** @param {string} id */
+function elementOf(id) {
+  const named = document.getElementById(id);
+  return named?.matches(ELEMENTS) ? named : (named?.querySelector(ELEMENTS) ?? null);
+}
+
+/** Says it above the text; an empty text takes it away. @param {string} words @param {Element | null} [near] */
+function tell(words, near) {
+  const line = document.querySelector(".address-message") ?? Object.assign(document.createElement("p"), { className: "address-message" });
+  line.setAttribute("role", "status");
+  if (!words) return line.remove();
+  const place = near?.closest("figure") ?? near;
+  if (place) place.before(line);
+  else document.querySelector("h1")?.after(line);
+  line.textContent = words;
+}
+
+/** @param {string} text */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
+/** Brings a figure into the state that the address asks for, as far as it can be used. */
+function load() {
+  const { hash } = location;
+  if (hash.length < 2 || hash.startsWith(OTHERS)) return tell("");
+  if (hash.length > LONGEST_ADDRESS) return tell(`The part of the address after # is ${hash.length} characters long; at most ${LONGEST_ADDRESS} are read. The page is as it was.`);
+  const [name, query] = hash.slice(1).split(/\?(.*)/s);
+  const id = decoded(name);
+  if (!document.getElementById(id)) return tell("The address asks for a place that is not on this page.");
+  if (query === undefined) return tell("");
+  const element = elementOf(id);
+  if (!element) return tell("The address sets values where there is no figure to take them.");
+  const { values, problems } = read(query, SHARED[element.localName]);
+  apply(element, values);
+  element.scrollIntoView({ block: "center" });
+  tell(problems.length ? `Not everything in the address could be used. ${problems.join("; ")}.` : "", element);
+}
+
+/** @param {Event} event */
+async function save({ target }) {
+  if (!(target instanceof Element) || !target.matches(ELEMENTS) || !idOf(target)) return;
+  await /** @type {any} */ (target).updateComplete;
+  const before = originals.get(target);
+  const changed = [...attributes(target)].filter(([name, value]) => value !== before?.get(name));
+  const query = write(new Map(changed.map(([name, value]) => [name, value ?? ""])));
+  try {
+    history.replaceState(history.state, "", `#${idOf(target)}${query && `?${query}`}`);
+  } catch {
+    // Browsers allow only so many a minute; the next change will do.
+  }
+}
+
+async function start() {
+  const elements = [...document.querySelectorAll(ELEMENTS)];
+  await Promise.all([...new Set(elements.map((element) => element.localName))].map((name) => customElements.whenDefined(name)));
+  await Promise.all(elements.map((element) => /** @type {any} */ (element).updateComplete));
+  for (const element of elements) originals.set(element, attributes(element));
+  load();
+  document.addEventListener("change", save);
+  addEventListener("hashchange", load);
+  document.documentElement.dataset.address = "read"; // for whoever waits
+}
+
+void start();
