@@ -11,29 +11,30 @@ import { BezierSurface as Surface } from "./surface/element.js";
  * @import { BezierAppletConstructor, BezierSurfaceConstructor } from "./types.js"
  */
 
+const registry = globalThis.customElements;
+
+/**
+ * Defines an element, once on a page: a second copy of this module takes the class of the first.
+ *
+ * @param {string} name
+ * @param {CustomElementConstructor} type
+ * @returns {CustomElementConstructor}
+ */
+function defined(name, type) {
+  if (registry && !registry.get(name)) registry.define(name, type);
+  return registry?.get(name) ?? type;
+}
+
 /** The class of `<bezier-applet>`. */
-export const BezierApplet = /** @type {BezierAppletConstructor} */ (/** @type {unknown} */ (Applet));
+export const BezierApplet = /** @type {BezierAppletConstructor} */ (/** @type {unknown} */ (defined("bezier-applet", Applet)));
 
 /** The class of `<bezier-surface>`. */
-export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (/** @type {unknown} */ (Surface));
+export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (/** @type {unknown} */ (defined("bezier-surface", Surface)));
 /** The class of `<bezier-bernstein>`. */
-export const BezierBernstein = /** @type {BezierBernsteinConstructor} */ (/** @type {unknown} */ (Bernstein));
+export const BezierBernstein = /** @type {BezierBernsteinConstructor} */ (/** @type {unknown} */ (defined("bezier-bernstein", Bernstein)));
 /** The class of `<bezier-equation>`. */
-export const BezierEquation = /** @type {BezierEquationConstructor} */ (/** @type {unknown} */ (Equation));
+export const BezierEquation = /** @type {BezierEquationConstructor} */ (/** @type {unknown} */ (defined("bezier-equation", Equation)));
 /** The class of `<bezier-coordinates>`. */
-export const BezierCoordinates = /** @type {BezierCoordinatesConstructor} */ (/** @type {unknown} */ (Coordinates));
+export const BezierCoordinates = /** @type {BezierCoordinatesConstructor} */ (/** @type {unknown} */ (defined("bezier-coordinates", Coordinates)));
 /** The class of `<bezier-easing>`. */
-export const BezierEasing = /** @type {BezierEasingConstructor} */ (/** @type {unknown} */ (Easing));
-
-/** What is defined, by its name. */
-const ELEMENTS = {
-  "bezier-applet": Applet,
-  "bezier-surface": Surface,
-  "bezier-bernstein": Bernstein,
-  "bezier-equation": Equation,
-  "bezier-coordinates": Coordinates,
-  "bezier-easing": Easing,
-};
-
-const registry = globalThis.customElements;
-for (const [name, type] of Object.entries(ELEMENTS)) if (registry && !registry.get(name)) registry.define(name, type);
+export const BezierEasing = /** @type {BezierEasingConstructor} */ (/** @type {unknown} */ (defined("bezier-easing", Easing)));

@@ -40,9 +40,13 @@ export function chromePath() {
   return process.env.CHROME_PATH ?? onPath ?? chromium.executablePath();
 }
 
-/** The running browser; started at the first call. */
-export function launch() {
-  shared.browser ??= chromium.launch({ executablePath: chromePath(), args: FLAGS });
+/**
+ * The running browser; started at the first call.
+ *
+ * @param {string[]} [more] flags, where the first call is a test file's own
+ */
+export function launch(more = []) {
+  shared.browser ??= chromium.launch({ executablePath: chromePath(), args: [...FLAGS, ...more] });
   return shared.browser;
 }
 
