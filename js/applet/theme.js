@@ -29,12 +29,14 @@ export function readTheme(probe, roles = /** @type {readonly any[]} */ (ROLES)) 
 const COLOUR_QUERIES = ["(prefers-color-scheme: dark)", "(forced-colors: active)"];
 
 /**
+ * @template {string} [R=Role]
  * @param {HTMLElement} probe
- * @param {(theme: Theme) => void} changed
+ * @param {(theme: Record<R, string>) => void} changed
+ * @param {readonly R[]} [roles]
  * @returns {() => void} ends it
  */
-export function followTheme(probe, changed) {
-  const listener = () => changed(readTheme(probe));
+export function followTheme(probe, changed, roles) {
+  const listener = () => changed(readTheme(probe, roles));
   const queries = COLOUR_QUERIES.map((query) => matchMedia(query));
   for (const query of queries) query.addEventListener("change", listener);
   return () => queries.forEach((query) => query.removeEventListener("change", listener));

@@ -1,6 +1,6 @@
 // What is always drawn: the curve, the points with their names and tangents, the point at t.
 import * as pen from "../../../applet/pen.js";
-import { along, dashed, isSeen, lines, mark, onPicture } from "./sheet.js";
+import { along, dashed, isSeen, lines, mark, onPicture, take } from "./sheet.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("../figure.js").Figure} Figure */
@@ -171,7 +171,7 @@ function drawPoint(sheet, place, kind) {
   if (kind === "wait") ctx.globalAlpha = WAITING_OPACITY;
   pen.knob(sheet, at, kind === "on", colour, inside && kind !== "wait");
   ctx.globalAlpha = 1;
-  sheet.marks.push(at[0], at[1], POINT_ROOM * px);
+  take(sheet, at, POINT_ROOM);
 }
 
 /** The point at t of each piece. */

@@ -76,7 +76,7 @@ export const scaffold = {
    */
   draw(sheet, scaffolds, _, { basis }) {
     for (const levels of scaffolds) {
-      if (basis !== "bezier") drawBezierPoints(sheet, levels[0]);
+      if (basis !== "bezier") drawOwnPolygon(sheet, levels[0], sheet.theme.quiet);
       levels.slice(1, -1).forEach((level, i) => {
         const colour = hue(sheet.theme, i + 1);
         through(sheet, level);
@@ -88,15 +88,16 @@ export const scaffold = {
 };
 
 /**
- * In other bases the scaffold stands on points that are nobody's handles.
+ * The control polygon of a curve whose points are nobody's handles.
  *
  * @param {Sheet} sheet
  * @param {Float64Array} flat
+ * @param {string} colour
  */
-function drawBezierPoints(sheet, flat) {
+function drawOwnPolygon(sheet, flat, colour) {
   through(sheet, flat);
-  pen.stroke(sheet, sheet.theme.quiet, pen.POLYGON_WIDTH);
-  hollows(sheet, flat, sheet.theme.quiet);
+  pen.stroke(sheet, colour, pen.POLYGON_WIDTH);
+  hollows(sheet, flat, colour);
 }
 
 export const halves = {
@@ -112,12 +113,17 @@ export const halves = {
   /**
    * @param {Sheet} sheet
    * @param {[Curve, Curve][]} pairs
+   * @param {Figure} figure
+   * @param {State} state
    */
-  draw(sheet, pairs) {
+  draw(sheet, pairs, figure, { layers, segment, labels }) {
     const { theme } = sheet;
     along(sheet, pairs.map(([first]) => first));
     pen.stroke(sheet, theme.first, pen.HALF_WIDTH);
     along(sheet, pairs.map(([, second]) => second));
     pen.stroke(sheet, theme.second, pen.HALF_WIDTH);
+    if (!layers.has("names") || labels === "none" || layers.has("scaffold")) return;
+    const named = pairs[Math.min(segment, pairs.length - 1)] ?? [];
+    named.forEach((half, side) => drawOwnPolygon(sheet, half.controlPoints(), side ? theme.second : theme.first));
   },
 };

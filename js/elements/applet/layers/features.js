@@ -8,7 +8,7 @@ import { ways } from "./ways.js";
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("../figure.js").Figure} Figure */
 
-const EXTREMUM_HALF = 12;
+const EXTREMUM_HALF = 26;
 const INFLECTION_HALF = 10;
 
 export const bounds = {

@@ -12,7 +12,7 @@ import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
 
 export { treeOf } from "./polylines.js";
-export { ROLES } from "./theme.js";
+export { LEVELS, ROLES } from "./theme.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("./theme.js").Role} Role */
@@ -67,7 +67,7 @@ export const LAYERS = /** @type {readonly (Layer & { name: LayerName, title: str
  * @param {import("../../../applet/pen.js").Paper<Role>} paper its context is scaled to the box; the view is seen to here
  * @param {State} state
  * @param {Figure} figure
- * @returns {{ name: string, words: string }[]} what the layers tell
+ * @returns {string[]} what the layers tell
  */
 export function drawFigure(paper, state, figure) {
   const sheet = sheetOn(paper, state);
@@ -86,16 +86,16 @@ export function drawFigure(paper, state, figure) {
  * @param {Sheet} sheet
  * @param {Figure} figure
  * @param {State} state
- * @returns {{ name: string, words: string }[]}
+ * @returns {string[]}
  */
-function drawLayer({ name = "", title, derive, draw, tell }, sheet, figure, state) {
+function drawLayer({ title, derive, draw, tell }, sheet, figure, state) {
   try {
     const data = derive(figure, state);
     draw(sheet, data, figure, state);
     const words = tell?.(data, state);
-    return words ? [{ name, words }] : [];
+    return words ? [words] : [];
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
-    return [{ name, words: `${title} cannot be drawn here: ${error.message}` }];
+    return [`${title ?? "The curve"} cannot be drawn here: ${error.message}`];
   }
 }

@@ -1,5 +1,6 @@
 // Names on the construction at t, in the notation of the labels.
-import { mark } from "./sheet.js";
+import * as pen from "../../../applet/pen.js";
+import { isSeen } from "./sheet.js";
 import { selected } from "./weights.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
@@ -28,8 +29,8 @@ export const names = {
    */
   draw(sheet, data) {
     for (const { text, at, away } of data) {
-      const place = mark(sheet, at[0], at[1], 0);
-      if (place) sheet.words.push({ text, at: place, away, gap: DISTANCE, rank: 2 });
+      const place = sheet.lens.place(at[0], at[1]);
+      if (isSeen(sheet, place)) sheet.words.push({ text, at: place, away, gap: DISTANCE, rank: 2 });
     }
   },
 };
@@ -58,12 +59,12 @@ export function namesOf(figure, { layers, labels, basis, segment, t }) {
 function halfNames(halves) {
   return halves.flatMap((half, side) => {
     const flat = half.controlPoints();
-    const middle = (flat.length - 2) / 4;
-    return Array.from({ length: flat.length / 2 }, (_, i) => ({
-      text: `${"qr"[side]}${i}`,
-      at: flat.subarray(2 * i, 2 * i + 2),
-      away: /** @type {[number, number]} */ (i < middle ? [-1, 0] : [1, 0]),
-    }));
+    return Array.from({ length: flat.length / 2 }, (_, i) => {
+      const place = (/** @type {number} */ k) => /** @type {[number, number] | undefined} */ (k in flat ? [flat[k], flat[k + 1]] : undefined);
+      const neighbours = [place(2 * i - 2), place(2 * i + 2)];
+      const away = pen.awayFrom([flat[2 * i], flat[2 * i + 1]], neighbours);
+      return { text: `${"qr"[side]}${i}`, at: flat.subarray(2 * i, 2 * i + 2), away };
+    });
   });
 }
 

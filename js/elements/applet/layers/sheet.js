@@ -19,7 +19,7 @@ import { Lens } from "./lens.js";
  * @property {Lens} lens
  * @property {State["box"]} box
  * @property {Word[]} words to be placed when all is drawn
- * @property {number[]} marks what words keep clear of: x, y and radius, one after the other
+ * @property {number[]} taken what words keep clear of: the middle of a box and half its width and height, one after the other
  */
 
 /**
@@ -28,7 +28,7 @@ import { Lens } from "./lens.js";
  * @returns {Sheet}
  */
 export function sheetOn({ ctx, theme, px }, state) {
-  return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], marks: [] };
+  return { ctx, theme, px, lens: new Lens(ctx, state), box: state.box, words: [], taken: [] };
 }
 
 /**
@@ -158,8 +158,19 @@ const HOLLOW_ROOM = 5;
 export function mark(sheet, x, y, radius) {
   const at = sheet.lens.place(x, y);
   if (!isSeen(sheet, at)) return null;
-  sheet.marks.push(at[0], at[1], radius * sheet.px);
+  take(sheet, at, radius);
   return at;
+}
+
+/**
+ * Keeps words away.
+ *
+ * @param {Sheet} sheet
+ * @param {Place} at
+ * @param {number} radius in CSS pixels
+ */
+export function take({ taken, px }, [x, y], radius) {
+  if (radius > 0) taken.push(x, y, radius * px, radius * px);
 }
 
 /** What lies this far outside, in CSS pixels, shows nothing of itself inside. */

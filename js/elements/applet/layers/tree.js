@@ -38,6 +38,7 @@ export function drawDiagram(sheet, roots, figure) {
   ctx.fill();
   ctx.globalAlpha = 1;
   stroke(sheet, theme.quiet, 1);
+  sheet.taken.push(x + width / 2, y + height / 2, width / 2, height / 2);
   const inner = width - 2 * PADDING * px;
   const place = (/** @type {number} */ root, /** @type {Node} */ { t0, t1 }, /** @type {number} */ depth) =>
     /** @type {Place} */ ([x + PADDING * px + (inner * (root + (t0 + t1) / 2)) / roots.length, y + (PADDING + ROW * depth) * px]);

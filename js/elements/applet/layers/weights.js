@@ -1,7 +1,7 @@
 // How much each point counts at t: discs whose areas are the weights.
 import { RIM_WIDTH, stroke } from "../../../applet/pen.js";
 import { Curve } from "../../../index.js";
-import { mark } from "./sheet.js";
+import { isSeen } from "./sheet.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("../figure.js").Figure} Figure */
@@ -102,8 +102,8 @@ function uniformBSpline(degree, t) {
  */
 function drawDisc(sheet, x, y, value) {
   const { ctx, theme, px } = sheet;
-  const at = mark(sheet, x, y, 0);
-  if (!at) return;
+  const at = sheet.lens.place(x, y);
+  if (!isSeen(sheet, at)) return;
   const colour = value < 0 ? theme.handle : theme.curve;
   ctx.beginPath();
   ctx.arc(at[0], at[1], WHOLE_RADIUS * Math.sqrt(Math.min(Math.abs(value), MOST_DRAWN)) * px, 0, 2 * Math.PI);

@@ -33,12 +33,7 @@ const MOST_WORDS = 200;
  */
 export function writeWords(sheet) {
   const words = sheet.words.sort((a, b) => a.rank - b.rank).slice(0, MOST_WORDS);
-  /** @type {number[]} boxes: middle, half width, half height */
-  const taken = [];
-  for (let i = 0; i < sheet.marks.length; i += 3) {
-    const [x, y, r] = [sheet.marks[i], sheet.marks[i + 1], sheet.marks[i + 2]];
-    taken.push(x, y, r, r);
-  }
+  const { taken } = sheet;
   for (const word of words) {
     const halfWidth = (CHARACTER.width * [...word.text].length * sheet.px) / 2;
     const halfHeight = (CHARACTER.height * sheet.px) / 2;
