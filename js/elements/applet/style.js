@@ -1,17 +1,18 @@
 // The style sheet inside the shadow root: the small applet's, and what this one has more.
 import { css, unsafeCSS } from "lit";
 import { CSS, DARK, LIGHT } from "../../applet/style.js";
+import { LEVELS } from "./layers/theme.js";
 
-/** Further levels of a construction, in the dark. */
-const LEVELS = css`--bz-level3: #b79be0; --bz-level4: #d8bd3a;`;
+const [LIGHT_LEVELS, DARK_LEVELS] = [unsafeCSS(LEVELS.light), unsafeCSS(LEVELS.dark)];
 
 export const style = css`
 ${unsafeCSS(CSS)}
-:host { --bz-level3: #7b4fb0; --bz-level4: #8a6d00; container-type: inline-size; inline-size: 670px; }
-@media (prefers-color-scheme: dark) { :host { ${LEVELS} } }
+:host { ${LIGHT_LEVELS} container-type: inline-size; inline-size: 670px; }
+@media (prefers-color-scheme: dark) { :host { ${DARK_LEVELS} } }
+@media (forced-colors: active) { :host { --bz-level3: CanvasText; --bz-level4: Highlight; } }
 @media not (forced-colors: active) {
-  :host([theme="light"]) { color-scheme: light; ${unsafeCSS(LIGHT)} }
-  :host([theme="dark"]) { color-scheme: dark; ${unsafeCSS(DARK)} ${LEVELS} }
+  :host([theme="light"]) { color-scheme: light; ${unsafeCSS(LIGHT)} ${LIGHT_LEVELS} }
+  :host([theme="dark"]) { color-scheme: dark; ${unsafeCSS(DARK)} ${DARK_LEVELS} }
 }
 :host([hidden]), [hidden] { display: none; }
 .stage { aspect-ratio: 670 / 480; touch-action: pan-y; overflow: clip; }

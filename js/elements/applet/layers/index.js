@@ -29,6 +29,8 @@ export { LEVELS, ROLES } from "./theme.js";
  * @property {(data: any, state: State) => string} [tell] what it found, in words
  */
 
+/** @typedef {{ name: string, words: string }} Told */
+
 /** From the back to the front. @type {readonly Layer[]} */
 const ALL = [
   construction.hull,
@@ -67,7 +69,7 @@ export const LAYERS = /** @type {readonly (Layer & { name: LayerName, title: str
  * @param {import("../../../applet/pen.js").Paper<Role>} paper its context is scaled to the box; the view is seen to here
  * @param {State} state
  * @param {Figure} figure
- * @returns {string[]} what the layers tell
+ * @returns {Told[]} what the layers tell
  */
 export function drawFigure(paper, state, figure) {
   const sheet = sheetOn(paper, state);
@@ -86,16 +88,16 @@ export function drawFigure(paper, state, figure) {
  * @param {Sheet} sheet
  * @param {Figure} figure
  * @param {State} state
- * @returns {string[]}
+ * @returns {Told[]}
  */
-function drawLayer({ title, derive, draw, tell }, sheet, figure, state) {
+function drawLayer({ name = "", title, derive, draw, tell }, sheet, figure, state) {
   try {
     const data = derive(figure, state);
     draw(sheet, data, figure, state);
     const words = tell?.(data, state);
-    return words ? [words] : [];
+    return words ? [{ name, words }] : [];
   } catch (error) {
     if (!(error instanceof RangeError)) throw error;
-    return [`${title ?? "The curve"} cannot be drawn here: ${error.message}`];
+    return [{ name, words: `${title ?? "The curve"} cannot be drawn here: ${error.message}` }];
   }
 }

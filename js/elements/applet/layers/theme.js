@@ -7,11 +7,10 @@ export const ROLES = /** @type {const} */ ([...FIRST, "level3", "level4"]);
 /** @typedef {typeof ROLES[number]} Role */
 /** @typedef {Record<Role, string>} Theme */
 
-/** Their custom properties, for a style sheet: on a light page, on a dark one, and where the user has colours of their own. */
+/** The custom properties of these: on a light page, and on a dark one. */
 export const LEVELS = {
-  light: "--bz-level3: #8a5a00; --bz-level4: #6a51a3;",
-  dark: "--bz-level3: #f0e442; --bz-level4: #b39ddb;",
-  forced: "--bz-level3: CanvasText; --bz-level4: Highlight;",
+  light: "--bz-level3: #7b4fb0; --bz-level4: #8a6d00;",
+  dark: "--bz-level3: #b79be0; --bz-level4: #d8bd3a;",
 };
 
 /**
