@@ -1,7 +1,7 @@
 // Bundles js/ into dist/ with esbuild. Called by `cargo xtask build`; runs from the repository's root.
 import { build } from "esbuild";
-import { readFile, readdir, rm } from "node:fs/promises";
-import { relative, resolve, sep } from "node:path";
+import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { basename, relative, resolve, sep } from "node:path";
 
 const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
@@ -71,20 +71,31 @@ const bundleAs = (options) =>
 /** Bundles one entry of js/ into one file of dist/. */
 const bundle = (entry, name, options = {}) => bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
 
+/** What comes late: the part of a kind of element that draws, by the name of its file. */
+const LATE = { "elements-surface": "elements/surface/stage.js", "elements-companions": "elements/companions/views.js" };
+
 /**
- * The elements come in parts: elements.js, what is loaded only when a surface comes near (elements-surface.js), and what
- * both need (elements-shared.js). The names stay the same from version to version.
+ * The elements come in parts: elements.js, what is loaded only when an element comes near (elements-surface.js,
+ * elements-companions.js), and what several of them need (elements-shared.js, elements-shared-2.js …). The names stay the
+ * same from version to version.
  */
-const elements = () =>
-  bundleAs({
-    entryPoints: { elements: resolve(sources, "elements/index.js"), "elements-surface": resolve(sources, "elements/surface/stage.js") },
+async function elements() {
+  const entries = Object.entries({ elements: "elements/index.js", ...LATE });
+  const { outputFiles } = await bundleAs({
+    entryPoints: Object.fromEntries(entries.map(([name, path]) => [name, resolve(sources, path)])),
     outdir: "dist",
     splitting: true,
-    chunkNames: "elements-shared",
+    chunkNames: "elements-shared-[hash]",
     plugins: [facadeExternal("elements", "applet")],
     inject: ["xtask/no-dom.js"],
     minify: true,
+    write: false,
   });
+  const hashed = outputFiles.map(({ path }) => basename(path)).filter((name) => name.startsWith("elements-shared-"));
+  const plain = (text) => hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
+  await mkdir("dist", { recursive: true });
+  await Promise.all(outputFiles.map(({ path, text }) => writeFile(`dist/${plain(basename(path))}`, plain(text))));
+}
 
 /** No part of an earlier build stays, to be published. */
 const parts = (await readdir("dist").catch(() => [])).filter((name) => /^elements\b.*\.js$/.test(name));

@@ -81,6 +81,7 @@ fn bundles() -> Result<()> {
         "elements.js",
         "elements-shared.js",
         "elements-surface.js",
+        "elements-companions.js",
         "bezier-app.js",
         "casteljau.wasm",
     ];
@@ -148,6 +149,7 @@ pub(crate) fn site() -> Result<()> {
             "elements.js",
             "elements-shared.js",
             "elements-surface.js",
+            "elements-companions.js",
             "bezier-app.js",
         ]
         .map(|name| root.join("dist").join(name)),

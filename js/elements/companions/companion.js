@@ -1,14 +1,34 @@
 // What all companions have in common: they wait until they are near, tell what the user does, and say what is wrong.
-import { html, LitElement } from "lit";
+import { adoptStyles, css, html, LitElement, nothing } from "lit";
+import { loadViews } from "./loading.js";
+
+/**
+ * @import { CSSResult } from "lit"
+ * @import { Views } from "./loading.js"
+ */
+
+/**
+ * What shows a companion. It is made once for each, when the companion comes near for the first time.
+ *
+ * @typedef {object} View
+ * @property {() => unknown} content
+ * @property {(event: Event) => void} [attended] the focus comes to the applet or leaves it
+ * @property {(done: boolean) => void} [chosen] the user has chosen
+ * @property {() => void} [stop] the companion leaves the page
+ */
 
 /** A companion begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
 const MOST_QUOTED = 40;
+const NOT_FETCHED = "What shows this could not be fetched.";
 
 export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { theme: { reflect: true }, label: { reflect: true } };
+  static styles = css`:host { display: block; min-block-size: 3rem; } :host([hidden]) { display: none; }`;
+  /** The class of its view. @type {keyof Views} */
+  static view = "BernsteinView";
 
   /** What is to be undone when the element leaves the page. @type {(() => void)[]} */
   #endings = [];
@@ -16,6 +36,8 @@ export class Companion extends LitElement {
   #said = "";
   /** What is wrong with the attributes, from one rendering to the next. @type {string[]} */
   #wrong = [];
+  /** @type {View | null} */
+  view = null;
 
   constructor() {
     super();
@@ -23,7 +45,7 @@ export class Companion extends LitElement {
     this.label = "";
   }
 
-  /** Whether it works. @protected */
+  /** Whether it works. */
   get near() {
     return this.#near;
   }
@@ -48,19 +70,19 @@ export class Companion extends LitElement {
     super.disconnectedCallback();
     for (const end of this.#endings.splice(0)) end();
     this.#near = false;
+    this.view?.stop?.();
   }
 
   /**
    * Tells the page what the user does.
    *
-   * @protected
    * @param {boolean} done
    */
   tell(done) {
     this.dispatchEvent(new Event(done ? "change" : "input", { bubbles: true, composed: true }));
   }
 
-  /** @protected @param {string} message */
+  /** @param {string} message */
   say(message) {
     if (message === this.#said) return;
     this.#said = message;
@@ -70,7 +92,6 @@ export class Companion extends LitElement {
   /**
    * What an attribute is used for: itself, or the default with a word about it.
    *
-   * @protected
    * @template T
    * @param {string} name
    * @param {T} value
@@ -92,22 +113,17 @@ export class Companion extends LitElement {
 
   render() {
     this.#wrong = [];
-    const content = this.content();
+    const content = this.view?.content() ?? nothing;
     const message = [...this.problems(), ...this.#wrong, this.#said].filter(Boolean).join(" ");
     return html`${content}<p class="message" part="message" role="status">${message}</p>`;
   }
 
-  /** @protected @returns {unknown} what there is to see */
-  content() {
-    return "";
-  }
-
-  /** @protected @returns {string[]} what else is wrong */
+  /** What else is wrong. @returns {string[]} */
   problems() {
     return [];
   }
 
-  /** Wherever it is: paper shows what no one has scrolled to. @protected */
+  /** Wherever it is: paper shows what no one has scrolled to. */
   renderNow() {
     const near = this.#near;
     this.#near = true;
@@ -120,6 +136,26 @@ export class Companion extends LitElement {
   #seen(near) {
     if (near === this.#near) return;
     this.#near = near;
-    if (near) this.requestUpdate();
+    if (near) this.wake();
+  }
+
+  /** Fetches what shows it, and shows it. */
+  async wake() {
+    try {
+      const views = await loadViews();
+      this.view ??= this.#dressed(views);
+      this.say(this.#said === NOT_FETCHED ? "" : this.#said);
+    } catch {
+      this.say(NOT_FETCHED);
+    }
+    this.requestUpdate();
+  }
+
+  /** @param {Views} views */
+  #dressed(views) {
+    const { view, styles } = /** @type {typeof Companion} */ (this.constructor);
+    const View = /** @type {{ new (host: any): View, styles: CSSResult[] }} */ (/** @type {unknown} */ (views[view]));
+    adoptStyles(/** @type {ShadowRoot} */ (this.renderRoot), [styles, ...View.styles]);
+    return new View(this);
   }
 }

@@ -1,76 +1,28 @@
-import { css, html, nothing } from "lit";
-import { easing } from "../../index.js";
-import { Fields } from "./fields.js";
 import { FormField } from "./form-field.js";
-import { HandleDrag, handle } from "./easing-handles.js";
-import { picture } from "./easing-picture.js";
-import { Preview } from "./preview.js";
-import { style } from "./style.js";
-import { checkAbscissa, heightsOf, presetOf, PRESETS, readTiming, timingText } from "./timing.js";
+import { PRESETS, readTiming, timingText } from "./timing.js";
 
 /**
- * @import { Handles, Heights } from "./timing.js"
+ * @import { Handles } from "./timing.js"
  */
 
-const COORDINATES = ["x1", "y1", "x2", "y2"];
 const MISSING = "Choose an easing.";
 
 /** `<bezier-easing>`; what can be set from outside is documented in types.js. */
 export class BezierEasing extends FormField {
-  static styles = [style, css`
-    .parts { display: grid; grid-template-columns: minmax(0, 17rem) minmax(0, 1fr); }
-    @container (max-width: 420px) { .parts { grid-template-columns: minmax(0, 1fr); } }
-    .stage { position: relative; background: var(--bz-paper); touch-action: pan-y; }
-    .stage > svg { display: block; inline-size: 100%; }
-    .square { fill: none; stroke: var(--bz-rim); } .axis { stroke: var(--bz-field); } .beyond { fill: var(--bz-panel); }
-    .curve { fill: none; stroke: var(--bz-curve); stroke-width: 3; stroke-linecap: round; } .arm { stroke: var(--bz-handle); stroke-width: 1.5; }
-    .end { fill: var(--bz-curve); } .now { fill: var(--bz-paper); stroke: var(--bz-ink); stroke-width: 2; } text { font-size: 11px; fill: var(--bz-quiet); }
-    .unset .curve { stroke-dasharray: 5 5; }
-    .handle { position: absolute; inline-size: var(--bz-hit); block-size: var(--bz-hit); margin: calc(var(--bz-hit) / -2) 0 0 calc(var(--bz-hit) / -2); touch-action: none; cursor: grab; }
-    .handle:active { cursor: grabbing; }
-    .handle::before { content: ""; position: absolute; inset: 0; margin: auto; inline-size: 14px; block-size: 14px; border-radius: 3px; background: var(--bz-handle); border: 2px solid var(--bz-paper); }
-    .handle:hover::before { scale: 1.2; } .handle:focus-within { z-index: 1; outline: 2px solid var(--bz-accent); outline-offset: -1px; border-radius: 50%; }
-    .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
-    .side { display: grid; gap: 0.7rem; align-content: center; padding: 0.8rem; }
-    .numbers { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0.4rem 0.8rem; }
-    .numbers label { display: grid; grid-template-columns: 1.4rem minmax(0, 1fr); align-items: center; } .numbers input { inline-size: 100%; min-inline-size: 0; } .numbers .error { grid-column: 1 / -1; }
-    .numbers sub { font-size: 0.7em; }
-    .preset { display: flex; } .preset select { flex: 1; min-inline-size: 0; }
-    .play { display: flex; gap: 0.7rem; align-items: center; }
-    .track { position: relative; flex: 1; block-size: 28px; border-block-end: 1px solid var(--bz-field); }
-    .ball { position: absolute; inset-block-start: 3px; inset-inline-start: 20%; inline-size: 22px; block-size: 22px; margin-inline-start: -11px; border-radius: 50%; background: var(--bz-curve); border: 1px solid var(--bz-paper); }
-    .track::before, .track::after { content: ""; position: absolute; inset-block: 16px 0; border-inline-start: 1px solid var(--bz-field); inset-inline-start: 20%; } .track::after { inset-inline-start: 80%; }
-    output { font: 0.8125rem/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; user-select: all; }
-    @media (forced-colors: active) { .ball, .handle::before { forced-color-adjust: none; } }
-  `];
-
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { value: { attribute: false, noAccessor: true } };
+  static view = /** @type {const} */ ("EasingView");
 
   /** @type {Handles} */
-  #handles = [...PRESETS.ease];
-  /** What is shown; it stands still while a handle is dragged. @type {Heights} */
-  #heights = heightsOf(PRESETS.ease);
+  handles = [...PRESETS.ease];
   /** Whether someone has chosen; and whether it was other than the attribute. */
   #chosen = false;
   #dirty = false;
   #custom = "";
-  #fields = new Fields({
-    read: (key) => this.#handles[Number(key)],
-    write: (key, value, done) => this.#set(Number(key), value, done),
-    changed: () => this.requestUpdate(),
-    paste: (_, text) => this.#pasted(text),
-  });
-  #drag = new HandleDrag({
-    handles: () => this.#handles,
-    heights: () => this.#heights,
-    move: (handles, done) => this.#choose(handles, done),
-  });
-  #preview = new Preview(() => /** @type {ShadowRoot} */ (this.renderRoot));
 
   /** The timing function as CSS writes it; empty while it is required and not chosen. */
   get value() {
-    return this.#chosen || !this.required ? timingText(this.#handles) : "";
+    return this.#chosen || !this.required ? timingText(this.handles) : "";
   }
 
   set value(text) {
@@ -87,11 +39,6 @@ export class BezierEasing extends FormField {
     this.#report();
   }
 
-  disconnectedCallback() {
-    super.disconnectedCallback();
-    this.#preview.stop();
-  }
-
   /**
    * @param {string} name
    * @param {string | null} old
@@ -105,7 +52,6 @@ export class BezierEasing extends FormField {
 
   formResetCallback() {
     this.#dirty = false;
-    this.#fields.clear();
     this.#adopt(this.defaultValue ?? "");
   }
 
@@ -121,6 +67,22 @@ export class BezierEasing extends FormField {
   }
 
   /**
+   * The user chooses.
+   *
+   * @param {Handles} handles
+   * @param {boolean} done
+   */
+  choose(handles, done) {
+    this.handles = handles;
+    this.#chosen = this.#dirty = true;
+    this.say("");
+    this.#report();
+    this.requestUpdate();
+    this.tell(done);
+    this.view?.chosen?.(done);
+  }
+
+  /**
    * A text from outside; what cannot be read changes nothing and is told.
    *
    * @param {string} text
@@ -128,11 +90,10 @@ export class BezierEasing extends FormField {
   #adopt(text) {
     this.say("");
     try {
-      this.#handles = text ? readTiming(text) : [...PRESETS.ease];
+      this.handles = text ? readTiming(text) : [...PRESETS.ease];
       this.#chosen = text !== "";
-      this.#heights = heightsOf(this.#handles);
     } catch (error) {
-      this.say(`value: ${error instanceof Error ? error.message : error}; ${timingText(this.#handles)} is kept.`);
+      this.say(`value: ${error instanceof Error ? error.message : error}; ${timingText(this.handles)} is kept.`);
     }
     this.#report();
     this.requestUpdate();
@@ -143,79 +104,5 @@ export class BezierEasing extends FormField {
     const missing = this.required && !this.#chosen;
     this.internals.setFormValue(this.value, this.value);
     this.internals.setValidity({ valueMissing: missing, customError: this.#custom !== "" }, this.#custom || (missing ? MISSING : ""));
-  }
-
-  /**
-   * The user chooses.
-   *
-   * @param {Handles} handles
-   * @param {boolean} done
-   */
-  #choose(handles, done) {
-    this.#handles = handles;
-    this.#chosen = this.#dirty = true;
-    this.say("");
-    if (done) this.#heights = heightsOf(handles);
-    this.#report();
-    this.requestUpdate();
-    this.tell(done);
-    if (done && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#play();
-  }
-
-  /**
-   * @param {number} k
-   * @param {number} value
-   * @param {boolean} done
-   */
-  #set(k, value, done) {
-    if (k % 2 === 0) checkAbscissa(COORDINATES[k], value);
-    const handles = /** @type {Handles} */ ([...this.#handles]);
-    handles[k] = value;
-    this.#choose(handles, done);
-    this.#heights = heightsOf(handles);
-  }
-
-  /** @param {string} text */
-  #pasted(text) {
-    try {
-      this.#choose(readTiming(text), true);
-    } catch {
-      return false;
-    }
-    this.#fields.leave();
-    return true;
-  }
-
-  #play() {
-    this.#preview.play(easing(...this.#handles), this.#heights);
-  }
-
-  content() {
-    const name = this.nameFor("Easing");
-    const [handles, heights, off] = [this.#handles, this.#heights, this.off];
-    return html`<div class="frame parts ${this.value ? "" : "unset"}" part="frame" role="group" aria-label=${name}>
-      <div class="stage" part="stage">${picture(handles, heights, `${name}: ${timingText(handles)}`)}
-        ${off ? nothing : [0, 1].map((which) => handle(which, handles, heights, this.#drag))}</div>
-      <div class="side">
-        <label class="preset">Preset <select ?disabled=${off} @change=${(/** @type {Event} */ event) => this.#preset(/** @type {HTMLSelectElement} */ (event.target).value)}>${this.#options()}</select></label>
-        <div class="numbers">${COORDINATES.map((each, k) => html`<label><i>${each[0]}<sub>${each[1]}</sub></i>${this.#fields.field(String(k), each, { step: "0.01", decimals: 4, disabled: off })}</label>`)}</div>
-        <div class="play"><button type="button" @click=${() => this.#play()}>Play</button><div class="track" part="track" aria-hidden="true"><div class="ball" part="ball"></div></div></div>
-        <output part="value" aria-live="off">${this.value || "nothing chosen"}</output>
-      </div>
-    </div>`;
-  }
-
-  #options() {
-    const chosen = this.value ? presetOf(this.#handles) : "none";
-    const option = (/** @type {string} */ word, /** @type {string} */ text) => html`<option value=${word} .selected=${word === chosen}>${text}</option>`;
-    const first = chosen === "none" ? option("none", "choose one") : chosen === "" ? option("", "your own") : nothing;
-    return [first, ...Object.keys(PRESETS).map((word) => option(word, word))];
-  }
-
-  /** @param {string} word */
-  #preset(word) {
-    if (!PRESETS[word]) return;
-    this.#fields.clear();
-    this.#choose([...PRESETS[word]], true);
   }
 }

@@ -14,7 +14,6 @@ export class FormField extends Companion {
     disabled: { type: Boolean, reflect: true },
   };
 
-  /** @protected */
   internals = this.attachInternals();
   /** Whether a fieldset or the element itself is switched off. */
   #off = false;
@@ -26,7 +25,7 @@ export class FormField extends Companion {
     this.name = "";
     this.required = false;
     this.disabled = false;
-    this.addEventListener("invalid", () => this.renderNow()); // else there may be nothing yet to put the focus on
+    this.addEventListener("invalid", () => this.wake().then(() => this.renderNow())); // it must be seen what is missing
   }
 
   get form() {
@@ -57,12 +56,12 @@ export class FormField extends Companion {
     return this.internals.reportValidity();
   }
 
-  /** @protected */
+  /** Whether it is switched off, by itself or by a fieldset. */
   get off() {
     return this.#off;
   }
 
-  /** What it is called: by the attribute, by a label of the page, or so. @protected @param {string} fallback */
+  /** What it is called: by the attribute, by a label of the page, or so. @param {string} fallback */
   nameFor(fallback) {
     const words = [...this.labels].map((label) => label.textContent?.trim()).filter(Boolean);
     return this.label || words.join(" ") || fallback;

@@ -44,7 +44,6 @@ export class Linked extends Companion {
   /**
    * The user chooses t here.
    *
-   * @protected
    * @param {number} t
    * @param {boolean} done
    */
@@ -109,7 +108,7 @@ export class Linked extends Companion {
 
   /** However often the applet changes, a companion is drawn once a frame. */
   #updated = (/** @type {Event} */ event) => {
-    if (event.type !== "update") return this.attended(event);
+    if (event.type !== "update") return this.view?.attended?.(event);
     if (this.near) this.#frame ||= requestAnimationFrame(() => this.#refresh());
   };
 
@@ -117,12 +116,4 @@ export class Linked extends Companion {
     this.#frame = 0;
     this.requestUpdate();
   }
-
-  /**
-   * The focus comes to the applet or leaves it.
-   *
-   * @protected
-   * @param {Event} _event
-   */
-  attended(_event) {}
 }

@@ -1,18 +1,16 @@
 // A companion that stands alone: what its attributes say.
 import { Curve } from "../../index.js";
-import { readNumber, readPoints } from "./numbers.js";
+import { readNumber } from "./numbers.js";
+import { FIRST_POINTS, ownPoints } from "./points.js";
 import { withTangents } from "./subject.js";
 import { BASES, MATRIX_DEGREE, MOST_DEGREE } from "./weights.js";
 
 /**
- * @import { Place, Subject } from "./subject.js"
+ * @import { Check, Place, PointsLike } from "./points.js"
+ * @import { Subject } from "./subject.js"
  * @import { Basis } from "./weights.js"
  */
 
-/** @typedef {<T>(name: string, value: T, usable: boolean, expected: string, fallback: T) => T} Check */
-
-/** The first curve of the applet. @type {Place[]} */
-export const FIRST_POINTS = [[70, 330], [110, 90], [235, 120], [325, 230]];
 const FIRST_T = 0.5;
 
 /**
@@ -45,32 +43,6 @@ function curveOf(basis, points, matrix) {
   if (basis === "bezier") return new Curve(points);
   if (points.length !== MATRIX_DEGREE + 1) return null;
   return Curve.fromBasis(basis === "matrix" ? matrix ?? [] : basis, points);
-}
-
-/**
- * The points of an attribute or a property, two at least; else the first curve's.
- *
- * @param {PointsLike} given
- * @param {Check} check
- * @returns {Place[]}
- */
-export function ownPoints(given, check) {
-  if (given === null || given === "") return FIRST_POINTS;
-  try {
-    const points = readPoints(pointsText(given));
-    if (points.length > 1) return points;
-  } catch {
-    // what is wrong is said below
-  }
-  check("points", pointsText(given), false, "at least two points x,y x,y …", FIRST_POINTS.join(" "));
-  return FIRST_POINTS;
-}
-
-/** Points as text or as pairs. @typedef {string | ArrayLike<number>[] | null} PointsLike */
-
-/** As the attribute has them. @param {PointsLike} given */
-export function pointsText(given) {
-  return typeof given === "string" ? given : Array.from(given ?? [], (point) => Array.from(point).join(",")).join(" ");
 }
 
 /**

@@ -1,9 +1,8 @@
 import { Linked } from "./linked.js";
-import { ownPoints, pointsText } from "./own.js";
+import { ownPoints, pointsText } from "./points.js";
 
 /**
- * @import { PointsLike } from "./own.js"
- * @import { Place } from "./subject.js"
+ * @import { Place, PointsLike } from "./points.js"
  */
 
 /** A companion with points of its own while it is linked to nothing. */
@@ -29,7 +28,7 @@ export class Pointed extends Linked {
     this.given = given;
   }
 
-  /** @protected @returns {Place[]} what is shown: the applet's points, or its own */
+  /** @returns {Place[]} what is shown: the applet's points, or its own */
   places() {
     return this.target ? this.target.figure?.points ?? [] : ownPoints(this.given, (...args) => this.checked(...args));
   }

@@ -3,10 +3,9 @@ import { MATRIX_DEGREE } from "./weights.js";
 
 /**
  * @import { Curve } from "../../index.js"
+ * @import { Place } from "./points.js"
  * @import { Basis } from "./weights.js"
  */
-
-/** @typedef {[number, number]} Place */
 
 /**
  * The figure of an applet, as far as companions read it.

@@ -1,0 +1,111 @@
+import { css, html } from "lit";
+import { Fields } from "./fields.js";
+import { readPoints } from "./numbers.js";
+import { style } from "./style.js";
+
+/**
+ * @import { BezierCoordinates } from "./coordinates.js"
+ * @import { Place } from "./points.js"
+ */
+
+const AXES = /** @type {const} */ (["x", "y"]);
+
+/** What `<bezier-coordinates>` shows. */
+export class CoordinatesView {
+  static styles = [style, css`
+    .scroll { max-block-size: 24rem; }
+    table { border-collapse: collapse; inline-size: 100%; }
+    caption { text-align: start; padding: 0.5rem 0.8rem; font-weight: 600; }
+    th, td { padding: 0.2rem 0.4rem; text-align: start; font-weight: 600; vertical-align: top; } td { font-weight: 400; }
+    tbody th { inline-size: 1%; white-space: nowrap; padding: 0.5rem 0.4rem 0.2rem 0.8rem; }
+    thead th { position: sticky; inset-block-start: 0; background: var(--bz-panel); z-index: 1; padding-block: 0.1rem; } thead th:first-child { padding-inline-start: 0.8rem; }
+    td input { inline-size: 100%; min-inline-size: 4.5rem; max-inline-size: 11rem; } td .error { display: block; max-inline-size: 16rem; }
+    tr:last-child > * { padding-block-end: 0.6rem; }
+  `];
+  #host;
+  #fields = new Fields({
+    read: (key) => this.#host.places()[indexOf(key)]?.[axisOf(key)] ?? 0,
+    write: (key, value, done) => this.#move(indexOf(key), axisOf(key), value, done),
+    changed: () => this.#host.requestUpdate(),
+    paste: (key, text) => this.#paste(key, text),
+  });
+
+  /** @param {BezierCoordinates} host */
+  constructor(host) {
+    this.#host = host;
+  }
+
+  content() {
+    const places = this.#host.places();
+    const names = this.#host.target?.figure?.names ?? [];
+    const title = this.#host.label || "Control points";
+    return html`<div class="frame" part="frame"><div class="scroll" role="region" tabindex="0" aria-label=${title}><table part="table">
+      <caption>${title}</caption>
+      <thead><tr><th scope="col">Point</th>${AXES.map((axis) => html`<th scope="col"><i>${axis}</i></th>`)}</tr></thead>
+      <tbody>${places.map((_, i) => this.#row(names[i] || `P${i}`, i))}</tbody>
+    </table></div></div>`;
+  }
+
+  /**
+   * @param {string} name
+   * @param {number} i
+   */
+  #row(name, i) {
+    return html`<tr><th scope="row">${name}</th>${AXES.map((axis, k) => html`<td>${this.#fields.field(`${i}-${k}`, `${name} ${axis}`)}</td>`)}</tr>`;
+  }
+
+  /**
+   * @param {number} index
+   * @param {0 | 1} axis
+   * @param {number} value
+   * @param {boolean} done
+   */
+  #move(index, axis, value, done) {
+    const places = this.#host.places();
+    const place = /** @type {Place} */ ([...places[index]]);
+    place[axis] = value;
+    this.#place([place], index, done);
+    this.#host.tell(done);
+  }
+
+  /**
+   * Points in a row, from the one at `first` on.
+   *
+   * @param {Place[]} given
+   * @param {number} first
+   * @param {boolean} done
+   */
+  #place(given, first, done) {
+    const places = this.#host.places();
+    const { target } = this.#host;
+    if (!target) this.#host.given = Object.assign([...places], Object.fromEntries(given.map((p, k) => [first + k, p])));
+    else if (first + given.length <= places.length) given.forEach((point, k) => target.steer({ index: first + k, point }, done && k === given.length - 1));
+    else Object.assign(target, { points: [...places.slice(0, first), ...given] });
+  }
+
+  /**
+   * A table of points fills this one, from the point where it was pasted.
+   *
+   * @param {string} key
+   * @param {string} text
+   */
+  #paste(key, text) {
+    let given;
+    try {
+      given = readPoints(text);
+      this.#place(given, indexOf(key), true);
+    } catch (error) {
+      this.#fields.say(key, `Pasted text: ${error instanceof Error ? error.message : error}. Nothing is changed.`);
+      return true;
+    }
+    this.#fields.clear();
+    this.#fields.leave();
+    this.#host.tell(true);
+    return true;
+  }
+}
+
+/** @param {string} key */
+const indexOf = (key) => Number(key.split("-")[0]);
+/** @param {string} key */
+const axisOf = (key) => /** @type {0 | 1} */ (Number(key.split("-")[1]));
