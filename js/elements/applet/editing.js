@@ -125,15 +125,16 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
-   * As if the user did it in the figure.
+   * As if the user did it in the figure: a point moved, or values written as in the state's JSON.
    *
-   * @param {{ t?: number, index?: number, point?: Place }} what
+   * @param {{ index?: number, point?: Place, t?: number, points?: Place[], basis?: string, matrix?: number[] }} what
    * @param {boolean} [done] whether the undo step is complete
    */
-  steer({ t, index, point }, done = true) {
-    if (this.readonly && index !== undefined) return;
+  steer({ index, point, ...values }, done = true) {
+    if (this.readonly && (index !== undefined || values.points)) return;
+    const given = /** @type {Record<string, unknown>} */ (values);
     this.during((state) => {
-      const next = t === undefined ? state : FIELDS.t.put(state, t);
+      const next = Object.entries(FIELDS).reduce((at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])), state);
       return index === undefined ? next : edits.withPointAt(next, index, point);
     });
     if (done) this.settle();

@@ -51,7 +51,8 @@ export class CoordinatesView {
    * @param {number} i
    */
   #row(name, i) {
-    return html`<tr><th scope="row">${name}</th>${AXES.map((axis, k) => html`<td>${this.#fields.field(`${i}-${k}`, `${name} ${axis}`)}</td>`)}</tr>`;
+    const disabled = this.#host.target?.hasAttribute("readonly") ?? false;
+    return html`<tr><th scope="row">${name}</th>${AXES.map((axis, k) => html`<td>${this.#fields.field(`${i}-${k}`, `${name} ${axis}`, { disabled })}</td>`)}</tr>`;
   }
 
   /**
@@ -76,11 +77,12 @@ export class CoordinatesView {
    * @param {boolean} done
    */
   #place(given, first, done) {
-    const places = this.#host.places();
     const { target } = this.#host;
-    if (!target) this.#host.given = Object.assign([...places], Object.fromEntries(given.map((p, k) => [first + k, p])));
-    else if (first + given.length <= places.length) given.forEach((point, k) => target.steer({ index: first + k, point }, done && k === given.length - 1));
-    else Object.assign(target, { points: [...places.slice(0, first), ...given] });
+    if (target && given.length === 1) return target.steer({ index: first, point: given[0] }, done);
+    const all = /** @type {Place[]} */ (target && "points" in target ? target.points : this.#host.places());
+    const points = [...all.slice(0, first), ...given, ...all.slice(first + given.length)];
+    if (target) target.steer({ points }, done);
+    else this.#host.given = points;
   }
 
   /**

@@ -132,6 +132,7 @@ export function handle(which, handles, heights, drag) {
     const slid = (/** @type {Event} */ event) => drag.to(which, ...place(Number(/** @type {HTMLInputElement} */ (event.target).value)), event.type === "change");
     return html`<input type="range" aria-label="${NAMES[which]} ${axis}" tabindex=${axis === "x" ? 0 : -1} min=${range[0]} max=${range[1]} step="0.01" .value=${String(value)} aria-valuetext=${shown(value)} @input=${slid} @change=${slid}>`;
   };
+  // The place as a property: a strict policy forbids the attribute.
   return html`<div class="handle" part="handle" data-index=${which} .style=${`left: ${(100 * across(x)) / SQUARE.width}%; top: ${(100 * down(heights, y)) / SQUARE.height}%`}
     @pointerdown=${(/** @type {PointerEvent} */ event) => drag.grab(which, event)} @pointermove=${(/** @type {PointerEvent} */ event) => drag.drag(event)}
     @pointerup=${release} @pointercancel=${release} @lostpointercapture=${release} @keydown=${(/** @type {KeyboardEvent} */ event) => drag.press(which, event)}>

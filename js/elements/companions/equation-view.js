@@ -5,7 +5,7 @@ import { shown } from "./numbers.js";
 import { ownMatrix, ownSubject } from "./own.js";
 import { slider } from "./slider.js";
 import { style } from "./style.js";
-import { bezierForm, subjectOf } from "./subject.js";
+import { bezierForm, inPoints, subjectOf } from "./subject.js";
 import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weights.js";
 
 /**
@@ -77,6 +77,7 @@ export class EquationView {
 
   /** @param {Subject} subject */
   #matrixForm(subject) {
+    if (this.#host.editable) subject = editableForm(subject);
     const { basis, degree, t, points, names } = subject;
     const numbers = degree <= MOST_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
     if (!numbers) return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MOST_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
@@ -94,7 +95,8 @@ export class EquationView {
   }
 
   #matrix() {
-    const subject = this.#subject();
+    const given = this.#subject();
+    const subject = given && editableForm(given);
     return (subject && matrixOf(subject.basis, subject.degree, subject.matrix)) ?? [];
   }
 
@@ -112,10 +114,10 @@ export class EquationView {
    * @param {boolean} done
    */
   #giveMatrix(numbers, done) {
+    const { target } = this.#host;
+    if (target) target.steer({ basis: "matrix", matrix: numbers }, done);
+    else this.#host.basis = "matrix";
     this.#host.matrix = numbers.join(" ");
-    const to = this.#host.target ?? this.#host;
-    to.setAttribute("matrix", this.#host.matrix);
-    to.setAttribute("basis", "matrix");
     this.#host.tell(done);
   }
 
@@ -129,10 +131,16 @@ export class EquationView {
   /** @param {string} basis */
   #setBasis(basis) {
     if (basis === "matrix") return this.#giveMatrix(this.#matrix(), true);
-    (this.#host.target ?? this.#host).setAttribute("basis", basis);
+    if (this.#host.target) this.#host.target.steer({ basis }, true);
+    else this.#host.basis = basis;
     this.#fields.clear();
     this.#host.tell(true);
   }
+}
+
+/** With a matrix that acts on points. @param {Subject} subject */
+function editableForm(subject) {
+  return subject.basis === "hermite" ? inPoints(subject, matrixOf("hermite", MATRIX_DEGREE, null) ?? []) : subject;
 }
 
 /** @param {Subject} subject */

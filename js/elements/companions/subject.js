@@ -29,6 +29,7 @@ import { MATRIX_DEGREE } from "./weights.js";
  * @property {Place[]} points that the weights are for: control points, and for Hermite curves ends and tangent vectors
  * @property {string[]} names theirs
  * @property {Curve | null} curve in Bézier form
+ * @property {{ points: Place[], names: string[] }} [control] the points that the tangent vectors come from
  * @property {number[]} indices of the points in the figure; none where no point of the figure has a weight of its own
  */
 
@@ -67,14 +68,28 @@ export function bezierForm(curve) {
 }
 
 /**
- * Of four points: the ends, and the tangent vectors P1 − P0 and P3 − P2.
+ * Of four points: the ends, and the tangent vectors P1 − P0 and P3 − P2. The points themselves are `control`.
  *
  * @param {Place[]} points
  * @param {string[]} names
  */
 export function withTangents([a, b, c, d], [nameA, nameB, nameC, nameD]) {
   const away = (/** @type {Place} */ to, /** @type {Place} */ from) => /** @type {Place} */ ([to[0] - from[0], to[1] - from[1]]);
-  return { points: [a, d, away(b, a), away(d, c)], names: [nameA, nameD, `${nameB}−${nameA}`, `${nameD}−${nameC}`] };
+  const control = { points: [a, b, c, d], names: [nameA, nameB, nameC, nameD] };
+  return { points: [a, d, away(b, a), away(d, c)], names: [nameA, nameD, `${nameB}−${nameA}`, `${nameD}−${nameC}`], control };
+}
+
+/**
+ * A Hermite curve by a matrix for its points, so that any other matrix can take its place.
+ *
+ * @param {Subject} subject
+ * @param {number[]} m for ends and tangent vectors
+ * @returns {Subject}
+ */
+export function inPoints(subject, m) {
+  if (!subject.control) return subject;
+  const matrix = [0, 4, 8, 12].flatMap((row) => [m[row] - m[row + 2], m[row + 2], -m[row + 3] + 0, m[row + 1] + m[row + 3]]);
+  return { ...subject, ...subject.control, basis: "matrix", matrix };
 }
 
 /**

@@ -1,0 +1,157 @@
+// The pure parts of the companions: reading and writing numbers, weights, what a figure amounts to, timing functions.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Curve, easing, Spline } from "../../js/index.js";
+import { quoted, readNumber, readPoints, shown, shownFraction } from "../../js/elements/companions/numbers.js";
+import { ownMatrix, ownSubject } from "../../js/elements/companions/own.js";
+import { ownPoints, pointsText } from "../../js/elements/companions/points.js";
+import { plotOf, tAt, xOf, yOf } from "../../js/elements/companions/plot.js";
+import { inPoints, subjectOf } from "../../js/elements/companions/subject.js";
+import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "../../js/elements/companions/timing.js";
+import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
+
+const near = (a, b, slack = 1e-12) => assert.ok(Math.abs(a - b) <= slack, `${a} and ${b}`);
+const POINTS = [[70, 330], [110, 90], [235, 120], [325, 230]];
+const TS = [-0.4, 0, 0.1, 0.5, 0.9, 1, 1.3];
+
+test("numbers are read as people write them, and nothing else is one", () => {
+  const good = { 12: 12, "-3.5": -3.5, "−3": -3, " 7 ": 7, ".5": 0.5, "5.": 5, "1e3": 1000, "+2E−2": 0.02 };
+  for (const [text, value] of Object.entries(good)) assert.equal(readNumber(text), value, text);
+  for (const bad of ["", " ", "NaN", "Infinity", "1e999", "-1e999", "0x10", "1,5", "12px", "--1", "1 2", "e5", "."]) assert.ok(Number.isNaN(readNumber(bad)), bad);
+});
+
+test("points are read from attributes and from tables; what is wrong is named with its line", () => {
+  const two = [[1, 2], [3, 4.5]];
+  for (const text of ["1,2 3,4.5", "1 2 3 4.5", "1,2\n3,4.5", "1\t2\r\n3\t4.5\r\n", "1;2\n\n3;4.5\n", " 1, 2\n 3 , 4.5"]) assert.deepEqual(readPoints(text), two, JSON.stringify(text));
+  assert.throws(() => readPoints("1,2\n3"), /^RangeError: line 2: expected pairs of numbers x,y, got “3”/);
+  assert.throws(() => readPoints("1,2\nx,4"), /^RangeError: line 2: expected a number, got “x”/);
+  assert.throws(() => readPoints("1,2 3,1e999"), /^RangeError: expected a number, got “1e999”/);
+  assert.deepEqual(readPoints(pointsText(POINTS)), POINTS);
+});
+
+test("numbers are shown short, with a real minus, never as −0", () => {
+  assert.deepEqual([0, -0, 1 / 3, -2.5, 1e-9, 12345678, -0.0004].map((x) => shown(x)), ["0", "0", "0.333", "−2.5", "1.0e−9", "1.23e+7", "0"]);
+  assert.deepEqual([1 / 6, -2 / 3, 4, -0.5, 0.1, -0].map(shownFraction), ["1/6", "−2/3", "4", "−1/2", "0.1", "0"]);
+  assert.equal(quoted(""), "nothing");
+  assert.ok(quoted("x".repeat(1e6)).length < 40);
+});
+
+test("matrices and recursions give the weights that the core has", () => {
+  for (const degree of [1, 2, 3, 7]) {
+    const matrix = matrixOf("bezier", degree, null);
+    for (const t of TS) throughMatrix(matrix, t).forEach((w, i) => near(w, Curve.bernstein(degree, t)[i], 1e-9));
+  }
+  assert.equal(binomial(30, 15), 155117520);
+  // Each weight of a B-spline is what its curve does with a point at 1 and the others at 0.
+  for (const degree of [1, 2, 3, 5]) {
+    for (let i = 0; i <= degree; i++) {
+      const points = Array.from({ length: degree + 1 }, (_, k) => [k === i ? 1 : 0, 0]);
+      const spline = Spline.fromBSpline(points, { degree });
+      for (const t of [0, 0.25, 0.8, 1]) near(weightsAt({ basis: "b-spline", degree, matrix: null }, t)[i], spline.eval(t).x);
+    }
+  }
+});
+
+test("point weights sum to 1, at any t and in every basis", () => {
+  for (const t of TS) {
+    for (const [basis, degree] of [["bezier", 64], ["b-spline", 3], ["b-spline", 9], ["catmull-rom", 3]]) {
+      const sum = weightsAt({ basis, degree, matrix: null }, t).reduce((a, b) => a + b, 0);
+      if (degree < 20 || (t >= 0 && t <= 1)) near(sum, 1, 1e-9);
+    }
+    const [first, last] = weightsAt({ basis: "hermite", degree: 3, matrix: null }, t);
+    near(first + last, 1);
+  }
+});
+
+const figure = (basis, curve, more = {}) => ({ points: POINTS, names: ["P0", "P1", "P2", "P3"], basis, matrix: null, t: 0.3, segment: 0, pieces: [{ curve, indices: [0, 1, 2, 3] }], ...more });
+/** Weights times points. */
+const blended = ({ points, ...subject }) => {
+  const weights = weightsAt(subject, subject.t);
+  return [0, 1].map((axis) => points.reduce((sum, p, i) => sum + weights[i] * p[axis], 0));
+};
+
+test("weights times points is the point of the curve, whatever the basis", () => {
+  const [a, b, c, d] = POINTS;
+  const vectors = [a, d, [b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]];
+  const own = [1, 2, 3, 4, 0.5, -1, 0, 2, 0, 1, 1, 0, 1, 0, 0, 0];
+  const figures = [
+    figure("bezier", new Curve(POINTS)),
+    figure("hermite", Curve.fromBasis("hermite", vectors)),
+    figure("b-spline", Curve.fromBasis("b-spline", POINTS)),
+    figure("catmull-rom", Curve.fromBasis("catmull-rom", POINTS)),
+    figure("matrix", Curve.fromBasis(own, POINTS), { matrix: own }),
+    figure("natural", new Curve([[0, 0], [1, 5], [2, 5], [9, 0]]), { pieces: [{ curve: new Curve([[0, 0], [1, 5], [2, 5], [9, 0]]), indices: [0, 1] }] }),
+  ];
+  for (const each of figures) {
+    const { x, y } = each.pieces[0].curve.eval(0.3);
+    const [bx, by] = blended(subjectOf(each));
+    near(bx, x, 1e-9);
+    near(by, y, 1e-9);
+  }
+  const hermite = subjectOf(figures[1]);
+  assert.deepEqual(hermite.names, ["P0", "P3", "P1−P0", "P3−P2"]);
+  const same = inPoints(hermite, matrixOf("hermite", 3, null));
+  assert.deepEqual(same.names, ["P0", "P1", "P2", "P3"]);
+  assert.deepEqual(blended(same).map((x) => x.toFixed(9)), blended(hermite).map((x) => x.toFixed(9)));
+});
+
+test("the piece that is looked at counts; no piece is no subject; names may be missing", () => {
+  const [first, second] = [new Curve(POINTS), new Curve([...POINTS].reverse())];
+  const two = figure("bezier", first, { names: [], segment: 1, pieces: [{ curve: first, indices: [0, 1, 2, 3] }, { curve: second, indices: [3, 2, 1, 0] }] });
+  assert.deepEqual([subjectOf(two).points[0], subjectOf(two).names[0]], [POINTS[3], "P3"]);
+  assert.equal(subjectOf({ ...two, segment: 9 }).curve, first);
+  assert.equal(subjectOf({ ...two, pieces: [] }), null);
+  assert.equal(subjectOf(null), null);
+});
+
+test("alone: attributes that cannot be used are named, and the defaults stand in", () => {
+  const problems = [];
+  const check = (name, value, usable, _, fallback) => (usable ? value : (problems.push(name), fallback));
+  const bad = ownSubject({ given: "1,2 3", t: NaN, degree: 99, basis: "nurbs", matrix: "1 2" }, check);
+  assert.deepEqual(problems.sort(), ["basis", "degree", "points", "t"]);
+  assert.deepEqual([bad.basis, bad.degree, bad.t, bad.points], ["bezier", 3, 0.5, POINTS]);
+  const strict = (name, value, usable) => (assert.ok(usable, name), value);
+  assert.equal(ownSubject({ given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" }, strict).degree, 2);
+  for (const given of [7, [[1]], [[1, NaN], [2, 3]], {}]) assert.equal(ownPoints(given, check), ownPoints(null, check));
+  assert.equal(ownMatrix("1 ".repeat(15)), null);
+  assert.equal(ownMatrix("1, ".repeat(16)).length, 16);
+});
+
+test("the plot: every line inside, the peaks labelled apart, t back from its place", () => {
+  for (const [basis, degree] of [["bezier", 1], ["bezier", 3], ["bezier", 64], ["hermite", 3], ["catmull-rom", 3]]) {
+    const { frame, lines } = plotOf({ basis, degree, matrix: null, t: 0.5 });
+    assert.equal(lines.length, degree + 1);
+    for (const { points } of lines) for (const pair of points.split(" ")) assert.ok(pair.split(",").every((x) => x >= 0 && x <= 400), pair);
+    const labels = lines.filter(({ labelled }) => labelled).map(({ peak }) => peak);
+    labels.forEach((a, i) => labels.slice(i + 1).forEach((b) => assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 17)));
+    assert.ok(lines[0].labelled && lines.at(-1).labelled);
+    for (const t of [0, 0.123, 1]) near(tAt(frame, xOf(frame, t)), t);
+  }
+  const cubic = plotOf({ basis: "bezier", degree: 3, matrix: null, t: 0.5 });
+  near(cubic.lines[1].peak.x, xOf(cubic.frame, 1 / 3), 2);
+  near(cubic.lines[1].peak.y, yOf(cubic.frame, 4 / 9), 0.1);
+  assert.deepEqual(plotOf({ basis: "bezier", degree: 3, matrix: null, t: 1.2 }).frame.x, [0, 1.25]);
+});
+
+test("timing functions: read, written, refused", () => {
+  assert.deepEqual(readTiming(" Cubic-Bezier( .1 , -2 , 1 , 3e0 ) "), [0.1, -2, 1, 3]);
+  assert.deepEqual(readTiming("EASE-in"), PRESETS["ease-in"]);
+  for (const handles of Object.values(PRESETS)) {
+    assert.deepEqual(readTiming(timingText(handles)), handles);
+    assert.equal(easing(...handles)(1), 1);
+    assert.ok(presetOf(handles));
+  }
+  for (const bad of ["", "cubic-bezier()", "cubic-bezier(1,2,3)", "cubic-bezier(1,2,3,4,5)", "cubic-bezier(0, NaN, 0, 0)", "cubic-bezier(0, 1e999, 0, 0)", "go too far", "steps(3)", "cubic-bezier(0,0,0,0", "<script>"]) {
+    assert.throws(() => readTiming(bad), /expected cubic-bezier/, bad);
+  }
+  assert.throws(() => readTiming("cubic-bezier(1.1, 0, 0, 0)"), /x1: expected a number from 0 to 1, got 1.1/);
+  assert.throws(() => readTiming("cubic-bezier(0, 0, -0.1, 0)"), /x2: expected a number from 0 to 1, got -0.1/);
+});
+
+test("places in the easing's picture: x stays within 0 and 1, y within what is shown", () => {
+  const heights = heightsOf([0, 2, 1, -1]);
+  assert.ok(heights[0] < -1 && heights[1] > 2);
+  assert.deepEqual(placeAt(heights, -5, 0), [0, heights[1]]);
+  assert.deepEqual(placeAt(heights, 5, 9), [1, heights[0]]);
+  assert.deepEqual(placeAt([0, 1], 0.5, 0.25), [0.5, 0.75]);
+});
