@@ -73,8 +73,8 @@
  *   do it; the cracks are shown
  * @property {number} lines strips of a patch that curves and tubes divide it into each way, 1 to 12
  * @property {string} shading "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches"
- * @property {string} show words of "surface mesh isocurves tubes ribbons net casteljau derivatives" (the last: ∂u, ∂v and the
- *   normal at u, v)
+ * @property {string} show words of "surface mesh isocurves tubes ribbons net casteljau place derivatives" (the last two: the curves through u, v;
+ *   ∂u, ∂v and the normal there)
  * @property {string} evaluation "cpu": by the package; "forward": by it, with forward differences; "gpu": by the vertex shader
  * @property {number} u where de Casteljau's grid is shown
  * @property {number} v

@@ -12,48 +12,87 @@ macro_rules! writeln {
 mod basis;
 #[path = "../../www/samples/bernstein.rs"]
 mod bernstein;
+#[path = "../../www/samples/bytes.rs"]
+mod bytes;
 #[path = "../../www/samples/casteljau.rs"]
 mod casteljau;
 #[path = "../../www/samples/degrees.rs"]
 mod degrees;
+#[path = "../../www/samples/differences.rs"]
+mod differences;
 #[path = "../../www/samples/eval.rs"]
 mod eval;
+#[path = "../../www/samples/files.rs"]
+mod files;
+#[path = "../../www/samples/grid.rs"]
+mod grid;
 #[path = "../../www/samples/home.rs"]
 mod home;
+#[path = "../../www/samples/isocurves.rs"]
+mod isocurves;
 #[path = "../../www/samples/joints.rs"]
 mod joints;
+#[path = "../../www/samples/no-cracks.rs"]
+mod no_cracks;
+#[path = "../../www/samples/patch.rs"]
+mod patch;
+#[path = "../../www/samples/patch-normals.rs"]
+mod patch_normals;
 #[path = "../../www/samples/polyline.rs"]
 mod polyline;
 #[path = "../../www/samples/properties.rs"]
 mod properties;
 #[path = "../../www/samples/quadratic.rs"]
 mod quadratic;
+#[path = "../../www/samples/rays.rs"]
+mod rays;
 #[path = "../../www/samples/recursion.rs"]
 mod recursion;
+#[path = "../../www/samples/rows-then-curve.rs"]
+mod rows_then_curve;
 #[path = "../../www/samples/splines.rs"]
 mod splines;
 #[path = "../../www/samples/split.rs"]
 mod split;
+#[path = "../../www/samples/teapot.rs"]
+mod teapot;
+#[path = "../../www/samples/tolerance.rs"]
+mod tolerance;
 #[path = "../../www/samples/uses.rs"]
 mod uses;
+#[path = "../../www/samples/wires.rs"]
+mod wires;
 
 type Sample = fn(&mut String);
 
 const SAMPLES: &[(&str, Sample)] = &[
     ("basis", basis::sample),
     ("bernstein", bernstein::sample),
+    ("bytes", bytes::sample),
     ("casteljau", casteljau::sample),
     ("degrees", degrees::sample),
+    ("differences", differences::sample),
     ("eval", eval::sample),
+    ("files", files::sample),
+    ("grid", grid::sample),
     ("home", home::sample),
+    ("isocurves", isocurves::sample),
     ("joints", joints::sample),
+    ("no-cracks", no_cracks::sample),
+    ("patch", patch::sample),
+    ("patch-normals", patch_normals::sample),
     ("polyline", polyline::sample),
     ("properties", properties::sample),
     ("quadratic", quadratic::sample),
+    ("rays", rays::sample),
     ("recursion", recursion::sample),
+    ("rows-then-curve", rows_then_curve::sample),
     ("splines", splines::sample),
     ("split", split::sample),
+    ("teapot", teapot::sample),
+    ("tolerance", tolerance::sample),
     ("uses", uses::sample),
+    ("wires", wires::sample),
 ];
 
 fn folder() -> std::path::PathBuf {

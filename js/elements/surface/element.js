@@ -268,7 +268,7 @@ export class BezierSurface extends SurfaceAttributes {
     const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
     const [hit] = this.#scene().surface.intersectRay(origin, direction);
     this.patch = hit?.patch ?? null;
-    if (hit && this.settings().layers.has("casteljau")) Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
+    if (hit && ["casteljau", "place", "derivatives"].some((each) => this.settings().layers.has(/** @type {any} */ (each)))) Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
     this.#fire("change");
   }
 

@@ -216,6 +216,11 @@ export class Geometry {
     return this.#memo.get("casteljau", [surface, picked, u, v, step], () => lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step));
   }
 
+  /** The curves of constant u and v, and where they meet. @param {Scene} scene */
+  place({ surface, picked, settings: { u, v } }) {
+    return this.#memo.get("place", [surface, picked, u, v], () => lines.place(patchesOf(surface)[picked ?? 0], u, v));
+  }
+
   /** The derivatives and the normal at (u, v). @param {Scene} scene */
   derivatives({ surface, picked, frame, settings: { u, v } }) {
     return this.#memo.get("derivatives", [surface, picked, u, v], () => arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius));

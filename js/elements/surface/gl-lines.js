@@ -47,6 +47,7 @@ export class GlLines {
     if (scene.picked !== null && scene.surface.patchCount > 1) this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
     if (layers.has("net")) this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
     if (layers.has("casteljau") && scene.surface.patchCount) this.#casteljau(picture);
+    if (layers.has("place") && scene.surface.patchCount) this.#place(picture);
     if (layers.has("derivatives") && scene.surface.patchCount) this.#derivatives(picture);
   }
 
@@ -66,6 +67,15 @@ export class GlLines {
     twgl.setUniforms(program, { view: sight.view, projection: sight.projection, ink: [...theme.gap, 1] });
     batch.draw(this.#kit.gl.TRIANGLES);
     this.#bands(picture, "cracks", cracks.lines, { colour: theme.gap, width: MIDDLE });
+  }
+
+  /** @param {Picture} picture */
+  #place(picture) {
+    const { level1, level2, handle } = picture.theme;
+    const { ofU, ofV, at } = picture.geometry.place(picture.scene);
+    this.#bands(picture, "ofU", ofU, { colour: level2, width: THICK, hidden: true });
+    this.#bands(picture, "ofV", ofV, { colour: level1, width: THICK, hidden: true });
+    this.#points(picture, "at", at, handle, LARGE_POINT, true);
   }
 
   /** @param {Picture} picture */

@@ -68,6 +68,19 @@ export function outline(patch) {
 }
 
 /**
+ * The curves of constant u and of constant v through a place of a patch, and the place.
+ *
+ * @param {Patch} patch
+ * @param {number} u
+ * @param {number} v
+ */
+export function place(patch, u, v) {
+  const at = patch.eval(u, v);
+  const pieces = (/** @type {Curve} */ curve) => Float32Array.from(chain(curve.sample(2 * PIECES)));
+  return { ofU: pieces(patch.isocurveAtU(u)), ofV: pieces(patch.isocurveAtV(v)), at: Float32Array.of(at.x, at.y, at.z ?? 0) };
+}
+
+/**
  * The control nets: of one patch, or of all.
  *
  * @param {Surface} surface

@@ -159,7 +159,7 @@ function layerControls(port) {
 function placeControls(port) {
   const { layers, swept, u, v } = port.settings;
   const steps = layers.has("casteljau");
-  if (!steps && !layers.has("derivatives") && !swept) return nothing;
+  if (!steps && !layers.has("derivatives") && !layers.has("place") && !swept) return nothing;
   const unit = { min: 0, max: 1, step: UV_STEP };
   return html`<fieldset class="wide"><legend>${steps ? "De Casteljau on the grid" : "Place"}</legend>
     ${slider("u", html`<i>u</i>`, u, unit, port)} ${slider("v", html`<i>v</i>`, v, unit, port)}

@@ -6,7 +6,7 @@ export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spo
 export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
 export const AXES = /** @type {const} */ (["z", "y"]);
 export const EVALUATIONS = /** @type {const} */ (["cpu", "forward", "gpu"]);
-export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "ribbons", "net", "casteljau", "derivatives"]);
+export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "ribbons", "net", "casteljau", "place", "derivatives"]);
 
 /** Cells along each direction of a patch. */
 export const MOST_SEGMENTS = 64;

@@ -9,7 +9,7 @@ export const FINENESS_NAMES = { segments: "by segments", tolerance: "by toleranc
 /** @type {Record<string, string>} */
 export const EVALUATION_NAMES = { cpu: "WebAssembly", forward: "forward differences", gpu: "graphics card" };
 /** @type {Record<string, string>} */
-export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", ribbons: "ribbons", net: "control net", casteljau: "de Casteljau", derivatives: "derivatives" };
+export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", ribbons: "ribbons", net: "control net", casteljau: "de Casteljau", place: "place", derivatives: "derivatives" };
 /** What there is to say of the picture. */
 export const STATES = {
   coming: "",
