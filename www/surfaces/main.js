@@ -7,6 +7,7 @@ import "./figures/knobs.js";
 import "./figures/map.js";
 import "./figures/player.js";
 import "./figures/strip.js";
+import "./figures/text.js";
 import "./figures/turned.js";
 import { fill } from "./figures/surfaces.js";
 

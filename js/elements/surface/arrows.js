@@ -6,8 +6,8 @@
 
 /** @typedef {[number, number, number]} Vector */
 
-/** The longer derivative, the normal and the arrows' heads: in radii of the surface. */
-const [LONGEST, HEAD] = [0.55, 0.07];
+/** The longest arrow in radii of the surface, and no longer than so many of the patch; heads in arrows. */
+const [LONGEST, LONGEST_OF_PATCH, HEAD] = [0.55, 0.8, 0.13];
 
 /**
  * Straight pieces: the derivatives in one scale, the normal as long as the longer of them. Where both vanish there are
@@ -22,15 +22,26 @@ export function arrowsAt(patch, u, v, radius) {
   const at = vector(patch.eval(u, v));
   const partials = patch.partials(u, v);
   const [alongU, alongV] = [vector(partials.u), vector(partials.v)];
-  const scale = (LONGEST * radius) / (Math.max(Math.hypot(...alongU), Math.hypot(...alongV)) || 1);
-  const normal = times(vector(patch.normal(u, v)), LONGEST * radius);
-  const head = HEAD * radius;
+  const length = Math.min(LONGEST * radius, LONGEST_OF_PATCH * radiusOf(patch));
+  const scale = length / (Math.max(Math.hypot(...alongU), Math.hypot(...alongV)) || 1);
+  const normal = times(vector(patch.normal(u, v)), length);
+  const head = HEAD * length;
   return {
     u: arrow(at, times(alongU, scale), normal, head),
     v: arrow(at, times(alongV, scale), normal, head),
     normal: arrow(at, normal, alongU, head),
     at: Float32Array.from(at),
   };
+}
+
+/** Half the diagonal of the control points' box. @param {Patch} patch */
+function radiusOf(patch) {
+  const points = patch.controlPoints();
+  const sides = [0, 1, 2].map((axis) => {
+    const along = points.filter((_, i) => i % 3 === axis);
+    return Math.max(...along) - Math.min(...along);
+  });
+  return Math.hypot(...sides) / 2;
 }
 
 /**

@@ -9,7 +9,15 @@ const SHORT = 2;
 /** A thin space between thousands. @param {number} count */
 const many = (count) => count.toLocaleString("en").replaceAll(",", "\u2009");
 
-class ByteCount extends HTMLElement {
+/** @param {Surface} surface @param {number} segments */
+export function bytesOf(surface, segments) {
+  const { positions, normals, indices } = surface.grid({ segments });
+  const patches = surface.vertices.length * NUMBER + surface.patchCount * 16 * SHORT;
+  const mesh = positions.byteLength + normals.byteLength + indices.byteLength;
+  return { patches, mesh, ratio: mesh / patches };
+}
+
+class ByteCount extends (globalThis.HTMLElement ?? Object) {
   #teapot = Surface.teapot();
   #segments = 8;
   #bars = { patches: element("span", { className: "bar" }), mesh: element("span", { className: "bar" }) };
@@ -39,10 +47,12 @@ class ByteCount extends HTMLElement {
   }
 
   get figure() {
-    const { positions, normals, indices } = this.#teapot.grid({ segments: this.#segments });
-    const patches = this.#teapot.vertices.length * NUMBER + this.#teapot.patchCount * 16 * SHORT;
-    const mesh = positions.byteLength + normals.byteLength + indices.byteLength;
-    return { segments: this.#segments, patches, mesh, ratio: mesh / patches };
+    return { segments: this.#segments, ...bytesOf(this.#teapot, this.#segments) };
+  }
+
+  /** How much more the mesh takes. @param {number} segments */
+  ratioAt(segments) {
+    return bytesOf(this.#teapot, segments).ratio;
   }
 
   #draw() {
@@ -57,4 +67,4 @@ class ByteCount extends HTMLElement {
   }
 }
 
-customElements.define("byte-count", ByteCount);
+globalThis.customElements?.define("byte-count", ByteCount);

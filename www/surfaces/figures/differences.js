@@ -3,10 +3,12 @@ import { element } from "../../parts/dom.js";
 import { chain, slider, svg } from "./svg.js";
 
 /** Heights of a cubic: its control points. */
-const HEIGHTS = [0, 1, 2, 0];
-const [WIDTH, HEIGHT, MARGIN] = [420, 190, 34];
+const HEIGHTS = [0.1, 1.1, 1.9, 0.3];
+const [WIDTH, HEIGHT, MARGIN] = [420, 190, 46];
+/** The plot begins with so many steps, and each next point has twice as many: no powers of two, with which nothing is rounded. */
+const [FEWEST, OCTAVES] = [6, 10];
 /** The plot's decades. */
-const [LEAST, MOST] = [-18, -3];
+const [LEAST, MOST] = [-17, -3];
 
 /** @param {number} t */
 export const cubic = (t) => HEIGHTS.reduce((sum, h, i) => sum + h * [1, 3, 3, 1][i] * t ** i * (1 - t) ** (3 - i), 0);
@@ -71,16 +73,17 @@ class DifferenceTable extends HTMLElement {
 
 /** Error against the number of steps, both by decades and octaves, for numbers of 32 and of 64 bits. */
 function plot() {
-  const octaves = Array.from({ length: 11 }, (_, k) => k + 2); // 4 … 4096 steps
-  const x = (/** @type {number} */ k) => MARGIN + ((k - 2) / 10) * (WIDTH - MARGIN - 8);
+  const octaves = Array.from({ length: OCTAVES + 1 }, (_, k) => k);
+  const steps = (/** @type {number} */ k) => FEWEST * 2 ** k;
+  const x = (/** @type {number} */ k) => MARGIN + (k / OCTAVES) * (WIDTH - MARGIN - 14);
   const y = (/** @type {number} */ error) => HEIGHT - MARGIN - ((Math.max(Math.log10(error), LEAST) - LEAST) / (MOST - LEAST)) * (HEIGHT - MARGIN - 12);
   const line = (/** @type {string} */ name, /** @type {(x: number) => number} */ round) =>
-    svg("polyline", { class: name, points: chain(octaves.map((k) => [x(k), y(drift(2 ** k, round))])) });
+    svg("polyline", { class: name, points: chain(octaves.map((k) => [x(k), y(drift(steps(k), round))])) });
   const ticks = [-16, -12, -8, -4].map((d) => svg("g", {}, svg("path", { class: "grid", d: `M${MARGIN} ${y(10 ** d)}H${WIDTH - 8}` }), svg("text", { x: MARGIN - 5, y: y(10 ** d) + 4, "text-anchor": "end" }, `1e${String(d).replace("-", "−")}`)));
-  const below = [2, 4, 6, 8, 10, 12].map((k) => svg("text", { x: x(k), y: HEIGHT - MARGIN + 16, "text-anchor": "middle" }, String(2 ** k)));
-  const names = [svg("text", { x: x(12), y: y(drift(4096, Math.fround)) - 7, "text-anchor": "end", class: "single" }, "32 bits"), svg("text", { x: x(12), y: y(drift(4096)) - 7, "text-anchor": "end", class: "double" }, "64 bits")];
+  const below = octaves.filter((k) => k % 2 === 0).map((k) => svg("text", { x: x(k), y: HEIGHT - MARGIN + 16, "text-anchor": "middle" }, String(steps(k))));
+  const names = [svg("text", { x: x(OCTAVES), y: y(drift(steps(OCTAVES), Math.fround)) - 9, "text-anchor": "end", class: "single" }, "32 bits"), svg("text", { x: x(OCTAVES), y: y(drift(steps(OCTAVES))) - 9, "text-anchor": "end", class: "double" }, "64 bits")];
   const label = svg("text", { x: (MARGIN + WIDTH) / 2, y: HEIGHT - 3, "text-anchor": "middle" }, "steps");
-  return svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "plot", role: "img", "aria-label": "The error grows with the number of steps: in 32 bits to 1e−4 and beyond at 4096 steps, in 64 bits it stays below 1e−9." }, ...ticks, ...below, label, line("single", Math.fround), line("double", (v) => v), ...names);
+  return svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "plot", role: "img", "aria-label": "The error grows with the number of steps: in 32 bits from 1e−7 to 1e−5 and beyond, in 64 bits it stays below 1e−12." }, ...ticks, ...below, label, line("single", Math.fround), line("double", (v) => v), ...names);
 }
 
 customElements.define("difference-table", DifferenceTable);

@@ -8,7 +8,7 @@ const figures = (/** @type {number} */ x) => (x < 1e-4 ? x.toExponential(1) : St
 
 /** Sliders; those with `log` go by ratios: their positions are the decimal logarithms. */
 const SLIDERS = {
-  segments: { label: "Segments", min: 1, max: 24, step: 1, shown: String },
+  segments: { label: "Segments", min: 1, max: 32, step: 1, shown: String },
   lines: { label: "Strips", min: 1, max: 12, step: 1, shown: String },
   u: { label: "u", min: 0, max: 1, step: 0.01, shown: decimals },
   v: { label: "v", min: 0, max: 1, step: 0.01, shown: decimals },
@@ -16,6 +16,9 @@ const SLIDERS = {
   pixels: { label: "Pixels", min: -1, max: 1.5, step: 0.05, shown: figures, log: true },
   flatness: { label: "Flat within", min: -3, max: 0.3, step: 0.05, shown: figures, log: true },
 };
+
+/** What takes the place of segments. */
+const LENGTHS = ["tolerance", "pixels", "flatness"];
 
 /** Choices: each button sets some properties. */
 const CHOICES = {
@@ -96,7 +99,7 @@ class SurfaceKnobs extends HTMLElement {
     }
     this.#followers.push(() => {
       const now = this.#target?.[name];
-      line.hidden = now === null; // another way of cutting counts
+      line.hidden = now === null || (name === "segments" && LENGTHS.some((other) => this.#target?.[other] !== null)); // another way of cutting counts
       if (typeof now !== "number") return;
       input.value = String(log ? Math.log10(now) : now);
       value.textContent = shown(now);

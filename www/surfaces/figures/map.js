@@ -10,7 +10,8 @@ const STEP = 0.01;
 
 class UnitSquare extends HTMLElement {
   #mark = svg("path", { d: "M0 -8 8 0 0 8 -8 0Z", class: "mark" });
-  #cross = svg("path", { class: "cross" });
+  #ofU = svg("path", { class: "of-u" });
+  #ofV = svg("path", { class: "of-v" });
   #words = element("p", { className: "note" });
   /** @type {any} */ #target = null;
 
@@ -32,7 +33,7 @@ class UnitSquare extends HTMLElement {
     const words = /** @type {[string, number, number, string][]} */ ([["0", -10, SIDE + 16, "end"], ["1", SIDE, SIDE + 16, "middle"], ["1", -8, 5, "end"], ["u", SIDE / 2, SIDE + 18, "middle"], ["v", -10, SIDE / 2 + 4, "end"]]);
     const texts = words.map(([text, x, y, anchor]) => svg("text", { x, y, "text-anchor": anchor, class: /[uv]/.test(text) ? "axis" : "" }, text));
     const size = SIDE + 2 * MARGIN;
-    const group = svg("g", { transform: `translate(${MARGIN + 6} ${MARGIN / 2})` }, square, grid, this.#cross, this.#mark, ...texts);
+    const group = svg("g", { transform: `translate(${MARGIN + 6} ${MARGIN / 2})` }, square, grid, this.#ofU, this.#ofV, this.#mark, ...texts);
     const picture = svg("svg", { viewBox: `0 0 ${size} ${size}`, role: "img", tabindex: 0, "aria-label": "The unit square. Arrow keys move the place (u, v); the sliders do the same." }, group);
     picture.addEventListener("pointerdown", (event) => this.#down(/** @type {PointerEvent} */ (event), square));
     picture.addEventListener("pointermove", (event) => this.#drag(/** @type {PointerEvent} */ (event), square, "input"));
@@ -84,7 +85,8 @@ class UnitSquare extends HTMLElement {
     if (!place) return;
     const [x, y] = [u * SIDE, (1 - v) * SIDE];
     this.#mark.setAttribute("transform", `translate(${x} ${y})`);
-    this.#cross.setAttribute("d", `M${x} 0V${SIDE}M0 ${y}H${SIDE}`);
+    this.#ofU.setAttribute("d", `M${x} 0V${SIDE}`);
+    this.#ofV.setAttribute("d", `M0 ${y}H${SIDE}`);
     this.#words.textContent = `S(${u}, ${v}) = (${place.point.map((/** @type {number} */ c) => c.toFixed(2).replace("-", "−")).join(", ")})`;
   };
 }

@@ -5,7 +5,7 @@ import { chain, slider, svg } from "./svg.js";
 
 const [WIDTH, HEIGHT] = [420, 300];
 /** The common side, from below. */
-const SIDE = new Curve([[200, 290], [330, 210], [60, 100], [230, 10]]);
+const SIDE = new Curve([[200, 300], [330, 210], [60, 100], [230, 0]]);
 const MOST = 12;
 
 /** The side's chords. @param {number} segments @returns {[number, number][]} */
@@ -14,7 +14,7 @@ function cut(segments) {
   return Array.from({ length: segments + 1 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
 }
 
-/** The area between two chains of chords of one curve, each strip between neighbouring cuts taken by itself. @param {number} a @param {number} b */
+/** How far two chains of chords of one curve are apart, at the same parameter. Between two cuts of either the way is straight: looking at the cuts and amid them is enough. @param {number} a @param {number} b */
 export function gapBetween(a, b) {
   const at = (/** @type {[number, number][]} */ points, /** @type {number} */ t) => {
     const n = points.length - 1;

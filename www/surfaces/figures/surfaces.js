@@ -52,8 +52,11 @@ export const SURFACES = {
   neighbours,
 };
 
-/** Gives every figure with `data-surface` its surface. */
+/** Gives every figure with `data-surface` its surface, and with `data-view` its first view. */
 export function fill() {
+  for (const element of /** @type {NodeListOf<any>} */ (document.querySelectorAll("bezier-surface[data-view]"))) {
+    element.view = JSON.parse(element.dataset.view);
+  }
   for (const element of /** @type {NodeListOf<any>} */ (document.querySelectorAll("bezier-surface[data-surface]"))) {
     element.surface = SURFACES[element.dataset.surface]();
   }

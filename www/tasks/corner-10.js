@@ -1,0 +1,16 @@
+import { shown, verdict } from "../surfaces/judge.js";
+
+export const predict = {
+  options: ["P00, where row 0 begins", "P03, where row 0 ends", "P30, where row 3 begins", "P33, where row 3 ends"],
+  answer: 1,
+  because: "At u = 1 only the last point of each row has a weight, at v = 0 only row 0: what remains is P03.",
+};
+
+/** @param {{ u: number, v: number }} figure */
+export function check({ u, v }) {
+  const done = u === 1 && v === 0;
+  return verdict(done, done ? "That is the place." : `You are at u = ${shown(u)}, v = ${shown(v)}.`);
+}
+
+/** @param {any} element */
+export const reveal = (element) => void Object.assign(element, { u: 1, v: 0 });

@@ -1,0 +1,35 @@
+import { shown, verdict } from "../surfaces/judge.js";
+
+const NEAR = 0.01;
+
+/** The highest place by halving steps around the best one known: for a hill with one top. @param {any} patch */
+function top(patch) {
+  let best = { u: 0.5, v: 0.5 };
+  for (let step = 0.25; step > 0.002; step /= 2) {
+    for (let again = true; again; ) {
+      again = false;
+      for (const [du, dv] of [[step, 0], [-step, 0], [0, step], [0, -step]]) {
+        const next = { u: Math.min(Math.max(best.u + du, 0), 1), v: Math.min(Math.max(best.v + dv, 0), 1) };
+        if (patch.eval(next.u, next.v).z <= patch.eval(best.u, best.v).z) continue;
+        best = next;
+        again = true;
+      }
+    }
+  }
+  return best;
+}
+
+/** @param {{ surface: any, place: { point: number[] } | null }} figure */
+export function check({ surface, place }) {
+  const highest = surface.bounds().max.z;
+  const height = place?.point[2] ?? -Infinity;
+  const done = highest - height <= NEAR;
+  const words = done ? `The top is ${shown(highest, 3)} high; you are at ${shown(height, 3)}.` : `You are ${shown(height, 3)} high, and there is a place ${shown(highest - height, 3)} above you.`;
+  return verdict(done, words);
+}
+
+/** @param {any} element */
+export function reveal(element) {
+  const { u, v } = top(element.surface.patch(0));
+  Object.assign(element, { u: Math.round(100 * u) / 100, v: Math.round(100 * v) / 100, step: 4 });
+}

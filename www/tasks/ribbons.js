@@ -1,0 +1,14 @@
+import { many, verdict } from "../surfaces/judge.js";
+
+const [MOST, LEAST_STRIPS] = [20000, 3];
+
+/** @param {{ layers: string[], lines: number, mesh: { triangles: number } }} figure */
+export function check({ layers, lines, mesh: { triangles } }) {
+  if (layers.join(" ") !== "ribbons") return verdict(false, "Show ribbons, and nothing else.");
+  if (lines < LEAST_STRIPS) return verdict(false, `${lines === 1 ? "One strip is" : `${lines} strips are`} too few.`);
+  const done = triangles < MOST;
+  return verdict(done, `${many(triangles)} triangles${done ? "." : ": too many."}`);
+}
+
+/** @param {any} element */
+export const reveal = (element) => void Object.assign(element, { show: "ribbons", lines: LEAST_STRIPS });
