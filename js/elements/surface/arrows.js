@@ -7,7 +7,7 @@
 /** @typedef {[number, number, number]} Vector */
 
 /** The longest arrow in radii of the surface, and no longer than so many of the patch; heads in arrows. */
-const [LONGEST, LONGEST_OF_PATCH, HEAD] = [0.55, 0.8, 0.13];
+const [LONGEST, LONGEST_OF_PATCH, HEAD] = [0.55, 0.65, 0.13];
 
 /**
  * Straight pieces: the derivatives in one scale, the normal as long as the longer of them. Where both vanish there are

@@ -14,10 +14,10 @@ class TeapotData extends HTMLElement {
   connectedCallback() {
     if (this.childNodes.length > 0) return;
     const knob = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) => this.#fill(k, true));
-    const caption = element("caption", {}, "The sixteen numbers of a patch, a row for each row of its net, and the point that each number stands for. Bold: other patches use it, too.");
-    const scroll = element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Control points of a patch" }, element("table", {}, caption, this.#body));
+    const caption = element("p", { className: "note" }, "The sixteen numbers of a patch, a row for each row of its net, and the point that each number stands for. Bold: other patches use it, too.");
+    const scroll = element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Control points of a patch" }, element("table", {}, this.#body));
     this.#words.setAttribute("role", "status");
-    this.append(knob.line, scroll, this.#words);
+    this.append(knob.line, caption, scroll, this.#words);
     this.#fill(4, false);
   }
 

@@ -47,15 +47,15 @@ class DifferenceTable extends HTMLElement {
   connectedCallback() {
     if (this.childNodes.length > 0) return;
     const head = element("tr", {}, ...["i", "value", "first", "second", "third", "exact"].map((word) => Object.assign(element("th", { textContent: word }), { scope: "col" })));
-    const caption = element("caption", {}, "Each number is the sum of its upper neighbour and the one to the right of that.");
+    const caption = element("p", { className: "note" }, "Each number is the sum of its upper neighbour and the one to the right of that.");
     const knob = slider("Steps", { min: 2, max: 16, step: 1, value: this.#steps, name: "steps" }, (n, type) => {
       this.#steps = n;
       this.#fill();
       this.dispatchEvent(new Event(type, { bubbles: true }));
     });
     this.#words.setAttribute("role", "status");
-    const scroll = element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Table of differences" }, element("table", {}, caption, element("thead", {}, head), this.#body));
-    this.append(knob.line, scroll, this.#words, plot());
+    const scroll = element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Table of differences" }, element("table", {}, element("thead", {}, head), this.#body));
+    this.append(knob.line, caption, scroll, this.#words, plot());
     this.#fill();
   }
 
