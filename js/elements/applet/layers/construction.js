@@ -32,6 +32,7 @@ export const polygon = {
 export const hull = {
   name: "hull",
   title: "Convex hull",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure
@@ -61,6 +62,7 @@ const MOST_HOLLOWS_DEGREE = 12;
 export const scaffold = {
   name: "scaffold",
   title: "De Casteljau’s scaffold",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure

@@ -14,6 +14,7 @@ const INFLECTION_HALF = 10;
 export const bounds = {
   name: "bounds",
   title: "Exact boxes",
+  costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
   derive: ({ pieces }) => ({ boxes: pieces.map(({ curve }) => curve.bounds()), touches: pieces.flatMap(({ curve }) => extremaOf(curve).points) }),
@@ -41,6 +42,7 @@ export const bounds = {
 export const extrema = {
   name: "extrema",
   title: "Extrema",
+  costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
   derive({ pieces }) {
@@ -79,6 +81,7 @@ export function extremaOf(curve) {
 export const inflections = {
   name: "inflections",
   title: "Inflections",
+  costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
   derive({ pieces }) {

@@ -5,13 +5,13 @@ import * as features from "./features.js";
 import * as measures from "./measures.js";
 import { names } from "./names.js";
 import * as polylines from "./polylines.js";
+import { bounded } from "./bounded.js";
 import { sheetOn } from "./sheet.js";
 import * as strings from "./strings.js";
 import * as ways from "./ways.js";
 import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
 
-export { treeOf } from "./polylines.js";
 export { LEVELS, ROLES } from "./theme.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
@@ -27,6 +27,7 @@ export { LEVELS, ROLES } from "./theme.js";
  * @property {(figure: Figure, state: State) => any} derive what is drawn, asked of the core, in the plane's numbers
  * @property {(sheet: Sheet, data: any, figure: Figure, state: State) => void} draw
  * @property {(data: any, state: State) => string} [tell] what it found, in words
+ * @property {true} [costly] asks much of each piece, and therefore not of all of a long chain
  */
 
 /** @typedef {{ name: string, words: string }} Told */
@@ -76,9 +77,22 @@ export function drawFigure(paper, state, figure) {
   const { ctx } = paper;
   ctx.clearRect(0, 0, state.box.width, state.box.height);
   ctx.lineJoin = ctx.lineCap = "round";
-  const told = ALL.filter(({ name }) => !name || state.layers.has(/** @type {LayerName} */ (name))).flatMap((layer) => drawLayer(layer, sheet, figure, state));
+  const part = bounded(figure);
+  const told = ALL.filter(({ name }) => !name || state.layers.has(/** @type {LayerName} */ (name))).flatMap((layer) => drawLayer(layer, sheet, layer.costly ? part : figure, state));
   writeWords(sheet);
+  if (part !== figure) told.push({ name: "", words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces` });
   return told;
+}
+
+/**
+ * The polyline of recursive halving: how many segments it has, and its greatest distance from the curve.
+ *
+ * @param {Figure} figure
+ * @param {State} state
+ * @returns {{ segments: number, error: number }}
+ */
+export function treeOf(figure, state) {
+  return polylines.treeOf(bounded(figure), state);
 }
 
 /**

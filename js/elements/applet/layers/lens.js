@@ -1,6 +1,8 @@
 // Looks at a part of the plane: points go from the plane to the picture in double precision, and what lies far outside
 // is cut off, so that no closeness shows facets or trembles (canvases keep no more than seven digits).
 
+import { traceSeen } from "./trace.js";
+
 /** @typedef {[number, number]} Place */
 
 /**
@@ -16,8 +18,8 @@ const MOST_PIECES = 512;
 
 /** Takes paths in the plane and draws them on the picture. */
 export class Lens {
-  /** @type {CanvasRenderingContext2D} */
   #ctx;
+  #box;
   /** Where the path is, where its last part began: on the picture. */
   #x = 0;
   #y = 0;
@@ -35,6 +37,7 @@ export class Lens {
    */
   constructor(ctx, { box, view }) {
     this.#ctx = ctx;
+    this.#box = box;
     this.scale = box.width / view.width;
     this.x = view.x;
     this.y = view.y;
@@ -101,6 +104,22 @@ export class Lens {
   closePath() {
     if (this.#cut || this.#lifted) this.#lineTo(this.#startX, this.#startY);
     else this.#ctx.closePath();
+  }
+
+  /**
+   * A curve from where it starts.
+   *
+   * @param {Float64Array} p its control points
+   */
+  curve(p) {
+    this.moveTo(p[0], p[1]);
+    if (p.length === 8) this.bezierCurveTo(p[2], p[3], p[4], p[5], p[6], p[7]);
+    else if (p.length === 6) this.quadraticCurveTo(p[2], p[3], p[4], p[5]);
+    else if (p.length === 4) this.lineTo(p[2], p[3]);
+    else {
+      const seen = p.map((value, i) => this.scale * (value - (i % 2 ? this.y : this.x)));
+      traceSeen(seen, this.#box, (x, y, isSeen) => (isSeen ? this.#lineTo(x, y) : this.#skip(x, y)));
+    }
   }
 
   /**

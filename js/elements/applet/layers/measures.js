@@ -58,16 +58,22 @@ function behind(found, k) {
   return { ...found, t: found.t + k };
 }
 
+/** The parallel is right to this share of a pixel, but not to more than this in the plane. */
+const OFFSET_PX = 0.05;
+const FINEST_OFFSET = 1e-6;
+
 export const offset = {
   name: "offset",
   title: "Parallel curve",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure
    * @param {State} state
    */
-  derive({ pieces, spline }, { offset }) {
-    const splines = spline ? [spline.offset(offset)] : pieces.map(({ curve }) => curve.offset(offset));
+  derive({ pieces, spline }, { offset, view, box }) {
+    const tolerance = Math.max((OFFSET_PX * view.width) / box.width, FINEST_OFFSET);
+    const splines = spline ? [spline.offset(offset, { tolerance })] : pieces.map(({ curve }) => curve.offset(offset, { tolerance }));
     return { curves: splines.flatMap((each) => each.segments()), distance: offset };
   },
 
@@ -89,6 +95,7 @@ const TICK_HALF = 7;
 export const ticks = {
   name: "ticks",
   title: "Ticks of equal length",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure

@@ -22,6 +22,7 @@ const STEPS = 8;
 export const tree = {
   name: "tree",
   title: "Recursive halving",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure
@@ -102,6 +103,7 @@ function reach(curve) {
 export const segments = {
   name: "segments",
   title: "Polyline of even steps",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure

@@ -37,34 +37,9 @@ export function sheetOn({ ctx, theme, px }, state) {
  * @param {Sheet} sheet
  * @param {readonly Curve[]} curves
  */
-export function along({ lens, px }, curves) {
+export function along({ lens }, curves) {
   lens.beginPath();
-  for (const curve of curves) {
-    const p = curve.controlPoints();
-    lens.moveTo(p[0], p[1]);
-    if (p.length === 8) lens.bezierCurveTo(p[2], p[3], p[4], p[5], p[6], p[7]);
-    else if (p.length === 6) lens.quadraticCurveTo(p[2], p[3], p[4], p[5]);
-    else if (p.length === 4) lens.lineTo(p[2], p[3]);
-    else traceCloseUp(curve, lens, px);
-  }
-}
-
-/** Higher degrees are drawn as cubics, within this share of a pixel. */
-const TRACE_PX = 0.05;
-
-/**
- * @param {Curve} curve
- * @param {Lens} lens
- * @param {number} px
- */
-function traceCloseUp(curve, lens, px) {
-  const target = /** @type {any} */ (lens);
-  try {
-    curve.trace(target, { tolerance: (TRACE_PX * px) / lens.scale });
-  } catch (error) {
-    if (!(error instanceof RangeError)) throw error;
-    curve.trace(target); // closer than its numbers can tell
-  }
+  for (const curve of curves) lens.curve(curve.controlPoints());
 }
 
 /**

@@ -16,6 +16,7 @@ const STRING_OPACITY = 0.7;
 export const envelope = {
   name: "envelope",
   title: "String art: the envelope",
+  costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
   derive({ pieces }) {
@@ -55,6 +56,7 @@ export function stringsOf(curve, count) {
 export const extrapolation = {
   name: "extrapolation",
   title: "Beyond t = 0 and t = 1",
+  costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
   derive: ({ pieces }) => pieces.flatMap(({ curve }) => [curve.subsegment(-BEYOND, 0), curve.subsegment(1, 1 + BEYOND)]),

@@ -118,6 +118,7 @@ const TOOTH_OPACITY = 0.55;
 export const comb = {
   name: "comb",
   title: "Curvature comb",
+  costly: /** @type {const} */ (true),
 
   /**
    * @param {Figure} figure

@@ -24,7 +24,7 @@ const MARGIN = 11;
 /** The font of all but the names of the control points: weight and size. */
 const LIGHT = /** @type {const} */ ([450, 12]);
 /** Beyond so many words the picture is full anyway. */
-const MOST_WORDS = 200;
+const MOST_WORDS = 120;
 
 /**
  * Places all words of a sheet and writes them.
@@ -64,7 +64,7 @@ function bestPlace({ box, px }, { at, away, gap }, taken, halfWidth, halfHeight)
       const long = Math.max(0, halfWidth - MARGIN * px) * Math.abs(dx);
       const reach = gap * px * ring + long;
       const place = atEdge(box, [at[0] + dx * reach, at[1] + dy * reach], MARGIN * px);
-      const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight);
+      const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight, least);
       if (cost < least) [best, least] = [place, cost];
       if (least === 0) return best;
     }
@@ -80,11 +80,12 @@ function bestPlace({ box, px }, { at, away, gap }, taken, halfWidth, halfHeight)
  * @param {number} y
  * @param {number} halfWidth
  * @param {number} halfHeight
+ * @param {number} most where this much is reached the rest does not matter
  * @returns {number}
  */
-function overlap(taken, x, y, halfWidth, halfHeight) {
+function overlap(taken, x, y, halfWidth, halfHeight, most) {
   let sum = 0;
-  for (let i = 0; i < taken.length; i += 4) {
+  for (let i = 0; i < taken.length && sum < most; i += 4) {
     const width = halfWidth + taken[i + 2] - Math.abs(x - taken[i]);
     const height = halfHeight + taken[i + 3] - Math.abs(y - taken[i + 1]);
     if (width > 0 && height > 0) sum += width * height;
