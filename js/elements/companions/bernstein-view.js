@@ -136,26 +136,23 @@ export class BernsteinView {
     this.#host.requestUpdate();
   }
 
-  /** @param {PointerEvent} event */
-  #grabbed(event) {
+  #grabbed = (/** @type {PointerEvent} */ event) => {
     if (event.button !== 0 || this.#drag.pointer >= 0) return;
     const picture = /** @type {SVGSVGElement} */ (event.currentTarget);
     picture.setPointerCapture(event.pointerId);
     this.#drag = { pointer: event.pointerId, start: this.#subject().t };
     this.#moved(event);
-  }
+  };
 
-  /** @param {PointerEvent} event */
-  #moved(event) {
+  #moved = (/** @type {PointerEvent} */ event) => {
     if (event.pointerId === this.#drag.pointer) this.#host.setT(this.#place(event), false);
-  }
+  };
 
-  /** @param {PointerEvent} event */
-  #released(event) {
+  #released = (/** @type {PointerEvent} */ event) => {
     if (event.pointerId !== this.#drag.pointer) return;
     this.#drag.pointer = -1;
     this.#host.setT(event.type === "pointerup" ? this.#place(event) : this.#drag.start, true);
-  }
+  };
 
   /** @param {PointerEvent} event */
   #place(event) {

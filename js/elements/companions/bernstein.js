@@ -3,9 +3,9 @@ import { Linked } from "./linked.js";
 /** `<bezier-bernstein>`; what can be set from outside is documented in types.js. */
 export class BezierBernstein extends Linked {
   static properties = {
-    degree: { type: Number, reflect: true },
-    t: { type: Number, reflect: true },
-    basis: { reflect: true },
+    degree: { type: Number, reflect: true, useDefault: true },
+    t: { type: Number, reflect: true, useDefault: true },
+    basis: { reflect: true, useDefault: true },
   };
   static view = /** @type {const} */ ("BernsteinView");
 

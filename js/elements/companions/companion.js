@@ -25,7 +25,7 @@ const NOT_FETCHED = "What shows this could not be fetched.";
 
 export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */
-  static properties = { theme: { reflect: true }, label: { reflect: true } };
+  static properties = { theme: { reflect: true, useDefault: true }, label: { reflect: true, useDefault: true } };
   static styles = css`:host { display: block; min-block-size: 3rem; } :host([hidden]) { display: none; }`;
   /** The class of its view. @type {keyof Views} */
   static view = "BernsteinView";

@@ -39,7 +39,7 @@ export class CoordinatesView {
     const places = this.#host.places();
     const names = this.#host.target?.figure?.names ?? [];
     const title = this.#host.label || "Control points";
-    return html`<div class="frame" part="frame"><div class="scroll" role="region" tabindex="0" aria-label=${title}><table part="table">
+    return html`<div class="frame" part="frame"><div class="scroll" role="group" tabindex="0" aria-label=${title}><table part="table">
       <caption>${title}</caption>
       <thead><tr><th scope="col">Point</th>${AXES.map((axis) => html`<th scope="col"><i>${axis}</i></th>`)}</tr></thead>
       <tbody>${places.map((_, i) => this.#row(names[i] || `P${i}`, i))}</tbody>

@@ -63,7 +63,7 @@ export class EquationView {
     return html`<div class="frame" part="frame">
       ${slider(subject.t, [Math.min(0, subject.t), Math.max(1, subject.t)], (t, done) => this.#host.setT(t, done))}
       ${form === "matrix" ? this.#chooser(subject) : nothing}
-      <div class="scroll" part="equation" role="region" tabindex="0" aria-label=${this.#host.label || "Equation"}>${body}</div>
+      <div class="scroll" part="equation" role="group" tabindex="0" aria-label=${this.#host.label || "Equation"}>${body}</div>
     </div>`;
   }
 

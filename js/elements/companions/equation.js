@@ -3,12 +3,12 @@ import { Pointed } from "./pointed.js";
 /** `<bezier-equation>`; what can be set from outside is documented in types.js. */
 export class BezierEquation extends Pointed {
   static properties = {
-    t: { type: Number, reflect: true },
-    degree: { type: Number, reflect: true },
-    basis: { reflect: true },
-    matrix: { reflect: true },
-    form: { reflect: true },
-    editable: { type: Boolean, reflect: true },
+    t: { type: Number, reflect: true, useDefault: true },
+    degree: { type: Number, reflect: true, useDefault: true },
+    basis: { reflect: true, useDefault: true },
+    matrix: { reflect: true, useDefault: true },
+    form: { reflect: true, useDefault: true },
+    editable: { type: Boolean, reflect: true, useDefault: true },
   };
   static view = /** @type {const} */ ("EquationView");
 

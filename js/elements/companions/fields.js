@@ -71,7 +71,10 @@ export class Fields {
    */
   #done(key, event) {
     const value = numberIn(event);
-    if (!Number.isNaN(value)) return this.#write(key, value, true);
+    if (!Number.isNaN(value)) {
+      this.#edited.key = "";
+      return this.#write(key, value, true);
+    }
     const { validity, value: text } = /** @type {HTMLInputElement} */ (event.target);
     this.#refuse(key, validity?.badInput ? "what is none" : quoted(text));
   }

@@ -8,10 +8,10 @@ export class FormField extends Companion {
   static shadowRootOptions = { ...LitElement.shadowRootOptions, delegatesFocus: true };
   /** @type {import("lit").PropertyDeclarations} */
   static properties = {
-    defaultValue: { attribute: "value", reflect: true },
-    name: { reflect: true },
-    required: { type: Boolean, reflect: true },
-    disabled: { type: Boolean, reflect: true },
+    defaultValue: { attribute: "value", reflect: true, useDefault: true },
+    name: { reflect: true, useDefault: true },
+    required: { type: Boolean, reflect: true, useDefault: true },
+    disabled: { type: Boolean, reflect: true, useDefault: true },
   };
 
   internals = this.attachInternals();

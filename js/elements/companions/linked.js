@@ -1,6 +1,7 @@
 // A companion that follows the applet that its `for` names, whichever of the two comes first.
 import { Companion } from "./companion.js";
 import { elementFor, followIds } from "./links.js";
+import { quoted } from "./numbers.js";
 
 /**
  * What a companion needs of an applet.
@@ -10,7 +11,7 @@ import { elementFor, followIds } from "./links.js";
 
 export class Linked extends Companion {
   /** @type {import("lit").PropertyDeclarations} */
-  static properties = { htmlFor: { attribute: "for", reflect: true } };
+  static properties = { htmlFor: { attribute: "for", reflect: true, useDefault: true } };
 
   /** @type {Target | null} */
   #target = null;
@@ -80,7 +81,7 @@ export class Linked extends Companion {
     const awaited = found !== null && !able && found.localName.includes("-") && !customElements.get(found.localName);
     if (awaited) this.#awaitDefinition(found.localName);
     const what = found ? `a ${found.localName}${awaited ? " that is not defined" : ""}` : "which is nowhere";
-    const broken = able || !this.#id ? "" : `for: expected the id of a bezier-applet, got “${this.#id}”, ${what}.`;
+    const broken = able || !this.#id ? "" : `for: expected the id of a bezier-applet, got ${quoted(this.#id)}, ${what}.`;
     if (broken !== this.#broken) this.requestUpdate();
     this.#broken = broken;
     this.#follow(able ? /** @type {Target} */ (found) : null);

@@ -9,7 +9,7 @@ import { ownPoints, pointsText } from "./points.js";
 export class Pointed extends Linked {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = {
-    given: { attribute: "points", reflect: true, converter: { fromAttribute: (/** @type {string | null} */ text) => text, toAttribute: pointsText } },
+    given: { attribute: "points", reflect: true, useDefault: true, converter: { fromAttribute: (/** @type {string | null} */ text) => text, toAttribute: pointsText } },
     points: { attribute: false, noAccessor: true },
   };
 

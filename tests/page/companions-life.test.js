@@ -1,0 +1,179 @@
+// Companions come and go: before and after the applet, without it, moved, removed, far away, on paper.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openPage } from "./browser.js";
+import { companionsPage, on, openCompanions, settled, shown, text } from "./companions-page.js";
+
+const t = (page, selector = "bezier-bernstein") => on(page, selector, ({ shadowRoot }) => Number(shadowRoot.querySelector('input[type="range"]').value));
+const linked = (page) => page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "figure");
+
+test("the companion may stand before the applet, and be there before it is", async (test) => {
+  const page = await openCompanions(test, '<bezier-bernstein for="figure"></bezier-bernstein><div id="place"></div>');
+  assert.match(await text(page, "bezier-bernstein .message"), /^for: expected the id of a bezier-applet, got “figure”, which is nowhere\.$/);
+  assert.equal(await t(page), 0.5, "until then its own attributes count");
+  await page.evaluate(() => (document.querySelector("#place").innerHTML = '<p><bezier-applet id="figure" t="0.2"></bezier-applet></p>'));
+  await linked(page);
+  await settled(page);
+  assert.equal(await t(page), 0.2);
+  assert.equal(await text(page, "bezier-bernstein .message"), "");
+});
+
+test("either of the two may be defined first", async (test) => {
+  const body = '<bezier-bernstein for="late"></bezier-bernstein><late-figure id="late"></late-figure>';
+  const page = await openCompanions(test, body);
+  assert.match(await text(page, "bezier-bernstein .message"), /a late-figure that is not defined/);
+  await page.evaluate(() =>
+    customElements.define("late-figure", class extends HTMLElement {
+      figure = { points: [[0, 0], [1, 1]], names: ["A", "B"], basis: "bezier", matrix: null, t: 0.75, segment: 0, pieces: [] };
+      steer() {}
+    }));
+  await page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "late");
+  assert.equal(await text(page, "bezier-bernstein .message"), "");
+});
+
+test("ids that change are followed, and so are applets that are taken away and put back", async (test) => {
+  const page = await openCompanions(test, '<bezier-applet id="figure" t="0.2"></bezier-applet><bezier-bernstein for="figure"></bezier-bernstein>');
+  await linked(page);
+  await page.evaluate(() => (document.querySelector("bezier-applet").id = "other"));
+  await page.waitForFunction(() => /nowhere/.test(document.querySelector("bezier-bernstein").shadowRoot.querySelector(".message").textContent));
+  await page.evaluate(() => (document.querySelector("bezier-bernstein").htmlFor = "other"));
+  await page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "other");
+  await page.evaluate(() => {
+    globalThis.applet = document.querySelector("bezier-applet");
+    applet.remove();
+  });
+  await page.waitForFunction(() => document.querySelector("bezier-bernstein").target === null);
+  await page.evaluate(() => {
+    applet.t = 0.9;
+    document.querySelector("main").prepend(applet);
+  });
+  await page.waitForFunction(() => document.querySelector("bezier-bernstein").target === applet);
+  await settled(page);
+  assert.equal(await t(page), 0.9);
+});
+
+test("an id of something else, none, and every text: a message, nothing breaks", async (test) => {
+  const page = await openCompanions(test, '<p id="text">text</p><bezier-bernstein for="text"></bezier-bernstein><bezier-equation></bezier-equation>');
+  assert.match(await text(page, "bezier-bernstein .message"), /got “text”, a p\.$/);
+  for (const word of ["", " ", "#", "<b>", "a b", "\\", '"', "x".repeat(1e5), "0"]) {
+    for (const name of ["for", "degree", "t", "basis", "points", "matrix", "form", "label", "theme"]) {
+      await page.evaluate(([name, word]) => document.querySelectorAll("bezier-bernstein, bezier-equation").forEach((each) => each.setAttribute(name, word)), [name, word]);
+    }
+    await settled(page);
+    assert.ok((await text(page, "bezier-equation .message")).length < 1000);
+  }
+  await page.evaluate(() => document.querySelectorAll("bezier-bernstein, bezier-equation").forEach((each) => [...each.attributes].forEach(({ name }) => each.removeAttribute(name))));
+  await settled(page);
+  assert.deepEqual([await text(page, "bezier-bernstein .message"), await text(page, "bezier-equation .message"), await t(page)], ["", "", 0.5]);
+});
+
+test("inside of a shadow root the link goes to the applet there", async (test) => {
+  const page = await openPage(test, { html: companionsPage('<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>') }, { viewport: { width: 800, height: 2000 } });
+  await page.evaluate(() => {
+    const root = document.querySelector("#host").attachShadow({ mode: "open" });
+    root.innerHTML = '<bezier-bernstein for="figure"></bezier-bernstein><bezier-applet id="figure" t="0.7"></bezier-applet>';
+  });
+  await page.waitForFunction(() => document.querySelector("#host").shadowRoot.querySelector("bezier-bernstein").target?.figure.t === 0.7);
+});
+
+/** Everything that a page can be asked to remember, counted. */
+const COUNTING = `globalThis.held = 0;
+for (const type of [EventTarget]) {
+  const { addEventListener: add, removeEventListener: remove } = type.prototype;
+  const known = new WeakMap();
+  const key = (target, type, act, options) => type + Boolean(options === true || options?.capture);
+  type.prototype.addEventListener = function (type, act, options) {
+    if (this === window || this === document || this.localName === "bezier-applet") {
+      const set = known.get(this) ?? new Map();
+      known.set(this, set);
+      const acts = set.get(key(this, type, act, options)) ?? new Set();
+      set.set(key(this, type, act, options), acts);
+      if (act && !acts.has(act)) acts.add(act), held++;
+    }
+    return add.call(this, type, act, options);
+  };
+  type.prototype.removeEventListener = function (type, act, options) {
+    const acts = known.get(this)?.get(key(this, type, act, options));
+    if (acts?.delete(act)) held--;
+    return remove.call(this, type, act, options);
+  };
+}
+for (const name of ["MutationObserver", "IntersectionObserver", "ResizeObserver"]) {
+  const Original = globalThis[name];
+  globalThis[name] = class extends Original {
+    on = false;
+    observe(...args) { if (!this.on) held++; this.on = true; super.observe(...args); }
+    disconnect() { if (this.on) held--; this.on = false; super.disconnect(); }
+  };
+}`;
+
+test("a thousand times removed and put back leaves nothing", async (test) => {
+  const body = '<bezier-applet id="figure"></bezier-applet><div id="place"><bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing></div>';
+  const page = await openCompanions(test, body, { script: COUNTING });
+  await linked(page);
+  await settled(page);
+  const counts = await page.evaluate(async () => {
+    const place = document.querySelector("#place");
+    const all = [...place.children];
+    const counts = [held];
+    for (let i = 0; i < 1000; i++) {
+      for (const each of all) each.remove();
+      if (i === 999) break;
+      place.append(...all);
+      if (i % 50 === 0) await new Promise((done) => requestAnimationFrame(done));
+    }
+    await new Promise((done) => setTimeout(done, 50));
+    counts.push(held);
+    place.append(...all);
+    return counts;
+  });
+  await linked(page);
+  await settled(page);
+  counts.push(await page.evaluate(() => held));
+  assert.equal(counts[2], counts[0], `${counts}`);
+  assert.ok(counts[1] < counts[0], `${counts}`);
+  const frames = await page.evaluate(async () => {
+    document.querySelector("#place").remove();
+    let frames = 0;
+    const original = requestAnimationFrame;
+    globalThis.requestAnimationFrame = (act) => (frames++, original(act));
+    document.querySelector("bezier-applet").steer({ t: 0.11 }, true);
+    await new Promise((done) => setTimeout(done, 50));
+    return frames;
+  });
+  assert.ok(frames <= 1, `the applet's own frame, and no companion's: ${frames}`);
+});
+
+test("far down the page nothing is fetched or drawn until it comes near", async (test) => {
+  const html = companionsPage('<div style="height: 4000px"></div><bezier-bernstein></bezier-bernstein>');
+  const page = await openPage(test, { html }, { viewport: { width: 800, height: 600 } });
+  await page.waitForFunction(() => customElements.get("bezier-bernstein"));
+  await settled(page);
+  const fetched = () => page.evaluate(() => performance.getEntriesByType("resource").some(({ name }) => name.endsWith("elements-companions.js")));
+  assert.equal(await fetched(), false);
+  assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
+  await page.locator("bezier-bernstein").scrollIntoViewIfNeeded();
+  await shown(page);
+  assert.equal(await fetched(), true);
+});
+
+test("what could not be fetched is said, and asked for again", async (test) => {
+  const page = await openPage(test, "about:blank", { viewport: { width: 800, height: 600 } });
+  let broken = true;
+  await page.route("**/elements-companions.js", (route) => (broken ? route.abort() : route.continue()));
+  await page.route("**/lost.html", (route) => route.fulfill({ contentType: "text/html", body: companionsPage('<bezier-easing></bezier-easing><div style="height: 3000px"></div>') }));
+  await page.goto("/lost.html");
+  await page.getByText("could not be fetched").waitFor();
+  broken = false;
+  // Away and near again, until it has seen both.
+  await page.waitForFunction(() => document.querySelector("bezier-easing").shadowRoot.querySelector(".frame") || (scrollTo(0, scrollY > 1000 ? 0 : 2500), false), null, { polling: 100 });
+  page.problems.length = 0;
+});
+
+test("on paper there are pictures and numbers, no controls", async (test) => {
+  const page = await openCompanions(test, "<bezier-bernstein></bezier-bernstein><bezier-equation></bezier-equation>");
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator('bezier-bernstein input[type="range"]').isVisible(), false);
+  assert.ok(await page.locator("bezier-bernstein [part=plot]").isVisible());
+  assert.ok(await page.locator("bezier-bernstein li").first().isVisible());
+});

@@ -1,0 +1,58 @@
+// What the tests of the companions share.
+import { openPage } from "./browser.js";
+
+/** A page with these elements; `script` runs before the elements are defined. */
+export const companionsPage = (body, script = "") =>
+  `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark"><title>Companions</title>
+<body style="margin: 8px; background: Canvas"><main><h1>Companions</h1>${body}</main>
+<script>globalThis.heard = []; for (const type of ["input", "change"]) addEventListener(type, ({ target }) => heard.push(type + " " + (target.localName ?? "")));${script}</script>
+<script type="module" src="dist/elements.js"></script></body></html>`;
+
+/**
+ * Opens such a page and waits until every companion shows something.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {string} body
+ * @param {import("playwright-core").BrowserContextOptions & { script?: string }} [options]
+ */
+export async function openCompanions(t, body, { script, ...options } = {}) {
+  const page = await openPage(t, { html: companionsPage(body, script) }, { viewport: { width: 800, height: 2000 }, reducedMotion: "reduce", ...options });
+  await shown(page);
+  return page;
+}
+
+/** Waits until every companion of the page shows something, and nothing moves any more. */
+export async function shown(page) {
+  await page.waitForFunction(() => [...document.querySelectorAll("bezier-bernstein, bezier-equation, bezier-coordinates, bezier-easing")].every((each) => each.shadowRoot?.querySelector(".frame, .quiet")));
+  await page.waitForFunction(() => {
+    const height = document.documentElement.scrollHeight;
+    const same = height === globalThis.heightBefore;
+    globalThis.heightBefore = height;
+    return same;
+  }, null, { polling: 50 });
+}
+
+/** Waits until what was changed is drawn. */
+export const settled = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 3; i++) await new Promise((done) => requestAnimationFrame(done));
+  });
+
+/** What an element inside of a companion says. */
+export const text = (page, selector) => page.locator(selector).innerText();
+
+/** What the page has heard since it was asked last: "input" and "change", and from whom. */
+export const heard = (page) => page.evaluate(() => globalThis.heard.splice(0));
+
+/** Runs in the page with an element. */
+export const on = (page, selector, act, given) => page.locator(selector).evaluate(act, given);
+
+/** Pastes a text into a field. */
+export async function paste(page, locator, text) {
+  await locator.focus();
+  await locator.evaluate((field, pasted) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData("text", pasted);
+    field.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, composed: true, cancelable: true }));
+  }, text);
+}

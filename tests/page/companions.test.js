@@ -1,0 +1,257 @@
+// The plot of the weights, the equation and the coordinate table: alone, and linked to an applet.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertAccessible } from "./browser.js";
+import { heard, on, openCompanions, paste, settled, text } from "./companions-page.js";
+
+const ALL = `<bezier-applet id="figure" t="0.25" show="polygon scaffold"></bezier-applet>
+<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation>
+<bezier-equation form="matrix" editable for="figure"></bezier-equation><bezier-equation form="casteljau" for="figure"></bezier-equation>
+<bezier-coordinates for="figure"></bezier-coordinates>`;
+
+const field = (page, name) => page.getByRole("spinbutton", { name });
+/** The values of the plot's list, by name. */
+const weights = (page) =>
+  on(page, "bezier-bernstein", ({ shadowRoot }) =>
+    Object.fromEntries([...shadowRoot.querySelectorAll("li button")].map((button) => [button.innerText.trim().split(/\s+/)[0], Number(button.querySelector(".value").innerText.replace("−", "-"))])));
+const figure = (page) => on(page, "bezier-applet", ({ points, figure }) => ({ t: figure.t, points, basis: figure.basis, matrix: figure.matrix }));
+
+for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }, { viewport: { width: 360, height: 740 } }]) {
+  test(`they are accessible: ${JSON.stringify(options)}`, async (t) => {
+    const page = await openCompanions(t, ALL, options);
+    await assertAccessible(page);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0, "nothing is wider than the page");
+  });
+}
+
+test("the weights at t, linked: values, their sum, and the marker follow the applet", async (t) => {
+  const page = await openCompanions(t, ALL);
+  assert.deepEqual(await weights(page), { P0: 0.4219, P1: 0.4219, P2: 0.1406, P3: 0.0156 });
+  assert.match(await text(page, "bezier-bernstein .sum"), /: 1$/);
+  const marker = () => on(page, "bezier-bernstein", ({ shadowRoot }) => Number(shadowRoot.querySelector(".marker").getAttribute("x1")));
+  const before = await marker();
+  await on(page, "bezier-applet", (applet) => (applet.t = 0.75));
+  await settled(page);
+  assert.deepEqual(await weights(page), { P0: 0.0156, P1: 0.1406, P2: 0.4219, P3: 0.4219 });
+  assert.ok((await marker()) > before + 100);
+  assert.deepEqual(await heard(page), [], "what the page writes is no event");
+});
+
+test("t is dragged in the plot and by the slider; the applet goes along", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const plot = page.locator("bezier-bernstein [part=plot]");
+  const { x, y, width, height } = await plot.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  const pressed = await figure(page);
+  assert.ok(Math.abs(pressed.t - 0.47) < 0.02, `${pressed.t}`);
+  await page.mouse.move(x + width * 0.9, y + height / 2, { steps: 4 });
+  await page.mouse.up();
+  const { t: dragged } = await figure(page);
+  assert.ok(Math.abs(dragged - 0.914) < 0.02, `${dragged}`);
+  const events = await heard(page);
+  assert.ok(events.includes("input bezier-bernstein") && events.includes("change bezier-applet"), `${events}`);
+  assert.equal(events.filter((event) => event === "change bezier-bernstein").length, 1);
+  await page.mouse.move(x + 5, y + 5);
+  await page.mouse.down();
+  assert.ok((await figure(page)).t < 0.1);
+  await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("[part=plot]").dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })));
+  assert.equal((await figure(page)).t, dragged, "a drag that is broken off leaves nothing");
+  await page.mouse.up();
+  const slider = page.locator('bezier-bernstein input[type="range"]');
+  await slider.focus();
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  assert.equal((await figure(page)).t, 0.01);
+});
+
+test("the focused control point's polynomial stands out, and one that is chosen in the list", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const chosen = () => on(page, "bezier-bernstein", ({ shadowRoot }) => [...shadowRoot.querySelectorAll("polyline")].findIndex((line) => line.classList.contains("chosen")));
+  assert.equal(await chosen(), -1);
+  await on(page, "bezier-applet", ({ shadowRoot }) => shadowRoot.querySelector('.handle[data-index="2"] input').focus());
+  await settled(page);
+  assert.equal(await chosen(), 2);
+  await page.getByRole("button", { name: "P1" }).click();
+  assert.equal(await chosen(), 1);
+  assert.equal(await page.getByRole("button", { name: "P1" }).getAttribute("aria-pressed"), "true");
+});
+
+test("every basis and degree is plotted alone, up to 64; lines differ by more than colour", async (t) => {
+  const page = await openCompanions(t, '<bezier-bernstein degree="64" t="0.5"></bezier-bernstein>');
+  const looks = () => on(page, "bezier-bernstein", ({ shadowRoot }) => [...shadowRoot.querySelectorAll("polyline")].map((line) => `${line.classList[1]} ${line.getAttribute("stroke-dasharray")}`));
+  assert.equal((await looks()).length, 65);
+  assert.equal(new Set((await looks()).slice(0, 20)).size, 20);
+  for (const [basis, names] of [["hermite", ["P0", "P3", "P1−P0", "P3−P2"]], ["catmull-rom", ["P0", "P1", "P2", "P3"]]]) {
+    await on(page, "bezier-bernstein", (element, word) => (element.basis = word), basis);
+    await settled(page);
+    assert.deepEqual(Object.keys(await weights(page)), names);
+  }
+  await page.locator('bezier-bernstein input[type="range"]').fill("0.25");
+  assert.equal(await on(page, "bezier-bernstein", (element) => element.getAttribute("t")), "0.25");
+  assert.deepEqual(await heard(page), ["input bezier-bernstein", "change bezier-bernstein"]);
+});
+
+test("the equation: MathML with live numbers that add up, and words for who hears it", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const sum = () => on(page, "bezier-equation >> nth=0", ({ shadowRoot }) => [...shadowRoot.querySelectorAll("mtr.total mn")].map((mn) => Number(mn.textContent.replace("−", "-"))));
+  const truth = () => on(page, "bezier-applet", ({ figure }) => figure.pieces[figure.segment].curve.eval(figure.t));
+  const agree = async () => {
+    const [{ x, y }, [a, b]] = [await truth(), await sum()];
+    assert.ok(Math.abs(a - x) <= 5.1e-4 && Math.abs(b - y) <= 5.1e-4, `${a}, ${b} for ${x}, ${y}`);
+  };
+  await agree();
+  await on(page, "bezier-applet", (applet) => applet.steer({ index: 1, point: [300, 20] }, true));
+  await settled(page);
+  await agree();
+  const { namespace, label } = await on(page, "bezier-equation >> nth=0", ({ shadowRoot }) => {
+    const math = shadowRoot.querySelector("math");
+    return { namespace: math.querySelector("mtable").namespaceURI, label: math.getAttribute("aria-label") };
+  });
+  assert.match(namespace, /MathML/);
+  assert.match(label, /^B of 0\.25 is x [\d.]+, y [\d.]+, from 0\.422 P0 plus/);
+  const region = page.locator("bezier-equation").first().getByRole("group", { name: "Equation" });
+  assert.equal(await region.getAttribute("tabindex"), "0");
+});
+
+test("on a narrow phone the equation scrolls inside, by the keyboard too", async (t) => {
+  const page = await openCompanions(t, '<bezier-equation form="casteljau"></bezier-equation>', { viewport: { width: 360, height: 700 } });
+  const region = page.getByRole("group", { name: "Equation" });
+  await region.focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => document.querySelector("bezier-equation").shadowRoot.querySelector(".scroll").scrollLeft > 0);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+});
+
+test("the basis is switched and the matrix edited: the applet follows, one undo step each", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const matrix = page.locator('bezier-equation[form="matrix"]');
+  await matrix.getByLabel("Basis").selectOption("catmull-rom");
+  assert.equal((await figure(page)).basis, "catmull-rom");
+  await settled(page);
+  const cell = matrix.getByLabel("Row 1, column 2");
+  assert.equal(await cell.inputValue(), "1.5");
+  await cell.fill("2.25");
+  await page.keyboard.press("Enter");
+  const edited = await figure(page);
+  assert.deepEqual([edited.basis, edited.matrix[1], edited.matrix[0]], ["matrix", 2.25, -0.5]);
+  await on(page, "bezier-applet", (applet) => applet.undo());
+  assert.equal((await figure(page)).basis, "catmull-rom");
+  await settled(page);
+  assert.equal(await cell.inputValue(), "1.5");
+  await matrix.getByLabel("Basis").selectOption("hermite");
+  await settled(page);
+  const at = () => on(page, "bezier-applet", ({ figure }) => figure.pieces[0].curve.eval(0.4));
+  const before = await at();
+  await matrix.getByLabel("Basis").selectOption("matrix");
+  const after = await at();
+  assert.ok(Math.hypot(before.x - after.x, before.y - after.y) < 1e-9, "own numbers begin with the same curve");
+});
+
+test("the matrix refuses what is no number, at the field", async (t) => {
+  const page = await openCompanions(t, '<bezier-equation form="matrix" editable basis="b-spline"></bezier-equation>');
+  const cell = page.getByLabel("Row 4, column 1");
+  await cell.fill("");
+  await page.keyboard.press("Tab");
+  assert.match(await text(page, "bezier-equation .error"), /^Expected a number, got nothing; 0\.167 is kept\./);
+  assert.equal(await cell.inputValue(), "0.1667");
+  assert.equal(await cell.getAttribute("aria-invalid"), "true");
+  await paste(page, cell, "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
+  assert.deepEqual(await on(page, "bezier-equation", ({ basis, matrix }) => [basis, matrix]), ["matrix", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"]);
+});
+
+test("coordinates are typed; the applet moves with every digit, and it is one undo step", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const input = field(page, "P1 x");
+  assert.equal(await input.inputValue(), "110");
+  await input.fill("");
+  await input.pressSequentially("17.5");
+  assert.equal((await figure(page)).points[1][0], 17.5);
+  await page.keyboard.press("Enter");
+  assert.ok((await heard(page)).includes("change bezier-coordinates"));
+  await on(page, "bezier-applet", (applet) => applet.undo());
+  assert.equal((await figure(page)).points[1][0], 110);
+  await field(page, "P2 x").focus();
+  await settled(page);
+  assert.equal(await input.inputValue(), "110");
+});
+
+test("while the user types, what the applet says does not touch the field", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const [input, other] = [field(page, "P1 x"), field(page, "P1 y")];
+  await input.focus();
+  await input.fill("12");
+  await on(page, "bezier-applet", (applet) => applet.steer({ index: 1, point: [44, 55] }, false));
+  await settled(page);
+  assert.deepEqual([await input.inputValue(), await other.inputValue()], ["12", "55"]);
+});
+
+test("what is no number is refused with a message at the field, and the last good value stays", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const input = field(page, "P1 x");
+  const message = () => text(page, "bezier-coordinates .error");
+  for (const [bad, came] of [["", "nothing"], ["1e999", "(nothing|what is none)"]]) {
+    await input.focus();
+    await input.press("ControlOrMeta+a");
+    if (bad) await input.pressSequentially(bad);
+    else await input.press("Delete");
+    await page.keyboard.press("Tab");
+    await settled(page);
+    assert.match(await message(), new RegExp(`^Expected a number, got ${came}; (1e\\+)?\\d+ is kept\\.$`));
+    assert.ok(Number.isFinite(Number(await input.inputValue())) && (await input.inputValue()) !== "");
+    assert.equal(await input.getAttribute("aria-invalid"), "true");
+  }
+  for (const bad of ["NaN", "hello", "Infinity", "1e999", "<b>", "x".repeat(1e5)]) {
+    const before = (await figure(page)).points;
+    await paste(page, input, bad);
+    await settled(page);
+    assert.match(await message(), /expected/i, bad);
+    assert.ok((await message()).length < 160);
+    assert.deepEqual((await figure(page)).points, before);
+  }
+  await input.fill("5");
+  await settled(page);
+  assert.equal(await page.locator("bezier-coordinates .error").count(), 0);
+  await assertAccessible(page);
+});
+
+test("pasted lines fill the table, from where they are pasted; more of them make more points", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const lines = (count) => Array.from({ length: count }, (_, k) => `${10 * k},${20 + k}`).join("\r\n");
+  await paste(page, field(page, "P2 x"), lines(3));
+  assert.deepEqual((await figure(page)).points.slice(1, 6), [[110, 90], [0, 20], [10, 21], [20, 22], [590, 400]]);
+  await on(page, "bezier-applet", (applet) => applet.undo());
+  assert.deepEqual((await figure(page)).points[2], [235, 120], "one undo step");
+  await paste(page, field(page, "P0 y"), lines(10));
+  await page.waitForFunction(() => document.querySelector("bezier-coordinates").shadowRoot.querySelectorAll("tbody tr").length === 10);
+  const before = (await figure(page)).points;
+  await paste(page, field(page, "P0 x"), "1,2\n3,x");
+  assert.match(await text(page, "bezier-coordinates .error"), /line 2: expected a number, got “x”/);
+  assert.deepEqual((await figure(page)).points, before);
+});
+
+test("Escape takes back what was typed; a read-only applet locks the table", async (t) => {
+  const page = await openCompanions(t, ALL);
+  const input = field(page, "P1 x");
+  await input.focus();
+  await input.fill("400");
+  await page.keyboard.press("Escape");
+  assert.deepEqual([(await figure(page)).points[1][0], await input.inputValue()], [110, "110"]);
+  await on(page, "bezier-applet", (applet) => {
+    applet.readonly = true;
+    applet.t = 0.9;
+  });
+  await settled(page);
+  assert.ok(await input.isDisabled());
+});
+
+test("alone, the table holds points of its own", async (t) => {
+  const page = await openCompanions(t, '<bezier-coordinates points="1,2 3,4"></bezier-coordinates>');
+  await field(page, "P1 y").fill("40");
+  await page.keyboard.press("Enter");
+  assert.deepEqual(await heard(page), ["input bezier-coordinates", "change bezier-coordinates"]);
+  assert.deepEqual(await on(page, "bezier-coordinates", (element) => [element.points, element.getAttribute("points")]), [[[1, 2], [3, 40]], "1,2 3,40"]);
+  await on(page, "bezier-coordinates", (element) => (element.points = [[5, 6], [7, 8], [9, 10]]));
+  await settled(page);
+  assert.equal(await field(page, "P2 y").inputValue(), "10");
+});
