@@ -3,6 +3,7 @@ import { createReadStream, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { appletPosters } from "./build/posters.js";
 import { lessonSamples } from "./build/samples.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
@@ -43,7 +44,7 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [classicScript, pagesAct, lessonSamples],
+  plugins: [classicScript, pagesAct, lessonSamples, appletPosters],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

@@ -1,0 +1,203 @@
+// The chapter on curves in a real browser: every figure starts, tasks can be solved by pointer and keys, everyone can read it.
+import { AxeBuilder } from "@axe-core/playwright";
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { openPage, root } from "./browser.js";
+
+const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+const SECTIONS = [
+  "parameter", "quadratic", "bernstein", "basis-matrix", "de-casteljau", "properties", "splitting", "joining",
+  "higher-degrees", "splines", "recursive-rendering", "uses",
+];
+
+/** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
+const FIGURES = "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-binomial, fig-bytes, fig-compare, fig-costs, fig-curve-3d, fig-parabola, fig-pyramid, fig-reorder, fig-rounding)";
+
+/** @param {import("node:test").TestContext} t */
+async function open(t, options = {}) {
+  const page = await openPage(t, "/curves/", { viewport: { width: 1100, height: 800 }, reducedMotion: "reduce", ...options });
+  await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("lesson-task"));
+  return page;
+}
+
+/** Scrolls an element to where it starts, and waits until it has. @param {import("playwright-core").Page} page @param {string} id */
+async function near(page, id) {
+  const element = page.locator(`#${id}`);
+  await element.scrollIntoViewIfNeeded();
+  await page.waitForFunction((id) => document.getElementById(id).shadowRoot.querySelector("[data-index]"), id);
+  return element;
+}
+
+/** The task about a figure, opened: the guess made. */
+async function task(page, name, guess) {
+  const found = page.locator(`lesson-task[name="${name}"]`);
+  await found.scrollIntoViewIfNeeded();
+  await found.getByRole("button").first().waitFor();
+  if (guess !== undefined) {
+    await found.getByRole("radio").nth(guess).check();
+    await found.getByRole("button", { name: "That is my guess" }).click();
+  }
+  return found;
+}
+
+/** Waits until a task is done. */
+async function done(page, name) {
+  await page.waitForFunction((name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done", name);
+  return page.locator(`lesson-task[name="${name}"] .words`).innerText();
+}
+
+test("every figure draws when the reader comes near, and the console stays clean", async (t) => {
+  const page = await open(t);
+  const handles = await page.locator(FIGURES).elementHandles();
+  assert.ok(handles.length > 40, `${handles.length} figures`);
+  for (const handle of handles) {
+    await handle.scrollIntoViewIfNeeded();
+    await page.waitForFunction((element) => {
+      const root = element.shadowRoot;
+      const canvas = root?.querySelector("canvas");
+      if (element.localName === "bezier-applet") return canvas?.width > 1 && root.querySelector("[data-index]");
+      return Boolean(root?.querySelector("svg, math, canvas, table"));
+    }, handle);
+  }
+});
+
+test("the sections, and every place that the list of the texts links to, are there", async (t) => {
+  const page = await open(t);
+  assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
+  const bare = await page.locator("main > section").evaluateAll((all) => all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id));
+  assert.deepEqual(bare, [], "each has a task and a sample");
+  const listed = (await readFile(`${root}www/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
+  const missing = await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), Array.from(listed, ([, id]) => id));
+  assert.deepEqual(missing, []);
+  const own = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map(({ hash }) => hash.slice(1)).filter((id) => !document.getElementById(id)));
+  assert.deepEqual(own, []);
+});
+
+test("a guess, then keys on the slider of t: the weights of P0 and P1", async (t) => {
+  const page = await open(t);
+  await near(page, "weights");
+  const found = await task(page, "equal-weights", 1);
+  await page.locator("#weights").getByRole("slider", { name: "t", exact: true }).fill("0.25");
+  const words = await done(page, "equal-weights");
+  assert.match(words, /P0 weighs 0\.42 and P1 0\.42/);
+  assert.match(words, /Your guess was another; the answer is: at t = ¼/);
+  assert.equal(await found.getAttribute("data-state"), "done");
+});
+
+test("a handle dragged: the arch reaches its height", async (t) => {
+  const page = await open(t);
+  const applet = await near(page, "top");
+  await task(page, "top-180", 2);
+  await applet.scrollIntoViewIfNeeded();
+  const canvas = await applet.locator("canvas").boundingBox();
+  const handle = await applet.locator("[data-index='1']").boundingBox();
+  const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - (180 * canvas.height) / 480, { steps: 4 });
+  await page.mouse.up();
+  assert.match(await done(page, "top-180"), /You predicted it/);
+});
+
+test("arrow keys: P3 amid P2 and P4", async (t) => {
+  const page = await open(t);
+  const applet = await near(page, "joint");
+  await task(page, "make-c1", 1);
+  await applet.evaluate((element) => (element.points = element.points.with(4, [411, 280])));
+  await applet.locator("[data-index='4'] input").first().focus();
+  await page.keyboard.press("Shift+ArrowDown");
+  assert.match(await done(page, "make-c1"), /^C1/);
+  assert.deepEqual((await applet.evaluate((element) => element.points))[4], [411, 290]);
+});
+
+test("sliders of the page steer their figures: segments, tolerance, zoom, degree", async (t) => {
+  const page = await open(t);
+  await near(page, "polyline");
+  await task(page, "half-pixel", 1);
+  await page.getByRole("slider", { name: "Segments" }).first().fill("24");
+  assert.match(await done(page, "half-pixel"), /24 segments: 0\.47 px\. One less would not do/);
+
+  await near(page, "recursion");
+  assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 16\.4\d px/);
+  await task(page, "enough-pieces", 2);
+  await page.getByRole("slider", { name: "Tolerance" }).fill("-4");
+  assert.match(await done(page, "enough-pieces"), /^32 pieces/);
+  assert.equal(await page.locator("#recursion").getAttribute("tolerance"), "0.0625");
+
+  const zoom = await near(page, "zoom");
+  await page.getByRole("button", { name: "1,000 ×", exact: true }).click();
+  const width = await zoom.evaluate((element) => Number(element.getAttribute("view").split(" ")[2]));
+  assert.ok(Math.abs(width - 0.67) < 1e-9, String(width));
+
+  const elevation = await near(page, "elevation");
+  const middle = () => elevation.evaluate((element) => Object.values(element.figure.pieces[0].curve.eval(0.5)));
+  const before = await middle();
+  await page.getByRole("button", { name: "One degree more" }).click();
+  assert.equal((await elevation.evaluate((element) => element.points)).length, 4);
+  assert.ok((await middle()).every((x, i) => Math.abs(x - before[i]) < 1e-9));
+  assert.match(await page.locator("#elevated").innerText(), /Degree 3/);
+});
+
+test("the matrix: a basis by its name, then numbers typed, NaN refused", async (t) => {
+  const page = await open(t);
+  const applet = await near(page, "basis");
+  await task(page, "basis-through", 3);
+  await page.getByRole("radio", { name: "Catmull–Rom" }).first().check();
+  assert.match(await done(page, "basis-through"), /from P1 to P2/);
+  const fields = page.locator("#matrix input");
+  await page.waitForFunction(() => document.querySelector("#matrix input").value === "−0.5");
+  for (const [i, value] of [0, 0, 0, 0, 0, 0, 0, 0, "−1", 0, 0, 1, 1, 0, 0, 0].entries()) await fields.nth(i).fill(String(value));
+  await done(page, "straight-matrix");
+  await fields.nth(0).fill("NaN");
+  assert.match(await page.locator("#matrix .words").innerText(), /NaN is no number/);
+  const kept = await applet.evaluate((element) => element.figure.pieces[0].curve.eval(0.5));
+  assert.deepEqual(kept, { x: 335, y: 360 });
+});
+
+test("figures that share their points move together, and a dashed curve lies where it should", async (t) => {
+  const page = await open(t);
+  const four = page.locator("#figure-bases bezier-applet");
+  await four.first().scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector("#figure-bases bezier-applet").shadowRoot.querySelector("[data-index]"));
+  await four.first().locator("[data-index='1'] input").first().focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  for (const points of await four.evaluateAll((all) => all.map(({ points }) => points[1]))) assert.deepEqual(points, [190, 100]);
+
+  const match = await near(page, "match");
+  await task(page, "match-shape");
+  await page.locator('lesson-task[name="match-shape"]').getByRole("button", { name: "Reveal" }).click();
+  assert.match(await page.locator('lesson-task[name="match-shape"] .words').innerText(), /Within 0\.00 px/);
+  const [picture, dashed] = await Promise.all([match.locator("canvas").boundingBox(), page.locator("#figure-match .target > svg").boundingBox()]);
+  for (const side of ["x", "y", "width", "height"]) assert.ok(Math.abs(picture[side] - dashed[side]) < 2.5, `${side}: ${picture[side]} and ${dashed[side]}`);
+});
+
+test("what can be seen before the scripts: pictures of the applets, the text, the code", async (t) => {
+  const page = await openPage(t, "/curves/", { javaScriptEnabled: false });
+  assert.ok((await page.locator("bezier-applet > svg path").count()) > 100);
+  assert.equal(await page.locator("bezier-applet:not(:has(> svg))").count(), 0);
+  assert.ok((await page.locator("lesson-sample pre").count()) === 2 * SECTIONS.length);
+});
+
+/** Scrolls through the page, so that everything starts. */
+async function walk(page) {
+  for (const handle of await page.locator(FIGURES).elementHandles()) await handle.scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => [...document.querySelectorAll("bezier-applet")].every((element) => element.shadowRoot.querySelector("[data-index]")));
+}
+
+test("axe finds nothing, and enough contrast in the dark too", async (t) => {
+  const page = await open(t);
+  for (const id of ["weights", "basis", "joint", "recursion"]) await near(page, id); // with all of them axe takes most of a minute
+  const found = async (/** @type {AxeBuilder} */ axe) => (await axe.analyze()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(", ")}`);
+  const axe = () => new AxeBuilder({ page }).options({ resultTypes: ["violations"] });
+  assert.deepEqual(await found(axe()), []);
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.deepEqual(await found(axe().withRules(["color-contrast"])), []);
+});
+
+test("on a narrow phone nothing scrolls sideways", async (t) => {
+  const page = await open(t, PHONE);
+  await walk(page);
+  const wide = await page.evaluate(() => [document.documentElement.scrollWidth, ...[...document.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix")).map((e) => e.outerHTML.slice(0, 80))]);
+  assert.deepEqual(wide, [360]);
+});

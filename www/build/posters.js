@@ -1,0 +1,38 @@
+// Draws every <bezier-applet …></bezier-applet> into the page while the site is built: the picture that is there before the
+// element starts, without JavaScript, and on paper. By the same layers that draw it later.
+import { FIELDS } from "../../js/elements/applet/fields.js";
+import { figureOf } from "../../js/elements/applet/figure.js";
+import { svgFigure } from "../../js/elements/applet/layers/svg.js";
+import { firstState } from "../../js/elements/applet/state.js";
+
+/** The page's own colours where it has them: they follow dark and light. */
+const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--ground)" };
+
+/**
+ * The attributes of a tag; those without a value are "".
+ *
+ * @param {string} tag
+ * @returns {Record<string, string>}
+ */
+const attributesOf = (tag) => Object.fromEntries(Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)")?/g), ([, name, value = ""]) => [name, value]));
+
+/**
+ * The picture of an applet with these attributes.
+ *
+ * @param {Record<string, string>} attributes
+ * @returns {string} SVG
+ */
+export function posterOf(attributes) {
+  const given = Object.entries(FIELDS).filter(([name]) => name in attributes);
+  const state = given.reduce((now, [name, { parse, put }]) => put(now, parse(attributes[name])), firstState());
+  return svgFigure(state, figureOf(state), { theme: THEME, label: attributes.label });
+}
+
+/** Vite's plugin. */
+export const appletPosters = {
+  name: "applet-posters",
+  transformIndexHtml: {
+    order: /** @type {const} */ ("pre"),
+    handler: (/** @type {string} */ html) => html.replace(/<bezier-applet\b([^>]*)>\s*(?=<\/bezier-applet>)/g, (tag, attributes) => tag + posterOf(attributesOf(attributes))),
+  },
+};
