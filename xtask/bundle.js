@@ -72,11 +72,15 @@ const bundleAs = (options) =>
 const bundle = (entry, name, options = {}) => bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
 
 /** What comes late: the part of a kind of element that draws, by the name of its file. */
-const LATE = { "elements-surface": "elements/surface/stage.js", "elements-companions": "elements/companions/views.js" };
+const LATE = {
+  "elements-applet": "elements/applet/drawing.js",
+  "elements-companions": "elements/companions/views.js",
+  "elements-surface": "elements/surface/drawing.js",
+};
 
 /**
- * The elements come in parts: elements.js, what is loaded only when an element comes near (elements-surface.js,
- * elements-companions.js), and what several of them need (elements-shared.js, elements-shared-2.js …). The names stay the
+ * The elements come in parts: elements.js, what is loaded only when an element of a kind comes near
+ * (elements-applet.js …), and what several of them need (elements-shared.js, elements-shared-2.js …). The names stay the
  * same from version to version.
  */
 async function elements() {

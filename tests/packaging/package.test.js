@@ -14,12 +14,12 @@ after(fixture.remove);
 
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
-  const expected = /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|companions))?|bezier-app)\.js|casteljau\.wasm|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+  const expected = /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
   assert.deepEqual(names.filter((name) => !expected.test(name)), []);
 });
 
 test("no file of the tarball names a folder of the machine that built it", async () => {
-  const names = ["index.js", "slim.js", "applet.js", "elements.js", "elements-shared.js", "elements-surface.js", "elements-companions.js", "bezier-app.js", "casteljau.wasm"];
+  const names = ["index.js", "slim.js", "applet.js", "elements.js", "elements-shared.js", "elements-surface.js", "elements-applet.js", "elements-companions.js", "bezier-app.js", "casteljau.wasm"];
   for (const name of names) {
     const text = await readFile(join(fixture.installed, "dist", name), "latin1");
     assert.doesNotMatch(text, /\/(home|root|Users|work)\/|\.cargo\/registry|\.rustup/, name);

@@ -125,3 +125,21 @@ test("under a strict policy every kind of element is drawn, styled, and the cons
   const sheets = await page.evaluate(() => all.map(({ localName, shadowRoot }) => [localName, shadowRoot.adoptedStyleSheets.length]));
   for (const [name, count] of sheets) assert.ok(count > 0, name);
 });
+
+test("where what draws cannot be fetched every kind says so, and asks again when it is put in again", async (t) => {
+  const page = await openStrict(t);
+  const parts = /elements-(applet|companions|surface)\.js/;
+  await page.route(parts, (route) => route.abort());
+  const names = await populate(page);
+  const saying = (count) => page.waitForFunction((count) => all.filter(({ shadowRoot }) => /could not be (loaded|fetched)/.test(shadowRoot.textContent)).length === count, count);
+  await saying(names.length);
+  await page.unroute(parts);
+  await page.evaluate(() => {
+    for (const element of all) element.remove();
+    document.querySelector("main").append(...all);
+  });
+  await settled(page);
+  await page.waitForFunction(() => all.every(({ shadowRoot }) => shadowRoot.querySelector("canvas, svg, math, table, input")));
+  await saying(0);
+  assert.ok(page.problems.splice(0).every((text) => /ERR_FAILED|Failed to load resource/.test(text)));
+});

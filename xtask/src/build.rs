@@ -81,6 +81,7 @@ fn bundles() -> Result<()> {
         "elements.js",
         "elements-shared.js",
         "elements-surface.js",
+        "elements-applet.js",
         "elements-companions.js",
         "bezier-app.js",
         "casteljau.wasm",
@@ -149,6 +150,7 @@ pub(crate) fn site() -> Result<()> {
             "elements.js",
             "elements-shared.js",
             "elements-surface.js",
+            "elements-applet.js",
             "elements-companions.js",
             "bezier-app.js",
         ]

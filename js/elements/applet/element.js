@@ -4,10 +4,11 @@ import * as edits from "./edits.js";
 import { FIELDS } from "./fields.js";
 import { frame } from "./frame.js";
 import { listenToKeys } from "./keys.js";
+import { MISSING } from "../loading.js";
+import { loadDrawing } from "./loading.js";
 import { Player } from "./player.js";
 import { jointsOf } from "./report.js";
 import { snapped, turnedBy15 } from "./snap.js";
-import { Stage } from "./stage.js";
 import * as states from "./state.js";
 import { style } from "./style.js";
 import { roomiestAmong } from "../../applet/random.js";
@@ -16,6 +17,8 @@ import { BASIS_NAMES, description, MODE_NAMES, placeWords } from "./words.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Place} Place */
+
+/** @typedef {import("./stage.js").Stage} Stage */
 
 /** The element begins its work when it is so near to what is seen of the page. */
 const NEAR = "300px";
@@ -29,7 +32,10 @@ export class BezierApplet extends AppletEditing {
   #watch = null;
   /** @type {Speaker | null} */
   #speaker = null;
-  #started = false;
+  /** Null until it is fetched. @type {import("./loading.js").Drawing | null} */
+  #drawing = null;
+  /** Being fetched, for this stay in the document. @type {Promise<void> | null} */
+  #coming = null;
   /** @type {State | null} */
   #told = null;
   /** @type {{ name: string, words: string }[]} */
@@ -51,6 +57,7 @@ export class BezierApplet extends AppletEditing {
   disconnectedCallback() {
     super.disconnectedCallback();
     this.#watch?.disconnect();
+    this.#coming = null;
     this.#player.stop();
     this.#stage?.end();
     this.#speaker?.end();
@@ -60,13 +67,23 @@ export class BezierApplet extends AppletEditing {
   /** @param {boolean} near */
   #seen(near) {
     if (!near || !this.isConnected) return;
-    this.#started = true;
     this.#stage?.start();
+    if (!this.#drawing) this.#coming ??= this.#start();
+  }
+
+  /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has another watch. */
+  async #start() {
+    const watch = this.#watch;
+    const drawing = await loadDrawing().catch(() => null);
+    if (watch !== this.#watch || !this.isConnected) return;
+    this.#coming = null;
+    this.#drawing = drawing;
+    this.say(drawing ? "" : MISSING);
     this.requestUpdate();
   }
 
   updated() {
-    if (this.#started && this.isConnected) this.#begin();
+    if (this.#drawing && this.isConnected) this.#begin(this.#drawing);
     this.#stage?.recolour();
     if (!this.history.open) this.reflectState();
     if (this.#told === this.now()) return;
@@ -75,7 +92,8 @@ export class BezierApplet extends AppletEditing {
     this.dispatchEvent(new Event("update"));
   }
 
-  #begin() {
+  /** @param {import("./loading.js").Drawing} drawing */
+  #begin({ Stage }) {
     if (!this.#stage) {
       const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
       this.#stage = new Stage({ canvas: find("canvas"), overlay: find(".overlay"), probe: find(".probe") }, this.#stagePort());
@@ -318,13 +336,12 @@ export class BezierApplet extends AppletEditing {
   }
 
   render() {
-    const started = this.#started;
     const { basis } = this.now();
     return frame({
       name: this.label || `${BASIS_NAMES[basis]} curve with control points that can be moved`,
-      started,
+      drawing: this.#drawing,
       message: [...this.problems, this.message].filter(Boolean).join(" · "),
-      panel: started && this.#panelled ? this.#panelPort() : null,
+      panel: this.#drawing && this.#panelled ? this.#panelPort() : null,
     });
   }
 }

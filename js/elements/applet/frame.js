@@ -1,6 +1,4 @@
 import { html, nothing } from "lit";
-import { panel } from "./panel.js";
-import { tools } from "./tools.js";
 import { INSTRUCTIONS } from "./words.js";
 
 /**
@@ -8,18 +6,18 @@ import { INSTRUCTIONS } from "./words.js";
  *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
- * @param {boolean} parts.started
+ * @param {import("./loading.js").Drawing | null} parts.drawing null: not yet
  * @param {string} parts.message what could not be done
  * @param {import("./panel.js").PanelPort | null} parts.panel null: none
  */
-export function frame({ name, started, message, panel: port }) {
+export function frame({ name, drawing, message, panel: port }) {
   return html`<slot name="label"></slot>
     <div class="frame" part="frame" @input=${stop} @change=${stop}>
       <div class="stage" part="stage" role="figure" aria-label=${name} aria-describedby="description">
-        ${started ? picture : poster} ${started && port?.shows("zoom") ? tools(port) : nothing}
+        ${drawing ? picture : poster} ${drawing && port?.shows("zoom") ? drawing.tools(port) : nothing}
       </div>
       <p class="message" part="message" ?hidden=${!message}>${message}</p>
-      ${started && port ? panel(port) : nothing}
+      ${drawing && port ? drawing.panel(port) : nothing}
       <p class="away" role="status"></p>
       <span class="probe" hidden></span>
     </div>

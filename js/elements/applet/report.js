@@ -1,5 +1,6 @@
 // What is shown, as the page and the companions read it.
-import { treeOf } from "./layers/index.js";
+import { bounded } from "./layers/bounded.js";
+import { treeOf } from "./layers/halving.js";
 import { jointFacts } from "./words.js";
 
 /** @typedef {import("./state.js").State} State */
@@ -46,7 +47,7 @@ export function reportOf(state, figure) {
     },
     get tree() {
       if (!state.layers.has("tree")) return null;
-      const { segments, error } = treeOf(figure, state);
+      const { segments, error } = treeOf(bounded(figure), state);
       return { segments, error };
     },
   };

@@ -24,6 +24,8 @@ export const HOME = Object.freeze({ turn: -35, tilt: 24, zoom: 1, panX: 0, panY:
 const MOST_TILT = 90;
 const [LEAST_ZOOM, MOST_ZOOM] = [0.25, 40];
 const MOST_PAN = 2;
+/** Of a key or a button. */
+export const ZOOM_STEP = 1.2;
 /** Half the smaller side of the picture at distance 1: a lens of about 28°, with little distortion. */
 const SLOPE = 0.25;
 /** So much of the picture the sphere takes; a little air remains. */

@@ -1,13 +1,11 @@
 import { Surface } from "../../index.js";
 import { adoptProperties, SurfaceAttributes } from "./attributes.js";
-import { HOME, moved, rayThrough } from "./camera.js";
+import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
-import { Gestures, ZOOM_STEP } from "./gestures.js";
-import { Handles } from "./handles.js";
-import { loadStage } from "./loading.js";
+import { loadDrawing } from "./loading.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { Turning } from "./turning.js";
@@ -16,6 +14,8 @@ import { MODEL_NAMES, STATES } from "./words.js";
 /**
  * @import { View } from "./camera.js"
  * @import { Facts } from "./geometry.js"
+ * @import { Handles } from "./handles.js"
+ * @import { Drawing } from "./loading.js"
  * @import { Stage } from "./stage.js"
  */
 
@@ -145,12 +145,11 @@ export class BezierSurface extends SurfaceAttributes {
   /** Fetches what draws. Whoever was taken out meanwhile, and perhaps put in again, has other watches. */
   async #start() {
     const watches = this.#watches;
-    /** @type {typeof Stage | null} */
-    const loaded = await loadStage().catch(() => null);
+    const drawing = await loadDrawing().catch(() => null);
     if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
     if (!this.#kept) return; // it was scrolled past
-    if (loaded) return this.#build(loaded);
+    if (drawing) return this.#build(drawing);
     this.#setState("missing");
   }
 
@@ -160,11 +159,11 @@ export class BezierSurface extends SurfaceAttributes {
     this.requestUpdate();
   }
 
-  /** @param {typeof Stage} loaded */
-  #build(loaded) {
+  /** @param {Drawing} drawing */
+  #build({ Gestures, Handles, Stage }) {
     const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
     const canvas = find("canvas");
-    this.#stage = new loaded(canvas, find(".probe"), this.#camera, {
+    this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
         this.#tell(facts);

@@ -1,6 +1,6 @@
 // Fingers, mouse, wheel and keys on the picture: what they do to the view.
 
-import { radiiPerPixel } from "./camera.js";
+import { radiiPerPixel, ZOOM_STEP } from "./camera.js";
 
 /**
  * @import { View } from "./camera.js"
@@ -20,7 +20,6 @@ const DEGREES_PER_KEY = 5;
 const CLICK_PX = 4;
 const ZOOM_PER_WHEEL_PIXEL = 1.0015;
 const LINE_PX = 16;
-export const ZOOM_STEP = 1.2;
 const PAN_PER_KEY = 0.05;
 
 const ARROWS = new Map([

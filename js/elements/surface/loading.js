@@ -1,22 +1,6 @@
-// The part that draws (WebGL and what it needs) is a file of its own: pages without a surface in sight never fetch it.
+import { once } from "../loading.js";
 
-/** @typedef {typeof import("./stage.js").Stage} StageClass */
+/** @typedef {typeof import("./drawing.js")} Drawing */
 
-/** Underway or there, for all elements of the page. @type {Promise<StageClass> | null} */
-let loading = null;
-
-/**
- * The class of the stage. Where it could not be fetched, the next call asks again.
- *
- * @returns {Promise<StageClass>}
- */
-export function loadStage() {
-  loading ??= import("./stage.js").then(
-    ({ Stage }) => Stage,
-    (error) => {
-      loading = null;
-      throw error;
-    },
-  );
-  return loading;
-}
+/** The picture in WebGL with what it needs, and the hands. */
+export const loadDrawing = once(() => import("./drawing.js"));

@@ -1,4 +1,5 @@
 // What the element says.
+import { MISSING } from "../loading.js";
 
 /** @type {Record<string, string>} */
 export const MODEL_NAMES = { teapot: "Teapot", teacup: "Teacup", teaspoon: "Teaspoon", patch: "One patch" };
@@ -13,7 +14,7 @@ export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-c
 /** What there is to say of the picture. */
 export const STATES = {
   coming: "",
-  missing: "The part that draws surfaces could not be loaded. It is asked for again when the picture comes back into view.",
+  missing: MISSING,
   webgl: "",
   flat: "This browser offers no WebGL2: the surface is drawn as lines.",
   lost: "The graphics card was taken away; the picture comes back with it.",

@@ -85,17 +85,6 @@ export function drawFigure(paper, state, figure) {
 }
 
 /**
- * The polyline of recursive halving: how many segments it has, and its greatest distance from the curve.
- *
- * @param {Figure} figure
- * @param {State} state
- * @returns {{ segments: number, error: number }}
- */
-export function treeOf(figure, state) {
-  return polylines.treeOf(bounded(figure), state);
-}
-
-/**
  * What the core refuses (a size at which its numbers end) is left out, and told.
  *
  * @param {Layer} layer

@@ -2,7 +2,7 @@
 import { stroke } from "../../../applet/pen.js";
 import { hue } from "./theme.js";
 
-/** @typedef {import("./polylines.js").Node} Node */
+/** @typedef {import("./halving.js").Node} Node */
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {import("../figure.js").Figure} Figure */
 /** @typedef {[number, number]} Place */
