@@ -45,11 +45,14 @@ const populate = (page) =>
 
 /** Waits until every one has drawn what it has to draw. */
 const settled = (page) =>
-  page.waitForFunction(() => {
-    if (all.some((element) => element.isUpdatePending)) return false;
-    const surface = document.querySelector("bezier-surface");
-    return !surface || /triangles/.test(surface.shadowRoot.querySelector(".facts").textContent);
-  });
+  page.waitForFunction(() =>
+    all.every(({ isUpdatePending, shadowRoot }) => {
+      const canvas = shadowRoot.querySelector("canvas");
+      const facts = shadowRoot.querySelector(".facts");
+      const shown = canvas ? canvas.width > 1 : shadowRoot.querySelector("svg, math, table");
+      return !isUpdatePending && shown && (!facts || /triangles/.test(facts.textContent));
+    }),
+  );
 
 /** Takes all out and puts them in again, so many times; each time they get a frame to begin their work, and one to rest. */
 const comeAndGo = (page, times) =>
@@ -139,7 +142,6 @@ test("where what draws cannot be fetched every kind says so, and asks again when
     document.querySelector("main").append(...all);
   });
   await settled(page);
-  await page.waitForFunction(() => all.every(({ shadowRoot }) => shadowRoot.querySelector("canvas, svg, math, table, input")));
   await saying(0);
   assert.ok(page.problems.splice(0).every((text) => /ERR_FAILED|Failed to load resource/.test(text)));
 });
