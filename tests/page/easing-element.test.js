@@ -1,0 +1,213 @@
+// <bezier-easing>: an editor of timing functions that is a field of a form.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertAccessible } from "./browser.js";
+import { heard, on, openCompanions, paste, settled, shown, text } from "./companions-page.js";
+
+const EASE = "cubic-bezier(0.25, 0.1, 0.25, 1)";
+const value = (page) => on(page, "bezier-easing", (element) => element.value);
+const handleBox = (page, index) => page.locator(`bezier-easing .handle[data-index="${index}"]`).boundingBox();
+const centre = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
+
+for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }, { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }]) {
+  test(`it is accessible: ${JSON.stringify(options)}`, async (t) => {
+    const page = await openCompanions(t, '<bezier-easing name="a" label="Way in"></bezier-easing><bezier-easing label="Way out" required></bezier-easing>', options);
+    await assertAccessible(page);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+    const box = await handleBox(page, 0).catch(() => page.locator("bezier-easing .handle").first().boundingBox());
+    const least = options.hasTouch ? 44 : 24;
+    assert.ok(box.width >= least && box.height >= least);
+  });
+}
+
+test("a handle is dragged: x stays within 0 and 1, y may leave the square; input while it moves, one change", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
+  const [x, y] = centre(await handleBox(page, 0));
+  await page.mouse.move(x + 3, y + 3);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y - 60, { steps: 3 });
+  const amid = await value(page);
+  assert.notEqual(amid, EASE);
+  await page.mouse.move(x - 400, y - 255, { steps: 3 });
+  await page.mouse.up();
+  const [x1, y1, x2, y2] = (await value(page)).match(/-?[\d.]+/g).map(Number);
+  assert.deepEqual([x1, x2, y2], [0, 0.25, 1]);
+  assert.ok(y1 > 1, `${y1} overshoots`);
+  const events = await heard(page);
+  assert.equal(events.filter((event) => event === "change bezier-easing").length, 1);
+  assert.ok(events.filter((event) => event === "input bezier-easing").length >= 2);
+  await settled(page);
+  const inside = await page.evaluate(() => {
+    const { shadowRoot } = document.querySelector("bezier-easing");
+    const [stage, handle] = [".stage", ".handle"].map((selector) => shadowRoot.querySelector(selector).getBoundingClientRect());
+    return handle.top + handle.height / 2 > stage.top;
+  });
+  assert.ok(inside, "the picture makes room for it");
+});
+
+test("Escape takes a drag back", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
+  const [x, y] = centre(await handleBox(page, 1));
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 50, y + 50, { steps: 2 });
+  assert.notEqual(await value(page), EASE);
+  await page.keyboard.press("Escape");
+  assert.equal(await value(page), EASE);
+  await page.mouse.move(x + 80, y + 50);
+  await page.mouse.up();
+  assert.equal(await value(page), EASE);
+});
+
+test("two fingers move both handles", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>", { hasTouch: true });
+  const session = await page.context().newCDPSession(page);
+  const points = [centre(await handleBox(page, 0)), centre(await handleBox(page, 1))].map(([x, y], id) => ({ x, y, id }));
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points });
+  const moved = points.map(({ x, y, id }) => ({ x: x + 30, y: y + (id ? 30 : -30), id }));
+  await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: moved });
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  const [x1, y1, x2, y2] = (await value(page)).match(/-?[\d.]+/g).map(Number);
+  assert.ok(x1 > 0.3 && y1 > 0.15 && x2 > 0.3 && y2 < 0.95, `${[x1, y1, x2, y2]}`);
+});
+
+test("by the keyboard alone: handles, numbers, presets", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
+  await page.getByRole("slider", { name: "First handle x" }).focus();
+  for (const key of ["ArrowRight", "Shift+ArrowUp", "Alt+ArrowLeft"]) await page.keyboard.press(key);
+  assert.equal(await value(page), "cubic-bezier(0.259, 0.2, 0.25, 1)");
+  assert.equal((await heard(page)).filter((event) => event === "change bezier-easing").length, 3);
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement.shadowRoot.activeElement.getAttribute("aria-label")), "Second handle x");
+  await page.keyboard.press("Tab");
+  await page.keyboard.type("linear");
+  await settled(page);
+  assert.equal(await value(page), "cubic-bezier(0, 0, 1, 1)");
+  await page.getByRole("spinbutton", { name: "y2" }).fill("-2.5");
+  await page.keyboard.press("Enter");
+  assert.equal(await value(page), "cubic-bezier(0, 0, 1, -2.5)");
+  await settled(page);
+  assert.equal(await page.getByLabel("Preset").inputValue(), "");
+});
+
+test("numbers that are none, or out of range, are refused at their field", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
+  const field = page.getByRole("spinbutton", { name: "x1" });
+  await field.fill("1.2");
+  await page.keyboard.press("Tab");
+  assert.match(await text(page, "bezier-easing .error"), /x1: expected a number from 0 to 1, got 1\.2/);
+  assert.deepEqual([await value(page), await field.inputValue()], [EASE, "0.25"]);
+  await field.fill("");
+  await page.keyboard.press("Tab");
+  assert.match(await text(page, "bezier-easing .error"), /got nothing; 0\.25 is kept/);
+  await paste(page, field, "fast");
+  assert.match(await text(page, "bezier-easing .error"), /got “fast”/);
+  await paste(page, field, "cubic-bezier(.1, .2, .3, .4)");
+  assert.equal(await value(page), "cubic-bezier(0.1, 0.2, 0.3, 0.4)");
+});
+
+test("any text as value: what is good is taken, the rest is said and changes nothing", async (t) => {
+  const page = await openCompanions(t, '<bezier-easing value="ease-in"></bezier-easing>');
+  assert.equal(await value(page), "cubic-bezier(0.42, 0, 1, 1)");
+  const set = (text) => on(page, "bezier-easing", (element, text) => ((element.value = text), element.value), text);
+  assert.equal(await set("CUBIC-BEZIER(0,2,1,-1)"), "cubic-bezier(0, 2, 1, -1)");
+  for (const bad of ["steps(4)", "cubic-bezier(2, 0, 0, 0)", "cubic-bezier(0, 1e999, 0, 0)", "cubic-bezier(0, NaN, 0, 0)", "<script>", "x".repeat(1e6), "cubic-bezier(" + "1,".repeat(1e5) + "1)"]) {
+    assert.equal(await set(bad), "cubic-bezier(0, 2, 1, -1)");
+    await settled(page);
+    const message = await text(page, "bezier-easing .message");
+    assert.match(message, /^value: .*expected .* is kept\.$/);
+    assert.ok(message.length < 200);
+  }
+  await set("linear");
+  await settled(page);
+  assert.equal(await text(page, "bezier-easing .message"), "");
+  assert.deepEqual(await heard(page), [], "what the page writes is no event");
+});
+
+const FORM = `<form><label>Motion <bezier-easing name="motion" value="ease-out"></bezier-easing></label><fieldset><bezier-easing name="other" required></bezier-easing></fieldset></form>`;
+const data = (page) => page.evaluate(() => [...new FormData(document.forms[0])].map((pair) => pair.join("=")));
+
+test("in a form: value, name, reset, required, validity, label, fieldset", async (t) => {
+  const page = await openCompanions(t, FORM);
+  const first = page.locator("bezier-easing").first();
+  assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)", "other="]);
+  assert.equal(await page.evaluate(() => document.forms[0].checkValidity()), false);
+  const state = (which) => page.evaluate((which) => {
+    const { validity, validationMessage, willValidate, form } = document.querySelectorAll("bezier-easing")[which];
+    return [validity.valid, validity.valueMissing, validationMessage, willValidate, form === document.forms[0]];
+  }, which);
+  assert.deepEqual(await state(0), [true, false, "", true, true]);
+  assert.deepEqual(await state(1), [false, true, "Choose an easing.", true, true]);
+  assert.equal(await page.locator("bezier-easing:invalid").count(), 1);
+  await page.getByLabel("Preset").nth(1).selectOption("ease-in-out");
+  assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)", "other=cubic-bezier(0.42, 0, 0.58, 1)"]);
+  assert.equal(await page.evaluate(() => document.forms[0].checkValidity()), true);
+  assert.ok(await first.getByRole("group", { name: "Motion" }).isVisible(), "its label names it");
+  await on(page, "bezier-easing >> nth=0", (element) => (element.value = "linear"));
+  await page.evaluate(() => document.forms[0].reset());
+  assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)", "other="]);
+  await page.evaluate(() => (document.querySelector("fieldset").disabled = true));
+  await settled(page);
+  assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)"]);
+  assert.ok(await page.getByRole("spinbutton", { name: "x1" }).nth(1).isDisabled());
+  await on(page, "bezier-easing >> nth=0", (element) => element.setCustomValidity("Not this one."));
+  assert.deepEqual((await state(0)).slice(0, 3), [false, false, "Not this one."]);
+});
+
+test("a click on its label goes into it; what is missing is shown and focused when the form is sent", async (t) => {
+  const page = await openCompanions(t, FORM);
+  await page.getByText("Motion").click({ position: { x: 3, y: 3 } });
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("name")), "motion");
+  await page.evaluate(() => document.forms[0].requestSubmit());
+  await page.waitForFunction(() => document.activeElement.getAttribute("name") === "other");
+});
+
+test("the browser gives back what was chosen", async (t) => {
+  const page = await openCompanions(t, FORM);
+  await on(page, "bezier-easing >> nth=0", (element) => element.formStateRestoreCallback("cubic-bezier(0.1, 0.2, 0.3, 0.4)", "restore"));
+  assert.equal((await data(page))[0], "motion=cubic-bezier(0.1, 0.2, 0.3, 0.4)");
+});
+
+test("the attribute is what it begins with: it counts until the user or the page has chosen", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>", {
+    script: 'document.querySelector("bezier-easing").value = "linear";',
+  });
+  assert.equal(await value(page), "cubic-bezier(0, 0, 1, 1)", "written before it was defined");
+  await on(page, "bezier-easing", (element) => element.setAttribute("value", "ease-in"));
+  assert.deepEqual(await on(page, "bezier-easing", ({ value, defaultValue }) => [value, defaultValue]), ["cubic-bezier(0, 0, 1, 1)", "ease-in"]);
+});
+
+test("the ball moves as the easing has it: at once after a change, or by the button", async (t) => {
+  const page = await openCompanions(t, '<bezier-easing value="linear"></bezier-easing>', { reducedMotion: "no-preference" });
+  const left = () => on(page, "bezier-easing", ({ shadowRoot }) => parseFloat(shadowRoot.querySelector(".ball").style.insetInlineStart || "20"));
+  assert.equal(await left(), 20);
+  await page.getByLabel("Preset").selectOption("ease");
+  await page.waitForFunction(() => parseFloat(document.querySelector("bezier-easing").shadowRoot.querySelector(".ball").style.insetInlineStart) === 80);
+});
+
+test("for those who want less motion nothing moves before they ask", async (t) => {
+  const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
+  await page.evaluate(() => {
+    globalThis.frames = 0;
+    const original = requestAnimationFrame;
+    globalThis.requestAnimationFrame = (act) => (frames++, original(act));
+  });
+  await page.getByLabel("Preset").selectOption("linear");
+  assert.equal(await page.evaluate(() => frames), 0);
+  await page.getByRole("button", { name: "Play" }).click();
+  await page.waitForFunction(() => frames > 2);
+  await on(page, "bezier-easing", (element) => element.remove());
+  await page.waitForFunction(() => new Promise((done) => {
+    const before = frames;
+    setTimeout(() => done(frames === before), 60);
+  }));
+});
+
+test("far down the page, a field that is missing is found when the form is sent", async (t) => {
+  const page = await openCompanions(t, "<p></p>", { viewport: { width: 600, height: 400 } });
+  await page.evaluate(() => document.querySelector("main").insertAdjacentHTML("beforeend", '<form><div style="height: 3000px"></div><bezier-easing name="far" required></bezier-easing></form>'));
+  assert.deepEqual(await data(page), ["far="]);
+  assert.equal(await page.evaluate(() => document.forms[0].reportValidity()), false);
+  await shown(page);
+  page.problems.length = 0; // Chromium says that it could not put the focus there yet
+});
