@@ -71,7 +71,7 @@ function isPlain(event) {
 /**
  * Whether the key goes to something that takes text, in a shadow root or not.
  *
- * @param {KeyboardEvent} event
+ * @param {Event} event
  * @returns {boolean}
  */
 export function isForText(event) {

@@ -95,7 +95,8 @@ function withJointInside(spline, joint, mode, box, random) {
   const anchor = POINTS_PER_SEGMENT * joint;
   for (let draws = 0; ; draws++) {
     const held = spline.setJoint(joint, mode);
-    if (draws > MOST_DRAWS || isInside(box, pairs(held.controlPoints())[anchor + 1])) return held;
+    const placed = pairs(held.controlPoints()).slice(anchor - 1, anchor + 3); // P2 to P5 at P3
+    if (draws > MOST_DRAWS || placed.every((point) => isInside(box, point))) return held;
     const points = pairs(spline.controlPoints());
     const others = points.filter((_, index) => Math.abs(index - anchor) > 1);
     for (const index of [anchor - 1, anchor, anchor + 1]) points[index] = roomyPlace(box, others, random);

@@ -47,14 +47,13 @@ export class AppletAttributes extends LitElement {
     this.label = "";
   }
 
-  /** @protected @returns {State} what is shown now, the attributes read */
+  /** @returns {State} what is shown now, the attributes read */
   now() {
     if (this.#unread.size) this.#read();
     return this.#state;
   }
 
   /**
-   * @protected
    * @param {State} state
    */
   become(state) {
@@ -62,7 +61,7 @@ export class AppletAttributes extends LitElement {
     this.#state = state;
   }
 
-  /** @protected */
+  /** What is wrong with the attributes. */
   get problems() {
     return [...this.#problems.values()];
   }
@@ -105,7 +104,7 @@ export class AppletAttributes extends LitElement {
     return put(this.#state, given === null ? get(firstState()) : parse(given));
   }
 
-  /** What has changed otherwise than by an attribute is written into it. @protected */
+  /** What has changed otherwise than by an attribute is written into it. */
   reflectState() {
     const state = this.now();
     this.#writing = true;

@@ -25,8 +25,8 @@ export function choice(label, words, chosen, names, act, off = false) {
 export function slider(label, name, value, { min, max, step }, act) {
   const to = (/** @type {boolean} */ done) => (/** @type {Event} */ event) => act(Number(/** @type {HTMLInputElement} */ (event.target).value), done);
   return html`<label class="line"><span>${label}</span>
-    <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to(false)} @change=${to(true)}>
-    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : value}</span></label>`;
+    <input type="range" name=${name} min=${Math.min(min, value)} max=${Math.max(max, value)} step=${step} .value=${String(value)} @input=${to(false)} @change=${to(true)}>
+    <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : Number(value.toFixed(1))}</span></label>`;
 }
 
 /**
@@ -40,10 +40,17 @@ export function box(label, checked, act) {
 }
 
 /**
- * @param {string} label
+ * @param {unknown} label
  * @param {() => void} act
- * @param {{ key?: string, off?: boolean, pressed?: boolean }} [more]
+ * @param {{ key?: string, name?: string, off?: boolean, pressed?: boolean }} [more] `name`: of a button that is a picture
  */
-export function button(label, act, { key, off = false, pressed } = {}) {
-  return html`<button type="button" ?disabled=${off} aria-keyshortcuts=${key ?? nothing} aria-pressed=${pressed ?? nothing} @click=${act}>${label}${key ? html` <kbd>${key}</kbd>` : nothing}</button>`;
+export function button(label, act, { key, name, off = false, pressed } = {}) {
+  return html`<button type="button" class=${name ? "icon" : ""} aria-label=${name ?? nothing} title=${name ?? nothing} ?disabled=${off}
+    aria-keyshortcuts=${key ?? nothing} aria-pressed=${pressed ?? nothing} @click=${act}>${label}${key ? html` <kbd>${key}</kbd>` : nothing}</button>`;
 }
+
+/**
+ * @param {string} d
+ * @param {boolean} [solid]
+ */
+export const icon = (d, solid = false) => html`<svg viewBox="0 0 24 24" aria-hidden="true"><path class=${solid ? "solid" : ""} d=${d}></path></svg>`;

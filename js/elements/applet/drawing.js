@@ -1,4 +1,3 @@
 // What the element needs as soon as it is near what is seen of the page, and not before; a file of its own in the bundle.
-export { panel } from "./panel.js";
-export { Stage } from "./stage.js";
-export { tools } from "./tools.js";
+export { Hands } from "./hands.js";
+export { style } from "./style.js";

@@ -4,8 +4,7 @@ import * as edits from "./edits.js";
 import { FIELDS, jsonOf, stateOf } from "./fields.js";
 import { figureOf } from "./figure.js";
 import { History } from "./history.js";
-import { reportOf } from "./report.js";
-import { firstState, toggled } from "./state.js";
+import { BASIS_NAMES, firstState, toggled } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Place} Place */
@@ -15,10 +14,11 @@ import { firstState, toggled } from "./state.js";
 const MAKINGS = ["points", "shown", "basis", "degree", "matrix", "labels"];
 
 export class AppletEditing extends AppletAttributes {
-  /** @protected */
   history = new History();
-  /** @protected what could not be done */
+  /** What could not be done. */
   message = "";
+  /** Whether the message is good news. */
+  good = false;
   /** What the user began with, for `reset`. @type {State | null} */
   #origin = null;
   /** @type {{ state: State, figure: Figure } | null} */
@@ -62,11 +62,6 @@ export class AppletEditing extends AppletAttributes {
 
   toJSON() {
     return this.state;
-  }
-
-  /** What is shown, as companions read it. */
-  get figure() {
-    return reportOf(this.now(), this.made());
   }
 
   undo() {
@@ -140,7 +135,7 @@ export class AppletEditing extends AppletAttributes {
     if (done) this.settle();
   }
 
-  /** @protected @returns {Figure} of the state as it is now */
+  /** @returns {Figure} of the state as it is now */
   made() {
     const state = this.now();
     const same = this.#made && MAKINGS.every((name) => this.#made?.state[name] === state[name]);
@@ -149,7 +144,6 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
-   * @protected
    * @param {State} state
    */
   show(state) {
@@ -161,7 +155,6 @@ export class AppletEditing extends AppletAttributes {
   /**
    * By the page: an undo step, but no events. What is refused changes nothing.
    *
-   * @protected
    * @param {(state: State) => State} change
    * @param {boolean} [step]
    */
@@ -178,7 +171,6 @@ export class AppletEditing extends AppletAttributes {
   /**
    * A part of what the user is doing; `settle` completes it.
    *
-   * @protected
    * @param {(state: State) => State} change
    */
   during(change) {
@@ -190,7 +182,7 @@ export class AppletEditing extends AppletAttributes {
     this.fire("input");
   }
 
-  /** What the user was doing is complete. @protected */
+  /** What the user was doing is complete. */
   settle() {
     if (!this.history.close(this.now())) return;
     this.fire("change");
@@ -200,7 +192,6 @@ export class AppletEditing extends AppletAttributes {
   /**
    * Something the user does at once. What cannot be done is told of.
    *
-   * @protected
    * @param {(state: State) => State} change
    * @returns {boolean} whether it was done
    */
@@ -213,7 +204,6 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
-   * @protected
    * @param {() => void} act
    * @returns {boolean}
    */
@@ -229,16 +219,17 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
-   * @protected
    * @param {string} message
+   * @param {boolean} [good] whether nothing is wrong
    */
-  say(message) {
+  say(message, good = false) {
     if (message === this.message) return;
     this.message = message;
+    this.good = good;
     this.requestUpdate();
   }
 
-  /** Esc: what the user was doing has not been done. @protected */
+  /** Esc: what the user was doing has not been done. */
   giveUp() {
     const before = this.history.abandon();
     if (!before) return;
@@ -246,13 +237,17 @@ export class AppletEditing extends AppletAttributes {
     this.fire("input");
   }
 
-  /** @protected The first state that a user sees. */
+  /** What the picture is called. */
+  get name() {
+    return this.label || `${BASIS_NAMES[this.now().basis]} curve with control points that can be moved`;
+  }
+
+  /** The first state that a user sees. */
   get origin() {
     return this.#origin ?? firstState();
   }
 
   /**
-   * @protected
    * @param {"input" | "change"} type
    */
   fire(type) {

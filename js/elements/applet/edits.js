@@ -153,6 +153,18 @@ export function broken(state, index) {
   return near.some((mode, k) => mode !== modes[k]) ? { ...state, joints: near } : state;
 }
 
+/**
+ * A matrix of one's own begins with that of the basis before.
+ *
+ * @param {State} state
+ * @param {State} before
+ * @returns {State}
+ */
+export function withOwnMatrix(state, before) {
+  const { matrix } = figureOf(before);
+  return matrix ? { ...state, matrix } : state;
+}
+
 /** Segments can be cut where their halves have points of the same kind. @param {State} state */
 export function canInsert({ basis }) {
   return basis === "bezier" || basis === "hermite";

@@ -1,27 +1,19 @@
 // What is shown, as the page and the companions read it.
 import { bounded } from "./layers/bounded.js";
 import { treeOf } from "./layers/halving.js";
-import { jointFacts } from "./words.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./figure.js").Figure} Figure */
+/** @typedef {ReturnType<import("../../index.js").Spline["continuity"]>} Continuity */
 
 /**
  * What holds at each inner joint.
  *
  * @param {Figure} figure
- * @returns {import("./words.js").Continuity[]} none where there is no chain
+ * @returns {Continuity[]} none where there is no chain
  */
 export function continuityOf({ spline }) {
   return spline ? Array.from({ length: spline.segmentCount - 1 }, (_, k) => spline.continuity(k + 1)) : [];
-}
-
-/**
- * @param {Figure} figure
- * @returns {import("./words.js").JointFacts[]}
- */
-export function jointsOf(figure) {
-  return continuityOf(figure).map((continuity, k) => jointFacts(figure, k + 1, continuity));
 }
 
 /**

@@ -14,6 +14,9 @@ import { isHome, scaleOf, toPlane } from "./state.js";
 /** @typedef {import("./state.js").Place} Place */
 /** @typedef {import("./figure.js").Figure} Figure */
 
+/** A tap that wanders farther is none. */
+const TAP_PX = 8;
+
 /**
  * @typedef {object} StagePort
  * @property {() => { state: State, figure: Figure }} now
@@ -153,7 +156,12 @@ export class Stage {
   #listen() {
     const [overlay, port] = [this.#overlay, this.#port];
     onDoubleTap(overlay, (event) => port.doubleTap(this.#placeAt(event)));
-    overlay.addEventListener("click", (event) => event.target === overlay && port.tap(this.#placeAt(event)));
+    let [x, y] = [0, 0];
+    overlay.addEventListener("pointerdown", (event) => ([x, y] = [event.clientX, event.clientY]));
+    overlay.addEventListener("click", (event) => {
+      const still = Math.hypot(event.clientX - x, event.clientY - y) <= TAP_PX;
+      if (event.target === overlay && still) port.tap(this.#placeAt(event));
+    });
     overlay.addEventListener("pointermove", (event) => port.point(this.#placeAt(event)));
     overlay.addEventListener("pointerleave", () => port.point(null));
     listenToGestures(overlay, {

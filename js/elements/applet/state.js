@@ -33,6 +33,16 @@ import { DEFAULT_BOX, firstState as smallApplet, pointsOf } from "../../applet/s
  */
 
 export const BASES = /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"]);
+/** @type {Record<Basis, string>} */
+export const BASIS_NAMES = {
+  bezier: "Bézier",
+  hermite: "Hermite",
+  "b-spline": "B-spline",
+  "catmull-rom": "Catmull–Rom",
+  natural: "natural spline",
+  centripetal: "centripetal",
+  matrix: "own matrix",
+};
 export const MODES = /** @type {readonly JointMode[]} */ (["free", "g1", "c1", "c2", "g2", "auto"]);
 export const LABELS = /** @type {const} */ (["P0", "P1", "b0", "p0", "none"]);
 export const LAYER_NAMES = /** @type {const} */ ([

@@ -1,20 +1,10 @@
 // What `<bezier-applet>` says.
 import { modesOf } from "./edits.js";
+import { BASIS_NAMES } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./figure.js").Figure} Figure */
 /** @typedef {ReturnType<import("../../index.js").Spline["continuity"]>} Continuity */
-
-/** @type {Record<State["basis"], string>} */
-export const BASIS_NAMES = {
-  bezier: "Bézier",
-  hermite: "Hermite",
-  "b-spline": "B-spline",
-  "catmull-rom": "Catmull–Rom",
-  natural: "natural spline",
-  centripetal: "centripetal Catmull–Rom",
-  matrix: "a matrix of your own",
-};
 
 /** @type {Record<import("./state.js").JointMode, string>} */
 export const MODE_NAMES = { free: "free", g1: "G1", c1: "C1", c2: "C2", g2: "G2", auto: "automatic" };
@@ -64,7 +54,7 @@ export function jointFacts({ pieces, names }, joint, continuity) {
   const isPoint = shared !== undefined && shared === pieces[joint].indices[0];
   return {
     verdict: verdictOf(continuity),
-    angle: degrees(continuity.angle),
+    angle: continuity.g1 ? "0°" : degrees(continuity.angle), // rounding is no turn
     ratio: ratioOf(leg(pieces[joint - 1].curve, false), leg(pieces[joint].curve, true)),
     at: isPoint ? names[shared] : `joint ${joint}`,
   };

@@ -35,6 +35,9 @@ function observe(tree) {
   return known;
 }
 
+/** What stands inside an element and means it. */
+const HOST = ":host";
+
 /**
  * The element that `id` means where `element` stands: of its own shadow tree, else of the page.
  *
@@ -44,6 +47,7 @@ function observe(tree) {
  */
 export function elementFor(element, id) {
   const tree = element.getRootNode();
+  if (id === HOST && tree instanceof ShadowRoot) return tree.host;
   const found = tree instanceof ShadowRoot || tree instanceof Document ? tree.getElementById(id) : null;
   return found ?? element.ownerDocument.getElementById(id);
 }

@@ -61,7 +61,7 @@ const MOST_HOLLOWS_DEGREE = 12;
 /** Every level between the control points and the point at t, each with its hue. */
 export const scaffold = {
   name: "scaffold",
-  title: "De Casteljau’s scaffold",
+  title: "De Casteljau at t",
   costly: /** @type {const} */ (true),
 
   /**
@@ -104,7 +104,7 @@ function drawOwnPolygon(sheet, flat, colour) {
 
 export const halves = {
   name: "halves",
-  title: "Halves, split at t",
+  title: "Halves at t",
 
   /**
    * @param {Figure} figure

@@ -8,6 +8,7 @@ import * as polylines from "./polylines.js";
 import { bounded } from "./bounded.js";
 import { sheetOn } from "./sheet.js";
 import * as strings from "./strings.js";
+import { truth } from "./truth.js";
 import * as ways from "./ways.js";
 import { weights } from "./weights.js";
 import { writeWords } from "./words.js";
@@ -57,6 +58,7 @@ const ALL = [
   features.inflections,
   measures.nearest,
   names,
+  truth,
   base.points,
   base.atT,
 ];

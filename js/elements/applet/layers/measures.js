@@ -13,7 +13,7 @@ import { ways } from "./ways.js";
 
 export const nearest = {
   name: "nearest",
-  title: "Point nearest to the pointer",
+  title: "Nearest to the pointer",
 
   /**
    * @param {Figure} figure
@@ -94,7 +94,7 @@ const TICK_HALF = 7;
 
 export const ticks = {
   name: "ticks",
-  title: "Ticks of equal length",
+  title: "Equal lengths",
   costly: /** @type {const} */ (true),
 
   /**

@@ -1,4 +1,4 @@
-// Names on the construction at t, in the notation of the labels.
+// Names in the scaffold at t, in the notation of the labels.
 import * as pen from "../../../applet/pen.js";
 import { isSeen } from "./sheet.js";
 import { selected } from "./weights.js";
@@ -15,7 +15,7 @@ const MOST_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
 
 export const names = {
   name: "names",
-  title: "Names on the construction",
+  title: "Names in the scaffold",
 
   /**
    * @param {Figure} figure

@@ -15,7 +15,7 @@ const STRING_OPACITY = 0.7;
 /** The last line of the scaffold, at many t: the curve is what all of them touch. */
 export const envelope = {
   name: "envelope",
-  title: "String art: the envelope",
+  title: "String art",
   costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
@@ -55,7 +55,7 @@ export function stringsOf(curve, count) {
 
 export const extrapolation = {
   name: "extrapolation",
-  title: "Beyond t = 0 and t = 1",
+  title: "Beyond 0 and 1",
   costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */

@@ -16,7 +16,7 @@ const LEAST_READ = 0.005;
 
 export const weights = {
   name: "weights",
-  title: "Weights of the points at t",
+  title: "Weights at t",
 
   /**
    * @param {Figure} figure

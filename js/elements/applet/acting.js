@@ -1,0 +1,281 @@
+// What the user can do besides dragging: every action once, for its button and its key.
+import { roomiestAmong } from "../../applet/random.js";
+import { save } from "../surface/files.js";
+import * as edits from "./edits.js";
+import { blobOf, codeOf } from "./export.js";
+import { svgFigure } from "./layers/svg.js";
+import { FIELDS } from "./fields.js";
+import { textIn, withText } from "./files.js";
+import { Player } from "./player.js";
+import { jointsOf } from "./joints.js";
+import * as states from "./state.js";
+import { MODE_NAMES, placeWords } from "./words.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./state.js").Place} Place */
+/** @typedef {Acting["acts"]} Actions */
+
+export class Acting {
+  /** @type {import("./stage.js").Stage | null} */
+  stage = null;
+  /** @type {import("../../applet/voice.js").Speaker | null} */
+  speaker = null;
+  /** What the layers tell. @type {{ name: string, words: string }[]} */
+  tells = [];
+  /** The point that was touched last. */
+  chosen = -1;
+  /** Whether taps move it. */
+  tapping = false;
+  player = new Player((by) => this.#advance(by));
+  /** @type {import("./export.js").Language} */
+  #language = "js";
+
+  /** @param {import("./editing.js").AppletEditing} host */
+  constructor(host) {
+    this.host = host;
+    this.acts = this.#actions();
+  }
+
+  /**
+   * @param {import("./stage.js").Stage} stage
+   * @param {import("../../applet/voice.js").Speaker} speaker
+   */
+  begin(stage, speaker) {
+    this.stage = stage;
+    this.speaker = speaker;
+  }
+
+  /** Whether there is a panel. */
+  get panelled() {
+    return this.host.controls !== null && this.host.controls !== false;
+  }
+
+  /** @param {{ name: string, words: string }[]} told what the layers tell */
+  hear(told) {
+    const changed = JSON.stringify(told) !== JSON.stringify(this.tells);
+    this.tells = told;
+    if (changed && this.panelled) this.host.requestUpdate();
+  }
+
+  /** @param {number} index the point that is touched */
+  choose(index) {
+    if (this.chosen !== index) this.host.requestUpdate();
+    this.chosen = index;
+  }
+
+  /** The picture with all its layers. */
+  toSVG() {
+    return svgFigure(this.host.now(), this.host.made(), { theme: this.stage?.theme, label: this.host.name, opaque: true });
+  }
+
+  /** @param {import("./export.js").Language} language */
+  toCode(language) {
+    return codeOf(this.host.now(), this.host.made(), language);
+  }
+
+  /** The picture as a PNG. */
+  toBlob() {
+    return this.stage ? blobOf(this.host.now(), this.host.made(), this.stage.theme) : null;
+  }
+
+  /**
+   * Something the user does at once, and what is announced of it.
+   *
+   * @param {(state: State) => State} change
+   * @param {string} words
+   */
+  do(change, words) {
+    this.stage?.release();
+    const done = this.host.byUser(change);
+    this.speaker?.say(done ? words : this.host.message);
+    return done;
+  }
+
+  /**
+   * @param {Place} at
+   */
+  appendAt(at) {
+    if (this.do((state) => edits.appended(state, at), "Point added")) this.focusPoint(this.host.now().shown - 1);
+  }
+
+  /**
+   * @param {number} index
+   * @param {boolean} [bare] without healing
+   */
+  removeAt(index, bare = false) {
+    const name = this.host.made().names[index];
+    return this.do((state) => edits.removed(state, index, bare), `${name} removed`);
+  }
+
+  /**
+   * The keyboard goes to a point, also to one that has just come.
+   *
+   * @param {number} index
+   */
+  focusPoint(index) {
+    this.stage?.place();
+    this.stage?.handles.focus(Math.min(index, this.host.now().shown - 1));
+  }
+
+  /**
+   * @param {number} joint
+   * @param {string} mode
+   */
+  hold(joint, mode) {
+    const { names, degree } = this.host.made();
+    this.do((state) => edits.withJoint(state, joint, mode), `${names[joint * degree]} held: ${MODE_NAMES[/** @type {states.JointMode} */ (mode)]}`);
+  }
+
+  /**
+   * Another mode for the joint at a point.
+   *
+   * @param {number} index
+   * @returns {boolean} false where there is no joint
+   */
+  cycle(index) {
+    const joint = index / (edits.chainOf(this.host.now())?.degree ?? NaN);
+    const mode = this.host.joints[joint - 1];
+    if (!mode || this.host.readonly) return false;
+    this.hold(joint, states.MODES[(states.MODES.indexOf(mode) + 1) % states.MODES.length]);
+    return true;
+  }
+
+  /** What came by drop or paste. @param {string} text */
+  take(text) {
+    if (!this.host.readonly) this.do((state) => withText(state, text), "Opened");
+  }
+
+  /** The words for some points and where they are. @param {number[]} indices */
+  places(indices) {
+    const { names, points } = this.host.made();
+    return indices.map((index) => `${names[index]} at ${placeWords(points[index])}`).join(". ");
+  }
+
+  /** @param {number} factor */
+  zoom(factor) {
+    const { x, y, width, height } = this.host.now().view;
+    this.host.show(states.zoomed(this.host.now(), factor, [x + width / 2, y + height / 2]));
+  }
+
+  #actions() {
+    const download = (/** @type {string} */ ending, /** @type {BlobPart} */ content, /** @type {string} */ type) =>
+      save(this.host.ownerDocument, `curve.${ending}`, content instanceof Blob ? content : new Blob([content], { type }));
+    return {
+      play: () => this.#play(),
+      undo: () => this.#goBack(() => this.host.undo(), "Undone"),
+      redo: () => this.#goBack(() => this.host.redo(), "Done again"),
+      reset: () => void this.do(() => this.host.origin, "As at first"),
+      randomize: () => void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
+      toggle: () => void (this.do(states.toggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
+      append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
+      insert: () => void this.do((state) => edits.inserted(state), "Cut at t"),
+      removeChosen: () => void this.removeAt(this.chosen),
+      tapping: () => {
+        this.tapping = !this.tapping;
+        this.host.say(this.tapping ? "Tap a point, then the place where it shall be." : "", true);
+        this.host.requestUpdate();
+      },
+      help: () => this.host.renderRoot.querySelector("dialog")?.showModal(),
+      home: () => this.host.show(states.withHome(this.host.now())),
+      saveSvg: () => download("svg", this.toSVG(), "image/svg+xml"),
+      savePng: async () => {
+        const blob = await this.toBlob();
+        if (blob) download("png", blob, "");
+      },
+      saveJson: () => download("json", JSON.stringify(this.host), "application/json"),
+      open: async (/** @type {File} */ file) => this.take(await textIn(file)),
+      refresh: () => this.host.requestUpdate(),
+      language: (/** @type {string} */ language) => {
+        this.#language = /** @type {import("./export.js").Language} */ (language);
+        this.host.requestUpdate();
+      },
+      copy: () => this.#copy(),
+    };
+  }
+
+  /** @returns {import("./panel.js").PanelPort} */
+  panelPort() {
+    const figure = this.host.made();
+    const state = this.host.now();
+    const wanted = String(this.host.controls === true ? "" : this.host.controls).split(/\s+/).filter(Boolean);
+    const codeShown = /** @type {HTMLDetailsElement | null} */ (this.host.renderRoot.querySelector("details.save"))?.open;
+    return {
+      state,
+      figure,
+      joints: jointsOf(figure),
+      modes: this.host.joints,
+      tells: this.tells,
+      shows: (group) => !wanted.length || wanted.includes(group),
+      readonly: this.host.readonly,
+      playing: this.player.playing,
+      tapping: this.tapping,
+      chosen: this.chosen < state.shown ? this.chosen : -1,
+      can: { undo: this.host.history.canUndo, redo: this.host.history.canRedo, insert: edits.canInsert(state) },
+      set: (change) => void this.do(change, ""),
+      put: (name, value, done = true) => {
+        this.host.attempt(() => this.host.during((now) => put(now, name, value)));
+        if (done) this.host.settle();
+      },
+      act: this.acts,
+      hold: (joint, mode) => this.hold(joint, mode),
+      zoom: (factor) => this.zoom(factor),
+      code: codeShown ? codeOf(this.host.now(), this.host.made(), this.#language) : "",
+      language: this.#language,
+    };
+  }
+
+  /** @param {number} by */
+  #advance(by) {
+    const state = this.host.now();
+    const [least, most] = states.rangeOfT(state);
+    const t = Math.min(Math.max(state.t + by, least), most);
+    this.host.show({ ...state, t });
+    this.host.fire("input");
+    return t === (by > 0 ? most : least);
+  }
+
+  #play() {
+    const { playing } = this.player;
+    if (playing) this.player.stop();
+    else this.player.start();
+    if (playing) this.host.fire("change");
+    this.host.requestUpdate();
+  }
+
+  /**
+   * @param {() => void} act
+   * @param {string} words
+   */
+  #goBack(act, words) {
+    const before = this.host.now();
+    this.stage?.cancel();
+    act();
+    if (this.host.now() === before) return;
+    this.speaker?.say(words);
+    this.host.fire("input");
+    this.host.fire("change");
+  }
+
+  async #copy() {
+    try {
+      await navigator.clipboard.writeText(codeOf(this.host.now(), this.host.made(), this.#language));
+      this.host.say("Copied.", true);
+    } catch {
+      this.host.say("The page may not write to the clipboard: mark the code and copy it.");
+    }
+    this.speaker?.say(this.host.message);
+  }
+}
+
+/**
+ * A field of the state by the user's hand. A matrix of their own begins with what the curve has.
+ *
+ * @param {State} state
+ * @param {string} name
+ * @param {unknown} value
+ * @returns {State}
+ */
+function put(state, name, value) {
+  const next = FIELDS[name].put(state, value);
+  return name === "basis" && value === "matrix" ? edits.withOwnMatrix(next, state) : next;
+}

@@ -1,0 +1,163 @@
+// The part of `<bezier-applet>` that is loaded when one comes near: the picture, the hands, the panel.
+import { isForText } from "../../applet/keys.js";
+import { Speaker, setText } from "../../applet/voice.js";
+import { Acting } from "./acting.js";
+import * as edits from "./edits.js";
+import { listenToFiles } from "./files.js";
+import { frame } from "./frame.js";
+import { listenToKeys } from "./keys.js";
+import { jointsOf } from "./joints.js";
+import { snapped, turnedBy15 } from "./snap.js";
+import { Stage } from "./stage.js";
+import * as states from "./state.js";
+import { description } from "./words.js";
+
+/** @typedef {import("./state.js").State} State */
+/** @typedef {import("./state.js").Place} Place */
+
+export class Hands extends Acting {
+  /** @param {import("./editing.js").AppletEditing} host */
+  constructor(host) {
+    super(host);
+    listenToKeys(host, this.#keyPort());
+    listenToFiles(host, { busy: (event) => host.readonly || isForText(event), take: (text) => this.take(text) });
+    host.addEventListener("focusin", (event) => this.#choose(this.#pointOf(event)));
+  }
+
+  /** The element is in the page, and its shadow tree is up to date. */
+  start() {
+    const { host } = this;
+    if (!this.stage) {
+      const find = (/** @type {string} */ selector) => /** @type {any} */ (host.renderRoot.querySelector(selector));
+      const stage = new Stage({ canvas: find("canvas"), overlay: find(".overlay"), probe: find(".probe") }, this.#stagePort());
+      this.begin(stage, new Speaker(find("[role=status]"), () => this.#describe()));
+      this.#describe();
+    }
+    this.stage?.start();
+    this.stage?.recolour();
+  }
+
+  /** Leaves nothing running. */
+  end() {
+    this.player.stop();
+    this.stage?.end();
+    this.speaker?.end();
+  }
+
+  /** The picture in words, brought up to date. */
+  #describe() {
+    const figure = this.host.made();
+    const words = description(this.host.now(), figure, jointsOf(figure), this.tells.map((told) => told.words));
+    setText(/** @type {HTMLElement} */ (this.host.renderRoot.querySelector("#description")), words);
+    return "";
+  }
+
+  /** @param {Event} event */
+  #pointOf(event) {
+    return this.stage?.handles.indexOf(event.composedPath()[0]) ?? -1;
+  }
+
+  /** The last point touched; its segment is the one that t is about. @param {number} index */
+  #choose(index) {
+    if (index < 0) return;
+    const { pieces } = this.host.made();
+    const state = this.host.now();
+    this.choose(index);
+    if (pieces[state.segment]?.indices.includes(index)) return;
+    const segment = pieces.findIndex(({ indices }) => indices.includes(index));
+    if (segment >= 0) this.host.show({ ...state, segment });
+  }
+
+  /**
+   * @param {number} index
+   * @param {Place} to
+   * @param {{ from: Place, event?: PointerEvent }} drag
+   */
+  #pull(index, to, { from, event }) {
+    const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
+    this.host.during((state) => {
+      const free = altKey ? edits.broken(state, index) : state;
+      const place = shiftKey ? turnedBy15(free, index, to, from) : ctrlKey || metaKey || altKey ? to : snapped(free, index, to, this.stage?.reach ?? 1);
+      return edits.withPointAt(free, index, place);
+    });
+  }
+
+  /** @returns {import("./stage.js").StagePort} */
+  #stagePort() {
+    return {
+      now: () => ({ state: this.host.now(), figure: this.host.made() }),
+      fixed: () => this.host.readonly,
+      begun: () => this.host.settle(),
+      move: (index, to, drag) => void this.host.attempt(() => this.#pull(index, to, drag)),
+      restored: () => this.host.giveUp(),
+      ended: (moved) => {
+        this.host.settle();
+        if (moved.length) this.speaker?.say(this.places(moved));
+      },
+      grabbed: (index) => this.#choose(index),
+      doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
+      tap: (at) => this.tapping && this.chosen >= 0 && this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
+      point: (at) => this.host.now().layers.has("nearest") && this.host.show({ ...this.host.now(), pointer: at }),
+      look: (factor, from, to) => this.#look(factor, from, to),
+      drawn: (told) => this.hear(told),
+    };
+  }
+
+  /**
+   * @param {number} factor
+   * @param {Place} from
+   * @param {Place} to
+   */
+  #look(factor, from, to) {
+    const state = states.zoomed(this.host.now(), factor, from);
+    const { view } = state;
+    this.host.show({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
+  }
+
+  /** @returns {import("./keys.js").KeyPort} */
+  #keyPort() {
+    const editable = (/** @type {() => void} */ act) => () => void (this.host.readonly || act());
+    const { insert, undo, redo, randomize, toggle, help } = this.acts;
+    return {
+      off: () => this.host.hotkeys === "off",
+      pointOf: (event) => this.#pointOf(event),
+      nudge: (index, step) => this.#nudge(index, step),
+      settled: () => void (this.stage?.dragging || this.host.settle()),
+      escape: () => this.stage?.cancel() ?? false,
+      remove: (index, bare) => {
+        if (!this.host.readonly && this.removeAt(index, bare)) this.focusPoint(index);
+      },
+      cycle: (index) => this.cycle(index),
+      insert: editable(insert),
+      undo: editable(undo),
+      redo: editable(redo),
+      randomize: editable(randomize),
+      toggle: editable(toggle),
+      help,
+    };
+  }
+
+  /**
+   * @param {number} index
+   * @param {[number, number]} step
+   */
+  #nudge(index, [dx, dy]) {
+    if (this.host.readonly) return;
+    const scale = states.scaleOf(this.host.now());
+    const [x, y] = this.host.now().points[index];
+    this.host.attempt(() => this.host.during((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])));
+    this.speaker?.say(this.places([index]));
+  }
+
+  /** Everything in the shadow root. */
+  template() {
+    const { host } = this;
+    return frame({
+      name: host.name,
+      message: [...host.problems, host.message].filter(Boolean).join(" · "),
+      good: host.good && !host.problems.length,
+      cursor: this.tapping ? "place" : states.isHome(host.now()) ? "" : "grab",
+      panel: this.panelled ? this.panelPort() : null,
+    });
+  }
+}
