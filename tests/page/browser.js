@@ -80,9 +80,13 @@ export async function openPage(t, what, options = {}) {
  * Fails unless axe finds nothing to object to.
  *
  * @param {import("playwright-core").Page} page
+ * @param {{ part?: string, rules?: string[] }} [only] a selector, the names of some rules
  */
-export async function assertAccessible(page) {
-  const { violations } = await new AxeBuilder({ page }).analyze();
+export async function assertAccessible(page, { part, rules } = {}) {
+  const axe = new AxeBuilder({ page });
+  if (part) axe.include(part);
+  if (rules) axe.withRules(rules);
+  const { violations } = await axe.analyze();
   const found = violations.map(({ id, help, nodes }) => `${id}: ${help} at ${nodes.map((n) => n.target).join(", ")}`);
   assert.deepEqual(found, []);
 }

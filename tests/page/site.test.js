@@ -1,29 +1,11 @@
-// The site's pages: what is on them, accessible in light and dark, on a narrow screen too.
+// The applet on the site's pages, and what the guide to the elements says.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { assertAccessible, openPage, root } from "./browser.js";
 import { drag, drawn, handle, openTutorial, points, TUTORIAL } from "./applet-page.js";
 
-const PAGES = ["/", "/applet/", "/surfaces/", "/teapot/"];
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
-
-for (const path of PAGES) {
-  for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    test(`${path} is accessible, ${colorScheme}`, async (t) => {
-      const page = await openPage(t, path, { colorScheme });
-      await drawn(page);
-      await assertAccessible(page);
-    });
-  }
-
-  test(`${path} fits a narrow phone`, async (t) => {
-    const page = await openPage(t, path, PHONE);
-    await drawn(page);
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
-    await assertAccessible(page);
-  });
-}
 
 test("the applet with everything switched on is accessible in both themes and forced colours", async (t) => {
   for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }]) {
@@ -93,4 +75,18 @@ test("on a narrow phone the picture keeps its shape and fingers their aim", asyn
   const after = await points(page);
   const scale = 670 / box.width;
   assert.ok(Math.abs(after[5][0] - before[5][0] + 50 * scale) < 0.1 && Math.abs(after[5][1] - before[5][1] + 20 * scale) < 0.1);
+});
+
+test("the guide names every attribute of every element, and no other", async (t) => {
+  const page = await openPage(t, "/elements/");
+  await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("bezier-surface"));
+  const tables = await page.locator("table[data-element]").evaluateAll((tables) =>
+    tables.map((table) => {
+      const name = table.dataset.element;
+      const named = [...table.querySelectorAll("tbody th")].map((cell) => cell.textContent);
+      return { name, named: named.sort(), observed: [...customElements.get(name).observedAttributes].sort() };
+    }),
+  );
+  assert.ok(tables.length >= 6);
+  for (const { name, named, observed } of tables) assert.deepEqual(named, observed, name);
 });

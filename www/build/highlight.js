@@ -4,6 +4,7 @@ const KEYWORDS = {
   js: "await break case class const continue default delete else export extends false for from function if import in instanceof let new null of return static super switch this throw true try typeof undefined while yield",
   rs: "as bool break const continue crate else enum f32 f64 false fn for if impl in let loop match mod move mut pub ref return self Self struct super trait true type use usize where while",
   html: "",
+  css: "",
 };
 
 /** Order matters: what begins a comment or a string is neither a word nor a number. A Rust lifetime is no string. */

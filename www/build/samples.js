@@ -1,4 +1,4 @@
-// Writes the code of every <lesson-sample name="…"> into the page while the site is built, so that it can be read, found
+// Colours code, and writes that of every <lesson-sample name="…"> into the page while the site is built, so that it can be read, found
 // and printed without JavaScript. What is shown is what the tests run, without its wrapper.
 import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -42,6 +42,9 @@ function written(name) {
   return code("js") + code("rs");
 }
 
+/** What `<code data-code="js">` holds, before it is coloured. @param {string} html */
+const plain = (html) => html.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
+
 /** Vite's plugin. A sample that is not there fails the build; while working on a page it only says so. */
 export const lessonSamples = {
   name: "lesson-samples",
@@ -51,6 +54,6 @@ export const lessonSamples = {
       html.replace(/(<lesson-sample\b[^>]*\bname="([\w-]+)"[^>]*>)\s*(?=<\/lesson-sample>)/g, (_, tag, name) => {
         if (!existsSync(`${folder}${name}.js`)) throw new Error(`there is no sample www/samples/${name}.js`);
         return tag + written(name);
-      }),
+      }).replace(/(<code data-code="(\w+)">)([^<]*)(?=<\/code>)/g, (_, tag, language, code) => tag + highlight(plain(code), language)),
   },
 };

@@ -1,2 +1,15 @@
-// What the page needs is in the parts; this starts them.
+// The elements themselves, what the form would send, and the frame that is as tall as what is in it.
 import "../parts/page.js";
+
+const form = /** @type {HTMLFormElement} */ (document.getElementById("figure-form"));
+const sent = /** @type {HTMLOutputElement} */ (document.getElementById("sent"));
+const show = () => (sent.textContent = new URLSearchParams(/** @type {any} */ (new FormData(form))).toString());
+
+for (const type of ["input", "change"]) form.addEventListener(type, show);
+void customElements.whenDefined("bezier-easing").then(show);
+
+addEventListener("message", ({ data, source }) => {
+  if (data?.casteljau !== "height") return;
+  const frame = [...document.querySelectorAll("iframe")].find((each) => each.contentWindow === source);
+  if (frame) frame.height = data.height;
+});

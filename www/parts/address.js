@@ -2,7 +2,7 @@
 // The range of numbers and the meaning of words are the elements' own business: they say what they cannot use.
 
 /** Nobody types or shares a longer one; what is longer is not read at all. */
-export const LONGEST_ADDRESS = 20_000;
+export const LONGEST_ADDRESS = 10_000;
 const MOST_SHOWN = 40;
 
 const POINTS = "points";

@@ -6,11 +6,13 @@ import { apply, LONGEST_ADDRESS, read, SHARED, write } from "./address.js";
 const OTHERS = "#state=";
 const ELEMENTS = Object.keys(SHARED).join(",");
 
-/** What each element was on the page, before the address or the reader. @type {WeakMap<Element, Map<string, string | null>>} */
+/** What each element was on the page, before the address or the reader. @type {WeakMap<Element, Map<string, string>>} */
 const originals = new WeakMap();
 
-/** @param {Element} element */
-const attributes = (element) => new Map(Object.keys(SHARED[element.localName]).map((name) => [name, element.getAttribute(name)]));
+/** A property's value as its attribute would have it; "" for none. @param {unknown} value */
+const text = (value) => (Array.isArray(value) ? value.map(String).join(" ") : String(value ?? ""));
+/** @param {any} element */
+const settings = (element) => new Map(Object.keys(SHARED[element.localName]).map((name) => [name, text(element[name])]));
 
 /** An element and the id by which the address names it: its own, or its figure's. @param {Element} element */
 const idOf = (element) => element.id || element.closest("[id]")?.id || "";
@@ -59,12 +61,10 @@ function load() {
 }
 
 /** @param {Event} event */
-async function save({ target }) {
+function save({ target }) {
   if (!(target instanceof Element) || !target.matches(ELEMENTS) || !idOf(target)) return;
-  await /** @type {any} */ (target).updateComplete;
   const before = originals.get(target);
-  const changed = [...attributes(target)].filter(([name, value]) => value !== before?.get(name));
-  const query = write(new Map(changed.map(([name, value]) => [name, value ?? ""])));
+  const query = write(new Map([...settings(target)].filter(([name, value]) => value !== before?.get(name))));
   try {
     history.replaceState(history.state, "", `#${idOf(target)}${query && `?${query}`}`);
   } catch {
@@ -76,7 +76,7 @@ async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];
   await Promise.all([...new Set(elements.map((element) => element.localName))].map((name) => customElements.whenDefined(name)));
   await Promise.all(elements.map((element) => /** @type {any} */ (element).updateComplete));
-  for (const element of elements) originals.set(element, attributes(element));
+  for (const element of elements) originals.set(element, settings(element));
   load();
   document.addEventListener("change", save);
   addEventListener("hashchange", load);

@@ -1,0 +1,115 @@
+// Samples and tasks: tabs by hand and by keyboard, code that runs, tasks that are predicted, judged live, revealed.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { assertAccessible, openPage, root } from "./browser.js";
+
+const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
+/** A page of the site that the parts are on. */
+const open = (t, path, options = {}) => openPage(t, path, { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", ...options });
+
+test("a sample has two tabs: arrows, Home and End choose, and all samples follow", async (t) => {
+  const page = await open(t, "/curves/");
+  const sample = page.locator("lesson-sample").first();
+  const [js, rust] = ["JavaScript", "Rust"].map((name) => sample.getByRole("tab", { name }));
+  await js.focus();
+  assert.match(await sample.getByRole("tabpanel", { name: "JavaScript" }).innerText(), /console\.log\(/);
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await rust.getAttribute("aria-selected"), "true");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Rust");
+  assert.match(await sample.getByRole("tabpanel", { name: "Rust" }).innerText(), /println!\(/);
+  assert.equal(await sample.getByRole("tabpanel").count(), 1);
+  const others = page.locator("lesson-sample [role=tab][data-language=rs]");
+  for (let i = 0; i < (await others.count()); i++) assert.equal(await others.nth(i).getAttribute("aria-selected"), "true");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await js.getAttribute("aria-selected"), "true", "around the end");
+  await page.keyboard.press("End");
+  assert.equal(await rust.getAttribute("aria-selected"), "true");
+  await page.keyboard.press("Home");
+  assert.equal(await js.getAttribute("aria-selected"), "true");
+  await assertAccessible(page, { part: "lesson-sample" });
+});
+
+test("Run prints what the tests expect; Copy copies what is shown", async (t) => {
+  const page = await open(t, "/", { permissions: ["clipboard-read", "clipboard-write"] });
+  const sample = page.locator("lesson-sample");
+  const name = await sample.getAttribute("name");
+  await sample.getByRole("button", { name: "Run" }).click();
+  await sample.locator("output:not(:empty)").waitFor();
+  assert.equal(await sample.locator("output").textContent(), read(`samples/${name}.txt`).trimEnd());
+  await sample.getByRole("button", { name: "Copy" }).click();
+  await sample.getByRole("button", { name: "Copied" }).waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(copied, `${await sample.locator("pre:not([hidden])").textContent()}\n`);
+});
+
+test("all samples of the chapters run in the browser as they do in Node", async (t) => {
+  for (const path of ["/curves/", "/surfaces/"]) {
+    const page = await open(t, path);
+    await page.waitForFunction(() => [...document.querySelectorAll("lesson-sample")].every((sample) => sample.querySelector(".bar")));
+    const outputs = await page.evaluate(() =>
+      Promise.all(
+        [...document.querySelectorAll("lesson-sample")].map(async (sample) => {
+          await sample.run();
+          return [sample.getAttribute("name"), sample.querySelector("output").textContent];
+        }),
+      ),
+    );
+    for (const [name, output] of outputs) assert.equal(output, read(`samples/${name}.txt`).trimEnd(), name);
+  }
+});
+
+test("without scripts both languages can be read, and tasks are prompts", async (t) => {
+  const page = await open(t, "/curves/", { javaScriptEnabled: false });
+  const sample = page.locator("lesson-sample").first();
+  assert.equal(await sample.locator("pre:visible").count(), 2);
+  assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
+});
+
+/** A task with a prediction, about an applet with a joint that is not C1 yet. */
+const TASK = "make-c1";
+async function openTask(t) {
+  const page = await open(t, "/curves/");
+  const task = page.locator(`lesson-task[name="${TASK}"]`);
+  await task.scrollIntoViewIfNeeded();
+  await task.locator("button").first().waitFor();
+  const applet = page.locator(`#${await task.getAttribute("for")}`);
+  return { page, task, applet, said: task.getByRole("status"), press: (name) => task.getByRole("button", { name }).click() };
+}
+
+test("a task is predicted, checked, and done as soon as the reader has it right", async (t) => {
+  const { page, task, applet, said, press } = await openTask(t);
+  assert.equal(await task.getByRole("button", { name: "Check" }).count(), 0, "first a prediction");
+  await press("guess");
+  assert.match(await said.innerText(), /Choose/);
+  await task.getByRole("radio").first().check();
+  await press("guess");
+  assert.ok(await task.getByRole("radio").first().isDisabled());
+  await press("Check");
+  assert.match(await said.innerText(), /P4 is .* px from/);
+  assert.equal(await task.getAttribute("data-state"), "open");
+  await assertAccessible(page, { part: `lesson-task[name="${TASK}"]` });
+
+  const toSolution = (by) => applet.evaluate((element, by) => {
+    const [, , p2, p3] = element.points;
+    element.steer({ index: 4, point: [2 * p3[0] - p2[0] + by, 2 * p3[1] - p2[1]] }, true);
+  }, by);
+  await toSolution(60);
+  assert.equal(await task.getAttribute("data-state"), "open");
+  await toSolution(0);
+  await page.locator(`lesson-task[name="${TASK}"][data-state="done"]`).waitFor();
+  assert.match(await said.innerText(), /Your guess was another/);
+  await toSolution(60);
+  await press("Check");
+  assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
+});
+
+test("a task that is revealed says so, and does not count as done", async (t) => {
+  const { page, task, said, press } = await openTask(t);
+  await task.getByRole("radio").nth(1).check();
+  await press("guess");
+  await press("Reveal");
+  assert.equal(await task.getAttribute("data-state"), "revealed");
+  assert.match(await said.innerText(), /one answer.*You predicted it/);
+  await page.waitForFunction(() => document.querySelector('lesson-task[name="make-c1"]').state === "revealed");
+});
