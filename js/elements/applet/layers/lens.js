@@ -11,8 +11,8 @@ import { traceSeen } from "./trace.js";
  * @typedef {{ box: { width: number, height: number }, view: { x: number, y: number, width: number, height: number } }} Looks
  */
 
-/** Cut off beyond this; there a canvas's numbers are still a 500th apart. */
-const FAR = 2 ** 14;
+/** What is wholly beyond this is cut off. Pieces of curves reach twice as far, where a canvas's numbers are a 500th apart. */
+const FAR = 2 ** 13;
 /** A curve that keeps running along the cut is left after so many pieces. */
 const MOST_PIECES = 512;
 
@@ -188,7 +188,8 @@ export class Lens {
    * @param {number} y3
    */
   #cubic(x0, y0, x1, y1, x2, y2, x3, y3) {
-    if (isNear(x0, y0) && isNear(x1, y1) && isNear(x2, y2) && isNear(x3, y3)) {
+    const reach = Math.max(Math.abs(x0), Math.abs(y0), Math.abs(x1), Math.abs(y1), Math.abs(x2), Math.abs(y2), Math.abs(x3), Math.abs(y3));
+    if (reach <= 2 * FAR) {
       this.#lower();
       this.#ctx.bezierCurveTo(x1, y1, x2, y2, x3, y3);
       return this.#go(x3, y3);

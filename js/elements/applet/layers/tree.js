@@ -7,7 +7,9 @@ import { hue } from "./theme.js";
 /** @typedef {import("../figure.js").Figure} Figure */
 /** @typedef {[number, number]} Place */
 
-/** In CSS pixels. */
+/** No wider than this share of the picture. */
+const WIDEST = 0.4;
+/** The others in CSS pixels. */
 const WIDTH = 190;
 const ROW = 13;
 const PADDING = 10;
@@ -28,7 +30,7 @@ export function drawDiagram(sheet, roots, figure) {
   if (!roots.length || roots.length > MOST_TREES) return;
   const { ctx, theme, px, box } = sheet;
   const rows = Math.min(MOST_ROWS, Math.max(...roots.map(depthOf)));
-  const width = Math.min(WIDTH * px, box.width / 2);
+  const width = Math.min(WIDTH * px, WIDEST * box.width);
   const height = (rows * ROW + 2 * PADDING) * px;
   const [x, y] = emptiestCorner(sheet, figure, width, height);
   ctx.beginPath();

@@ -145,7 +145,7 @@ export const comb = {
   },
 
   /** @param {ReturnType<typeof combOf>} data */
-  tell: ({ sharpest }) => (sharpest > 0 ? `Sharpest bend: radius ${radius(1 / sharpest)}` : "No bend"),
+  tell: ({ sharpest }) => (sharpest > 0 ? `Sharpest bend: radius ${Number((1 / sharpest).toPrecision(3))} px` : "No bend"),
 };
 
 /**
@@ -176,9 +176,4 @@ export function combOf(curves, count, scale, longest) {
     return flat;
   });
   return { teeth, rims: teeth.map((flat) => flat.filter((_, i) => i % 4 > 1)), sharpest };
-}
-
-/** @param {number} value */
-function radius(value) {
-  return value === 0 ? "0" : String(Number(value.toPrecision(3)));
 }

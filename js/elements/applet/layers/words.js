@@ -1,5 +1,5 @@
 // Where words stand: beside what they name, clear of marks and of each other where there is room.
-import { atEdge, label } from "../../../applet/pen.js";
+import { label } from "../../../applet/pen.js";
 
 /** @typedef {import("./sheet.js").Sheet} Sheet */
 /** @typedef {[number, number]} Place */
@@ -63,13 +63,24 @@ function bestPlace({ box, px }, { at, away, gap }, taken, halfWidth, halfHeight)
       const [dx, dy] = [c * away[0] - s * away[1], s * away[0] + c * away[1]];
       const long = Math.max(0, halfWidth - MARGIN * px) * Math.abs(dx);
       const reach = gap * px * ring + long;
-      const place = atEdge(box, [at[0] + dx * reach, at[1] + dy * reach], MARGIN * px);
+      const place = inside(box, [at[0] + dx * reach, at[1] + dy * reach], halfWidth, MARGIN * px);
       const cost = overlap(taken, place[0], place[1], halfWidth, halfHeight, least);
       if (cost < least) [best, least] = [place, cost];
       if (least === 0) return best;
     }
   }
   return best;
+}
+
+/**
+ * @param {Sheet["box"]} box
+ * @param {Place} place
+ * @param {number} across how far from the left and the right edge
+ * @param {number} down from the upper and the lower one
+ * @returns {Place}
+ */
+function inside({ width, height }, [x, y], across, down) {
+  return [Math.max(Math.min(x, width - across), across), Math.max(Math.min(y, height - down), down)];
 }
 
 /**
