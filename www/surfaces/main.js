@@ -1,6 +1,6 @@
 // Chapter 2: the parts of every lesson, the chapter's own figures, and the surfaces that have no name.
+import "../figures/index.js";
 import "../parts/page.js";
-import "./figures/bytes.js";
 import "./figures/data.js";
 import "./figures/differences.js";
 import "./figures/knobs.js";

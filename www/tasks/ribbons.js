@@ -1,6 +1,6 @@
 import { many, verdict } from "../surfaces/judge.js";
 
-const [MOST, LEAST_STRIPS] = [20000, 3];
+const [MOST, LEAST_STRIPS] = [5000, 4];
 
 /** @param {{ layers: string[], lines: number, mesh: { triangles: number } }} figure */
 export function check({ layers, lines, mesh: { triangles } }) {

@@ -12,6 +12,9 @@ function raised(heights, degree) {
 /** Nine points, of which one stands out of the plane of the others. */
 export const NINE_HEIGHTS = [0, 0, 0, 0, 4, 0, 0, 0, 0];
 
+/** A hill whose top lies inside, not in the middle. */
+const HILL_HEIGHTS = [-0.6, 0, 0.4, -0.4, 0.3, 5, 2, 0, 0, 2.5, -1.5, 0.6, 0.4, -0.6, 0.5, -0.8];
+
 /** A quarter circle's handle, which is nearly right. */
 const HANDLE = 0.5522847498;
 
@@ -47,6 +50,7 @@ const heightOf = (i, j) => (i > 3 ? [0, 2.6, -1.8, 1.2][j] * (i === 5 ? 1.6 : 0.
 
 /** By the word in `data-surface`. @type {Record<string, () => Surface>} */
 export const SURFACES = {
+  hill: () => raised(HILL_HEIGHTS, 3),
   nine: () => raised(NINE_HEIGHTS, 2),
   disc,
   neighbours,

@@ -1,0 +1,162 @@
+// The tasks of the chapter on surfaces: not done at the start, done when it is done, and their own answers count.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { Surface } from "casteljau";
+import { frameOf } from "../../js/elements/surface/camera.js";
+import { figureOf } from "../../js/elements/surface/figure.js";
+import { Geometry } from "../../js/elements/surface/geometry.js";
+import { surfaceNamed } from "../../js/elements/surface/models.js";
+import { settingsOf } from "../../js/elements/surface/settings.js";
+import { SURFACES } from "../../www/surfaces/figures/surfaces.js";
+
+const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
+
+/** What a task sees of <bezier-surface>, with the element's own figure. */
+function figure(properties) {
+  const element = {
+    model: "teapot", parts: null, height: "squashed", up: "z", segments: 12, tolerance: null, pixels: null, flatness: null, lines: 4,
+    shading: "smooth", show: "surface", evaluation: "cpu", u: 0.5, v: 0.5, step: 4, swept: false, patch: null, given: null, ...properties,
+    get surface() {
+      return element.given ?? surfaceNamed(settingsOf(element));
+    },
+    set surface(surface) {
+      element.given = surface;
+    },
+    get figure() {
+      const { surface } = element;
+      const scene = { surface, settings: settingsOf(element), frame: frameOf(surface.vertices, "z"), picked: element.patch ?? (surface.patchCount === 1 ? 0 : null) };
+      return figureOf(scene, new Geometry().facts(scene));
+    },
+  };
+  return element;
+}
+
+/** What it sees of the strip: two chains of chords. */
+const strip = () => ({ left: 4, right: 3, get figure() {
+  return { left: this.left, right: this.right, gap: this.left === this.right ? 0 : 7 };
+} });
+
+const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
+
+/** Each task: its start as the page has it, what one may try in vain, and what does it. */
+const TASKS = {
+  "flat-nine": {
+    start: () => figure({ given: SURFACES.nine() }),
+    vain: [(e) => (e.surface = e.surface.movePoint(4, [0, 0, 2])), (e) => (e.surface = e.surface.movePoint(0, [-3, -3, -1]).movePoint(4, [0, 0, 0]))],
+    right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 0.05])),
+  },
+  "corner-10": { start: () => figure({ model: "patch", u: 0.3, v: 0.7 }), vain: [(e) => Object.assign(e, { u: 0, v: 1 }), (e) => Object.assign(e, { u: 1, v: 0.01 })], right: (e) => (e.v = 0) },
+  "highest-point": {
+    start: () => figure({ given: SURFACES.hill(), u: 0.6, v: 0.7 }),
+    vain: [(e) => Object.assign(e, { u: 0, v: 0 }), (e) => Object.assign(e, { u: 0.5, v: 0.5 })],
+    right: (e) => Object.assign(e, highest(e.surface.patch(0))),
+  },
+  "fewest-segments": { start: () => figure({ model: "patch", segments: 4 }), vain: [(e) => (e.segments = 15), (e) => (e.segments = 17), (e) => (e.tolerance = 0.01)], right: (e) => Object.assign(e, { tolerance: null, segments: 16 }) },
+  "pole": {
+    start: () => figure({ parts: "lid", patch: 0, u: 0.5, v: 0.3 }),
+    vain: [(e) => (e.v = 1), (e) => Object.assign(e, { patch: null, v: 0 })],
+    right: (e) => Object.assign(e, { patch: 2, u: 0.1, v: 0 }),
+  },
+  "close-crack": { start: strip, vain: [(e) => (e.right = 8), (e) => Object.assign(e, { left: 3, right: 3 })], right: (e) => Object.assign(e, { left: 4, right: 4 }) },
+  "round-disc": {
+    start: () => figure({ given: SURFACES.disc(), flatness: 0.01 }),
+    vain: [(e) => (e.flatness = 0.001), (e) => Object.assign(e, { flatness: null, tolerance: 0.1 })],
+    right: (e) => (e.tolerance = 0.008),
+  },
+  "few-triangles": {
+    start: () => figure({ segments: 8 }),
+    vain: [(e) => (e.segments = 24), (e) => (e.flatness = 0.01), (e) => Object.assign(e, { flatness: null, tolerance: 0.02 })],
+    right: (e) => (e.tolerance = 0.0099),
+  },
+  "hundredfold": { start: () => ({ segments: 8 }), vain: [(e) => (e.segments = 40), (e) => (e.segments = 12)], right: (e) => (e.segments = firstOver(100)) },
+  "only-handle": { start: () => figure({}), vain: [(e) => (e.parts = "handle spout"), (e) => (e.parts = ""), (e) => Object.assign(e, { parts: "handle", model: "teacup" })], right: (e) => (e.model = "teapot") },
+  "ribbons": {
+    start: () => figure({ show: "tubes", lines: 3 }),
+    vain: [(e) => (e.show = "surface ribbons"), (e) => Object.assign(e, { show: "ribbons", lines: 12 }), (e) => (e.lines = 3)],
+    right: (e) => (e.lines = 4),
+  },
+  "spout-hit": { start: () => figure({ patch: 4 }), vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20)], right: (e) => (e.patch = 19) },
+  "own-square": { start: () => figure({}), vain: [(e) => (e.surface = saddle(1)), (e) => (e.surface = Surface.parse("1\n1 1\n0 0 0\n2 0 0\n0 1 0\n2 1 0\n"))], right: (e) => (e.surface = saddle(0)) },
+};
+
+/** To hundredths, as the sliders have it; by looking everywhere. */
+function highest(patch) {
+  const places = Array.from({ length: 101 * 101 }, (_, k) => ({ u: (k % 101) / 100, v: Math.floor(k / 101) / 100 }));
+  return places.reduce((best, each) => (patch.eval(each.u, each.v).z > patch.eval(best.u, best.v).z ? each : best));
+}
+
+/** By the formulas of the counts: the mesh has 32 n² + 4 n + 1 vertices of six numbers and 64 n² − 8 n triangles. */
+function firstOver(times) {
+  const patches = 290 * 12 + 32 * 16 * 2;
+  const mesh = (n) => (32 * n * n + 4 * n + 1) * 24 + (64 * n * n - 8 * n) * 3 * (32 * n * n + 4 * n + 1 > 65536 ? 4 : 2);
+  let n = 1;
+  while (mesh(n) <= times * patches) n++;
+  return n;
+}
+
+for (const [name, { start, vain, right }] of Object.entries(TASKS)) {
+  test(`task ${name}`, async () => {
+    const { check, reveal } = await load(name);
+    const judged = (element) => {
+      const verdict = check(element.figure, element);
+      assert.equal(typeof verdict.words, "string");
+      assert.ok(verdict.words.length > 0);
+      return verdict.done;
+    };
+    const element = start();
+    assert.equal(judged(element), false, "at the start");
+    for (const attempt of vain) {
+      attempt(element);
+      assert.equal(judged(element), false, `${attempt}: ${check(element.figure, element).words}`);
+    }
+    right(element);
+    assert.equal(judged(element), true, `${right}: ${check(element.figure, element).words}`);
+    const other = start();
+    reveal(other);
+    assert.equal(judged(other), true, `revealed: ${check(other.figure, other).words}`);
+  });
+}
+
+const html = readFileSync(new URL("../../www/surfaces/index.html", import.meta.url), "utf8");
+const used = [...html.matchAll(/<lesson-task name="([\w-]+)"(?: for="([\w-]+)")?/g)];
+
+test("every task of the chapter is tested or only predicted, and is about a figure that is there", async () => {
+  assert.ok(used.length >= 16);
+  for (const [, name, about] of used) {
+    const task = await load(name);
+    assert.equal(Boolean(task.check), name in TASKS, name);
+    if (task.check) assert.match(html, new RegExp(` id="${about}"`));
+    if (!task.predict) continue;
+    const { options, answer, because } = task.predict;
+    assert.ok(answer in options && because.length > 20, name);
+    assert.equal(new Set(options).size, options.length);
+  }
+  assert.deepEqual(Object.keys(TASKS).filter((name) => !used.some((each) => each[1] === name)), []);
+});
+
+test("each section ends with a task and a sample", () => {
+  const sections = html.split("<section ").slice(1);
+  assert.ok(sections.length >= 13);
+  for (const section of sections) assert.match(section, /<lesson-task [^]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/, section.slice(0, 40));
+});
+
+test("what the text says of the predictions and of the data is so", async () => {
+  const teapot = Surface.teapot();
+  assert.equal(teapot.patchCount, 32);
+  assert.equal(teapot.vertices.length / 3, 290);
+  assert.equal(306 - 4 - 12, 290);
+  const { shared, open, collapsed } = teapot.topology();
+  assert.deepEqual([shared.length, open.length, collapsed.length], [52, 16, 8]);
+  assert.deepEqual([Surface.teacup().patchCount, Surface.teaspoon().patchCount], [26, 16]);
+  assert.equal(Surface.teapot({ bottom: false }).patchCount, 28);
+  assert.deepEqual([teapot.bounds().max.z, Surface.teapot({ height: "original" }).bounds().max.z], [3.15, 4.2]);
+  assert.equal(teapot.grid({ segments: 16 }).positions.length / 3, 9248);
+  assert.equal(teapot.tessellate({ segments: 16 }, { weld: "position" }).positions.length / 3, 8257);
+  assert.equal(Surface.teapot({ rim: false, body: false, spout: false, lid: false, bottom: false }).patchCount, 4);
+  const patch = surfaceNamed(settingsOf({ model: "patch" })).patch(0);
+  const { x, y, z } = patch.eval(1, 0);
+  assert.deepEqual([x, y, z], [...patch.controlPoints().slice(9, 12)], "S(1, 0) is P03");
+  const weight = (t) => 3 * t * (1 - t) ** 2;
+  assert.ok(Math.abs(weight(1 / 3) - 4 / 9) < 1e-15);
+});
