@@ -104,8 +104,8 @@ export function keepLedger(page) {
 }
 
 /**
- * What is left after collecting what is not used: bytes of the heap (without the machine code that the browser makes as it
- * goes), nodes, and listeners of all kinds, as the browser itself counts them.
+ * What is left after collecting what is not used: bytes of the scripts' heap (without the machine code that the browser
+ * makes as it goes, and what it notes for itself), nodes, and listeners of all kinds, as the browser itself counts them.
  *
  * @param {import("playwright-core").CDPSession} client
  */
@@ -115,7 +115,10 @@ export async function leftOver(client) {
   return { bytes: await heapBytes(client), nodes, listeners: jsEventListeners };
 }
 
-/** The sizes of all that a snapshot of the heap holds. */
+/** What the browser has for itself: of the page's things the nodes are among it, which are counted apart. */
+const NOT_OURS = ["code", "native", "hidden"];
+
+/** The sizes of all that a snapshot of the heap holds of the page's scripts. */
 async function heapBytes(client) {
   const chunks = [];
   const listen = ({ chunk }) => chunks.push(chunk);
@@ -124,8 +127,8 @@ async function heapBytes(client) {
   client.off("HeapProfiler.addHeapSnapshotChunk", listen);
   const { nodes, snapshot: { meta } } = JSON.parse(chunks.join(""));
   const [step, type, size] = [meta.node_fields.length, meta.node_fields.indexOf("type"), meta.node_fields.indexOf("self_size")];
-  const code = meta.node_types[type].indexOf("code");
+  const foreign = new Set(NOT_OURS.map((name) => meta.node_types[type].indexOf(name)));
   let bytes = 0;
-  for (let i = 0; i < nodes.length; i += step) if (nodes[i + type] !== code) bytes += nodes[i + size];
+  for (let i = 0; i < nodes.length; i += step) if (!foreign.has(nodes[i + type])) bytes += nodes[i + size];
   return bytes;
 }
