@@ -28,6 +28,9 @@ function applet({ points, whole = false, ...rest }) {
 
 const ARCH = [[60, 400], [160, 40], [480, 40], [600, 400]];
 const HILL = [[70, 300], [160, 40], [400, 60], [610, 430]];
+/** The places of the site's figure, and the orders that it offers. */
+const PLACES = [[16, 62], [30, 14], [80, 24], [68, 68]];
+const ORDERS = [0, 1, 2, 3].flatMap((a) => [0, 1, 2, 3].flatMap((b) => [0, 1, 2, 3].flatMap((c) => [0, 1, 2, 3].map((d) => [a, b, c, d])))).filter((order) => new Set(order).size === 4);
 const SEVEN = [[70, 330], [90, 120], [250, 110], [330, 200], [430, 300], [560, 380], [600, 160]];
 
 /** Each task: its start, what one may try in vain, and what does it. The answer that it reveals must count too. */
@@ -50,6 +53,11 @@ const TASKS = {
     start: () => applet({ points: HILL, t: 0.75 }),
     vain: [(e) => (e.t = 0.5), (e) => (e.t = 1)],
     right: (e) => (e.t = Math.round(100 * new Curve(e.points).extrema().y[0]) / 100),
+  },
+  "order-loop": {
+    start: () => ({ chosen: 0, curve: (k) => new Curve(ORDERS[k].map((place) => PLACES[place])) }),
+    vain: [(e) => (e.chosen = 2), (e) => (e.chosen = 23)],
+    right: (e) => (e.chosen = ORDERS.findIndex((order) => order.join("") === "1302")),
   },
   "make-s": {
     start: () => applet({ points: ARCH }),
@@ -132,7 +140,7 @@ test("task enough-pieces", async () => {
   assert.equal(check({ tree: null }).done, false);
   const element = { tolerance: "8" };
   reveal(element);
-  const pieces = leaves(new Curve([[60, 340], [60, 20], [620, 20], [600, 340]]).subdivide(Number(element.tolerance)));
+  const pieces = leaves(new Curve([[60, 300], [60, 20], [620, 20], [600, 300]]).subdivide(Number(element.tolerance)));
   const error = Math.max(...pieces.map(({ curve }) => curve.hausdorff(new Curve([curve.eval(0), curve.eval(1)]))));
   assert.equal(tree(pieces.length, error), true);
 });

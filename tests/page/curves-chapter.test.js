@@ -119,7 +119,7 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
   assert.match(await done(page, "half-pixel"), /24 segments: 0\.47 px\. One less would not do/);
 
   await near(page, "recursion");
-  assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 16\.4\d px/);
+  assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 14\.5\d px/);
   await task(page, "enough-pieces", 2);
   await page.getByRole("slider", { name: "Tolerance" }).fill("-4");
   assert.match(await done(page, "enough-pieces"), /^32 pieces/);

@@ -63,7 +63,8 @@ export const style = css`
   button:hover { border-color: var(--accent); color: var(--accent); }
   button:disabled { opacity: 0.55; cursor: default; }
   button[aria-pressed="true"] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
-  label { display: inline-flex; gap: 0.45rem; align-items: center; min-block-size: 1.75rem; cursor: pointer; }
+  label { display: inline-flex; gap: 0.45rem; align-items: center; min-block-size: 1.75rem; max-inline-size: 100%; cursor: pointer; }
+  select { min-inline-size: 0; }
   input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--accent); }
   select, input[type="number"], input[type="text"] {
     font: inherit; color: inherit; background: var(--paper); border: 1px solid var(--field); border-radius: 7px; padding: 0.25rem 0.5rem; min-block-size: 2.1rem; max-inline-size: 100%;
