@@ -102,6 +102,7 @@ const round = (value) => Math.round(value * 100) / 100;
  * @property {(value: number) => string} [say] a coordinate in words
  * @property {(point: [number, number]) => void} move
  * @property {() => void} [done] after a drag or a key
+ * @property {() => void} [cancel] undoes a drag; without it the point goes back to where it was
  * @property {() => void} [focus]
  */
 
@@ -139,7 +140,7 @@ const within = (box, point) => [0, 1].map((k) => Math.min(Math.max(point[k], box
  * @param {PointerEvent} start
  * @param {HandleOptions} options
  */
-function drag(start, { at, place, unplace, size, box, move, done = () => {} }) {
+function drag(start, { at, place, unplace, size, box, move, done = () => {}, cancel = () => move([at[0], at[1]]) }) {
   if (start.button !== 0) return;
   const handle = /** @type {HTMLElement} */ (start.currentTarget);
   const stage = /** @type {HTMLElement} */ (handle.offsetParent ?? handle.parentElement);
@@ -157,7 +158,7 @@ function drag(start, { at, place, unplace, size, box, move, done = () => {} }) {
     target.addEventListener(type, listener, { signal: ends.signal });
   const end = (/** @type {boolean} */ kept) => {
     ends.abort();
-    if (!kept) move([at[0], at[1]]);
+    if (!kept) cancel();
     done();
   };
   listen("pointermove", (event) => {
