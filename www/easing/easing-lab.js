@@ -70,9 +70,7 @@ export class EasingLab extends Figure {
   /** @param {Map<string, unknown>} changed */
   updated(changed) {
     if (!changed.has("value") || !this.editor) return;
-    const text = css(this.value);
-    if (this.editor.value !== text && this.editor.getAttribute("value") !== text) this.editor.setAttribute("value", text);
-    if (this.editor.value !== text) this.editor.value = text;
+    if (!this.editor.value || !same(parse(this.editor.value), this.value)) this.editor.value = css(this.value);
   }
 
   /**

@@ -15,14 +15,22 @@ const LONGEST = 100_000;
 export function keepInAddress(element, { read, write }) {
   const load = () => {
     const text = location.hash;
-    if (!text.startsWith(PREFIX) || text.length > LONGEST) return;
+    if (!text.startsWith(PREFIX)) return;
     try {
+      if (text.length > LONGEST) throw new RangeError(`it is ${text.length} characters long, at most ${LONGEST} are read`);
       read(JSON.parse(decodeURIComponent(text.slice(PREFIX.length))));
-    } catch {
-      // Somebody's address, cut or made up: the page stays as it is.
+      tell(element, "");
+    } catch (error) {
+      tell(element, `The address of this page could not be used: ${/** @type {Error} */ (error).message}. The page is as it was.`);
     }
   };
-  const save = () => history.replaceState(null, "", PREFIX + encodeURIComponent(JSON.stringify(write())));
+  const save = () => {
+    try {
+      history.replaceState(null, "", PREFIX + encodeURIComponent(JSON.stringify(write())));
+    } catch {
+      // Browsers allow only so many a minute; the next change will do.
+    }
+  };
   load();
   element.addEventListener("change", save);
   addEventListener("hashchange", load);
@@ -30,4 +38,14 @@ export function keepInAddress(element, { read, write }) {
     element.removeEventListener("change", save);
     removeEventListener("hashchange", load);
   };
+}
+
+/** Says it above the application; an empty text takes it away. @param {HTMLElement} element @param {string} words */
+function tell(element, words) {
+  const known = element.previousElementSibling;
+  if (known?.matches(".address-message")) known.remove();
+  if (!words) return;
+  const line = Object.assign(document.createElement("p"), { className: "address-message", textContent: words });
+  line.setAttribute("role", "status");
+  element.before(line);
 }
