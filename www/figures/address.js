@@ -43,9 +43,9 @@ export function keepInAddress(element, { read, write }) {
 /** Says it above the application; an empty text takes it away. @param {HTMLElement} element @param {string} words */
 function tell(element, words) {
   const known = element.previousElementSibling;
-  if (known?.matches(".address-message")) known.remove();
+  if (known?.matches(".state-message")) known.remove();
   if (!words) return;
-  const line = Object.assign(document.createElement("p"), { className: "address-message", textContent: words });
+  const line = Object.assign(document.createElement("p"), { className: "state-message", textContent: words });
   line.setAttribute("role", "status");
   element.before(line);
 }

@@ -351,7 +351,7 @@ export class GlyphEditor extends Figure {
       <div class="frame">
         <div class="table first" tabindex="0" role="region" aria-label="Points of both outlines">
           <table>
-            <thead><tr><th></th><th>on the outline</th><th>beside it</th><th>together</th><th>distance</th></tr></thead>
+            <thead><tr><th>Outline</th><th>points on it</th><th>beside it</th><th>together</th><th>distance</th></tr></thead>
             <tbody>
               <tr><th scope="row">As it is</th><td>${mine.on}</td><td>${mine.off}</td><td class="mine">${mine.all}</td><td>0</td></tr>
               <tr><th scope="row">As quadratics</th><td>${theirs.on}</td><td>${theirs.off}</td><td class="theirs">${theirs.all}</td><td class="error" data-error=${error}>${decimal(error, 3)}</td></tr>
