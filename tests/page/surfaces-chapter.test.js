@@ -1,0 +1,54 @@
+// The chapter on surfaces in a real browser: every figure starts and gives the graphics card back, links lead somewhere.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+import { assertAccessible, root } from "./browser.js";
+import { near, open } from "./surfaces-page.js";
+
+const SECTIONS = ["patches", "evaluation", "curves", "tessellation", "normals", "cracks", "adaptive", "forward-differencing", "gpu", "teapot", "wireframe", "rays", "files"];
+/** Browsers lend about sixteen. */
+const MOST_CONTEXTS = 10;
+
+test("every figure is drawn when the reader comes near, and few hold the graphics card", async (t) => {
+  const page = await open(t);
+  const ids = await page.locator("bezier-surface").evaluateAll((all) => all.map(({ id }) => id));
+  assert.ok(ids.length >= 18, `${ids.length} figures`);
+  const living = () => page.locator("bezier-surface").evaluateAll((all) => all.filter((each) => {
+    const canvas = each.shadowRoot.querySelector("canvas");
+    return canvas.width > 1 && canvas.getContext("webgl2")?.isContextLost() === false;
+  }).length);
+  for (const id of [...ids, ids[0]]) {
+    await near(page, id);
+    await page.evaluate(async (id) => {
+      while (!(await document.getElementById(id).toBlob())) await new Promise((then) => requestAnimationFrame(then));
+    }, id);
+    assert.ok((await living()) <= MOST_CONTEXTS, `${await living()} at ${id}`);
+  }
+});
+
+test("the sections, the figures' own places, and all that other pages link to are there", async (t) => {
+  const page = await open(t);
+  assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
+  assert.deepEqual(await page.locator("main figure:not([id])").count(), 0);
+  const pages = readdirSync(`${root}www`, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html"));
+  const wanted = pages.flatMap((name) => [...readFileSync(`${root}www/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id));
+  assert.ok(wanted.length > 15);
+  assert.deepEqual(await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), wanted), []);
+  const own = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map(({ hash }) => hash.slice(1)).filter((id) => !document.getElementById(id)));
+  assert.deepEqual(own, []);
+});
+
+test("a sample runs in the page and prints what it must", async (t) => {
+  const page = await open(t);
+  const sample = page.locator('lesson-sample[name="grid"]');
+  await sample.getByRole("button", { name: "Run" }).click();
+  await sample.locator("output").getByText("9248 vertices").waitFor();
+  assert.equal(`${await sample.locator("output").innerText()}\n`, readFileSync(`${root}www/samples/grid.txt`, "utf8"));
+  await sample.getByRole("tab", { name: "Rust" }).click();
+  await sample.getByText("Weld::Position").waitFor();
+});
+
+test("in forced colours it is accessible, too", async (t) => {
+  const page = await open(t, { forcedColors: "active" });
+  await assertAccessible(page);
+});

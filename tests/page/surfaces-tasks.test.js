@@ -1,0 +1,122 @@
+// The tasks and figures of the chapter on surfaces, by hand: sliders, keys, pointer, text.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { done, knobs, near, open, task } from "./surfaces-page.js";
+
+test("a corner, by the sliders' keys, after a guess", async (t) => {
+  const page = await open(t);
+  await near(page, "map-surface");
+  const found = await task(page, "corner-10", 2);
+  await found.getByRole("button", { name: "Check" }).click();
+  assert.match(await found.locator(".words").innerText(), /u = 0\.30/);
+  await knobs(page, "map-surface").getByRole("slider", { name: "u" }).press("End");
+  await knobs(page, "map-surface").getByRole("slider", { name: "v" }).press("Home");
+  assert.match(await done(page, "corner-10"), /Your guess was another; the answer is: P03/);
+  assert.match(await page.locator("unit-square .note").innerText(), /S\(1, 0\) = \(3\.00, −3\.00, 0\.50\)/);
+});
+
+test("the square is dragged, and turned by arrow keys", async (t) => {
+  const page = await open(t);
+  await near(page, "map-surface");
+  const place = () => page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
+  const box = await page.locator("unit-square .square").boundingBox();
+  await page.mouse.move(box.x + 5, box.y + 5);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.75, box.y + box.height * 0.25, { steps: 3 });
+  await page.mouse.up();
+  const [u, v] = await place();
+  assert.ok(Math.abs(u - 0.75) < 0.011 && Math.abs(v - 0.75) < 0.011, `${u}, ${v}`);
+  await page.locator("unit-square svg").press("Shift+ArrowLeft");
+  await page.locator("unit-square svg").press("ArrowUp");
+  const [u1, v1] = await place();
+  assert.ok(Math.abs(u1 - (u - 0.1)) < 1e-9 && Math.abs(v1 - (v + 0.01)) < 1e-9);
+});
+
+test("a point of the net is pulled down until the patch is flat", async (t) => {
+  const page = await open(t);
+  const element = await near(page, "nine-surface");
+  await task(page, "flat-nine");
+  const handle = element.locator('.handle[data-index="4"]');
+  await handle.focus();
+  const height = () => page.evaluate(() => document.querySelector("#nine-surface").figure.points[4][2]);
+  for (let i = 0; i < 20 && (await height()) > 0.4; i++) await handle.press("Shift+ArrowDown");
+  for (let i = 0; i < 20 && (await height()) > 0.05; i++) await handle.press("ArrowDown");
+  assert.match(await done(page, "flat-nine"), /one plane/);
+});
+
+test("steps, and the surface that grows", async (t) => {
+  const page = await open(t);
+  await near(page, "evaluation-surface");
+  const steps = knobs(page, "evaluation-surface");
+  for (const words of [/2 of 4/, /3 of 4/, /4 of 4/]) {
+    await steps.getByRole("button", { name: "Next step" }).click();
+    await steps.getByText(words).waitFor();
+  }
+  assert.ok(await steps.getByRole("button", { name: "Next step" }).isDisabled());
+  await near(page, "curves-surface");
+  const u = () => page.evaluate(() => document.querySelector("#curves-surface").u);
+  const before = await u();
+  await page.getByRole("button", { name: "Let it grow" }).click();
+  await page.waitForFunction((before) => document.querySelector("#curves-surface").u > before + 0.02, before);
+  await page.getByRole("button", { name: "Stop" }).click();
+  const held = await u();
+  await page.evaluate(() => new Promise((then) => requestAnimationFrame(() => requestAnimationFrame(then))));
+  assert.equal(await u(), held);
+});
+
+test("the table gets round, and the crack closes", async (t) => {
+  const page = await open(t);
+  await near(page, "disc-surface");
+  await task(page, "round-disc");
+  await knobs(page, "disc-surface").getByRole("button", { name: "by tolerance" }).click();
+  await knobs(page, "disc-surface").getByRole("slider", { name: "Tolerance" }).fill("-2.1");
+  assert.match(await done(page, "round-disc"), /Round/);
+  await task(page, "close-crack", 1);
+  await page.locator("crack-strip").getByRole("slider", { name: "Right patch" }).press("ArrowRight");
+  assert.match(await done(page, "close-crack"), /Closed.*You predicted it/);
+});
+
+test("the winding is turned round: the front becomes the back", async (t) => {
+  const page = await open(t);
+  await near(page, "winding-surface");
+  const normal = () => page.evaluate(() => document.querySelector("#winding-surface").figure.place.normal[2]);
+  assert.ok((await normal()) > 0.5);
+  await page.getByRole("button", { name: "against it" }).click();
+  assert.ok((await normal()) < -0.5);
+  await page.getByRole("button", { name: "with ∂u × ∂v" }).click();
+  assert.ok((await normal()) > 0.5);
+});
+
+test("the spout is clicked, the handle left alone, a patch chosen in the table", async (t) => {
+  const page = await open(t);
+  const rays = await near(page, "ray-surface");
+  await task(page, "spout-hit");
+  await rays.scrollIntoViewIfNeeded();
+  const [x, y] = await page.evaluate(() => {
+    const element = document.querySelector("#ray-surface");
+    const { width, height, left, top } = element.shadowRoot.querySelector("canvas").getBoundingClientRect();
+    return [left + 0.785 * width, top + 0.5 * height];
+  });
+  await page.mouse.click(x, y);
+  assert.match(await done(page, "spout-hit"), /16 to 19/);
+  const pot = await near(page, "teapot-surface");
+  await task(page, "only-handle", 1);
+  for (const part of ["lid", "rim", "body", "spout", "bottom"]) await pot.getByLabel(part, { exact: true }).uncheck();
+  assert.match(await done(page, "only-handle"), /4 patches.*You predicted it/);
+  await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("20");
+  await page.getByText(/Patch 20: \d+ different points/).waitFor();
+});
+
+test("a patch file is written and shown; what is none is refused in words", async (t) => {
+  const page = await open(t);
+  await near(page, "file-surface");
+  await task(page, "own-square");
+  const text = page.getByRole("textbox", { name: "A patch file" });
+  await text.fill("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 one 0");
+  await page.getByRole("button", { name: "Show it" }).click();
+  await page.locator("patch-text .note").getByText(/line|row|number/).waitFor();
+  assert.equal(await page.evaluate(() => document.querySelector("#file-surface").surface.patchCount), 32);
+  await text.fill("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0");
+  await page.getByRole("button", { name: "Show it" }).click();
+  assert.match(await done(page, "own-square"), /flat square/);
+});
