@@ -26,7 +26,7 @@ main.append(element);
 if (problems.length) {
   const line = Object.assign(document.createElement("p"), { className: "address-message", textContent: `Not everything in the address could be used. ${problems.join("; ")}.` });
   line.setAttribute("role", "status");
-  main.prepend(line);
+  element.before(line);
 }
 
 /** Whoever embeds the page may follow its height: { casteljau: "height", height }. */
