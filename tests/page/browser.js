@@ -1,29 +1,16 @@
 // Opens pages of the built site in a real Chromium. A test that leaves an error in the console fails.
 import { AxeBuilder } from "@axe-core/playwright";
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import { delimiter, join } from "node:path";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
+import { chromePath, FLAGS } from "./chrome.js";
 import { serve } from "./server.js";
+
+export { chromePath };
 
 /** The repository's root, with a slash at its end. */
 export const root = fileURLToPath(new URL("../../", import.meta.url));
-
-/** The same as in xtask/src/browser.rs, and WebGL2 in software. */
-const FLAGS = [
-  "--no-sandbox",
-  "--disable-gpu",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-];
-const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
 /** One browser and one server for all tests of a file. */
 const shared = { browser: undefined, site: undefined, count: 0 };
@@ -32,13 +19,6 @@ after(async () => {
   await (await shared.browser)?.close();
   (await shared.site)?.close();
 });
-
-/** CHROME_PATH (which xtask sets), else a browser on PATH, else Playwright's own download. */
-export function chromePath() {
-  const folders = (process.env.PATH ?? "").split(delimiter);
-  const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
-  return process.env.CHROME_PATH ?? onPath ?? chromium.executablePath();
-}
 
 /**
  * The running browser; started at the first call.

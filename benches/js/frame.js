@@ -1,0 +1,99 @@
+// What a moved point costs: all script from a pointermove to the end of its frame, with every layer of <bezier-applet> on,
+// measured by the browser's own trace of its main thread.
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { LAYER_NAMES } from "../../js/elements/applet/state.js";
+import { chromePath, FLAGS } from "../../tests/page/chrome.js";
+import { serve } from "../../tests/page/server.js";
+import { median, spread } from "./harness.js";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** The tutorial's two cubics, as large as their box. */
+const PAGE = `<!doctype html><html lang="en"><title>Frame</title><script type="module" src="/dist/elements.js"></script>
+<style>body { margin: 0 }</style><bezier-applet show="${LAYER_NAMES.join(" ")}"></bezier-applet></html>`;
+
+/** In the trace: what runs script. */
+const SCRIPT = new Set(["EventDispatch", "FireAnimationFrame", "FunctionCall", "RunMicrotasks", "v8.callFunction", "TimerFire"]);
+const WARM_UP = 40;
+/** Between two moves, so that each has a frame of its own. */
+const PAUSE_MS = 40;
+
+/** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur?: number, tdur?: number, args?: any }} TraceEvent times in µs */
+
+/**
+ * @param {import("./harness.js").Effort} effort
+ */
+export async function results(effort) {
+  const times = await moves(WARM_UP, Math.max(20, effort.rounds));
+  const ns = times.map((us) => 1000 * us);
+  return [{ id: "frame", work: "pointermove → frame, script, all layers, 2 cubics", peer: null, unit: "ns", theirs: null, ours: median(ns), ratio: null, spread: [0, spread(ns)] }];
+}
+
+/**
+ * @param {number} warmUp moves that are not counted
+ * @param {number} count
+ * @returns {Promise<number[]>} µs of the main thread for each move
+ */
+async function moves(warmUp, count) {
+  const site = await serve({ "/dist/": `${root}dist` });
+  site.pages.set("/frame.html", PAGE);
+  const browser = await chromium.launch({ executablePath: chromePath(), args: FLAGS });
+  try {
+    const page = await browser.newPage({ viewport: { width: 700, height: 1200 } });
+    await page.goto(`${site.url}/frame.html`);
+    const handle = page.locator("bezier-applet [data-index='1']").first();
+    await handle.waitFor({ state: "attached" });
+    const box = await handle.boundingBox();
+    if (!box) throw new Error("frame: the second point has no handle on the page");
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const at = (/** @type {number} */ k) => /** @type {const} */ ([x + 30 * Math.sin(0.3 * k), y + 30 * Math.cos(0.3 * k)]);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let k = 0; k < warmUp; k++) await step(page, at(k));
+    await browser.startTracing(page, { categories: ["devtools.timeline", "v8"] });
+    for (let k = 0; k < count; k++) await step(page, at(warmUp + k));
+    const trace = JSON.parse((await browser.stopTracing()).toString());
+    await page.mouse.up();
+    return scriptPerMove(trace.traceEvents);
+  } finally {
+    await browser.close();
+    site.close();
+  }
+}
+
+/**
+ * @param {import("playwright-core").Page} page
+ * @param {readonly [number, number]} place
+ */
+async function step(page, [x, y]) {
+  await page.mouse.move(x, y);
+  await page.waitForTimeout(PAUSE_MS); // waits here, not in the page
+}
+
+/**
+ * @param {TraceEvent[]} events
+ * @returns {number[]}
+ */
+function scriptPerMove(events) {
+  const isMove = (/** @type {TraceEvent} */ event) => event.name === "EventDispatch" && event.args?.data?.type === "pointermove";
+  const first = events.find(isMove);
+  if (!first) throw new Error("frame: no pointermove came to the page");
+  const own = events.filter(({ name, ph, pid, tid }) => ph === "X" && pid === first.pid && tid === first.tid && SCRIPT.has(name)).sort((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0));
+  /** @type {number[]} */
+  const sums = [];
+  let end = 0;
+  for (const event of own) {
+    if (event.ts < end) continue; // part of the one before
+    end = event.ts + (event.dur ?? 0);
+    if (isMove(event)) sums.push(0);
+    if (sums.length) sums[sums.length - 1] += event.tdur ?? event.dur ?? 0;
+  }
+  return sums;
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const times = await moves(WARM_UP, 100);
+  const sorted = [...times].sort((a, b) => a - b);
+  console.log(`${times.length} moves: median ${median(times) / 1000} ms, 9 of 10 under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, most ${sorted.at(-1) / 1000} ms`);
+}
