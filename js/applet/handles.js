@@ -82,7 +82,7 @@ export class Handles {
   #add(index) {
     const page = this.#overlay.ownerDocument;
     const input = (/** @type {"x" | "y"} */ axis) =>
-      element(page, "input", { type: "range", "data-axis": axis });
+      element(page, "input", { type: "range", "data-axis": axis, step: FINEST_STEP });
     const [x, y] = [input("x"), input("y")];
     y.tabIndex = -1; // all four arrows work on x; a screen reader finds both
     const box = element(page, "div", { className: "handle", part: "handle", "data-index": index }, x, y);
@@ -123,9 +123,10 @@ function name({ box, x, y }, called, kind) {
  * @param {number} size of the view box; points outside stretch the range
  */
 function setRange(input, value, spoken, size) {
-  input.min = String(Math.min(0, Math.floor(value)));
-  input.max = String(Math.max(size, Math.ceil(value)));
-  input.step = String(FINEST_STEP);
-  input.value = String(value);
-  input.setAttribute("aria-valuetext", String(Math.round(10 * spoken) / 10));
+  const [min, max] = [Math.min(0, Math.floor(value)), Math.max(size, Math.ceil(value))];
+  if (input.min !== `${min}`) input.min = `${min}`; // most are as they were, and writing costs
+  if (input.max !== `${max}`) input.max = `${max}`;
+  if (Math.abs(input.valueAsNumber - value) > FINEST_STEP / 2 + 1e-9) input.value = `${value}`;
+  const words = `${Math.round(10 * spoken) / 10}`;
+  if (input.getAttribute("aria-valuetext") !== words) input.setAttribute("aria-valuetext", words);
 }

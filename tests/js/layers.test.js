@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve } from "../../js/index.js";
 import { figureOf } from "../../js/elements/applet/figure.js";
-import { treeOf } from "../../js/elements/applet/layers/index.js";
+
 import { nameAt, namesOf } from "../../js/elements/applet/layers/names.js";
-import { deviation } from "../../js/elements/applet/layers/polylines.js";
+import { deviation, treeOf } from "../../js/elements/applet/layers/halving.js";
 import { stringsOf } from "../../js/elements/applet/layers/strings.js";
 import { combOf, ways } from "../../js/elements/applet/layers/ways.js";
 import { weightsAt } from "../../js/elements/applet/layers/weights.js";

@@ -16,6 +16,9 @@ import { description } from "./words.js";
 /** @typedef {import("./state.js").Place} Place */
 
 export class Hands extends Acting {
+  /** For which the colours were read. */
+  #theme = "";
+
   /** @param {import("./editing.js").AppletEditing} host */
   constructor(host) {
     super(host);
@@ -34,7 +37,9 @@ export class Hands extends Acting {
       this.#describe();
     }
     this.stage?.start();
-    this.stage?.recolour();
+    if (this.#theme !== host.theme) this.stage?.recolour(); // asks for the computed style, which costs as much as the picture
+    else this.stage?.refresh();
+    this.#theme = host.theme;
   }
 
   /** Leaves nothing running. */

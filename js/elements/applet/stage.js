@@ -45,6 +45,9 @@ export class Stage {
   #context;
   #theme;
   #frame = 0;
+  /** What the canvas shows. @type {State | null} */
+  #drawn = null;
+  #drawnFixed = false;
   /** @type {(() => void)[]} */
   #endings = [];
 
@@ -104,6 +107,11 @@ export class Stage {
     if (this.#frame === 0 && this.#endings.length) this.#frame = requestAnimationFrame(() => this.#nextFrame());
   }
 
+  /** Draws what is not drawn yet. */
+  refresh() {
+    if (this.#port.now().state !== this.#drawn || this.#port.fixed() !== this.#drawnFixed) this.schedule();
+  }
+
   /** Lets go of all points, which return. @returns {boolean} whether there was one */
   cancel() {
     return this.#drags.cancel();
@@ -116,6 +124,8 @@ export class Stage {
 
   draw() {
     const { state, figure } = this.#port.now();
+    this.#drawn = state;
+    this.#drawnFixed = this.#port.fixed();
     const { width, height } = this.#canvas;
     this.#context.setTransform(width / state.box.width, 0, 0, height / state.box.height, 0, 0);
     const told = drawFigure({ ctx: this.#context, theme: this.#theme, px: this.px }, state, figure);
