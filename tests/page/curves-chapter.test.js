@@ -72,6 +72,18 @@ test("the sections, and every place that the list of the texts links to, are the
   assert.deepEqual(missing, []);
   const own = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map(({ hash }) => hash.slice(1)).filter((id) => !document.getElementById(id)));
   assert.deepEqual(own, []);
+  assert.equal(await page.locator("#de-casteljau h2 .permalink").getAttribute("href"), "#de-casteljau");
+});
+
+test("every sample of the chapter runs in the page and prints what is on file", async (t) => {
+  const page = await open(t);
+  const printed = await page.evaluate(async () => {
+    const samples = [...document.querySelectorAll("lesson-sample")];
+    for (const sample of samples) await sample.run();
+    return samples.map((sample) => [sample.getAttribute("name"), sample.querySelector("output").textContent]);
+  });
+  assert.equal(printed.length, SECTIONS.length);
+  for (const [name, text] of printed) assert.equal(`${text}\n`, await readFile(`${root}www/samples/${name}.txt`, "utf8"), name);
 });
 
 test("a guess, then keys on the slider of t: the weights of P0 and P1", async (t) => {
@@ -163,6 +175,10 @@ test("figures that share their points move together, and a dashed curve lies whe
   await four.first().locator("[data-index='1'] input").first().focus();
   await page.keyboard.press("Shift+ArrowUp");
   for (const points of await four.evaluateAll((all) => all.map(({ points }) => points[1]))) assert.deepEqual(points, [190, 100]);
+
+  const large = await near(page, "quadratic-steps");
+  await large.getByRole("slider", { name: "t", exact: true }).fill("0.2");
+  assert.deepEqual(await page.locator("#figure-steps bezier-applet").evaluateAll((all) => all.map(({ t }) => t)), [0.2, 0.2, 0.2]);
 
   const match = await near(page, "match");
   await task(page, "match-shape");

@@ -16,5 +16,5 @@ export function hermiteWords(points) {
   if (points.length !== 4) return "";
   const data = new Curve(points).toBasis("hermite");
   const pair = (/** @type {number} */ i) => `(${Math.round(data[2 * i])}, ${Math.round(data[2 * i + 1])})`;
-  return `From ${pair(0)} with the velocity ${pair(2)}, to ${pair(1)} with ${pair(3)}.`;
+  return `From ${pair(0)} with the velocity ${pair(2)}, to ${pair(1)} with ${pair(3)}.`.replaceAll("-", "−");
 }

@@ -5,7 +5,7 @@ import "./fig-affine.js";
 import { byDegree } from "./degrees.js";
 import { matrixEditor } from "./matrix.js";
 import { hermiteReadout } from "./hermite.js";
-import { sharePoints } from "./shared.js";
+import { shareAll } from "./shared.js";
 import { steerFrom } from "./steer.js";
 import { layTargets } from "./target.js";
 import { treeReadout } from "./tree.js";
@@ -15,7 +15,7 @@ const get = (/** @type {string} */ id) => /** @type {any} */ (document.getElemen
 
 layTargets(document);
 await customElements.whenDefined("bezier-applet");
-for (const group of document.querySelectorAll("[data-shared-points]")) sharePoints([...group.querySelectorAll("bezier-applet")]);
+shareAll(document);
 steerFrom(document);
 matrixEditor(get("matrix"), get("basis"));
 hermiteReadout(get("hermite"), get("tangents"));

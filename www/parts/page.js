@@ -3,4 +3,5 @@ import "casteljau/elements";
 import "./contents.js";
 import "./lesson-sample.js";
 import "./lesson-task.js";
+import "./permalinks.js";
 import "./url-state.js";
