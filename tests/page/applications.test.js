@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { easing, Path, Spline } from "../../dist/index.js";
-import { assertAccessible, openPage } from "./browser.js";
+import { assertAccessible, openPage, root } from "./browser.js";
+import { serve } from "./server.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const TAGS = { "/easing/": "easing-lab", "/camera/": "camera-path", "/glyph/": "glyph-editor" };
@@ -35,6 +36,18 @@ for (const path of Object.keys(TAGS)) {
     }
   });
 }
+
+test("applications and figures work under a strict policy", async (t) => {
+  const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data:";
+  const site = await serve({ "/": `${root}site` }, { "Content-Security-Policy": policy });
+  t.after(site.close);
+  for (const [path, tag] of [...Object.entries(TAGS), ["/figures/", "fig-compare"]]) {
+    const page = await openPage(t, path, { baseURL: site.url });
+    await page.locator(`${tag} svg`).first().waitFor();
+    const handles = page.locator(`${tag} .handle`);
+    if (await handles.count()) assert.ok((await handles.first().evaluate((handle) => handle.style.left)).endsWith("%"));
+  }
+});
 
 test("easing: presets, text and editor are one value, which the address keeps", async (t) => {
   const page = await open(t, "/easing/");

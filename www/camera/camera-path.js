@@ -5,13 +5,13 @@ import { Figure } from "../figures/figure.js";
 import { check, choice, handle, list, pathOf, slider } from "../figures/parts.js";
 import { decimal, short } from "../figures/words.js";
 import { cameraCode } from "./code.js";
-import { equalSteps, framesOf, lookingAt, minimising, pathThrough, roll, timeAt } from "./path.js";
+import { equalSteps, framesOf, lookingAt, pathThrough, timeAt } from "./path.js";
+import { rolls, strip } from "./plots.js";
 import { cameraIn, drawCamera, drawFrames, drawScene, line, orbiting, stroke, TEAPOT_MIDDLE } from "./scene.js";
 import { added, BOX, FEWEST_POINTS, FIRST, moved, removed } from "./state.js";
 
 const HALF_SIGHT = 0.7; // radians: 80° across
 const DRAWN_FRAMES = 40;
-const ROLL_STEPS = 240;
 const SECONDS = 14;
 const DEGREES_PER_PIXEL = 0.4;
 const DEGREES_PER_KEY = 5;
@@ -33,6 +33,11 @@ export class CameraPath extends Figure {
   constructor() {
     super();
     this.state = FIRST;
+    this.path = pathThrough(FIRST.points, FIRST);
+    this.length = 0;
+    this.line = this.stops = new Float64Array();
+    /** @type {import("./path.js").Frame[]} */
+    this.frames = [];
     this.progress = 0;
     this.chosen = 3;
     this.playing = false;
@@ -108,12 +113,12 @@ export class CameraPath extends Figure {
     const { camera, frame } = this.now();
     this.paint("eye", camera, (sheet) => {
       drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.handle, 1.5, () => line(sheet, /** @type {Float64Array} */ (this.line)));
+      stroke(sheet, colours.handle, 1.5, () => line(sheet, this.line));
     });
     this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (sheet) => {
       drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.quiet, 1.5, () => line(sheet, /** @type {Float64Array} */ (this.line)));
-      drawFrames(sheet, /** @type {any} */ (this.frames), 0.9, /** @type {any} */ (colours));
+      stroke(sheet, colours.quiet, 1.5, () => line(sheet, this.line));
+      drawFrames(sheet, this.frames, 0.9, /** @type {any} */ (colours));
       drawFrames(sheet, [frame], 1.6, /** @type {any} */ (colours));
       drawCamera(sheet, { ...camera, angle: 0.5 }, 1.3, colours.ink);
     });
@@ -169,14 +174,14 @@ export class CameraPath extends Figure {
     const place = (/** @type {readonly number[]} */ [x, y]) => /** @type {[number, number]} */ ([wide / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale]);
     const unplace = (/** @type {readonly number[]} */ [px, py]) => /** @type {[number, number]} */ ([cx + (px - wide / 2) / scale, cy - (py - height / 2) / scale]);
     const flat = (/** @type {ArrayLike<number>} */ points) => Array.from({ length: points.length / 3 }, (_, i) => place([points[3 * i], points[3 * i + 1]])).flat();
-    const stops = flat(/** @type {Float64Array} */ (this.stops));
+    const stops = flat(this.stops);
     const { frame } = this.now();
     const [ex, ey] = place(frame.point);
     const [tx, ty] = [frame.tangent[0], -frame.tangent[1]];
     return html`
       <svg viewBox="0 0 ${wide} ${height}" role="img" aria-label="The path from above, with marks at equal times; ${this.state.points.length} points to drag">
         <circle class="ghost" cx=${place([0, 0])[0]} cy=${place([0, 0])[1]} r=${2 * scale} /><path class="ghost" d=${pathOf([...place([2, 0]), ...place([3.4, 0])])} />
-        <path class="curve" d=${pathOf(flat(/** @type {Float64Array} */ (this.line)))} />
+        <path class="curve" d=${pathOf(flat(this.line))} />
         ${Array.from({ length: stops.length / 2 }, (_, i) => svg`<circle class="stop" cx=${stops[2 * i]} cy=${stops[2 * i + 1]} r="3" fill="var(--paper)" stroke="var(--handle)" stroke-width="1.5" />`)}
         ${this.state.points.map((point, k) => {
           const [x, y] = place(point);
@@ -188,65 +193,6 @@ export class CameraPath extends Figure {
         name: `Point ${k + 1}`, at: [point[0], point[1]], place, unplace, size: [wide, height], box: { min: [BOX.min[0], BOX.min[1]], max: [BOX.max[0], BOX.max[1]] }, step: 0.1,
         say: (value) => short(value, 2), move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])), done: () => this.tell(), focus: () => (this.chosen = k),
       }))}
-    `;
-  }
-
-  /** Ways in equal times, at both speeds: marks along the straightened path. */
-  strip() {
-    const [left, right] = [74, 16];
-    const x = (/** @type {number} */ s) => left + (s / /** @type {number} */ (this.length)) * (this.wide - left - right);
-    const lengths = (/** @type {boolean} */ even) => {
-      if (even) return Array.from({ length: this.steps + 1 }, (_, i) => (i / this.steps) * /** @type {number} */ (this.length));
-      return this.rawLengths();
-    };
-    const row = (/** @type {boolean} */ even, /** @type {number} */ y, /** @type {string} */ words) => svg`
-      <text class="end ${even === this.state.even ? "strong" : "quiet"}" x=${left - 10} y=${y + 4}>${words}</text>
-      <path class="axis" d="M${left} ${y}H${this.wide - right}" />
-      ${lengths(even).map((s) => svg`<circle class="tick" data-even=${even} data-s=${s} cx=${x(s)} cy=${y} r="3" fill="var(--paper)" stroke=${even === this.state.even ? "var(--handle)" : "var(--quiet)"} stroke-width="1.5" />`)}`;
-    const s = this.state.even ? this.progress * /** @type {number} */ (this.length) : this.lengthUpTo(this.now().t);
-    return html`
-      <svg viewBox="0 0 ${this.wide} 74" role="img" aria-label="The path straightened, with marks at ${this.steps} equal times: evenly spaced at even speed, crowded and sparse at raw speed">
-        ${row(true, 22, "even")}${row(false, 54, "raw t")}
-        <path class="at" d="M${x(s)} ${(this.state.even ? 22 : 54) - 9}l7 9l-7 9l-7 -9Z" />
-      </svg>
-    `;
-  }
-
-  /** The way behind the camera at equal steps of t. */
-  rawLengths() {
-    return Array.from(equalSteps(this.path, this.steps, false), (t) => this.lengthUpTo(t));
-  }
-
-  /** @param {number} t */
-  lengthUpTo(t) {
-    const segments = this.path.segments();
-    const k = Math.min(Math.floor(t), segments.length - 1);
-    const before = segments.slice(0, k).reduce((sum, segment) => sum + segment.length(), 0);
-    return before + (t > k ? segments[k].subsegment(0, t - k).length() : 0);
-  }
-
-  /** How frames turn about the path, against rotation-minimising ones. */
-  rolls() {
-    const ts = this.path.evenly(ROLL_STEPS);
-    const carried = minimising(this.path, ts);
-    const kinds = /** @type {const} */ ([["minimising", "level1", "", "rotation-minimising"], ["frenet", "handle", "2 4", "Frenet"], ["upright", "curve", "8 4", "upright"]]);
-    const [left, right, height] = [74, 16, 130];
-    const x = (/** @type {number} */ i) => left + (i / ROLL_STEPS) * (this.wide - left - right);
-    const y = (/** @type {number} */ degrees) => 12 + ((180 - degrees) / 360) * (height - 34);
-    const lists = kinds.map(([kind]) => framesOf(this.path, ts, kind).map((frame, i) => roll(frame, carried[i])));
-    // A leap from 180° to −180° is none: the line is lifted there.
-    const trace = (/** @type {number[]} */ list) => list.map((value, i) => `${i === 0 || Math.abs(value - list[i - 1]) > 300 ? "M" : "L"}${x(i).toFixed(1)} ${y(value).toFixed(1)}`).join("");
-    const leap = (/** @type {number[]} */ list) => Math.max(...list.slice(1).map((value, i) => Math.abs(((value - list[i] + 540) % 360) - 180)));
-    return html`
-      <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="How far frames are turned about the path, in degrees, along the way">
-        ${[-180, 0, 180].map((degrees) => svg`<path class="gridline" d="M${left} ${y(degrees)}H${this.wide - right}" /><text class="quiet end" x=${left - 10} y=${y(degrees) + 4}>${decimal(degrees, 0)}°</text>`)}
-        ${kinds.map(([kind, colour, dash], k) => svg`<path d=${trace(lists[k])} fill="none" stroke="var(--${colour})" stroke-width=${kind === this.state.frames ? 3 : 1.75} stroke-dasharray=${dash} stroke-linejoin="round" />`)}
-        <text class="quiet" x=${left} y=${height - 5}>start</text><text class="quiet end" x=${this.wide - right} y=${height - 5}>end</text>
-      </svg>
-      <p class="facts">
-        ${kinds.map(([, colour, dash, words]) => html`<span class="key-line" style="border-color: var(--${colour}); border-style: ${dash ? (dash === "2 4" ? "dotted" : "dashed") : "solid"}"></span>${words}`)}.
-        In one of ${ROLL_STEPS} equal steps Frenet's frame turns by up to <b class="leap">${decimal(leap(lists[1]), 0)}°</b> about the path, the rotation-minimising one by ${decimal(leap(lists[0]), 0)}°.
-      </p>
     `;
   }
 
@@ -285,7 +231,7 @@ export class CameraPath extends Figure {
           <div class="view"><canvas id="outside" class="orbit" role="img" tabindex="0" aria-label="The scene from outside: path, frames and camera; arrow keys turn it" @pointerdown=${this.drag} @keydown=${this.key}></canvas><b>From outside</b></div>
           <div class="view stage">${this.top()}<b>From above</b></div>
         </div>
-        <p class="facts">At <i>t</i> = <b class="t">${decimal(t, 3)}</b> of ${this.path.segmentCount}, the camera is at (${where}); the path is ${decimal(/** @type {number} */ (this.length), 2)} long.</p>
+        <p class="facts">At <i>t</i> = <b class="t">${decimal(t, 3)}</b> of ${this.path.segmentCount}, the camera is at (${where}); the path is ${decimal(this.length, 2)} long.</p>
         ${this.controls()}
       </div>
       <h2>Equal times, equal ways</h2>
@@ -293,13 +239,13 @@ export class CameraPath extends Figure {
         A spline's <i>t</i> runs through every piece between two points in one unit, however long it is. A camera that follows <i>t</i> creeps where points are close and rushes where they are not. Measuring the way, and asking
         for the <i>t</i> that belongs to it, makes the speed even.
       </p>
-      <div class="frame"><div class="stage">${this.strip()}</div></div>
+      <div class="frame"><div class="stage">${strip(this)}</div></div>
       <h2>Which way is up?</h2>
       <p class="say">
         The path says where ahead is, but not where up is. Frenet takes the inside of the bend for it: the camera tips over where the bend changes sides. A rotation-minimising frame is carried along
         without any turn about the path. Of all frames along this path it turns the least.
       </p>
-      <div class="frame"><div class="stage">${this.rolls()}</div></div>
+      <div class="frame"><div class="stage">${rolls(this)}</div></div>
       <h2>Take it along</h2>
       <div class="frame">${codeBox({ name: "JavaScript", text: cameraCode(this.state, this.progress, frame.point) })}</div>
     `;

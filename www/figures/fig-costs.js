@@ -7,7 +7,7 @@ import { decimal } from "./words.js";
 
 /** @typedef {import("./evaluators.js").Arithmetic} Arithmetic */
 /** @typedef {readonly [number, number, number]} Point */
-/** @typedef {(o: Arithmetic, points: readonly Point[], t: number) => number[]} Way */
+/** @typedef {(o: Arithmetic, points: readonly Point[], t: number) => readonly number[]} Way */
 
 const scale = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {number} */ k) => p.map((x) => o.mul(x, k));
 const plus = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {readonly number[]} */ q) => p.map((x, i) => o.add(x, q[i]));

@@ -11,7 +11,9 @@ const LEAST_WIDTH = 280;
  * A figure of the chapters. Subclasses draw in units of CSS pixels, `this.wide` of them from side to side.
  */
 export class Figure extends LitElement {
+  /** @type {import("lit").PropertyDeclarations} */
   static properties = { wide: { state: true } };
+  /** @type {import("lit").CSSResultGroup} */
   static styles = style;
 
   /** @type {ResizeObserver | null} */

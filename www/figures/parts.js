@@ -122,7 +122,7 @@ export function handle(options) {
       aria-label=${`${name}, ${"xy"[axis]}`} aria-valuetext=${say(at[axis])} @input=${set(axis)} />
   `;
   return html`
-    <div class="handle" data-kind=${kind} style=${spot} @focusin=${focus} @pointerdown=${(/** @type {PointerEvent} */ event) => drag(event, options)}
+    <div class="handle" data-kind=${kind} .style=${spot} @focusin=${focus} @pointerdown=${(/** @type {PointerEvent} */ event) => drag(event, options)}
       @keydown=${(/** @type {KeyboardEvent} */ event) => key(event, { ...options, step, done })}>
       ${input(0)}${input(1)}
     </div>

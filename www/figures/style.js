@@ -62,7 +62,8 @@ export const style = css`
   }
   button:hover { border-color: var(--accent); color: var(--accent); }
   button:disabled { opacity: 0.55; cursor: default; }
-  button[aria-pressed="true"] { border-color: var(--accent); box-shadow: inset 0 0 0 1px var(--accent); }
+  button[aria-pressed="true"] { border-color: var(--accent); outline: 1px solid var(--accent); outline-offset: -2px; }
+  button[aria-pressed="true"]:focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
   label { display: inline-flex; gap: 0.45rem; align-items: center; min-block-size: 1.75rem; max-inline-size: 100%; cursor: pointer; }
   select { min-inline-size: 0; }
   input[type="checkbox"], input[type="radio"] { inline-size: 1.05rem; block-size: 1.05rem; margin: 0; accent-color: var(--accent); }
@@ -130,7 +131,7 @@ export const style = css`
   .thumb { position: relative; display: block; padding: 0.2rem; border: 1px solid var(--rim); border-radius: 7px; background: var(--paper); text-align: center; }
   .thumb:hover { border-color: var(--accent); }
   .thumb input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; opacity: 0; cursor: pointer; }
-  .thumb:has(:checked) { border-color: var(--accent); box-shadow: 0 0 0 2px var(--accent); }
+  .thumb:has(:checked) { border: 3px solid var(--accent); padding: calc(0.2rem - 2px); }
   .thumb[data-twin="true"] { border: 2px dashed var(--handle); padding: calc(0.2rem - 1px); }
   .thumb:has(:focus-visible) { outline: 2px solid var(--accent); outline-offset: 3px; }
   .thumb .curve { stroke-width: 4; }
@@ -150,6 +151,7 @@ export const style = css`
   h2 { margin: 2rem 0 0.4rem; font-size: 1.25rem; line-height: 1.3; letter-spacing: -0.01em; }
   .say { margin: 0 0 0.8rem; max-inline-size: 42rem; font-size: 1.0625rem; line-height: 1.6; text-wrap: pretty; }
   .frame + .frame { margin-block-start: 1rem; }
+  @media (forced-colors: active) { .gridline { stroke-opacity: 0.45; } }
   @media print {
     .controls, .handle { display: none; }
     .frame { background: none; }

@@ -1,0 +1,112 @@
+// What stands around the picture: tools, the chosen point, running sizes, quadratics.
+import { html, svg } from "lit";
+import { check, list, slider } from "../figures/parts.js";
+import { decimal, short } from "../figures/words.js";
+import { EM, GLYPHS } from "./glyphs.js";
+import { bendOrStraighten, countPoints, MODES, reverse, setMode, toCubics } from "./outline.js";
+
+/** @typedef {import("./glyph-editor.js").GlyphEditor} GlyphEditor */
+
+const SIZES = [12, 18, 28, 44, 72, 112];
+const SIDE_BEARING = 0.09;
+const ZOOM_STEP = 1.5;
+const CLOSE_UP = 8;
+const PRECISION = 2;
+
+/** What is true at a joint, in words. @param {import("./outline.js").Contour} contour @param {number} joint */
+export function truth({ spline }, joint) {
+  if (!spline.closed && (joint === 0 || joint === spline.segmentCount)) return "an open end";
+  const { g1, c1, g2, c2, angle } = spline.continuity(joint);
+  if (!g1) return `a corner of ${decimal((angle * 180) / Math.PI, 1)}°`;
+  return ["G1", ...(c1 ? ["C1"] : []), ...(g2 ? ["G2"] : []), ...(c2 ? ["C2"] : [])].join(", ");
+}
+
+/** @param {GlyphEditor} editor */
+export function tools(editor) {
+  return html`
+    <div class="controls first">
+      <div class="row" role="group" aria-label="Letters">${Object.entries(GLYPHS).map(([name, d]) => html`<button @click=${() => editor.import(d)}>${name}</button>`)}</div>
+      <div class="row">
+        <button ?disabled=${!editor.history.canUndo} @click=${() => editor.undo()}>Undo</button><button ?disabled=${!editor.history.canRedo} @click=${() => editor.redo()}>Redo</button>
+      </div>
+      <div class="row" role="group" aria-label="Zoom">
+        <button aria-label="Zoom out" @click=${() => editor.zoom(1 / ZOOM_STEP)}>−</button><button aria-label="Zoom in" @click=${() => editor.zoom(ZOOM_STEP)}>+</button>
+        <button @click=${() => editor.zoom(CLOSE_UP, editor.selected.node.at)}>Close-up of the point</button><button @click=${() => (editor.view = null)}>All</button>
+      </div>
+      ${check({ name: "filled", value: editor.filled, change: (on) => (editor.filled = on) })}
+    </div>
+  `;
+}
+
+/** @param {GlyphEditor} editor */
+export function joint(editor) {
+  const { contour, node } = editor.selected;
+  const { c } = editor.chosen;
+  const segment = contour.spline.segments()[Math.min(node.joint, contour.spline.segmentCount - 1)];
+  const clockwise = contour.spline.area() > 0; // y down: what turns clockwise as seen counts as positive
+  return html`
+    <p class="facts chosen">
+      ${node.on ? html`Point ${node.index} of contour ${c + 1}: <b class="truth">${truth(contour, node.joint)}</b>.` : html`Handle ${node.index} of contour ${c + 1}.`}
+      It is at (${node.at.map((value) => short(value, 1)).join(", ")}). The contour runs <b class="direction">${clockwise ? "clockwise ↻" : "counter-clockwise ↺"}</b>.
+      ${editor.pointer ? html`<span class="winding">Around the pointer the outline winds ${decimal(editor.path.winding(editor.pointer), 0)} times.</span>` : ""}
+    </p>
+    <div class="controls">
+      ${node.on ? list({ name: "Joint", options: MODES.map((mode) => [mode, mode === "free" ? "free" : mode.toUpperCase().replace("AUTO", "auto")]), value: contour.modes[node.joint], change: (mode) => editor.take(setMode(editor.outline, c, node.joint, /** @type {"free"} */ (mode))) }) : ""}
+      <div class="row">
+        <button @click=${() => editor.insertAfter()}>Add a point behind</button>
+        <button @click=${() => editor.deleteChosen()}>${node.on ? "Delete the point" : "Straighten"}</button>
+        ${node.on ? html`<button @click=${() => editor.take(bendOrStraighten(editor.outline, c, Math.min(node.joint, contour.spline.segmentCount - 1)))}>${segment.degree === 1 ? "Line to curve" : "Curve to line"}</button>` : ""}
+        <button @click=${() => editor.take(reverse(editor.outline, c))}>Turn contour round</button>
+        <button ?disabled=${editor.outline.length < 2} @click=${() => editor.take(editor.outline.filter((_, k) => k !== c))}>Delete contour</button>
+        <button @click=${() => editor.addContour()}>Add contour</button>
+      </div>
+    </div>
+  `;
+}
+
+/** The letter in running sizes. @param {GlyphEditor} editor */
+export function proof(editor) {
+  const box = /** @type {{ min: { x: number, y: number }, max: { x: number, y: number } }} */ (editor.path.bounds());
+  const advance = box.max.x - box.min.x + 2 * SIDE_BEARING * EM;
+  const d = editor.path.toSVG({ precision: PRECISION });
+  /** @type {unknown[]} */
+  const letters = [];
+  let [x, line, base] = [6, 0, 96];
+  for (const size of SIZES) {
+    for (let i = 0; i < 3; i++) {
+      const width = (advance * size) / EM;
+      if (x + width > editor.wide - 6) [x, line, base] = [6, line + 1, base + size * 1.15];
+      letters.push(svg`<path d=${d} transform="translate(${x + SIDE_BEARING * size} ${base}) scale(${size / EM}) translate(${-box.min.x} -800)" />`);
+      x += width;
+    }
+  }
+  const below = Math.max(8, ((box.max.y - 800) * SIZES[SIZES.length - 1]) / EM + 6);
+  return html`<svg viewBox="0 0 ${editor.wide} ${base + below}" role="img" aria-label="The letter at ${SIZES.join(", ")} pixels">${letters}</svg>`;
+}
+
+/** @param {GlyphEditor} editor */
+export function conversion(editor) {
+  const { outline, error } = editor.quadratic;
+  const [mine, theirs] = [countPoints(editor.history.now), countPoints(outline)];
+  return html`
+    <div class="frame">
+      <div class="table first" tabindex="0" role="region" aria-label="Points of both outlines">
+        <table>
+          <thead><tr><th>Outline</th><th>points on it</th><th>beside it</th><th>together</th><th>distance</th></tr></thead>
+          <tbody>
+            <tr><th scope="row">As it is</th><td>${mine.on}</td><td>${mine.off}</td><td class="mine">${mine.all}</td><td>0</td></tr>
+            <tr><th scope="row">As quadratics</th><td>${theirs.on}</td><td>${theirs.off}</td><td class="theirs">${theirs.all}</td><td class="error" data-error=${error}>${decimal(error, 3)}</td></tr>
+          </tbody>
+        </table>
+      </div>
+      <div class="controls">
+        ${slider({ name: "Tolerance", value: Math.log10(editor.tolerance), min: -2, max: 1.5, step: 0.05, text: `${short(editor.tolerance, 3)} units`, change: (power) => (editor.tolerance = Number((10 ** power).toPrecision(3))) })}
+        ${check({ name: "show the quadratics", value: editor.ghost, change: (on) => (editor.ghost = on) })}
+        <div class="row">
+          <button @click=${() => editor.take(outline)}>Make it quadratic</button>
+          <button @click=${() => editor.take(toCubics(editor.outline))}>Make it cubic</button>
+        </div>
+      </div>
+    </div>
+  `;
+}
