@@ -313,6 +313,7 @@ export class BezierSurface extends SurfaceAttributes {
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
+      blank: this.#facts === null,
       message: this.#desk.message || STATES[this.#state],
       facts: this.#facts,
       tools: { turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) },

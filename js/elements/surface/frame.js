@@ -1,4 +1,4 @@
-import { html } from "lit";
+import { html, nothing } from "lit";
 import { panel } from "./panel.js";
 import { readout } from "./readout.js";
 import { tools } from "./tools.js";
@@ -9,15 +9,17 @@ import { INSTRUCTIONS } from "./words.js";
  *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
+ * @param {boolean} parts.blank nothing has been drawn: what the page put into the element stands in for the picture
  * @param {string} parts.message what could not be done
  * @param {import("./geometry.js").Facts | null} parts.facts
  * @param {Parameters<typeof tools>[0]} parts.tools
  * @param {import("./panel.js").PanelPort | null} parts.panel null: none
  */
-export function frame({ name, message, facts, ...parts }) {
+export function frame({ name, blank, message, facts, ...parts }) {
   return html`<div class="frame" part="frame" @input=${stop} @change=${stop}>
     <div class="stage" part="stage" role="group" aria-label=${name}>
       <canvas part="canvas" tabindex="0" role="img" aria-label=${name} aria-describedby="help" width="1" height="1"></canvas>
+      ${blank ? poster : nothing}
       <div class="overlay" part="overlay"></div>
       ${tools(parts.tools)}
       <p class="message" role="status">${message}</p>
@@ -27,6 +29,8 @@ export function frame({ name, message, facts, ...parts }) {
     <span class="probe" hidden></span>
   </div>`;
 }
+
+const poster = html`<div class="poster"><slot name="poster"><slot></slot></slot></div>`;
 
 /**
  * Events of the controls stay inside: the element fires its own.

@@ -34,6 +34,8 @@ canvas { display: block; inline-size: 100%; aspect-ratio: var(--bz-aspect, 4 / 3
 @container (max-width: 420px) { canvas { aspect-ratio: var(--bz-aspect, 1); } }
 canvas:active { cursor: grabbing; }
 canvas:focus-visible { outline-offset: -3px; }
+.poster { position: absolute; inset: 0; overflow: clip; pointer-events: none; }
+.poster ::slotted(*) { inline-size: 100%; block-size: 100%; object-fit: contain; }
 .overlay { position: absolute; inset: 0; overflow: clip; pointer-events: none; user-select: none; -webkit-user-select: none; }
 .handle {
   position: absolute; inset: 0 auto auto 0; inline-size: var(--bz-hit); block-size: var(--bz-hit); min-block-size: 0; margin: calc(var(--bz-hit) / -2) 0 0 calc(var(--bz-hit) / -2);
