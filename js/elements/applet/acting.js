@@ -154,7 +154,7 @@ export class Acting {
   /** @param {number} factor */
   zoom(factor) {
     const { x, y, width, height } = this.host.now().view;
-    this.host.show(states.zoomed(this.host.now(), factor, [x + width / 2, y + height / 2]));
+    this.host.display(states.zoomed(this.host.now(), factor, [x + width / 2, y + height / 2]));
   }
 
   #actions() {
@@ -176,7 +176,7 @@ export class Acting {
         this.host.requestUpdate();
       },
       help: () => this.host.renderRoot.querySelector("dialog")?.showModal(),
-      home: () => this.host.show(states.withHome(this.host.now())),
+      home: () => this.host.display(states.withHome(this.host.now())),
       saveSvg: () => download("svg", this.toSVG(), "image/svg+xml"),
       savePng: async () => {
         const blob = await this.toBlob();
@@ -229,7 +229,7 @@ export class Acting {
     const state = this.host.now();
     const [least, most] = states.rangeOfT(state);
     const t = Math.min(Math.max(state.t + by, least), most);
-    this.host.show({ ...state, t });
+    this.host.display({ ...state, t });
     this.host.fire("input");
     return t === (by > 0 ? most : least);
   }

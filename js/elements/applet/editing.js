@@ -47,7 +47,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set t(t) {
-    this.show(FIELDS.t.put(this.now(), t));
+    this.display(FIELDS.t.put(this.now(), t));
   }
 
   /** Everything that is shown, as plain data. @returns {Record<string, unknown>} */
@@ -146,7 +146,7 @@ export class AppletEditing extends AppletAttributes {
   /**
    * @param {State} state
    */
-  show(state) {
+  display(state) {
     if (state === this.now()) return;
     this.become(state);
     this.requestUpdate();
@@ -164,7 +164,7 @@ export class AppletEditing extends AppletAttributes {
     this.#origin ??= before;
     const next = change(before);
     if (step) this.history.touch(before);
-    this.show(next);
+    this.display(next);
     this.history.close(next);
   }
 
@@ -178,7 +178,7 @@ export class AppletEditing extends AppletAttributes {
     const next = change(before);
     this.#origin ??= before;
     this.history.touch(before);
-    this.show(next);
+    this.display(next);
     this.fire("input");
   }
 
@@ -233,7 +233,7 @@ export class AppletEditing extends AppletAttributes {
   giveUp() {
     const before = this.history.abandon();
     if (!before) return;
-    this.show(before);
+    this.display(before);
     this.fire("input");
   }
 

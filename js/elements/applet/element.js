@@ -55,7 +55,7 @@ export class BezierApplet extends AppletEditing {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["state", "points", "joints", ...Object.keys(FIELDS)]);
-    this.#watch = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
+    this.#watch ??= new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
     this.#watch.observe(this);
   }
 

@@ -70,7 +70,7 @@ export class Hands extends Acting {
     this.choose(index);
     if (pieces[state.segment]?.indices.includes(index)) return;
     const segment = pieces.findIndex(({ indices }) => indices.includes(index));
-    if (segment >= 0) this.host.show({ ...state, segment });
+    if (segment >= 0) this.host.display({ ...state, segment });
   }
 
   /**
@@ -79,12 +79,19 @@ export class Hands extends Acting {
    * @param {{ from: Place, event?: PointerEvent }} drag
    */
   #pull(index, to, { from, event }) {
+    to = this.#dusted(to);
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
     this.host.during((state) => {
       const free = altKey ? edits.broken(state, index) : state;
       const place = shiftKey ? turnedBy15(free, index, to, from) : ctrlKey || metaKey || altKey ? to : snapped(free, index, to, this.stage?.reach ?? 1);
       return edits.withPointAt(free, index, place);
     });
+  }
+
+  /** As fine as anyone sees: pointers' places come with the dust of divisions. @param {Place} place @returns {Place} */
+  #dusted([x, y]) {
+    const digits = 3 - Math.floor(Math.log10(states.scaleOf(this.host.now())));
+    return [Number(x.toFixed(digits)), Number(y.toFixed(digits))];
   }
 
   /** @returns {import("./stage.js").StagePort} */
@@ -100,9 +107,14 @@ export class Hands extends Acting {
         if (moved.length) this.speaker?.say(this.places(moved));
       },
       grabbed: (index) => this.#choose(index),
+      slide: (index, to) => {
+        this.host.attempt(() => this.host.during((state) => edits.withPointAt(state, index, to)));
+        this.speaker?.say(this.places([index]));
+      },
+      slid: () => this.host.settle(),
       doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
       tap: (at) => this.tapping && this.chosen >= 0 && this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
-      point: (at) => this.host.now().layers.has("nearest") && this.host.show({ ...this.host.now(), pointer: at }),
+      point: (at) => this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at }),
       look: (factor, from, to) => this.#look(factor, from, to),
       drawn: (told) => this.hear(told),
     };
@@ -116,7 +128,7 @@ export class Hands extends Acting {
   #look(factor, from, to) {
     const state = states.zoomed(this.host.now(), factor, from);
     const { view } = state;
-    this.host.show({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
+    this.host.display({ ...state, view: { ...view, x: view.x + from[0] - to[0], y: view.y + from[1] - to[1] } });
   }
 
   /** @returns {import("./keys.js").KeyPort} */

@@ -26,6 +26,8 @@ const TAP_PX = 8;
  * @property {() => void} restored
  * @property {(moved: number[]) => void} ended
  * @property {(index: number) => void} grabbed
+ * @property {(index: number, to: Place) => void} slide what a screen reader does to a slider
+ * @property {() => void} slid
  * @property {(at: Place) => unknown} doubleTap
  * @property {(at: Place) => unknown} tap on an empty place
  * @property {(at: Place | null) => unknown} point the pointer has moved
@@ -166,6 +168,8 @@ export class Stage {
   #listen() {
     const [overlay, port] = [this.#overlay, this.#port];
     onDoubleTap(overlay, (event) => port.doubleTap(this.#placeAt(event)));
+    overlay.addEventListener("input", (event) => this.#slide(/** @type {HTMLInputElement} */ (event.target)));
+    overlay.addEventListener("change", port.slid);
     let [x, y] = [0, 0];
     overlay.addEventListener("pointerdown", (event) => ([x, y] = [event.clientX, event.clientY]));
     overlay.addEventListener("click", (event) => {
@@ -179,6 +183,15 @@ export class Stage {
       enlarged: () => !isHome(port.now().state),
       look: port.look,
     });
+  }
+
+  /** @param {HTMLInputElement} input */
+  #slide(input) {
+    const index = this.#handles.indexOf(input);
+    const { state } = this.#port.now();
+    const [x, y] = state.points[index];
+    const value = Number(input.value);
+    this.#port.slide(index, input.dataset.axis === "x" ? [value, y] : [x, state.box.height - value]); // more is higher up
   }
 
   /** @returns {import("../../applet/drag.js").DragPort} */
