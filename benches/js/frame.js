@@ -1,5 +1,6 @@
 // What a moved point costs: all script from a pointermove to the end of its frame, with every layer of <bezier-applet> on,
 // measured by the browser's own trace of its main thread.
+import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { LAYER_NAMES } from "../../js/elements/applet/state.js";
@@ -23,8 +24,10 @@ const PAUSE_MS = 40;
 
 /**
  * @param {import("./harness.js").Effort} effort
+ * @returns {Promise<object[]>} none where there is no Chromium
  */
 export async function results(effort) {
+  if (!existsSync(chromePath())) return [];
   const times = await moves(WARM_UP, Math.max(20, effort.rounds));
   const ns = times.map((us) => 1000 * us);
   return [{ id: "frame", work: "pointermove → frame, script, all layers, 2 cubics", peer: null, unit: "ns", theirs: null, ours: median(ns), ratio: null, spread: [0, spread(ns)] }];

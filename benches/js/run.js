@@ -5,12 +5,13 @@
 //   node benches/js/run.js --quick    does each piece of work once, to see that the sides agree; writes nothing
 //
 // The files: targets.js says what is asked; harness.js how times are taken; curve.js, easing.js, intersect.js, path.js, teapot.js (with baseline.js),
-// adaptive.js, start.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
+// adaptive.js, start.js, frame.js and growth.js what is measured; native.js reads what `cargo bench` has found; table.js prints.
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
 import * as adaptive from "./adaptive.js";
 import * as curve from "./curve.js";
 import * as easing from "./easing.js";
+import * as frame from "./frame.js";
 import * as growth from "./growth.js";
 import { FULL, QUICK, race } from "./harness.js";
 import * as measure from "./measure.js";
@@ -62,9 +63,10 @@ function conditions() {
 const raced = [...curve.rows, ...easing.rows, ...intersect.rows, ...measure.rows, ...nearest.rows, ...offset.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
+const framed = quick || !wanted("frame") ? [] : await frame.results(effort);
 const grown = growth.results(effort, wanted).map(judge);
 const measuredNatively = quick ? [] : native.results().filter(({ id }) => wanted(id));
-const rows = [...raced, ...adapted, ...started, ...measuredNatively].map(judge);
+const rows = [...raced, ...adapted, ...started, ...framed, ...measuredNatively].map(judge);
 const run = conditions();
 
 console.log(`\n${run.machine.cpu}, ${run.machine.cores} cores, ${run.machine.platform}, ${run.date}`);
@@ -72,6 +74,7 @@ console.log(Object.entries(run.versions).map((pair) => pair.join(" ")).join(", "
 console.log(quick ? QUICKLY : LEGEND);
 if (rows.length) console.log(comparisons(rows));
 if (grown.length) console.log(`\n${growths(grown)}`);
+if (!quick && !filters.length && !framed.length) console.log("\nNo row of the frame: no Chromium was found (CHROME_PATH).");
 if (!quick && !filters.length && !measuredNatively.length) console.log("\nNo native rows: run `cargo bench` first.");
 if (!quick && !filters.length) {
   writeFileSync(new URL("benches/results.json", root), `${JSON.stringify({ ...run, rows, growth: grown }, null, 2)}\n`);
