@@ -90,3 +90,11 @@ test("the guide names every attribute of every element, and no other", async (t)
   assert.ok(tables.length >= 6);
   for (const { name, named, observed } of tables) assert.deepEqual(named, observed, name);
 });
+
+test("the page of errata shows every proof, and each holds in the browser, too", async (t) => {
+  const page = await openPage(t, "/errata/");
+  await page.waitForFunction(() => [...document.querySelectorAll("[data-proof]")].every((line) => line.dataset.holds));
+  const failed = await page.locator('[data-holds="false"]').allInnerTexts();
+  assert.deepEqual(failed, []);
+  assert.ok((await page.locator('[data-holds="true"]').count()) > 25);
+});

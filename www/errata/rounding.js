@@ -6,7 +6,7 @@ const DEGREE = 12;
 /** One coordinate; the values go up and down between 1 and 2, so that a unit in the last place is the same for all. */
 const VALUES = Array.from({ length: DEGREE + 1 }, (_, i) => f(1.5 + 0.45 * Math.cos(2.4 * i)));
 const LAST_PLACE = 2 ** -23;
-const SAMPLES = 1000;
+export const SAMPLES = 200;
 
 /** Pascal's row. */
 const CHOOSE = VALUES.map((_, i) => Array.from({ length: i }, (_, k) => (DEGREE - k) / (k + 1)).reduce((a, b) => a * b, 1)).map(Math.round);
@@ -14,7 +14,11 @@ const CHOOSE = VALUES.map((_, i) => Array.from({ length: i }, (_, k) => (DEGREE 
 /** @param {number} t */
 function bernstein(t) {
   const s = f(1 - t);
-  const power = (/** @type {number} */ x, /** @type {number} */ k) => Array.from({ length: k }).reduce((/** @type {number} */ p) => f(p * x), 1);
+  const power = (/** @type {number} */ x, /** @type {number} */ k) => {
+    let product = 1;
+    for (; k > 0; k--) product = f(product * x);
+    return product;
+  };
   return VALUES.reduce((total, value, i) => f(total + f(f(f(CHOOSE[i] * power(t, i)) * power(s, DEGREE - i)) * value)), 0);
 }
 

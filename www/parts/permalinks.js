@@ -1,4 +1,4 @@
-// A link to itself at every section and every figure that has an id: what is shown can be sent to someone.
+// A link to itself at every section, entry and figure that has an id: what is shown can be sent to someone.
 import { element } from "./dom.js";
 
 /** @param {Element} place where the link goes @param {string} id @param {string} words */
@@ -12,6 +12,10 @@ function link(place, id, words) {
 for (const section of document.querySelectorAll("main > section[id]")) {
   const heading = section.querySelector(":scope > h2");
   if (heading) link(heading, section.id, "Link to this section");
+}
+for (const article of document.querySelectorAll("main article[id]")) {
+  const heading = article.querySelector(":scope > h3");
+  if (heading) link(heading, article.id, "Link to this entry");
 }
 for (const figure of document.querySelectorAll("main figure[id]")) {
   const caption = figure.querySelector(":scope > figcaption");

@@ -35,6 +35,7 @@ canvas { display: block; inline-size: 100%; block-size: 100%; }
 .joints .fact { color: var(--bz-quiet); font-variant-numeric: tabular-nums; }
 .controls { display: grid; gap: 0.8rem; border-block-start: 1px solid var(--bz-rim); }
 .controls > * { min-inline-size: 0; }
+.controls:not(:has(> *)) { display: none; }
 .t { display: flex; flex-wrap: wrap; gap: 0.4rem 0.8rem; align-items: center; font-weight: 400; }
 .line > span:first-child { white-space: nowrap; }
 .line:has([type="range"]) { flex: 1 1 9rem; min-inline-size: 0; }
