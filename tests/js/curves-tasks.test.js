@@ -86,7 +86,7 @@ const TASKS = {
   },
   "aligned-only": {
     start: () => applet({ points: SEVEN }),
-    vain: [(e) => (e.points = SEVEN.with(4, [410, 290])), (e) => (e.points = SEVEN.with(4, [290, 155])), (e) => (e.points = SEVEN.slice(0, 4))],
+    vain: [(e) => (e.points = SEVEN.with(4, [410, 290])), (e) => (e.points = SEVEN.with(4, [426, 308])), (e) => (e.points = SEVEN.with(4, [290, 155])), (e) => (e.points = SEVEN.slice(0, 4))],
     right: (e) => (e.points = SEVEN.with(4, [490, 382])),
   },
   "raise-degree": {

@@ -16,7 +16,7 @@ export const truth = {
    * @param {State} state
    */
   derive(figure, { basis }) {
-    if (basis !== "bezier" || figure.pieces.length > MOST_JOINTS) return [];
+    if (basis !== "bezier" || figure.degree < 2 || figure.pieces.length > MOST_JOINTS) return []; // corners of a polygon need no words
     return jointsOf(figure).map((facts, k) => {
       const { curve } = figure.pieces[k + 1];
       const { x, y } = curve.tangent(0);
