@@ -12,7 +12,27 @@ export const DARK = `
   --bz-curve: #56b4e9; --bz-handle: #e69f00; --bz-first: #56b4e9; --bz-second: #e69f00;
   --bz-accent: #7cc4f0; --bz-on-accent: #0d141a; --bz-broken-ink: #f0b13c; --bz-smooth-ink: #3ecf9f;`;
 
-/** What everything of ours has in common: colours by role, size of a hit box, letters. */
+/**
+ * What everything of ours has in common: colours by role, size of a hit box, letters.
+ *
+ * @cssprop --bz-ink - text and marks
+ * @cssprop --bz-quiet - text of less weight
+ * @cssprop --bz-paper - the ground of pictures and fields
+ * @cssprop --bz-panel - the ground of everything else
+ * @cssprop --bz-rim - lines about panels
+ * @cssprop --bz-field - lines about buttons and fields
+ * @cssprop --bz-curve - the curve
+ * @cssprop --bz-handle - points off the curve, and tangents
+ * @cssprop --bz-first - the first half of a curve that is split
+ * @cssprop --bz-second - the second half
+ * @cssprop --bz-level1 - the first level of de Casteljau's scaffold, and every fourth after it
+ * @cssprop --bz-level2 - the second level
+ * @cssprop --bz-accent - the focus, and what is chosen
+ * @cssprop --bz-on-accent - text on that
+ * @cssprop --bz-broken - words about what does not hold
+ * @cssprop --bz-smooth - words about what holds
+ * @cssprop --bz-hit - the size of a handle's hit box
+ */
 export const TOKENS = `
 :host {${LIGHT}
   --bz-hit: 24px;

@@ -153,7 +153,10 @@
  * @property {(...what: (Node | string | [number, number])[]) => void} append a point; nodes go into the element, as into every one
  * @property {() => void} toggleMode few points, or all
  * @property {() => Record<string, unknown>} toJSON
- * @property {(what: { t?: number, index?: number, point?: [number, number] }, done?: boolean) => void} steer as if the user did it
+ * @property {() => Promise<string>} toSVG the picture with all its layers
+ * @property {() => Promise<Blob | null>} toBlob the same as a PNG
+ * @property {(language: "js" | "rust" | "canvas") => Promise<string>} toCode a program that makes the same curve
+ * @property {(what: { index?: number, point?: [number, number], t?: number, points?: [number, number][], basis?: string, matrix?: number[] }, done?: boolean) => void} steer as if the user did it; values are written as in the state
  */
 
 /** @typedef {Omit<HTMLElement, "append" | "remove"> & AppletProperties} BezierAppletElement */

@@ -14,7 +14,7 @@ after(fixture.remove);
 
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
-  const expected = /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+  const expected = /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
   assert.deepEqual(names.filter((name) => !expected.test(name)), []);
 });
 

@@ -108,8 +108,15 @@ for (const name of ["MutationObserver", "IntersectionObserver", "ResizeObserver"
 }`;
 
 test("a thousand times removed and put back leaves nothing", async (test) => {
-  const body = '<bezier-applet id="figure"></bezier-applet><div id="place"><bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing></div>';
-  const page = await openCompanions(test, body, { script: COUNTING });
+  const page = await openCompanions(test, '<bezier-applet id="figure"></bezier-applet><div id="place"></div>', { script: COUNTING });
+  await page.waitForFunction(() => document.querySelector("bezier-applet").shadowRoot?.querySelector(".handle"));
+  await settled(page);
+  const alone = await page.evaluate(() => held);
+  await page.evaluate(() => {
+    const four = '<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing>';
+    document.querySelector("#place").innerHTML = four;
+  });
+  await shown(page);
   await linked(page);
   await settled(page);
   const counts = await page.evaluate(async () => {
@@ -131,7 +138,7 @@ test("a thousand times removed and put back leaves nothing", async (test) => {
   await settled(page);
   counts.push(await page.evaluate(() => held));
   assert.equal(counts[2], counts[0], `${counts}`);
-  assert.ok(counts[1] < counts[0], `${counts}`);
+  assert.equal(counts[1], alone, `${alone}, ${counts}`);
   const frames = await page.evaluate(async () => {
     document.querySelector("#place").remove();
     let frames = 0;
@@ -163,7 +170,7 @@ test("what could not be fetched is said, and asked for again", async (test) => {
   await page.route("**/elements-companions.js", (route) => (broken ? route.abort() : route.continue()));
   await page.route("**/lost.html", (route) => route.fulfill({ contentType: "text/html", body: companionsPage('<bezier-easing></bezier-easing><div style="height: 3000px"></div>') }));
   await page.goto("/lost.html");
-  await page.getByText("could not be fetched").waitFor();
+  await page.getByText("could not be loaded").waitFor();
   broken = false;
   // Away and near again, until it has seen both.
   await page.waitForFunction(() => document.querySelector("bezier-easing").shadowRoot.querySelector(".frame") || (scrollTo(0, scrollY > 1000 ? 0 : 2500), false), null, { polling: 100 });

@@ -230,6 +230,17 @@ test("pasted lines fill the table, from where they are pasted; more of them make
   assert.deepEqual((await figure(page)).points, before);
 });
 
+test("a real paste of what is no number leaves the field as it was", async (t) => {
+  const page = await openCompanions(t, "<bezier-coordinates></bezier-coordinates>", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.evaluate(() => navigator.clipboard.writeText("12 apples"));
+  const input = field(page, "P1 x");
+  await input.focus();
+  await page.keyboard.press("ControlOrMeta+v");
+  await page.locator("bezier-coordinates .error").waitFor();
+  assert.deepEqual(await on(page, "bezier-coordinates", ({ points }) => points[1]), [110, 90]);
+  assert.equal(await input.inputValue(), "110");
+});
+
 test("Escape takes back what was typed; a read-only applet locks the table", async (t) => {
   const page = await openCompanions(t, ALL);
   const input = field(page, "P1 x");

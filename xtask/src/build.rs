@@ -68,6 +68,7 @@ fn bundles() -> Result<()> {
     inputs.extend(
         [
             "xtask/bundle.js",
+            "xtask/manifest.js",
             "xtask/no-dom.js",
             "package.json",
             "package-lock.json",
@@ -85,6 +86,7 @@ fn bundles() -> Result<()> {
         "elements-companions.js",
         "bezier-app.js",
         "casteljau.wasm",
+        "custom-elements.json",
     ];
     let outputs = names.map(|name| root.join("dist").join(name));
     stamp::unless_current(
@@ -96,6 +98,7 @@ fn bundles() -> Result<()> {
         || {
             fs::create_dir_all(root.join("dist"))?;
             shell::run(&mut shell::node(&["xtask/bundle.js"]))?;
+            shell::run(&mut shell::node(&["xtask/manifest.js"]))?;
             fs::copy(
                 glue::folder().join("casteljau.wasm"),
                 root.join("dist/casteljau.wasm"),

@@ -47,13 +47,14 @@ export class AppletAttributes extends LitElement {
     this.label = "";
   }
 
-  /** @returns {State} what is shown now, the attributes read */
+  /** @internal @returns {State} what is shown now, the attributes read */
   now() {
     if (this.#unread.size) this.#read();
     return this.#state;
   }
 
   /**
+   * @internal
    * @param {State} state
    */
   become(state) {
@@ -61,7 +62,7 @@ export class AppletAttributes extends LitElement {
     this.#state = state;
   }
 
-  /** What is wrong with the attributes. */
+  /** @internal What is wrong with the attributes. */
   get problems() {
     return [...this.#problems.values()];
   }
@@ -104,7 +105,7 @@ export class AppletAttributes extends LitElement {
     return put(this.#state, given === null ? get(firstState()) : parse(given));
   }
 
-  /** What has changed otherwise than by an attribute is written into it. */
+  /** @internal What has changed otherwise than by an attribute is written into it. */
   reflectState() {
     const state = this.now();
     this.#writing = true;

@@ -14,10 +14,11 @@ import { BASIS_NAMES, firstState, toggled } from "./state.js";
 const MAKINGS = ["points", "shown", "basis", "degree", "matrix", "labels"];
 
 export class AppletEditing extends AppletAttributes {
+  /** @internal */
   history = new History();
-  /** What could not be done. */
+  /** @internal What could not be done. */
   message = "";
-  /** Whether the message is good news. */
+  /** @internal Whether the message is good news. */
   good = false;
   /** What the user began with, for `reset`. @type {State | null} */
   #origin = null;
@@ -135,7 +136,7 @@ export class AppletEditing extends AppletAttributes {
     if (done) this.settle();
   }
 
-  /** @returns {Figure} of the state as it is now */
+  /** @internal @returns {Figure} of the state as it is now */
   made() {
     const state = this.now();
     const same = this.#made && MAKINGS.every((name) => this.#made?.state[name] === state[name]);
@@ -153,6 +154,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * By the page: an undo step, but no events. What is refused changes nothing.
    *
    * @param {(state: State) => State} change
@@ -169,6 +171,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * A part of what the user is doing; `settle` completes it.
    *
    * @param {(state: State) => State} change
@@ -182,7 +185,7 @@ export class AppletEditing extends AppletAttributes {
     this.fire("input");
   }
 
-  /** What the user was doing is complete. */
+  /** @internal What the user was doing is complete. */
   settle() {
     if (!this.history.close(this.now())) return;
     this.fire("change");
@@ -190,6 +193,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * Something the user does at once. What cannot be done is told of.
    *
    * @param {(state: State) => State} change
@@ -204,6 +208,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * @param {() => void} act
    * @returns {boolean}
    */
@@ -219,6 +224,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * @param {string} message
    * @param {boolean} [good] whether nothing is wrong
    */
@@ -229,7 +235,7 @@ export class AppletEditing extends AppletAttributes {
     this.requestUpdate();
   }
 
-  /** Esc: what the user was doing has not been done. */
+  /** @internal Esc: what the user was doing has not been done. */
   giveUp() {
     const before = this.history.abandon();
     if (!before) return;
@@ -237,17 +243,18 @@ export class AppletEditing extends AppletAttributes {
     this.fire("input");
   }
 
-  /** What the picture is called. */
+  /** @internal What the picture is called. */
   get name() {
     return this.label || `${BASIS_NAMES[this.now().basis]} curve with control points that can be moved`;
   }
 
-  /** The first state that a user sees. */
+  /** @internal The first state that a user sees. */
   get origin() {
     return this.#origin ?? firstState();
   }
 
   /**
+   * @internal
    * @param {"input" | "change"} type
    */
   fire(type) {

@@ -6,6 +6,23 @@ import { INSTRUCTIONS } from "./words.js";
 /**
  * Everything in the shadow root.
  *
+ * @slot label - a title above the picture
+ * @slot caption - a text below it
+ * @slot default - the poster, where none has the name
+ * @slot poster - what is shown before the picture is there, without scripts and on paper: an SVG, say
+ * @slot coordinates - the table of the panel
+ * @csspart frame - picture, message and panel
+ * @csspart stage - the picture with its handles
+ * @csspart canvas - the picture
+ * @csspart overlay - where the handles are
+ * @csspart handle - each handle: its hit box
+ * @csspart message - what could not be done
+ * @csspart controls - the panel
+ * @csspart joints - what holds at each joint
+ * @fires input - while the user moves something
+ * @fires change - when that is done
+ * @fires update - after every change, whoever made it; does not bubble
+ *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
  * @param {string} parts.message what could not be done

@@ -21,7 +21,13 @@ const MOST_SPOKEN = 8;
 /** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
 const HERMITE_SLOTS = [0, 2, 3, 1];
 
-/** What `<bezier-bernstein>` shows. */
+/**
+ * What `<bezier-bernstein>` shows.
+ *
+ * @csspart plot - the picture of the weights
+ * @csspart values - the list of the weights at t
+ * @csspart sum - what they add up to
+ */
 export class BernsteinView {
   static styles = [style, css`
     svg { display: block; inline-size: 100%; background: var(--bz-paper); touch-action: pan-y; cursor: ew-resize; user-select: none; -webkit-user-select: none; }

@@ -1,5 +1,6 @@
 // What all companions have in common: they wait until they are near, tell what the user does, and say what is wrong.
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
+import { MISSING } from "../loading.js";
 import { loadViews } from "./loading.js";
 
 /**
@@ -21,8 +22,13 @@ import { loadViews } from "./loading.js";
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
 const MOST_QUOTED = 40;
-const NOT_FETCHED = "What shows this could not be fetched.";
 
+/**
+ * @fires input - while the user moves something
+ * @fires change - when that is done
+ * @csspart frame - all but the message
+ * @csspart message - what is wrong
+ */
 export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = { theme: { reflect: true, useDefault: true }, label: { reflect: true, useDefault: true } };
@@ -36,7 +42,7 @@ export class Companion extends LitElement {
   #said = "";
   /** What is wrong with the attributes, from one rendering to the next. @type {string[]} */
   #wrong = [];
-  /** @type {View | null} */
+  /** @internal @type {View | null} */
   view = null;
 
   constructor() {
@@ -45,7 +51,7 @@ export class Companion extends LitElement {
     this.label = "";
   }
 
-  /** Whether it works. */
+  /** @internal Whether it works. */
   get near() {
     return this.#near;
   }
@@ -74,6 +80,7 @@ export class Companion extends LitElement {
   }
 
   /**
+   * @internal
    * Tells the page what the user does.
    *
    * @param {boolean} done
@@ -82,7 +89,7 @@ export class Companion extends LitElement {
     this.dispatchEvent(new Event(done ? "change" : "input", { bubbles: true, composed: true }));
   }
 
-  /** @param {string} message */
+  /** @internal @param {string} message */
   say(message) {
     if (message === this.#said) return;
     this.#said = message;
@@ -90,6 +97,7 @@ export class Companion extends LitElement {
   }
 
   /**
+   * @internal
    * What an attribute is used for: itself, or the default with a word about it.
    *
    * @template T
@@ -118,12 +126,12 @@ export class Companion extends LitElement {
     return html`${content}<p class="message" part="message" role="status">${message}</p>`;
   }
 
-  /** What else is wrong. @returns {string[]} */
+  /** @internal What else is wrong. @returns {string[]} */
   problems() {
     return [];
   }
 
-  /** Wherever it is: paper shows what no one has scrolled to. */
+  /** @internal Wherever it is: paper shows what no one has scrolled to. */
   renderNow() {
     const near = this.#near;
     this.#near = true;
@@ -139,14 +147,14 @@ export class Companion extends LitElement {
     if (near) this.wake();
   }
 
-  /** Fetches what shows it, and shows it. */
+  /** @internal Fetches what shows it, and shows it. */
   async wake() {
     try {
       const views = await loadViews();
       this.view ??= this.#dressed(views);
-      this.say(this.#said === NOT_FETCHED ? "" : this.#said);
+      this.say(this.#said === MISSING ? "" : this.#said);
     } catch {
-      this.say(NOT_FETCHED);
+      this.say(MISSING);
     }
     this.requestUpdate();
   }

@@ -10,7 +10,12 @@ import { style } from "./style.js";
 
 const AXES = /** @type {const} */ (["x", "y"]);
 
-/** What `<bezier-coordinates>` shows. */
+/**
+ * What `<bezier-coordinates>` shows.
+ *
+ * @csspart table - the table
+ * @csspart field - each number in it
+ */
 export class CoordinatesView {
   static styles = [style, css`
     .scroll { max-block-size: 24rem; }

@@ -14,7 +14,17 @@ import { checkAbscissa, heightsOf, presetOf, PRESETS, readTiming, timingText } f
 
 const COORDINATES = ["x1", "y1", "x2", "y2"];
 
-/** What `<bezier-easing>` shows. */
+/**
+ * What `<bezier-easing>` shows.
+ *
+ * @csspart stage - the picture with its handles
+ * @csspart plot - the picture
+ * @csspart handle - each handle: its hit box
+ * @csspart field - each of the four numbers
+ * @csspart track - where the ball runs
+ * @csspart ball - what moves as the easing has it
+ * @csspart value - the text of the value
+ */
 export class EasingView {
   static styles = [style, css`
     .parts { display: grid; grid-template-columns: minmax(0, 17rem) minmax(0, 1fr); }
@@ -31,7 +41,7 @@ export class EasingView {
     .handle:hover::before { scale: 1.2; } .handle:focus-within { z-index: 1; outline: 2px solid var(--bz-accent); outline-offset: -1px; border-radius: 50%; }
     .handle input { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; margin: 0; opacity: 0; pointer-events: none; }
     .side { display: grid; gap: 0.7rem; align-content: center; padding: 0.8rem; }
-    .numbers { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0.4rem 0.8rem; }
+    .numbers { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 0.4rem 0.8rem; align-items: start; }
     .numbers label { display: grid; grid-template-columns: 1.4rem minmax(0, 1fr); align-items: center; } .numbers input { inline-size: 100%; min-inline-size: 0; } .numbers .error { grid-column: 1 / -1; }
     .numbers sub { font-size: 0.7em; }
     .preset { display: flex; } .preset select { flex: 1; min-inline-size: 0; }

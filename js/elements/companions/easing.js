@@ -13,7 +13,7 @@ export class BezierEasing extends FormField {
   static properties = { value: { attribute: false, noAccessor: true } };
   static view = /** @type {const} */ ("EasingView");
 
-  /** @type {Handles} */
+  /** @internal @type {Handles} */
   handles = [...PRESETS.ease];
   /** Whether someone has chosen; and whether it was other than the attribute. */
   #chosen = false;
@@ -67,6 +67,7 @@ export class BezierEasing extends FormField {
   }
 
   /**
+   * @internal
    * The user chooses.
    *
    * @param {Handles} handles

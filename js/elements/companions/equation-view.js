@@ -22,7 +22,12 @@ const MOST_MATRIX = 10;
 /** and of de Casteljau's triangle for the last levels only. */
 const MOST_LEVELS = 6;
 
-/** What `<bezier-equation>` shows. */
+/**
+ * What `<bezier-equation>` shows.
+ *
+ * @csspart equation - the formula, which scrolls
+ * @csspart field - each number of a matrix that can be edited
+ */
 export class EquationView {
   static styles = [style, css`
     .scroll { padding: 0.7rem 0.8rem; background: var(--bz-paper); max-block-size: 26rem; }

@@ -14,6 +14,7 @@ export class FormField extends Companion {
     disabled: { type: Boolean, reflect: true, useDefault: true },
   };
 
+  /** @internal */
   internals = this.attachInternals();
   /** Whether a fieldset or the element itself is switched off. */
   #off = false;
@@ -56,12 +57,12 @@ export class FormField extends Companion {
     return this.internals.reportValidity();
   }
 
-  /** Whether it is switched off, by itself or by a fieldset. */
+  /** @internal Whether it is switched off, by itself or by a fieldset. */
   get off() {
     return this.#off;
   }
 
-  /** What it is called: by the attribute, by a label of the page, or so. @param {string} fallback */
+  /** @internal What it is called: by the attribute, by a label of the page, or so. @param {string} fallback */
   nameFor(fallback) {
     const words = [...this.labels].map((label) => label.textContent?.trim()).filter(Boolean);
     return this.label || words.join(" ") || fallback;

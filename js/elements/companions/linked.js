@@ -43,6 +43,7 @@ export class Linked extends Companion {
   }
 
   /**
+   * @internal
    * The user chooses t here.
    *
    * @param {number} t
@@ -58,6 +59,7 @@ export class Linked extends Companion {
     if (this.isConnected) this.#look(this.htmlFor ?? "");
   }
 
+  /** @internal */
   problems() {
     return [this.#broken];
   }

@@ -2,5 +2,5 @@ import { once } from "../loading.js";
 
 /** @typedef {typeof import("./views.js")} Views */
 
-/** What companions show. */
+/** Everything that companions show. */
 export const loadViews = once(() => import("./views.js"));

@@ -28,7 +28,7 @@ export class Pointed extends Linked {
     this.given = given;
   }
 
-  /** @returns {Place[]} what is shown: the applet's points, or its own */
+  /** @internal @returns {Place[]} what is shown: the applet's points, or its own */
   places() {
     return this.target ? this.target.figure?.points ?? [] : ownPoints(this.given, (...args) => this.checked(...args));
   }

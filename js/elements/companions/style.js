@@ -4,19 +4,15 @@ import { CONTROLS, DARK, LIGHT, TOKENS } from "../../applet/style.js";
 
 export const style = css`
 ${unsafeCSS(TOKENS)}
-@media (forced-colors: none) {
+@media screen and (forced-colors: none) {
   :host([theme="light"]) { ${unsafeCSS(LIGHT)} color-scheme: light; }
   :host([theme="dark"]) { ${unsafeCSS(LIGHT)} ${unsafeCSS(DARK)} color-scheme: dark; }
 }
 ${unsafeCSS(CONTROLS)}
-:host { container-type: inline-size; min-block-size: var(--bz-room, 3rem); --bz-error: #b3261e; }
+:host { container-type: inline-size; }
 :host([hidden]) { display: none; }
-@media (prefers-color-scheme: dark) { :host { --bz-error: #ffb4ab; } }
-:host([theme="light"]) { --bz-error: #b3261e; }
-:host([theme="dark"]) { --bz-error: #ffb4ab; }
-@media (forced-colors: active) { :host { --bz-error: CanvasText; } }
 .frame { border: 1px solid var(--bz-rim); border-radius: 10px; background: var(--bz-panel); overflow: clip; }
-.message { margin: 0; padding: 0.4rem 0.2rem 0; color: var(--bz-error); font-size: 0.875rem; overflow-wrap: anywhere; }
+.message { margin: 0; padding: 0.4rem 0.2rem 0; color: var(--bz-broken, var(--bz-broken-ink)); font-size: 0.875rem; overflow-wrap: anywhere; }
 .message:empty { display: none; }
 .bar { display: flex; flex-wrap: wrap; gap: 0.4rem 1rem; align-items: center; padding: 0.5rem 0.8rem; }
 .t { display: flex; font-weight: 600; } .t input { flex: 1; min-inline-size: 4rem; } .t .value { font-weight: 400; min-inline-size: 2.6em; }
@@ -29,8 +25,8 @@ select:disabled, input:disabled { opacity: 0.6; }
 select, input[type="number"] { background: var(--bz-paper); border: 1px solid var(--bz-field); border-radius: 6px; padding: 0.2rem 0.45rem; min-block-size: 2rem; }
 input[type="number"] { font-variant-numeric: tabular-nums; }
 input[type="range"] { accent-color: var(--bz-accent); min-block-size: 24px; margin: 0; }
-input[aria-invalid="true"] { border-color: var(--bz-error); box-shadow: 0 0 0 1px var(--bz-error); }
-.error { color: var(--bz-error); font-size: 0.8125rem; }
+input[aria-invalid="true"] { border-color: var(--bz-broken, var(--bz-broken-ink)); box-shadow: 0 0 0 1px var(--bz-broken, var(--bz-broken-ink)); }
+.error { color: var(--bz-broken, var(--bz-broken-ink)); font-size: 0.8125rem; }
 .scroll { overflow: auto; }
 .scroll:focus-visible { outline-offset: -3px; }
 @media print { :host { break-inside: avoid; } button, input[type="range"] { display: none; } }

@@ -7,6 +7,17 @@ import { INSTRUCTIONS } from "./words.js";
 /**
  * Everything in the shadow root.
  *
+ * @csspart frame - everything
+ * @csspart stage - the picture with its handles and buttons
+ * @csspart canvas - the picture
+ * @csspart overlay - where the handles are
+ * @csspart tools - the buttons over the picture
+ * @csspart facts - what the mesh is made of
+ * @csspart controls - the panel
+ * @fires input - while the user moves something
+ * @fires change - when that is done
+ * @fires update - after every change, whoever made it; does not bubble
+ *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
  * @param {boolean} parts.blank nothing has been drawn: what the page put into the element stands in for the picture

@@ -1,6 +1,29 @@
 // The style sheet inside the shadow root. Custom properties that begin with --bz- may be set from outside.
 import { css } from "lit";
 
+/**
+ * @cssprop --bz-ink - text
+ * @cssprop --bz-quiet - text of less weight
+ * @cssprop --bz-paper - the ground of the picture and of fields
+ * @cssprop --bz-panel - the ground of everything else
+ * @cssprop --bz-rim - lines about panels
+ * @cssprop --bz-field - lines about buttons and fields
+ * @cssprop --bz-front - the outside of the surface
+ * @cssprop --bz-back - the inside
+ * @cssprop --bz-line - mesh, curves and net
+ * @cssprop --bz-handle - control points
+ * @cssprop --bz-level1 - the rows of de Casteljau's grid
+ * @cssprop --bz-level2 - its curve
+ * @cssprop --bz-low - the least curvature
+ * @cssprop --bz-middle - none
+ * @cssprop --bz-high - the greatest
+ * @cssprop --bz-gap - cracks
+ * @cssprop --bz-wire - tubes
+ * @cssprop --bz-accent - the focus, and what is chosen
+ * @cssprop --bz-on-accent - text on that
+ * @cssprop --bz-hit - the size of a handle's hit box
+ * @cssprop --bz-aspect - width by height of the picture
+ */
 export const style = css`
 :host {
   --bz-ink: #1d2733; --bz-quiet: #51606f; --bz-paper: #ffffff; --bz-panel: #f4f6f8; --bz-rim: #c9d1d9; --bz-field: #7a8794;

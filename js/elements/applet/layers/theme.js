@@ -7,7 +7,12 @@ export const ROLES = /** @type {const} */ ([...FIRST, "level3", "level4"]);
 /** @typedef {typeof ROLES[number]} Role */
 /** @typedef {Record<Role, string>} Theme */
 
-/** The custom properties of these: on a light page, and on a dark one. */
+/**
+ * The custom properties of these: on a light page, and on a dark one.
+ *
+ * @cssprop --bz-level3 - the third level
+ * @cssprop --bz-level4 - the fourth level
+ */
 export const LEVELS = {
   light: "--bz-level3: #7b4fb0; --bz-level4: #8a6d00;",
   dark: "--bz-level3: #b79be0; --bz-level4: #d8bd3a;",

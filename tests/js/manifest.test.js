@@ -1,0 +1,97 @@
+// dist/custom-elements.json has everything that the sources of the elements have, and says something about each.
+import assert from "node:assert/strict";
+import { readdir, readFile } from "node:fs/promises";
+import { test } from "node:test";
+
+globalThis.CSSStyleSheet ??= class {
+  replaceSync() {}
+};
+const classes = await import("../../dist/elements.js");
+const root = new URL("../../", import.meta.url);
+const read = (path) => readFile(new URL(path, root), "utf8");
+const manifest = JSON.parse(await read("dist/custom-elements.json"));
+const declarations = manifest.modules.flatMap((module) => module.declarations);
+const declared = (tagName) => declarations.find((each) => each.tagName === tagName);
+
+/** All text of some files and folders. */
+async function sources(...paths) {
+  const texts = await Promise.all(paths.map(async (path) => {
+    if (path.endsWith(".js")) return read(path);
+    const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".js"));
+    return (await Promise.all(names.map((name) => read(`${path}/${name}`)))).join("\n");
+  }));
+  // JSDoc says what there is; here it is looked for in the code.
+  return texts.join("\n").replace(/\/\*\*[^]*?\*\//g, "");
+}
+
+const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.js`);
+const SOURCES = {
+  "bezier-applet": ["js/elements/applet", "js/applet/handles.js", "js/applet/style.js"],
+  "bezier-surface": ["js/elements/surface"],
+  "bezier-bernstein": companion("bernstein", "bernstein-view"),
+  "bezier-equation": companion("equation", "equation-view", "fields"),
+  "bezier-coordinates": companion("coordinates", "coordinates-view", "fields"),
+  "bezier-easing": companion("easing", "easing-view", "easing-handles", "easing-picture", "fields"),
+};
+/** Inside of the style sheets: what stands in where a property is not set, and what a script sets. */
+const INSIDE = ["--bz-broken-ink", "--bz-smooth-ink", "--bz-box"];
+
+const all = (text, pattern) => [...new Set([...text.matchAll(pattern)].map(([, name]) => name))].sort();
+const names = (list = []) => list.map(({ name }) => name).sort();
+const without = (list, others) => list.filter((each) => !others.includes(each));
+
+test("every element that is defined", async () => {
+  const defined = all(await read("js/elements/index.js"), /defined\("([\w-]+)"/g);
+  assert.ok(defined.length >= 6);
+  assert.deepEqual(declarations.map(({ tagName }) => tagName).sort(), defined);
+  assert.deepEqual(Object.keys(SOURCES).sort(), defined, "this test knows them all");
+  for (const { name, tagName } of declarations) {
+    assert.equal(typeof classes[name], "function");
+    const { exports } = manifest.modules[0];
+    assert.ok(exports.some((each) => each.kind === "js" && each.name === name) && exports.some((each) => each.kind === "custom-element-definition" && each.name === tagName));
+  }
+});
+
+for (const [tagName, paths] of Object.entries(SOURCES)) {
+  test(`${tagName}: attributes, properties, methods, events, parts, slots and custom properties`, async () => {
+    const { name, attributes, members, events, cssParts, cssProperties, slots } = declared(tagName);
+    const text = await sources(...paths);
+    const Class = classes[name];
+    assert.deepEqual(names(attributes), [...Class.observedAttributes].sort());
+    for (const { name: each } of members) assert.ok(each in Class.prototype || Class.elementProperties.has(each), `${each} is there`);
+    const methods = members.filter(({ kind }) => kind === "method");
+    for (const { name: each } of methods) assert.equal(typeof Class.prototype[each], "function", each);
+    const told = ["change", "input", ...all(text, /new Event\("(\w+)"/g)].sort();
+    assert.deepEqual(names(events), [...new Set(told)]);
+    assert.deepEqual(names(cssParts), all(text, /\bpart(?:=|: )"([\w-]+)"/g));
+    assert.deepEqual(names(slots), [...(/<slot>/.test(text) ? [""] : []), ...all(text, /<slot name="([\w-]+)"/g)].sort());
+    assert.deepEqual(without(without(all(text, /(--bz-[\w-]+)/g), INSIDE), names(cssProperties)), []);
+    for (const list of [attributes, members, events, cssParts, cssProperties, slots]) assert.equal(new Set(names(list)).size, list?.length ?? 0, "nothing twice");
+  });
+}
+
+test("each is described, and the attributes name their properties", () => {
+  for (const { tagName, description, attributes, members, events, cssParts, cssProperties, slots } of declarations) {
+    assert.ok(description?.length > 20, tagName);
+    for (const each of [...events, ...cssParts, ...cssProperties, ...slots]) assert.ok(each.description, `${tagName}: ${each.name}`);
+    for (const { name, fieldName } of attributes) assert.ok(members.some((each) => each.name === fieldName && each.attribute === name), `${tagName}: ${name}`);
+    for (const { name, type, kind } of members) assert.ok(kind === "method" || type.text, `${tagName}: ${name}`);
+  }
+});
+
+test("the methods that the sources have for pages are in it", () => {
+  const methods = (tagName) => names(declared(tagName).members.filter(({ kind }) => kind === "method"));
+  const applet = ["append", "insert", "randomize", "redo", "remove", "reset", "split", "steer", "toBlob", "toCode", "toJSON", "toSVG", "undo"];
+  assert.deepEqual(without(applet, methods("bezier-applet")), []);
+  assert.deepEqual(without(["toBlob"], methods("bezier-surface")), []);
+  assert.deepEqual(methods("bezier-easing"), ["checkValidity", "reportValidity", "setCustomValidity"]);
+  const steer = declared("bezier-applet").members.find(({ name }) => name === "steer");
+  assert.deepEqual(steer.parameters.map(({ name, optional }) => [name, optional === true]), [["what", false], ["done", true]]);
+});
+
+test("the package says where it is", async () => {
+  const { customElements, files, exports } = JSON.parse(await read("package.json"));
+  assert.equal(customElements, "./dist/custom-elements.json");
+  assert.equal(exports["./custom-elements.json"], customElements);
+  assert.ok(files.includes("dist"));
+});
