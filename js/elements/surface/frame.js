@@ -7,6 +7,8 @@ import { INSTRUCTIONS } from "./words.js";
 /**
  * Everything in the shadow root.
  *
+ * @slot default - the poster, where none has the name
+ * @slot poster - what is shown before the picture is there, without scripts and on paper: an SVG, say
  * @csspart frame - everything
  * @csspart stage - the picture with its handles and buttons
  * @csspart canvas - the picture
