@@ -1,13 +1,14 @@
 // The elements of the installed tarball: through the bundlers and as they are, in Chromium under a strict policy.
 import assert from "node:assert/strict";
 import { build as esbuild } from "esbuild";
+import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { rollup } from "rollup";
 import { build as vite } from "vite";
 import webpack from "webpack";
-import { openPage } from "../page/browser.js";
+import { openPage, root } from "../page/browser.js";
 import { serve } from "../page/server.js";
 import { installed } from "./fixture.js";
 
@@ -95,4 +96,33 @@ test("no bundler: one script tag, and tags of HTML", async (t) => {
   const { printed, scripts } = await visit(t, folder, "/tag.html");
   assert.equal(printed, "288"); // 2 · 12²
   assert.deepEqual(scripts.filter((path) => LATE.test(path)), ["/elements-surface.js"]);
+});
+
+/** The pieces of code that a section of the site's guide shows. */
+async function documented(section) {
+  const guide = await readFile(`${root}www/elements/index.html`, "utf8");
+  const [, part] = guide.match(new RegExp(`<section id="${section}">([^]*?)</section>`));
+  const plain = (text) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
+  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([^]*?)<\/code><\/pre>/g)].map(([, code]) => plain(code));
+}
+
+test("the lines of the guide, from a copied folder and from npm", async (t) => {
+  const [tags] = await documented("script");
+  const [program] = await documented("npm");
+  assert.match(tags, /<script type="module" src="casteljau\/dist\/elements\.js">/);
+  const path = await fixture.write("src/guide.js", `${program}\nglobalThis.ready = true; globalThis.save = (state) => (globalThis.saved = state);`);
+  const outdir = join(fixture.folder, "out/guide");
+  await esbuild({ entryPoints: [path], bundle: true, format: "esm", splitting: true, minify: true, outdir, logLevel: "silent" });
+  const server = await serve({ "/casteljau/": fixture.installed, "/built/": outdir }, { "Content-Security-Policy": CSP });
+  const site = await openPage(t, "about:blank", { baseURL: server.url, viewport: { width: 900, height: 1600 } });
+  t.after(server.close);
+  for (const script of ["", '<script type="module" src="built/guide.js"></script>']) {
+    server.pages.set("/index.html", page(script ? tags.replace(/<script.*<\/script>/, script) : tags));
+    await site.goto("/index.html");
+    const slider = site.locator('bezier-bernstein input[type="range"]');
+    await slider.focus();
+    await slider.press("ArrowRight");
+    await site.waitForFunction(() => Math.abs(document.querySelector("bezier-applet").t - 0.31) < 1e-9 && document.querySelector("bezier-applet").points.length === 4);
+    if (script) assert.equal((await site.evaluate(() => globalThis.saved)).t, 0.31);
+  }
 });
