@@ -148,7 +148,7 @@ export class Recorder {
    */
   #words(words, x, y) {
     const [, weight, size] = /^(\d+) ([\d.]+)px/.exec(this.font) ?? [];
-    return `<text x="${short(x)}" y="${short(y)}" dy="0.35em" font-weight="${weight}" font-size="${short(Number(size))}"\n${escaped(words)}`;
+    return `<text x="${short(x)}" y="${short(y)}" dy="0.3em" font-weight="${weight}" font-size="${short(Number(size))}"\n${escaped(words)}`;
   }
 
   #line() {

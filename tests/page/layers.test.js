@@ -1,0 +1,121 @@
+// The layers of <bezier-applet> as pixels: each where it belongs, in its colour, light, dark and forced.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openPage } from "./browser.js";
+
+const LIGHT = { curve: [0, 114, 178], handle: [213, 94, 0], level1: [0, 158, 115], level2: [204, 121, 167], paper: [255, 255, 255] };
+const DARK = { curve: [86, 180, 233], handle: [230, 159, 0], level1: [0, 158, 115], level2: [204, 121, 167], paper: [18, 23, 29] };
+
+/** A page with one element, as wide as its box; waits until the picture is there. */
+async function openApplet(t, attributes, options = {}) {
+  const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark"><title>Layers</title>
+    <body style="margin: 0"><main><h1 style="margin: 0">Layers</h1><bezier-applet ${attributes}></bezier-applet></main><script type="module" src="./dist/elements.js"></script></body></html>`;
+  const page = await openPage(t, { html }, { viewport: { width: 700, height: 900 }, reducedMotion: "reduce", ...options });
+  await page.waitForFunction(() => {
+    const canvas = document.querySelector("bezier-applet")?.shadowRoot?.querySelector("canvas");
+    return canvas?.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((x) => x > 0);
+  });
+  return page;
+}
+
+/** Sets attributes and waits until a frame has come after them. */
+const change = (page, attributes) =>
+  page.evaluate(async (given) => {
+    const element = document.querySelector("bezier-applet");
+    for (const [name, value] of Object.entries(given)) element.setAttribute(name, value);
+    await element.updateComplete;
+    for (let k = 0; k < 3; k++) await new Promise(requestAnimationFrame);
+  }, attributes);
+
+/** How many pixels around a place of the box are nearly of a colour. */
+const count = (page, colour, [x, y] = [335, 240], radius = 1000) =>
+  page.evaluate(
+    ([[r, g, b], x, y, radius]) => {
+      const canvas = document.querySelector("bezier-applet").shadowRoot.querySelector("canvas");
+      const scale = canvas.width / 670;
+      const [left, top] = [Math.max(0, Math.round((x - radius) * scale)), Math.max(0, Math.round((y - radius) * scale))];
+      const [right, bottom] = [Math.min(canvas.width, Math.round((x + radius) * scale)), Math.min(canvas.height, Math.round((y + radius) * scale))];
+      const { data } = canvas.getContext("2d").getImageData(left, top, right - left, bottom - top);
+      let found = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const near = Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 30;
+        if (near && data[i + 3] > 200) found++;
+      }
+      return found;
+    },
+    [colour, x, y, radius],
+  );
+
+const POINTS = 'points="100,380 180,80 420,80 560,380"';
+
+test("each layer puts its colour where it belongs", async (t) => {
+  const page = await openApplet(t, `${POINTS} show="" labels="none"`);
+  // the curve's point at ½ is (307.5, 155): half-way between its ends and handles weighed 1, 3, 3, 1
+  const places = [
+    ["scaffold", LIGHT.level1, [140, 230]], // half-way from P0 to P1
+    ["scaffold", LIGHT.level2, [220, 155]], // half-way between the two points of the first level
+    ["normals", LIGHT.level1, [307, 200]], // down from the point at t
+    ["extrema", LIGHT.level1, [307, 155], 30],
+    ["offset", LIGHT.level1, [307, 185]], // 30 px along the normal, which is down where x grows
+    ["comb", LIGHT.level2, [307, 125], 20], // to the outer side, up here
+    ["halves", LIGHT.handle, [444, 220], 20], // the second half
+    ["segments", LIGHT.handle, [307, 155], 12],
+    ["envelope", LIGHT.level1.map((x) => 0.7 * x + 0.3 * 255), [180, 140], 30], // strings are drawn at 70 %
+    ["extrapolation", LIGHT.curve, [104, 400], 30], // goes on below P0
+  ];
+  for (const [show, colour, place, radius = 8] of places) {
+    await change(page, { show: "" });
+    const before = await count(page, colour, place, radius);
+    await change(page, { show });
+    const after = await count(page, colour, place, radius);
+    assert.ok(after > before + 2, `${show} at ${place}: ${before} pixels of it without, ${after} with`);
+  }
+});
+
+test("weights grow with t: the disc on P3 is small at the start and large at the end", async (t) => {
+  const page = await openApplet(t, `${POINTS} show="weights" labels="none" t="0.1"`);
+  const rim = () => count(page, LIGHT.curve, [560, 380], 45);
+  const small = await rim();
+  await change(page, { t: "0.95" });
+  assert.ok((await rim()) > small + 60, `${small} pixels, then ${await rim()}`);
+});
+
+test("dark: the same roles in the dark colours", async (t) => {
+  const page = await openApplet(t, `${POINTS} show="scaffold comb"`, { colorScheme: "dark" });
+  for (const role of ["curve", "handle", "level1", "level2"]) assert.ok((await count(page, DARK[role])) > 30, role);
+  assert.equal(await count(page, LIGHT.curve), 0);
+});
+
+test("forced colours: the picture takes the user's", async (t) => {
+  const page = await openApplet(t, `${POINTS} show="scaffold hull"`, { forcedColors: "active", colorScheme: "dark" });
+  assert.equal(await count(page, LIGHT.curve), 0);
+  assert.equal(await count(page, DARK.curve), 0);
+  assert.ok((await count(page, [255, 255, 255])) > 500, "the curve is in the colour of text");
+});
+
+test("the exported SVG shows what the canvas shows", async (t) => {
+  const page = await openApplet(t, `${POINTS} show="polygon scaffold weights tree comb"`);
+  const differing = await page.evaluate(async () => {
+    const element = document.querySelector("bezier-applet");
+    const picture = new Image();
+    picture.src = `data:image/svg+xml,${encodeURIComponent(await element.toSVG())}`;
+    await picture.decode();
+    const pixels = (draw) => {
+      const canvas = Object.assign(document.createElement("canvas"), { width: 670, height: 480 });
+      const context = canvas.getContext("2d", { willReadFrequently: true });
+      context.fillStyle = "#fff";
+      context.fillRect(0, 0, 670, 480);
+      draw(context);
+      return context.getImageData(0, 0, 670, 480).data;
+    };
+    const own = element.shadowRoot.querySelector("canvas");
+    const [a, b] = [pixels((context) => context.drawImage(own, 0, 0, 670, 480)), pixels((context) => context.drawImage(picture, 0, 0, 670, 480))];
+    let [differing, drawn] = [0, 0];
+    for (let i = 0; i < a.length; i += 4) {
+      if (a[i] + a[i + 1] + a[i + 2] < 600) drawn++;
+      if (Math.abs(a[i] - b[i]) + Math.abs(a[i + 1] - b[i + 1]) + Math.abs(a[i + 2] - b[i + 2]) > 300) differing++;
+    }
+    return differing / drawn;
+  });
+  assert.ok(differing < 0.03, `${Math.round(100 * differing)} % of what is drawn differs`);
+});
