@@ -1,7 +1,9 @@
 // dist/custom-elements.json has everything that the sources of the elements have, and says something about each.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readdir, readFile } from "node:fs/promises";
 import { test } from "node:test";
+import { fileURLToPath } from "node:url";
 
 globalThis.CSSStyleSheet ??= class {
   replaceSync() {}
@@ -77,6 +79,11 @@ test("each is described, and the attributes name their properties", () => {
     for (const { name, fieldName } of attributes) assert.ok(members.some((each) => each.name === fieldName && each.attribute === name), `${tagName}: ${name}`);
     for (const { name, type, kind } of members) assert.ok(kind === "method" || type.text, `${tagName}: ${name}`);
   }
+});
+
+test("no public member of an element is left undescribed", () => {
+  const { status, stderr } = spawnSync(process.execPath, ["xtask/manifest.js", "--check"], { cwd: fileURLToPath(root), encoding: "utf8" });
+  assert.equal(status, 0, stderr);
 });
 
 test("the methods that the sources have for pages are in it", () => {

@@ -145,6 +145,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * @internal
    * @param {State} state
    */
   display(state) {
