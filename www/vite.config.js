@@ -5,6 +5,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { appletPosters } from "./build/posters.js";
 import { lessonSamples } from "./build/samples.js";
+import { surfacePosters } from "./build/surface-posters.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
@@ -44,7 +45,7 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [classicScript, pagesAct, lessonSamples, appletPosters],
+  plugins: [classicScript, pagesAct, lessonSamples, appletPosters, surfacePosters],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
-import { assertAccessible, root } from "./browser.js";
+import { assertAccessible, openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS = ["patches", "evaluation", "curves", "tessellation", "normals", "cracks", "adaptive", "forward-differencing", "gpu", "teapot", "wireframe", "rays", "files"];
@@ -51,4 +51,27 @@ test("a sample runs in the page and prints what it must", async (t) => {
 test("in forced colours it is accessible, too", async (t) => {
   const page = await open(t, { forcedColors: "active" });
   await assertAccessible(page);
+});
+
+test("without JavaScript every figure is there as lines, and the code can be read", async (t) => {
+  const page = await openPage(t, "/surfaces/", { javaScriptEnabled: false, viewport: { width: 1100, height: 800 } });
+  const figures = page.locator("bezier-surface");
+  const count = await figures.count();
+  assert.equal(await page.locator("bezier-surface > svg[role=img] path").count(), count);
+  const { width, height } = await figures.first().locator("svg path").boundingBox();
+  assert.ok(width > 100 && height > 60, `${width} × ${height}`);
+  assert.ok(await page.getByText("fn sample").count() === 0 && await page.getByText("Fineness::Tolerance").first().isVisible());
+});
+
+test("a figure shows its lines until it is drawn, and again while it is far away", async (t) => {
+  const page = await open(t);
+  await near(page, "map-surface");
+  const poster = (id) => page.locator(`#${id} > svg`).isVisible();
+  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+  assert.equal(await poster("map-surface"), false);
+  assert.equal(await poster("file-surface"), true, "not yet near");
+  await near(page, "file-surface");
+  await page.waitForFunction(() => document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
+  await near(page, "map-surface");
+  await page.waitForFunction(() => !document.querySelector("#map-surface").shadowRoot.querySelector(".poster"));
 });

@@ -58,6 +58,8 @@ export class BezierSurface extends SurfaceAttributes {
   });
   #visible = false;
   #kept = false;
+  /** Whether the canvas holds a picture: before, and while the graphics card is given back, the page's own is shown. */
+  #drawn = false;
 
   /** The surface that is shown, moved points and all. */
   get surface() {
@@ -114,6 +116,7 @@ export class BezierSurface extends SurfaceAttributes {
     this.#camera = this.view;
     this.#stage?.end();
     this.#stage = null;
+    this.#drawn = false;
   }
 
   /**
@@ -129,7 +132,16 @@ export class BezierSurface extends SurfaceAttributes {
   /** @param {boolean} kept whether it is near enough to keep the graphics card */
   #keep(kept) {
     this.#kept = kept;
-    if (!kept) this.#stage?.rest();
+    if (kept) return;
+    this.#stage?.rest();
+    this.#setDrawn(false);
+  }
+
+  /** @param {boolean} drawn */
+  #setDrawn(drawn) {
+    if (drawn === this.#drawn) return;
+    this.#drawn = drawn;
+    this.requestUpdate();
   }
 
   /** @param {boolean} visible */
@@ -166,6 +178,7 @@ export class BezierSurface extends SurfaceAttributes {
     this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
+        this.#setDrawn(true);
         this.#tell(facts);
       },
       refused: (message) => this.#desk.say(message),
@@ -313,7 +326,7 @@ export class BezierSurface extends SurfaceAttributes {
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
-      blank: this.#facts === null,
+      blank: !this.#drawn,
       message: this.#desk.message || STATES[this.#state],
       facts: this.#facts,
       tools: { turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) },

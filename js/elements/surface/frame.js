@@ -22,7 +22,7 @@ import { INSTRUCTIONS } from "./words.js";
  *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
- * @param {boolean} parts.blank nothing has been drawn: what the page put into the element stands in for the picture
+ * @param {boolean} parts.blank the canvas holds no picture: what the page put into the element stands in for the picture
  * @param {string} parts.message what could not be done
  * @param {import("./geometry.js").Facts | null} parts.facts
  * @param {Parameters<typeof tools>[0]} parts.tools

@@ -1,0 +1,56 @@
+// Draws every <bezier-surface …></bezier-surface> into the page while the site is built, as lines: the picture that is there
+// before the element starts, without JavaScript, and on paper where it was not seen yet.
+import { frameOf, HOME, moved, placeOf, sightOf } from "../../js/elements/surface/camera.js";
+import { framingPoints, surfaceNamed } from "../../js/elements/surface/models.js";
+import { settingsOf } from "../../js/elements/surface/settings.js";
+import { SURFACES } from "../surfaces/figures/surfaces.js";
+
+const [WIDTH, HEIGHT] = [600, 400];
+/** Curves that divide each patch into so many strips: one patch can have more than thirty-two. */
+const [FEW, MANY] = [2, 6];
+/** Below so many patches there is room for many. */
+const ROOM = 4;
+
+/**
+ * The attributes of a tag; those without a value are "".
+ *
+ * @param {string} tag
+ * @returns {Record<string, string>}
+ */
+const attributesOf = (tag) => Object.fromEntries(Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)"|='([^']*)')?/g), ([, name, value, other]) => [name, value ?? other ?? ""]));
+
+/**
+ * The curves of the surface with these attributes, as an SVG. A curve's control points are put where the lens shows them: for
+ * so long a lens the curve through those is the picture of the curve, but for a hair.
+ *
+ * @param {Record<string, string>} attributes
+ * @returns {string}
+ */
+export function surfacePoster(attributes) {
+  const settings = settingsOf(/** @type {any} */ (attributes));
+  const given = SURFACES[attributes["data-surface"]]?.();
+  const surface = given ?? surfaceNamed(settings);
+  const frame = frameOf(given?.vertices ?? framingPoints(settings), settings.up);
+  const view = moved(HOME, JSON.parse(attributes["data-view"] ?? "{}"));
+  const sight = sightOf(view, frame, WIDTH, HEIGHT);
+  const lines = surface.patchCount < ROOM ? MANY : FEW;
+  const path = surface.isocurves({ lines }).map((curve) => pathOf(curve, sight)).join("");
+  return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
+}
+
+/** @param {import("casteljau").Curve} curve @param {import("../../js/elements/surface/camera.js").Sight} sight */
+function pathOf(curve, sight) {
+  const points = curve.controlPoints();
+  const places = Array.from({ length: points.length / 3 }, (_, k) => placeOf(sight, points, 3 * k, WIDTH, HEIGHT) ?? [0, 0]);
+  const [first, ...rest] = places.map((place) => place.map((x) => x.toFixed(1)).join(" "));
+  return `M${first}${rest.length === 3 ? "C" : rest.length === 2 ? "Q" : "L"}${rest.join(" ")}`;
+}
+
+/** Vite's plugin: it takes the place of the words that stand in the element. */
+export const surfacePosters = {
+  name: "surface-posters",
+  transformIndexHtml: {
+    order: /** @type {const} */ ("pre"),
+    handler: (/** @type {string} */ html) => html.replace(/(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g, (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes))),
+  },
+};
