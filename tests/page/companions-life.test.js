@@ -177,6 +177,15 @@ test("what could not be fetched is said, and asked for again", async (test) => {
   page.problems.length = 0;
 });
 
+test("paper shows what no one has scrolled to", async (test) => {
+  const html = companionsPage('<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-equation for="figure"></bezier-equation><div style="height: 4000px"></div><bezier-bernstein for="figure"></bezier-bernstein>');
+  const page = await openPage(test, { html }, { viewport: { width: 800, height: 900 } });
+  await page.waitForFunction(() => document.querySelector("bezier-equation").shadowRoot?.querySelector("math"));
+  assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  assert.match(await text(page, "bezier-bernstein li >> nth=0"), /P0\s+0\.4219/);
+});
+
 test("on paper there are pictures and numbers, no controls", async (test) => {
   const page = await openCompanions(test, "<bezier-bernstein></bezier-bernstein><bezier-equation></bezier-equation>");
   await page.emulateMedia({ media: "print" });

@@ -104,12 +104,25 @@ test("the equation: MathML with live numbers that add up, and words for who hear
   await on(page, "bezier-applet", (applet) => applet.steer({ index: 1, point: [300, 20] }, true));
   await settled(page);
   await agree();
+  // Row by row: what is printed adds up to what is printed below, with negative weights too.
+  await on(page, "bezier-applet", (applet) => applet.setAttribute("basis", "catmull-rom"));
+  await settled(page);
+  const { rows, totals } = await on(page, "bezier-equation >> nth=0", ({ shadowRoot }) => {
+    const value = (mtd) => [...mtd.querySelectorAll("mn")].map((mn) => Number(mn.textContent.replace("−", "-"))).reduce((a, b) => a * b);
+    const all = [...shadowRoot.querySelectorAll("mtr")].slice(1).map(({ children }) => [...children]);
+    const signed = (sign, mtd) => (sign.textContent.includes("−") ? -1 : 1) * value(mtd);
+    const rows = all.slice(0, -1).map((cells) => [signed(cells[2], cells[3]), signed(cells[4], cells[5])]);
+    return { rows, totals: [value(all.at(-1)[3]), value(all.at(-1)[5])] };
+  });
+  assert.equal(rows.length, 4);
+  assert.ok(rows.flat().some((x) => x < 0), "negative weights");
+  for (const axis of [0, 1]) assert.ok(Math.abs(rows.reduce((sum, row) => sum + row[axis], 0) - totals[axis]) < 0.8, `${rows} for ${totals}`);
   const { namespace, label } = await on(page, "bezier-equation >> nth=0", ({ shadowRoot }) => {
     const math = shadowRoot.querySelector("math");
     return { namespace: math.querySelector("mtable").namespaceURI, label: math.getAttribute("aria-label") };
   });
   assert.match(namespace, /MathML/);
-  assert.match(label, /^B of 0\.25 is x [\d.]+, y [\d.]+, from 0\.422 P0 plus/);
+  assert.match(label, /^B of 0\.25 is x [\d.]+, y [\d.]+, from −0\.07 P0 plus/);
   const region = page.locator("bezier-equation").first().getByRole("group", { name: "Equation" });
   assert.equal(await region.getAttribute("tabindex"), "0");
 });

@@ -22,6 +22,8 @@ import { loadViews } from "./loading.js";
 const NEAR = "300px";
 /** A message quotes no more of an attribute. */
 const MOST_QUOTED = 40;
+/** What shows companions, as soon as one of them needed it. @type {Views | null} */
+let loaded = null;
 
 /**
  * @fires input - while the user moves something
@@ -134,6 +136,7 @@ export class Companion extends LitElement {
   /** @internal Wherever it is: paper shows what no one has scrolled to. */
   renderNow() {
     const near = this.#near;
+    if (loaded) this.view ??= this.#dressed(loaded);
     this.#near = true;
     this.requestUpdate();
     this.performUpdate();
@@ -150,8 +153,8 @@ export class Companion extends LitElement {
   /** @internal Fetches what shows it, and shows it. */
   async wake() {
     try {
-      const views = await loadViews();
-      this.view ??= this.#dressed(views);
+      loaded = await loadViews();
+      this.view ??= this.#dressed(loaded);
       this.say(this.#said === MISSING ? "" : this.#said);
     } catch {
       this.say(MISSING);
