@@ -12,7 +12,7 @@ const SECTIONS = [
 ];
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
-const FIGURES = "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-binomial, fig-bytes, fig-compare, fig-costs, fig-curve-3d, fig-parabola, fig-pyramid, fig-reorder, fig-rounding)";
+const FIGURES = "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-binomial, fig-bytes, fig-compare, fig-costs, fig-curve-3d, fig-parabola, fig-pyramid, fig-reorder, fig-rounding, fig-speed)";
 
 /** @param {import("node:test").TestContext} t */
 async function open(t, options = {}) {
@@ -121,6 +121,10 @@ test("arrow keys: P3 amid P2 and P4", async (t) => {
   await page.keyboard.press("Shift+ArrowDown");
   assert.match(await done(page, "make-c1"), /^C1/);
   assert.deepEqual((await applet.evaluate((element) => element.points))[4], [411, 290]);
+  const plot = page.locator('fig-speed[for="joint"]');
+  await plot.getByText("No jump at the joint.").waitFor();
+  await page.locator('lesson-task[name="aligned-only"]').getByRole("button", { name: "Reveal" }).click();
+  await plot.getByText("It jumps from 361 to 181 at the joint.").waitFor();
 });
 
 test("sliders of the page steer their figures: segments, tolerance, zoom, degree", async (t) => {

@@ -2,6 +2,7 @@
 import "../parts/page.js";
 import "../figures/index.js";
 import "./fig-affine.js";
+import "./fig-speed.js";
 import { byDegree } from "./degrees.js";
 import { matrixEditor } from "./matrix.js";
 import { hermiteReadout } from "./hermite.js";

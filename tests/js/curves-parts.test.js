@@ -1,0 +1,75 @@
+// What stands behind the figures of the chapter on curves: plots, maps, the editor's numbers, words, and the pictures of the build.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Curve, Spline } from "casteljau";
+import { posterOf } from "../../www/build/posters.js";
+import { bothWays, matrixOf } from "../../www/curves/affine.js";
+import { along, jumps } from "../../www/curves/along.js";
+import { hermiteWords } from "../../www/curves/hermite.js";
+import { apart, polylineError } from "../../www/curves/judge.js";
+import { numberIn, tell, written } from "../../www/curves/matrix.js";
+import { treeWords } from "../../www/curves/tree.js";
+import { viewAt } from "../../www/curves/zoom.js";
+
+test("speed and curvature along a chain jump where the joint says so", () => {
+  const chain = new Spline([[70, 330], [90, 120], [250, 110], [330, 200], [430, 300], [560, 380], [600, 160]]);
+  const told = (mode, what) => {
+    const { lines, joints } = along((mode ? chain.setJoint(1, mode) : chain).segments(), what);
+    const values = lines.flat().map(([, y]) => y);
+    assert.equal(lines.length, 2);
+    assert.deepEqual([lines[0][0][0], lines[0].at(-1)[0], lines[1].at(-1)[0]], [0, 1, 2]);
+    return jumps(joints[0], Math.max(...values) - Math.min(0, ...values));
+  };
+  assert.deepEqual([told(null, "speed"), told("g1", "speed"), told("c1", "speed"), told("c2", "speed")], [true, true, false, false]);
+  assert.deepEqual([told("c1", "curvature"), told("c2", "curvature")], [true, false]);
+  const [line] = along([new Curve([[0, 0], [30, 40]])], "speed").lines;
+  assert.ok(line.every(([, speed]) => Math.abs(speed - 50) < 1e-12));
+});
+
+test("an affine map does the same to the control points and to the curve", () => {
+  for (const map of [{ turn: 0, shear: 0, width: 1 }, { turn: 25, shear: 0.3, width: 1 }, { turn: -180, shear: -1, width: 0.3 }]) {
+    const { dots, gap } = bothWays(map);
+    assert.ok(gap < 1e-12 && dots.length > 10, String(gap));
+  }
+  const turned = matrixOf({ turn: 90, shear: 0, width: 1 }).map((x) => Math.round(x) + 0);
+  assert.deepEqual(turned, [0, 1, -1, 0, 0, 0]);
+});
+
+test("numbers of the matrix are read and written as people do", () => {
+  assert.deepEqual(["1", "−1/6", " 2 / 3 ", "-0.5", "1e3"].map(numberIn), [1, -1 / 6, 2 / 3, -0.5, 1000]);
+  for (const wrong of ["", "x", "1/2/3", "NaN", "1/0", "/2", "Infinity"]) assert.ok(!Number.isFinite(numberIn(wrong)), wrong);
+  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(written), ["−1", "0", "0.5", "1/6", "−2/3", "2/3", "0.1"]);
+  for (const name of ["bezier", "hermite", "b-spline", "catmull-rom"]) {
+    for (const x of Curve.basisMatrix(name)) assert.ok(Math.abs(numberIn(written(x)) - x) < 1e-15, `${name}: ${x}`);
+  }
+  assert.match(tell([...Curve.basisMatrix("b-spline")]), /add up to 1/);
+  assert.match(tell([...Curve.basisMatrix("hermite")]), /do not add up/); // in its own data: ends and velocities
+});
+
+test("words and views", () => {
+  assert.equal(hermiteWords([[90, 370], [180, 120], [440, 80], [590, 330]]), "From (90, 370) with the velocity (270, −750), to (590, 330) with (450, 750).");
+  assert.equal(hermiteWords([[0, 0], [1, 1]]), "");
+  assert.equal(treeWords({ segments: 1, error: 26.456 }), "1 piece, measured error 26.46 px.");
+  assert.equal(treeWords({ segments: 64, error: 0.0012 }), "64 pieces, measured error 1.2e-3 px.");
+  assert.equal(treeWords(null), "");
+  assert.equal(viewAt(1, { x: 5, y: 5 }), "0 0 670 480");
+  assert.equal(viewAt(10, { x: 100, y: 50 }), "66.5 26 67 48");
+});
+
+test("distances: a polyline's from its curve, and between curves", () => {
+  const arch = new Curve([[0, 0], [50, 100], [100, 0]]);
+  assert.equal(polylineError(arch, 1), 50); // the vertex of the parabola over its chord
+  assert.ok(Math.abs(polylineError(arch, 2) - 12.5 * Math.SQRT1_2) < 1e-12); // a quarter, at right angles to a chord that climbs by 1
+  assert.equal(apart(arch, arch.elevate()) < 1e-12, true);
+  assert.equal(apart(arch, new Curve([[0, 0], [50, 0], [100, 0]])), 50);
+});
+
+test("the build draws an applet as its attributes say", () => {
+  const svg = posterOf({ points: "0,0 0,100 100,100 100,0", show: "polygon", label: "An <arch>", id: "x" });
+  assert.match(svg, /^<svg [^>]*role="img"/);
+  assert.ok(svg.includes("<title>An &lt;arch&gt;</title>"));
+  assert.match(svg, /d="M0 0C0 100 100 100 100 0"/);
+  for (const name of ["P0", "P1", "P2", "P3"]) assert.ok(svg.includes(`>${name}</text>`), name);
+  assert.notEqual(posterOf({ points: "0,0 0,100 100,100 100,0", basis: "hermite" }), svg);
+  assert.throws(() => posterOf({ points: "none" }), RangeError);
+});
