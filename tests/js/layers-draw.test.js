@@ -157,7 +157,7 @@ test("a curve of degree 9 is drawn within a tenth of a pixel", () => {
 
 test("words do not lie on each other or on points where there is room", () => {
   const { ctx } = drawn({ layers: ["scaffold", "names", "weights"], labels: "P1" });
-  const boxes = ctx.of("fillText").map(([text, x, y]) => ({ text, x, y, half: 4 * [...text].length }));
+  const boxes = ctx.of("fillText").map(([text, x, y]) => ({ text, x, y, half: 3.75 * [...text].length }));
   assert.ok(boxes.length >= 7 + 12 + 4, `${boxes.length} words`);
   boxes.forEach((a, i) => {
     for (const b of boxes.slice(i + 1)) {
@@ -170,7 +170,7 @@ test("words do not lie on each other or on points where there is room", () => {
 test("words stay inside the picture", () => {
   const { ctx } = drawn({ points: [[0, 0], [670, 0], [670, 480], [0, 480]], layers: ["weights"] }, 2);
   for (const [text, x, y] of ctx.of("fillText")) {
-    assert.ok(x >= 8 * text.length && x <= 670 - 8 * text.length && y >= 16 && y <= 480 - 16, `${text} at ${x}, ${y}`);
+    assert.ok(x >= 7.5 * text.length && x <= 670 - 7.5 * text.length && y >= 16 && y <= 480 - 16, `${text} at ${x}, ${y}`);
   }
 });
 

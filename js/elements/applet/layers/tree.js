@@ -1,4 +1,4 @@
-// The tree of halves as a small diagram in the emptiest corner: t from left to right, each level a row.
+// The tree of halves as a small diagram where the picture is emptiest: t from left to right, each level a row.
 import { stroke } from "../../../applet/pen.js";
 import { hue } from "./theme.js";
 
@@ -32,7 +32,7 @@ export function drawDiagram(sheet, roots, figure) {
   const rows = Math.min(MOST_ROWS, Math.max(...roots.map(depthOf)));
   const width = Math.min(WIDTH * px, WIDEST * box.width);
   const height = (rows * ROW + 2 * PADDING) * px;
-  const [x, y] = emptiestCorner(sheet, figure, width, height);
+  const [x, y] = emptiestPlace(sheet, figure, width, height);
   ctx.beginPath();
   ctx.rect(x, y, width, height);
   ctx.globalAlpha = OPACITY;
@@ -95,20 +95,32 @@ function depthOf(node) {
   return node.halves ? 1 + Math.max(...node.halves.map(depthOf)) : 0;
 }
 
+/** So many places along the lower and the upper edge are tried. */
+const PLACES = 9;
+/** So many points of each piece count as its picture. */
+const SAMPLES = 8;
+
 /**
+ * Where the fewest points of the figure are: at the lower edge if that is as good as any, in a corner if that is.
+ *
  * @param {Sheet} sheet
  * @param {Figure} figure
  * @param {number} width
  * @param {number} height
  * @returns {Place}
  */
-function emptiestCorner({ lens, box, px }, { points }, width, height) {
+function emptiestPlace({ lens, box, px }, { points, pieces }, width, height) {
   const margin = MARGIN * px;
-  const [right, bottom] = [box.width - width - margin, box.height - height - margin];
+  const seen = [...points.flat(), ...pieces.flatMap(({ curve }) => [...curve.sample(SAMPLES)])];
   /** @type {Place[]} */
-  const corners = [[margin, bottom], [right, bottom], [right, margin], [margin, margin]];
-  const places = points.map(([x, y]) => lens.place(x, y));
-  const crowd = (/** @type {Place} */ [left, top]) =>
-    places.filter(([x, y]) => x > left - 2 * margin && x < left + width + 2 * margin && y > top - 2 * margin && y < top + height + 2 * margin).length;
-  return corners.reduce((best, corner) => (crowd(corner) < crowd(best) ? corner : best));
+  const places = [];
+  for (let i = 0; i < seen.length; i += 2) places.push(lens.place(seen[i], seen[i + 1]));
+  const isNear = (/** @type {Place} */ [x, y], /** @type {Place} */ [left, top]) =>
+    x > left - margin && x < left + width + margin && y > top - margin && y < top + height + margin;
+  const crowd = (/** @type {Place} */ corner) => places.reduce((sum, place) => sum + Number(isNear(place, corner)), 0);
+  const steps = [0, ...Array.from({ length: PLACES - 1 }, (_, k) => PLACES - 1 - k)].map((k) => k / (PLACES - 1)); // corners first
+  const candidates = [box.height - height - margin, margin].flatMap((top) =>
+    steps.map((share) => /** @type {Place} */ ([margin + share * (box.width - width - 2 * margin), top])),
+  );
+  return candidates.reduce((best, each) => (crowd(each) < crowd(best) ? each : best));
 }

@@ -105,9 +105,10 @@ export function ways(curve, ts) {
   return flat;
 }
 
-/** Teeth of the comb on each piece, and on all together. */
-const TEETH = 48;
+/** Teeth of the comb on a piece, for each degree, and on all together. */
+const TEETH = 16;
 const MOST_TEETH = 2400;
+const MOST_TEETH_OF_ONE = 200;
 /** A tooth is as long as the curvature times this share of the box's width squared: 40 of 670 on a circle of radius 100. */
 const COMB_SCALE = 4000 / 670 ** 2;
 /** Longer teeth, before cusps, are cut: this share of the box's width. */
@@ -124,8 +125,8 @@ export const comb = {
    * @param {Figure} figure
    * @param {State} state
    */
-  derive({ pieces }, { box }) {
-    const count = Math.max(4, Math.min(TEETH, Math.floor(MOST_TEETH / pieces.length)));
+  derive({ pieces, degree }, { box }) {
+    const count = Math.max(4, Math.min(TEETH * Math.max(degree, 3), MOST_TEETH_OF_ONE, Math.floor(MOST_TEETH / pieces.length)));
     const scale = COMB_SCALE * box.width ** 2;
     return combOf(pieces.map(({ curve }) => curve), count, scale, LONGEST_TOOTH * box.width);
   },

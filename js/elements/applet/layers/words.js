@@ -13,8 +13,9 @@ import { label } from "../../../applet/pen.js";
  * @property {number} rank the smallest are placed first; from 1 on they are light
  */
 
-/** About the size of a character of a label, in CSS pixels. */
-const CHARACTER = { width: 8, height: 16 };
+/** About the size of a character, in CSS pixels: of the names of the control points, and of all else. */
+const CHARACTER = { width: 8.5, height: 16 };
+const LIGHT_WIDTH = 7.5;
 /** Turns of the best direction that are tried, in this order, in eighths of a circle. */
 const TURNS = [0, 1, -1, 2, -2, 3, -3, 4];
 /** How far away, in gaps. */
@@ -35,7 +36,7 @@ export function writeWords(sheet) {
   const words = sheet.words.sort((a, b) => a.rank - b.rank).slice(0, MOST_WORDS);
   const { taken } = sheet;
   for (const word of words) {
-    const halfWidth = (CHARACTER.width * [...word.text].length * sheet.px) / 2;
+    const halfWidth = ((word.rank ? LIGHT_WIDTH : CHARACTER.width) * [...word.text].length * sheet.px) / 2;
     const halfHeight = (CHARACTER.height * sheet.px) / 2;
     const at = bestPlace(sheet, word, taken, halfWidth, halfHeight);
     taken.push(at[0], at[1], halfWidth, halfHeight);
