@@ -352,3 +352,21 @@ test("glyph: any closeness, by buttons and keys, and back", async (t) => {
   await page.keyboard.press("0");
   assert.ok((await units()) > 400);
 });
+
+test("glyph: where boxes for fingers overlap, the nearest handle is taken", async (t) => {
+  const page = await open(t, "/glyph/", PHONE);
+  const first = page.locator(".handle").first();
+  await first.scrollIntoViewIfNeeded();
+  const centres = await page.locator(".handle").evaluateAll((handles) => handles.map((handle) => {
+    const { x, y, width, height } = handle.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2, width, name: handle.querySelector("input").ariaLabel };
+  }));
+  assert.ok(centres.length > 30 && centres[0].width >= 44, "boxes for fingers");
+  const seen = centres.filter(({ y }) => y > 0 && y < 740).slice(0, 16);
+  for (const { x, y, name } of seen) {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.up();
+    assert.equal(await page.evaluate(() => document.querySelector("glyph-editor").shadowRoot.activeElement.ariaLabel), name);
+  }
+});

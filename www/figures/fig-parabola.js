@@ -55,7 +55,7 @@ export class FigParabola extends Figure {
         <path class="dropped" d=${pathOf([px, oy, px, py, ox, py])} />
         ${this.bezier ? svg`${polyline("polygon", drawn.controlPoints())}<path class="curve" d=${drawn.toSVG({ precision: 2 })} />
           ${disc(q0[0], q0[1])}${square(q1[0], q1[1])}${disc(q2[0], q2[1])}
-          ${control.map(([x, y], i) => svg`<text class="strong haloed middle" x=${x + [0, 0, 20][i]} y=${y + [-14, 22, 4][i]}>P${i}</text>`)}` : ""}
+          ${control.map(([x, y], i) => svg`<text class="strong haloed middle" x=${x + [-18, 0, 20][i]} y=${y + [-10, 36, 4][i]}>P${i}</text>`)}` : ""}
         ${diamond(px, py)}
       </svg>
     `;

@@ -137,14 +137,31 @@ export function handle(options) {
 const within = (box, point) => [0, 1].map((k) => Math.min(Math.max(point[k], box.min[k]), box.max[k]));
 
 /**
+ * Boxes for fingers overlap: the handle is meant whose centre is nearest.
+ *
+ * @param {HTMLElement} handle
+ * @param {PointerEvent} event
+ */
+function nearestHandle(handle, { clientX, clientY }) {
+  const distance = (/** @type {Element} */ one) => {
+    const { x, y, width, height } = one.getBoundingClientRect();
+    return Math.hypot(x + width / 2 - clientX, y + height / 2 - clientY);
+  };
+  const others = /** @type {HTMLElement[]} */ ([...(handle.parentElement?.querySelectorAll(".handle") ?? [])]);
+  return others.reduce((best, other) => (distance(other) < distance(best) ? other : best), handle);
+}
+
+/**
  * @param {PointerEvent} start
  * @param {HandleOptions} options
  */
 function drag(start, { at, place, unplace, size, box, move, done = () => {}, cancel = () => move([at[0], at[1]]) }) {
   if (start.button !== 0) return;
   const handle = /** @type {HTMLElement} */ (start.currentTarget);
+  start.preventDefault(); // the focus goes where this function sends it
+  const nearest = nearestHandle(handle, start);
+  if (nearest !== handle) return void nearest.dispatchEvent(new PointerEvent("pointerdown", start));
   const stage = /** @type {HTMLElement} */ (handle.offsetParent ?? handle.parentElement);
-  start.preventDefault();
   handle.querySelector("input")?.focus({ preventScroll: true });
   handle.setPointerCapture(start.pointerId);
   const pixels = (/** @type {PointerEvent} */ event) => {
