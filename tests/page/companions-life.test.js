@@ -177,6 +177,15 @@ test("what could not be fetched is said, and asked for again", async (test) => {
   page.problems.length = 0;
 });
 
+test("the theme may be other than the page's", async (test) => {
+  const page = await openCompanions(test, '<bezier-bernstein></bezier-bernstein><bezier-bernstein theme="dark"></bezier-bernstein><bezier-bernstein theme="light"></bezier-bernstein><bezier-bernstein theme="pink"></bezier-bernstein>', { colorScheme: "light" });
+  const ground = (which) => on(page, `bezier-bernstein >> nth=${which}`, ({ shadowRoot }) => getComputedStyle(shadowRoot.querySelector("[part=plot]")).backgroundColor);
+  assert.deepEqual([await ground(0), await ground(2), await ground(3)], Array(3).fill("rgb(255, 255, 255)"));
+  assert.equal(await ground(1), "rgb(18, 23, 29)");
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.deepEqual([await ground(0), await ground(2)], ["rgb(18, 23, 29)", "rgb(255, 255, 255)"]);
+});
+
 test("paper shows what no one has scrolled to", async (test) => {
   const html = companionsPage('<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-equation for="figure"></bezier-equation><div style="height: 4000px"></div><bezier-bernstein for="figure"></bezier-bernstein>');
   const page = await openPage(test, { html }, { viewport: { width: 800, height: 900 } });

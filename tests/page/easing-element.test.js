@@ -146,6 +146,9 @@ test("in a form: value, name, reset, required, validity, label, fieldset", async
   await on(page, "bezier-easing >> nth=0", (element) => (element.value = "linear"));
   await page.evaluate(() => document.forms[0].reset());
   assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)", "other="]);
+  await on(page, "bezier-easing >> nth=0", (element) => element.setAttribute("value", "ease-in"));
+  assert.equal((await data(page))[0], "motion=cubic-bezier(0.42, 0, 1, 1)", "after a reset the attribute counts again");
+  await on(page, "bezier-easing >> nth=0", (element) => element.setAttribute("value", "ease-out"));
   await page.evaluate(() => (document.querySelector("fieldset").disabled = true));
   await settled(page);
   assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)"]);

@@ -38,7 +38,7 @@ export class EquationView {
     .product { display: flex; flex-wrap: wrap; gap: 0.4rem; align-items: center; margin-block-end: 0.5rem; }
     .product math { margin: 0; }
     .cells { display: grid; grid-template-columns: repeat(4, 4.3rem); gap: 3px; padding: 4px; border-inline: 2px solid currentColor; border-radius: 4px; }
-    .cells input { inline-size: 100%; min-inline-size: 0; } .cells .error { grid-column: 1 / -1; }
+    .cells input { inline-size: 100%; min-inline-size: 0; appearance: textfield; } .cells .error { grid-column: 1 / -1; }
     .note { padding: 0 0.8rem 0.5rem; }
     @media print { .scroll { max-block-size: none; } }
   `];
