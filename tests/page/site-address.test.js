@@ -1,6 +1,7 @@
 // What a reader changes is in the page's address, and any address can be read: what cannot be used is told, nothing breaks.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { SHARED } from "../../www/parts/address.js";
 import { openPage } from "./browser.js";
 import { openStrict, settled } from "./site-pages.js";
 
@@ -42,6 +43,22 @@ test("another address while the page is open", async (t) => {
   assert.equal(await attribute(page, "t"), "0.25");
   await page.evaluate(() => (location.hash = "#hero?t=0.75&show=hull+scaffold"));
   await hero(page).and(page.locator('[t="0.75"][show="hull scaffold"]')).waitFor();
+});
+
+test("whatever an address can set of an element, it can be read off it", async (t) => {
+  const page = await openAt(t, "/surfaces/", "#figure-patch?u=0.2&v=0.9&segments=5");
+  const patch = page.locator("#figure-patch bezier-surface");
+  assert.deepEqual(await patch.evaluate(({ u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
+  for (const [path, name] of [["/", "bezier-applet"], ["/surfaces/", "bezier-surface"]]) {
+    await page.goto(path);
+    await ready(page);
+    const kinds = await page.locator(name).first().evaluate((element, names) => names.map((each) => [each, typeof element[each]]), Object.keys(SHARED[name]));
+    for (const [each, kind] of kinds) assert.match(kind, /^(string|number|object)$/, `${name}.${each} is a ${kind}`);
+  }
+  await page.goto("/");
+  await ready(page);
+  await hero(page).evaluate((applet) => (applet.setAttribute("show", "hull"), applet.steer({ t: 0.25 }, true)));
+  await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });
 
 /** Fragments, and what is said of them. */
