@@ -1,5 +1,5 @@
 // Short computations that settle what a text says of curves. Each returns what it found, in words, and whether that proves the point.
-import { Curve, Spline } from "casteljau";
+import { Curve, Path, Spline } from "casteljau";
 import { counted, listings } from "./operations.js";
 import { rounding, SAMPLES } from "./rounding.js";
 
@@ -23,6 +23,9 @@ function polylineError(curve, segments) {
   const chord = (/** @type {number} */ k) => new Curve([...points.slice(2 * k, 2 * k + 4)], { dimension: 2 });
   return Math.max(...steps(segments).slice(1).map((t, k) => curve.subsegment(t - 1 / segments, t).hausdorff(chord(k))));
 }
+
+/** A polygon's corners with the first again at the end. @param {Float64Array} corners x, y, x, y … */
+const closedPolygon = (corners) => new Float64Array([...corners, corners[0], corners[1]]);
 
 /** @type {Record<string, () => Found>} */
 export const curveProofs = {
@@ -140,6 +143,13 @@ export const curveProofs = {
       words: `The first piece lasts 1 s, the second 2 s. With the joint in the middle of its neighbours the speed jumps by (${list(middle, 0)}) px/s; at one third, by (${list(right, 0)}).`,
       holds: Math.hypot(...middle) > 1 && Math.hypot(...right) < 1e-9,
     };
+  },
+
+  "hull-range"() {
+    const [inside, outside] = [0.99, 1.01].map((t) => new Curve(ARCH).eval(t));
+    const hull = new Spline(closedPolygon(new Curve(ARCH).hull()), { degree: 1 });
+    const contains = (/** @type {{ x: number, y: number }} */ p) => new Path([hull]).contains(p);
+    return { words: `In the hull at t = 0.99: ${contains(inside)}. At t = 1.01: ${contains(outside)}.`, holds: contains(inside) && !contains(outside) };
   },
 
   "not-through"() {
