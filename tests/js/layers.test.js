@@ -49,6 +49,7 @@ test("the comb's teeth are the curvature, to the outer side: 2 at the parabola's
   const { teeth, sharpest } = combOf([PARABOLA], 4, 0.1, 10);
   near(sharpest, 2, 1e-12);
   assert.deepEqual([...teeth[0].subarray(8, 12)].map((x) => Math.round(1e9 * x) / 1e9 + 0), [0, 0, 0, -0.2]);
+  [0.5, 0.25, 0.55, 0.2].forEach((wanted, i) => near(teeth[0][12 + i], wanted, 1e-12)); // slope 1, curvature 1/√2
 });
 
 test("at a cusp the teeth have an end", () => {

@@ -11,25 +11,18 @@ import { traceSeen } from "./trace.js";
  * @typedef {{ box: { width: number, height: number }, view: { x: number, y: number, width: number, height: number } }} Looks
  */
 
-/** What is wholly beyond this is cut off. Pieces of curves reach twice as far, where a canvas's numbers are a 500th apart. */
+/** Cut off beyond this; there a canvas's numbers are still a thousandth apart. */
 const FAR = 2 ** 13;
-/** A curve that keeps running along the cut is left after so many pieces. */
-const MOST_PIECES = 512;
 
 /** Takes paths in the plane and draws them on the picture. */
 export class Lens {
   #ctx;
   #box;
-  /** Where the path is, where its last part began: on the picture. */
+  /** Where the path is on the picture. */
   #x = 0;
   #y = 0;
-  #startX = 0;
-  #startY = 0;
   /** Whether the canvas is elsewhere. */
   #lifted = true;
-  /** Whether something was cut off since the last start. */
-  #cut = false;
-  #left = 0;
 
   /**
    * @param {CanvasRenderingContext2D} ctx
@@ -62,10 +55,7 @@ export class Lens {
    * @param {number} y
    */
   moveTo(x, y) {
-    this.#x = this.#startX = this.scale * (x - this.x);
-    this.#y = this.#startY = this.scale * (y - this.y);
-    this.#lifted = true;
-    this.#cut = false;
+    this.#skip(...this.place(x, y));
   }
 
   /**
@@ -77,49 +67,21 @@ export class Lens {
   }
 
   /**
-   * @param {number} x1
-   * @param {number} y1
-   * @param {number} x2
-   * @param {number} y2
-   */
-  quadraticCurveTo(x1, y1, x2, y2) {
-    const [x0, y0] = [this.#x / this.scale + this.x, this.#y / this.scale + this.y];
-    this.bezierCurveTo(x0 + (2 / 3) * (x1 - x0), y0 + (2 / 3) * (y1 - y0), x2 + (2 / 3) * (x1 - x2), y2 + (2 / 3) * (y1 - y2), x2, y2);
-  }
-
-  /**
-   * @param {number} x1
-   * @param {number} y1
-   * @param {number} x2
-   * @param {number} y2
-   * @param {number} x3
-   * @param {number} y3
-   */
-  bezierCurveTo(x1, y1, x2, y2, x3, y3) {
-    const { scale, x, y } = this;
-    this.#left = MOST_PIECES;
-    this.#cubic(this.#x, this.#y, scale * (x1 - x), scale * (y1 - y), scale * (x2 - x), scale * (y2 - y), scale * (x3 - x), scale * (y3 - y));
-  }
-
-  closePath() {
-    if (this.#cut || this.#lifted) this.#lineTo(this.#startX, this.#startY);
-    else this.#ctx.closePath();
-  }
-
-  /**
    * A curve from where it starts.
    *
-   * @param {Float64Array} p its control points
+   * @param {Float64Array} points its control points
    */
-  curve(p) {
-    this.moveTo(p[0], p[1]);
-    if (p.length === 8) this.bezierCurveTo(p[2], p[3], p[4], p[5], p[6], p[7]);
-    else if (p.length === 6) this.quadraticCurveTo(p[2], p[3], p[4], p[5]);
-    else if (p.length === 4) this.lineTo(p[2], p[3]);
-    else {
-      const seen = p.map((value, i) => this.scale * (value - (i % 2 ? this.y : this.x)));
-      traceSeen(seen, this.#box, (x, y, isSeen) => (isSeen ? this.#lineTo(x, y) : this.#skip(x, y)));
+  curve(points) {
+    this.moveTo(points[0], points[1]);
+    const p = points.map((value, i) => this.scale * (value - (i % 2 ? this.y : this.x)));
+    if (p.length > 8 || !p.every((value) => Math.abs(value) <= FAR)) {
+      return traceSeen(p, this.#box, (x, y, isSeen) => (isSeen ? this.#lineTo(x, y) : this.#skip(x, y)));
     }
+    this.#lower();
+    if (p.length === 8) this.#ctx.bezierCurveTo(p[2], p[3], p[4], p[5], p[6], p[7]);
+    else if (p.length === 6) this.#ctx.quadraticCurveTo(p[2], p[3], p[4], p[5]);
+    else this.#ctx.lineTo(p[2], p[3]);
+    this.#go(p[p.length - 2], p[p.length - 1]);
   }
 
   /**
@@ -156,7 +118,7 @@ export class Lens {
   /** Leaves out the way to a place. @param {number} x @param {number} y */
   #skip(x, y) {
     this.#go(x, y);
-    this.#lifted = this.#cut = true;
+    this.#lifted = true;
   }
 
   /**
@@ -176,31 +138,6 @@ export class Lens {
     }
     this.#skip(x, y);
   }
-
-  /**
-   * @param {number} x0
-   * @param {number} y0
-   * @param {number} x1
-   * @param {number} y1
-   * @param {number} x2
-   * @param {number} y2
-   * @param {number} x3
-   * @param {number} y3
-   */
-  #cubic(x0, y0, x1, y1, x2, y2, x3, y3) {
-    const reach = Math.max(Math.abs(x0), Math.abs(y0), Math.abs(x1), Math.abs(y1), Math.abs(x2), Math.abs(y2), Math.abs(x3), Math.abs(y3));
-    if (reach <= 2 * FAR) {
-      this.#lower();
-      this.#ctx.bezierCurveTo(x1, y1, x2, y2, x3, y3);
-      return this.#go(x3, y3);
-    }
-    if (isBeyond(x0, x1, x2, x3) || isBeyond(y0, y1, y2, y3) || this.#left-- <= 0) return this.#skip(x3, y3);
-    const [ax, ay, mx, my, bx, by] = [(x0 + x1) / 2, (y0 + y1) / 2, (x1 + x2) / 2, (y1 + y2) / 2, (x2 + x3) / 2, (y2 + y3) / 2];
-    const [px, py, qx, qy] = [(ax + mx) / 2, (ay + my) / 2, (mx + bx) / 2, (my + by) / 2];
-    const [x, y] = [(px + qx) / 2, (py + qy) / 2];
-    this.#cubic(x0, y0, ax, ay, px, py, x, y);
-    this.#cubic(x, y, qx, qy, bx, by, x3, y3);
-  }
 }
 
 /** @param {Place} place */
@@ -214,18 +151,6 @@ function isNumber([x, y]) {
  */
 function isNear(x, y) {
   return Math.abs(x) <= FAR && Math.abs(y) <= FAR;
-}
-
-/**
- * Whether all four lie on one side outside; also where one is no number.
- *
- * @param {number} a
- * @param {number} b
- * @param {number} c
- * @param {number} d
- */
-function isBeyond(a, b, c, d) {
-  return !(Math.min(a, b, c, d) <= FAR && Math.max(a, b, c, d) >= -FAR);
 }
 
 /**

@@ -84,6 +84,11 @@ export class Recorder {
     this.#path += `C${numbers.map(short).join(" ")}`;
   }
 
+  /** @param {number[]} numbers */
+  quadraticCurveTo(...numbers) {
+    this.#path += `Q${numbers.map(short).join(" ")}`;
+  }
+
   closePath() {
     this.#path += "Z";
   }
