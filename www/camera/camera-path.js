@@ -45,6 +45,7 @@ export class CameraPath extends Figure {
     this.frame = 0;
     this.themes = [matchMedia("(prefers-color-scheme: dark)"), matchMedia("(forced-colors: active)")];
     this.repaint = () => this.requestUpdate();
+    this.here = this.where();
   }
 
   connectedCallback() {
@@ -65,7 +66,12 @@ export class CameraPath extends Figure {
 
   /** @param {Map<string, unknown>} changed */
   willUpdate(changed) {
-    if (!changed.has("state") && !changed.has("wide")) return;
+    if (changed.has("state") || changed.has("wide")) this.follow();
+    this.here = this.where();
+  }
+
+  /** What depends on the path alone. */
+  follow() {
     this.path = pathThrough(this.state.points, this.state);
     this.length = this.path.length();
     this.chosen = Math.min(this.chosen, this.state.points.length - 1);
@@ -75,7 +81,7 @@ export class CameraPath extends Figure {
   }
 
   /** The camera now. */
-  now() {
+  where() {
     const t = timeAt(this.path, this.progress, this.state.even);
     // Frenet's frame keeps its last answer where the path is straight, so it is asked all along the way.
     const ts = [...Array.from({ length: 60 }, (_, i) => (t * i) / 60), t];
@@ -110,7 +116,7 @@ export class CameraPath extends Figure {
   updated() {
     const style = getComputedStyle(this);
     const colours = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
-    const { camera, frame } = this.now();
+    const { camera, frame } = this.here;
     this.paint("eye", camera, (sheet) => {
       drawScene(sheet, /** @type {any} */ (colours));
       stroke(sheet, colours.handle, 1.5, () => line(sheet, this.line));
@@ -175,7 +181,7 @@ export class CameraPath extends Figure {
     const unplace = (/** @type {readonly number[]} */ [px, py]) => /** @type {[number, number]} */ ([cx + (px - wide / 2) / scale, cy - (py - height / 2) / scale]);
     const flat = (/** @type {ArrayLike<number>} */ points) => Array.from({ length: points.length / 3 }, (_, i) => place([points[3 * i], points[3 * i + 1]])).flat();
     const stops = flat(this.stops);
-    const { frame } = this.now();
+    const { frame } = this.here;
     const [ex, ey] = place(frame.point);
     const [tx, ty] = [frame.tangent[0], -frame.tangent[1]];
     return html`
@@ -222,7 +228,7 @@ export class CameraPath extends Figure {
   }
 
   render() {
-    const { frame, t } = this.now();
+    const { frame, t } = this.here;
     const where = frame.point.map((value) => short(value, 1)).join(", ");
     return html`
       <div class="frame">

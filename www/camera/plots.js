@@ -1,5 +1,6 @@
 // Two plots along the path: ways in equal times, and how frames turn about it.
 import { html, svg } from "lit";
+import { guard } from "lit/directives/guard.js";
 import { decimal } from "../figures/words.js";
 import { equalSteps, framesOf, minimising, roll } from "./path.js";
 
@@ -11,29 +12,21 @@ const ROLL_STEPS = 240;
 export function strip(camera) {
   const [left, right] = [74, 16];
   const x = (/** @type {number} */ s) => left + (s / camera.length) * (camera.wide - left - right);
-  const lengths = (/** @type {boolean} */ even) => {
-    if (even) return Array.from({ length: camera.steps + 1 }, (_, i) => (i / camera.steps) * camera.length);
-    return rawLengths(camera);
-  };
+  const lengths = (/** @type {boolean} */ even) => Array.from(equalSteps(camera.path, camera.steps, even), (t) => lengthUpTo(camera.path, t));
   const row = (/** @type {boolean} */ even, /** @type {number} */ y, /** @type {string} */ words) => svg`
     <text class="end ${even === camera.state.even ? "strong" : "quiet"}" x=${left - 10} y=${y + 4}>${words}</text>
     <path class="axis" d="M${left} ${y}H${camera.wide - right}" />
     ${lengths(even).map((s) => svg`<circle class="tick" data-even=${even} data-s=${s} cx=${x(s)} cy=${y} r="3" fill="var(--paper)" stroke=${even === camera.state.even ? "var(--handle)" : "var(--quiet)"} stroke-width="1.5" />`)}`;
-  const s = camera.state.even ? camera.progress * camera.length : lengthUpTo(camera.path, camera.now().t);
+  const s = camera.state.even ? camera.progress * camera.length : lengthUpTo(camera.path, camera.here.t);
   return html`
     <svg viewBox="0 0 ${camera.wide} 74" role="img" aria-label="The path straightened, with marks at ${camera.steps} equal times: evenly spaced at even speed, crowded and sparse at raw speed">
-      ${row(true, 22, "even")}${row(false, 54, "raw t")}
+      ${guard([camera.state, camera.wide], () => [row(true, 22, "even"), row(false, 54, "raw t")])}
       <path class="at" d="M${x(s)} ${(camera.state.even ? 22 : 54) - 9}l7 9l-7 9l-7 -9Z" />
     </svg>
   `;
 }
 
-/** The way behind the camera at equal steps of t. @param {CameraPath} camera */
-function rawLengths(camera) {
-  return Array.from(equalSteps(camera.path, camera.steps, false), (t) => lengthUpTo(camera.path, t));
-}
-
-/** @param {import("casteljau").Spline} path @param {number} t */
+/** The way behind the camera. @param {import("casteljau").Spline} path @param {number} t */
 function lengthUpTo(path, t) {
   const segments = path.segments();
   const k = Math.min(Math.floor(t), segments.length - 1);
@@ -41,8 +34,11 @@ function lengthUpTo(path, t) {
   return before + (t > k ? segments[k].subsegment(0, t - k).length() : 0);
 }
 
-/** How frames turn about the path, against rotation-minimising ones. @param {CameraPath} camera */
-export function rolls(camera) {
+/** How frames turn about the path, against rotation-minimising ones; the time does not matter. @param {CameraPath} camera */
+export const rolls = (camera) => guard([camera.state, camera.wide], () => rollPlot(camera));
+
+/** @param {CameraPath} camera */
+function rollPlot(camera) {
   const ts = camera.path.evenly(ROLL_STEPS);
   const carried = minimising(camera.path, ts);
   const kinds = /** @type {const} */ ([["minimising", "level1", "", "rotation-minimising"], ["frenet", "handle", "2 4", "Frenet"], ["upright", "curve", "8 4", "upright"]]);

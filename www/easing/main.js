@@ -10,6 +10,7 @@ const lab = /** @type {EasingLab} */ (document.querySelector("easing-lab"));
 keepInAddress(lab, {
   read: (state) => {
     const { curve } = /** @type {{ curve: number[] }} */ (state);
+    if (!Array.isArray(curve)) throw new RangeError("expected curve, a list of four numbers");
     lab.value = parse(curve.join(","));
   },
   write: () => ({ curve: rounded(lab.value) }),

@@ -8,7 +8,9 @@ import { grouped } from "./words.js";
 const BYTES_PER_NUMBER = 4; // 32-bit floats on both sides
 const BYTES_PER_INDEX = 2;
 const MOST_SEGMENTS = 64;
-const TEAPOT = Surface.teapot();
+/** @type {Surface | null} made when it is first asked for: a page about curves needs none */
+let known = null;
+const teapot = () => (known ??= Surface.teapot());
 
 /** @typedef {{ name: string, bytes: number }} Weight */
 
@@ -34,10 +36,10 @@ export function curveBytes(segments) {
  */
 export function teapotBytes(segments) {
 
-  const mesh = TEAPOT.tessellate({ segments }, { weld: "position" });
-  const indices = TEAPOT.patches.reduce((sum, patch) => sum + patch.length, 0);
+  const mesh = teapot().tessellate({ segments }, { weld: "position" });
+  const indices = teapot().patches.reduce((sum, patch) => sum + patch.length, 0);
   return [
-    { name: "control points", bytes: TEAPOT.vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
+    { name: "control points", bytes: teapot().vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
     { name: "mesh", bytes: mesh.positions.byteLength + mesh.indices.byteLength },
     { name: "with normals", bytes: mesh.positions.byteLength + mesh.indices.byteLength + mesh.normals.byteLength },
   ];
@@ -80,7 +82,7 @@ export class FigBytes extends Figure {
         <div class="stage">${this.picture(weights)}</div>
         <p class="facts">
           ${this.model === "teapot"
-            ? html`${TEAPOT.vertices.length / 3} points and ${TEAPOT.patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
+            ? html`${teapot().vertices.length / 3} points and ${teapot().patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
             : html`4 points against the ${this.segments + 1} of a polyline:`}
           <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> the bytes${ratio < 1 ? ", yes, fewer" : ""}, and still not round when you come closer.
         </p>
