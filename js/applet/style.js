@@ -40,7 +40,7 @@ export const TOKENS = `
   color-scheme: light dark; color: var(--bz-ink);
   font: 400 0.9375rem/1.45 system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif; text-align: start;
 }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
   :host {${DARK}
   }
 }

@@ -25,8 +25,8 @@ export function readTheme(probe, roles = /** @type {readonly any[]} */ (ROLES)) 
   return Object.fromEntries(roles.map(read));
 }
 
-/** When these change, so do the colours. */
-const COLOUR_QUERIES = ["(prefers-color-scheme: dark)", "(forced-colors: active)"];
+/** When these change, so do the colours; paper is white. */
+const COLOUR_QUERIES = ["(prefers-color-scheme: dark)", "(forced-colors: active)", "print"];
 
 /**
  * @template {string} [R=Role]

@@ -322,6 +322,13 @@ test("forced colours, print and less motion", async (t) => {
   assert.ok(await page.locator("bezier-applet canvas").isVisible());
 });
 
+test("on paper a dark page's picture is drawn for daylight, at once", async (t) => {
+  const page = await openApplet(t, 'theme="dark"', { colorScheme: "dark" });
+  assert.match(await ask(page, () => a.toSVG()), /rgb\(86, 180, 233\)/);
+  await page.emulateMedia({ media: "print" });
+  assert.match(await ask(page, () => a.toSVG()), /rgb\(0, 114, 178\)/);
+});
+
 for (const width of [320, 360, 420]) {
   test(`${width} pixels wide nothing is cut off`, async (t) => {
     const page = await openApplet(t, 'controls basis="matrix" show="tree segments offset ticks comb"', { viewport: { width, height: 900 } });
