@@ -52,6 +52,9 @@
  * @property {number} degreeU
  * @property {number} degreeV
  * @property {{ point: [number, number, number], normal: [number, number, number] } | null} place
+ * @property {number[] | null} probe
+ * @property {{ patch: number, u: number, v: number, distance: number, point: [number, number, number] } | null} nearest of the
+ *   surface to the probe
  * @property {SurfaceMesh} mesh
  */
 
@@ -80,6 +83,7 @@
  * @property {number} v
  * @property {number} step how much of it: 1 the rows, 2 their points, 3 the curve, 4 its point
  * @property {boolean} swept whether only what the curve of constant u has swept on its way from 0 is drawn
+ * @property {string | null} probe "x y z": a point whose nearest one of the surface is shown
  * @property {number | null} patch whose control points have handles; null for none
  * @property {boolean} controls whether the panel is shown
  * @property {boolean} turn whether the picture turns by itself; not at once for those who want less motion

@@ -50,6 +50,26 @@ test("a swept surface ends at u; ribbons and the derivatives are drawn", async (
   assert.ok((await figure(page)).mesh.triangles > before);
 });
 
+test("the nearest point to a probe is told and drawn; what is no point shows nothing", async (t) => {
+  const page = await openSurface(t, 'model="patch"');
+  const plain = await look(page);
+  await set(page, { probe: "3 -3, 4" });
+  const { nearest, probe } = await figure(page);
+  assert.deepEqual(probe, [3, -3, 4]);
+  const away = (u, v) => page.evaluate(([u, v]) => {
+    const { x, y, z } = document.querySelector("bezier-surface").surface.patch(0).eval(u, v);
+    return Math.hypot(x - 3, y + 3, z - 4);
+  }, [u, v]);
+  assert.ok(Math.abs((await away(nearest.u, nearest.v)) - nearest.distance) < 1e-12);
+  for (const [u, v] of [[1, 0], [0.9, 0.1], [0.5, 0.5], [1, 0.2]]) assert.ok((await away(u, v)) >= nearest.distance - 1e-12, `${u}, ${v}`);
+  assert.ok((await difference(page, plain, await look(page))) > 100);
+  for (const none of ["", "1 2", "1 2 x", "1 2 3 4", "NaN 0 0", null]) {
+    await set(page, { probe: none });
+    assert.equal((await figure(page)).nearest, null, `${none}`);
+  }
+  assert.equal(await difference(page, plain, await look(page)), 0);
+});
+
 test("of twenty elements only those near what is seen hold the graphics card, and all can be seen", async (t) => {
   const many = Array.from({ length: 20 }, (_, k) => `<bezier-surface style="margin-block: 200px" segments="${(k % 5) + 1}"></bezier-surface>`).join("");
   const html = surfacePage("", many).replace("<script", '<script>const ask = HTMLCanvasElement.prototype.getContext; globalThis.contexts = new Set(); HTMLCanvasElement.prototype.getContext = function (...args) { const got = ask.apply(this, args); if (got) contexts.add(got); return got; };</script><script');

@@ -120,3 +120,18 @@ test("a patch file is written and shown; what is none is refused in words", asyn
   await page.getByRole("button", { name: "Show it" }).click();
   assert.match(await done(page, "own-square"), /flat square/);
 });
+
+test("a point is moved, and the nearest place of the pot follows", async (t) => {
+  const page = await open(t);
+  await near(page, "nearest-surface");
+  const words = () => knobs(page, "nearest-surface").locator(".note").innerText();
+  const before = await words();
+  assert.match(before, /away: patch \d+, u = 0\.\d\d, v = [01]\.\d\d/);
+  await knobs(page, "nearest-surface").getByRole("slider", { name: "z" }).fill("4");
+  await page.waitForFunction((before) => document.querySelector('surface-knobs[for="nearest-surface"] .note').textContent !== before, before);
+  const { distance, expected } = await page.evaluate(() => {
+    const { figure, surface } = document.querySelector("#nearest-surface");
+    return { distance: figure.nearest.distance, expected: surface.nearest([2.2, -1, 4]).distance };
+  });
+  assert.equal(distance, expected);
+});

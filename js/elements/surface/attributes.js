@@ -10,7 +10,7 @@ const flag = { type: Boolean, reflect: true };
 /** All that can be written as an attribute; what it means is documented in ../types.js. */
 export class SurfaceAttributes extends LitElement {
   static properties = {
-    model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text,
+    model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text, probe: text,
     segments: number, tolerance: number, pixels: number, flatness: number, lines: number, u: number, v: number, step: number, patch: number,
     controls: flag, turn: flag, swept: flag,
   };
@@ -44,6 +44,8 @@ export class SurfaceAttributes extends LitElement {
     this.controls = false;
     this.turn = false;
     this.swept = false;
+    /** @type {string | null} */
+    this.probe = null;
   }
 
   /**
@@ -53,8 +55,8 @@ export class SurfaceAttributes extends LitElement {
    * @returns {import("./settings.js").Settings}
    */
   settings() {
-    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept } = this;
-    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept };
+    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept, probe } = this;
+    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept, probe };
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 }

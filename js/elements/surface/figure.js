@@ -29,8 +29,17 @@ export function figureOf({ surface, picked, settings }, facts) {
     degreeU: patch?.degreeU ?? 0,
     degreeV: patch?.degreeV ?? 0,
     place: patch ? { point: triple(patch.eval(u, v)), normal: triple(patch.normal(u, v)) } : null,
+    nearest: nearestOf(surface, settings.probe),
     mesh: facts ?? NOTHING,
   };
+}
+
+/** @param {Scene["surface"]} surface @param {number[] | null} probe */
+function nearestOf(surface, probe) {
+  const found = probe && surface.nearest(probe);
+  if (!found) return null;
+  const { patch, u, v, distance, point } = found;
+  return { patch, u, v, distance, point: triple(point) };
 }
 
 /** @param {{ x: number, y: number, z?: number }} point @returns {[number, number, number]} */

@@ -216,6 +216,16 @@ export class Geometry {
     return this.#memo.get("casteljau", [surface, picked, u, v, step], () => lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step));
   }
 
+  /** The point that the page asks about, the nearest one of the surface, and the way between them. @param {Scene} scene */
+  probe({ surface, settings: { probe } }) {
+    return this.#memo.get("probe", [surface, probe], () => {
+      const found = probe && surface.nearest(probe);
+      if (!found) return null;
+      const { x, y, z = 0 } = found.point;
+      return { way: Float32Array.from([...probe, x, y, z]), at: Float32Array.from(probe), nearest: Float32Array.of(x, y, z) };
+    });
+  }
+
   /** The curves of constant u and v, and where they meet. @param {Scene} scene */
   place({ surface, picked, settings: { u, v } }) {
     return this.#memo.get("place", [surface, picked, u, v], () => lines.place(patchesOf(surface)[picked ?? 0], u, v));

@@ -47,6 +47,7 @@ export class GlLines {
     if (scene.picked !== null && scene.surface.patchCount > 1) this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
     if (layers.has("net")) this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
     if (layers.has("casteljau") && scene.surface.patchCount) this.#casteljau(picture);
+    this.#probe(picture);
     if (layers.has("place") && scene.surface.patchCount) this.#place(picture);
     if (layers.has("derivatives") && scene.surface.patchCount) this.#derivatives(picture);
   }
@@ -67,6 +68,16 @@ export class GlLines {
     twgl.setUniforms(program, { view: sight.view, projection: sight.projection, ink: [...theme.gap, 1] });
     batch.draw(this.#kit.gl.TRIANGLES);
     this.#bands(picture, "cracks", cracks.lines, { colour: theme.gap, width: MIDDLE });
+  }
+
+  /** @param {Picture} picture */
+  #probe(picture) {
+    const probe = picture.geometry.probe(picture.scene);
+    if (!probe) return;
+    const { ink, handle, level1 } = picture.theme;
+    this.#bands(picture, "probeWay", probe.way, { colour: ink, width: MIDDLE, hidden: true });
+    this.#points(picture, "probe", probe.at, level1, LARGE_POINT, false);
+    this.#points(picture, "nearest", probe.nearest, handle, LARGE_POINT, true);
   }
 
   /** @param {Picture} picture */

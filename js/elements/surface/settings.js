@@ -38,6 +38,7 @@ export const STEPS = 4;
  * @property {number} v
  * @property {number} step
  * @property {boolean} swept
+ * @property {number[] | null} probe
  */
 
 /**
@@ -47,7 +48,7 @@ export const STEPS = 4;
  * @typedef {{ segments: number } | { tolerance: number } | { pixels: number } | { flatness: number }} Fineness
  */
 
-/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "flatness" | "lines" | "shading" | "show" | "evaluation" | "u" | "v" | "step" | "swept", unknown>} Attributes */
+/** @typedef {Record<"model" | "parts" | "height" | "up" | "segments" | "tolerance" | "pixels" | "flatness" | "lines" | "shading" | "show" | "evaluation" | "u" | "v" | "step" | "swept" | "probe", unknown>} Attributes */
 
 /**
  * @param {Attributes} given
@@ -70,6 +71,7 @@ export function settingsOf(given) {
     v: number(given.v, 0, 1, 0.5),
     step: Math.round(number(given.step, 1, STEPS, STEPS)),
     swept: Boolean(given.swept),
+    probe: point(given.probe),
   };
 }
 
@@ -114,6 +116,17 @@ function words(value, known) {
 function number(value, least, most, otherwise) {
   const given = value === null || value === undefined || value === "" ? NaN : Number(value);
   return Number.isNaN(given) ? otherwise : Math.min(Math.max(given, least), most);
+}
+
+/**
+ * Three numbers; anything else is no point.
+ *
+ * @param {unknown} value
+ * @returns {number[] | null}
+ */
+function point(value) {
+  const numbers = String(value ?? "").split(/[\s,]+/).filter(Boolean).map(Number);
+  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : null;
 }
 
 /**

@@ -75,6 +75,7 @@ class SurfaceKnobs extends HTMLElement {
     const allowed = (this.getAttribute("words") ?? "").split(" ").filter(Boolean);
     for (const name of (this.getAttribute("knobs") ?? "").split(" ")) {
       if (name === "step") this.append(this.#stepper());
+      else if (name === "probe") this.append(...this.#probe());
       else if (name in SLIDERS) this.append(this.#slider(/** @type {keyof typeof SLIDERS} */ (name)));
       else if (name in CHOICES) this.append(this.#choice(/** @type {keyof typeof CHOICES} */ (name)));
       else this.append(this.#list(/** @type {keyof typeof LISTS} */ (name), allowed));
@@ -136,6 +137,30 @@ class SurfaceKnobs extends HTMLElement {
       group.append(element("label", {}, box, /** @type {Record<string, string>} */ (words)[word]));
     }
     return group;
+  }
+
+  /** Three sliders for a point in space, and what is nearest to it. */
+  #probe() {
+    const now = () => this.#target?.figure?.probe ?? [0, 0, 0];
+    const lines = ["x", "y", "z"].map((axis, k) => {
+      const input = Object.assign(document.createElement("input"), { type: "range", min: -4, max: 4, step: 0.05, name: axis });
+      const value = element("output", {});
+      for (const type of /** @type {const} */ (["input", "change"])) {
+        input.addEventListener(type, () => this.#set({ probe: now().with(k, input.valueAsNumber).join(" ") }, type));
+      }
+      this.#followers.push(() => {
+        input.value = String(now()[k]);
+        value.textContent = now()[k].toFixed(2).replace("-", "−");
+      });
+      return element("label", { className: "line" }, element("span", {}, axis), input, value);
+    });
+    const words = element("p", { className: "note" });
+    words.setAttribute("role", "status");
+    this.#followers.push(() => {
+      const found = this.#target?.figure?.nearest;
+      words.textContent = found ? `${found.distance.toFixed(3)} away: patch ${found.patch}, u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.` : "";
+    });
+    return [...lines, words];
   }
 
   #stepper() {
