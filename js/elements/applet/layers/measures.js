@@ -87,7 +87,7 @@ export const offset = {
   },
 
   /** @param {{ curves: Curve[], distance: number }} data */
-  tell: ({ curves, distance }) => `Parallel at ${short(distance)} px: ${curves.length} lines and cubics`,
+  tell: ({ curves, distance }) => `Parallel at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
 };
 
 const TICK_HALF = 7;
