@@ -114,6 +114,18 @@ pub(crate) enum Part {
 }
 
 impl Error {
+    /// Refuses the first of some numbers that is a NaN or an infinity.
+    pub(crate) fn unless_finite(what: &'static str, numbers: &[f64]) -> Result<(), Self> {
+        match numbers.iter().position(|x| !x.is_finite()) {
+            Some(index) => Err(Self::NotFinite {
+                what,
+                index,
+                got: numbers[index],
+            }),
+            None => Ok(()),
+        }
+    }
+
     /// The message in pieces. One wording serves `Display` and JavaScript, which writes its own numbers (the code that
     /// prints an f64 would be a tenth of the wasm module).
     pub(crate) fn parts(&self) -> [Part; 7] {

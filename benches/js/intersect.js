@@ -51,26 +51,13 @@ function nineCheck() {
   }
 }
 
+/** What both rows of nine intersections have in common. */
+const ON_NINE = { work: "curve × curve, 9 intersections", items: 1, check: nineCheck, ours: () => nine[0].intersect(nine[1]).length };
+
 /** @type {import("./harness.js").Row[]} */
 export const rows = [
-  {
-    id: "intersect-9-bezier-js",
-    work: "curve × curve, 9 intersections",
-    peer: "bezier-js intersects",
-    items: 1,
-    check: nineCheck,
-    theirs: () => nineOfBezier[0].intersects(nineOfBezier[1]).length,
-    ours: () => nine[0].intersect(nine[1]).length,
-  },
-  {
-    id: "intersect-9-paper",
-    work: "curve × curve, 9 intersections",
-    peer: "paper.js getIntersections",
-    items: 1,
-    check: nineCheck,
-    theirs: () => nineOfPaper[0].getIntersections(nineOfPaper[1]).length,
-    ours: () => nine[0].intersect(nine[1]).length,
-  },
+  { ...ON_NINE, id: "intersect-9-bezier-js", peer: "bezier-js intersects", theirs: () => nineOfBezier[0].intersects(nineOfBezier[1]).length },
+  { ...ON_NINE, id: "intersect-9-paper", peer: "paper.js getIntersections", theirs: () => nineOfPaper[0].getIntersections(nineOfPaper[1]).length },
   {
     id: "intersect-paper",
     work: "curve × curve, random pairs",

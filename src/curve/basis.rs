@@ -173,12 +173,5 @@ impl<P: Point> Curve<P> {
 }
 
 fn finite(matrix: Matrix) -> Result<Matrix, Error> {
-    match matrix.iter().position(|x| !x.is_finite()) {
-        Some(index) => Err(Error::NotFinite {
-            what: "basis",
-            index,
-            got: matrix[index],
-        }),
-        None => Ok(matrix),
-    }
+    Error::unless_finite("basis", &matrix).map(|()| matrix)
 }

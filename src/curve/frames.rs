@@ -161,13 +161,7 @@ pub(crate) fn frames_along(
 }
 
 fn check_all_finite(ts: &[f64], normal: Option<DVec3>) -> Result<(), Error> {
-    if let Some(index) = ts.iter().position(|t| !t.is_finite()) {
-        return Err(Error::NotFinite {
-            what: "ts",
-            index,
-            got: ts[index],
-        });
-    }
+    Error::unless_finite("ts", ts)?;
     super::check_finite("normal", normal.as_slice())
 }
 

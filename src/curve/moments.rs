@@ -26,6 +26,23 @@ pub struct Moments {
     pub yy: f64,
 }
 
+impl Moments {
+    /// Those of the same area, so many times as large.
+    pub(crate) fn enlarged(self, factor: f64) -> Self {
+        // One factor after the other: each is finite, and 0 stays 0.
+        let scaled =
+            |value: f64, power: usize| (0..power).fold(value, |product, _| product * factor);
+        Self {
+            area: scaled(self.area, 2),
+            x: scaled(self.x, 3),
+            y: scaled(self.y, 3),
+            xx: scaled(self.xx, 4),
+            xy: scaled(self.xy, 4),
+            yy: scaled(self.yy, 4),
+        }
+    }
+}
+
 impl std::ops::AddAssign for Moments {
     fn add_assign(&mut self, other: Self) {
         self.area += other.area;
@@ -73,16 +90,7 @@ pub(crate) fn moments(points: &[DVec2]) -> Moments {
             yy: swept * p.y * p.y / 4.0,
         };
     });
-    // One factor after the other: each is finite, and 0 stays 0.
-    let scaled = |value: f64, power: usize| (0..power).fold(value, |product, _| product * size);
-    Moments {
-        area: scaled(sum.area, 2),
-        x: scaled(sum.x, 3),
-        y: scaled(sum.y, 3),
-        xx: scaled(sum.xx, 4),
-        xy: scaled(sum.xy, 4),
-        yy: scaled(sum.yy, 4),
-    }
+    sum.enlarged(size)
 }
 
 /// Nodes and weights on [0, 1] of a rule of at least `count` points.

@@ -74,13 +74,7 @@ fn check_through(count: usize, ts: &[f64]) -> Result<(), Error> {
             got: ts.len(),
         });
     }
-    if let Some(index) = ts.iter().position(|t| !t.is_finite()) {
-        return Err(Error::NotFinite {
-            what: "ts",
-            index,
-            got: ts[index],
-        });
-    }
+    Error::unless_finite("ts", ts)?;
     let twice = |i: usize| ts[..i].contains(&ts[i]);
     match (1..count).find(|&i| twice(i)) {
         Some(i) => Err(Error::Range {

@@ -31,16 +31,7 @@ impl Path {
             self.parts()
                 .for_each(|part| sum += moments_of_subpath(part, unit));
         }
-        // One factor after the other: each is finite, and 0 stays 0.
-        let scaled = |value: f64, power: usize| (0..power).fold(value, |product, _| product * unit);
-        Moments {
-            area: scaled(sum.area, 2),
-            x: scaled(sum.x, 3),
-            y: scaled(sum.y, 3),
-            xx: scaled(sum.xx, 4),
-            xy: scaled(sum.xy, 4),
-            yy: scaled(sum.yy, 4),
-        }
+        sum.enlarged(unit)
     }
 }
 

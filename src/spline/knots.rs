@@ -39,13 +39,7 @@ impl Knots {
                 got: values.len(),
             });
         }
-        if let Some(index) = values.iter().position(|u| !u.is_finite()) {
-            return Err(Error::NotFinite {
-                what: "knots",
-                index,
-                got: values[index],
-            });
-        }
+        Error::unless_finite("knots", &values)?;
         if values.iter().any(|u| u.abs() > HUGE) {
             values.iter_mut().for_each(|u| *u /= 1024.0);
         }

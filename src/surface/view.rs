@@ -63,17 +63,7 @@ impl View {
         positive("pixels", self.pixels)?;
         positive("viewport[0]", self.viewport.x)?;
         positive("viewport[1]", self.viewport.y)?;
-        let numbers = self.view_projection.to_cols_array();
-        numbers
-            .iter()
-            .position(|x| !x.is_finite())
-            .map_or(Ok(()), |index| {
-                Err(Error::NotFinite {
-                    what: "viewProjection",
-                    index,
-                    got: numbers[index],
-                })
-            })
+        Error::unless_finite("viewProjection", &self.view_projection.to_cols_array())
     }
 
     /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the

@@ -54,14 +54,7 @@ impl Surface {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, 0.0)?;
         }
-        let numbers = matrix.to_cols_array();
-        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
-            return Err(Error::NotFinite {
-                what: "matrix",
-                index,
-                got: numbers[index],
-            });
-        }
+        Error::unless_finite("matrix", &matrix.to_cols_array())?;
         let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
         let projection = Projection::new(matrix, self.vertices(), tolerance);
         self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, pen))

@@ -1,7 +1,7 @@
 //! How far is a curve from a polyline, found without any of the code under test: samples, then the peaks refined.
 
 use super::{largest, real, ulp};
-use casteljau::glam::DVec3;
+use casteljau::glam::{DVec2, DVec3};
 
 /// Samples of one chord's piece, in an order that meets a large deviation early.
 const SAMPLES: usize = 24;
@@ -118,14 +118,23 @@ fn highest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
 
 /// The distance from a point to a segment.
 pub(crate) fn from_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let chord = b - a;
-    let square = chord.length_squared();
-    let s = if square > 0.0 {
-        ((p - a).dot(chord) / square).clamp(0.0, 1.0)
+    let share = nearest_share((p - a).dot(b - a), (b - a).length_squared());
+    (p - (a + (b - a) * share)).length()
+}
+
+/// The same in the plane.
+pub(crate) fn from_plane_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let share = nearest_share((p - a).dot(b - a), (b - a).length_squared());
+    (p - (a + (b - a) * share)).length()
+}
+
+/// Where on a segment the nearest place is, from 0 to 1.
+fn nearest_share(along: f64, square: f64) -> f64 {
+    if square > 0.0 {
+        (along / square).clamp(0.0, 1.0)
     } else {
         0.0
-    };
-    (p - (a + chord * s)).length()
+    }
 }
 
 /// The greatest distance from the curve to a polyline: each piece from its own chord, and where that is more than

@@ -1,5 +1,6 @@
 //! The true parallel, slowly: a dense polyline, each vertex from the curve's own point and derivative.
 
+use crate::common::measure::from_plane_segment;
 use crate::common::real;
 use casteljau::glam::DVec2;
 use std::f64::consts::PI;
@@ -204,17 +205,6 @@ impl Truth {
     }
 }
 
-fn from_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
-    let chord = b - a;
-    let square = chord.length_squared();
-    let s = if square > 0.0 {
-        ((p - a).dot(chord) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (p - (a + chord * s)).length()
-}
-
 /// Each point is looked for next to where the one before it was found; only if that fails, everywhere.
 pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
     let mut place: usize = 0;
@@ -225,7 +215,7 @@ pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
         let mut here = place;
         let mut k = place.saturating_sub(8);
         while k <= last && k <= here + 24 {
-            let distance = from_segment(p, line[k], line[k + 1]);
+            let distance = from_plane_segment(p, line[k], line[k + 1]);
             if distance < best {
                 (best, here) = (distance, k);
             }
@@ -233,7 +223,7 @@ pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
         }
         if best > enough {
             for k in 0..=last {
-                let distance = from_segment(p, line[k], line[k + 1]);
+                let distance = from_plane_segment(p, line[k], line[k + 1]);
                 if distance < best {
                     (best, here) = (distance, k);
                 }

@@ -61,6 +61,18 @@ fn compilation() -> Command {
     cargo
 }
 
+/// The bundles that the site is made of.
+const SITE_SCRIPTS: [&str; 8] = [
+    "index.js",
+    "applet.js",
+    "elements.js",
+    "elements-shared.js",
+    "elements-surface.js",
+    "elements-applet.js",
+    "elements-companions.js",
+    "bezier-app.js",
+];
+
 /// The bundles and the wasm file.
 fn bundles() -> Result<()> {
     let root = shell::root();
@@ -75,20 +87,12 @@ fn bundles() -> Result<()> {
         ]
         .map(|name| root.join(name)),
     );
-    let names = [
-        "index.js",
-        "slim.js",
-        "applet.js",
-        "elements.js",
-        "elements-shared.js",
-        "elements-surface.js",
-        "elements-applet.js",
-        "elements-companions.js",
-        "bezier-app.js",
-        "casteljau.wasm",
-        "custom-elements.json",
-    ];
-    let outputs = names.map(|name| root.join("dist").join(name));
+    let others = ["slim.js", "casteljau.wasm", "custom-elements.json"];
+    let outputs: Vec<PathBuf> = SITE_SCRIPTS
+        .iter()
+        .chain(&others)
+        .map(|name| root.join("dist").join(name))
+        .collect();
     stamp::unless_current(
         &Work {
             name: "bundles",
@@ -146,19 +150,7 @@ pub(crate) fn site() -> Result<()> {
     build()?;
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
-    inputs.extend(
-        [
-            "index.js",
-            "applet.js",
-            "elements.js",
-            "elements-shared.js",
-            "elements-surface.js",
-            "elements-applet.js",
-            "elements-companions.js",
-            "bezier-app.js",
-        ]
-        .map(|name| root.join("dist").join(name)),
-    );
+    inputs.extend(SITE_SCRIPTS.map(|name| root.join("dist").join(name)));
     inputs.push(root.join("package-lock.json"));
     let work = Work {
         name: "site",
