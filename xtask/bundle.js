@@ -78,6 +78,9 @@ const LATE = {
   "elements-surface": "elements/surface/drawing.js",
 };
 
+/** For other bundlers: this import is for the browser; esbuild leaves the comment out. */
+const KEPT = "/* webpackIgnore: true *//* @vite-ignore */";
+
 /**
  * The elements come in parts: elements.js, what is loaded only when an element of a kind comes near
  * (elements-applet.js …), and what several of them need (elements-shared.js, elements-shared-2.js …). The names stay the
@@ -96,7 +99,8 @@ async function elements() {
     write: false,
   });
   const hashed = outputFiles.map(({ path }) => basename(path)).filter((name) => name.startsWith("elements-shared-"));
-  const plain = (text) => hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
+  const named = (text) => hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
+  const plain = (text) => named(text).replaceAll("import(`${", `import(${KEPT}\`\${`);
   await mkdir("dist", { recursive: true });
   await Promise.all(outputFiles.map(({ path, text }) => writeFile(`dist/${plain(basename(path))}`, plain(text))));
 }

@@ -23,10 +23,12 @@ const loud = console.error; console.error = (...words) => (problems.push(words.j
 /**
  * Defines tests in each browser that a variable names, or else in those on PATH. The page's errors count as failures.
  *
- *     inEach((test) => {
- *       test("…", html, async (session) => { … });
+ * `pages` can put something else in the place of a file.
  *
- * @param {(test: (title: string, html: string, act: (session: import("./session.js").Session) => Promise<void>) => void) => void} define
+ *     inEach((test) => {
+ *       test("…", html, async (session, pages) => { … });
+ *
+ * @param {(test: (title: string, html: string, act: (session: import("./session.js").Session, pages: Map<string, string>) => Promise<void>) => void) => void} define
  */
 export function inEach(define) {
   for (const [name, path] of found()) {
@@ -59,7 +61,7 @@ function browserTests(name, path) {
       pages.set(page, html.replace('<meta charset="utf-8">', `<meta charset="utf-8">${WATCH}`));
       const browser = await session;
       await browser.open(url + page);
-      await act(browser);
+      await act(browser, pages);
       assert.deepEqual(await browser.evaluate(() => globalThis.problems), [], "the page's console is clean");
     });
 }

@@ -67,4 +67,17 @@ inEach((test) => {
     const after = await vertex();
     assert.ok(Math.hypot(...after.map((value, k) => value - before[k])) > 0.1);
   });
+
+  test("what draws is asked for again where it could not be fetched", surfacePage('model="patch" hidden'), async (session, pages) => {
+    const part = "/dist/elements-surface.js";
+    pages.set(part, "no script");
+    await session.waitFor(() => customElements.get("bezier-surface") !== undefined);
+    await session.evaluate(() => void (document.querySelector("bezier-surface").hidden = false));
+    await session.waitFor(() => /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot.textContent));
+    pages.delete(part);
+    await session.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
+    await ready(session);
+    assert.ok((await look(session)).inked > 3000);
+    await session.evaluate(() => void window.problems.splice(0)); // the refusal is told in the console
+  });
 });

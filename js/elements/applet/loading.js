@@ -3,4 +3,4 @@ import { once } from "../loading.js";
 /** @typedef {typeof import("./drawing.js")} Drawing */
 
 /** The picture with its layers, and the controls. */
-export const loadDrawing = once(() => import("./drawing.js"));
+export const loadDrawing = once(() => import("./drawing.js"), "Hands");

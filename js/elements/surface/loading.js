@@ -3,4 +3,4 @@ import { once } from "../loading.js";
 /** @typedef {typeof import("./drawing.js")} Drawing */
 
 /** The picture in WebGL with what it needs, and the hands. */
-export const loadDrawing = once(() => import("./drawing.js"));
+export const loadDrawing = once(() => import("./drawing.js"), "Stage");
