@@ -131,7 +131,7 @@ test("a point is moved, and the nearest place of the pot follows", async (t) => 
   await page.waitForFunction((before) => document.querySelector('surface-knobs[for="nearest-surface"] .note').textContent !== before, before);
   const { distance, expected } = await page.evaluate(() => {
     const { figure, surface } = document.querySelector("#nearest-surface");
-    return { distance: figure.nearest.distance, expected: surface.nearest([2.2, -1, 4]).distance };
+    return { distance: figure.nearest.distance, expected: surface.nearest([3.2, -0.4, 4]).distance };
   });
   assert.equal(distance, expected);
 });
