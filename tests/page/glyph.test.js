@@ -148,3 +148,31 @@ test("glyph: where boxes for fingers overlap, the nearest handle is taken", asyn
     assert.equal(await page.evaluate(() => document.querySelector("glyph-editor").shadowRoot.activeElement.ariaLabel), name);
   }
 });
+
+test("glyph: two fingers zoom", async (t) => {
+  const page = await open(t, "/glyph/", PHONE);
+  const sheet = page.locator(".sheet");
+  for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Zoom out" }).click(); // room beside the handles
+  await sheet.scrollIntoViewIfNeeded();
+  const units = () => page.evaluate(() => document.querySelector("glyph-editor").seen.units);
+  const before = await units();
+  const { x, y, width } = await sheet.boundingBox();
+  const cdp = await page.context().newCDPSession(page);
+  const touch = (type, apart) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: apart === null ? [] : [{ x: x + 6, y: y + 20, id: 1 }, { x: x + 6 + apart, y: y + 20, id: 2 }] });
+  await touch("touchStart", 0.25 * width);
+  for (const part of [0.3, 0.35, 0.4, 0.45, 0.5]) await touch("touchMove", part * width);
+  await touch("touchEnd", null);
+  const after = await units();
+  assert.ok(after < 0.6 * before && after > 0.4 * before, `${before} → ${after}`);
+});
+
+test("glyph: Enter goes through the kinds of joint", async (t) => {
+  const page = await open(t, "/glyph/");
+  await page.getByRole("slider", { name: "Contour 1, point 5, x" }).focus();
+  const modes = [];
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press("Enter");
+    modes.push(await page.getByRole("combobox", { name: "Joint" }).inputValue());
+  }
+  assert.deepEqual(modes, ["c1", "g2", "c2", "auto", "free", "g1"]);
+});

@@ -139,7 +139,7 @@ export class FigRounding extends Figure {
         <div class="stage">${this.picture()}</div>
         ${this.table()}
         <p class="facts">
-          Every operation was rounded to 32 bits and compared with 64; each place of the plot is the worst of ${PER_PLACE} neighbouring <i>t</i>. The coefficients of the basis matrix were
+          Shown: ${CASES[this.case].words}. Every operation was rounded to 32 bits and compared with 64; each place of the plot is the worst of ${PER_PLACE} neighbouring <i>t</i>. The coefficients of the basis matrix were
           rounded too.
         </p>
       </div>

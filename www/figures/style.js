@@ -153,7 +153,8 @@ export const style = css`
   .frame + .frame { margin-block-start: 1rem; }
   @media (forced-colors: active) { .gridline { stroke-opacity: 0.45; } }
   @media print {
-    .controls, .handle { display: none; }
+    .controls, .handle, .code button, .keys { display: none; }
+    pre { max-block-size: none; }
     .frame { background: none; }
     svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   }

@@ -5,7 +5,7 @@ import { Figure } from "../figures/figure.js";
 import { short } from "../figures/words.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { History } from "./history.js";
-import { addRound, bendOrStraighten, fromSvg, insert, nodesOf, pathOf, remove, toQuadratics } from "./outline.js";
+import { addRound, bendOrStraighten, fromSvg, insert, MODES, nodesOf, pathOf, remove, setMode, toQuadratics } from "./outline.js";
 import { conversion, joint, proof, tools } from "./panels.js";
 import { sheet } from "./sheet.js";
 import { fitted, panned, zoomed } from "./view.js";
@@ -38,6 +38,10 @@ export class GlyphEditor extends Figure {
     .in { display: block; padding: 0.7rem 0.9rem; }
     .in > span { display: block; font-weight: 600; }
     .proof { padding: 0.3rem 0.9rem 0.7rem; }
+    .keys { padding: 0.4rem 0.9rem 0.6rem; border-block-start: 1px solid var(--rim); }
+    .keys summary { cursor: pointer; min-block-size: 24px; }
+    .keys p { margin: 0.3rem 0 0; text-wrap: pretty; }
+    kbd { font: 600 0.8em/1 ui-monospace, Menlo, Consolas, monospace; border: 1px solid var(--field); border-radius: 4px; padding: 0.1em 0.35em; }
     .proof path { fill: var(--ink); }
   `];
 
@@ -61,6 +65,8 @@ export class GlyphEditor extends Figure {
     this.problem = "";
     /** @type {Place | null} */
     this.pointer = null;
+    /** What is down on the picture. @type {Map<number, PointerEvent>} */
+    this.fingers = new Map();
   }
 
   /** @param {Map<string, unknown>} changed */
@@ -152,16 +158,34 @@ export class GlyphEditor extends Figure {
     return this.scales().unplace([((event.clientX - rect.left) * this.wide) / rect.width, ((event.clientY - rect.top) * this.wide) / rect.width]);
   }
 
-  /** @param {PointerEvent} start */
+  /** One finger or the mouse moves the picture, two fingers zoom. @param {PointerEvent} start */
   pan(start) {
     if (start.button !== 0) return;
     const target = /** @type {Element} */ (start.currentTarget);
     target.setPointerCapture(start.pointerId);
-    const view = this.seen;
+    this.fingers.set(start.pointerId, start);
     const ends = new AbortController();
-    const move = (/** @type {any} */ event) => (this.view = panned(view, event.clientX - start.clientX, event.clientY - start.clientY, this.wide));
-    target.addEventListener("pointermove", move, { signal: ends.signal });
-    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+    target.addEventListener("pointermove", (event) => this.panTo(/** @type {PointerEvent} */ (event)), { signal: ends.signal });
+    const end = (/** @type {any} */ { pointerId }) => {
+      if (pointerId !== start.pointerId) return;
+      this.fingers.delete(pointerId);
+      ends.abort();
+    };
+    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, end, { signal: ends.signal });
+  }
+
+  /** @param {PointerEvent} event */
+  panTo(event) {
+    const before = this.fingers.get(event.pointerId);
+    if (!before || before === event) return;
+    const other = [...this.fingers.values()].find(({ pointerId }) => pointerId !== event.pointerId);
+    this.fingers.set(event.pointerId, event);
+    if (!other) {
+      this.view = panned(this.seen, event.clientX - before.clientX, event.clientY - before.clientY, this.wide);
+      return;
+    }
+    const apart = (/** @type {PointerEvent} */ finger) => Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
+    if (apart(before) > 0 && apart(event) > 0) this.zoom(apart(event) / apart(before), this.locate(other));
   }
 
   /** A pinch, or Ctrl and the wheel; the wheel alone scrolls the page. @param {WheelEvent} event */
@@ -194,6 +218,7 @@ export class GlyphEditor extends Figure {
     else if (control && (name === "y" || (name === "z" && event.shiftKey))) this.redo();
     else if (!control && (event.key === "Delete" || event.key === "Backspace") && target.closest(".handle")) this.deleteChosen();
     else if (!control && name === "i" && target.closest(".handle")) this.insertAfter();
+    else if (!control && event.key === "Enter" && target.closest(".handle")) this.nextMode();
     else return;
     event.preventDefault();
   }
@@ -202,6 +227,12 @@ export class GlyphEditor extends Figure {
     const { node } = this.selected;
     if (node.on) this.take(remove(this.outline, this.chosen.c, node.joint));
     else this.take(bendOrStraighten(this.outline, this.chosen.c, node.joint));
+  }
+
+  /** The next mode for the chosen joint. */
+  nextMode() {
+    const { contour, node } = this.selected;
+    if (node.on) this.take(setMode(this.outline, this.chosen.c, node.joint, MODES[(MODES.indexOf(contour.modes[node.joint]) + 1) % MODES.length]));
   }
 
   insertAfter() {
@@ -235,6 +266,13 @@ export class GlyphEditor extends Figure {
           <div class="stage">${sheet(this)}</div>
           <p class="problem" role="alert">${this.problem}</p>
           ${joint(this)}
+          <details class="keys">
+            <summary>Keys</summary>
+            <p>
+              On a point: arrows move it (<kbd>Shift</kbd> ten steps, <kbd>Alt</kbd> a tenth), <kbd>Enter</kbd> next kind of joint, <kbd>i</kbd> a point behind it, <kbd>Delete</kbd> away with it,
+              <kbd>Esc</kbd> takes a drag back. On the picture: <kbd>+</kbd> <kbd>−</kbd> zoom, arrows move, <kbd>0</kbd> shows all. Everywhere: <kbd>Ctrl</kbd>+<kbd>Z</kbd> undo, <kbd>Ctrl</kbd>+<kbd>Y</kbd> redo.
+            </p>
+          </details>
         </div>
         <h2>In small and in large</h2>
         <p class="say">One outline serves all sizes. Zoom in above as far as you like: an outline has no pixels and no facets.</p>
