@@ -139,7 +139,7 @@
  * @property {string} offset the distance of the parallel
  * @property {string} ticks parts of equal length
  * @property {string} view what is seen: "x y width height"
- * @property {string | boolean | null} controls whether the panel is shown; words of "joints t points curve show fine save coordinates
+ * @property {string | boolean | null} controls whether the panel is shown; words of "joints t points curve show save coordinates
  *   zoom" show these groups only
  * @property {boolean} readonly whether the points stay where they are
  * @property {string} hotkeys "off": no keys but the arrows

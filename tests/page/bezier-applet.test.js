@@ -99,6 +99,8 @@ test("keys count only while the focus is inside, and can be switched off", async
   random.forEach(([x, y], i) => assert.ok(x >= 0 && x <= 670 && y >= 0 && y <= 480 && x !== before[i][0]));
   await press(page, "?");
   assert.ok(await page.getByRole("dialog", { name: "Keys" }).isVisible());
+  await press(page, "r");
+  assert.deepEqual(await points(page), random, "the list is open");
   await press(page, "Escape");
   assert.ok(!(await page.getByRole("dialog").isVisible()));
 });
@@ -119,6 +121,7 @@ test("every key has a button", async (t) => {
   await button(page, "Reset").click();
   assert.equal((await points(page)).length, 7);
   await button(page, /^Fewer points/).click();
+  await settled(page);
   assert.equal(await page.locator('bezier-applet [part="handle"]').count(), 4);
   await button(page, /^All 7 points/).click();
 });

@@ -24,7 +24,8 @@ import { arrowStep, isForText } from "../../applet/keys.js";
  */
 export function listenToKeys(host, port) {
   host.addEventListener("keydown", (event) => {
-    if (!event.defaultPrevented && !isForText(event) && pressed(event, port)) event.preventDefault();
+    const elsewhere = event.defaultPrevented || isForText(event) || event.composedPath().some((each) => each instanceof HTMLDialogElement);
+    if (!elsewhere && pressed(event, port)) event.preventDefault();
   });
   for (const type of ["keyup", "focusout"]) host.addEventListener(type, () => port.settled());
 }
