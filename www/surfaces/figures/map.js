@@ -9,7 +9,7 @@ const KEYS = /** @type {Record<string, [number, number]>} */ ({ ArrowRight: [1, 
 const STEP = 0.01;
 
 class UnitSquare extends HTMLElement {
-  #mark = svg("path", { d: "M0 -8 8 0 0 8 -8 0Z", class: "mark" });
+  #mark = svg("g", { class: "hand" }, svg("circle", { r: 22, fill: "transparent" }), svg("path", { d: "M0 -8 8 0 0 8 -8 0Z", class: "mark" }));
   #ofU = svg("path", { class: "of-u" });
   #ofV = svg("path", { class: "of-v" });
   #words = element("p", { className: "note" });
