@@ -57,7 +57,7 @@ export class FigReorder extends Figure {
         ${order.map((k, i) => {
           const [x, y] = place(this.places[k]);
           const below = this.places[k][1] > HEIGHT / 2;
-          return svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="strong haloed middle" x=${x} y=${y + (below ? 24 : -14)}>${i + 1}</text>`;
+          return svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="strong haloed middle" x=${x} y=${y + (below ? 24 : -14)}>${"ABCD"[k]} · ${i + 1}</text>`;
         })}
       </svg>
       ${this.places.map((at, k) => handle({ name: `Point ${"ABCD"[k]}`, at, place, unplace, size: [this.wide, height], box: BOX, step: 1, say: (v) => short(v, 1), kind: order.indexOf(k) % 3 === 0 ? "on" : "off", move: move(k), done: () => this.tell() }))}
@@ -92,7 +92,7 @@ export class FigReorder extends Figure {
       <div class="frame">
         <div class="stage">${this.big()}</div>
         <p class="facts">
-          The order <b>${this.name(this.chosen)}</b>, numbered 1 to 4 in the picture. Backwards it is <b>${this.name(twin)}</b>: ${same ? "the same curve, run through from the other end" : "another curve"}.
+          The order <b class="line">${this.name(this.chosen)}</b>, as numbered in the picture. Backwards it is <b class="line">${this.name(twin)}</b>: ${same ? "the same curve, run through from the other end" : "another curve"}.
           So 24 orders make 12 curves.
         </p>
         <div class="thumbs" role="radiogroup" aria-label="Order of the points">${ORDERS.map((_, k) => this.thumb(k))}</div>

@@ -68,13 +68,13 @@ function measure(name) {
 
 /** `<fig-rounding case="far">` */
 export class FigRounding extends Figure {
-  static properties = { case: oneOf(Object.keys(CASES)), hidden_: { state: true } };
+  static properties = { case: oneOf(Object.keys(CASES)), muted: { state: true } };
 
   constructor() {
     super();
     this.case = "near";
     /** @type {ReadonlySet<string>} */
-    this.hidden_ = new Set();
+    this.muted = new Set();
   }
 
   picture() {
@@ -93,7 +93,7 @@ export class FigRounding extends Figure {
         ${decades.filter((_, k) => k % every === 0).map((k) => svg`<path class="gridline" d="M${left} ${y(10 ** k)}H${this.wide - right}" /><text class="quiet end" x=${left - 7} y=${y(10 ** k) + 4}>10${superscript(k)}</text>`)}
         ${[0, 0.25, 0.5, 0.75, 1].map((t) => svg`<path class="gridline" d="M${x(t)} ${top}V${height - bottom}" /><text class="quiet middle" x=${Math.min(x(t), this.wide - 16)} y=${height - 14}>${t}</text>`)}
         <path class="axis" stroke-dasharray="3 4" d="M${left} ${y(unit)}H${this.wide - right}" />
-        ${METHODS.map(({ key, mark, dash }, k) => this.hidden_.has(key) ? "" : svg`
+        ${METHODS.map(({ key, mark, dash }, k) => this.muted.has(key) ? "" : svg`
           <path data-method=${key} fill="none" stroke="var(--${mark})" stroke-width="2.25" stroke-dasharray=${dash} stroke-linejoin="round"
             d=${pathOf(Array.from(all[k], (error, i) => [x((i + 0.5) / PLACES), y(error)]).flat())} />`)}
         <text class="haloed quiet end" x=${this.wide - right - 4} y=${y(unit) - 5}>last place of a 32-bit number</text>
@@ -107,10 +107,10 @@ export class FigRounding extends Figure {
     const unit = ulp(CASES[this.case].points);
     const best = Math.min(...all);
     const toggle = (/** @type {string} */ key) => (/** @type {boolean} */ shown) => {
-      const hidden = new Set(this.hidden_);
+      const hidden = new Set(this.muted);
       if (shown) hidden.delete(key);
       else hidden.add(key);
-      this.hidden_ = hidden;
+      this.muted = hidden;
     };
     return html`
       <div class="table" tabindex="0" role="region" aria-label="Greatest errors">
@@ -121,7 +121,7 @@ export class FigRounding extends Figure {
               <tr data-method=${key}>
                 <th scope="row"><div class="key">
                   <svg viewBox="0 0 34 12" aria-hidden="true"><path d="M1 6H33" stroke="var(--${mark})" stroke-width="2.5" stroke-dasharray=${dash} /></svg>
-                  ${check({ name, value: !this.hidden_.has(key), change: toggle(key) })}
+                  ${check({ name, value: !this.muted.has(key), change: toggle(key) })}
                 </div></th>
                 <td data-error=${all[k]}>${scientific(all[k])}</td><td>${decimal(all[k] / unit, 1)}</td><td>${decimal(all[k] / best, 1)} ×</td>
               </tr>`)}

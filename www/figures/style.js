@@ -126,7 +126,7 @@ export const style = css`
   .controls.first { border-block-end: 1px solid var(--rim); }
   .key { display: flex; align-items: center; gap: 0.6rem; }
   .key svg { inline-size: 34px; flex: none; }
-  td { white-space: nowrap; }
+  td, .line { white-space: nowrap; }
   .thumbs { display: grid; grid-template-columns: repeat(auto-fill, minmax(5.2rem, 1fr)); gap: 0.4rem; padding: 0.2rem 0.75rem 0.75rem; }
   .thumb { position: relative; display: block; padding: 0.2rem; border: 1px solid var(--rim); border-radius: 7px; background: var(--paper); text-align: center; }
   .thumb:hover { border-color: var(--accent); }
