@@ -23,6 +23,7 @@ for (const name of names("js")) {
     for (const language of /** @type {const} */ (["js", "rs"])) {
       const shown = unwrap(read(`${name}.${language}`), language);
       assert.doesNotMatch(shown, /(function|fn) sample\b|\bprint\(|writeln!|pub\(crate\)/);
+      assert.doesNotMatch(shown, /println!\( /, "a call over several lines keeps them");
       assert.match(shown, language === "js" ? /console\.log\(/ : /println!\(/);
       const text = highlight(shown, language).replace(/<[^>]*>/g, "");
       assert.equal(text.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, '"').replace(/&amp;/g, "&"), shown);

@@ -12,7 +12,7 @@ const WRAPPERS = {
   rs: {
     head: /^pub\(crate\) fn sample\(out: &mut String\) \{\n/m,
     indent: 4,
-    print: [[/\bwriteln!\(\s*out,\s?(\n?)/g, "println!($1"], [/\bwriteln!\(\s*out\s*\)/g, "println!()"], [/\bwrite!\(\s*out,\s?/g, "print!("]],
+    print: [[/\bwriteln!\(\s*out, ?(\n?)/g, "println!($1"], [/\bwriteln!\(\s*out\s*\)/g, "println!()"], [/\bwrite!\(\s*out,\s?/g, "print!("]],
   },
 };
 

@@ -105,4 +105,5 @@ button[aria-pressed="true"]:hover { color: var(--bz-on-accent); }
 .note { flex: 1 1 100%; margin: 0; color: var(--bz-quiet); font-size: 0.875rem; }
 .row { display: flex; flex-wrap: wrap; gap: 0.4rem; }
 .away { position: absolute; inline-size: 1px; block-size: 1px; margin: -1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+@media print { .tools, .message { display: none; } }
 `;
