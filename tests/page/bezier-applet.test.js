@@ -273,6 +273,12 @@ test("a screen reader finds a figure with instructions, its description from the
   assert.deepEqual((await points(page))[6], [600, 380], "more is higher up");
   await page.waitForFunction(() => /P6 at 600, 380/.test(a.shadowRoot.querySelector("[role=status]").textContent));
   assert.match(await description(), /P6 at 600, 380/);
+  const told = (words) => page.waitForFunction((pattern) => new RegExp(pattern).test(a.shadowRoot.querySelector("[role=status]").textContent), words);
+  await ask(page, () => (a.joints = ["free"]));
+  await drag(page, 4, 50, 40);
+  await told("^P4 at .*At P3: C0$");
+  await ask(page, () => a.setAttribute("t", "seven"));
+  await told('^t: expected a number from 0 to 1, got "seven"$');
 });
 
 test("Tab goes through the points in the order of the curve", async (t) => {

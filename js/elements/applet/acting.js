@@ -24,6 +24,8 @@ export class Acting {
   tells = [];
   /** The point that was touched last. */
   chosen = -1;
+  /** What has been said of the message and the joints; it is not said again. @type {string[]} */
+  heard = [];
   /** Whether taps move it. */
   tapping = false;
   player = new Player((by) => this.#advance(by));
@@ -87,7 +89,8 @@ export class Acting {
   do(change, words) {
     this.stage?.release();
     const done = this.host.byUser(change);
-    this.speaker?.say(done ? words : this.host.message);
+    if (!done) this.heard = this.heard.slice(1); // the same refusal is told again
+    this.speaker?.say(done ? words : "");
     return done;
   }
 
@@ -263,7 +266,7 @@ export class Acting {
     } catch {
       this.host.say("The page may not write to the clipboard: mark the code and copy it.");
     }
-    this.speaker?.say(this.host.message);
+    this.speaker?.say("");
   }
 }
 

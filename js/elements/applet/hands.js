@@ -36,6 +36,7 @@ export class Hands extends Acting {
       this.begin(stage, new Speaker(find("[role=status]"), () => this.#describe()));
       this.#describe();
     }
+    if (!this.heard.includes(this.message)) this.speaker?.say();
     this.stage?.start();
     if (this.#theme !== host.theme) this.stage?.recolour(); // asks for the computed style, which costs as much as the picture
     else this.stage?.refresh();
@@ -49,12 +50,21 @@ export class Hands extends Acting {
     this.speaker?.end();
   }
 
-  /** The picture in words, brought up to date. */
+  /** The picture in words, brought up to date; what is new in it. */
   #describe() {
     const figure = this.host.made();
-    const words = description(this.host.now(), figure, jointsOf(figure), this.tells.map((told) => told.words));
+    const joints = jointsOf(figure);
+    const words = description(this.host.now(), figure, joints, this.tells.map((told) => told.words));
     setText(/** @type {HTMLElement} */ (this.host.renderRoot.querySelector("#description")), words);
-    return "";
+    const truths = joints.map(({ at, verdict }) => `At ${at}: ${verdict}`);
+    const news = [this.message, ...truths].filter((each) => each && !this.heard.includes(each));
+    this.heard = [this.message, ...truths];
+    return news.join(". ");
+  }
+
+  /** What is told below the picture. */
+  get message() {
+    return [...this.host.problems, this.host.message].filter(Boolean).join(" · ");
   }
 
   /** @param {Event} event */
@@ -171,7 +181,7 @@ export class Hands extends Acting {
     const { host } = this;
     return frame({
       name: host.name,
-      message: [...host.problems, host.message].filter(Boolean).join(" · "),
+      message: this.message,
       good: host.good && !host.problems.length,
       cursor: this.tapping ? "place" : states.isHome(host.now()) ? "" : "grab",
       panel: this.panelled ? this.panelPort() : null,
