@@ -150,6 +150,19 @@ test("a point without dragging: select, then tap; and by its coordinates", async
   assert.equal((await points(page))[0][0], 123, "nothing is no number");
 });
 
+test("Reset gives back what the page gave", async (t) => {
+  const given = [[10, 10], [100, 200], [300, 200], [400, 10]];
+  const page = await openApplet(t, `controls points="${given.join(" ")}" t="0.25"`);
+  await button(page, "Reset").click();
+  assert.deepEqual(await points(page), given, "before anything has changed, too");
+  await drag(page, 1, 30, 30);
+  await button(page, "Add a point").click();
+  await button(page, "Reset").click();
+  assert.deepEqual([await points(page), await ask(page, () => a.t)], [given, 0.25]);
+  await button(page, "Undo").click();
+  assert.equal((await points(page)).length, 7);
+});
+
 test("a double click adds a segment that ends there", async (t) => {
   const page = await openApplet(t, 'joints="c1"');
   const { x, y } = await page.locator("bezier-applet .overlay").boundingBox();

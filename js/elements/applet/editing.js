@@ -4,7 +4,7 @@ import * as edits from "./edits.js";
 import { FIELDS, jsonOf, stateOf } from "./fields.js";
 import { figureOf } from "./figure.js";
 import { History } from "./history.js";
-import { BASIS_NAMES, firstState, toggled } from "./state.js";
+import { BASIS_NAMES, toggled } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Place} Place */
@@ -251,7 +251,7 @@ export class AppletEditing extends AppletAttributes {
 
   /** @internal The first state that a user sees. */
   get origin() {
-    return this.#origin ?? firstState();
+    return this.#origin ?? this.now();
   }
 
   /**

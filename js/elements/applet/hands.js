@@ -23,7 +23,7 @@ export class Hands extends Acting {
   constructor(host) {
     super(host);
     listenToKeys(host, this.#keyPort());
-    listenToFiles(host, { busy: (event) => host.readonly || isForText(event), take: (text) => this.take(text) });
+    listenToFiles(host, { busy: isForText, take: (text) => this.take(text) });
     host.addEventListener("focusin", (event) => this.#choose(this.#pointOf(event)));
   }
 
