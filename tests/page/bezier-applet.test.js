@@ -150,6 +150,18 @@ test("a point without dragging: select, then tap; and by its coordinates", async
   assert.equal((await points(page))[0][0], 123, "nothing is no number");
 });
 
+test("the panel's own events stay inside: what is heard is the element's", async (t) => {
+  const page = await openApplet(t, "controls");
+  await page.getByRole("slider", { name: "t", exact: true }).focus();
+  await page.evaluate(() => {
+    globalThis.heard = [];
+    for (const type of ["input", "change"]) document.addEventListener(type, (event) => heard.push(event.composedPath()[0] === a));
+  });
+  await press(page, "ArrowRight");
+  const own = await ask(page, () => heard);
+  assert.ok(own.length >= 2 && own.every(Boolean), `${own}`);
+});
+
 test("Reset gives back what the page gave", async (t) => {
   const given = [[10, 10], [100, 200], [300, 200], [400, 10]];
   const page = await openApplet(t, `controls points="${given.join(" ")}" t="0.25"`);
