@@ -7,7 +7,8 @@ import { serve } from "./server.js";
 
 const CSP = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
 const TIMES = 1000;
-const WARM_UP = 50;
+/** Until then the browser compiles what is called often. */
+const WARM_UP = 250;
 /** A mere byte kept for each time and kind would not be seen; an element, a listener or a closure is. */
 const KEPT_BYTES_PER_TIME = 40;
 
@@ -66,17 +67,24 @@ const comeAndGo = (page, times) =>
     }
   }, times);
 
+/** Waits until all have begun again, which they do a little after they came: as much is alive as there was. */
+const begunAgain = (page, { listeners, observers }) =>
+  page.waitForFunction(([listeners, observers]) => ledger.count().listeners >= listeners && ledger.count().observers >= observers, [listeners, observers]);
+
 test("every kind of element comes and goes a thousand times and leaves nothing", async (t) => {
   const page = await openStrict(t);
   const client = await page.context().newCDPSession(page);
   const empty = await page.evaluate(() => ledger.count()); // the test's own tool listens, too
   const names = await populate(page);
   await settled(page);
+  const begun = await page.evaluate(() => ledger.count());
   await comeAndGo(page, WARM_UP);
   await settled(page);
+  await begunAgain(page, begun);
   const [before, leftBefore] = [await page.evaluate(() => ledger.count()), await leftOver(client)];
   await comeAndGo(page, TIMES);
   await settled(page);
+  await begunAgain(page, before);
   const [after, leftAfter] = [await page.evaluate(() => ledger.count()), await leftOver(client)];
   assert.deepEqual({ ...after, frames: 0 }, { ...before, frames: 0 }, "while they are in the page");
   assert.equal(leftAfter.nodes, leftBefore.nodes, "nodes");
