@@ -3,6 +3,7 @@ import { createReadStream, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { siteFrame } from "./build/frame.js";
 import { appletPosters } from "./build/posters.js";
 import { lessonSamples } from "./build/samples.js";
 import { surfacePosters } from "./build/surface-posters.js";
@@ -45,7 +46,7 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [classicScript, pagesAct, lessonSamples, appletPosters, surfacePosters],
+  plugins: [classicScript, pagesAct, siteFrame, lessonSamples, appletPosters, surfacePosters],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

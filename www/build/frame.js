@@ -1,0 +1,48 @@
+// What all pages have alike: the way to the text, the names of the pages above it and the line below. Written in while the site is
+// built, where a page says `<!-- header -->` and `<!-- footer -->`.
+
+/** The pages that every page names, by their folders. */
+const PAGES = {
+  curves: "Curves",
+  surfaces: "Surfaces",
+  easing: "Easing",
+  camera: "Camera",
+  glyph: "Glyphs",
+  elements: "Elements",
+  texts: "Texts",
+  errata: "Errata",
+};
+
+/**
+ * @param {string} up the way from the page to the first one: "" or "../"
+ * @param {string} here the page's folder
+ */
+function header(up, here) {
+  const current = (/** @type {string} */ folder) => (folder === here ? ' aria-current="page"' : "");
+  const items = Object.entries(PAGES).map(([folder, name]) => `          <li><a href="${up}${folder}/"${current(folder)}>${name}</a></li>`);
+  return `<a class="skip" href="#main">Skip to the text</a>
+    <header class="site">
+      <a class="brand" href="${up || "./"}">casteljau</a>
+      <nav aria-label="Site">
+        <ul>
+${items.join("\n")}
+        </ul>
+      </nav>
+    </header>`;
+}
+
+const FOOTER = `<footer class="site-end">
+      <p>casteljau: one core in Rust, for Rust and the web. MIT or Apache-2.0. What runs on these pages is the package itself.</p>
+    </footer>`;
+
+/** Vite's plugin. */
+export const siteFrame = {
+  name: "site-frame",
+  transformIndexHtml: {
+    order: /** @type {const} */ ("pre"),
+    handler: (/** @type {string} */ html, /** @type {{ path: string }} */ { path }) => {
+      const folders = path.split("/").slice(1, -1);
+      return html.replace("<!-- header -->", header("../".repeat(folders.length), folders[0])).replace("<!-- footer -->", FOOTER);
+    },
+  },
+};
