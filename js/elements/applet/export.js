@@ -38,7 +38,7 @@ export function blobOf(state, figure, theme) {
 export function codeOf(state, figure, language) {
   const write = { js: jsOf, rust: rustOf, canvas: canvasOf }[language];
   if (!write) throw new RangeError(`language: expected js, rust, canvas, got ${JSON.stringify(language)}`);
-  return write(state, figure);
+  return figure.pieces.length ? write(state, figure) : "// Too few points for a curve.\n";
 }
 
 /** @param {number} x */
@@ -72,11 +72,13 @@ function jsOf({ basis, t, segment }, figure) {
   const list = (/** @type {readonly (readonly number[])[]} */ places) => `[\n${places.map((place) => `  [${place.map(short).join(", ")}],`).join("\n")}\n]`;
   if (make) {
     const used = points.filter((_, i) => kinds[i] !== "wait");
-    const at = short(Math.min(segment, Math.max(0, pieces.length - 1)) + t);
-    return `import { Spline } from "casteljau";\n\nconst points = ${list(used)};\nconst spline = ${make(degree)};\nconst { x, y } = spline.eval(${at});\n`;
+    const at = Math.min(segment, pieces.length - 1);
+    const beyond = t < 0 || t > 1; // a spline would go on in the neighbour
+    const place = beyond ? `spline.segments()[${at}].eval(${short(t)})` : `spline.eval(${short(at + t)})`;
+    return `import { Spline } from "casteljau";\n\nconst points = ${list(used)};\nconst spline = ${make(degree)};\nconst { x, y } = ${place};\n`;
   }
   const curves = pieces.map(({ curve }) => `new Curve(${list(pairsOf(curve.controlPoints()))})`);
-  return `import { Curve } from "casteljau";\n\nconst curves = [${curves.join(", ")}];\nconst { x, y } = curves[${Math.min(segment, Math.max(0, pieces.length - 1))}].eval(${short(t)});\n`;
+  return `import { Curve } from "casteljau";\n\nconst curves = [${curves.join(", ")}];\nconst { x, y } = curves[${Math.min(segment, pieces.length - 1)}].eval(${short(t)});\n`;
 }
 
 /**
@@ -85,7 +87,7 @@ function jsOf({ basis, t, segment }, figure) {
  */
 function rustOf({ t, segment }, { pieces }) {
   const lists = pieces.map(({ curve }) => `    Curve::new(&[${pairsOf(curve.controlPoints()).map((place) => `DVec2::new(${place.map(float).join(", ")})`).join(", ")}])?,`);
-  const at = Math.min(segment, Math.max(0, pieces.length - 1));
+  const at = Math.min(segment, pieces.length - 1);
   return `use casteljau::{Curve, glam::DVec2};\n\nlet curves = [\n${lists.join("\n")}\n];\nlet point = curves[${at}].eval(${float(t)});\n`;
 }
 

@@ -88,7 +88,7 @@ export const FIELDS = {
     parse: (text) => (trimmed(text) === "n" ? "n" : numberOf(text)),
   }),
   mode: {
-    parse: numberOf,
+    parse: (text) => (trimmed(text) === "" ? null : numberOf(text)), // as it is written
     put: (state, value) => ({ ...state, shown: value === null ? state.points.length : states.wholeIn(value, "mode", 2, state.points.length) }),
     get: ({ points, shown }) => (shown < points.length ? shown : null),
     write: ({ points, shown }) => (shown < points.length ? String(shown) : ""),
