@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertAccessible } from "./browser.js";
-import { ask, button, centre, cubicAt, drag, fired, focus, handle, ink, openApplet, points, press, pull, set, settled } from "./bezier-applet-page.js";
+import { ask, button, centre, cubicAt, drag, fired, focus, handle, ink, message, openApplet, points, press, pull, set, settled } from "./bezier-applet-page.js";
 
 const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
 
@@ -52,6 +52,20 @@ test("Esc and a lost pointer take a drag back, and leave no undo step", async (t
   await settled(page);
   assert.deepEqual(await points(page), before);
   assert.ok(await button(page, "Undo").isDisabled());
+});
+
+test("a page that takes the dragged point away meanwhile: nothing breaks", async (t) => {
+  const page = await openApplet(t, "controls");
+  await pull(page, 6, -40, 40);
+  await ask(page, () => void (a.points = [[10, 10], [200, 300]]));
+  await settled(page);
+  await page.mouse.move(100, 100);
+  await settled(page);
+  await page.mouse.up();
+  await settled(page);
+  assert.deepEqual([await points(page), await message(page)], [[[10, 10], [200, 300]], ""]);
+  await drag(page, 1, 20, -30);
+  assert.deepEqual((await points(page))[1], [220, 270]);
 });
 
 test("arrows move by 1, 10 and 0.1; a held key is one undo step", async (t) => {

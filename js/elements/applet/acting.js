@@ -151,7 +151,8 @@ export class Acting {
   /** The words for some points and where they are. @param {number[]} indices */
   places(indices) {
     const { names, points } = this.host.made();
-    return indices.map((index) => `${names[index]} at ${placeWords(points[index])}`).join(". ");
+    const there = indices.filter((index) => index < points.length); // the page may have taken some away meanwhile
+    return there.map((index) => `${names[index]} at ${placeWords(points[index])}`).join(". ");
   }
 
   /** @param {number} factor */

@@ -207,7 +207,7 @@ export class Stage {
         port.grabbed(index);
       },
       schedule: () => this.schedule(),
-      move: (index, to, drag) => port.move(index, clamped(port.now().state.view, to), drag),
+      move: (index, to, drag) => index < port.now().figure.points.length && port.move(index, clamped(port.now().state.view, to), drag),
       begun: port.begun,
       restored: port.restored,
       ended: port.ended,
