@@ -60,7 +60,7 @@ test("every anchor is there", () => {
 
 test("no id is given twice, and all pages have the same names of pages above", () => {
   const names = (html) => [...html.matchAll(/<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g)].slice(0, 8).map(([, path, name]) => `${path} ${name}`);
-  const expected = names(readFileSync(`${root}www/index.html`, "utf8"));
+  const expected = names(readFileSync(`${root}site/index.html`, "utf8"));
   assert.equal(expected.length, 8);
   for (const path of PAGES) {
     const { text } = found.get(new URL(`.${path}`, server.url + FOLDER).href);
