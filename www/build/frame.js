@@ -1,5 +1,5 @@
-// What all pages have alike: the way to the text, the names of the pages above it and the line below. Written in while the site is
-// built, where a page says `<!-- header -->` and `<!-- footer -->`.
+// What all pages have alike: what a browser must know, the way to the text, the names of the pages above it and the line below.
+// Written in while the site is built, where a page says `<!-- head -->`, `<!-- header -->` and `<!-- footer -->`.
 
 /** The pages that every page names, by their folders. */
 const PAGES = {
@@ -13,8 +13,15 @@ const PAGES = {
   errata: "Errata",
 };
 
+/** @param {string} up the way from the page to the first one: "" or "../" */
+const head = (up) => `<meta charset="utf-8">
+    <meta name="viewport" content="width=device-width">
+    <meta name="color-scheme" content="light dark">
+    <link rel="icon" href="data:,">
+    <link rel="stylesheet" href="${up}site.css">`;
+
 /**
- * @param {string} up the way from the page to the first one: "" or "../"
+ * @param {string} up
  * @param {string} here the page's folder
  */
 function header(up, here) {
@@ -42,7 +49,8 @@ export const siteFrame = {
     order: /** @type {const} */ ("pre"),
     handler: (/** @type {string} */ html, /** @type {{ path: string }} */ { path }) => {
       const folders = path.split("/").slice(1, -1);
-      return html.replace("<!-- header -->", header("../".repeat(folders.length), folders[0])).replace("<!-- footer -->", FOOTER);
+      const up = "../".repeat(folders.length);
+      return html.replace("<!-- head -->", head(up)).replace("<!-- header -->", header(up, folders[0])).replace("<!-- footer -->", FOOTER);
     },
   },
 };
