@@ -151,3 +151,11 @@ test("a path of lines, quadratics and arcs becomes cubics that meet", () => {
   near(state.points.at(-1), [10, 10]);
   assert.throws(() => withText(firstState(), "nonsense"), /^RangeError: This is no figure: points: expected pairs/);
 });
+
+test("no edit makes more points than can be read back", () => {
+  const full = withPoints(firstState(), Array.from({ length: MOST_POINTS }, (_, i) => [i, i]));
+  const refusal = { name: "RangeError", message: /^points: expected at most 500, got 50[13]$/ };
+  assert.throws(() => edits.appended(full, [1, 2]), refusal);
+  assert.throws(() => edits.inserted(full, 0.5), refusal);
+  assert.equal(edits.removed(full, 3).points.length, MOST_POINTS - 3);
+});

@@ -3,7 +3,7 @@ import { Curve, Spline } from "../../index.js";
 import { generator, randomChain, randomPlaces } from "../../applet/random.js";
 import { pairs } from "../../applet/state.js";
 import { degreeOf, figureOf } from "./figure.js";
-import { numberIn, placeIn, wholeIn, wordIn, MODES } from "./state.js";
+import { MODES, MOST_POINTS, numberIn, placeIn, wholeIn, wordIn } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Place} Place */
@@ -62,6 +62,7 @@ function withChain(state, spline, rest) {
  * @returns {State}
  */
 function withList(state, points) {
+  if (points.length > MOST_POINTS) throw new RangeError(`points: expected at most ${MOST_POINTS}, got ${points.length}`);
   const change = points.length - state.points.length;
   const shown = state.shown === state.points.length ? points.length : Math.min(Math.max(state.shown + change, 2), points.length);
   return { ...state, points, shown };

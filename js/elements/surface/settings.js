@@ -62,7 +62,7 @@ export function settingsOf(given) {
     height: word(given.height, HEIGHTS),
     up: word(given.up, AXES),
     segments,
-    fineness: finenessOf(segments, number(given.tolerance, 0, Infinity, 0), number(given.pixels, LEAST_PIXELS, 100, 0), number(given.flatness, 0, Infinity, 0)),
+    fineness: finenessOf(segments, number(given.tolerance, 0, Number.MAX_VALUE, 0), number(given.pixels, LEAST_PIXELS, 100, 0), number(given.flatness, 0, Number.MAX_VALUE, 0)),
     lines: Math.round(number(given.lines, 1, MOST_LINES, 4)),
     shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
     layers: words(given.show ?? "surface", LAYERS),
