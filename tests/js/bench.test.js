@@ -29,6 +29,6 @@ test("each target belongs to a row", async () => {
   const modules = await Promise.all(["curve", "easing", "intersect", "measure", "nearest", "offset", "path", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
   const ids = modules.flatMap(({ rows }) => rows).map(({ id }) => id);
   assert.equal(new Set(ids).size, ids.length);
-  const other = /^(adaptive-(verb|triangles?)|growth-\w+|(flatten|intersect|length|nearest|offset)(-[\d.]+)?-(kurbo|lyon_geom)(-segments)?|first-call|frame|size)$/;
+  const other = /^(adaptive-(verb|triangles?)|growth-\w+|(flatten|intersect|length|nearest|offset)(-[\d.]+)?-(kurbo|lyon_geom)(-segments)?|first-call|frame|size(-elements)?)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
 });
