@@ -41,7 +41,7 @@ function sizes() {
   };
   return [
     row("size", "index.js + applet.js", "package without elements, minified, gzip -9"),
-    row("size-elements", "elements, loaded at once", "elements without the core, minified, gzip -9"),
+    row("size-elements", "elements, loaded at once", "elements, what loads at once, without the core, minified, gzip -9"),
     row("size-curves", "{ Curve, Spline }", "  what a bundle of curves and splines only carries of it"),
   ];
 }
