@@ -29,6 +29,16 @@ export function readTheme(probe, roles = /** @type {readonly any[]} */ (ROLES)) 
 const COLOUR_QUERIES = ["(prefers-color-scheme: dark)", "(forced-colors: active)", "print"];
 
 /**
+ * @param {() => void} changed
+ * @returns {() => void} ends it
+ */
+export function followColours(changed) {
+  const queries = COLOUR_QUERIES.map((query) => matchMedia(query));
+  for (const query of queries) query.addEventListener("change", changed);
+  return () => queries.forEach((query) => query.removeEventListener("change", changed));
+}
+
+/**
  * @template {string} [R=Role]
  * @param {HTMLElement} probe
  * @param {(theme: Record<R, string>) => void} changed
@@ -36,8 +46,5 @@ const COLOUR_QUERIES = ["(prefers-color-scheme: dark)", "(forced-colors: active)
  * @returns {() => void} ends it
  */
 export function followTheme(probe, changed, roles) {
-  const listener = () => changed(readTheme(probe, roles));
-  const queries = COLOUR_QUERIES.map((query) => matchMedia(query));
-  for (const query of queries) query.addEventListener("change", listener);
-  return () => queries.forEach((query) => query.removeEventListener("change", listener));
+  return followColours(() => changed(readTheme(probe, roles)));
 }

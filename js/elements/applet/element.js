@@ -1,5 +1,5 @@
 import { css, html } from "lit";
-import { adoptProperties } from "../surface/attributes.js";
+import { adoptProperties } from "../adopt.js";
 import { AppletEditing } from "./editing.js";
 import { FIELDS } from "./fields.js";
 import { MISSING } from "../loading.js";

@@ -60,18 +60,3 @@ export class SurfaceAttributes extends LitElement {
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 }
-
-/**
- * What a page wrote before the element was defined lies over the accessors: takes it away and writes it again.
- *
- * @param {any} element
- * @param {string[]} names
- */
-export function adoptProperties(element, names) {
-  for (const name of names) {
-    if (!Object.hasOwn(element, name)) continue;
-    const value = element[name];
-    delete element[name];
-    element[name] = value;
-  }
-}

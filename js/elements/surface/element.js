@@ -1,5 +1,6 @@
 import { Surface } from "../../index.js";
-import { adoptProperties, SurfaceAttributes } from "./attributes.js";
+import { adoptProperties } from "../adopt.js";
+import { SurfaceAttributes } from "./attributes.js";
 import { HOME, moved, rayThrough, ZOOM_STEP } from "./camera.js";
 import { Desk } from "./desk.js";
 import { acceptDrops } from "./files.js";

@@ -4,7 +4,8 @@ import { FlatView } from "./flat-view.js";
 import { Geometry } from "./geometry.js";
 import { GlView } from "./gl-view.js";
 import { Lease } from "./lease.js";
-import { followTheme, readTheme } from "./theme.js";
+import { followColours } from "../../applet/theme.js";
+import { readTheme } from "./theme.js";
 
 /**
  * @import { Sight, View } from "./camera.js"
@@ -81,7 +82,7 @@ export class Stage {
     canvas.addEventListener("webglcontextrestored", restored);
     const observer = new ResizeObserver((entries) => this.#resize(entries[entries.length - 1]));
     observe(observer, canvas);
-    const themeEnds = followTheme(() => this.recolour());
+    const themeEnds = followColours(() => this.recolour());
     this.#endings.push(
       () => canvas.removeEventListener("webglcontextlost", lost),
       () => canvas.removeEventListener("webglcontextrestored", restored),
