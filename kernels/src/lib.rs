@@ -18,6 +18,7 @@ mod positions;
 mod sample;
 mod speed;
 mod weights;
+mod work;
 
 pub use angle::cos_sin;
 pub use bend::{BEND_SLACK, Bends, Sizes};
@@ -35,3 +36,6 @@ pub use parallel::{Parallel, Plane, Source};
 pub use sample::{Sampler, Vector};
 pub use speed::speed_integral;
 pub use weights::{binomial, weights};
+pub use work::WorkLimit;
+#[cfg(feature = "count-work")]
+pub use work::take_steps;

@@ -1,0 +1,66 @@
+//! Limits on the work of iterative algorithms, counted in steps and never in time.
+
+/// Counts the steps of one call and says when its limit is reached.
+///
+/// A step is whatever the algorithm repeats: a halving, a box that is looked at, an evaluation. A call that reaches its
+/// limit either refuses (`Error::TooMany`) or returns the best answer found so far; the documentation of each function
+/// says which.
+#[derive(Debug)]
+pub struct WorkLimit {
+    used: usize,
+    limit: usize,
+}
+
+impl WorkLimit {
+    /// A counter that allows `limit` steps.
+    #[inline]
+    pub fn new(limit: usize) -> Self {
+        Self { used: 0, limit }
+    }
+
+    /// Counts some steps; false from the moment that the limit is passed.
+    #[inline]
+    #[must_use]
+    pub fn spend(&mut self, steps: usize) -> bool {
+        self.used = self.used.saturating_add(steps);
+        self.used <= self.limit
+    }
+
+    /// Whether more steps were asked for than the limit allows.
+    #[inline]
+    pub fn is_exceeded(&self) -> bool {
+        self.used > self.limit
+    }
+
+    /// The steps that were counted.
+    #[inline]
+    pub fn used(&self) -> usize {
+        self.used
+    }
+}
+
+/// With the feature `count-work`, the steps of every call are added up for each thread, so that tests can check limits
+/// without a clock.
+#[cfg(feature = "count-work")]
+mod total {
+    use super::WorkLimit;
+    use std::cell::Cell;
+
+    thread_local! {
+        static STEPS: Cell<usize> = const { Cell::new(0) };
+    }
+
+    impl Drop for WorkLimit {
+        fn drop(&mut self) {
+            STEPS.with(|steps| steps.set(steps.get().saturating_add(self.used)));
+        }
+    }
+
+    /// The steps counted on this thread since the last call of this function.
+    pub fn take_steps() -> usize {
+        STEPS.with(|steps| steps.replace(0))
+    }
+}
+
+#[cfg(feature = "count-work")]
+pub use total::take_steps;
