@@ -22,6 +22,13 @@ pub(super) const DYADIC: u32 = 1 << 30;
 /// from closer.
 pub(super) const FORECAST_DEPTHS: [u32; 2] = [0, 8];
 
+/// After how many halvings pieces tell how many they will become when each is halved again and again, if that may be too
+/// many; when closer pieces tell nearly the same, it is.
+pub(super) const CLOSE_FORECAST_DEPTHS: [u32; 2] = [12, 14];
+
+/// The most vectors of all pieces, in halving all patches: for bicubic ones, more than the largest mesh needs.
+const MAX_VECTORS: usize = 1 << 31;
+
 /// A piece that may be too large: how much it bends along u, along both and along v, per unit of the patch's parameters.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
@@ -43,6 +50,8 @@ pub(super) struct Cutter<'a> {
     /// While cells are only counted: after how many halvings, and how many are to be expected so far.
     pub(super) forecast: Option<u32>,
     pub(super) expected: f64,
+    /// … and how many if each piece is halved as if it bent everywhere as it does most: no fewer than there will be.
+    pub(super) expected_at_most: f64,
     pub(super) cells: Vec<Cell>,
     /// The vectors of the pieces that wait, in units of `size`.
     pub(super) bends: Bends,
@@ -76,6 +85,7 @@ impl Cutter<'_> {
             let distance = bound(piece.lengths, piece.bend);
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.least_cells(tolerance);
+                self.expected_at_most += piece.halved_cells(tolerance);
                 self.bends.pop();
                 continue;
             }
@@ -171,6 +181,7 @@ impl Cutter<'_> {
     fn add(&mut self, cell: Cell) {
         if self.forecast.is_some() {
             self.expected += 1.0;
+            self.expected_at_most += 1.0;
         } else {
             self.cells.push(cell);
         }
@@ -217,6 +228,19 @@ impl Piece {
         both.max((a.max(c) / tolerance).sqrt()).max(1.0)
     }
 
+    /// How many cells it becomes when it is halved until these are within the tolerance, if it bends alike everywhere.
+    fn halved_cells(mut self, tolerance: f64) -> f64 {
+        let mut cells = 1.0;
+        while bound(self.lengths, self.bend) > tolerance {
+            let Some(along_u) = self.longer_along_u() else {
+                break;
+            };
+            [self, _] = self.halves(along_u, [self.bend; 2]);
+            cells *= 2.0;
+        }
+        cells
+    }
+
     /// Along which of the closed directions, if any, it still goes all the way round.
     fn cell_closes(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
         match (
@@ -250,6 +274,13 @@ impl Piece {
             bend: bends[k],
         })
     }
+}
+
+/// The most cells whose pieces together have no more vectors than [`MAX_VECTORS`]: there are about twice as many pieces as
+/// cells.
+pub(super) fn most_cells(degree_u: usize, degree_v: usize) -> usize {
+    let (m, n) = (degree_u, degree_v);
+    MAX_VECTORS / (2 * ((m - 1) * (n + 1) + m * n + (m + 1) * (n - 1)))
 }
 
 /// Whether a patch begins and ends at one place along u, and along v. However thin such a tube is, a single piece of it

@@ -5,10 +5,14 @@ use super::{Patch, Surface};
 use crate::curve::{check_tolerance, max_abs};
 use crate::error::Error;
 use crate::point::Point;
+use casteljau_kernels::WorkLimit;
 use glam::DVec3;
 
 /// The most leaves of one surface.
 const MAX_LEAVES: usize = 1 << 18;
+
+/// The most control points of all pieces on the way to them: up to degree 5, more than 2¹⁸ leaves have.
+const MAX_STEPS: usize = 1 << 24;
 
 /// A piece of a patch that counts as flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,21 +52,27 @@ impl Surface {
     ///
     /// # Errors
     /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces.
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces, and when all pieces, split ones included, together have more than
+    /// 2²⁴ control points (at degrees above 5 that comes first).
     pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
         let size = self.control_bounds();
         check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
         let mut leaves = Vec::new();
+        let mut work = WorkLimit::new(MAX_STEPS);
         for (number, patch) in self.patches().enumerate() {
             let all = [0.0, 1.0, 0.0, 1.0];
-            split(number, &patch, all, tolerance, &mut leaves);
+            split(number, &patch, all, tolerance, &mut leaves, &mut work);
         }
+        let refusal = |what, limit| Error::TooMany {
+            what,
+            limit,
+            needed: limit + 1,
+        };
         if leaves.len() > MAX_LEAVES {
-            return Err(Error::TooMany {
-                what: "leaves",
-                limit: MAX_LEAVES,
-                needed: MAX_LEAVES + 1,
-            });
+            return Err(refusal("leaves", MAX_LEAVES));
+        }
+        if work.is_exceeded() {
+            return Err(refusal("control points of all pieces", MAX_STEPS));
         }
         Ok(leaves)
     }
@@ -76,8 +86,9 @@ fn split(
     [u0, u1, v0, v1]: [f64; 4],
     tolerance: f64,
     leaves: &mut Vec<FlatPiece>,
+    work: &mut WorkLimit,
 ) {
-    if leaves.len() > MAX_LEAVES {
+    if !work.spend(piece.points.len()) || leaves.len() > MAX_LEAVES {
         return;
     }
     let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
@@ -101,7 +112,7 @@ fn split(
         [u, u1, v, v1],
     ];
     for (quarter, place) in piece.split(0.5, 0.5).iter().zip(places) {
-        split(patch, quarter, place, tolerance, leaves);
+        split(patch, quarter, place, tolerance, leaves, work);
     }
 }
 

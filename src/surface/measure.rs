@@ -5,6 +5,7 @@ use super::net::differences_u;
 use super::topology::{Side, SideName};
 use super::{Patch, Surface};
 use crate::curve::{bernstein_into, ratio};
+use casteljau_kernels::{TileArea, WorkLimit};
 use glam::DVec3;
 
 /// Nodes and weights of Gauss and Legendre's rule with 8 points on [−1, 1], which is exact to degree 15; the others are
@@ -22,10 +23,11 @@ const AREA_ERROR: f64 = 1e-9;
 /// In units of the patch's size squared, what is left of an area where there is none.
 const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
-/// The most tiles that are split at once, and the most control points in all of them: only folds need so many, and
-/// patches of high degrees that have as many bends.
+/// The most tiles that are split at once: only folds need so many, and patches of high degrees that have as many bends.
 const MAX_TILES: usize = 1024;
-const MAX_POINTS: usize = 1 << 19;
+
+/// The most steps of an area, about one for each multiplication.
+const MAX_AREA_STEPS: usize = 1 << 23;
 
 /// Tiles are halved no more often than this in u and v.
 const MAX_ROUNDS: usize = 40;
@@ -44,8 +46,12 @@ impl Patch {
     /// The area, ∫∫|∂u × ∂v| du dv, within 1e-8 of itself.
     ///
     /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
-    /// twice. Zero for a patch that is a curve or a point. Of one that folds back along a line that is no tile's side
-    /// the eighth digit may be off, and more of one that has dozens of bends.
+    /// twice. Zero for a patch that is a curve or a point.
+    ///
+    /// At most 1024 tiles are split at once, in at most 2²³ steps, about one for each multiplication: some milliseconds.
+    /// Where that is not enough, the best estimate. Its error is then that of Gauss's rule on the tiles in which ∂u × ∂v
+    /// vanishes: the eighth digit may be off for a patch of low degree that folds back along a line, and the fifth for
+    /// one of degree 24 with dozens of folds.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = frame.image(self).area_in_frame();
@@ -56,16 +62,24 @@ impl Patch {
     }
 
     fn area_in_frame(&self) -> f64 {
-        let area = |tile: Tile| self.integral(tile, &|_, du, dv| du.cross(dv).length());
-        let most = MAX_TILES.min(MAX_POINTS / self.points.len());
+        let mut rule = TileArea::new(
+            self.points.iter().map(|p| p.to_array()).collect(),
+            self.columns,
+        );
+        let mut work = WorkLimit::new(MAX_AREA_STEPS);
         // Tiles, their areas, and by how much that of the four was off together when it was one.
-        let mut tiles = vec![(Tile::WHOLE, area(Tile::WHOLE), 0.0)];
+        let mut tiles = vec![(Tile::WHOLE, rule.area([0.0, 1.0], [0.0, 1.0]), 0.0)];
         let mut settled = 0.0;
         for _ in 0..MAX_ROUNDS {
+            if !work.spend(round_steps(&tiles, &rule)) {
+                break;
+            }
             let mut split = Vec::with_capacity(tiles.len());
             let (mut sum, mut errors) = (settled, 0.0);
             for (tile, value, before) in tiles {
-                let quarters = tile.quarters().map(|quarter| (quarter, area(quarter)));
+                let quarters = tile
+                    .quarters()
+                    .map(|quarter| (quarter, rule.area(quarter.u, quarter.v)));
                 let better: f64 = quarters.iter().map(|(_, value)| value).sum();
                 let off = (better - value).abs();
                 // What is off by now shrinks once more as it did last time, a quarter of it having been this tile's.
@@ -74,7 +88,7 @@ impl Patch {
                 errors += error;
                 split.push((quarters, better, off, error));
             }
-            if errors <= AREA_ERROR * sum + NO_AREA || split.len() > most {
+            if errors <= AREA_ERROR * sum + NO_AREA || split.len() > MAX_TILES {
                 return sum;
             }
             let allowed = AREA_ERROR * sum / (2.0 * ratio(split.len(), 1));
@@ -127,6 +141,11 @@ impl Patch {
     }
 }
 
+/// The steps of splitting all these tiles in four. Each gives two ranges of u, and the quarters of neighbours share them.
+fn round_steps(tiles: &[(Tile, f64, f64)], rule: &TileArea) -> usize {
+    2 * tiles.len() * (rule.steps(true) + rule.steps(false))
+}
+
 /// A node of the rule: its weight there, and the Bernstein weights of a degree and of the degree below.
 struct Node {
     weight: f64,
@@ -177,7 +196,8 @@ impl Tile {
             [[from, middle], [middle, to]]
         };
         let ([u0, u1], [v0, v1]) = (halves(self.u), halves(self.v));
-        [(u0, v0), (u1, v0), (u0, v1), (u1, v1)].map(|(u, v)| Self { u, v })
+        // Neighbours in this order share a range of u, which [`TileArea`] makes use of.
+        [(u0, v0), (u0, v1), (u1, v1), (u1, v0)].map(|(u, v)| Self { u, v })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where is a polynomial over patches least? The certain answer, by branch and bound.
 
 use super::piece::{Jet, Piece, search};
+use casteljau_kernels::WorkLimit;
 
 /// What rounding makes of coefficients of the size 1 to 8, after products and halvings; as much is no difference.
 const SLACK: f64 = 64.0 * f64::EPSILON;
@@ -30,22 +31,50 @@ pub(super) struct Minimum {
     pub(super) root: usize,
     pub(super) u: f64,
     pub(super) v: f64,
-    /// What `measure` says of it.
+    /// What the objective says of it.
     pub(super) value: f64,
+}
+
+/// What is asked for, in other words than by the polynomials, which rise and fall with it.
+pub(super) trait Objective {
+    /// The value at a place of a polynomial. It decides between places that the polynomials cannot tell apart.
+    fn value(&self, root: usize, at: [f64; 2]) -> f64;
+
+    /// How many times a patch's degree that of its polynomial is.
+    fn degree_factor(&self) -> usize {
+        1
+    }
+
+    /// The value of the polynomials from which on places are of no interest.
+    fn cutoff(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// A place that is as good or better, found in a way that loses fewer digits.
+    fn refine(&self, _root: usize, at: [f64; 2]) -> [f64; 2] {
+        at
+    }
+
+    /// Whether it is certain that no place is better by more than rounding.
+    fn is_least(&self, _minimum: &Minimum) -> bool {
+        false
+    }
 }
 
 /// The least of polynomials over the unit square with coefficients of the size 1 to 8 or less.
 ///
-/// `measure` gives the value that is asked for at a place; the polynomials rise and fall with it. It decides between
-/// places that the polynomials cannot tell apart. Where not points but whole curves are least, one of their points.
-pub(super) fn minimise(
-    roots: &[Piece],
-    measure: &dyn Fn(usize, f64, f64) -> f64,
-) -> Option<Minimum> {
+/// Where not points but whole curves are least, one of their points. When the search has taken the most steps for
+/// each polynomial, the best place found: a local minimum from the least corner of all pieces so far.
+pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Minimum> {
+    let limits = roots
+        .iter()
+        .map(|root| root.max_search_steps(objective.degree_factor()));
+    let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
     let mut least = Least {
         roots,
-        measure,
-        floor: f64::INFINITY,
+        objective,
+        is_done: false,
+        floor: objective.cutoff(),
         best: None,
         ties: 0,
     };
@@ -53,15 +82,19 @@ pub(super) fn minimise(
     let first = roots
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
-    least.improve(first, &UNIT_SQUARE, true);
-    search(roots.to_vec(), usize::MAX, &mut |piece| least.look(piece));
+    least.improve(first, &UNIT_SQUARE, true, &mut work);
+    search(roots.to_vec(), usize::MAX, &mut work, &mut |piece, work| {
+        least.look(piece, work)
+    });
     least.best
 }
 
 /// The least value so far.
 struct Least<'a> {
     roots: &'a [Piece],
-    measure: &'a dyn Fn(usize, f64, f64) -> f64,
+    objective: &'a dyn Objective,
+    /// Whether no place is better than the best one.
+    is_done: bool,
     /// The least value of a polynomial.
     floor: f64,
     best: Option<Minimum>,
@@ -71,43 +104,59 @@ struct Least<'a> {
 
 impl Least<'_> {
     /// Whether a piece may hold a lesser value and has to be seen closer.
-    fn look(&mut self, piece: &Piece) -> bool {
+    fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
         let [low, _] = piece.range(0);
-        if low >= self.floor + SLACK {
+        if self.is_done || low >= self.floor + SLACK {
             return false;
         }
-        self.improve(piece, &UNIT_SQUARE, false);
-        if low >= self.floor - SLACK {
+        self.improve(piece, &UNIT_SQUARE, false, work);
+        if self.is_done || low >= self.floor - SLACK {
             return false;
         }
         // Of a convex piece one minimum is the only one.
-        !(is_convex(piece) && self.improve(piece, &[piece.u, piece.v], true))
+        !(is_convex(piece) && self.improve(piece, &[piece.u, piece.v], true, work))
     }
 
     /// Goes down from the least corner of a piece, if that is worth it, and says whether it reached a minimum.
-    fn improve(&mut self, piece: &Piece, within: &[[f64; 2]; 2], always: bool) -> bool {
+    fn improve(
+        &mut self,
+        piece: &Piece,
+        within: &[[f64; 2]; 2],
+        always: bool,
+        work: &mut WorkLimit,
+    ) -> bool {
         let (start, corner) = least_corner(piece);
+        let root = &self.roots[piece.root];
         if !always && corner > self.floor - SLACK {
             if corner > self.floor + SLACK
                 || self.ties == MAX_TIES
                 || self.is_known(piece.root, start)
+                || !work.spend(root.jet_steps())
+                || !self.is_better(self.objective.value(piece.root, start))
             {
                 return false;
             }
             self.ties += 1;
         }
-        let (at, value, settled) = go_down(&self.roots[piece.root], within, start);
+        let (at, value, settled) = go_down(root, within, start, work);
         self.floor = self.floor.min(value);
-        let measured = (self.measure)(piece.root, at[0], at[1]);
-        if self.best.is_none_or(|best| measured < best.value) {
-            self.best = Some(Minimum {
-                root: piece.root,
-                u: at[0],
-                v: at[1],
-                value: measured,
-            });
-        }
+        self.keep_better(piece.root, at);
         settled
+    }
+
+    fn is_better(&self, value: f64) -> bool {
+        self.best.is_none_or(|best| value < best.value)
+    }
+
+    /// Makes a place the best one if it is better than that.
+    fn keep_better(&mut self, root: usize, at: [f64; 2]) {
+        let [u, v] = self.objective.refine(root, at);
+        let value = self.objective.value(root, [u, v]);
+        if self.is_better(value) {
+            let best = Minimum { root, u, v, value };
+            self.is_done = self.objective.is_least(&best);
+            self.best = Some(best);
+        }
     }
 
     /// Whether the best place is that one.
@@ -127,7 +176,12 @@ fn least_corner(piece: &Piece) -> ([f64; 2], f64) {
 
 /// Newton's method within a rectangle, each step cut short until it goes down. The last place, its value, and whether
 /// no step was left to take there.
-fn go_down(root: &Piece, within: &[[f64; 2]; 2], start: [f64; 2]) -> ([f64; 2], f64, bool) {
+fn go_down(
+    root: &Piece,
+    within: &[[f64; 2]; 2],
+    start: [f64; 2],
+    work: &mut WorkLimit,
+) -> ([f64; 2], f64, bool) {
     let mut at = start;
     let mut jet = root.jet(0, at);
     for _ in 0..MAX_STEPS {
@@ -137,7 +191,8 @@ fn go_down(root: &Piece, within: &[[f64; 2]; 2], start: [f64; 2]) -> ([f64; 2], 
         let (next, there) = loop {
             let next = moved(at, step, within);
             let there = root.jet(0, next);
-            if is_last || there.f <= jet.f || cuts == MAX_CUTS {
+            let may_go_on = work.spend(root.jet_steps());
+            if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
                 break (next, there);
             }
             cuts += 1;

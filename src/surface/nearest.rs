@@ -6,14 +6,26 @@
 //! 1998; of products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
 use super::frame::{Frame, box_of};
-use super::minimum::minimise;
+use super::minimum::{Minimum, Objective, minimise};
 use super::normal::binomial;
 use super::piece::Piece;
 use super::{Patch, Surface};
 use crate::curve::{Bounds, check_finite};
 use crate::error::Error;
 use crate::point::Point;
+use casteljau_kernels::add_product;
 use glam::DVec3;
+
+/// What rounding makes of a point of a patch, as a share of the size.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Below this share of the size, the squared distance has lost digits that Gauss–Newton steps can bring back; more of
+/// these steps than the maximum only creep.
+const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
+const MAX_REFINEMENTS: usize = 32;
+
+/// The damping of a step where the derivative is singular, as a share of the greatest possible.
+const DAMPING: f64 = 1e-12;
 
 /// A point of a patch, found by a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,32 +86,47 @@ impl Patch {
     /// of all, not of a neighbourhood; distances that differ by rounding (some 1e-7 of the size where both are about zero)
     /// count as equal, and of equally near points any one is given. On a patch that is a point, that point.
     ///
+    /// The search takes at most 2²³ steps, about one for each multiplication: some milliseconds (2²⁶ above degree 24).
+    /// Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum of the
+    /// distance that no point found before is nearer than.
+    ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec3) -> Result<PatchPoint, Error> {
         check_finite("point", &[p])?;
-        let nearest = nearest(std::slice::from_ref(self), p);
+        let nearest = nearest(std::slice::from_ref(self), p, f64::INFINITY);
         Ok(nearest
             .unwrap_or_else(|| SurfacePoint::at(self, 0, 0.0, 0.0, p))
             .on_patch())
     }
 }
 
+impl Patch {
+    /// The nearest point to p, if it is no farther away than `reach`.
+    pub(super) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
+        // Twice as far, since the polynomial rounds.
+        let nearest = nearest(std::slice::from_ref(self), p, 2.0 * reach)?;
+        (nearest.distance <= reach).then(|| nearest.on_patch())
+    }
+}
+
 impl Surface {
     /// The point of the surface that is nearest to p; `None` without patches. See [`Patch::nearest`].
     ///
-    /// Patches whose box is farther away than a point that is known are not looked at.
+    /// Patches whose box is farther away than a point that is known are not looked at; each of the others adds to the most
+    /// steps.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec3) -> Result<Option<SurfacePoint>, Error> {
         check_finite("point", &[p])?;
         let patches: Vec<Patch> = self.patches().collect();
-        Ok(nearest(&patches, p))
+        Ok(nearest(&patches, p, f64::INFINITY))
     }
 }
 
-fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
+/// The nearest point; if none is nearer than `cutoff`, any point that is farther away.
+fn nearest(patches: &[Patch], p: DVec3, cutoff: f64) -> Option<SurfacePoint> {
     let frame = Frame::around(box_of(patches)?);
     // The farthest that the nearest point can be: at a corner of some patch.
     let corner = |patch: &Patch| (patch.points[0] * 0.5 - p * 0.5).norm();
@@ -107,38 +134,125 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let near: Vec<usize> = (0..patches.len())
         .filter(|&k| gap(patches[k].control_bounds(), p) <= reach * (1.0 + 8.0 * f64::EPSILON))
         .collect();
+    let images: Vec<Patch> = near.iter().map(|&k| frame.image(&patches[k])).collect();
     let roots: Vec<Piece> = (0..)
-        .zip(&near)
-        .map(|(root, &k)| squared_distance(root, &patches[k], &frame, p))
+        .zip(&images)
+        .map(|(root, image)| squared_distance(root, image, &frame, p))
         .collect();
-    let measure =
-        |k: usize, u: f64, v: f64| SurfacePoint::at(&patches[near[k]], 0, u, v, p).distance;
-    let least = minimise(&roots, &measure)?;
-    let patch = near[least.root];
-    let place = SurfacePoint::at(&patches[patch], patch, least.u, least.v, p);
-    Some(refined(&patches[patch], place, p))
-}
-
-/// The place after a Gauss–Newton step, if that is nearer: for p on the surface the square of the distance has lost
-/// half of the digits that the difference S − p still has.
-fn refined(patch: &Patch, place: SurfacePoint, p: DVec3) -> SurfacePoint {
-    let d = patch.partials(place.u, place.v);
-    let off = place.point - p;
-    let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
-    let (u, v, det) = (d.u.dot(off), d.v.dot(off), uu * vv - uv * uv);
-    let inside = |t: f64| t.clamp(0.0, 1.0);
-    let next = SurfacePoint::at(
-        patch,
-        place.patch,
-        inside(place.u - (vv * u - uv * v) / det),
-        inside(place.v - (uu * v - uv * u) / det),
+    let distance = Distance {
+        patches,
+        near: &near,
+        images: &images,
+        image_of_p: frame.place(p),
         p,
-    );
-    // Of a step that is not finite, no.
-    if next.distance < place.distance {
+        size: frame.as_coarse_as_its_coordinates().size,
+        cutoff: squared_distance_of(cutoff, &frame, p),
+    };
+    let least = minimise(&roots, &distance)?;
+    let place = distance.place(least.root, [least.u, least.v]);
+    let next = distance.refined(&place);
+    Some(if is_nearer(&next, &place) {
         next
     } else {
         place
+    })
+}
+
+fn is_nearer(a: &SurfacePoint, b: &SurfacePoint) -> bool {
+    a.distance < b.distance
+}
+
+/// The distance of patches from a point.
+struct Distance<'a> {
+    patches: &'a [Patch],
+    /// The numbers of the patches that the polynomials are for …
+    near: &'a [usize],
+    /// … and these patches in a frame, with the point there.
+    images: &'a [Patch],
+    image_of_p: DVec3,
+    p: DVec3,
+    /// The size that rounding is relative to.
+    size: f64,
+    /// The value of the polynomials at the greatest distance of interest.
+    cutoff: f64,
+}
+
+impl Objective for Distance<'_> {
+    fn value(&self, root: usize, at: [f64; 2]) -> f64 {
+        self.place(root, at).distance
+    }
+
+    fn degree_factor(&self) -> usize {
+        2
+    }
+
+    fn cutoff(&self) -> f64 {
+        self.cutoff
+    }
+
+    /// The square of a small distance has lost the digits that the difference S − p still has.
+    fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
+        let mut place = self.place(root, at);
+        for _ in 0..MAX_REFINEMENTS {
+            if place.distance > SMALL_DISTANCE * self.size {
+                break;
+            }
+            let next = self.refined(&place);
+            // Nor a step that is not finite.
+            if !is_nearer(&next, &place) {
+                break;
+            }
+            place = next;
+        }
+        [place.u, place.v]
+    }
+
+    /// Whether the distance is zero but for rounding, or all control points lie behind the plane through the place at
+    /// right angles to the way from the point to it: so does the convex hull of the net, and with it the patch.
+    fn is_least(&self, minimum: &Minimum) -> bool {
+        if minimum.value <= ROUNDING * self.size {
+            return true;
+        }
+        let place = self.images[minimum.root].eval(minimum.u, minimum.v);
+        let normal = (place - self.image_of_p).unit();
+        let is_behind = |point: &DVec3| (*point - place).dot(normal) >= -ROUNDING;
+        self.images
+            .iter()
+            .all(|image| image.points.iter().all(is_behind))
+    }
+}
+
+impl Distance<'_> {
+    fn place(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+        let patch = self.near[root];
+        SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
+    }
+
+    /// The place after a Gauss–Newton step. Where the derivative is singular, as on a patch that is a curve, the step is
+    /// damped (Levenberg and Marquardt's method).
+    fn refined(&self, place: &SurfacePoint) -> SurfacePoint {
+        let patch = &self.patches[place.patch];
+        let d = patch.partials(place.u, place.v);
+        let off = place.point - self.p;
+        let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
+        let (u, v) = (d.u.dot(off), d.v.dot(off));
+        let inside = |t: f64| t.clamp(0.0, 1.0);
+        let step = |damping: f64| {
+            let (uu, vv) = (uu + damping, vv + damping);
+            let det = uu * vv - uv * uv;
+            let [u, v] = [
+                inside(place.u - (vv * u - uv * v) / det),
+                inside(place.v - (uu * v - uv * u) / det),
+            ];
+            SurfacePoint::at(patch, place.patch, u, v, self.p)
+        };
+        let next = step(0.0);
+        // Also where the step is not finite.
+        if is_nearer(&next, place) {
+            next
+        } else {
+            step(DAMPING * (uu + vv))
+        }
     }
 }
 
@@ -147,31 +261,39 @@ pub(super) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
     (p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5).norm()
 }
 
+/// What [`squared_distance`] is at this distance.
+fn squared_distance_of(distance: f64, frame: &Frame, p: DVec3) -> f64 {
+    let away = frame.centre * 0.5 - p * 0.5;
+    let unit = (0.5 * frame.size).max(away.norm());
+    let share = 0.5 * distance / unit;
+    let value =
+        share * (distance / frame.size) - away.norm() / unit * (away.norm() / (0.5 * frame.size));
+    // Not a number where infinities cancel: then every distance is of interest.
+    if value.is_nan() { f64::INFINITY } else { value }
+}
+
 /// |S − p|², less a constant and over a constant that are the same for all patches of the frame.
 ///
 /// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d²; the last is left out, since it would drown
 /// the others for a p far away, and all is divided by |d| where that is above 1.
-fn squared_distance(root: usize, patch: &Patch, frame: &Frame, p: DVec3) -> Piece {
+fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
     let away = frame.centre * 0.5 - p * 0.5;
     let unit = (0.5 * frame.size).max(away.norm());
     let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
-    let (m, n) = (patch.degree_u(), patch.degree_v());
-    let weighted = |k: usize| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1));
-    let factors: Vec<(DVec3, DVec3)> = (0..)
-        .zip(&patch.points)
-        .map(|(k, &point)| {
-            let q = frame.place(point);
-            (q * weighted(k), (q * share + toward) * weighted(k))
-        })
+    let (m, n) = (image.degree_u(), image.degree_v());
+    let weights: Vec<f64> = (0..image.points.len())
+        .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))
         .collect();
     let columns = 2 * m + 1;
     let mut product = vec![0.0; columns * (2 * n + 1)];
-    // Coefficients of products add up where their indices do.
-    for (a, (left, _)) in factors.iter().enumerate() {
-        for (b, (_, right)) in factors.iter().enumerate() {
-            let (i, j) = (a % (m + 1) + b % (m + 1), a / (m + 1) + b / (m + 1));
-            product[j * columns + i] += left.dot(*right);
-        }
+    for axis in 0..3 {
+        let weighted = |of: &dyn Fn(DVec3) -> DVec3| -> Vec<f64> {
+            let points = image.points.iter().zip(&weights);
+            points.map(|(&q, w)| of(q).coordinate(axis) * w).collect()
+        };
+        let left = weighted(&|q| q);
+        let right = weighted(&|q| q * share + toward);
+        add_product(&mut product, &left, &right, m + 1);
     }
     for (k, coefficient) in product.iter_mut().enumerate() {
         *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);

@@ -2,6 +2,7 @@
 
 use super::piece::{Jet, Piece};
 use super::zeros::SAME;
+use casteljau_kernels::WorkLimit;
 
 const MAX_STEPS: usize = 16;
 
@@ -31,7 +32,7 @@ pub(super) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
 }
 
 /// Newton's method from the middle of a piece, as far as a zero in it or right beside it.
-pub(super) fn zero_near(piece: &Piece, whole: &Piece) -> Option<[f64; 2]> {
+pub(super) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> Option<[f64; 2]> {
     let middle = piece.middle();
     let width = [piece.u, piece.v].map(|[from, to]| to - from);
     let is_within = |at: [f64; 2], share: f64| {
@@ -39,6 +40,9 @@ pub(super) fn zero_near(piece: &Piece, whole: &Piece) -> Option<[f64; 2]> {
     };
     let mut at = middle;
     for _ in 0..MAX_STEPS {
+        if !work.spend(2 * whole.jet_steps()) {
+            return None;
+        }
         let [a, b] = [0, 1].map(|k| whole.jet(k, at));
         let step = solve([a.u, a.v, a.f], [b.u, b.v, b.f]);
         at = [at[0] + step[0], at[1] + step[1]];
@@ -54,9 +58,12 @@ pub(super) fn zero_near(piece: &Piece, whole: &Piece) -> Option<[f64; 2]> {
 
 /// Where the pair touches zero near a place: the derivative is singular there, and in the one direction in which it is
 /// not, the pair is zero. Newton's method on these two; `None` if that leads away.
-pub(super) fn touch(whole: &Piece, from: [f64; 2]) -> Option<[f64; 2]> {
+pub(super) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Option<[f64; 2]> {
     let mut at = from;
     for _ in 0..MAX_STEPS {
+        if !work.spend(2 * whole.jet_steps()) {
+            return None;
+        }
         let [a, b] = [0, 1].map(|k| whole.jet(k, at));
         let step = solve(along(&a, &b), singular(&a, &b));
         at = [at[0] + step[0], at[1] + step[1]];
@@ -74,8 +81,11 @@ pub(super) fn touch(whole: &Piece, from: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// The nearest place where the pair is zero along its greatest derivative, by Newton's method.
-pub(super) fn slid(whole: &Piece, mut at: [f64; 2]) -> [f64; 2] {
+pub(super) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
     for _ in 0..4 {
+        if !work.spend(2 * whole.jet_steps()) {
+            break;
+        }
         let [u, v, value] = along(&whole.jet(0, at), &whole.jet(1, at));
         let share = value / (u * u + v * v);
         if !share.is_finite() {

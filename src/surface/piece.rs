@@ -6,14 +6,26 @@
 //! all work in this way, with other polynomials. Source: Lane and Riesenfeld, "A theoretical development for the
 //! computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2 (1980).
 
-use crate::curve::ratio;
+use crate::curve::{bernstein_into, ratio};
 use crate::error::MAX_DEGREE;
+use casteljau_kernels::{WorkLimit, blend_row, halve_coefficients};
 
 /// More halvings than a parameter can take in both directions: 53 digits and some until a step of 0 ends it.
 const MAX_ROUNDS: usize = 128;
 
 /// The most coefficients that all pieces of a round hold together: 4 MB.
 const MAX_COEFFICIENTS: usize = 1 << 19;
+
+/// The most steps of a search up to this degree of a patch, and above it.
+const MODERATE_DEGREE: usize = 24;
+const MAX_STEPS: usize = 1 << 23;
+const MAX_STEPS_ABOVE: usize = 1 << 26;
+
+/// The steps that a piece takes in addition to those of its coefficients: memory is allocated for it, and it is moved.
+const PIECE_STEPS: usize = 256;
+
+/// From this number of coefficients on, a row is evaluated by its Bernstein weights and not by de Casteljau's algorithm.
+const LONG_ROW: usize = 9;
 
 /// The degree of a squared distance is twice that of a patch.
 const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
@@ -58,6 +70,25 @@ impl Piece {
         }
     }
 
+    /// The most steps of a search in the polynomials of a patch, whose degrees are `factor` times the patch's.
+    pub(super) fn max_search_steps(&self, factor: usize) -> usize {
+        if self.columns.max(self.rows) > factor * MODERATE_DEGREE + 1 {
+            MAX_STEPS_ABOVE
+        } else {
+            MAX_STEPS
+        }
+    }
+
+    /// The steps that it takes to look at the piece and to halve it, about one for each multiplication.
+    pub(super) fn steps(&self) -> usize {
+        PIECE_STEPS + self.planes.len() * (self.columns.max(self.rows) + 8) / 2
+    }
+
+    /// The steps of a [`jet`](Self::jet).
+    pub(super) fn jet_steps(&self) -> usize {
+        PIECE_STEPS + self.columns * self.rows * (self.columns.min(LONG_ROW) + 1)
+    }
+
     /// The coefficients of one plane.
     pub(super) fn plane(&self, k: usize) -> &[f64] {
         let count = self.columns * self.rows;
@@ -90,17 +121,16 @@ impl Piece {
     /// The derivatives' coefficients along u (or v) of a plane, for this rectangle as the unit square.
     pub(super) fn slopes(&self, k: usize, along_u: bool) -> impl Iterator<Item = f64> + '_ {
         let (columns, plane) = (self.columns, self.plane(k));
-        let (step, degree) = if along_u {
-            (1, columns - 1)
+        let (step, length, degree) = if along_u {
+            (1, columns, columns - 1)
         } else {
-            (columns, self.rows - 1)
+            (columns, plane.len(), self.rows - 1)
         };
-        plane
-            .iter()
-            .zip(plane.iter().skip(step))
-            .enumerate()
-            .filter(move |(i, _)| !along_u || (i + 1) % columns != 0)
-            .map(move |(_, (a, b))| (b - a) * ratio(degree, 1))
+        let factor = ratio(degree, 1);
+        plane.chunks_exact(length).flat_map(move |part| {
+            let pairs = part[..length - step].iter().zip(&part[step..]);
+            pairs.map(move |(a, b)| (b - a) * factor)
+        })
     }
 
     /// The ranges of the second derivatives' coefficients of plane 0, uu, uv and vv, for this rectangle as the unit
@@ -146,17 +176,10 @@ impl Piece {
     pub(super) fn halves(mut self) -> [Self; 2] {
         let mut other = self.clone();
         let along_u = self.steepest(true) >= self.steepest(false);
-        let (count, area) = (self.columns, self.columns * self.rows);
-        for from in (0..self.planes.len()).step_by(area) {
-            if along_u {
-                for start in (from..from + area).step_by(count) {
-                    halve(&mut self.planes, &mut other.planes, start, 1, count);
-                }
-            } else {
-                for start in from..from + count {
-                    halve(&mut self.planes, &mut other.planes, start, count, self.rows);
-                }
-            }
+        let area = self.columns * self.rows;
+        let planes = self.planes.chunks_exact_mut(area);
+        for (plane, half) in planes.zip(other.planes.chunks_exact_mut(area)) {
+            halve_coefficients(plane, half, self.columns, along_u);
         }
         let [u, v] = self.middle();
         if along_u {
@@ -170,8 +193,12 @@ impl Piece {
     /// Value and derivatives of a plane at a point of the unit square that this piece is.
     pub(super) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
         let mut columns = [[0.0; MAX_COUNT]; 3];
+        let weights = Weights::new(self.columns, u);
         for (j, row) in self.plane(k).chunks(self.columns).enumerate() {
-            let [f, slope, bend] = taylor(row, u);
+            let [f, slope, bend] = match &weights {
+                Some(weights) => weights.blend(row),
+                None => taylor(row, u),
+            };
             (columns[0][j], columns[1][j], columns[2][j]) = (f, slope, bend);
         }
         let [f, f_v, f_vv] = taylor(&columns[0][..self.rows], v);
@@ -223,14 +250,19 @@ impl Piece {
 
 /// Shows pieces to `look`, halves those that it wants to see closer (`true`), and so on.
 ///
-/// Says `false` when there came to be so many that the question has no answer in points: a whole curve of them, say.
+/// Returns `false` when there came to be so many that the question has no answer in points (a whole curve of them, say),
+/// and when the limit on the work is reached.
 pub(super) fn search(
     mut pieces: Vec<Piece>,
     most: usize,
-    look: &mut dyn FnMut(&Piece) -> bool,
+    work: &mut WorkLimit,
+    look: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
 ) -> bool {
     for _ in 0..MAX_ROUNDS {
-        pieces.retain(&mut *look);
+        pieces.retain(|piece| work.spend(piece.steps()) && look(piece, work));
+        if work.is_exceeded() {
+            return false;
+        }
         let coefficients: usize = pieces.iter().map(|piece| piece.planes.len()).sum();
         if pieces.is_empty() {
             return true;
@@ -243,17 +275,28 @@ pub(super) fn search(
     true
 }
 
-/// Cuts a row of coefficients in half: `left`, which holds them, and `right` become the rows of the halves.
-fn halve(left: &mut [f64], right: &mut [f64], start: usize, step: usize, count: usize) {
-    let at = |i: usize| start + i * step;
-    for i in 0..count {
-        right[at(i)] = left[at(i)];
-    }
-    for level in 0..count {
-        left[at(level)] = right[at(0)];
-        for i in 1..count - level {
-            right[at(i - 1)] = 0.5 * (right[at(i - 1)] + right[at(i)]);
+/// The Bernstein weights of a row's degree at one parameter, and those of the two degrees below.
+struct Weights {
+    count: usize,
+    weights: [[f64; MAX_COUNT]; 3],
+}
+
+impl Weights {
+    /// `None` for rows so short that de Casteljau's algorithm is as quick, and outside of the unit interval.
+    fn new(count: usize, t: f64) -> Option<Self> {
+        if count < LONG_ROW || !(0.0..=1.0).contains(&t) {
+            return None;
         }
+        let mut weights = [[0.0; MAX_COUNT]; 3];
+        for (lower, weights) in weights.iter_mut().enumerate() {
+            bernstein_into(&mut weights[..count - lower], t);
+        }
+        Some(Self { count, weights })
+    }
+
+    fn blend(&self, row: &[f64]) -> [f64; 3] {
+        let weights = |lower: usize| &self.weights[lower][..self.count - lower];
+        blend_row(row, [weights(0), weights(1), weights(2)])
     }
 }
 

@@ -30,6 +30,10 @@ impl Patch {
     /// A ray that runs within the patch has no single hits: given are the points where it crosses the patch's sides,
     /// and the origin if it is on the patch.
     ///
+    /// The search takes at most 2²³ steps over the patch (2²⁶ above degree 24) and 2²⁰ over each side and corner, about one
+    /// for each multiplication: some milliseconds. A ray for which that is not enough counts as one that runs within the patch:
+    /// given are the hits found by then and those on the sides.
+    ///
     /// # Errors
     /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity.
     pub fn intersect_ray(&self, origin: DVec3, direction: DVec3) -> Result<Vec<PatchPoint>, Error> {
@@ -84,7 +88,13 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         for (k, patch) in patches.iter().enumerate() {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = (a.point * 0.5 - b.point * 0.5).norm() * 2.0;
-                apart <= blur(patches, a, &ray).max(blur(patches, b, &ray)) * frame.size
+                // A blur takes a normal, which is needed between its limits only.
+                apart <= NEAR * frame.size
+                    || apart <= ON_SIDE * frame.size
+                        && [a, b]
+                            .map(|hit| blur(patches, hit, &ray) * frame.size)
+                            .iter()
+                            .any(|blur| apart <= *blur)
             };
             for hit in hits_of(patch, k, &ray, &frame, origin)? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
@@ -118,10 +128,11 @@ fn hits_of(
     hits.retain(|hit| (frame.place(hit.point) - ray.start).dot(ray.along) >= -NEAR);
     let reach = NEAR * frame.size;
     if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {
-        let PatchPoint { u, v, distance, .. } = patch.nearest(origin)?;
-        if distance <= reach {
-            hits.push(SurfacePoint::at(patch, number, u, v, origin));
-        }
+        let origin_on_patch = patch.nearest_within(origin, reach);
+        hits.extend(
+            origin_on_patch
+                .map(|PatchPoint { u, v, .. }| SurfacePoint::at(patch, number, u, v, origin)),
+        );
     }
     Ok(hits)
 }

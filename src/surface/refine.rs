@@ -1,6 +1,6 @@
 //! Meshes without cracks, as fine as asked for.
 
-use super::cutter::{Cutter, DYADIC, FORECAST_DEPTHS};
+use super::cutter::{CLOSE_FORECAST_DEPTHS, Cutter, DYADIC, FORECAST_DEPTHS, most_cells};
 use super::stitched::{Cut, stitch};
 use super::tessellate::to_f32;
 use super::view::Fineness;
@@ -18,6 +18,10 @@ const MAX_CELLS: usize =
     } else {
         30
     }) / ((6 + 9) * 4);
+
+/// A forecast of too many cells is believed if this share of it is too many, and if it is no less than this share of the
+/// forecast before.
+const CLOSE_SHARE: f64 = 7.0 / 8.0;
 
 /// The least tolerance is four ulps of the largest coordinate.
 const LEAST_ULPS: f64 = 4.0;
@@ -70,7 +74,10 @@ impl Surface {
     /// # Errors
     /// [`Error::Range`] for 0 segments, a tolerance or a number of pixels that is not above 0; [`Error::Tolerance`] for
     /// one below 4 ulps (of f32) of the largest coordinate; [`Error::NotFinite`] for a matrix; [`Error::TooMany`] when the
-    /// mesh would take more than 1 GiB (half of that where addresses have 32 bits, as in WebAssembly).
+    /// mesh would take more than 1 GiB (half of that where addresses have 32 bits, as in WebAssembly). By tolerance or
+    /// pixels, a surface with patches of high degrees m and n may have fewer triangles: 2³¹ / ((m − 1)(n + 1) + mn +
+    /// (m + 1)(n − 1)), some 1.2 million at degree 24, which take seconds. Most meshes that are too large are refused
+    /// by an estimate, before cells are made.
     pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
         let mut mesh = Mesh::default();
         self.tessellate_with(SINGLE, fineness, weld, &mut mesh)?;
@@ -124,9 +131,10 @@ impl Surface {
             fineness,
             least: LEAST_ULPS * ulp,
             rounding: ulp,
-            limit: MAX_CELLS,
+            limit: self.max_cells(),
             forecast: None,
             expected: 0.0,
+            expected_at_most: 0.0,
             cells: Vec::new(),
             bends: Bends::default(),
             size: 0.0,
@@ -146,18 +154,50 @@ impl Surface {
 
     /// Refuses more cells than the limit before any are made.
     fn foresee(&self, cutter: &mut Cutter) -> Result<(), Error> {
+        let limit = cutter.limit as f64;
         for depth in FORECAST_DEPTHS {
-            cutter.forecast = Some(depth);
-            cutter.expected = 0.0;
-            for patch in self.patches() {
-                cutter.cut(&patch.points, patch.columns)?;
-            }
-            if cutter.expected <= cutter.limit as f64 {
-                cutter.forecast = None;
-                return Ok(());
+            self.forecast(cutter, depth)?;
+            if cutter.expected <= limit {
+                break;
             }
         }
-        Err(cutter.too_many())
+        if cutter.expected > limit {
+            return Err(cutter.too_many());
+        }
+        // Halvings do not end exactly at the tolerance, so there will be more cells than are needed at least.
+        let mut before = f64::INFINITY;
+        for depth in CLOSE_FORECAST_DEPTHS {
+            if cutter.expected_at_most <= limit {
+                break;
+            }
+            before = cutter.expected_at_most;
+            self.forecast(cutter, depth)?;
+        }
+        let [cells, before] = [cutter.expected_at_most, before].map(|cells| cells * CLOSE_SHARE);
+        if cells > limit && cells >= before * CLOSE_SHARE {
+            cutter.expected = cutter.expected_at_most;
+            return Err(cutter.too_many());
+        }
+        cutter.forecast = None;
+        Ok(())
+    }
+
+    /// Counts the cells that pieces of this depth let expect.
+    fn forecast(&self, cutter: &mut Cutter, depth: u32) -> Result<(), Error> {
+        cutter.forecast = Some(depth);
+        (cutter.expected, cutter.expected_at_most) = (0.0, 0.0);
+        for patch in self.patches() {
+            cutter.cut(&patch.points, patch.columns)?;
+        }
+        Ok(())
+    }
+
+    /// The most cells of a mesh by tolerance: fewer at degrees at which cutting would take long.
+    fn max_cells(&self) -> usize {
+        (0..self.patch_count())
+            .filter_map(|patch| self.degrees(patch))
+            .map(|[m, n]| most_cells(m, n))
+            .fold(MAX_CELLS, usize::min)
     }
 
     /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.

@@ -6,6 +6,7 @@
 
 use super::newton::{greater, off, onto_square, slid, touch, zero_near};
 use super::piece::{Piece, search};
+use casteljau_kernels::WorkLimit;
 
 /// What counts as zero, for coefficients of the size 1 to 4: their rounding after products and halvings.
 pub(super) const NEAR: f64 = 32.0 * f64::EPSILON;
@@ -24,6 +25,9 @@ const MAX_SPREAD: f64 = 0.5;
 /// The share of a patch's extent that the ray must run in it for a whole curve to be seen. Where it touches, it seems to
 /// run in it for the root of rounding, to the fourth for a touch of that order: some 1e-4.
 const CURVE_SHARE: f64 = 1.0 / 64.0;
+
+/// The most steps of the search over each side of the square, and over each corner.
+const MAX_SIDE_STEPS: usize = 1 << 20;
 
 /// The zeros that were found.
 pub(super) struct Zeros {
@@ -63,7 +67,14 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>) -> bool {
         zeros,
         curve: None,
     };
-    let few = search(vec![piece], MAX_PIECES, &mut |piece| finder.look(piece));
+    let mut work = WorkLimit::new(if finder.on_face {
+        whole.max_search_steps(1)
+    } else {
+        MAX_SIDE_STEPS
+    });
+    let few = search(vec![piece], MAX_PIECES, &mut work, &mut |piece, work| {
+        finder.look(piece, work)
+    });
     let curve = finder.curve;
     if few && curve.is_none() {
         return true;
@@ -92,7 +103,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// Whether a piece has to be seen closer; adds the zero of one that has not.
-    fn look(&mut self, piece: &Piece) -> bool {
+    fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
         let ranges = [piece.range(0), piece.range(1)];
         let is_far = |range: &[f64; 2]| range[0] > NEAR || range[1] < -NEAR;
         if ranges.iter().any(is_far) {
@@ -101,7 +112,7 @@ impl Finder<'_> {
         let is_point = ranges.iter().all(|range| length(*range) <= NEAR);
         if !self.on_face {
             if is_point {
-                self.add_last(piece);
+                self.add_last(piece, work);
             }
             return !is_point;
         }
@@ -111,13 +122,13 @@ impl Finder<'_> {
             return false;
         }
         if is_point || length(across) <= NEAR && (self.is_along(piece) || is_small(piece)) {
-            self.add_last(piece);
+            self.add_last(piece, work);
             return false;
         }
         if !is_one_to_one(piece, &slopes) {
             return true;
         }
-        let Some(at) = zero_near(piece, self.whole) else {
+        let Some(at) = zero_near(piece, self.whole, work) else {
             return true;
         };
         let zero = Zero::at(self.whole, onto_square(self.whole, at));
@@ -133,17 +144,16 @@ impl Finder<'_> {
     }
 
     /// Adds the zero of a piece in which rounding decides.
-    fn add_last(&mut self, piece: &Piece) {
+    fn add_last(&mut self, piece: &Piece, work: &mut WorkLimit) {
         let mut zero = Zero::within(self.whole, piece);
         if self.is_along(piece) {
             self.curve = Some(zero);
             return;
         }
         if self.on_face {
-            for at in [touch(self.whole, zero.at), Some(slid(self.whole, zero.at))]
-                .into_iter()
-                .flatten()
-            {
+            let touch = touch(self.whole, zero.at, work);
+            let slid = slid(self.whole, zero.at, work);
+            for at in [touch, Some(slid)].into_iter().flatten() {
                 zero = zero.union(&Zero::at(self.whole, onto_square(self.whole, at)));
             }
         }
