@@ -242,7 +242,9 @@ export class Patch {
   }
 
   /**
-   * The smallest box that contains the patch, exact to rounding.
+   * The smallest box that contains the patch, exact to rounding. Each of its faces takes at most 2²³ steps (2²⁶ above
+   * degree 24), about one for each multiplication; where that is not enough, the face is at the best local extremum found
+   * by then.
    *
    * @returns {{ min: Point, max: Point }}
    */
@@ -252,6 +254,10 @@ export class Patch {
 
   /**
    * The area, within 1e-8 of itself; what the patch covers twice counts twice, a curve or a point is 0.
+   *
+   * The work is limited to 2²³ steps, about one for each two multiplications. Where that is not enough, the result is the
+   * best estimate: the eighth digit may be off for a patch that folds back along a line, and the third for one of a high
+   * degree with dozens of folds.
    *
    * @returns {number}
    */
@@ -272,6 +278,10 @@ export class Patch {
   /**
    * The point of the patch that is nearest to p, of all of it, sides and corners included.
    *
+   * The search takes at most 2²³ steps (2²⁶ above degree 24), about one for each multiplication. Where that is not enough,
+   * as where a whole curve of the patch is nearest, the point is the nearest one found by then, at a local minimum of the
+   * distance.
+   *
    * @param {PointLike} p
    * @returns {PatchPoint}
    */
@@ -283,6 +293,10 @@ export class Patch {
    * All hits of a ray, by distance. `distance` is that of the point from the origin, however long `direction` is. Where
    * the ray touches the patch, and at a side that is a point, there is one hit; of a ray that runs within the patch those
    * are given where it crosses the sides, and the origin if it is on the patch.
+   *
+   * The search takes at most 2²³ steps over the patch (2²⁶ above degree 24) and 2²⁰ over each side and corner, about one
+   * for each multiplication. A ray for which that is not enough counts as one that runs within the patch: given are the
+   * hits found by then and those on the sides.
    *
    * @param {PointLike} origin
    * @param {PointLike} direction

@@ -222,7 +222,8 @@ export class Surface {
   }
 
   /**
-   * The smallest box that contains the surface, exact to rounding; null without patches.
+   * The smallest box that contains the surface, exact to rounding; null without patches. Each patch adds to the most steps
+   * as `Patch.bounds` says.
    *
    * @returns {{ min: Point, max: Point } | null}
    */
@@ -231,7 +232,7 @@ export class Surface {
   }
 
   /**
-   * The area of all patches together, within 1e-8 of itself.
+   * The area of all patches together, within 1e-8 of itself; see `Patch.area`.
    *
    * @returns {number}
    */
@@ -250,7 +251,8 @@ export class Surface {
   }
 
   /**
-   * The point of the surface that is nearest to p; null without patches.
+   * The point of the surface that is nearest to p; null without patches. Each patch whose box is not too far away adds to
+   * the most steps as `Patch.nearest` says.
    *
    * @param {PointLike} p
    * @returns {SurfacePoint | null}
@@ -294,7 +296,8 @@ export class Surface {
    * @param {Fineness} fineness
    * @param {MeshOptions} [options]
    * @returns {Mesh}
-   * @throws {RangeError} for a tolerance that f32 (or f64) cannot keep, and for a mesh above 1 GiB
+   * @throws {RangeError} for a tolerance that f32 (or f64) cannot keep, and for a mesh above 1 GiB; with patches of degrees
+   *   m and n above 4 also, by tolerance or pixels, above 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1)) triangles
    */
   tessellate(fineness, options) {
     const { args, extra, into, ...kind } = tessellation(fineness, options);
@@ -344,7 +347,8 @@ export class Surface {
    *
    * @param {number} tolerance
    * @returns {FlatPiece[]} patch by patch
-   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, and above 2¹⁸ pieces
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and when all pieces, split
+   *   ones included, together have more than 2²⁴ control points (at degrees above 5 that comes first)
    */
   subdivide(tolerance) {
     return lines.subdivide(() => this.#load(), tolerance);

@@ -44,11 +44,12 @@ impl TileArea {
         }
     }
 
-    /// The steps of an area, about one for each multiplication or two, for a range of u that is new or that of the tile
+    /// The steps of an area, about one for each two multiplications, for a range of u that is new or that of the tile
     /// before.
     pub fn steps(&self, is_new: bool) -> usize {
-        let rows = self.points.len() / self.columns;
-        96 * (rows + 1) + if is_new { 16 * self.points.len() } else { 0 }
+        let (columns, rows) = (self.columns, self.points.len() / self.columns);
+        let of_rows = columns * columns * 4 + self.points.len() * 12;
+        96 * (rows + 1) + rows * rows * 2 + if is_new { of_rows } else { 0 }
     }
 
     /// The area of the tile.

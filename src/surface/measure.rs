@@ -1,11 +1,10 @@
-//! How large is the surface, and how much does it enclose?
+//! How much does a surface enclose?
 
 use super::frame::{Frame, box_of};
 use super::net::differences_u;
 use super::topology::{Side, SideName};
 use super::{Patch, Surface};
 use crate::curve::{bernstein_into, ratio};
-use casteljau_kernels::{TileArea, WorkLimit};
 use glam::DVec3;
 
 /// Nodes and weights of Gauss and Legendre's rule with 8 points on [−1, 1], which is exact to degree 15; the others are
@@ -16,21 +15,6 @@ const GAUSS: [[f64; 2]; 4] = [
     [0.796_666_477_413_626_7, 0.222_381_034_453_374_5],
     [0.960_289_856_497_536_3, 0.101_228_536_290_376_3],
 ];
-
-/// The error of an area that is aimed at: a tenth of what is promised.
-const AREA_ERROR: f64 = 1e-9;
-
-/// In units of the patch's size squared, what is left of an area where there is none.
-const NO_AREA: f64 = 32.0 * f64::EPSILON;
-
-/// The most tiles that are split at once: only folds need so many, and patches of high degrees that have as many bends.
-const MAX_TILES: usize = 1024;
-
-/// The most steps of an area, about one for each multiplication.
-const MAX_AREA_STEPS: usize = 1 << 23;
-
-/// Tiles are halved no more often than this in u and v.
-const MAX_ROUNDS: usize = 40;
 
 /// How many degrees one interval of the rule is trusted with: it is exact to 15.
 const DEGREES_PER_INTERVAL: usize = 12;
@@ -43,67 +27,6 @@ struct Tile {
 }
 
 impl Patch {
-    /// The area, ∫∫|∂u × ∂v| du dv, within 1e-8 of itself.
-    ///
-    /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
-    /// twice. Zero for a patch that is a curve or a point.
-    ///
-    /// At most 1024 tiles are split at once, in at most 2²³ steps, about one for each multiplication: some milliseconds.
-    /// Where that is not enough, the best estimate. Its error is then that of Gauss's rule on the tiles in which ∂u × ∂v
-    /// vanishes: the eighth digit may be off for a patch of low degree that folds back along a line, and the fifth for
-    /// one of degree 24 with dozens of folds.
-    pub fn area(&self) -> f64 {
-        let frame = Frame::around(self.control_bounds());
-        let area = frame.image(self).area_in_frame();
-        if area <= NO_AREA {
-            return 0.0;
-        }
-        area * frame.size * frame.size
-    }
-
-    fn area_in_frame(&self) -> f64 {
-        let mut rule = TileArea::new(
-            self.points.iter().map(|p| p.to_array()).collect(),
-            self.columns,
-        );
-        let mut work = WorkLimit::new(MAX_AREA_STEPS);
-        // Tiles, their areas, and by how much that of the four was off together when it was one.
-        let mut tiles = vec![(Tile::WHOLE, rule.area([0.0, 1.0], [0.0, 1.0]), 0.0)];
-        let mut settled = 0.0;
-        for _ in 0..MAX_ROUNDS {
-            if !work.spend(round_steps(&tiles, &rule)) {
-                break;
-            }
-            let mut split = Vec::with_capacity(tiles.len());
-            let (mut sum, mut errors) = (settled, 0.0);
-            for (tile, value, before) in tiles {
-                let quarters = tile
-                    .quarters()
-                    .map(|quarter| (quarter, rule.area(quarter.u, quarter.v)));
-                let better: f64 = quarters.iter().map(|(_, value)| value).sum();
-                let off = (better - value).abs();
-                // What is off by now shrinks once more as it did last time, a quarter of it having been this tile's.
-                let error = off * (4.0 * off / before).min(1.0);
-                sum += better;
-                errors += error;
-                split.push((quarters, better, off, error));
-            }
-            if errors <= AREA_ERROR * sum + NO_AREA || split.len() > MAX_TILES {
-                return sum;
-            }
-            let allowed = AREA_ERROR * sum / (2.0 * ratio(split.len(), 1));
-            tiles = Vec::new();
-            for (quarters, better, off, error) in split {
-                if error > allowed {
-                    tiles.extend(quarters.map(|(tile, value)| (tile, value, off)));
-                } else {
-                    settled += better;
-                }
-            }
-        }
-        tiles.iter().fold(settled, |sum, (_, area, _)| sum + area)
-    }
-
     /// ∫∫ S·(∂u × ∂v) du dv: thrice the volume of the cone from the origin over the patch.
     fn cone(&self) -> f64 {
         let [along_u, along_v] =
@@ -139,11 +62,6 @@ impl Patch {
         }
         sum
     }
-}
-
-/// The steps of splitting all these tiles in four. Each gives two ranges of u, and the quarters of neighbours share them.
-fn round_steps(tiles: &[(Tile, f64, f64)], rule: &TileArea) -> usize {
-    2 * tiles.len() * (rule.steps(true) + rule.steps(false))
 }
 
 /// A node of the rule: its weight there, and the Bernstein weights of a degree and of the degree below.
@@ -184,30 +102,7 @@ fn blend(points: &[DVec3], weights: &[f64]) -> DVec3 {
         .fold(DVec3::ZERO, |sum, (&p, &w)| sum + p * w)
 }
 
-impl Tile {
-    const WHOLE: Self = Self {
-        u: [0.0, 1.0],
-        v: [0.0, 1.0],
-    };
-
-    fn quarters(self) -> [Self; 4] {
-        let halves = |[from, to]: [f64; 2]| {
-            let middle = 0.5 * (from + to);
-            [[from, middle], [middle, to]]
-        };
-        let ([u0, u1], [v0, v1]) = (halves(self.u), halves(self.v));
-        // Neighbours in this order share a range of u, which [`TileArea`] makes use of.
-        [(u0, v0), (u0, v1), (u1, v1), (u1, v0)].map(|(u, v)| Self { u, v })
-    }
-}
-
 impl Surface {
-    /// The area of all patches together, within 1e-8 of itself; 0 without patches. See [`Patch::area`].
-    pub fn area(&self) -> f64 {
-        // Not `sum`, which begins with −0.
-        self.patches().fold(0.0, |sum, patch| sum + patch.area())
-    }
-
     /// The volume that a closed surface encloses; `None` for one that is not closed.
     ///
     /// ⅓ ∮ S·(∂u × ∂v) du dv by the divergence theorem, a polynomial that Gauss and Legendre's rule integrates without an

@@ -7,6 +7,7 @@
 //! Three things are kept apart: a [`Grid`] knows the layout of samples and no points, a [`Patch`] knows points and no
 //! buffers, a [`Mesh`] is buffers and nothing else.
 
+mod area;
 mod curvature;
 mod cutter;
 mod export;

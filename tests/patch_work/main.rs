@@ -1,0 +1,192 @@
+//! The work of questions to patches, counted in steps and never in time: no call takes more than its documentation says.
+
+mod generate;
+#[path = "../nets/mod.rs"]
+mod nets;
+mod worst;
+
+use casteljau::surface::{Fineness, Grid, Weld};
+use casteljau::{Error, Patch, Surface};
+use casteljau_kernels::take_steps;
+use generate::{any_patch, any_point, any_ray, below};
+use nets::Random;
+
+/// The documented limit of one search in a patch of degree 24 or below.
+const SEARCH: usize = 1 << 23;
+
+/// The steps of one piece or of one start of Newton's method: by so much a search may pass its limit.
+const ONE_MORE: usize = 1 << 22;
+
+/// How many calls of each function; many more with CASTELJAU_DEEP=1.
+fn calls() -> u64 {
+    if std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0") {
+        100_000
+    } else {
+        200
+    }
+}
+
+/// Asks so many generated patches, and checks the steps of each call.
+#[track_caller]
+fn never_takes_more(limit: usize, ask: impl Fn(&mut Random, &Patch)) {
+    for seed in 0..calls() {
+        let mut random = Random(seed);
+        let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
+        let patch = any_patch(&mut random, max_degree);
+        take_steps();
+        ask(&mut random, &patch);
+        let steps = take_steps();
+        assert!(steps <= limit, "seed {seed}: {steps} steps of {patch:?}");
+    }
+}
+
+fn as_surface(patch: &Patch) -> Surface {
+    let count = u32::try_from(patch.control_points().len()).unwrap();
+    let vertices = patch.control_points().to_vec();
+    Surface::new(
+        vertices,
+        (0..count).collect(),
+        patch.degree_u(),
+        patch.degree_v(),
+    )
+    .unwrap()
+}
+
+#[test]
+fn of_the_nearest_point() {
+    never_takes_more(SEARCH + ONE_MORE, |random, patch| {
+        let p = any_point(random, patch);
+        let nearest = patch.nearest(p).unwrap();
+        assert!(nearest.point.is_finite() && !nearest.distance.is_nan());
+        assert_eq!(nearest.point, patch.eval(nearest.u, nearest.v));
+        // No other point of the patch is nearer, to rounding of the coordinates.
+        let bounds = patch.control_bounds();
+        let rounding = 2e-15 * bounds.min.abs().max(bounds.max.abs()).max_element();
+        for (u, v) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)] {
+            let other = patch.eval(u, v).distance(p);
+            assert!(
+                nearest.distance <= other * (1.0 + 1e-15) + rounding,
+                "{} > {other}: {patch:?} from {p}",
+                nearest.distance
+            );
+        }
+    });
+}
+
+#[test]
+fn of_rays() {
+    // The square, four sides and eight corners, and the nearest point to the origin.
+    let limit = 2 * (SEARCH + ONE_MORE) + 12 * (1 << 20);
+    never_takes_more(limit, |random, patch| {
+        let (origin, direction) = any_ray(random, patch);
+        for hit in patch.intersect_ray(origin, direction).unwrap() {
+            assert!(hit.point.is_finite() && hit.distance >= 0.0);
+            assert_eq!(hit.point, patch.eval(hit.u, hit.v));
+        }
+    });
+}
+
+#[test]
+fn of_bounds() {
+    never_takes_more(6 * (SEARCH + ONE_MORE), |random, patch| {
+        let bounds = patch.bounds();
+        let p = patch.eval(random.unit(), random.unit());
+        let slack = 1e-14 * (bounds.max - bounds.min).max_element() + 1e-15 * p.abs().max_element();
+        assert!(p.cmpge(bounds.min - slack).all() && p.cmple(bounds.max + slack).all());
+    });
+}
+
+#[test]
+fn of_areas() {
+    never_takes_more(SEARCH, |_, patch| {
+        let area = patch.area();
+        assert!(area.is_finite() && area >= 0.0);
+    });
+}
+
+#[test]
+fn of_subdivision() {
+    // The limit is checked before a piece is looked at.
+    never_takes_more((1 << 24) + 25 * 25, |random, patch| {
+        let bounds = patch.control_bounds();
+        let size = bounds.min.abs().max(bounds.max.abs()).max_element();
+        let tolerance = size * 10_f64.powf(-1.0 - 2.0 * random.unit());
+        match as_surface(patch).subdivide(tolerance) {
+            Ok(pieces) => assert!(!pieces.is_empty()),
+            Err(Error::TooMany { limit, needed, .. }) => assert_eq!(needed, limit + 1),
+            // Of a patch that is the origin, no tolerance is above 0.
+            Err(error) => assert!(size == 0.0, "{error}"),
+        }
+    });
+}
+
+/// Nets that are a line or a plane: the plane through the place at right angles to the way there ends the search at once.
+#[test]
+fn of_a_line_and_of_a_plane_there_is_next_to_none() {
+    for asked in worst::nearest_along_curves() {
+        take_steps();
+        let nearest = asked.patch.nearest(asked.point).unwrap();
+        let steps = take_steps();
+        assert!(steps < 20_000, "{}: {steps}", asked.name);
+        for k in 0..=10_000 {
+            let (u, v) = (f64::from(k % 101) / 100.0, f64::from(k / 101) / 99.0);
+            let other = asked.patch.eval(u, v).distance(asked.point);
+            let rounding = 1e-15 * asked.patch.control_bounds().max.abs().max_element();
+            assert!(
+                nearest.distance <= other + 4.0 * rounding,
+                "{}: {} > {other}",
+                asked.name,
+                nearest.distance
+            );
+        }
+    }
+}
+
+/// The closed forms at the same places: distances from a line and from a plane that the patch covers.
+#[test]
+fn of_elevated_flat_nets() {
+    use casteljau::glam::DVec3;
+    let net = [0.0, 1.0, 2.0, 3.0].map(|x| DVec3::new(x - 1.0, 0.0, 0.0));
+    let mut line = Patch::new(&net, 1, 1).unwrap();
+    let net = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)];
+    let mut square = Patch::new(&net, 1, 1).unwrap();
+    for _ in 1..24 {
+        (line, square) = (line.elevate().unwrap(), square.elevate().unwrap());
+        take_steps();
+        let nearest = line.nearest(DVec3::new(0.25, 3.0, 4.0)).unwrap();
+        assert!((nearest.distance - 5.0).abs() < 1e-14);
+        let nearest = square.nearest(DVec3::new(0.3, 0.6, 2.0)).unwrap();
+        assert!((nearest.distance - 2.0).abs() < 1e-14);
+        let nearest = line.nearest(DVec3::new(0.25, 0.0, 0.0)).unwrap();
+        assert!(nearest.distance < 1e-14);
+        let steps = take_steps();
+        assert!(steps < 1 << 22, "degree {}: {steps}", line.degree_u());
+    }
+}
+
+/// A mesh just above the limit is refused by an estimate, and one below it is not refused.
+#[test]
+fn of_meshes_that_are_too_large() {
+    for degree in [2, 3, 24] {
+        let mut patch = Random(5).patch(degree, degree);
+        let size = patch.control_bounds().max.abs().max_element();
+        patch = patch.transform(&casteljau::glam::DAffine3::from_scale(
+            casteljau::glam::DVec3::splat(1.0 / size),
+        ));
+        let coarse = patch.tessellate_f64(&Fineness::Tolerance(1e-2), Weld::None);
+        assert!(coarse.unwrap().triangle_count() > 10);
+        let fine = Fineness::Tolerance(1e-9);
+        let error = patch.tessellate_f64(&fine, Weld::None).unwrap_err();
+        let Error::TooMany { limit, needed, .. } = error else {
+            panic!("{error}");
+        };
+        assert!(needed > limit, "{error}");
+    }
+    let grid = Fineness::Segments(Grid::from(2));
+    assert!(
+        Random(5)
+            .patch(24, 24)
+            .tessellate(&grid, Weld::None)
+            .is_ok()
+    );
+}
