@@ -1,7 +1,9 @@
 //! Where is a polynomial over patches least? The certain answer, by branch and bound.
 
-use super::piece::{Jet, Piece, search};
+use super::piece::{Jet, Piece};
 use casteljau_kernels::WorkLimit;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 /// What rounding makes of coefficients of the size 1 to 8, after products and halvings; as much is no difference.
 const SLACK: f64 = 64.0 * f64::EPSILON;
@@ -17,6 +19,12 @@ const LAST_STEP: f64 = 1e-9;
 
 /// More steps are cut than this only at a start that is no use.
 const MAX_CUTS: usize = 8;
+
+/// The most coefficients of pieces that wait: 16 MB.
+const MAX_WAITING: usize = 1 << 21;
+
+/// What a refinement is counted as, in evaluations with derivatives.
+const REFINEMENT_JETS: usize = 4;
 
 const UNIT_SQUARE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
@@ -83,9 +91,7 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Min
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
     least.improve(first, &UNIT_SQUARE, true, &mut work);
-    search(roots.to_vec(), usize::MAX, &mut work, &mut |piece, work| {
-        least.look(piece, work)
-    });
+    least.search(&mut work);
     least.best
 }
 
@@ -103,14 +109,33 @@ struct Least<'a> {
 }
 
 impl Least<'_> {
-    /// Whether a piece may hold a lesser value and has to be seen closer.
-    fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
-        let [low, _] = piece.range(0);
-        if self.is_done || low >= self.floor + SLACK {
-            return false;
+    /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value.
+    fn search(&mut self, work: &mut WorkLimit) {
+        let mut waiting: BinaryHeap<Waiting> =
+            self.roots.iter().cloned().map(Waiting::new).collect();
+        // Of halves only: all whole polynomials are there before.
+        let mut coefficients = 0;
+        while let Some(Waiting { low, piece }) = waiting.pop() {
+            let count = piece.plane(0).len();
+            coefficients = usize::saturating_sub(coefficients, count);
+            // The least coefficients of all others are no less.
+            if self.is_done || low >= self.floor + SLACK || !work.spend(piece.steps()) {
+                return;
+            }
+            if self.look(&piece, low, work) {
+                coefficients += 2 * count;
+                if coefficients > MAX_WAITING {
+                    return;
+                }
+                waiting.extend(piece.halves().map(Waiting::new));
+            }
         }
+    }
+
+    /// Whether a piece may hold a lesser value and has to be seen closer.
+    fn look(&mut self, piece: &Piece, low: f64, work: &mut WorkLimit) -> bool {
         self.improve(piece, &UNIT_SQUARE, false, work);
-        if self.is_done || low >= self.floor - SLACK {
+        if self.is_done || low >= self.floor - SLACK || !piece.is_divisible() {
             return false;
         }
         // Of a convex piece one minimum is the only one.
@@ -140,7 +165,7 @@ impl Least<'_> {
         }
         let (at, value, settled) = go_down(root, within, start, work);
         self.floor = self.floor.min(value);
-        self.keep_better(piece.root, at);
+        self.keep_better(root, at, work);
         settled
     }
 
@@ -149,8 +174,13 @@ impl Least<'_> {
     }
 
     /// Makes a place the best one if it is better than that.
-    fn keep_better(&mut self, root: usize, at: [f64; 2]) {
-        let [u, v] = self.objective.refine(root, at);
+    fn keep_better(&mut self, piece: &Piece, at: [f64; 2], work: &mut WorkLimit) {
+        let root = piece.root;
+        let [u, v] = if work.spend(REFINEMENT_JETS * piece.jet_steps()) {
+            self.objective.refine(root, at)
+        } else {
+            at
+        };
         let value = self.objective.value(root, [u, v]);
         if self.is_better(value) {
             let best = Minimum { root, u, v, value };
@@ -166,6 +196,39 @@ impl Least<'_> {
         })
     }
 }
+
+/// A piece and its least coefficient; a greater one has a lesser coefficient.
+struct Waiting {
+    low: f64,
+    piece: Piece,
+}
+
+impl Waiting {
+    fn new(piece: Piece) -> Self {
+        let [low, _] = piece.range(0);
+        Self { low, piece }
+    }
+}
+
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.low.total_cmp(&self.low)
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Waiting {}
 
 /// The least corner of a piece and its value.
 fn least_corner(piece: &Piece) -> ([f64; 2], f64) {

@@ -41,6 +41,7 @@ mod scaffold;
 mod sets;
 mod stitched;
 mod sweep;
+mod taylor;
 mod teacup_data;
 mod teapot_data;
 mod teaset;

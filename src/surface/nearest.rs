@@ -22,10 +22,10 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Below this share of the size, the squared distance has lost digits that Gauss–Newton steps can bring back; more of
 /// these steps than the maximum only creep.
 const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
-const MAX_REFINEMENTS: usize = 32;
+const MAX_REFINEMENTS: usize = 16;
 
-/// The damping of a step where the derivative is singular, as a share of the greatest possible.
-const DAMPING: f64 = 1e-12;
+/// The damping of steps, as shares of the sum of the squared derivatives.
+const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
 
 /// A point of a patch, found by a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,16 +150,7 @@ fn nearest(patches: &[Patch], p: DVec3, cutoff: f64) -> Option<SurfacePoint> {
     };
     let least = minimise(&roots, &distance)?;
     let place = distance.place(least.root, [least.u, least.v]);
-    let next = distance.refined(&place);
-    Some(if is_nearer(&next, &place) {
-        next
-    } else {
-        place
-    })
-}
-
-fn is_nearer(a: &SurfacePoint, b: &SurfacePoint) -> bool {
-    a.distance < b.distance
+    Some(distance.refined(&place))
 }
 
 /// The distance of patches from a point.
@@ -198,8 +189,7 @@ impl Objective for Distance<'_> {
                 break;
             }
             let next = self.refined(&place);
-            // Nor a step that is not finite.
-            if !is_nearer(&next, &place) {
+            if next.distance == place.distance {
                 break;
             }
             place = next;
@@ -228,31 +218,38 @@ impl Distance<'_> {
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
 
-    /// The place after a Gauss–Newton step. Where the derivative is singular, as on a patch that is a curve, the step is
-    /// damped (Levenberg and Marquardt's method).
+    /// The nearest of the places after a Gauss–Newton step, more or less damped (Levenberg and Marquardt's method), along
+    /// both parameters or along one; the place itself if none is nearer. Undamped steps fail where the derivative is
+    /// singular, as on a patch that is a curve; steps along both may fail at the sides.
     fn refined(&self, place: &SurfacePoint) -> SurfacePoint {
         let patch = &self.patches[place.patch];
         let d = patch.partials(place.u, place.v);
         let off = place.point - self.p;
         let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
         let (u, v) = (d.u.dot(off), d.v.dot(off));
-        let inside = |t: f64| t.clamp(0.0, 1.0);
-        let step = |damping: f64| {
-            let (uu, vv) = (uu + damping, vv + damping);
+        let damped = |share: f64| {
+            let (uu, vv) = (uu + share * (uu + vv), vv + share * (uu + vv));
             let det = uu * vv - uv * uv;
-            let [u, v] = [
-                inside(place.u - (vv * u - uv * v) / det),
-                inside(place.v - (uu * v - uv * u) / det),
-            ];
-            SurfacePoint::at(patch, place.patch, u, v, self.p)
+            [(vv * u - uv * v) / det, (uu * v - uv * u) / det]
         };
-        let next = step(0.0);
-        // Also where the step is not finite.
-        if is_nearer(&next, place) {
-            next
-        } else {
-            step(DAMPING * (uu + vv))
+        // By the normal and not by the products: these lose the lesser of two coordinates of very different sizes.
+        let normal = d.u.cross(d.v);
+        let square = normal.dot(normal);
+        let undamped = [
+            off.cross(d.v).dot(normal) / square,
+            d.u.cross(off).dot(normal) / square,
+        ];
+        let others = [undamped, [u / uu, 0.0], [0.0, v / vv]];
+        let mut nearest = *place;
+        for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
+            let [u, v] = [place.u - u, place.v - v].map(|t| t.clamp(0.0, 1.0));
+            let next = SurfacePoint::at(patch, place.patch, u, v, self.p);
+            // A step that is not finite leads nowhere.
+            if next.distance < nearest.distance {
+                nearest = next;
+            }
         }
+        nearest
     }
 }
 

@@ -6,9 +6,9 @@
 //! all work in this way, with other polynomials. Source: Lane and Riesenfeld, "A theoretical development for the
 //! computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2 (1980).
 
-use crate::curve::{bernstein_into, ratio};
-use crate::error::MAX_DEGREE;
-use casteljau_kernels::{WorkLimit, blend_row, halve_coefficients};
+use super::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
+use crate::curve::ratio;
+use casteljau_kernels::{WorkLimit, halve_coefficients};
 
 /// More halvings than a parameter can take in both directions: 53 digits and some until a step of 0 ends it.
 const MAX_ROUNDS: usize = 128;
@@ -21,14 +21,10 @@ const MODERATE_DEGREE: usize = 24;
 const MAX_STEPS: usize = 1 << 23;
 const MAX_STEPS_ABOVE: usize = 1 << 26;
 
-/// The steps that a piece takes in addition to those of its coefficients: memory is allocated for it, and it is moved.
-const PIECE_STEPS: usize = 256;
-
-/// From this number of coefficients on, a row is evaluated by its Bernstein weights and not by de Casteljau's algorithm.
-const LONG_ROW: usize = 9;
-
-/// The degree of a squared distance is twice that of a patch.
-const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
+/// The steps that an evaluation and a piece take in addition to those of the coefficients: memory is allocated for a
+/// piece, and it is moved.
+const JET_STEPS: usize = 256;
+const PIECE_STEPS: usize = 640;
 
 /// One or more polynomials (planes) over a rectangle of parameters.
 #[derive(Clone, Debug)]
@@ -79,6 +75,13 @@ impl Piece {
         }
     }
 
+    /// Whether the parameters have numbers between those of the sides.
+    pub(super) fn is_divisible(&self) -> bool {
+        let [u, v] = self.middle();
+        let inside = |[from, to]: [f64; 2], t: f64| from < t && t < to;
+        inside(self.u, u) || inside(self.v, v)
+    }
+
     /// The steps that it takes to look at the piece and to halve it, about one for each multiplication.
     pub(super) fn steps(&self) -> usize {
         PIECE_STEPS + self.planes.len() * (self.columns.max(self.rows) + 8) / 2
@@ -86,7 +89,7 @@ impl Piece {
 
     /// The steps of a [`jet`](Self::jet).
     pub(super) fn jet_steps(&self) -> usize {
-        PIECE_STEPS + self.columns * self.rows * (self.columns.min(LONG_ROW) + 1)
+        JET_STEPS + self.columns * self.rows * (self.columns.min(LONG_ROW) + 1)
     }
 
     /// The coefficients of one plane.
@@ -273,50 +276,4 @@ pub(super) fn search(
         pieces = pieces.into_iter().flat_map(Piece::halves).collect();
     }
     true
-}
-
-/// The Bernstein weights of a row's degree at one parameter, and those of the two degrees below.
-struct Weights {
-    count: usize,
-    weights: [[f64; MAX_COUNT]; 3],
-}
-
-impl Weights {
-    /// `None` for rows so short that de Casteljau's algorithm is as quick, and outside of the unit interval.
-    fn new(count: usize, t: f64) -> Option<Self> {
-        if count < LONG_ROW || !(0.0..=1.0).contains(&t) {
-            return None;
-        }
-        let mut weights = [[0.0; MAX_COUNT]; 3];
-        for (lower, weights) in weights.iter_mut().enumerate() {
-            bernstein_into(&mut weights[..count - lower], t);
-        }
-        Some(Self { count, weights })
-    }
-
-    fn blend(&self, row: &[f64]) -> [f64; 3] {
-        let weights = |lower: usize| &self.weights[lower][..self.count - lower];
-        blend_row(row, [weights(0), weights(1), weights(2)])
-    }
-}
-
-/// Value, first and second derivative at t, by de Casteljau's algorithm, which passes all three.
-fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
-    let mut row = [0.0; MAX_COUNT];
-    let n = coefficients.len() - 1;
-    row[..=n].copy_from_slice(coefficients);
-    let degree = ratio(n, 1);
-    let (mut slope, mut bend) = (0.0, 0.0);
-    for last in (1..=n).rev() {
-        if last == 2 {
-            bend = degree * (degree - 1.0) * (row[2] - row[1] - (row[1] - row[0]));
-        }
-        if last == 1 {
-            slope = degree * (row[1] - row[0]);
-        }
-        for i in 0..last {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-    [row[0], slope, bend]
 }
