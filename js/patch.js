@@ -294,7 +294,7 @@ export class Patch {
    * the ray touches the patch, and at a side that is a point, there is one hit; of a ray that runs within the patch those
    * are given where it crosses the sides, and the origin if it is on the patch.
    *
-   * The search takes at most 2²³ steps over the patch (2²⁶ above degree 24) and 2²⁰ over each side and corner, about one
+   * The search takes at most 2²³ steps over the patch (2²⁶ above degree 3) and 2²³ over each side and corner, about one
    * for each multiplication. A ray for which that is not enough counts as one that runs within the patch: given are the
    * hits found by then and those on the sides.
    *

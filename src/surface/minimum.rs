@@ -1,6 +1,6 @@
 //! Where is a polynomial over patches least? The certain answer, by branch and bound.
 
-use super::piece::{Jet, Piece};
+use super::piece::{Jet, MODERATE_DEGREE, Piece};
 use casteljau_kernels::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -76,7 +76,7 @@ pub(super) trait Objective {
 pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Minimum> {
     let limits = roots
         .iter()
-        .map(|root| root.max_search_steps(objective.degree_factor()));
+        .map(|root| root.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
     let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
     let mut least = Least {
         roots,
@@ -91,6 +91,11 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Min
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
     least.improve(first, &UNIT_SQUARE, true, &mut work);
+    for root in roots {
+        for (at, _) in root.corners() {
+            least.keep_better(root, at, &mut work);
+        }
+    }
     least.search(&mut work);
     least.best
 }

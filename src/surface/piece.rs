@@ -17,7 +17,7 @@ const MAX_ROUNDS: usize = 128;
 const MAX_COEFFICIENTS: usize = 1 << 19;
 
 /// The most steps of a search up to this degree of a patch, and above it.
-const MODERATE_DEGREE: usize = 24;
+pub(super) const MODERATE_DEGREE: usize = 24;
 const MAX_STEPS: usize = 1 << 23;
 const MAX_STEPS_ABOVE: usize = 1 << 26;
 
@@ -66,9 +66,9 @@ impl Piece {
         }
     }
 
-    /// The most steps of a search in the polynomials of a patch, whose degrees are `factor` times the patch's.
-    pub(super) fn max_search_steps(&self, factor: usize) -> usize {
-        if self.columns.max(self.rows) > factor * MODERATE_DEGREE + 1 {
+    /// The most steps of a search in polynomials, for degrees up to this one and above it.
+    pub(super) fn max_search_steps(&self, degree: usize) -> usize {
+        if self.columns.max(self.rows) > degree + 1 {
             MAX_STEPS_ABOVE
         } else {
             MAX_STEPS

@@ -30,7 +30,7 @@ impl Patch {
     /// A ray that runs within the patch has no single hits: given are the points where it crosses the patch's sides,
     /// and the origin if it is on the patch.
     ///
-    /// The search takes at most 2²³ steps over the patch (2²⁶ above degree 24) and 2²⁰ over each side and corner, about one
+    /// The search takes at most 2²³ steps over the patch (2²⁶ above degree 3) and 2²³ over each side and corner, about one
     /// for each multiplication: some milliseconds. A ray for which that is not enough counts as one that runs within the patch:
     /// given are the hits found by then and those on the sides.
     ///

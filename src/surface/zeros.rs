@@ -26,8 +26,11 @@ const MAX_SPREAD: f64 = 0.5;
 /// run in it for the root of rounding, to the fourth for a touch of that order: some 1e-4.
 const CURVE_SHARE: f64 = 1.0 / 64.0;
 
+/// Up to this degree of a patch a search over the square may take 2²³ steps, above it 2²⁶: rays may hit it dozens of times.
+const LOW_DEGREE: usize = 3;
+
 /// The most steps of the search over each side of the square, and over each corner.
-const MAX_SIDE_STEPS: usize = 1 << 20;
+const MAX_SIDE_STEPS: usize = 1 << 23;
 
 /// The zeros that were found.
 pub(super) struct Zeros {
@@ -68,7 +71,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>) -> bool {
         curve: None,
     };
     let mut work = WorkLimit::new(if finder.on_face {
-        whole.max_search_steps(1)
+        whole.max_search_steps(LOW_DEGREE)
     } else {
         MAX_SIDE_STEPS
     });
