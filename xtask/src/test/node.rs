@@ -2,28 +2,24 @@
 
 use super::runner::{Context, Done};
 use super::select;
-use super::steps::{run_all, with_skipped};
+use super::steps::run_all;
 use crate::{browser, build, shell, stamp};
 use anyhow::Result;
 use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The variables that name a browser. A step sees only those that it sets.
+const BROWSERS: [&str; 3] = ["CHROME_PATH", "FIREFOX_PATH", "WEBKIT_DRIVER"];
 
 pub(crate) fn js(context: &Context) -> Result<Done> {
     build::build()?;
-    node_tests(context, "tests/js", 2, &[])
+    node_tests(context, "tests/js", &[], &[])
 }
 
-/// The page tests share one browser, which their own runner starts.
 pub(crate) fn page(context: &Context, options: &[&str]) -> Result<Done> {
     build::site()?;
-    // TODO until tests/page/run.js is merged: without it every file starts a browser.
-    if !shell::root().join("tests/page/run.js").exists() {
-        let chrome = browser::find()?.chrome;
-        return node_tests(context, "tests/page", 2, &[("CHROME_PATH", &chrome)]);
-    }
-    let mut tests = shell::node(&["tests/page/run.js"]);
-    tests.args(options).args(context.filters);
-    tests.env("CHROME_PATH", browser::find()?.chrome);
-    run_all([with_skipped(tests, context)])
+    let chrome = browser::find()?.chrome;
+    node_tests(context, "tests/page", options, &[("CHROME_PATH", &chrome)])
 }
 
 pub(crate) fn page_firefox(context: &Context) -> Result<Done> {
@@ -44,51 +40,58 @@ fn in_other_browser(context: &Context, variable: &str, path: Option<PathBuf>) ->
         )));
     };
     build::site()?;
-    // One file after the other: each starts a browser.
-    node_tests(context, "tests/browsers", 1, &[(variable, path.as_path())])
+    node_tests(context, "tests/browsers", &[], &[(variable, &path)])
 }
 
 pub(crate) fn packaging(context: &Context) -> Result<Done> {
     build::build()?;
     let chrome = browser::find()?.chrome;
-    node_tests(context, "tests/packaging", 2, &[("CHROME_PATH", &chrome)])
+    node_tests(context, "tests/packaging", &[], &[("CHROME_PATH", &chrome)])
+}
+
+/// Runs the tests of a folder, by its own run.js if it has one.
+fn node_tests(
+    context: &Context,
+    folder: &str,
+    options: &[&str],
+    browsers: &[(&str, &Path)],
+) -> Result<Done> {
+    let runner = format!("{folder}/run.js");
+    let mut tests = if shell::root().join(&runner).exists() {
+        let mut own = shell::node(&[&runner]);
+        own.args(options).args(context.filters);
+        own
+    } else {
+        plain_runner(context, folder)?
+    };
+    for browser in BROWSERS {
+        tests.env_remove(browser);
+    }
+    tests.envs(browsers.iter().copied());
+    tests.env("CASTELJAU_SKIPPED", &context.skipped);
+    run_all([tests])
+}
+
+/// Node's runner with two files at a time; by default it would leave one of two cores idle.
+fn plain_runner(context: &Context, folder: &str) -> Result<Command> {
+    let chosen = select::files(context.filters, &test_files(folder))?;
+    let skipped = context.skipped.display();
+    let mut tests = shell::node(&["--test", "--test-concurrency=2"]);
+    tests.args(["--test-reporter=spec", "--test-reporter-destination=stdout"]);
+    tests.arg("--test-reporter=./xtask/skipped.js");
+    tests.arg(format!("--test-reporter-destination={skipped}"));
+    let patterns = chosen.patterns.iter();
+    tests.args(patterns.map(|pattern| format!("--test-name-pattern={pattern}")));
+    tests.args(chosen.files);
+    Ok(tests)
 }
 
 /// The files are listed here because Node 20 and 22 read a folder's name differently.
 fn test_files(folder: &str) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = stamp::files_below(&shell::root().join(folder));
-    files.retain(|file| file.to_string_lossy().ends_with(".test.js"));
+    files.retain(|file| {
+        let name = file.to_string_lossy();
+        name.ends_with(".test.js") && !name.ends_with(".deep.test.js")
+    });
     files
-}
-
-/// Tests under Node's own runner; of the variables that name a browser only the given ones are set.
-fn node_tests(
-    context: &Context,
-    folder: &str,
-    at_once: usize,
-    variables: &[(&str, &Path)],
-) -> Result<Done> {
-    let chosen = select::files(context.filters, &test_files(folder))?;
-    let mut tests = shell::node(&["--test", "--test-reporter=spec"]);
-    tests.args([
-        "--test-reporter-destination=stdout",
-        "--test-reporter=./xtask/skipped.js",
-    ]);
-    tests.arg(format!(
-        "--test-reporter-destination={}",
-        context.skipped.display()
-    ));
-    tests.arg(format!("--test-concurrency={at_once}"));
-    tests.args(
-        chosen
-            .patterns
-            .iter()
-            .map(|pattern| format!("--test-name-pattern={pattern}")),
-    );
-    tests.args(chosen.files).env("CASTELJAU_EXPECT_TESTS", "1");
-    for browser in ["CHROME_PATH", "FIREFOX_PATH", "WEBKIT_DRIVER"] {
-        tests.env_remove(browser);
-    }
-    tests.envs(variables.iter().copied());
-    run_all([tests])
 }

@@ -12,7 +12,7 @@ pub(crate) struct Binaries {
     pub(crate) tests: Vec<String>,
 }
 
-/// A filter that names a binary (`curve`, `tests/curve`, `tests/curve/main.rs`, `tests/grid.rs`) chooses it; any other
+/// A filter that names a binary (`curve`, `tests/curve`, `tests/curve/main.rs`, `tests/one.rs`) chooses it; any other
 /// is a part of a test's name.
 pub(crate) fn binaries(filters: &[String], known: &[String]) -> Binaries {
     let mut chosen = Binaries::default();
@@ -70,7 +70,7 @@ pub(crate) fn files(filters: &[String], all: &[PathBuf]) -> Result<Files> {
             let known: Vec<String> = all.iter().map(|path| short_name(path)).collect();
             bail!("expected one of {}, got {filter}", known.join(", "));
         } else {
-            chosen.patterns.push(filter.clone());
+            chosen.patterns.push(pattern(filter));
         }
     }
     if chosen.files.is_empty() {
@@ -81,6 +81,19 @@ pub(crate) fn files(filters: &[String], all: &[PathBuf]) -> Result<Files> {
 
 fn is_named(path: &Path, filter: &str) -> bool {
     path.ends_with(filter) || short_name(path) == filter
+}
+
+/// `/…/` is a regular expression for the names of tests; any other text is a part of a name.
+fn pattern(filter: &str) -> String {
+    if filter.len() > 2 && filter.starts_with('/') && filter.ends_with('/') {
+        return filter.to_owned();
+    }
+    let special = |c: char| r".*+?^${}()|[]\".contains(c);
+    let escaped = filter.chars().flat_map(|c| {
+        let escape = special(c).then_some('\\');
+        escape.into_iter().chain([c])
+    });
+    escaped.collect()
 }
 
 /// A file's name without `.test.js`.
@@ -99,7 +112,7 @@ mod tests {
 
     #[test]
     fn binaries_are_chosen_by_name_or_path() {
-        let known = owned(&["curve", "grid"]);
+        let known = owned(&["curve", "one"]);
         let read = |filters: &[&str]| binaries(&owned(filters), &known);
         let expected = |targets: &[&str], tests: &[&str]| Binaries {
             targets: owned(targets),
@@ -113,7 +126,7 @@ mod tests {
         ] {
             assert_eq!(read(&[filter]), expected(&["curve"], &[]), "{filter}");
         }
-        assert_eq!(read(&["tests/grid.rs"]), expected(&["grid"], &[]));
+        assert_eq!(read(&["tests/one.rs"]), expected(&["one"], &[]));
         assert_eq!(read(&["curve", "split"]), expected(&["curve"], &["split"]));
         assert_eq!(read(&["curves"]), expected(&[], &["curves"]));
     }
@@ -122,7 +135,7 @@ mod tests {
     fn the_binaries_are_found_in_the_folder_of_tests() {
         let targets = test_targets();
         let has = |name: &str| targets.iter().any(|(target, _)| target == name);
-        assert!(has("curve") && has("grid"), "{targets:?}");
+        assert!(has("curve") && has("surface"), "{targets:?}");
         assert!(!has("common") && !has("js") && !has("data"), "{targets:?}");
     }
 
@@ -134,9 +147,9 @@ mod tests {
             let chosen = read(&[filter]).expect(filter);
             assert_eq!(chosen.files, all[1..], "{filter}");
         }
-        let chosen = read(&["curve", "split", "at t"]).expect("a file and patterns");
+        let chosen = read(&["curve", "split", "(t)?", "/^at t/"]).expect("a file and patterns");
         assert_eq!(chosen.files, all[1..]);
-        assert_eq!(chosen.patterns, ["split", "at t"]);
+        assert_eq!(chosen.patterns, ["split", r"\(t\)\?", "/^at t/"]);
         assert_eq!(read(&["split"]).expect("a pattern").files, all);
         let error = read(&["curves.test.js"]).expect_err("no such file");
         assert_eq!(

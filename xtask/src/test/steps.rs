@@ -153,15 +153,18 @@ fn fmt(_: &Context) -> Result<Done> {
 }
 
 fn clippy(_: &Context) -> Result<Done> {
-    let clippy = |options: &[&str]| {
-        let mut command = shell::cargo(&["clippy", "--quiet"]);
+    let clippy = |packages: &[&str], options: &[&str]| {
+        let mut command = shell::cargo(&["clippy", "--quiet", "--all-targets"]);
+        for package in packages {
+            command.args(["--package", package]);
+        }
         command.args(options).args(["--", "--deny", "warnings"]);
         command
     };
     run_all([
-        clippy(&["--package", "casteljau", "--all-targets", "--all-features"]),
+        clippy(&["casteljau", "casteljau-benches"], &["--all-features"]),
         // The driver in its own profile, whose dependencies are built already.
-        clippy(&["--package", "xtask", "--profile", "xtask", "--all-targets"]),
+        clippy(&["xtask"], &["--profile", "xtask"]),
     ])
 }
 
@@ -184,7 +187,7 @@ fn native(context: &Context) -> Result<Done> {
         let mut tests = shell::cargo(&["test", "--package", "casteljau", "--features", "serde"]);
         tests.arg("--no-fail-fast");
         if chosen.targets.is_empty() {
-            tests.args(["--lib", "--tests", "--examples"]);
+            tests.args(["--lib", "--tests"]); // clippy compiles the examples
         }
         for target in &chosen.targets {
             tests.args(["--test", target]);
@@ -196,12 +199,13 @@ fn native(context: &Context) -> Result<Done> {
 }
 
 fn doc(_: &Context) -> Result<Done> {
-    let mut docs = shell::cargo(&["doc", "--quiet", "--package", "casteljau", "--no-deps"]);
-    docs.env("RUSTDOCFLAGS", "--deny warnings");
-    run_all([
-        shell::cargo(&["test", "--package", "casteljau", "--doc"]),
-        docs,
-    ])
+    // The features of the native tests, whose compiled crate serves here, too.
+    let package = ["--package", "casteljau", "--features", "serde"];
+    let mut examples = shell::cargo(&["test", "--doc"]);
+    examples.args(package);
+    let mut docs = shell::cargo(&["doc", "--quiet", "--no-deps"]);
+    docs.args(package).env("RUSTDOCFLAGS", "--deny warnings");
+    run_all([examples, docs])
 }
 
 fn driver(_: &Context) -> Result<Done> {
@@ -233,7 +237,7 @@ fn types(_: &Context) -> Result<Done> {
 }
 
 /// A runner of its own is told where to list the skipped tests.
-pub(crate) fn with_skipped(mut command: Command, context: &Context) -> Command {
+fn with_skipped(mut command: Command, context: &Context) -> Command {
     command.env("CASTELJAU_SKIPPED", &context.skipped);
     command
 }
