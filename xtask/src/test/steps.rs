@@ -121,7 +121,6 @@ pub(crate) const STEPS: [Step; 16] = [
         selects: true,
         beside: Some("page-firefox"),
         act: node::page_webkit,
-        ..PLAIN
     },
     Step {
         name: "packaging",
