@@ -1,10 +1,8 @@
 //! The Rust tests as wasm: cargo builds them and starts this very executable to run each.
 
-use crate::test::{Done, binaries, test_targets};
+use crate::test::{Done, binaries, mentions, test_targets};
 use crate::{browser, shell};
 use anyhow::Result;
-use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 /// The hidden command by which cargo starts the driver as the runner of wasm tests.
@@ -40,16 +38,11 @@ pub(crate) fn in_chromium(filters: &[String]) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// The test binaries that contain something in wasm; the others say in their first lines that they are native.
+/// The test binaries with tests that also run as wasm.
 fn wasm_targets() -> Vec<String> {
-    let native = |root: &Path| {
-        let text = fs::read_to_string(root).unwrap_or_default();
-        let mut attributes = text.lines().filter(|line| line.starts_with("#![cfg("));
-        attributes.any(|line| line.contains("not(target_family = \"wasm\")"))
-    };
     let targets = test_targets().into_iter();
     targets
-        .filter(|(_, root)| !native(root))
+        .filter(|(_, root)| mentions(root, "wasm_bindgen_test"))
         .map(|(name, _)| name)
         .collect()
 }

@@ -4,8 +4,6 @@ use super::runner::{Context, Done, Step};
 use super::{node, select};
 use crate::{build, shell};
 use anyhow::Result;
-use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 /// What tests read to know that they shall run many more cases.
@@ -54,7 +52,7 @@ pub(crate) const STEPS: [Step; 4] = [
 fn sweeps(context: &Context) -> Result<Done> {
     let targets = select::test_targets().into_iter();
     let known: Vec<String> = targets
-        .filter(|(name, root)| name != GENERATED && reads_deep(root))
+        .filter(|(name, root)| name != GENERATED && select::mentions(root, DEEP))
         .map(|(name, _)| name)
         .collect();
     let chosen = select::binaries(context.filters, &known);
@@ -66,20 +64,6 @@ fn sweeps(context: &Context) -> Result<Done> {
     let tests = || with_variables(rust_tests(targets), context);
     shell::run_tests(tests, &chosen.tests)?;
     Ok(Done::Passed)
-}
-
-/// Whether a test binary asks for [`DEEP`], in its main file or in one beside it.
-fn reads_deep(root: &Path) -> bool {
-    let asks = |path: &Path| fs::read_to_string(path).is_ok_and(|text| text.contains(DEEP));
-    if root.file_name().is_none_or(|name| name != "main.rs") {
-        return asks(root);
-    }
-    let entries = root.parent().and_then(|folder| fs::read_dir(folder).ok());
-    entries
-        .into_iter()
-        .flatten()
-        .flatten()
-        .any(|entry| asks(&entry.path()))
 }
 
 fn generated(context: &Context) -> Result<Done> {

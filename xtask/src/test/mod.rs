@@ -14,7 +14,7 @@ use anyhow::Result;
 use args::{Request, StepName};
 pub(crate) use runner::Done;
 use runner::{Command, Step};
-pub(crate) use select::{binaries, test_targets};
+pub(crate) use select::{binaries, mentions, test_targets};
 
 /// The hidden command by which the driver starts itself to run one step beside another.
 pub(crate) const RUN_STEP: &str = "run-test-step";

@@ -51,6 +51,21 @@ fn target(path: PathBuf) -> Option<(String, PathBuf)> {
     root.filter(|root| root.is_file()).map(|root| (name, root))
 }
 
+/// Whether a text stands in the main file of a test binary, or in one beside it.
+pub(crate) fn mentions(root: &Path, text: &str) -> bool {
+    let has = |path: &Path| fs::read_to_string(path).is_ok_and(|source| source.contains(text));
+    if root.file_name().is_none_or(|name| name != "main.rs") {
+        return has(root);
+    }
+    let entries = root.parent().and_then(|folder| fs::read_dir(folder).ok());
+    let mut paths = entries
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path());
+    paths.any(|path| has(&path))
+}
+
 /// Files of JavaScript tests, and patterns of the names of tests in them.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Files {
@@ -137,6 +152,11 @@ mod tests {
         let has = |name: &str| targets.iter().any(|(target, _)| target == name);
         assert!(has("curve") && has("surface"), "{targets:?}");
         assert!(!has("common") && !has("js") && !has("data"), "{targets:?}");
+        let in_wasm = |name: &str| {
+            let found = targets.iter().find(|(target, _)| target == name);
+            found.is_some_and(|(_, root)| mentions(root, "wasm_bindgen_test"))
+        };
+        assert!(in_wasm("curve") && in_wasm("surface") && !in_wasm("watertight"));
     }
 
     #[test]
