@@ -6,7 +6,9 @@ use super::runner::{Command, Context, Done, Step, blocked, file, find, prepare, 
 use super::summary::{Outcome, Record};
 use anyhow::{Result, bail};
 use std::fs::{self, File};
+use std::io;
 use std::process::{self, Child, Stdio};
+use std::thread::{self, JoinHandle};
 use std::time::Instant;
 
 /// A step that runs in a process of its own, its output kept until the step before it has ended.
@@ -14,12 +16,12 @@ pub(crate) struct Other<'a> {
     command: &'a Command,
     step: &'a Step,
     choice: &'a Choice,
-    begin: Instant,
     state: State,
 }
 
 enum State {
-    Running(Child),
+    /// A thread waits for the process and gives whether it passed, and its seconds.
+    Running(JoinHandle<io::Result<(bool, f64)>>),
     Blocked(Outcome),
 }
 
@@ -33,37 +35,46 @@ impl<'a> Other<'a> {
         prepare(step)?;
         let state = match blocked(step, records) {
             Some(outcome) => State::Blocked(outcome),
-            None => State::Running(spawn(step, choice)?),
+            None => State::Running(wait_for(spawn(step, choice)?)),
         };
         Ok(Self {
             command,
             step,
             choice,
-            begin: Instant::now(),
             state,
         })
     }
 
     pub(crate) fn finish(self) -> Result<Record> {
         println!("\n━━ {} ({})", self.step.title, self.step.name);
-        let outcome = match self.state {
-            State::Blocked(outcome) => outcome,
-            State::Running(mut child) => {
-                let passed = child.wait()?.success();
+        let (outcome, seconds) = match self.state {
+            State::Blocked(outcome) => (outcome, 0.0),
+            State::Running(thread) => {
+                let Ok(waited) = thread.join() else {
+                    bail!("{}: the thread that waits for it panicked", self.step.name);
+                };
+                let (passed, seconds) = waited?;
                 let output = fs::read_to_string(file(self.step, "log"))?;
                 print!("{output}");
-                ended(self.step, passed, &output)
+                (ended(self.step, passed, &output), seconds)
             }
         };
         let Self {
             command,
             step,
             choice,
-            begin,
             ..
         } = self;
-        Ok(record(command, step, choice, begin, outcome))
+        Ok(record(command, step, choice, seconds, outcome))
     }
+}
+
+fn wait_for(mut child: Child) -> JoinHandle<io::Result<(bool, f64)>> {
+    let begin = Instant::now();
+    thread::spawn(move || {
+        let passed = child.wait()?.success();
+        Ok((passed, begin.elapsed().as_secs_f64()))
+    })
 }
 
 fn spawn(step: &Step, choice: &Choice) -> Result<Child> {

@@ -122,14 +122,20 @@ fn run_here(command: &Command, step: &Step, choice: &Choice, records: &[Record])
     if let Outcome::Failed(reason) | Outcome::Skipped(reason) = &outcome {
         println!("{}: {reason}", step.name);
     }
-    Ok(record(command, step, choice, begin, outcome))
+    Ok(record(
+        command,
+        step,
+        choice,
+        begin.elapsed().as_secs_f64(),
+        outcome,
+    ))
 }
 
 pub(crate) fn record(
     command: &Command,
     step: &Step,
     choice: &Choice,
-    begin: Instant,
+    seconds: f64,
     outcome: Outcome,
 ) -> Record {
     let skipped = fs::read_to_string(file(step, "skipped-tests")).unwrap_or_default();
@@ -139,7 +145,7 @@ pub(crate) fn record(
     Record {
         name: step.name.to_owned(),
         title: step.title,
-        seconds: begin.elapsed().as_secs_f64(),
+        seconds,
         outcome,
         command: repeat(command, choice),
         skipped_tests,
