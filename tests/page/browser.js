@@ -4,13 +4,14 @@ import assert from "node:assert/strict";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { chromePath, FLAGS } from "./chrome.js";
+import { BROWSER_ADDRESS, launchOptions } from "./chrome.js";
 import { serve } from "./server.js";
-
-export { chromePath };
 
 /** The repository's root, with a slash at its end. */
 export const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
+const LONGEST_WAIT_MS = 60_000;
 
 /** One browser and one server for all tests of a file. */
 const shared = { browser: undefined, site: undefined, count: 0 };
@@ -20,13 +21,10 @@ after(async () => {
   (await shared.site)?.close();
 });
 
-/**
- * The running browser; started at the first call.
- *
- * @param {string[]} [more] flags, where the first call is a test file's own
- */
-export function launch(more = []) {
-  shared.browser ??= chromium.launch({ executablePath: chromePath(), args: [...FLAGS, ...more] });
+/** The browser that the runner has started, or else one of this file's own; connected or started at the first call. */
+export function launch() {
+  const address = process.env[BROWSER_ADDRESS];
+  shared.browser ??= address ? chromium.connect(address) : chromium.launch(launchOptions());
   return shared.browser;
 }
 
@@ -47,6 +45,7 @@ export function launch(more = []) {
 export async function openPage(t, what, options = {}) {
   const baseURL = options.baseURL ?? (await site()).url;
   const context = await (await launch()).newContext({ ...options, baseURL });
+  context.setDefaultTimeout(LONGEST_WAIT_MS);
   const page = Object.assign(await context.newPage(), { problems: watch(context) });
   t.after(async () => {
     await context.close();
@@ -70,6 +69,48 @@ export async function assertAccessible(page, { part, rules } = {}) {
   const found = violations.map(({ id, help, nodes }) => `${id}: ${help} at ${nodes.map((n) => n.target).join(", ")}`);
   assert.deepEqual(found, []);
 }
+
+/** What a colour scheme changes: the other rules find the same in the dark and in forced colours. */
+export const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
+
+/**
+ * Fails unless axe finds nothing: by all rules in the light, by those about colours in the dark and in forced colours.
+ *
+ * @param {import("playwright-core").Page} page in the light
+ * @param {(page: import("playwright-core").Page) => Promise<unknown>} [settled] waits until a change of the colours is drawn
+ */
+export async function assertAccessibleInAllColours(page, settled = frames) {
+  await assertAccessible(page);
+  for (const media of [{ colorScheme: "dark" }, { forcedColors: "active" }]) {
+    await page.emulateMedia(media);
+    await settled(page);
+    await assertAccessible(page, { rules: COLOUR_RULES });
+  }
+}
+
+/** Waits for so many animation frames: after two, what was changed before has been drawn. */
+export const frames = (page, count = 2) =>
+  page.evaluate(async (count) => {
+    for (let i = 0; i < count; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, count);
+
+/** Frames in which something would have happened that must not happen. */
+export const QUIET_FRAMES = 12;
+
+/**
+ * Waits until all intersection observers of the page have reported what is in sight, and the requests that followed have
+ * been answered: an observer made now reports after them, and a request made now is made after theirs.
+ */
+export const intersectionsReported = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 2; i++) {
+      await new Promise((resolve) => {
+        const observer = new IntersectionObserver(() => (observer.disconnect(), resolve()));
+        observer.observe(document.documentElement);
+      });
+    }
+    await fetch("/favicon.ico");
+  });
 
 /** Collects what goes wrong in any page of a context. */
 function watch(context) {

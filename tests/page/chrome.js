@@ -2,6 +2,7 @@
 import { existsSync } from "node:fs";
 import { delimiter, join } from "node:path";
 import { chromium } from "playwright-core";
+import { runTests } from "../node-tests.js";
 
 /** The same as in xtask/src/browser.rs, and WebGL2 in software. */
 export const FLAGS = [
@@ -22,4 +23,29 @@ export function chromePath() {
   const folders = (process.env.PATH ?? "").split(delimiter);
   const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
   return process.env.CHROME_PATH ?? onPath ?? chromium.executablePath();
+}
+
+/** The variable with the address of a running browser (of Playwright's `launchServer`), which page tests then share. */
+export const BROWSER_ADDRESS = "CASTELJAU_BROWSER";
+
+/** How Chromium is started. */
+export const launchOptions = () => ({ executablePath: chromePath(), args: FLAGS });
+
+/** Test files that run at once: more are not faster on two cores. */
+const CONCURRENCY = 2;
+
+/**
+ * Starts one Chromium, which all test files share, runs them, and ends it.
+ *
+ * @param {{ files: string[], patterns: string[] }} chosen
+ * @param {Record<string, string>} [env] additional variables for the tests
+ * @returns {Promise<number>} the exit code of Node's test runner
+ */
+export async function runInSharedBrowser(chosen, env = {}) {
+  const browser = await chromium.launchServer({ ...launchOptions(), host: "127.0.0.1" });
+  try {
+    return await runTests(chosen, { concurrency: CONCURRENCY, env: { ...env, [BROWSER_ADDRESS]: browser.wsEndpoint() } });
+  } finally {
+    await browser.close();
+  }
 }

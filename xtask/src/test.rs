@@ -224,7 +224,7 @@ fn js() -> Result<()> {
 
 fn page() -> Result<()> {
     build::site()?;
-    node_tests("tests/page", &["--test-concurrency=2"])
+    in_chromium("tests/page/run.js")
 }
 
 fn page_firefox() -> Result<()> {
@@ -245,16 +245,20 @@ fn in_other_browser(name: &str, variable: &str, path: Option<PathBuf>) -> Result
         return Ok(());
     };
     build::site()?;
-    let (mut tests, files) = (node_test(), test_files("tests/browsers"));
+    let mut tests = shell::node(&["tests/browsers/run.js"]);
     tests.env_remove("FIREFOX_PATH").env_remove("WEBKIT_DRIVER");
-    tests.env(variable, path);
-    // One file after the other: each starts a browser.
-    shell::run(tests.arg("--test-concurrency=1").args(files))
+    shell::run(tests.env(variable, path))
 }
 
 fn packaging() -> Result<()> {
     build::build()?;
-    node_tests("tests/packaging", &[])
+    in_chromium("tests/packaging/run.js")
+}
+
+/// A script that starts one Chromium for its tests.
+fn in_chromium(script: &str) -> Result<()> {
+    let mut tests = shell::node(&[script]);
+    shell::run(tests.env("CHROME_PATH", browser::find()?.chrome))
 }
 
 fn node_test() -> Command {
@@ -274,9 +278,5 @@ fn node_tests(folder: &str, options: &[&str]) -> Result<()> {
         println!("no tests yet in {folder}");
         return Ok(());
     }
-    let mut tests = node_test();
-    if folder != "tests/js" {
-        tests.env("CHROME_PATH", browser::find()?.chrome);
-    }
-    shell::run(tests.args(options).args(files))
+    shell::run(node_test().args(options).args(files))
 }
