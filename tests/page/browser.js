@@ -63,6 +63,7 @@ export async function openPage(t, what, options = {}) {
  */
 export async function assertAccessible(page, { part, rules } = {}) {
   const axe = new AxeBuilder({ page }).options({ resultTypes: ["violations"] }); // of the rest only a count is kept
+  axe.setLegacyMode(page.frames().length === 1); // the other mode puts the results of several frames together in a page of its own
   if (part) axe.include(part);
   if (rules) axe.withRules(rules);
   const { violations } = await axe.analyze();
@@ -109,8 +110,44 @@ export const intersectionsReported = (page) =>
         observer.observe(document.documentElement);
       });
     }
-    await fetch("/favicon.ico");
+    await fetch(location.href);
   });
+
+/** Between the two clicks of a double click, in seconds. */
+const DOUBLE_CLICK_S = 0.1;
+
+/**
+ * Clicks twice at a place. The events carry times of their own, so that it is a double click on a slow machine, too.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {[number, number]} place in the window
+ */
+export async function doubleClick(page, [x, y]) {
+  await page.mouse.move(x, y);
+  const client = await page.context().newCDPSession(page);
+  const first = Date.now() / 1000;
+  for (const [clickCount, timestamp] of [[1, first], [2, first + DOUBLE_CLICK_S]]) {
+    for (const type of ["mousePressed", "mouseReleased"]) {
+      await client.send("Input.dispatchMouseEvent", { type: /** @type {any} */ (type), x, y, button: "left", clickCount, timestamp });
+    }
+  }
+}
+
+/**
+ * Taps twice, at two places near each other; see doubleClick.
+ *
+ * @param {import("playwright-core").Page} page with a touch screen
+ * @param {...[number, number]} places in the window
+ */
+export async function doubleTap(page, ...places) {
+  const client = await page.context().newCDPSession(page);
+  const first = Date.now() / 1000;
+  for (const [k, [x, y]] of places.entries()) {
+    const timestamp = first + k * DOUBLE_CLICK_S;
+    await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }], timestamp });
+    await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [], timestamp });
+  }
+}
 
 /** Collects what goes wrong in any page of a context. */
 function watch(context) {

@@ -4,7 +4,15 @@ import { delimiter, join } from "node:path";
 import { chromium } from "playwright-core";
 import { runTests } from "../node-tests.js";
 
-/** The same as in xtask/src/browser.rs, and WebGL2 in software. */
+/** What the browser's own window shows (the list below the address bar is a page): twice the processor time for each page. */
+const WINDOW_FEATURES = ["WebUIOmniboxPopup", "WebUIOmniboxAimPopup", "WebUIOmniboxFullPopup", "PreloadTopChromeWebUI"];
+/** Those that Playwright switches off and that matter here: of two lists of features Chromium reads the last. */
+const PLAYWRIGHT_FEATURES = [
+  "DestroyProfileOnBrowserClose", "HttpsUpgrades", "HttpsFirstBalancedModeAutoEnable", "LensOverlay", "MediaRouter", "PaintHolding",
+  "ThirdPartyStoragePartitioning", "OptimizationHints", "NetworkTimeServiceQuerying", "PreconnectToSearch",
+];
+
+/** The same as in xtask/src/browser.rs, WebGL2 in software, and some features off. */
 export const FLAGS = [
   "--no-sandbox",
   "--disable-gpu",
@@ -15,6 +23,7 @@ export const FLAGS = [
   "--disable-sync",
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
+  `--disable-features=${[...PLAYWRIGHT_FEATURES, ...WINDOW_FEATURES]}`,
 ];
 const NAMES = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
