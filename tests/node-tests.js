@@ -7,6 +7,8 @@ import { fileURLToPath } from "node:url";
 const DURATIONS = new URL("./durations.js", import.meta.url).href;
 const ENDING = ".test.js";
 const DEEP_ENDING = ".deep.test.js";
+/** No test or file takes nearly as long, on a busy machine either: what does hangs. */
+const TIMEOUT_MS = 1_200_000;
 
 /**
  * Splits the arguments of a runner into test files and patterns of test names. An argument that names a file (its path or
@@ -48,7 +50,7 @@ const patternOf = (word) => (/^\/.+\/[a-z]*$/.test(word) ? word : word.replace(/
 export function runTests({ files, patterns }, { concurrency = 1, env = {} } = {}) {
   const reporters = ["spec", DURATIONS].flatMap((name) => [`--test-reporter=${name}`, "--test-reporter-destination=stdout"]);
   const names = patterns.map((pattern) => `--test-name-pattern=${pattern}`);
-  const args = ["--test", `--test-concurrency=${concurrency}`, ...reporters, ...names, ...files];
+  const args = ["--test", `--test-concurrency=${concurrency}`, `--test-timeout=${TIMEOUT_MS}`, ...reporters, ...names, ...files];
   const node = spawn(process.execPath, args, { stdio: "inherit", env: { ...process.env, ...env } });
   process.once("exit", () => node.kill()); // a runner that is interrupted leaves nothing behind
   return new Promise((resolve, reject) => node.once("error", reject).once("exit", (code) => resolve(code ?? 1)));

@@ -1,5 +1,4 @@
 // Opens pages of the built site in a real Chromium. A test that leaves an error in the console fails.
-import { AxeBuilder } from "@axe-core/playwright";
 import assert from "node:assert/strict";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
@@ -62,6 +61,7 @@ export async function openPage(t, what, options = {}) {
  * @param {{ part?: string, rules?: string[] }} [only] a selector, the names of some rules
  */
 export async function assertAccessible(page, { part, rules } = {}) {
+  const { AxeBuilder } = await import("@axe-core/playwright"); // most files do without it
   const axe = new AxeBuilder({ page }).options({ resultTypes: ["violations"] }); // of the rest only a count is kept
   axe.setLegacyMode(page.frames().length === 1); // the other mode puts the results of several frames together in a page of its own
   if (part) axe.include(part);
@@ -110,7 +110,7 @@ export const intersectionsReported = (page) =>
         observer.observe(document.documentElement);
       });
     }
-    await fetch(location.href);
+    await (await fetch(location.href)).text();
   });
 
 /** Between the two clicks of a double click, in seconds. */
