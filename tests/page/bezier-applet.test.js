@@ -1,7 +1,7 @@
 // <bezier-applet>: points that are dragged and moved by keys, t, undo, events, attributes, the state.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessible, assertAccessibleInAllColours, doubleClick } from "./browser.js";
+import { assertAccessible, assertAccessibleInBothThemes, doubleClick } from "./browser.js";
 import { ask, button, centre, cubicAt, drag, fired, focus, handle, ink, message, openApplet, points, press, pull, set, settled } from "./bezier-applet-page.js";
 
 const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
@@ -283,12 +283,12 @@ test("t plays only when it is asked to, pauses, and stops when the element is ta
   assert.equal(await ask(page, () => a.t), stopped);
 });
 
-test("axe finds nothing, in all colours: panel, folded parts, dialog", async (t) => {
+test("axe finds nothing, light and dark: panel, folded parts, dialog", async (t) => {
   const page = await openApplet(t, 'controls basis="matrix" show="polygon hull scaffold halves weights tree segments offset ticks nearest"');
   await page.locator("bezier-applet summary").evaluateAll((all) => all.forEach((summary) => summary.click()));
   await settled(page);
-  await assertAccessibleInAllColours(page, settled);
-  await page.emulateMedia({ colorScheme: "light", forcedColors: "none" });
+  await assertAccessibleInBothThemes(page, settled);
+  await page.emulateMedia({ colorScheme: "light" });
   await focus(page, 0);
   await press(page, "?");
   await assertAccessible(page, { part: "bezier-applet" });

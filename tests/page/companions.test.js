@@ -1,7 +1,7 @@
 // The plot of the weights, the equation and the coordinate table: alone, and linked to an applet.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInAllColours } from "./browser.js";
+import { assertAccessibleInBothThemes } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, text } from "./companions-page.js";
 
 const ALL = `<bezier-applet id="figure" t="0.25" show="polygon scaffold"></bezier-applet>
@@ -16,12 +16,12 @@ const weights = (page) =>
     Object.fromEntries([...shadowRoot.querySelectorAll("li button")].map((button) => [button.innerText.trim().split(/\s+/)[0], Number(button.querySelector(".value").innerText.replace("−", "-"))])));
 const figure = (page) => on(page, "bezier-applet", ({ points, figure }) => ({ t: figure.t, points, basis: figure.basis, matrix: figure.matrix }));
 
-test("they are accessible, in all colours, and with a message at a field", async (t) => {
+test("they are accessible, light and dark, and with a message at a field", async (t) => {
   const page = await openCompanions(t, ALL);
   await field(page, "P1 x").fill("");
   await page.keyboard.press("Tab");
   await page.locator("bezier-coordinates .error").waitFor();
-  await assertAccessibleInAllColours(page, settled);
+  await assertAccessibleInBothThemes(page, settled);
 });
 
 for (const width of [800, 360]) {

@@ -1,7 +1,7 @@
 // <bezier-easing>: an editor of timing functions that is a field of a form.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInAllColours, QUIET_FRAMES } from "./browser.js";
+import { assertAccessibleInBothThemes, QUIET_FRAMES } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, shown, text } from "./companions-page.js";
 
 const EASE = "cubic-bezier(0.25, 0.1, 0.25, 1)";
@@ -11,8 +11,8 @@ const centre = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
 const TWO = '<bezier-easing name="a" label="Way in"></bezier-easing><bezier-easing label="Way out" required></bezier-easing>';
 
-test("it is accessible, in all colours", async (t) => {
-  await assertAccessibleInAllColours(await openCompanions(t, TWO), settled);
+test("it is accessible, light and dark", async (t) => {
+  await assertAccessibleInBothThemes(await openCompanions(t, TWO), settled);
 });
 
 for (const [options, least] of [[{}, 24], [{ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }, 44]]) {

@@ -1,5 +1,5 @@
 // Every page of the site: nothing for axe to object to, nothing in the console, and the strict policy is enough. axe looks at
-// the whole page once, in the light; in the dark, and where a page draws its own pictures in forced colours, at the colours.
+// the whole page once, in the light; in the dark, and in forced colours where text opts out of them, at the colours.
 import { test } from "node:test";
 import { TAGS } from "./application-page.js";
 import { assertAccessible, COLOUR_RULES } from "./browser.js";
@@ -11,7 +11,8 @@ const DRAWN = {
   "/curves/": ["#weights [data-index]", "#basis [data-index]", "#joint [data-index]", "#recursion [data-index]"], // with all figures axe takes most of a minute
   ...Object.fromEntries(Object.entries(TAGS).map(([path, tag]) => [path, [`${tag} svg`]])),
 };
-const FORCED_COLOURS = ["/figures/", ...Object.keys(TAGS)];
+/** It has all texts of the site whose style has `forced-color-adjust: none`: pressed buttons, and those of samples. */
+const FORCED_COLOURS = ["/surfaces/"];
 
 for (const path of PAGES) {
   test(`${path} is accessible`, async (t) => {

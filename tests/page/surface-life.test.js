@@ -1,14 +1,14 @@
 // <bezier-surface>: where it comes from and goes to; what it does when things are missing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInAllColours, frames, intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
+import { assertAccessibleInBothThemes, frames, intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
 import { difference, facts, look, openSurface, ready, set, settled, surfacePage } from "./surface-page.js";
 
 /** Everything that the page can show at once. */
 const FULL = 'controls show="surface mesh isocurves net casteljau" patch="5" step="2"';
 
-test("with everything switched on it is accessible, in all colours", async (t) => {
-  await assertAccessibleInAllColours(await openSurface(t, FULL), settled);
+test("with everything switched on it is accessible, light and dark", async (t) => {
+  await assertAccessibleInBothThemes(await openSurface(t, FULL), settled);
 });
 
 test("it fits a narrow phone, sharp", async (t) => {
