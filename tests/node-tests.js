@@ -5,6 +5,7 @@ import { basename, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const DURATIONS = new URL("./durations.js", import.meta.url).href;
+const SKIPPED = new URL("../xtask/skipped.js", import.meta.url).href;
 const ENDING = ".test.js";
 const DEEP_ENDING = ".deep.test.js";
 /** No test or file takes nearly as long, on a busy machine either: what does hangs. */
@@ -48,7 +49,10 @@ const patternOf = (word) => (/^\/.+\/[a-z]*$/.test(word) ? word : word.replace(/
  * @returns {Promise<number>} Node's exit code
  */
 export function runTests({ files, patterns }, { concurrency = 1, env = {} } = {}) {
-  const reporters = ["spec", DURATIONS].flatMap((name) => [`--test-reporter=${name}`, "--test-reporter-destination=stdout"]);
+  const outputs = [["spec", "stdout"], [DURATIONS, "stdout"]];
+  // The driver names the file in which it looks for skipped tests.
+  if (process.env.CASTELJAU_SKIPPED) outputs.push([SKIPPED, process.env.CASTELJAU_SKIPPED]);
+  const reporters = outputs.flatMap(([name, to]) => [`--test-reporter=${name}`, `--test-reporter-destination=${to}`]);
   const names = patterns.map((pattern) => `--test-name-pattern=${pattern}`);
   const args = ["--test", `--test-concurrency=${concurrency}`, `--test-timeout=${TIMEOUT_MS}`, ...reporters, ...names, ...files];
   const node = spawn(process.execPath, args, { stdio: "inherit", env: { ...process.env, ...env } });
