@@ -36,7 +36,7 @@ pub use layout::{
 pub use length::plane_cubic_length;
 pub use meet::{Contact, Meeting, Piece, Row, meet_cubics};
 pub use nearest::{nearest_in_plane, nearest_in_space};
-pub use parallel::{Parallel, Plane, Source};
+pub use parallel::{Parallel, Plane, Source, arc_pieces};
 pub use sample::{Sampler, Vector};
 pub use speed::speed_integral;
 pub use weights::{binomial, weights};

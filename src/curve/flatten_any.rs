@@ -19,6 +19,8 @@ const MOST_HALVINGS: usize = 4;
 pub(crate) struct PieceDeviation {
     points: Points<DVec3>,
     start: f64,
+    /// The point at the start.
+    from: DVec3,
     tolerance: f64,
 }
 
@@ -28,6 +30,7 @@ impl PieceDeviation {
         Self {
             points: points.iter().map(|p| p.in_space()).collect(),
             start: 0.0,
+            from: points[0].in_space(),
             tolerance,
         }
     }
@@ -46,6 +49,15 @@ impl PieceDeviation {
         } else {
             bound
         }
+    }
+
+    /// Whether one of a few points of the piece is farther from its chord than the tolerance: a quick no.
+    fn leaves_chord(&self, h: f64) -> bool {
+        let at = |part: f64| evaluate(&self.points, (self.start + h * part).min(1.0)) - self.from;
+        let direction = at(1.0).unit();
+        [0.5, 0.25, 0.75]
+            .iter()
+            .any(|&part| direction.cross(at(part)).norm() > self.tolerance)
     }
 
     /// How far the piece runs past the ends of its chord.
@@ -88,6 +100,7 @@ fn halved_bound(f: &[DVec3], halvings: usize) -> f64 {
 impl Deviation for PieceDeviation {
     fn start_at(&mut self, t: f64) {
         self.start = t;
+        self.from = evaluate(&self.points, t);
     }
 
     fn squared(&mut self, h: f64) -> Fraction {
@@ -124,7 +137,7 @@ impl Deviation for PieceDeviation {
     /// A curve of a high degree may come back more than once: from the whole rest down.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
         let mut h = rest;
-        while h > 2.0 * guess && !self.squared(h).at_most(1.0) {
+        while h > 2.0 * guess && (self.leaves_chord(h) || !self.squared(h).at_most(1.0)) {
             h *= 0.5;
         }
         h

@@ -10,7 +10,7 @@ use super::{Curve, check_tolerance, ulp};
 use crate::error::Error;
 use crate::point::Point;
 use crate::spline::Spline;
-use casteljau_kernels::{Parallel, Plane, Source, cos_sin};
+use casteljau_kernels::{Parallel, Plane, Source, WorkLimit, arc_pieces, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -22,6 +22,13 @@ const LEAST_DEFAULT: f64 = 1e-12;
 
 /// What rounding leaves of a distance, as a part of it and the curve's size.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// The most steps for one curve: pieces tried and bounds evaluated. A cubic at a tolerance of 10⁻¹² of its size takes
+/// some thousands.
+const MAX_STEPS: usize = 1 << 17;
+
+/// The part of the tolerance that the pieces may use; the rest is for rounding.
+const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
 
 /// Up to this distance, in sizes of the curve, its own size is told from a point: beyond, it is far below an ulp.
 const FARTHEST: f64 = 1e30;
@@ -36,11 +43,13 @@ impl Curve<DVec2> {
     ///
     /// Where |κd| passes 1 the parallel has a cusp, and so has the spline; nothing is trimmed. Where the curve turns
     /// back (a cusp, a straight way back and forth) a half circle about that point joins the two sides. Lines stay
-    /// lines. A distance of 0 gives the curve itself. A curve that is a point has no normal: it comes back as it is.
+    /// lines. Where the derivative is so small that rounding it moves the offset by more than the tolerance, the tolerance
+    /// holds for a curve with control points that differ by rounding. A distance of 0 gives the curve itself. A curve that is a point has no normal: it comes back as it is.
     ///
     /// # Errors
     /// [`Error::Range`] for a distance that is not finite, or with which coordinates would not be, and unless the
-    /// tolerance is above 0; [`Error::Tolerance`] when it is below 4 ulps of the largest coordinate and the distance.
+    /// tolerance is above 0; [`Error::Tolerance`] when it is below 4 ulps of the largest coordinate and the distance;
+    /// [`Error::TooMany`] when more than 2¹⁷ steps (pieces tried and bounds evaluated) would be needed.
     ///
     /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
     pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
@@ -52,7 +61,7 @@ impl Curve<DVec2> {
         let diagonal = || self.control_bounds().diagonal();
         let tolerance = offset_tolerance(distance, tolerance, self.max_abs(), diagonal)?;
         let mut chain = Chain::default();
-        chain.add_parallel(self, distance, tolerance);
+        chain.add_parallel(self, distance, tolerance)?;
         Ok(chain)
     }
 }
@@ -106,18 +115,23 @@ impl Chain {
     }
 
     /// Appends the parallel of a curve; a chain that is not empty ends at its start.
-    pub(crate) fn add_parallel(&mut self, curve: &Curve<DVec2>, distance: f64, tolerance: f64) {
+    pub(crate) fn add_parallel(
+        &mut self,
+        curve: &Curve<DVec2>,
+        distance: f64,
+        tolerance: f64,
+    ) -> Result<(), Error> {
         let reach = farthest(curve);
         if distance == 0.0 || reach == 0.0 {
             self.start(curve.start());
             self.points.extend(&curve.points[1..]);
             self.degrees.push(curve.degree());
-            return;
+        } else if let Some(way) = curve.straight_way() {
+            self.add_parallel_of_straight(curve, way, distance, tolerance);
+        } else {
+            Bent::new(curve, reach, distance, tolerance).add_to(self)?;
         }
-        if let Some(way) = curve.straight_way() {
-            return self.add_parallel_of_straight(curve, way, distance, tolerance);
-        }
-        Bent::new(curve, reach, distance, tolerance).add_to(self);
+        Ok(())
     }
 
     /// Lines there and back, and half circles about the points where the curve turns.
@@ -200,25 +214,6 @@ impl Chain {
 /// Tangents this close to opposite, as a sine, are opposite: rounding of unit vectors.
 const REVERSED_SINE: f64 = 1e-12;
 
-/// How many cubics an arc needs: one of the angle θ with handles 4/3 tan(θ/4) is off by (2/27) sin⁶(θ/4)/cos²(θ/4) of the
-/// radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by curvature-continuous Bézier curves", CAGD 7
-/// (1990).
-fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
-    let mut pieces = 1.0;
-    loop {
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        let square = sin * sin;
-        let error = (2.0 / 27.0) * square * square * square / (cos * cos);
-        if error * radius <= tolerance || pieces >= MOST_ARC_PIECES {
-            return pieces;
-        }
-        pieces += 1.0;
-    }
-}
-
-/// A half circle in pieces of this number is off by less than rounding.
-const MOST_ARC_PIECES: f64 = 512.0;
-
 /// A curve that bends, scaled to a size of about 1.
 struct Bent<'a> {
     curve: &'a Curve<DVec2>,
@@ -249,19 +244,20 @@ impl<'a> Bent<'a> {
             // Distances cannot be told to less than rounding.
             scaled: (
                 scaled,
-                (tolerance / unit).max(ROUNDING * (1.0 + scaled.abs())),
+                (FITTED_PART * tolerance / unit).max(ROUNDING * (1.0 + scaled.abs())),
             ),
             unit,
         }
     }
 
-    fn add_to(&self, chain: &mut Chain) {
+    fn add_to(&self, chain: &mut Chain) -> Result<(), Error> {
+        let mut work = WorkLimit::new(MAX_STEPS);
         let [first, last] = self.source.end_tangents();
         let (mut t, mut tangent) = (0.0, first);
         for cusp in self.source.cusps() {
             let (before, after) = self.source.cusp_tangents(cusp);
             let about = self.curve.eval(cusp);
-            self.add_run(chain, (t, cusp), [tangent, before], about);
+            self.add_run(chain, (t, cusp), [tangent, before], about, &mut work);
             chain.turn(
                 about,
                 vector(before),
@@ -271,17 +267,38 @@ impl<'a> Bent<'a> {
             );
             (t, tangent) = (cusp, after);
         }
-        self.add_run(chain, (t, 1.0), [tangent, last], self.curve.end());
+        self.add_run(
+            chain,
+            (t, 1.0),
+            [tangent, last],
+            self.curve.end(),
+            &mut work,
+        );
+        if work.is_exceeded() {
+            return Err(Error::TooMany {
+                what: "steps of an offset",
+                limit: MAX_STEPS,
+                needed: work.used(),
+            });
+        }
+        Ok(())
     }
 
     /// A piece between two cusps of the curve.
-    fn add_run(&self, chain: &mut Chain, ts: (f64, f64), tangents: [Plane; 2], end: DVec2) {
+    fn add_run(
+        &self,
+        chain: &mut Chain,
+        ts: (f64, f64),
+        tangents: [Plane; 2],
+        end: DVec2,
+        work: &mut WorkLimit,
+    ) {
         let normal = |tangent: Plane| vector(tangent).perp() * self.distance;
         if ts.0 == 0.0 {
             chain.start(self.curve.start() + normal(tangents[0]));
         }
         let mut out = Vec::with_capacity(12);
-        Parallel::new(&self.source, self.scaled.0, self.scaled.1).run(ts, tangents, &mut out);
+        Parallel::new(&self.source, self.scaled.0, self.scaled.1).run(ts, tangents, &mut out, work);
         let origin = self.curve.start();
         let place = |p: &Plane| vector(*p) * self.unit + origin;
         chain.points.extend(out.iter().map(place));

@@ -82,7 +82,7 @@ pub(crate) fn parallel_of(
         if k > 0 {
             corner(&mut chain, bent[k - 1], curve);
         }
-        chain.add_parallel(curve, distance, own);
+        chain.add_parallel(curve, distance, own)?;
     }
     if closed {
         corner(&mut chain, bent[bent.len() - 1], bent[0]);

@@ -45,21 +45,29 @@ function found() {
   return (given.length > 0 ? given : PROGRAMS).map(({ name, variable, names }) => [name, env[variable] ?? onPath(names)]);
 }
 
-/** One browser and one server for all tests of a file. */
+/** One server, and one session of each browser, for all tests of a process. */
+const shared = { site: undefined, sessions: new Map(), count: 0 };
+
+after(async () => {
+  for (const session of shared.sessions.values()) await (await session).end();
+  (await shared.site)?.close();
+});
+
+/** The running browser; started at the first call. */
+function sessionOf(name, path) {
+  const session = shared.sessions.get(name) ?? start(name, path);
+  shared.sessions.set(name, session);
+  return session;
+}
+
 function browserTests(name, path) {
-  let [session, site, count] = [undefined, undefined, 0];
-  after(async () => {
-    await (await session)?.end();
-    (await site)?.close();
-  });
   return (title, html, act) =>
     test(`${name}: ${title}`, async () => {
-      site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
-      session ??= start(name, path);
-      const { url, pages } = await site;
-      const page = `/${name}-${++count}.html`;
+      shared.site ??= serve({ "/": `${root}site`, "/dist/": `${root}dist` });
+      const { url, pages } = await shared.site;
+      const page = `/${name}-${++shared.count}.html`;
       pages.set(page, html.replace('<meta charset="utf-8">', `<meta charset="utf-8">${WATCH}`));
-      const browser = await session;
+      const browser = await sessionOf(name, path);
       await browser.open(url + page);
       await act(browser, pages);
       assert.deepEqual(await browser.evaluate(() => globalThis.problems), [], "the page's console is clean");

@@ -7,7 +7,7 @@ import { startWebKit } from "./webkit.js";
 /** @typedef {{ send(command: Command, parameters: object): Promise<any>, end(): Promise<void> }} Transport */
 
 const STARTS = { firefox: startFirefox, webkit: startWebKit };
-const SCRIPT_MS = 30_000;
+const SCRIPT_MS = 120_000;
 const SIZE = { width: 900, height: 1200 };
 
 /** Keys by name, as WebDriver writes them. */

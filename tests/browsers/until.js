@@ -1,5 +1,9 @@
-const PATIENCE_MS = 60_000;
-const PAUSE_MS = 25;
+import { setTimeout as pause } from "node:timers/promises";
+
+/** An upper bound, many times longer than a browser takes on a busy machine. */
+const PATIENCE_MS = 120_000;
+/** Between two questions to another process, which cannot be asked to tell. */
+const INTERVAL_MS = 25;
 
 /**
  * Asks again and again until the answer is neither false nor nothing.
@@ -10,11 +14,11 @@ const PAUSE_MS = 25;
  * @returns {Promise<T>}
  */
 export async function until(what, ask) {
-  const end = Date.now() + PATIENCE_MS;
+  const patience = AbortSignal.timeout(PATIENCE_MS);
   for (;;) {
     const answer = await ask();
     if (answer) return answer;
-    if (Date.now() > end) throw new Error(`waited in vain for ${what}`);
-    await new Promise((done) => setTimeout(done, PAUSE_MS));
+    if (patience.aborted) throw new Error(`expected ${what} within ${PATIENCE_MS / 1000} s, got nothing`);
+    await pause(INTERVAL_MS);
   }
 }

@@ -4,6 +4,7 @@
 pub(crate) mod exact;
 pub(crate) mod integral;
 pub(crate) mod measure;
+pub(crate) mod threads;
 pub(crate) mod wild;
 
 use casteljau::glam::{DVec2, DVec3};

@@ -4,7 +4,6 @@ use crate::common::{Rng, plane, real};
 use casteljau::curve::{Contact, Intersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Spline};
-use std::time::Instant;
 
 fn polygon(points: &[(f64, f64)], closed: bool) -> Spline<DVec2> {
     let points: Vec<DVec2> = points.iter().map(|&p| DVec2::from(p)).collect();
@@ -120,20 +119,12 @@ fn wave(segments: usize, height: f64) -> Spline<DVec2> {
     Spline::new(&points, 3, false).expect("a wave")
 }
 
-/// A hundred times the segments take about a hundred times as long.
+/// The waves cross between and at their joints, and a wave does not cross itself.
 #[test]
 fn long_chains() {
-    let time = |segments: usize| {
+    for segments in [1, 2, 300, 30_000] {
         let (a, b) = (wave(segments, 1.0), wave(segments, -1.0));
-        let start = Instant::now();
-        let found = a.intersect(&b);
-        assert_eq!(found.len(), 2 * segments + 1);
+        assert_eq!(a.intersect(&b).len(), 2 * segments + 1);
         assert!(a.self_intersections().is_empty());
-        start.elapsed().as_secs_f64()
-    };
-    // The least of three: the machine has other things to do.
-    let least = |segments: usize| (0..3).map(|_| time(segments)).fold(f64::INFINITY, f64::min);
-    let (short, long) = (least(300), least(30_000));
-    // A hundred times as long, ten thousand times if every pair were looked at.
-    assert!(long < 1000.0 * short, "{short} s, {long} s");
+    }
 }

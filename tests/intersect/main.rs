@@ -5,6 +5,7 @@
 mod common;
 
 mod chains;
+mod covering;
 mod generate;
 mod known;
 mod metamorphic;
@@ -12,5 +13,4 @@ mod random;
 mod reference;
 mod reported;
 mod selves;
-mod time;
 mod wild;

@@ -1,11 +1,14 @@
 //! Generated cases against the reference.
 
+use crate::common::threads::on_all;
 use crate::common::{Rng, largest, real};
 use crate::generate::{Case, case};
 use crate::reference::{Cluster, Reference};
 use casteljau::Curve;
 use casteljau::curve::{Contact, Intersection};
 use casteljau::glam::DVec2;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 
 fn cases() -> u64 {
     if std::env::var_os("CASTELJAU_DEEP").is_some() {
@@ -17,11 +20,12 @@ fn cases() -> u64 {
 
 #[test]
 fn complete_and_true() {
-    let mut failures = std::collections::BTreeMap::new();
-    for seed in 0..cases() {
+    let failures = Mutex::new(BTreeMap::new());
+    on_all(0..cases(), |seed| {
         let mut rng = Rng(seed);
         let case = case(&mut rng);
         if let Err(wrong) = judged(&case) {
+            let mut failures = failures.lock().expect("nothing panics under the lock");
             let count = failures.entry(case.name).or_insert(0);
             *count += 1;
             if *count <= 3 {
@@ -33,7 +37,10 @@ fn complete_and_true() {
                 );
             }
         }
-    }
+    });
+    let failures = failures
+        .into_inner()
+        .expect("nothing panics under the lock");
     assert!(failures.is_empty(), "{failures:?}");
 }
 

@@ -1,11 +1,13 @@
-// The facts on curves from closed forms and from other libraries' tests, ../shared/data/curve-facts.json, through the package.
+// Facts about curves through the package: from closed forms (tests/data/curve-facts.json) and from other libraries, which only ../shared/data holds.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { Curve, Path, Spline, easing } from "casteljau";
 
-const file = new URL("../../../shared/data/curve-facts.json", import.meta.url);
-const facts = await readFile(file, "utf8").then(JSON.parse, () => null);
+const read = async (path) => JSON.parse(await readFile(new URL(path, import.meta.url), "utf8"));
+const facts = await read("../data/curve-facts.json");
+const shared = await read("../../../shared/data/curve-facts.json").catch(() => null);
+const others = shared?.filter(({ truth }) => truth === "library");
 
 const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
 const point = ([x, y]) => ({ x, y });
@@ -160,9 +162,14 @@ const KINDS = {
 /** Nothing in the interface can express them: rational weights, polynomials, the centroid by length. */
 const WITHOUT = ["eval_rational", "roots", "length_centroid"];
 
-for (const fact of facts ?? []) {
-  const check = KINDS[fact.kind];
-  if (!check) assert.ok(WITHOUT.includes(fact.kind), `no check for facts of the kind ${fact.kind}`);
-  test(`${fact.id}: ${fact.source}`, { skip: !check && "nothing in the interface can express it" }, () => check(fact));
+for (const fact of [...facts, ...(others ?? [])]) {
+  if (WITHOUT.includes(fact.kind)) continue;
+  test(`${fact.id}: ${fact.source}`, () => {
+    const check = KINDS[fact.kind];
+    assert.ok(check, `no check for facts of the kind ${fact.kind}`);
+    check(fact);
+  });
 }
-test("the facts are there", { skip: !facts && "no ../shared/data" }, () => assert.ok(facts.length > 100));
+test("the facts are there", () => assert.equal(facts.length, 116));
+const absent = !others && "../shared/data/curve-facts.json is absent";
+test("the facts of other libraries are there", { skip: absent }, () => assert.equal(others.length, 5));

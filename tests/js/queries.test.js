@@ -1,6 +1,6 @@
 // Questions to patches and surfaces through the package's door: closed forms, and the figures of the design notes.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { Curve, Patch, Surface } from "../../dist/index.js";
 
@@ -56,10 +56,8 @@ test("area, flatness and volume", () => {
   assert.equal(empty.volume(), null);
 });
 
-const teacup = new URL("../../../shared/data/teacup.json", import.meta.url);
-
-test("the teacup's area", { skip: existsSync(teacup) ? false : "no ../shared/data" }, () => {
-  const { vertices, patches } = JSON.parse(readFileSync(teacup, "utf8"));
+test("the teacup's area", () => {
+  const { vertices, patches } = JSON.parse(readFileSync(new URL("../data/teacup.json", import.meta.url), "utf8"));
   close(new Surface({ vertices, patches }).area(), 9.981697616, 1e-9);
   close(Surface.teacup().area(), 9.981697616, 1e-9);
   close(Surface.teaspoon().area(), 0.342881444, 2e-9);

@@ -208,7 +208,6 @@ const refusals = /** @type {[string, any, any, any, RegExp][]} */ ([
 
 for (const [name, fineness, options, type, message] of refusals) {
   test(`refused: ${name}`, () => {
-    const start = performance.now();
     for (const act of [() => tessellate(fineness, options), () => teapot.patch(0).tessellate(fineness, options)]) {
       assert.throws(act, (/** @type {Error} */ error) => {
         assert.ok(error instanceof type, `${error.constructor.name}: ${error.message}`);
@@ -217,7 +216,6 @@ for (const [name, fineness, options, type, message] of refusals) {
       });
       if (name.includes("f32") || name.includes("f64") || name.includes("triangles")) break;
     }
-    assert.ok(performance.now() - start < 2000);
     assert.equal(tessellate({ segments: 1 }, { weld: "position" }).positions.length, 3 * 37);
   });
 }

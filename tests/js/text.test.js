@@ -1,4 +1,4 @@
-// Surfaces as text. The table of texts, good and bad, is read by tests/text.rs, too.
+// Surfaces as text. The table of texts, good and bad, is read by tests/surface/text.rs, too.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

@@ -1,17 +1,23 @@
-//! Surfaces of the data beside the project, which are not part of it.
+//! Surfaces of the test data: the tea set, which is part of the project, and Gumbo, which is not.
 #![cfg(not(target_family = "wasm"))]
+#![allow(dead_code, reason = "each test binary uses a part of it")]
 
+use crate::golden::{golden, shared};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
+use serde_json::Value;
 
-/// The surface of that name; `None`, with a message, where the data are not there.
-pub(crate) fn listing(name: &str) -> Option<Surface> {
-    let path = format!("{}/../shared/data/{name}.json", env!("CARGO_MANIFEST_DIR"));
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        println!("skipped: {path} is not there");
-        return None;
-    };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+/// A surface of `tests/data`.
+pub(crate) fn listing(name: &str) -> Surface {
+    surface(&golden(name))
+}
+
+/// Gumbo; `None`, and the test is reported as skipped, where the file is absent.
+pub(crate) fn gumbo() -> Option<Surface> {
+    shared("gumbo").as_ref().map(surface)
+}
+
+fn surface(data: &Value) -> Surface {
     let list = |name: &str| data[name].as_array().unwrap().clone();
     let vertices = list("vertices").into_iter().map(|p| {
         let [x, y, z] = [0, 1, 2].map(|axis| p[axis].as_f64().unwrap());
@@ -20,5 +26,5 @@ pub(crate) fn listing(name: &str) -> Option<Surface> {
     let patches = list("patches").into_iter();
     let indices = patches.flat_map(|net| net.as_array().unwrap().clone());
     let indices = indices.map(|i| u32::try_from(i.as_u64().unwrap()).unwrap());
-    Some(Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap())
+    Surface::new(vertices.collect(), indices.collect(), 3, 3).unwrap()
 }

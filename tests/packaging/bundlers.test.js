@@ -92,7 +92,7 @@ const element = new BezierSurface();
 element.surface = Surface.teapot({ lid: false });
 document.body.append(element);
 const facts = () => element.shadowRoot.querySelector(".facts").textContent;
-const timer = setInterval(() => /triangles/.test(facts()) && (clearInterval(timer), console.log(facts().match(/[\\d\\u2009]+/)[0])), 20);
+element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d\\u2009]+/)[0]));
 `;
   await fixture.write("node_modules/casteljau/dist/main.js", program);
   await fixture.write("node_modules/casteljau/dist/index.html", html('<body><script type="module" src="main.js"></script></body>'));

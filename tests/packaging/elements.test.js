@@ -26,7 +26,7 @@ const element = document.createElement("bezier-surface");
 element.surface = Surface.teapot({ lid: false });
 document.body.append(element);
 const facts = () => element.shadowRoot.querySelector(".facts").textContent;
-const timer = setInterval(() => /triangles/.test(facts()) && (clearInterval(timer), console.log(facts().match(/[\\d\\u2009]+/)[0])), 20);
+element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d\\u2009]+/)[0]));
 `;
 const PRINTED = "6\u2009912"; // 24 patches of 2 · 12² triangles
 const page = (script) => `<!doctype html><html lang="en"><title>A page</title><body>${script}</body></html>`;
@@ -87,10 +87,11 @@ test("esbuild, one classic script", async (t) => {
 
 test("no bundler: one script tag, and tags of HTML", async (t) => {
   const folder = join(fixture.installed, "dist");
-  await fixture.write("node_modules/casteljau/dist/probe.js", `const timer = setInterval(() => {
-  const facts = document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? "";
-  if (/triangles/.test(facts)) clearInterval(timer), console.log(facts.match(/[\\d\\u2009]+/)[0]);
-}, 20);\n`);
+  await fixture.write("node_modules/casteljau/dist/probe.js", `const element = document.querySelector("bezier-surface");
+element.addEventListener("update", () => {
+  const facts = element.shadowRoot.querySelector(".facts").textContent;
+  if (/triangles/.test(facts)) console.log(facts.match(/[\\d\\u2009]+/)[0]);
+});\n`);
   const lines = '<script type="module" src="elements.js"></script><bezier-surface model="patch"></bezier-surface><script src="probe.js"></script>';
   await fixture.write("node_modules/casteljau/dist/tag.html", page(lines));
   const { printed, scripts } = await visit(t, folder, "/tag.html");

@@ -1,6 +1,6 @@
 // A program that has installed the packed tarball, as a user would, in a folder of its own.
 import { execFile } from "node:child_process";
-import { mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { cp, mkdir, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,6 +8,9 @@ import { promisify } from "node:util";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 const execute = promisify(execFile);
+
+/** The variable with a folder in which run.js has installed the package: all test files copy it. */
+export const INSTALLED_FOLDER = "CASTELJAU_INSTALLED";
 
 /** A use of the package, and what it prints. */
 export const PROGRAM = `import { Curve } from "casteljau";
@@ -26,18 +29,17 @@ export async function run(program, args, options = {}) {
 }
 
 /**
- * Packs the repository and installs the tarball (offline: it has no dependencies).
+ * A folder in which the packed tarball is installed: a copy of the one that run.js has made, or else a new one.
  *
  * @returns {Promise<{ folder: string, tarball: string, installed: string, write(name: string, text: string): Promise<string>, remove(): Promise<void> }>}
  */
 export async function installed() {
   const folder = await mkdtemp(join(tmpdir(), "casteljau-packaging-"));
-  const report = await run("npm", ["pack", "--json", "--ignore-scripts", "--pack-destination", folder], { cwd: root });
+  const original = process.env[INSTALLED_FOLDER];
+  if (original) await cp(original, folder, { recursive: true });
+  else await install(folder);
   const { version } = JSON.parse(await readFile(join(root, "package.json"), "utf8"));
   const tarball = join(folder, `casteljau-${version}.tgz`);
-  if (!report) throw new Error("npm pack reported nothing");
-  await writeFile(join(folder, "package.json"), '{ "name": "fixture", "private": true, "type": "module" }\n');
-  await run("npm", ["install", "--offline", "--ignore-scripts", "--no-audit", "--no-fund", tarball], { cwd: folder });
   const write = async (name, text) => {
     const path = join(folder, name);
     await mkdir(join(path, ".."), { recursive: true });
@@ -46,4 +48,17 @@ export async function installed() {
   };
   const remove = () => rm(folder, { recursive: true, force: true });
   return { folder, tarball, installed: join(folder, "node_modules/casteljau"), write, remove };
+}
+
+/**
+ * Packs the repository and installs the tarball (offline: it has no dependencies).
+ *
+ * @param {string} folder
+ */
+async function install(folder) {
+  const report = await run("npm", ["pack", "--json", "--ignore-scripts", "--pack-destination", folder], { cwd: root });
+  const [{ filename } = {}] = JSON.parse(report);
+  if (!filename) throw new Error(`npm pack: expected the name of a file, got ${report}`);
+  await writeFile(join(folder, "package.json"), '{ "name": "fixture", "private": true, "type": "module" }\n');
+  await run("npm", ["install", "--offline", "--ignore-scripts", "--no-audit", "--no-fund", join(folder, filename)], { cwd: folder });
 }

@@ -6,32 +6,29 @@ import { assertNear, drag, drawn, joint, openTutorial, points, pull } from "./ap
 const choose = (page, mode) => page.getByLabel(mode, { exact: true }).check();
 const status = (page) => page.locator('[part="status"]').innerText();
 
-/** Where each of the three is dragged to, by so many pixels. */
-const MOVES = { 2: [30, -70], 3: [45, 25], 4: [-60, 40] };
+/** A mode, a point, and by how many pixels it is dragged; tests/js/applet-joints.test.js has all of them. */
+const MOVES = [["G1", 2, 30, -70], ["C1", 3, 45, 25], ["C1", 4, -60, 40]];
 
-for (const mode of ["G1", "C1"]) {
-  for (const index of [2, 3, 4]) {
-    test(`${mode} is held in the midst and at the end of dragging P${index}`, async (t) => {
-      const page = await openTutorial(t);
-      await choose(page, mode);
-      const before = await points(page);
-      const [dx, dy] = MOVES[index];
-      await pull(page, index, dx, dy);
-      for (const held of [await points(page), (await page.mouse.up(), await points(page))]) {
-        assertNear(held[index], [before[index][0] + dx, before[index][1] + dy], 0.01, `P${index} follows the pointer`);
-        const { sine, cosine, before: first, after: second } = joint(held);
-        assert.ok(Math.abs(sine) < 1e-9 && cosine > 0, `aligned: ${sine}`);
-        if (mode === "C1") assertNear([first], [second], 1e-9, "half-way");
-      }
-      const after = await points(page);
-      for (const far of [0, 1, 5, 6]) assert.deepEqual(after[far], before[far], `P${far} stays`);
-      if (index !== 3) assert.deepEqual(after[3], before[3], "P3 stays");
-      const truth = await page.evaluate(() => bezierApp().continuity);
-      assert.equal(truth[mode.toLowerCase()], true, "the core says so too");
-      assert.match(await status(page), mode === "C1" ? /C1.*G1 and C1 at P3/s : /G1/);
-    });
+test("the joint is held in the midst and at the end of dragging P2, P3 and P4", async (t) => {
+  const page = await openTutorial(t);
+  for (const [mode, index, dx, dy] of MOVES) {
+    await choose(page, mode);
+    const before = await points(page);
+    await pull(page, index, dx, dy);
+    for (const held of [await points(page), (await page.mouse.up(), await points(page))]) {
+      assertNear(held[index], [before[index][0] + dx, before[index][1] + dy], 0.01, `P${index} follows the pointer`);
+      const { sine, cosine, before: first, after: second } = joint(held);
+      assert.ok(Math.abs(sine) < 1e-9 && cosine > 0, `aligned: ${sine}`);
+      if (mode === "C1") assertNear([first], [second], 1e-9, "half-way");
+    }
+    const after = await points(page);
+    for (const far of [0, 1, 5, 6]) assert.deepEqual(after[far], before[far], `P${far} stays`);
+    if (index !== 3) assert.deepEqual(after[3], before[3], "P3 stays");
+    const truth = await page.evaluate(() => bezierApp().continuity);
+    assert.equal(truth[mode.toLowerCase()], true, "the core says so too");
+    assert.match(await status(page), mode === "C1" ? /C1.*G1 and C1 at P3/s : /G1/);
   }
-}
+});
 
 test("G1 keeps the lengths of both tangents", async (t) => {
   const page = await openTutorial(t);

@@ -5,37 +5,30 @@ import { ask, button, centre, drag, ink, message, openApplet, points, settled } 
 
 const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
 
-/** Attributes that cannot be used, and what is said. */
-const BAD = {
-  points: ["", "1", "1,2", "a,b c,d", "1,2 3,NaN", "1,2 3,Infinity", "1e9,0 0,0", "<script>", "1 2 3"],
-  mode: ["1", "99", "4.5", "x"],
-  joints: ["g7", "g1 x"],
-  basis: ["", "Bezier", "constructor", "__proto__"],
-  degree: ["0", "65", "2.5", "x", ""],
-  matrix: ["1 2 3", "", "a b c d e f g h i j k l m n o p"],
-  t: ["2", "-1", "x", "", "NaN"],
-  show: ["polygon x", "hasOwnProperty"],
-  labels: ["Q"],
-  tolerance: ["0", "-3", "x"],
-  segments: ["0", "1.5", "1e9"],
-  offset: ["1e9", "x"],
-  ticks: ["0", "x"],
-  view: ["1 2 3", "0 0 0 0", "0 0 -1 5", "a b c d", "0 0 1e-400 1"],
-  segment: ["-1", "x"],
+/** For each attribute a text that cannot be used; tests/js/applet-joints.test.js has more of them. */
+const UNUSABLE = {
+  points: "1,2 3,NaN", mode: "99", joints: "g1 x", basis: "__proto__", degree: "2.5", matrix: "1 2 3", t: "", show: "hasOwnProperty", labels: "Q",
+  tolerance: "-3", segments: "1e9", offset: "x", ticks: "0", view: "0 0 1e-400 1", segment: "-1",
 };
 
 test("any string in attributes: what cannot be used is told, the last good one stays, undo works", async (t) => {
   const page = await openApplet(t, 'points="10,20 30,200 300,40 400,300" t="0.25" show="hull"');
   const good = await ask(page, () => JSON.stringify(a.state));
-  for (const [name, values] of Object.entries(BAD)) {
-    for (const value of values) {
-      await ask(page, `a.setAttribute(${JSON.stringify(name)}, ${JSON.stringify(value)}), a.updateComplete.then(() => 0)`);
-      assert.equal(await ask(page, () => JSON.stringify(a.state)), good, `${name}="${value}"`);
-      assert.match(await message(page), new RegExp(`^${name}|of ${name}|${name}\\[`), `${name}="${value}"`);
+  const told = await page.evaluate(async ([unusable, good]) => {
+    const told = [];
+    for (const [name, text] of Object.entries(unusable)) {
+      a.setAttribute(name, text);
+      await a.updateComplete;
+      told.push([name, a.shadowRoot.querySelector(".message").textContent, JSON.stringify(a.state)]);
+      a.removeAttribute(name);
+      a.state = JSON.parse(good);
+      await a.updateComplete;
     }
-    await ask(page, `a.removeAttribute(${JSON.stringify(name)})`);
-    await ask(page, `a.state = ${good}`);
-    await settled(page);
+    return told;
+  }, [UNUSABLE, good]);
+  for (const [name, message, state] of told) {
+    assert.match(message.trim(), new RegExp(`^${name}|of ${name}|${name}\\[`), name);
+    assert.equal(state, good, name);
   }
   for (const name of ["theme", "hotkeys", "controls", "label", "readonly"]) await ask(page, `a.setAttribute(${JSON.stringify(name)}, "<b>&'x")`);
   await settled(page);
@@ -46,12 +39,10 @@ test("any string in attributes: what cannot be used is told, the last good one s
   assert.deepEqual(await points(page), [[10, 20], [30, 200], [300, 40], [400, 300]]);
 });
 
-test("a megabyte in an attribute, or in a drop, is refused soon and shown short", async (t) => {
+test("a megabyte in an attribute, or in a drop, is refused and shown short", async (t) => {
   const page = await openApplet(t, "controls");
   for (const text of ['"x".repeat(2 ** 20)', '"1,2 ".repeat(2 ** 18)']) {
-    const before = Date.now();
     await ask(page, `a.setAttribute("points", ${text}), a.updateComplete.then(() => 0)`);
-    assert.ok(Date.now() - before < 5000);
     const words = await message(page);
     assert.ok(/^points: expected/.test(words) && words.length < 200, words);
     assert.equal((await points(page)).length, 7);
@@ -84,14 +75,14 @@ test("properties refuse with the right errors, and nothing changes", async (t) =
 });
 
 /** Drops a text, as another window would give it. */
-const drop = (page, text) =>
-  page.evaluate(async (text) => {
+async function drop(page, text) {
+  await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.setData("text/plain", text);
     a.shadowRoot.querySelector(".overlay").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, composed: true, cancelable: true }));
-    await new Promise((done) => setTimeout(done, 30));
-    await a.updateComplete;
   }, text);
+  await settled(page);
+}
 
 test("dropped and pasted: points, an SVG path, a file, JSON; what is none of these is told", async (t) => {
   const page = await openApplet(t, "controls");

@@ -1,16 +1,16 @@
 // Opens pages of the built site in a real Chromium. A test that leaves an error in the console fails.
-import { AxeBuilder } from "@axe-core/playwright";
 import assert from "node:assert/strict";
 import { after } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
-import { chromePath, FLAGS } from "./chrome.js";
+import { BROWSER_ADDRESS, launchOptions } from "./chrome.js";
 import { serve } from "./server.js";
-
-export { chromePath };
 
 /** The repository's root, with a slash at its end. */
 export const root = fileURLToPath(new URL("../../", import.meta.url));
+
+/** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
+const LONGEST_WAIT_MS = 60_000;
 
 /** One browser and one server for all tests of a file. */
 const shared = { browser: undefined, site: undefined, count: 0 };
@@ -20,13 +20,10 @@ after(async () => {
   (await shared.site)?.close();
 });
 
-/**
- * The running browser; started at the first call.
- *
- * @param {string[]} [more] flags, where the first call is a test file's own
- */
-export function launch(more = []) {
-  shared.browser ??= chromium.launch({ executablePath: chromePath(), args: [...FLAGS, ...more] });
+/** The browser that the runner has started, or else one of this file's own; connected or started at the first call. */
+export function launch() {
+  const address = process.env[BROWSER_ADDRESS];
+  shared.browser ??= address ? chromium.connect(address) : chromium.launch(launchOptions());
   return shared.browser;
 }
 
@@ -47,6 +44,7 @@ export function launch(more = []) {
 export async function openPage(t, what, options = {}) {
   const baseURL = options.baseURL ?? (await site()).url;
   const context = await (await launch()).newContext({ ...options, baseURL });
+  context.setDefaultTimeout(LONGEST_WAIT_MS);
   const page = Object.assign(await context.newPage(), { problems: watch(context) });
   t.after(async () => {
     await context.close();
@@ -63,12 +61,91 @@ export async function openPage(t, what, options = {}) {
  * @param {{ part?: string, rules?: string[] }} [only] a selector, the names of some rules
  */
 export async function assertAccessible(page, { part, rules } = {}) {
+  const { AxeBuilder } = await import("@axe-core/playwright"); // most files do without it
   const axe = new AxeBuilder({ page }).options({ resultTypes: ["violations"] }); // of the rest only a count is kept
+  axe.setLegacyMode(page.frames().length === 1); // the other mode puts the results of several frames together in a page of its own
   if (part) axe.include(part);
   if (rules) axe.withRules(rules);
   const { violations } = await axe.analyze();
   const found = violations.map(({ id, help, nodes }) => `${id}: ${help} at ${nodes.map((n) => n.target).join(", ")}`);
   assert.deepEqual(found, []);
+}
+
+/** What a colour scheme changes: the other rules find the same in the dark. */
+export const COLOUR_RULES = ["color-contrast", "link-in-text-block"];
+
+/**
+ * Fails unless axe finds nothing: by all rules in the light, by those about colours in the dark. In forced colours the
+ * contrast is the user's, but for text that opts out (`forced-color-adjust`); no element has such text.
+ *
+ * @param {import("playwright-core").Page} page in the light
+ * @param {(page: import("playwright-core").Page) => Promise<unknown>} [settled] waits until a change of the colours is drawn
+ */
+export async function assertAccessibleInBothThemes(page, settled = frames) {
+  await assertAccessible(page);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await settled(page);
+  await assertAccessible(page, { rules: COLOUR_RULES });
+}
+
+/** Waits for so many animation frames: after two, what was changed before has been drawn. */
+export const frames = (page, count = 2) =>
+  page.evaluate(async (count) => {
+    for (let i = 0; i < count; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  }, count);
+
+/** Frames in which something would have happened that must not happen. */
+export const QUIET_FRAMES = 12;
+
+/**
+ * Waits until all intersection observers of the page have reported what is in sight, and the requests that followed have
+ * been answered: an observer made now reports after them, and a request made now is made after theirs.
+ */
+export const intersectionsReported = (page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 2; i++) {
+      await new Promise((resolve) => {
+        const observer = new IntersectionObserver(() => (observer.disconnect(), resolve()));
+        observer.observe(document.documentElement);
+      });
+    }
+    await (await fetch(location.href)).text();
+  });
+
+/** Between the two clicks of a double click, in seconds. */
+const DOUBLE_CLICK_S = 0.1;
+
+/**
+ * Clicks twice at a place. The events carry times of their own, so that it is a double click on a slow machine, too.
+ *
+ * @param {import("playwright-core").Page} page
+ * @param {[number, number]} place in the window
+ */
+export async function doubleClick(page, [x, y]) {
+  await page.mouse.move(x, y);
+  const client = await page.context().newCDPSession(page);
+  const first = Date.now() / 1000;
+  for (const [clickCount, timestamp] of [[1, first], [2, first + DOUBLE_CLICK_S]]) {
+    for (const type of ["mousePressed", "mouseReleased"]) {
+      await client.send("Input.dispatchMouseEvent", { type: /** @type {any} */ (type), x, y, button: "left", clickCount, timestamp });
+    }
+  }
+}
+
+/**
+ * Taps twice, at two places near each other; see doubleClick.
+ *
+ * @param {import("playwright-core").Page} page with a touch screen
+ * @param {...[number, number]} places in the window
+ */
+export async function doubleTap(page, ...places) {
+  const client = await page.context().newCDPSession(page);
+  const first = Date.now() / 1000;
+  for (const [k, [x, y]] of places.entries()) {
+    const timestamp = first + k * DOUBLE_CLICK_S;
+    await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }], timestamp });
+    await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [], timestamp });
+  }
 }
 
 /** Collects what goes wrong in any page of a context. */

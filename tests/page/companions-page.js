@@ -21,15 +21,19 @@ export async function openCompanions(t, body, { script, ...options } = {}) {
   return page;
 }
 
-/** Waits until every companion of the page shows something, and nothing moves any more. */
+/** A page whose height has been the same for so many frames does not move any more. */
+const STILL_FRAMES = 3;
+
+/** Waits until every element of the page shows something, and nothing moves any more. */
 export async function shown(page) {
   await page.waitForFunction(() => [...document.querySelectorAll("bezier-bernstein, bezier-equation, bezier-coordinates, bezier-easing")].every((each) => each.shadowRoot?.querySelector(".frame, .quiet")));
-  await page.waitForFunction(() => {
+  await page.waitForFunction(() => [...document.querySelectorAll("bezier-applet")].every((each) => each.shadowRoot?.querySelector(".handle")));
+  await page.waitForFunction((frames) => {
     const height = document.documentElement.scrollHeight;
-    const same = height === globalThis.heightBefore;
+    globalThis.framesOfHeight = height === globalThis.heightBefore ? globalThis.framesOfHeight + 1 : 0;
     globalThis.heightBefore = height;
-    return same;
-  }, null, { polling: 50 });
+    return globalThis.framesOfHeight >= frames;
+  }, STILL_FRAMES, { polling: "raf" });
 }
 
 /** Waits until what was changed is drawn. */

@@ -1,9 +1,7 @@
 // The small figures of the chapters: their numbers are right, keys and pointers work, everyone can use them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessible, openPage } from "./browser.js";
-
-const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
+import { openPage } from "./browser.js";
 
 /** The page with all figures; waits until the last is drawn. */
 async function open(t, options = {}) {
@@ -17,15 +15,6 @@ const slide = (page, figure, name, value) => page.locator(figure).getByRole("sli
 const close = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
 const choose = (n, k) => (k === 0 ? 1 : (choose(n, k - 1) * (n - k + 1)) / k);
 const bernstein = (n, i, t) => choose(n, i) * t ** i * (1 - t) ** (n - i);
-
-for (const options of [{ colorScheme: "light" }, { colorScheme: "dark", ...PHONE }, { forcedColors: "active" }]) {
-  test(`all figures are accessible: ${Object.keys(options)[0]} ${Object.values(options)[0]}`, async (t) => {
-    const page = await open(t, options);
-    await assertAccessible(page);
-    const { width } = page.viewportSize();
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
-  });
-}
 
 test("the pyramid counts its ways, and their sum is the Bernstein polynomial", async (t) => {
   const page = await open(t);

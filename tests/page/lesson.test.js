@@ -30,19 +30,6 @@ test("a sample has two tabs: arrows, Home and End choose, and all samples follow
   await assertAccessible(page, { part: "lesson-sample" });
 });
 
-test("Run prints what the tests expect; Copy copies what is shown", async (t) => {
-  const page = await open(t, "/", { permissions: ["clipboard-read", "clipboard-write"] });
-  const sample = page.locator("lesson-sample");
-  const name = await sample.getAttribute("name");
-  await sample.getByRole("button", { name: "Run" }).click();
-  await sample.locator("output:not(:empty)").waitFor();
-  assert.equal(await sample.locator("output").textContent(), read(`samples/${name}.txt`).trimEnd());
-  await sample.getByRole("button", { name: "Copy" }).click();
-  await sample.getByRole("button", { name: "Copied" }).waitFor();
-  const copied = await page.evaluate(() => navigator.clipboard.readText());
-  assert.equal(copied, `${await sample.locator("pre:not([hidden])").textContent()}\n`);
-});
-
 test("all samples of the chapters run in the browser as they do in Node", async (t) => {
   for (const path of ["/curves/", "/surfaces/"]) {
     const page = await open(t, path);
@@ -55,6 +42,7 @@ test("all samples of the chapters run in the browser as they do in Node", async 
         }),
       ),
     );
+    assert.ok(outputs.length >= 12, `${outputs.length} samples`);
     for (const [name, output] of outputs) assert.equal(output, read(`samples/${name}.txt`).trimEnd(), name);
   }
 });

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, test } from "node:test";
-import { launch, root } from "./browser.js";
+import { intersectionsReported, launch, root } from "./browser.js";
 import { serve } from "./server.js";
 import { PAGES } from "./site-pages.js";
 
@@ -78,9 +78,15 @@ test("in the browser, too, nothing is missing and nothing is asked of another pl
   context.on("request", (request) => /^https?:/.test(request.url()) && !request.url().startsWith(server.url + FOLDER) && wrong.push(request.url()));
   const left = "net::ERR_ABORTED"; // asked for by a page that was left meanwhile
   context.on("requestfailed", (request) => request.failure()?.errorText === left || wrong.push(`${request.failure()?.errorText} ${request.url()}`));
+  const pending = new Set();
+  let whenIdle = () => {};
+  context.on("request", (request) => pending.add(request));
+  for (const type of ["requestfinished", "requestfailed"]) context.on(/** @type {any} */ (type), (request) => pending.delete(request) && pending.size === 0 && whenIdle());
   const page = await context.newPage();
   for (const path of PAGES) {
-    await page.goto(new URL(`.${path}`, server.url + FOLDER).href, { waitUntil: "networkidle" });
+    await page.goto(new URL(`.${path}`, server.url + FOLDER).href);
+    await intersectionsReported(page); // what draws has been asked for
+    if (pending.size > 0) await new Promise((resolve) => (whenIdle = () => resolve(undefined)));
   }
   assert.deepEqual(wrong.filter((line) => !line.endsWith("/favicon.ico")), []);
 });

@@ -1,25 +1,21 @@
 // <bezier-surface>: where it comes from and goes to; what it does when things are missing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessible, openPage } from "./browser.js";
+import { assertAccessibleInBothThemes, frames, intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
 import { difference, facts, look, openSurface, ready, set, settled, surfacePage } from "./surface-page.js";
 
 /** Everything that the page can show at once. */
 const FULL = 'controls show="surface mesh isocurves net casteljau" patch="5" step="2"';
 
-for (const options of [{ colorScheme: "light" }, { colorScheme: "dark" }, { forcedColors: "active" }]) {
-  test(`with everything switched on it is accessible: ${Object.values(options)}`, async (t) => {
-    const page = await openSurface(t, FULL, options);
-    await assertAccessible(page);
-  });
-}
+test("with everything switched on it is accessible, light and dark", async (t) => {
+  await assertAccessibleInBothThemes(await openSurface(t, FULL), settled);
+});
 
 test("it fits a narrow phone, sharp", async (t) => {
   const page = await openSurface(t, FULL, { viewport: { width: 360, height: 740 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
   const [width, shown] = await page.locator("bezier-surface canvas").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
   assert.equal(width, 3 * shown);
-  await assertAccessible(page);
 });
 
 test("without WebGL2 it is drawn as lines, and says so", async (t) => {
@@ -38,7 +34,6 @@ test("without WebGL2 it is drawn as lines, and says so", async (t) => {
   assert.ok(first.inked > 3000, `${first.inked} pixels`);
   await set(page, { view: { turn: 60 } });
   assert.ok((await difference(page, first, await look(page))) > 2000);
-  await assertAccessible(page);
 });
 
 test("a lost context comes back with its picture", async (t) => {
@@ -62,12 +57,12 @@ test("moved to another place it shows the same; taken away it leaves nothing run
   await set(page, { view: { turn: 20, zoom: 1.5 } });
   const before = await look(page);
   await page.evaluate(() => document.querySelector("#elsewhere").append(document.querySelector("bezier-surface")));
+  await page.waitForFunction(() => document.querySelector("bezier-surface").toBlob().then(Boolean));
   await settled(page);
-  await page.waitForTimeout(100);
   const after = await look(page);
   assert.ok(after.inked > 3000);
   assert.equal(await difference(page, before, after), 0);
-  const frames = await page.evaluate(async () => {
+  const requested = await page.evaluate(async (quiet) => {
     const element = document.querySelector("bezier-surface");
     element.turn = true;
     element.remove();
@@ -75,11 +70,11 @@ test("moved to another place it shows the same; taken away it leaves nothing run
     const original = requestAnimationFrame;
     globalThis.requestAnimationFrame = (act) => (count++, original(act));
     element.segments = 5;
-    await new Promise((done) => setTimeout(done, 150));
+    for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     globalThis.requestAnimationFrame = original;
     return count;
-  });
-  assert.equal(frames, 0);
+  }, QUIET_FRAMES);
+  assert.equal(requested, 0);
 });
 
 test("it draws only when something changes, and turns only when asked", async (t) => {
@@ -89,7 +84,7 @@ test("it draws only when something changes, and turns only when asked", async (t
   await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
   await page.getByRole("button", { name: "Stop turning" }).click();
   await settled(page);
-  const count = await page.evaluate(async () => {
+  const count = await page.evaluate(async (quiet) => {
     let draws = 0;
     const { prototype } = WebGL2RenderingContext;
     const original = prototype.clear;
@@ -97,9 +92,9 @@ test("it draws only when something changes, and turns only when asked", async (t
       draws++;
       return original.apply(this, args);
     };
-    await new Promise((done) => setTimeout(done, 200));
+    for (let i = 0; i < quiet; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
     return draws;
-  });
+  }, QUIET_FRAMES);
   assert.equal(count, 0);
 });
 
@@ -107,7 +102,7 @@ test("it stands still for those who want less motion, until they ask", async (t)
   const page = await openSurface(t, "turn");
   const turn = () => page.evaluate(() => document.querySelector("bezier-surface").view.turn);
   const first = await turn();
-  await page.waitForTimeout(200);
+  await frames(page, QUIET_FRAMES);
   assert.equal(await turn(), first);
   await page.getByRole("button", { name: "Turn", exact: true }).click();
   await page.waitForFunction((was) => document.querySelector("bezier-surface").view.turn !== was, first);
@@ -116,7 +111,8 @@ test("it stands still for those who want less motion, until they ask", async (t)
 test("far down the page nothing runs until it comes near", async (t) => {
   const html = surfacePage().replace("<main>", '<main><div style="height: 4000px"></div>');
   const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 } });
-  await page.waitForTimeout(300);
+  await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
+  await intersectionsReported(page);
   const size = () => page.locator("bezier-surface canvas").evaluate((canvas) => canvas.width);
   assert.equal(await size(), 1);
   await page.locator("bezier-surface").scrollIntoViewIfNeeded();

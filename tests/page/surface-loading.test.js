@@ -1,10 +1,11 @@
 // The part of <bezier-surface> that draws comes by itself, when one is near: late, never, twice, or after the element has gone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { intersectionsReported, openPage } from "./browser.js";
 import { facts, look, ready, surfacePage } from "./surface-page.js";
 
-const PART = "**/elements-surface.js";
+/** By its own name, and by the other one under which a browser is asked again. */
+const PART = /\/elements-surface\.js(\?.*)?$/;
 const MISSING = "could not be loaded";
 
 /** Opens a page whose requests for the part go to `answer`; `asked` counts them. */
@@ -28,7 +29,7 @@ function gate() {
 test("a page without a surface in sight does not fetch it; it is fetched once for two that come near", async (t) => {
   const html = surfacePage("", "<bezier-surface id=second></bezier-surface>").replace("<main>", '<main><div style="height: 4000px"></div>');
   const { page, asked } = await openWithRoute(t, html, (route) => route.continue());
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 200)));
+  await intersectionsReported(page);
   assert.equal(asked.count, 0);
   await page.locator("#second").scrollIntoViewIfNeeded();
   await page.waitForFunction(() => [...document.querySelectorAll("bezier-surface")].every((each) => /triangles/.test(each.shadowRoot.querySelector(".facts").textContent)));
@@ -91,7 +92,7 @@ test("taken out and put in again before it arrives, it is built once", async (t)
     for (let i = 0; i < 5; i++) {
       element.remove();
       document.querySelector("main").append(element);
-      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     }
   });
   late.open();
@@ -101,18 +102,23 @@ test("taken out and put in again before it arrives, it is built once", async (t)
 
 test("where it cannot be fetched the element says so, and asks again when it is put in again", async (t) => {
   let broken = true;
-  const { page, asked } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), (route) => (broken ? route.abort() : route.continue()));
+  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), (route) => (broken ? route.abort() : route.continue()));
   await page.getByText(MISSING).waitFor();
   await page.getByRole("slider", { name: "Segments" }).fill("5"); // the panel goes on
-  assert.equal(await page.locator("bezier-surface").evaluate((each) => each.toBlob()), null);
-  const before = asked.count;
-  const again = () => page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
-  await again();
-  await page.waitForFunction(() => true);
+  const element = page.locator("bezier-surface");
+  const pictureType = () => element.evaluate((each) => each.toBlob().then((picture) => picture?.type)); // waits for the attempt that is under way
+  assert.equal(await pictureType(), undefined);
+  const putInAgain = () => page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
+  const refused = page.waitForEvent("requestfailed", (request) => PART.test(request.url()));
+  await putInAgain();
+  await refused;
+  assert.equal(await pictureType(), undefined);
+  assert.equal(await page.getByText(MISSING).count(), 1);
   broken = false;
-  await again();
+  const answered = page.waitForResponse((response) => PART.test(response.url()) && response.ok());
+  await putInAgain();
+  await answered;
   await ready(page);
-  assert.ok(asked.count > before);
   await page.getByText(MISSING).waitFor({ state: "detached" });
   assert.equal((await facts(page)).triangles, 50);
   assert.ok(page.problems.splice(0).every((text) => /ERR_FAILED|Failed to load resource/.test(text)));

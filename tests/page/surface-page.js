@@ -1,5 +1,8 @@
 // What the tests of <bezier-surface> share: a page with one element, hands and eyes.
+import assert from "node:assert/strict";
 import { openPage } from "./browser.js";
+
+export const SHADINGS = ["smooth", "flat", "normals", "gaussian", "mean", "patches"];
 
 /** A page with one element, filled 640 pixels wide. */
 export const surfacePage = (attributes = "", more = "") =>
@@ -88,3 +91,19 @@ export const facts = async (page) => {
 
 /** Where the canvas is. */
 export const canvasBox = (page) => page.locator("bezier-surface canvas").boundingBox();
+
+/** Of the picture's pixels, so many may differ between core and graphics card: rounding at silhouettes. */
+export const FEW = 0.002;
+
+/** Fails unless a shading looks the same whatever evaluates the surface: the core, forward differences, the graphics card. */
+export async function assertSamePictures(page, shading) {
+  await set(page, { shading, evaluation: "cpu" });
+  const cpu = await look(page);
+  assert.ok(cpu.inked > 5000, `${cpu.inked} pixels`);
+  for (const evaluation of ["forward", "gpu"]) {
+    await set(page, { evaluation });
+    if (evaluation === "gpu") assert.match((await facts(page)).text, /by the graphics card/);
+    const count = await difference(page, cpu, await look(page));
+    assert.ok(count <= FEW * cpu.width * cpu.height, `${shading}, ${evaluation}: ${count} pixels differ`);
+  }
+}

@@ -1,11 +1,7 @@
 // <bezier-surface>: what it draws.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { difference, facts, look, openSurface, set } from "./surface-page.js";
-
-const SHADINGS = ["smooth", "flat", "normals", "gaussian", "mean", "patches"];
-/** Of the picture's pixels, so many may differ between core and graphics card: rounding at silhouettes. */
-const FEW = 0.002;
+import { assertSamePictures, difference, facts, FEW, look, openSurface, set, SHADINGS } from "./surface-page.js";
 
 test("the teapot is drawn, whole and large, in each shading", async (t) => {
   const page = await openSurface(t);
@@ -24,24 +20,10 @@ test("the teapot is drawn, whole and large, in each shading", async (t) => {
   }
 });
 
-for (const model of ["teapot", "teacup", "teaspoon", "patch"]) {
-  test(`the ${model}: the core and the graphics card draw the same picture`, async (t) => {
-    const page = await openSurface(t, `model="${model}" segments="9" show="surface mesh net"`);
-    for (const shading of SHADINGS) {
-      await set(page, { shading, evaluation: "cpu" });
-      const cpu = await look(page);
-      assert.ok(cpu.inked > 5000, `${cpu.inked} pixels`);
-      await set(page, { evaluation: "forward" });
-      const forward = await difference(page, cpu, await look(page));
-      assert.ok(forward <= FEW * cpu.width * cpu.height, `${shading}, forward differences: ${forward} pixels differ`);
-      await set(page, { evaluation: "gpu" });
-      assert.match((await facts(page)).text, /by the graphics card/);
-      const gpu = await look(page);
-      const count = await difference(page, cpu, gpu);
-      assert.ok(count <= FEW * cpu.width * cpu.height, `${shading}: ${count} pixels differ`);
-    }
-  });
-}
+test("the core and the graphics card draw the same picture", async (t) => {
+  const page = await openSurface(t, 'model="patch" segments="9" show="surface mesh net"');
+  for (const shading of ["smooth", "gaussian"]) await assertSamePictures(page, shading); // the others: surface.deep.test.js
+});
 
 test("at the poles, too: the knob of the lid and the bottom from near by", async (t) => {
   const page = await openSurface(t, 'segments="4" shading="normals"');

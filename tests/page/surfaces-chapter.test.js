@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
-import { assertAccessible, openPage, root } from "./browser.js";
+import { openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS = ["patches", "evaluation", "curves", "tessellation", "normals", "cracks", "adaptive", "forward-differencing", "gpu", "teapot", "wireframe", "rays", "files"];
@@ -46,11 +46,6 @@ test("a sample runs in the page and prints what it must", async (t) => {
   assert.equal(`${await sample.locator("output").innerText()}\n`, readFileSync(`${root}www/samples/grid.txt`, "utf8"));
   await sample.getByRole("tab", { name: "Rust" }).click();
   await sample.getByText("Weld::Position").waitFor();
-});
-
-test("in forced colours it is accessible, too", async (t) => {
-  const page = await open(t, { forcedColors: "active" });
-  await assertAccessible(page);
 });
 
 test("without JavaScript every figure is there as lines, and the code can be read", async (t) => {

@@ -1,7 +1,7 @@
 // The rotating wireframe.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { frames, openPage, QUIET_FRAMES } from "./browser.js";
 import { drawn } from "./applet-page.js";
 
 /** How many pixels are drawn on, and the picture itself. */
@@ -28,8 +28,7 @@ test("the teapot is drawn, inside the picture, and turns", async (t) => {
   assert.ok(first.inked > 3000, `${first.inked} pixels`);
   assert.ok(first.left > 0 && first.right < first.width - 1, "nothing is cut off");
   assert.ok(first.right - first.left > 0.5 * first.width, "and it fills the picture");
-  await page.waitForTimeout(200);
-  assert.notEqual((await look(page)).image, first.image);
+  await page.waitForFunction((image) => document.querySelector("canvas").toDataURL() !== image, first.image);
 });
 
 test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
@@ -37,7 +36,7 @@ test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
   await page.getByRole("button", { name: "Pause" }).click();
   const still = async () => (await drawn(page), (await look(page)).image);
   const paused = await still();
-  await page.waitForTimeout(150);
+  await frames(page, QUIET_FRAMES);
   assert.equal(await still(), paused);
   await page.locator("canvas").focus();
   await page.keyboard.press("ArrowRight");
@@ -57,8 +56,8 @@ test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
   await page.getByLabel("Lines").fill("8");
   assert.ok((await still()) !== dragged);
   await page.getByRole("button", { name: "Rotate" }).click();
-  await page.waitForTimeout(150);
-  assert.equal(await page.getByRole("button", { name: "Pause" }).count(), 1);
+  await page.getByRole("button", { name: "Pause" }).waitFor();
+  await page.waitForFunction((image) => document.querySelector("canvas").toDataURL() !== image, await still());
 });
 
 test("it stands still for those who want less motion", async (t) => {
@@ -66,7 +65,7 @@ test("it stands still for those who want less motion", async (t) => {
   await drawn(page);
   const first = await look(page);
   assert.ok(first.inked > 3000);
-  await page.waitForTimeout(200);
+  await frames(page, QUIET_FRAMES);
   assert.equal((await look(page)).image, first.image);
   assert.equal(await page.getByRole("button", { name: "Rotate" }).count(), 1);
 });

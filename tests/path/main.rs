@@ -1,6 +1,8 @@
 //! Paths: SVG path data in and out, what is inside, how large they are.
 #![cfg(not(target_family = "wasm"))]
 
+#[path = "../allocations/mod.rs"]
+mod allocations;
 mod arcs;
 #[path = "../common/mod.rs"]
 mod common;

@@ -5,7 +5,6 @@ use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, hostile, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
-use std::time::Instant;
 
 /// Two curves that may cross, touch, overlap, or be the same.
 fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
@@ -43,11 +42,7 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
 /// Whether all digits are right; some are not where curves run along each other.
 fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let (p, q): (Curve<P>, Curve<P>) = (curve(a), curve(b));
-    let started = Instant::now();
     let found = p.distance_to(&q);
-    let took = started.elapsed().as_millis();
-    let low = a.len().max(b.len()) <= 4;
-    assert!(!low || took < 1000, "{took} ms: {a:?} {b:?}");
     assert!((0.0..=1.0).contains(&found.t) && (0.0..=1.0).contains(&found.u));
     let size = largest(a).max(largest(b));
     let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);
@@ -146,13 +141,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
         let dimension = 2 + case % 2;
         let (a, b) = pair(&mut rng, dimension);
         let (p, q): (Curve<DVec3>, Curve<DVec3>) = (curve(&a), curve(&b));
-        let started = Instant::now();
         let found = p.hausdorff(&q);
-        let took = started.elapsed().as_millis();
-        assert!(
-            a.len().max(b.len()) > 4 || took < 50,
-            "{took} ms: {a:?} {b:?}"
-        );
         // Curves that run along each other at another pace are not looked at for ever.
         let size = largest(&a).max(largest(&b));
         let slack = 1e-11 * size;

@@ -6,6 +6,8 @@ mod nets;
 mod against_triangles;
 mod bend;
 mod bounds;
+#[path = "../golden/mod.rs"]
+mod golden;
 #[path = "../listings/mod.rs"]
 mod listings;
 mod measure;

@@ -1,12 +1,16 @@
 //! Meshes without cracks: what `tessellate` promises, on surfaces that everybody knows, on random ones and on bad input.
 #![cfg(not(target_family = "wasm"))]
 
+#[path = "../allocations/mod.rs"]
+mod allocations;
 mod checks;
 #[path = "../common/mod.rs"]
 mod common;
 mod distance;
 mod figures;
 mod folds;
+#[path = "../golden/mod.rs"]
+mod golden;
 mod known;
 mod limits;
 #[path = "../listings/mod.rs"]

@@ -2,6 +2,7 @@
 
 use super::checks::Three;
 use super::common::Rng;
+use super::common::threads::on_all;
 use super::distance::greatest;
 use super::networks;
 use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, side_points};
@@ -17,12 +18,15 @@ const DEEP_CASES: usize = 200_000;
 #[test]
 fn random_networks_have_no_cracks() {
     let mut rng = Rng(1986);
-    for case in 0..thorough(CASES, DEEP_CASES) {
+    let cases = (0..thorough(CASES, DEEP_CASES)).map(|case| {
         let surface = networks::random(&mut rng);
         let fineness = fineness(&mut rng, &surface);
+        (case, surface, fineness)
+    });
+    on_all(cases, |(case, surface, fineness)| {
         let outcome = std::panic::catch_unwind(|| check(&surface, &surface, &fineness));
         assert!(outcome.is_ok(), "case {case}: {fineness:?} of {surface:?}");
-    }
+    });
 }
 
 pub(crate) fn fineness(rng: &mut Rng, surface: &Surface) -> Fineness {

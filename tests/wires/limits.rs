@@ -154,7 +154,7 @@ fn refused() {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn gumbo() {
-    let Some(surface) = crate::listings::listing("gumbo") else {
+    let Some(surface) = crate::listings::gumbo() else {
         return;
     };
     // 247 sides are shared by two patches, 10 are a point.

@@ -3,6 +3,8 @@
 #[path = "../nets/mod.rs"]
 mod nets;
 
+#[path = "../golden/mod.rs"]
+mod golden;
 mod limits;
 #[path = "../listings/mod.rs"]
 mod listings;

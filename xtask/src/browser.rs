@@ -93,7 +93,10 @@ fn can_apt() -> bool {
 
 /// Ubuntu has no chromium-driver (its chromium is a snap, useless in a container): there this fails.
 fn apt() -> Option<()> {
-    install(&["chromium", "chromium-driver"])
+    install(&["chromium", "chromium-driver"])?;
+    // Page tests are quicker in it, and do without it (tests/page/chrome.js).
+    let _optional = install(&["chromium-headless-shell"]);
+    Some(())
 }
 
 /// Installs packages of Debian; nothing where that is not possible.

@@ -1,4 +1,4 @@
-//! The one driver: `cargo xtask build | site | serve | test [step …] | test-deep | bench | size`.
+//! The one driver: `cargo xtask build | site | serve | test | test-deep | bench | size`.
 
 mod bench;
 mod browser;
@@ -24,8 +24,8 @@ cargo xtask <command>
   build            dist/, the npm package
   site             site/, the static site
   serve            build, and serve the site on localhost
-  test [step …]    all tests, or the named steps
-  test-deep        the long sweeps
+  test             all tests; [STEP [FILE_OR_NAME …] …] [--from STEP] [--only STEP[,STEP]]
+  test-deep        the long sweeps and soak tests; the same options, and [--cases N]
   bench            the benchmarks: JavaScript and native
   size             the gzip size of each part, against the limit";
 
@@ -48,7 +48,8 @@ fn dispatch(args: &[String]) -> Result<()> {
         "site" => build::site(),
         "serve" => serve::serve(rest),
         "test" => test::test(rest),
-        "test-deep" => test::deep(),
+        "test-deep" => test::deep(rest),
+        test::RUN_STEP => test::run_step(rest),
         "bench" => bench::bench(rest),
         "size" => size::size(),
         wasm_test::RUNNER => wasm_test::run(rest),

@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// The repository's root: the driver may be started from any folder below it.
 pub(crate) fn root() -> PathBuf {
@@ -49,6 +49,24 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
         bail!("{} ended with {status}", line(command));
     }
     Ok(())
+}
+
+/// Runs `cargo test` for the tests whose names contain one of the filters, or for all; it fails where no name does.
+pub(crate) fn run_tests(cargo: impl Fn() -> Command, filters: &[String]) -> Result<()> {
+    if !filters.is_empty() {
+        let mut list = cargo();
+        list.args(["--quiet", "--", "--list"]).args(filters);
+        let output = list.stderr(Stdio::inherit()).output();
+        let output = output.with_context(|| format!("could not start {}", line(&list)))?;
+        let known = String::from_utf8_lossy(&output.stdout);
+        if output.status.success() && !known.lines().any(|name| name.ends_with(": test")) {
+            bail!(
+                "expected a part of a test's name, got {}",
+                filters.join(", ")
+            );
+        }
+    }
+    run(cargo().arg("--").args(filters))
 }
 
 /// Runs a command and shows its output only if it fails.

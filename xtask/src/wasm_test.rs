@@ -1,5 +1,6 @@
 //! The Rust tests as wasm: cargo builds them and starts this very executable to run each.
 
+use crate::test::{Done, binaries, mentions, test_targets};
 use crate::{browser, shell};
 use anyhow::Result;
 use std::process::Command;
@@ -16,34 +17,61 @@ pub(crate) const TARGET: [&str; 4] = ["--target", "wasm32-unknown-unknown", "--f
 const WASM_TIMEOUT_S: &str = "300";
 
 /// The Rust tests as wasm in Node.
-pub(crate) fn in_node() -> Result<()> {
-    shell::run(&mut tests()?)
+pub(crate) fn in_node(filters: &[String]) -> Result<Done> {
+    shell::run(&mut tests(filters)?)?;
+    Ok(Done::Passed)
 }
 
 /// The Rust tests as wasm in Chromium, through its driver.
-pub(crate) fn in_chromium() -> Result<()> {
+pub(crate) fn in_chromium(filters: &[String]) -> Result<Done> {
     let browser = browser::find_with_driver()?;
     let Some(driver) = &browser.driver else {
         let chrome = browser.chrome.display();
-        println!("SKIPPED: no chromedriver for {chrome}; install it or set CHROMEDRIVER");
-        return Ok(());
+        let reason = format!("no chromedriver for {chrome}; install it or set CHROMEDRIVER");
+        return Ok(Done::Skipped(reason));
     };
     let settings = browser::driver_settings(&browser)?;
-    let mut command = tests()?;
+    let mut command = tests(filters)?;
     command.env("WASM_BINDGEN_USE_BROWSER", "1");
     command.env("WASM_BINDGEN_TEST_WEBDRIVER_JSON", settings);
-    shell::run(command.env("CHROMEDRIVER", driver))
+    shell::run(command.env("CHROMEDRIVER", driver))?;
+    Ok(Done::Passed)
+}
+
+/// The test binaries with tests that also run as wasm.
+fn wasm_targets() -> Vec<String> {
+    let targets = test_targets().into_iter();
+    targets
+        .filter(|(_, root)| mentions(root, "wasm_bindgen_test"))
+        .map(|(name, _)| name)
+        .collect()
+}
+
+/// The options that choose these binaries.
+pub(crate) fn target_options() -> Vec<String> {
+    let options = wasm_targets().into_iter();
+    options
+        .flat_map(|name| ["--test".to_owned(), name])
+        .collect()
 }
 
 /// `cargo test` for wasm32 with this executable as the runner.
-fn tests() -> Result<Command> {
+fn tests(filters: &[String]) -> Result<Command> {
     let exe = std::env::current_exe()?;
     // Cargo splits the setting at blanks and takes a relative path from the root: so blanks in the root do no harm.
     let exe = exe.strip_prefix(shell::root()).unwrap_or(&exe).display();
-    let mut tests = shell::cargo(&["test", "--package", "casteljau", "--lib", "--tests"]);
+    let chosen = binaries(filters, &wasm_targets());
+    let mut tests = shell::cargo(&["test", "--package", "casteljau", "--no-fail-fast"]);
+    if chosen.targets.is_empty() {
+        tests.args(target_options());
+    }
+    for target in &chosen.targets {
+        tests.args(["--test", target]);
+    }
     tests.args(TARGET).env_remove("RUSTFLAGS"); // it would replace those of .cargo/config.toml
     tests.env(RUNNER_SETTING, format!("{exe} {RUNNER}"));
     tests.env("WASM_BINDGEN_TEST_TIMEOUT", WASM_TIMEOUT_S);
+    tests.arg("--").args(chosen.tests);
     Ok(tests)
 }
 

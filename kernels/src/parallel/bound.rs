@@ -13,32 +13,42 @@
 use super::fit::Pair;
 use super::vector::Plane;
 use super::{Parallel, VANISHING_SPEED};
+use crate::WorkLimit;
 
-/// Halvings of a quarter of a piece.
-const MOST_HALVINGS: usize = 12;
+/// Bounds evaluated for one cubic before it is rejected; a cubic that keeps the tolerance needs 4 to 40.
+const MAX_BOUNDS: usize = 96;
 
 /// What the foot may add, as a multiple of its first estimate: |B′|² − E·B″ is bounded for the pairs (u, u) only, and the
 /// foot is a little beside.
 const FOOT_SAFETY: f64 = 2.0;
 
 impl Parallel<'_> {
-    /// Whether the cubic keeps the tolerance everywhere.
-    pub(super) fn holds(&self, cubic: &[Plane; 4], pairs: &[Pair; 5]) -> bool {
+    /// Whether the cubic is known to keep the tolerance everywhere, after at most `MAX_BOUNDS` bounds.
+    pub(super) fn holds(
+        &self,
+        cubic: &[Plane; 4],
+        pairs: &[Pair; 5],
+        work: &mut WorkLimit,
+    ) -> bool {
+        let last = work.used() + MAX_BOUNDS;
         pairs
             .windows(2)
-            .all(|pair| self.holds_between(cubic, &pair[0], &pair[1], MOST_HALVINGS))
+            .all(|pair| self.holds_between(cubic, &pair[0], &pair[1], last, work))
     }
 
-    fn holds_between(&self, cubic: &[Plane; 4], from: &Pair, to: &Pair, halvings: usize) -> bool {
-        let found = self.bound(from, to);
-        if found <= self.tolerance {
+    fn holds_between(
+        &self,
+        cubic: &[Plane; 4],
+        from: &Pair,
+        to: &Pair,
+        last: usize,
+        work: &mut WorkLimit,
+    ) -> bool {
+        if self.bound(from, to) <= self.tolerance || self.near(from, to) {
             return true;
         }
-        if halvings == 0 {
+        if work.used() >= last || !work.spend(1) {
             return false;
-        }
-        if self.near(from, to) {
-            return true;
         }
         let mut middle = Pair {
             s: 0.5 * (from.s + to.s),
@@ -47,33 +57,33 @@ impl Parallel<'_> {
         middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
         self.see(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
         self.error(&middle).abs() <= self.tolerance
-            && self.holds_between(cubic, from, &middle, halvings - 1)
-            && self.holds_between(cubic, &middle, to, halvings - 1)
+            && self.holds_between(cubic, from, &middle, last, work)
+            && self.holds_between(cubic, &middle, to, last, work)
     }
 
-    /// Whether all between two pairs is so short that it cannot be far apart.
+    /// Whether the cubic and the parallel between two pairs are so short that they cannot be farther apart than the
+    /// tolerance.
     fn near(&self, from: &Pair, to: &Pair) -> bool {
-        let ways = |a: Plane, b: Plane, u: Plane, v: Plane, step: f64| {
-            (b - a).length() + step * (u.length() + v.length())
-        };
-        let there = ways(from.q, to.q, from.w, to.w, to.s - from.s);
+        let there = (to.q - from.q).length() + (to.s - from.s) * (from.w.length() + to.w.length());
         let (a, b) = (&from.foot, &to.foot);
-        let back =
-            ways(a.b, b.b, a.v, b.v, b.t - a.t) + (to.n - from.n).length() * self.distance.abs();
+        let back = self.length_bound(a, b);
         let apart = |pair: &Pair| (pair.q - pair.foot.b - pair.n * self.distance).length();
-        apart(from).max(apart(to)) + there + back <= self.tolerance
+        a.t <= b.t && apart(from).max(apart(to)) + there + back <= self.tolerance
     }
 
     /// The bound between two pairs; infinite where nothing is known.
     fn bound(&self, from: &Pair, to: &Pair) -> f64 {
         let distance = self.distance.abs();
         let (ds, dt) = (to.s - from.s, to.foot.t - from.foot.t);
-        let rest = self.source.remainder(dt);
+        // How far a cubic with the same ends and derivatives there may be from the source.
+        let rest = self.fourth * (dt * dt) * (dt * dt) / 384.0;
         if dt.is_nan() || dt <= 0.0 || rest > REMAINDER_SHARE * self.tolerance {
             return f64::INFINITY;
         }
         let (v0, v2) = (from.foot.v * dt, to.foot.v * dt);
-        let v1 = (to.foot.b - from.foot.b) * 3.0 - v0 - v2;
+        // The mean of both ends' tangent lines to B′: differences of points would lose digits as dt gets small.
+        let bend = (from.foot.a - to.foot.a) * (0.5 * dt);
+        let v1 = (from.foot.v + to.foot.v + bend) * (0.5 * dt);
         let (e0, e3) = (from.q - from.foot.b, to.q - to.foot.b);
         let e = [
             e0,
@@ -90,25 +100,34 @@ impl Parallel<'_> {
         if off > self.tolerance {
             return f64::INFINITY;
         }
-        self.with_foot(&e, [v0, v1, v2], (low, high), rest)
+        let d = Self::direction([v0, v1, v2]);
+        self.with_foot(&e, [v0, v1, v2], &d, (low, high), rest)
     }
 
     /// The same with what the leaning of E adds.
-    fn with_foot(&self, e: &[Plane; 4], v: [Plane; 3], (low, high): (f64, f64), rest: f64) -> f64 {
+    fn with_foot(
+        &self,
+        e: &[Plane; 4],
+        v: [Plane; 3],
+        d: &[Plane; 3],
+        (low, high): (f64, f64),
+        rest: f64,
+    ) -> f64 {
         let distance = self.distance.abs();
-        let d = self.direction(v);
-        let (least, most) = range(&products2(&d, &d));
-        let (lean_least, lean_most) = range(&products3(e, &d));
+        let (least, most) = range(&products2(d, d));
+        let (lean_least, lean_most) = range(&products3(e, d));
         let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
-        let ahead = products2(&v, &d);
+        let ahead = products2(&v, d);
         let bend = products31(e, &turn);
         let (f_least, f_most) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
         let mut lean = lean_most.max(-lean_least);
         let mut forward = f_least.max(-f_most);
         if rest > 0.0 {
+            // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
+            // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
             let fastest = most.sqrt();
-            lean += rest * (fastest + 4.0 * high);
-            forward -= rest * (8.0 * fastest + 32.0 * high);
+            lean += rest * (fastest + 20.0 * high);
+            forward -= rest * (40.0 * fastest + 160.0 * high);
         }
         let squares = lean * lean;
         if forward > lean && squares < 0.25 * low * low * least {
@@ -127,11 +146,11 @@ impl Parallel<'_> {
         (across * across + delta_squared).sqrt()
     }
 
-    /// A quadratic field with the directions of B′: B′ itself, or, where it vanishes at an end, divided by u or 1 − u.
-    fn direction(&self, v: [Plane; 3]) -> [Plane; 3] {
-        let least = VANISHING_SPEED * self.source.speed();
-        let still = |p: Plane| p.square() <= least * least;
+    /// A quadratic field with the directions of B′dt: B′dt itself, or, where it vanishes at an end, divided by u or 1 − u.
+    fn direction(v: [Plane; 3]) -> [Plane; 3] {
         let [v0, v1, v2] = v;
+        let most = v0.square().max(v1.square()).max(v2.square());
+        let still = |p: Plane| p.square() <= VANISHING_SPEED * VANISHING_SPEED * most;
         if still(v0) {
             if still(v1) {
                 return [v2; 3];

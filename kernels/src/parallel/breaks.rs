@@ -2,13 +2,11 @@
 //! parallel.
 
 use super::vector::Plane;
-use super::{End, Parallel, Source, VANISHING_SPEED};
+use super::{End, Parallel, Source};
+use crate::WorkLimit;
 
 /// Halvings in the search for a zero of B′; what is left of the interval then is refined.
 const MOST_HALVINGS: usize = 30;
-
-/// At a zero that is found, |B′| may be this part of its largest value: the root is known to some ulps only.
-const ZERO_SPEED: f64 = 1e-14;
 
 /// Below this part of the largest speed a second derivative gives no direction.
 const VANISHING_BEND: f64 = 1e-9;
@@ -68,7 +66,7 @@ impl Source {
         }
         let t = 0.5 * (t0 + t1);
         self.search(&left, n, (t0, t), halvings - 1, found);
-        if self.at(t).v.length() <= ZERO_SPEED * self.speed() {
+        if self.is_still(&self.at(t)) {
             found.extend(self.refined(t));
         }
         self.search(&right, n, (t, t1), halvings - 1, found);
@@ -86,7 +84,7 @@ impl Source {
         if t <= BESIDE || t >= 1.0 - BESIDE {
             return None;
         }
-        let zero = self.at(t).v.length() <= ZERO_SPEED * self.speed();
+        let zero = self.is_still(&self.at(t));
         // Next to handles without a length B′ is small, too, but does not turn back.
         let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
         let turns = self.at(t - beside).v.dot(self.at(t + beside).v) < 0.0;
@@ -111,45 +109,53 @@ impl Source {
 
 impl Parallel<'_> {
     /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
-    /// tangents are those seen from inside. The first point is there already.
-    pub fn run(&self, (t0, t1): (f64, f64), tangents: [Plane; 2], out: &mut Vec<Plane>) {
+    /// tangents are those seen from inside. The first point is there already. Once the work limit is exceeded the rest is
+    /// missing.
+    pub fn run(
+        &self,
+        (t0, t1): (f64, f64),
+        tangents: [Plane; 2],
+        out: &mut Vec<Plane>,
+        work: &mut WorkLimit,
+    ) {
         let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
         let to = self.outer_end(t1, tangents[1], -BESIDE * (t1 - t0));
         let mut last = from;
         if !self.surely_forward((t0, t1)) {
             for step in 1..CUSP_STEPS {
                 let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
-                last = self.pass(&mut from, &last, self.end(t), out);
+                last = self.pass(&mut from, &last, self.end(t), out, work);
             }
         }
-        self.pass(&mut from, &last, to, out);
-        self.cover(&from, &to, out);
+        self.pass(&mut from, &last, to, out, work);
+        self.cover(&from, &to, out, work);
     }
 
     /// Covers the way to a cusp between two places, if there is one.
-    fn pass(&self, from: &mut End, last: &End, next: End, out: &mut Vec<Plane>) -> End {
+    fn pass(
+        &self,
+        from: &mut End,
+        last: &End,
+        next: End,
+        out: &mut Vec<Plane>,
+        work: &mut WorkLimit,
+    ) -> End {
         if last.sign != next.sign
             && let Some((before, after)) = self.cusp(last, &next)
         {
-            self.cover(from, &before, out);
+            self.cover(from, &before, out, work);
             *from = after;
         }
         next
     }
 
     fn outer_end(&self, t: f64, tangent: Plane, inwards: f64) -> End {
-        let end = self.end(t);
-        let still = end.place.v.length() <= VANISHING_SPEED * self.source.speed();
-        let sign = if still {
-            self.end(t + inwards).sign
-        } else {
-            end.sign
-        };
-        End {
-            tangent,
-            sign,
-            ..end
+        let mut end = self.end(t);
+        if self.source.is_still(&end.place) {
+            end.place.v = Plane::default();
+            end.sign = self.end(t + inwards).sign;
         }
+        End { tangent, ..end }
     }
 
     /// Whether a glance at the control points says that the parallel has no cusp. Only for degree 3.

@@ -2,18 +2,23 @@
 
 use super::vector::Plane;
 use super::{End, Parallel, Place};
+use crate::WorkLimit;
 
 /// Where distances are measured.
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
-/// Rounds of least squares.
-const MOST_ROUNDS: usize = 3;
+/// Rounds of least squares; the last ones gain digits where the tolerance is far below the first error.
+const MAX_ROUNDS: usize = 5;
 
-/// A first error above this many tolerances is not worth improving.
-const HOPELESS: f64 = 100.0;
+/// An error at the samples below this part of the tolerance cannot be what a bound fails for.
+const SMALL_PART: f64 = 0.01;
 
-/// Added to the diagonal of the normal equations.
-const DAMPING: f64 = 1e-5;
+/// Added to the diagonal of the normal equations, as a part of its trace: where the cubic is nearly straight the handles
+/// have no influence on the distances.
+const DAMPING: f64 = 1e-9;
+
+/// The least damping; the entries of the matrix are at most 1.
+const MIN_DAMPING: f64 = 1e-18;
 
 /// A place on the cubic: its parameter, point and derivative, and the place of the source from which it is seen.
 #[derive(Clone, Copy, Default)]
@@ -27,20 +32,13 @@ pub(super) struct Pair {
 }
 
 impl Parallel<'_> {
-    /// The cubic from one end to the other with the first guess for its handles.
-    pub(super) fn first_cubic(&self, from: &End, to: &End) -> [Plane; 4] {
-        let (start, end) = (self.point(from), self.point(to));
-        let (a, b) = self.first_handles(from, to);
-        [start, start + from.tangent * a, end + to.tangent * -b, end]
-    }
-
     /// The cubic from one end to the other, if one keeps the tolerance.
-    pub(super) fn fit(&self, from: &End, to: &End) -> Option<[Plane; 4]> {
+    pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[Plane; 4]> {
         let (start, end) = (self.point(from), self.point(to));
         let (mut a, mut b) = self.first_handles(from, to);
         let mut previous = f64::INFINITY;
         let mut pairs = self.pairs(from, to);
-        for round in 0..MOST_ROUNDS {
+        for round in 0..MAX_ROUNDS {
             let cubic = [start, start + from.tangent * a, end + to.tangent * -b, end];
             let mut normal = [0.0; 5];
             let mut worst: f64 = 0.0;
@@ -63,19 +61,21 @@ impl Parallel<'_> {
             }
             if worst <= self.tolerance {
                 self.see_ends(&cubic, &mut pairs);
-                if self.holds(&cubic, &pairs) {
+                if self.holds(&cubic, &pairs, work) {
                     return Some(cubic);
                 }
             }
-            if !(worst < 0.5 * previous && worst < HOPELESS * self.tolerance) {
+            let improves = worst < 0.5 * previous;
+            if worst <= SMALL_PART * self.tolerance || !improves {
                 return None;
             }
             previous = worst;
-            if round + 1 == MOST_ROUNDS {
+            if round + 1 == MAX_ROUNDS {
                 break;
             }
             let [aa, ab, bb, ra, rb] = normal;
-            let (aa, bb) = (aa + DAMPING, bb + DAMPING);
+            let damping = DAMPING * (aa + bb) + MIN_DAMPING;
+            let (aa, bb) = (aa + damping, bb + damping);
             let scale = 1.0 / (aa * bb - ab * ab);
             let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
             a = from.sign * (from.sign * (a + da)).max(0.0);

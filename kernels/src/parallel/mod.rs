@@ -9,29 +9,30 @@
 mod bound;
 mod breaks;
 mod fit;
+mod local;
 mod source;
 mod vector;
 
 pub use source::Source;
 pub use vector::Plane;
 
-use crate::cos_sin;
+use crate::{WorkLimit, cos_sin};
 use source::Place;
 
 /// How often a piece may be cut in two.
-const MOST_CUTS: usize = 48;
+const MAX_CUTS: usize = 48;
 
-/// A piece whose own length and way around the normal are this part of the tolerance needs no bound.
+/// A piece whose length is this part of the tolerance needs no bound.
 const TINY_PART: f64 = 0.25;
 
 /// A piece this short, in t, is a point as far as numbers tell.
 const SHORTEST: f64 = 1e-12;
 
-/// Arcs about a point are cut into pieces of at most 22.5°, each off by 5·10⁻⁸ of the radius.
-const SIXTEENTHS_OF_A_TURN: f64 = 8.0 / std::f64::consts::PI;
+/// The largest angle, in radians, by which a normal may leave the angle between its ends.
+const MAX_EXCESS: f64 = 0.1;
 
-/// Below this part of the largest speed a derivative is only rounding.
-pub(crate) const VANISHING_SPEED: f64 = 1e-15;
+/// A derivative below this part of the sum of its terms' lengths is only rounding.
+const VANISHING_SPEED: f64 = 1e-14;
 
 /// An end of a piece: the place, the unit tangent as seen from inside the piece, and the way the parallel goes there:
 /// 1 along the tangent, −1 against it (where it has passed its cusp).
@@ -47,6 +48,9 @@ pub struct Parallel<'a> {
     source: &'a Source,
     distance: f64,
     tolerance: f64,
+    /// Bounds on the lengths of the third and fourth derivative of the source.
+    third: f64,
+    fourth: f64,
 }
 
 impl<'a> Parallel<'a> {
@@ -56,6 +60,8 @@ impl<'a> Parallel<'a> {
             source,
             distance,
             tolerance,
+            third: source.third(),
+            fourth: source.fourth(),
         }
     }
 
@@ -87,48 +93,105 @@ impl<'a> Parallel<'a> {
         end.place.b + end.tangent.turned() * self.distance
     }
 
-    /// Appends three control points for each cubic from one end to the other, without looking for cusps before.
-    fn cover(&self, from: &End, to: &End, out: &mut Vec<Plane>) {
-        self.cover_deep(from, to, MOST_CUTS, out);
+    /// Appends three control points for each cubic from one end to the other, without looking for cusps before. Appends
+    /// no more once the work limit is exceeded.
+    fn cover(&self, from: &End, to: &End, out: &mut Vec<Plane>, work: &mut WorkLimit) {
+        self.cover_deep(from, to, MAX_CUTS, out, work);
     }
 
-    fn cover_deep(&self, from: &End, to: &End, cuts: usize, out: &mut Vec<Plane>) {
+    fn cover_deep(
+        &self,
+        from: &End,
+        to: &End,
+        cuts: usize,
+        out: &mut Vec<Plane>,
+        work: &mut WorkLimit,
+    ) {
+        if !work.spend(1) {
+            return;
+        }
         if from.sign != to.sign
             && let Some((before, after)) = self.cusp(from, to)
         {
-            self.cover_deep(from, &before, cuts, out);
-            self.cover_deep(&after, to, cuts, out);
+            self.cover_deep(from, &before, cuts, out, work);
+            self.cover_deep(&after, to, cuts, out, work);
             return;
         }
-        if let Some(cubic) = self.fit(from, to) {
+        let local = self.on_piece(from, to);
+        if let Some(cubic) = local.fit(from, to, work) {
             out.extend_from_slice(&cubic[1..]);
             return;
         }
-        if cuts == 0 || to.place.t - from.place.t <= SHORTEST || self.tiny(from, to) {
+        let shortest = cuts == 0 || to.place.t - from.place.t <= SHORTEST;
+        if shortest || local.tiny(from, to) || local.pivots(from, to) {
             self.arc(from, to, out);
             return;
         }
         let mut middle = self.cut(from, to);
-        if middle.place.v.length() <= VANISHING_SPEED * self.source.speed() {
+        if self.source.is_still(&middle.place) {
             middle.tangent = (from.tangent + to.tangent).unit();
         }
-        self.cover_deep(from, &middle, cuts - 1, out);
-        self.cover_deep(&middle, to, cuts - 1, out);
+        self.cover_deep(from, &middle, cuts - 1, out, work);
+        self.cover_deep(&middle, to, cuts - 1, out, work);
     }
 
-    /// Whether a piece of the source is nothing to the tolerance.
+    /// Whether the parallel of a piece is shorter than a part of the tolerance.
     fn tiny(&self, from: &End, to: &End) -> bool {
+        self.length_bound(&from.place, &to.place) <= TINY_PART * self.tolerance
+    }
+
+    /// Whether the source is a point as far as the tolerance tells, and the normal turns about it without leaving the
+    /// angle between its ends; where the normal is only rounding, no angle is left.
+    fn pivots(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.place, &to.place);
         let way = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
-        let turn = (to.tangent - from.tangent).length() * self.distance.abs();
-        way + turn <= TINY_PART * self.tolerance
+        if way > TINY_PART * self.tolerance {
+            return false;
+        }
+        if self.noise(a).min(self.noise(b)) >= self.tolerance {
+            return true;
+        }
+        let side = from.tangent.cross(to.tangent);
+        let sign = if side < 0.0 { -1.0 } else { 1.0 };
+        // Beyond 90° an excess could hide that the normal turns the other way around.
+        let excess = if from.tangent.dot(to.tangent) > 0.0 {
+            -(TINY_PART * self.tolerance / self.distance.abs()).min(MAX_EXCESS)
+        } else {
+            0.0
+        };
+        self.source.slopes_between(a.t, b.t, |v| {
+            let least = excess * v.length();
+            from.tangent.cross(v) * sign >= least
+                && v.cross(to.tangent) * sign >= least
+                && v.dot(from.tangent + to.tangent) >= 0.0
+        })
     }
 
-    /// What is next to a point on the source: arcs about it.
+    /// A bound on the length of the parallel between two places; infinite where B′ may vanish between them.
+    ///
+    /// O′ = (1 − κd) B′ has the length |f| / |B′|² with f = |B′|³ − d (B′ × B″), and
+    /// |f′| ≤ 3 |B′|² |B″| + |d| |B′| |B‴|. Near a cusp of the parallel this is far shorter than the piece of the source.
+    fn length_bound(&self, a: &Place, b: &Place) -> f64 {
+        let (h, third) = (b.t - a.t, self.third);
+        let bend = a.a.length().max(b.a.length()) + h * third;
+        let (u, v) = (a.v.length(), b.v.length());
+        let (slowest, fastest) = (u.min(v) - h * bend, u.max(v) + h * bend);
+        if slowest <= 0.25 * fastest {
+            return f64::INFINITY;
+        }
+        let change = 3.0 * fastest * fastest * bend + self.distance.abs() * fastest * third;
+        let f = self.forwardness(a).abs().max(self.forwardness(b).abs()) + h * change;
+        h * f / (slowest * slowest)
+    }
+
+    /// Arcs about a source that is a point as far as the tolerance tells.
     fn arc(&self, from: &End, to: &End, out: &mut Vec<Plane>) {
         let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
         let angle = sin.atan2(cos);
-        let pieces = (angle.abs() * SIXTEENTHS_OF_A_TURN).ceil().max(1.0);
+        let pieces = arc_pieces(angle, self.distance.abs(), TINY_PART * self.tolerance);
+        let (cos, sin) = cos_sin(0.25 * angle / pieces);
+        // The normal turns against the tangent: N′ = −θ′T.
+        let handle = -self.distance * (4.0 / 3.0) * (sin / cos);
         let (mut last, mut k) = (*from, 1.0);
         while k <= pieces {
             let next = if k == pieces {
@@ -138,7 +201,9 @@ impl<'a> Parallel<'a> {
                 let tangent = from.tangent * cos + from.tangent.turned() * sin;
                 End { tangent, ..*from }
             };
-            out.extend_from_slice(&self.first_cubic(&last, &next)[1..]);
+            let (start, end) = (self.point(&last), self.point(&next));
+            let (first, second) = (last.tangent * handle, next.tangent * handle);
+            out.extend_from_slice(&[start + first, end - second, end]);
             (last, k) = (next, k + 1.0);
         }
     }
@@ -219,3 +284,22 @@ const LEAST_PART: f64 = 1e-3;
 
 /// A root is known when its interval is this part of it.
 const ROOT_WIDTH: f64 = 1e-13;
+
+/// How many cubics an arc needs: one of the angle θ with handles 4/3 tan(θ/4) is off by (2/27) sin⁶(θ/4)/cos²(θ/4) of the
+/// radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by curvature-continuous Bézier curves",
+/// CAGD 7 (1990).
+pub fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
+    let error = |pieces: f64| {
+        let (cos, sin) = cos_sin(0.25 * angle / pieces);
+        let square = sin * sin;
+        (2.0 / 27.0) * square * square * square / (cos * cos) * radius
+    };
+    let mut pieces = (angle.abs() / std::f64::consts::PI).ceil().max(1.0);
+    while error(pieces) > tolerance && pieces < MAX_ARC_PIECES {
+        pieces += 1.0;
+    }
+    pieces
+}
+
+/// A half circle in pieces of this number is off by less than rounding.
+const MAX_ARC_PIECES: f64 = 512.0;

@@ -3,7 +3,7 @@
 use super::vector::Plane;
 
 /// The most control points of a curve.
-const MOST_POINTS: usize = 65;
+pub(super) const MAX_POINTS: usize = 65;
 
 /// A handle of at most this part of the largest difference has no direction: rounding moves its end as far.
 const NO_HANDLE: f64 = 1e-15;
@@ -22,6 +22,8 @@ pub struct Source {
     tangents: [Plane; 2],
     /// A bound on the fourth derivative: 0 up to degree 3.
     fourth: f64,
+    /// A bound on the length of the third derivative.
+    third: f64,
     /// The largest |B′| of the hodograph's control points.
     speed: f64,
 }
@@ -38,8 +40,8 @@ pub(crate) struct Place {
 impl Source {
     /// From 2 to 65 control points, of a size of about 1.
     pub fn new(given: &[[f64; 2]]) -> Self {
-        let count = given.len().clamp(1, MOST_POINTS);
-        let mut all = [Plane::default(); MOST_POINTS];
+        let count = given.len().clamp(1, MAX_POINTS);
+        let mut all = [Plane::default(); MAX_POINTS];
         for (p, &[x, y]) in all.iter_mut().zip(given) {
             *p = Plane { x, y };
         }
@@ -54,6 +56,7 @@ impl Source {
             powers: Default::default(),
             slopes: Default::default(),
             tangents: Default::default(),
+            third: third_bound(all),
             fourth: fourth_bound(all),
             speed: n as f64 * square.sqrt(),
         };
@@ -99,10 +102,14 @@ impl Source {
         self.speed
     }
 
-    /// How far a cubic with the same ends and derivatives there may be from a piece of this length.
-    #[inline(always)]
-    pub(crate) fn remainder(&self, h: f64) -> f64 {
-        self.fourth * (h * h) * (h * h) / 384.0
+    /// A bound on the length of the third derivative.
+    pub(crate) fn third(&self) -> f64 {
+        self.third
+    }
+
+    /// A bound on the length of the fourth derivative.
+    pub(crate) fn fourth(&self) -> f64 {
+        self.fourth
     }
 
     /// The degree n.
@@ -149,7 +156,7 @@ impl Source {
     /// By de Casteljau's algorithm; derivatives from the differences, so that they keep their digits next to handles
     /// without a length.
     fn at_by_casteljau(&self, t: f64) -> Place {
-        let mut row = [Plane::default(); MOST_POINTS];
+        let mut row = [Plane::default(); MAX_POINTS];
         let mut slopes = row;
         row[..self.count].copy_from_slice(&self.many);
         slopes[..self.degree()].copy_from_slice(&self.differences);
@@ -198,4 +205,16 @@ fn fourth_bound(points: &[Plane]) -> f64 {
         m.max((p[0] + p[4] - (p[1] + p[3]) * 4.0 + p[2] * 6.0).square())
     });
     n * (n - 1.0) * (n - 2.0) * (n - 3.0) * most.sqrt()
+}
+
+/// n(n−1)(n−2) times the longest third difference.
+fn third_bound(points: &[Plane]) -> f64 {
+    if points.len() < 4 {
+        return 0.0;
+    }
+    let n = (points.len() - 1) as f64;
+    let most = points.windows(4).fold(0.0, |m: f64, p| {
+        m.max(((p[3] - p[0]) + (p[1] - p[2]) * 3.0).square())
+    });
+    n * (n - 1.0) * (n - 2.0) * most.sqrt()
 }

@@ -1,11 +1,9 @@
 //! A surface as lines: which ones, and what a projection draws of them.
 
-mod nets;
-
+use crate::nets::{Random, assert_near};
 use casteljau::curve::Pen;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Error, Surface, TeapotOptions};
-use nets::{Random, assert_near};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn teapot() -> Surface {

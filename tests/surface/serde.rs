@@ -1,7 +1,5 @@
 //! Reading and writing with serde: the form of JavaScript's `toJSON`, checked as by the constructors.
 
-#![cfg(all(feature = "serde", not(target_family = "wasm")))]
-
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Patch, Path, Spline};
 

@@ -1,11 +1,9 @@
 //! The recursive split of the tutorials into pieces that are flat enough.
 
-mod nets;
-
+use crate::nets::{Random, assert_near};
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::surface::{FlatPiece, Up};
 use casteljau::{Error, Surface, TeapotOptions};
-use nets::{Random, assert_near};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn single(net: &[DVec3], m: usize, n: usize) -> Surface {
@@ -15,7 +13,7 @@ fn single(net: &[DVec3], m: usize, n: usize) -> Surface {
 
 /// The paraboloid z = (x² + y²)·height over the unit square.
 fn bowl(height: f64) -> Surface {
-    let patch = nets::graph(2, 2, &[(height, 2, 0), (height, 0, 2)]);
+    let patch = crate::nets::graph(2, 2, &[(height, 2, 0), (height, 0, 2)]);
     single(patch.control_points(), 2, 2)
 }
 

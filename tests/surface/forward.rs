@@ -1,10 +1,8 @@
 //! Grids by forward differencing: how close they are, and what is exact.
 
-mod nets;
-
+use crate::nets::Random;
 use casteljau::glam::{DVec3, Vec3};
 use casteljau::{Grid, GridMethod, Mesh, Patch, Surface, TeapotOptions};
-use nets::Random;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn stepped(patch: &Patch, grid: Grid) -> Mesh {

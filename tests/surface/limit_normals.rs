@@ -1,11 +1,8 @@
 //! Normals where ∂u × ∂v vanishes, on the hardest net there is: Gumbo's many degenerate corners and sides.
-#![cfg(not(target_family = "wasm"))]
 
-mod listings;
-
+use crate::listings::gumbo;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface, TeapotOptions};
-use listings::listing;
 
 /// The normal's limit by other means: Richardson extrapolation of plain normals on the way to the middle.
 fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
@@ -45,7 +42,7 @@ fn teapot() {
 
 #[test]
 fn gumbo_s_degenerate_corners() {
-    if let Some(surface) = listing("gumbo") {
+    if let Some(surface) = gumbo() {
         assert_eq!(compare(&surface, 1e-3), 315);
     }
 }

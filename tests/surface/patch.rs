@@ -1,11 +1,9 @@
 //! One patch: evaluation, derivatives, normals, curves on it, pieces of it.
 
-mod nets;
-
+use crate::nets::{Random, assert_near, graph};
 use casteljau::curve::bernstein;
 use casteljau::glam::{DAffine3, DVec3};
 use casteljau::{Error, Patch};
-use nets::{Random, assert_near, graph};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 const DEGREES: [(usize, usize); 9] = [

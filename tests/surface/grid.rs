@@ -1,11 +1,9 @@
 //! Grids: layout, positions and normals against the patch, shared sides, reuse, limits.
 
-mod nets;
-
+use crate::nets::{Random, assert_near};
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec3, Vec3};
 use casteljau::{Error, Grid, Indices, Mesh, Patch, Surface, TeapotOptions};
-use nets::{Random, assert_near};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 fn position(mesh: &Mesh, vertex: usize) -> Vec3 {

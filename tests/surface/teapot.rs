@@ -24,12 +24,7 @@ const NOTHING: TeapotOptions = TeapotOptions {
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn data_are_those_of_the_usual_listing_bit_for_bit() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/data/teapot.json");
-    let Ok(text) = std::fs::read_to_string(path) else {
-        println!("skipped: {path} is not there");
-        return;
-    };
-    let data: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let data = crate::golden::golden("teapot");
     let vertex = |index: &serde_json::Value| {
         let vertex = &data["vertices"][usize::try_from(index.as_u64().unwrap()).unwrap()];
         [0, 1, 2].map(|axis| vertex[axis].as_f64().unwrap().to_bits())

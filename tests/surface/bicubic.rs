@@ -1,10 +1,8 @@
 //! What grids of bicubic patches promise, on nets that make it hard: 4 ulps, equal sides, normals within 0.001°.
 
-mod nets;
-
+use crate::nets::Random;
 use casteljau::glam::{DVec3, Vec3};
 use casteljau::{Grid, Mesh, Patch};
-use nets::Random;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// 0.001° in radians.

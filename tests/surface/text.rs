@@ -1,13 +1,9 @@
 //! Surfaces as text. The table of texts, good and bad, is read by tests/js/text.test.js, too.
 
-#![cfg(not(target_family = "wasm"))]
-
-mod nets;
-
+use crate::nets::Random;
 use casteljau::glam::DVec3;
 use casteljau::surface::Up;
 use casteljau::{Surface, TeapotOptions};
-use nets::Random;
 use serde_json::Value;
 
 fn numbers(value: &Value) -> Vec<f64> {
@@ -26,7 +22,7 @@ fn coordinates(surface: &Surface) -> Vec<f64> {
 
 #[test]
 fn table_of_texts() {
-    let table: Value = serde_json::from_str(include_str!("texts/surfaces.json")).unwrap();
+    let table: Value = serde_json::from_str(include_str!("../texts/surfaces.json")).unwrap();
     for entry in table.as_array().unwrap() {
         let name = &entry["name"];
         let result = Surface::parse(entry["text"].as_str().unwrap());

@@ -1,13 +1,11 @@
 //! Meshes as files. The table was made by another program from the definitions of the formats; tests/js/export.test.js
 //! reads it, too, and asks the validator of glTF.
 
-#![cfg(not(target_family = "wasm"))]
-
 use casteljau::{Error, Grid, Indices, Mesh, Surface, TeapotOptions};
 use serde_json::Value;
 
 fn table() -> Vec<Value> {
-    let table: Value = serde_json::from_str(include_str!("texts/meshes.json")).unwrap();
+    let table: Value = serde_json::from_str(include_str!("../texts/meshes.json")).unwrap();
     table.as_array().unwrap().clone()
 }
 

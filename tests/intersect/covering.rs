@@ -1,0 +1,62 @@
+//! Pairs of low degree that nearly or wholly cover each other, which are the hardest to tell apart.
+
+use crate::common::plane;
+use casteljau::Curve;
+use casteljau::glam::{DAffine2, DVec2};
+
+/// The shapes are some units large.
+const SLACK: f64 = 1e-12;
+
+fn shapes() -> Vec<Curve<DVec2>> {
+    vec![
+        plane(&[(0.0, 0.0), (3.0, 2.0), (-2.0, 2.0), (1.0, 0.0)]),
+        plane(&[(0.0, 0.0), (1.0, 3.0), (2.0, -3.0), (3.0, 1.0)]),
+        plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]),
+        plane(&[(0.0, 0.0), (1.0, 2.0), (3.0, 2.0), (4.0, 0.0)]),
+        plane(&[(0.0, 0.0), (3.0, 3.0), (-1.0, -1.0), (2.0, 2.0)]),
+        plane(&[(0.0, 0.0), (1.0, 2.0), (2.0, 0.0)]),
+        plane(&[(0.0, 0.0), (0.0, 0.0), (0.0, 0.0), (1.0, 1.0)]),
+        plane(&[(1.0, 1.0), (1.0, 1.0)]),
+    ]
+}
+
+/// A curve and others that nearly or wholly cover it.
+fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
+    let mut all = vec![
+        c.clone(),
+        c.reverse(),
+        c.subsegment(0.2, 0.8),
+        c.subsegment(1.0, 0.3),
+    ];
+    for k in 0..17 {
+        let e = 10_f64.powi(-k);
+        let along = c.tangent(0.3) * e;
+        all.push(c.transform(&DAffine2::from_translation(along)));
+        all.push(c.transform(&DAffine2::from_translation(along.perp())));
+        all.push(c.transform(&DAffine2::from_angle(e)));
+        all.push(c.transform(&DAffine2::from_scale(DVec2::new(1.0 + e, 1.0))));
+        let noisy: Vec<DVec2> = c
+            .control_points()
+            .iter()
+            .enumerate()
+            .map(|(i, p)| *p + DVec2::from_angle(7.0 * i as f64) * e)
+            .collect();
+        all.push(Curve::new(&noisy).expect("finite"));
+    }
+    all
+}
+
+/// Every call returns, and each reported place lies on both curves.
+#[test]
+fn every_reported_place_lies_on_both() {
+    for a in shapes() {
+        for b in neighbours(&a).into_iter().chain(shapes()) {
+            let all = [a.control_points(), b.control_points()];
+            for place in a.intersect(&b) {
+                let from = |c: &Curve<DVec2>| c.nearest(place.point).expect("finite").distance;
+                let off = from(&a).max(from(&b));
+                assert!(off <= SLACK, "{place:?} is off by {off:e}: {all:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,31 @@
+// What screen readers are told: one text after the last of several changes.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Speaker } from "../../js/applet/voice.js";
+
+/** A live region that keeps every text it gets. */
+const region = () => {
+  const texts = [];
+  return { texts, element: { set textContent(text) { texts.push(text); } } };
+};
+
+test("several changes in a row are announced once, with what else there is to say; after the end nothing is", (t) => {
+  t.mock.timers.enable({ apis: ["setTimeout"] });
+  globalThis.window = globalThis;
+  t.after(() => delete globalThis.window);
+  const { texts, element } = region();
+  const speaker = new Speaker(element, () => "G1 at P3");
+  for (const words of ["P1 at 199, 80", "P1 at 198, 80", "P1 at 197, 80"]) {
+    speaker.say(words);
+    t.mock.timers.tick(400);
+  }
+  assert.deepEqual(texts, [], "not while something changes");
+  t.mock.timers.tick(100);
+  assert.deepEqual(texts, ["P1 at 197, 80. G1 at P3"]);
+  t.mock.timers.tick(10_000);
+  assert.equal(texts.length, 1);
+  speaker.say("P1 at 196, 80");
+  speaker.end();
+  t.mock.timers.tick(10_000);
+  assert.equal(texts.length, 1);
+});

@@ -1,0 +1,195 @@
+// What <bezier-applet> does with its points, without a page: joints that are held, bases and degrees, points that are removed.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import * as small from "../../js/applet/state.js";
+import * as edits from "../../js/elements/applet/edits.js";
+import { FIELDS } from "../../js/elements/applet/fields.js";
+import { figureOf } from "../../js/elements/applet/figure.js";
+import { jointsOf } from "../../js/elements/applet/joints.js";
+import { continuityOf } from "../../js/elements/applet/report.js";
+import { BASES, firstState, withPoints } from "../../js/elements/applet/state.js";
+
+const near = (got, expected, slack = 1e-9, words = "") => expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${words} ${got}, not ${expected}`));
+const stateWith = (points, changes = {}) => ({ ...withPoints(firstState(), points), ...changes });
+const flat = (curve) => [...curve.controlPoints()];
+
+/** Equal curvatures on both sides need points that turn one way. */
+const ROUND = [[60, 300], [60, 150], [150, 60], [300, 60], [450, 60], [540, 150], [540, 300], [540, 420], [430, 440], [300, 440]];
+const THREE = [[60, 300], [100, 100], [200, 100], [250, 250], [300, 380], [380, 400], [430, 240], [470, 100], [560, 120], [610, 300]];
+/** Each point with a move in pixels. */
+const MOVES = [[2, 30, 20], [4, -20, 35], [3, 25, 25], [0, 10, 10], [9, -20, 15]];
+
+for (const mode of ["g1", "c1", "c2", "g2"]) {
+  test(`${mode} holds at every joint after each move`, () => {
+    let state = edits.withJoints(stateWith(ROUND), [mode]);
+    for (const [index, dx, dy] of MOVES) {
+      const [x, y] = state.points[index];
+      for (const part of [0.5, 1]) {
+        const moved = edits.withPointAt(state, index, [x + part * dx, y + part * dy]);
+        near(moved.points[index], [x + part * dx, y + part * dy], 1e-9, `P${index}`);
+        for (const continuity of continuityOf(figureOf(moved))) assert.ok(continuity[mode], `${mode} with P${index} moved`);
+        if (part === 1) state = moved;
+      }
+    }
+  });
+}
+
+for (const mode of ["g1", "c1"]) {
+  test(`the small applet: ${mode} moves the partner of a handle and nothing beyond it`, () => {
+    const first = small.withJoint(small.firstState(small.DEFAULT_BOX), mode);
+    const before = small.pointsOf(first);
+    for (const [index, dx, dy] of [[2, 30, -70], [3, 45, 25], [4, -60, 40]]) {
+      const [x, y] = before[index];
+      const after = small.pointsOf(small.withPointAt(first, index, [x + dx, y + dy]));
+      near(after[index], [x + dx, y + dy]);
+      const [a, b] = [[0, 1].map((k) => after[3][k] - after[2][k]), [0, 1].map((k) => after[4][k] - after[3][k])];
+      const lengths = [Math.hypot(...a), Math.hypot(...b)];
+      assert.ok(Math.abs(a[0] * b[1] - a[1] * b[0]) < 1e-9 * lengths[0] * lengths[1] && a[0] * b[0] + a[1] * b[1] > 0, `P${index}: aligned`);
+      if (mode === "c1") near([lengths[0]], [lengths[1]]);
+      for (const far of [0, 1, 5, 6]) assert.deepEqual(after[far], before[far], `P${far} stays`);
+      if (index !== 3) assert.deepEqual(after[3], before[3], "P3 stays");
+    }
+  });
+}
+
+test("automatic handles follow their neighbours", () => {
+  const state = edits.withJoints(stateWith(THREE), ["auto"]);
+  const moved = edits.withPointAt(state, 6, [state.points[6][0], state.points[6][1] - 60]);
+  assert.notDeepEqual(moved.points[2], state.points[2], "the handles of P3 depend on P6");
+  assert.deepEqual(moved.points[3], state.points[3]);
+  assert.ok(continuityOf(figureOf(moved)).every(({ g1 }) => g1));
+});
+
+test("one joint can be held and another be free", () => {
+  const state = edits.withJoint(stateWith(THREE), 2, "c1");
+  assert.deepEqual(state.joints, ["free", "c1"]);
+  assert.deepEqual(continuityOf(figureOf(state)).map(({ c1 }) => c1), [false, true]);
+  const moved = edits.withPointAt(state, 4, [320, 450]);
+  assert.deepEqual(continuityOf(figureOf(moved)).map(({ g1, c1 }) => g1 && c1), [false, true]);
+});
+
+/** Points, and what is true at P3: the verdict, the angle, the ratio of the tangents' lengths. */
+const JOINTS = [
+  [[[0, 200], [50, 200], [100, 200], [200, 200], [300, 200], [350, 300], [400, 400]], "C1", "0°", "1 : 1"],
+  [[[0, 200], [50, 200], [100, 200], [200, 200], [250, 200], [350, 300], [400, 400]], "G1", "0°", "1 : 0.5"],
+  [[[0, 200], [50, 200], [100, 200], [200, 200], [200, 300], [350, 300], [400, 400]], "C0", "90°", "1 : 1"],
+  [[[0, 200], [50, 200], [200, 200], [200, 200], [200, 300], [350, 300], [400, 400]], "C0", null, "no length on one side"],
+];
+
+test("what is true at a joint: continuity, angle, ratio of the tangents", () => {
+  for (const [points, verdict, angle, ratio] of JOINTS) {
+    const [joint] = jointsOf(figureOf(stateWith(points)));
+    assert.deepEqual([joint.verdict, joint.ratio, joint.at], [verdict, ratio, "P3"]);
+    if (angle) assert.equal(joint.angle, angle);
+  }
+});
+
+const SIX = [[100, 300], [150, 100], [300, 100], [350, 300], [450, 420], [550, 300]];
+/** What each basis makes of six points: the number of pieces, and where the first begins. */
+const PIECES = {
+  bezier: [1, [100, 300]],
+  hermite: [1, [100, 300]],
+  "b-spline": [3, [(100 + 4 * 150 + 300) / 6, (300 + 4 * 100 + 100) / 6]],
+  "catmull-rom": [3, [150, 100]],
+  natural: [5, [100, 300]],
+  centripetal: [5, [100, 300]],
+  matrix: [1, [100, 300]],
+};
+
+test("every basis on the same points: pieces, their start, and the matrix that gives their points", () => {
+  assert.deepEqual(Object.keys(PIECES).sort(), [...BASES].sort());
+  for (const [basis, [count, start]] of Object.entries(PIECES)) {
+    const { pieces, matrix } = figureOf(stateWith(SIX, { basis }));
+    assert.equal(pieces.length, count, basis);
+    near(flat(pieces[0].curve), start, 1e-9, basis);
+    if (!matrix) continue;
+    // [t³ t² t 1] · M · P at t = ½ is the point of the Bézier form there.
+    const point = [0, 1].map((axis) => [0.125, 0.25, 0.5, 1].reduce((sum, power, row) => sum + power * [0, 1, 2, 3].reduce((inner, i) => inner + matrix[4 * row + i] * SIX[i][axis], 0), 0));
+    const p = flat(pieces[0].curve);
+    near([0, 1].map((axis) => (p[axis] + 3 * p[2 + axis] + 3 * p[4 + axis] + p[6 + axis]) / 8), point, 1e-9, basis);
+  }
+});
+
+test("Hermite: the tangents are P1 − P0 and P3 − P2, and a cut leaves the curve", () => {
+  const state = stateWith([[100, 300], [200, 100], [400, 200], [500, 300]], { basis: "hermite" });
+  const figure = figureOf(state);
+  near(flat(figure.pieces[0].curve), [100, 300, 100 + 100 / 3, 300 - 200 / 3, 500 - 100 / 3, 300 - 100 / 3, 500, 300]);
+  const cut = edits.inserted(state, 0.4);
+  assert.equal(cut.points.length, 7);
+  near([figureOf(cut).spline.length()], [figure.spline.length()], 1e-8);
+});
+
+test("other degrees: points that do not fill a curve wait; of degree n there is one curve", () => {
+  const of = (degree) => {
+    const { pieces, degree: got, kinds } = figureOf({ ...firstState(), degree });
+    return [pieces.length, got, kinds.join(" ")];
+  };
+  assert.deepEqual(of(1), [6, 1, "on on on on on on on"]);
+  assert.deepEqual(of(2), [3, 2, "on off on off on off on"]);
+  assert.deepEqual(of(5), [1, 5, "on off off off off on wait"]);
+  assert.deepEqual(of("n"), [1, 6, "on off off off off off on"]);
+  const longer = edits.appended({ ...firstState(), degree: "n" }, [300, 300]);
+  assert.deepEqual([figureOf(longer).degree, longer.points.length], [7, 8]);
+  const quadratics = edits.withJoints({ ...firstState(), degree: 2 }, ["c1"]);
+  assert.ok(continuityOf(figureOf(edits.withPointAt(quadratics, 1, [120, 70]))).every(({ c1 }) => c1));
+});
+
+test("without an end goes its segment; without a handle, it lies on the chord; bare, the point alone", () => {
+  const state = stateWith(THREE);
+  const shorter = edits.removed(state, 9);
+  assert.deepEqual(shorter.points, THREE.slice(0, 7));
+  near(edits.removed(shorter, 1).points[1], [60 + 190 / 3, 300 - 50 / 3]);
+  const bare = edits.removed(shorter, 1, true);
+  assert.deepEqual(bare.points, THREE.slice(0, 7).toSpliced(1, 1));
+  assert.deepEqual(figureOf(bare).kinds, ["on", "off", "off", "on", "wait", "wait"]);
+});
+
+test("what cannot be removed or cut is refused", () => {
+  const state = stateWith(THREE.slice(0, 4));
+  assert.throws(() => edits.removed(state, 0), /^RangeError: remove: expected .* only segment/);
+  assert.throws(() => edits.inserted({ ...state, basis: "b-spline" }), /^RangeError: insert: expected the basis bezier or hermite/);
+});
+
+/** Attributes that cannot be used. */
+const UNUSABLE = {
+  points: ["", "1", "1,2", "a,b c,d", "1,2 3,NaN", "1,2 3,Infinity", "1e9,0 0,0", "<script>", "1 2 3"],
+  mode: ["1", "99", "4.5", "x"],
+  joints: ["g7", "g1 x"],
+  basis: ["", "Bezier", "constructor", "__proto__"],
+  degree: ["0", "65", "2.5", "x", ""],
+  matrix: ["1 2 3", "", "a b c d e f g h i j k l m n o p"],
+  t: ["2", "-1", "x", "", "NaN"],
+  show: ["polygon x", "hasOwnProperty"],
+  labels: ["Q"],
+  tolerance: ["0", "-3", "x"],
+  segments: ["0", "1.5", "1e9"],
+  offset: ["1e9", "x"],
+  ticks: ["0", "x"],
+  view: ["1 2 3", "0 0 0 0", "0 0 -1 5", "a b c d", "0 0 1e-400 1"],
+  segment: ["-1", "x"],
+};
+
+/** What reading an attribute throws, as text. */
+function refusal(name, text) {
+  try {
+    FIELDS[name].put(firstState(), FIELDS[name].parse(text));
+    return "nothing";
+  } catch (error) {
+    return `${error.name}: ${error.message}`;
+  }
+}
+
+test("every attribute: a text that cannot be used is refused by name", () => {
+  assert.deepEqual(Object.keys(UNUSABLE).sort(), Object.keys(FIELDS).sort());
+  for (const [name, texts] of Object.entries(UNUSABLE)) {
+    for (const text of texts) assert.match(refusal(name, text), new RegExp(`^(Range|Type)Error: (\\w+ of )?${name}(\\[\\d+\\])?: expected .*got`), `${name}="${text}"`);
+  }
+});
+
+test("a megabyte as points is refused in a short message", () => {
+  for (const text of ["x".repeat(2 ** 20), "1,2 ".repeat(2 ** 18)]) {
+    const words = refusal("points", text);
+    assert.match(words.slice(0, 200), /^RangeError: points: expected/);
+    assert.ok(words.length < 200, `${words.length} characters`);
+  }
+});

@@ -1,0 +1,125 @@
+//! Steps that run beside another: each in a process of its own, so that their output can be kept apart.
+
+use super::RUN_STEP;
+use super::args::{Choice, Request};
+use super::runner::{Command, Context, Done, Step, blocked, file, find, prepare, record};
+use super::summary::{Outcome, Record};
+use anyhow::{Result, bail};
+use std::fs::{self, File};
+use std::io;
+use std::process::{self, Child, Stdio};
+use std::thread::{self, JoinHandle};
+use std::time::Instant;
+
+/// A step that runs in a process of its own, its output kept until the step before it has ended.
+pub(crate) struct Other<'a> {
+    command: &'a Command,
+    step: &'a Step,
+    choice: &'a Choice,
+    state: State,
+}
+
+enum State {
+    /// A thread waits for the process and gives whether it passed, and its seconds.
+    Running(JoinHandle<io::Result<(bool, f64)>>),
+    Blocked(Outcome),
+}
+
+impl<'a> Other<'a> {
+    pub(crate) fn start(
+        command: &'a Command,
+        step: &'a Step,
+        choice: &'a Choice,
+        records: &[Record],
+    ) -> Result<Self> {
+        prepare(step)?;
+        let state = match blocked(step, records) {
+            Some(outcome) => State::Blocked(outcome),
+            None => State::Running(wait_for(spawn(step, choice)?)),
+        };
+        Ok(Self {
+            command,
+            step,
+            choice,
+            state,
+        })
+    }
+
+    pub(crate) fn finish(self) -> Result<Record> {
+        println!("\n━━ {} ({})", self.step.title, self.step.name);
+        let (outcome, seconds) = match self.state {
+            State::Blocked(outcome) => (outcome, 0.0),
+            State::Running(thread) => {
+                let Ok(waited) = thread.join() else {
+                    bail!("{}: the thread that waits for it panicked", self.step.name);
+                };
+                let (passed, seconds) = waited?;
+                let output = fs::read_to_string(file(self.step, "log"))?;
+                print!("{output}");
+                (ended(self.step, passed, &output), seconds)
+            }
+        };
+        let Self {
+            command,
+            step,
+            choice,
+            ..
+        } = self;
+        Ok(record(command, step, choice, seconds, outcome))
+    }
+}
+
+fn wait_for(mut child: Child) -> JoinHandle<io::Result<(bool, f64)>> {
+    let begin = Instant::now();
+    thread::spawn(move || {
+        let passed = child.wait()?.success();
+        Ok((passed, begin.elapsed().as_secs_f64()))
+    })
+}
+
+fn spawn(step: &Step, choice: &Choice) -> Result<Child> {
+    let log = File::create(file(step, "log"))?;
+    let mut command = process::Command::new(std::env::current_exe()?);
+    command
+        .args([RUN_STEP, step.name, "--"])
+        .args(&choice.filters);
+    command
+        .stdin(Stdio::null())
+        .stdout(log.try_clone()?)
+        .stderr(log);
+    Ok(command.spawn()?)
+}
+
+/// How a step in another process ended: by its exit code, the file of [`run_alone`], and its last words.
+fn ended(step: &Step, passed: bool, output: &str) -> Outcome {
+    if !passed {
+        let mut errors = output
+            .lines()
+            .rev()
+            .filter_map(|line| line.strip_prefix("error: "));
+        return Outcome::Failed(
+            errors
+                .next()
+                .unwrap_or("it ended without a message")
+                .to_owned(),
+        );
+    }
+    fs::read_to_string(file(step, "skipped")).map_or(Outcome::Passed, Outcome::Skipped)
+}
+
+/// Runs a single step without a summary. Why it is skipped, if it is, stands in a file.
+pub(crate) fn run_alone(steps: &[Step], request: &Request) -> Result<()> {
+    let [choice] = request.choices.as_slice() else {
+        bail!("expected the name of one step");
+    };
+    let step = find(steps, choice)?;
+    let context = Context {
+        filters: &choice.filters,
+        cases: request.cases,
+        skipped: file(step, "skipped-tests"),
+    };
+    if let Done::Skipped(reason) = (step.act)(&context)? {
+        fs::write(file(step, "skipped"), reason)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,54 @@
+//! `test` and `test-deep`: all steps or some, each on its own, with a summary that names what failed and was skipped.
+
+mod args;
+mod beside;
+mod deep;
+mod node;
+mod runner;
+mod select;
+mod steps;
+mod summary;
+
+use crate::setup;
+use anyhow::Result;
+use args::{Request, StepName};
+pub(crate) use runner::Done;
+use runner::{Command, Step};
+pub(crate) use select::{binaries, mentions, test_targets};
+
+/// The hidden command by which the driver starts itself to run one step beside another.
+pub(crate) const RUN_STEP: &str = "run-test-step";
+
+/// All steps in order, or the chosen ones; a failed one does not keep the others from running.
+pub(crate) fn test(args: &[String]) -> Result<()> {
+    let request = args::parse(args, &names(&steps::STEPS))?;
+    run("test", &steps::STEPS, &request)
+}
+
+/// The long sweeps and the soak tests, many times as many cases as in [`test`].
+pub(crate) fn deep(args: &[String]) -> Result<()> {
+    let request = args::parse_deep(args, &names(&deep::STEPS))?;
+    run("test-deep", &deep::STEPS, &request)
+}
+
+/// The other end of a step that runs beside another; only `test` has such steps.
+pub(crate) fn run_step(args: &[String]) -> Result<()> {
+    let request = args::parse(args, &names(&steps::STEPS))?;
+    beside::run_alone(&steps::STEPS, &request)
+}
+
+fn run(name: &'static str, steps: &[Step], request: &Request) -> Result<()> {
+    setup::wasm_target()?;
+    setup::components()?;
+    setup::node_modules()?;
+    let cases = request.cases;
+    runner::run(&Command { name, cases }, steps, &request.choices)
+}
+
+fn names(steps: &[Step]) -> Vec<StepName> {
+    let name = |step: &Step| StepName {
+        name: step.name,
+        selects: step.selects,
+    };
+    steps.iter().map(name).collect()
+}

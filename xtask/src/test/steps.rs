@@ -1,0 +1,242 @@
+//! The steps of `test`.
+
+use super::runner::{Context, Done, Step};
+use super::{node, select};
+use crate::{build, shell, wasm_test};
+use anyhow::{Result, bail};
+use std::process::Command;
+
+/// A step without the exceptions that a few have.
+const PLAIN: Step = Step {
+    name: "",
+    title: "",
+    needs: &[],
+    selects: false,
+    beside: None,
+    act: |_| Ok(Done::Passed),
+};
+
+pub(crate) const STEPS: [Step; 16] = [
+    Step {
+        name: "fmt",
+        title: "Rust is formatted",
+        act: fmt,
+        ..PLAIN
+    },
+    Step {
+        name: "clippy",
+        title: "Lints, native",
+        act: clippy,
+        ..PLAIN
+    },
+    Step {
+        name: "clippy-wasm",
+        title: "Lints, wasm32",
+        act: clippy_wasm,
+        ..PLAIN
+    },
+    Step {
+        name: "native",
+        title: "Rust tests, native",
+        selects: true,
+        act: native,
+        ..PLAIN
+    },
+    Step {
+        name: "doc",
+        title: "Examples in the Rust documentation",
+        act: doc,
+        ..PLAIN
+    },
+    Step {
+        name: "xtask",
+        title: "Tests of the driver",
+        beside: Some("doc"),
+        act: driver,
+        ..PLAIN
+    },
+    Step {
+        name: "wasm-node",
+        title: "Rust tests as wasm, in Node",
+        selects: true,
+        act: |context| wasm_test::in_node(context.filters),
+        ..PLAIN
+    },
+    Step {
+        name: "wasm-chromium",
+        title: "Rust tests as wasm, in Chromium",
+        selects: true,
+        beside: Some("wasm-node"),
+        act: |context| wasm_test::in_chromium(context.filters),
+        ..PLAIN
+    },
+    Step {
+        name: "build",
+        title: "The npm package",
+        act: |_| build::build().map(|()| Done::Passed),
+        ..PLAIN
+    },
+    Step {
+        name: "types",
+        title: "JSDoc types of the package's sources",
+        needs: &["build"],
+        act: types,
+        ..PLAIN
+    },
+    Step {
+        name: "js",
+        title: "Tests of the npm package",
+        needs: &["build"],
+        selects: true,
+        act: node::js,
+        ..PLAIN
+    },
+    Step {
+        name: "site",
+        title: "The static site",
+        needs: &["build"],
+        act: |_| build::site().map(|()| Done::Passed),
+        ..PLAIN
+    },
+    Step {
+        name: "page",
+        title: "Page tests, in Chromium",
+        needs: &["build", "site"],
+        selects: true,
+        act: |context| node::page(context, &[]),
+        ..PLAIN
+    },
+    Step {
+        name: "page-firefox",
+        title: "The main page tests, in Firefox",
+        needs: &["build", "site"],
+        selects: true,
+        act: node::page_firefox,
+        ..PLAIN
+    },
+    Step {
+        name: "page-webkit",
+        title: "The main page tests, in WebKitGTK",
+        needs: &["build", "site"],
+        selects: true,
+        beside: Some("page-firefox"),
+        act: node::page_webkit,
+    },
+    Step {
+        name: "packaging",
+        title: "The packed tarball in Node, bundlers and a browser",
+        needs: &["build"],
+        selects: true,
+        act: node::packaging,
+        ..PLAIN
+    },
+];
+
+/// Runs all of the commands, whether or not one before failed.
+pub(crate) fn run_all(commands: impl IntoIterator<Item = Command>) -> Result<Done> {
+    let results = commands
+        .into_iter()
+        .map(|mut command| shell::run(&mut command));
+    let failed: Vec<String> = results
+        .filter_map(|result| result.err())
+        .map(|e| e.to_string())
+        .collect();
+    if !failed.is_empty() {
+        bail!("{}", failed.join("; "));
+    }
+    Ok(Done::Passed)
+}
+
+fn fmt(_: &Context) -> Result<Done> {
+    run_all([shell::cargo(&["fmt", "--all", "--check"])])
+}
+
+fn clippy(_: &Context) -> Result<Done> {
+    let clippy = |packages: &[&str], options: &[&str]| {
+        let mut command = shell::cargo(&["clippy", "--quiet", "--all-targets"]);
+        for package in packages {
+            command.args(["--package", package]);
+        }
+        command.args(options).args(["--", "--deny", "warnings"]);
+        command
+    };
+    run_all([
+        clippy(&["casteljau", "casteljau-benches"], &["--all-features"]),
+        // The driver in its own profile, whose dependencies are built already.
+        clippy(&["xtask"], &["--profile", "xtask"]),
+    ])
+}
+
+fn clippy_wasm(_: &Context) -> Result<Done> {
+    let mut clippy = shell::cargo(&["clippy", "--quiet", "--package", "casteljau", "--lib"]);
+    clippy
+        .args(wasm_test::TARGET)
+        .args(wasm_test::target_options());
+    clippy.args(["--", "--deny", "warnings"]);
+    run_all([clippy])
+}
+
+fn native(context: &Context) -> Result<Done> {
+    let known: Vec<String> = select::test_targets()
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
+    let chosen = select::binaries(context.filters, &known);
+    let tests = || {
+        let mut tests = shell::cargo(&["test", "--package", "casteljau", "--features", "serde"]);
+        tests.arg("--no-fail-fast");
+        if chosen.targets.is_empty() {
+            tests.args(["--lib", "--tests"]); // clippy compiles the examples
+        }
+        for target in &chosen.targets {
+            tests.args(["--test", target]);
+        }
+        with_skipped(tests, context)
+    };
+    shell::run_tests(tests, &chosen.tests)?;
+    Ok(Done::Passed)
+}
+
+fn doc(_: &Context) -> Result<Done> {
+    // The features of the native tests, whose compiled crate serves here, too.
+    let package = ["--package", "casteljau", "--features", "serde"];
+    let mut examples = shell::cargo(&["test", "--doc"]);
+    examples.args(package);
+    let mut docs = shell::cargo(&["doc", "--quiet", "--no-deps"]);
+    docs.args(package).env("RUSTDOCFLAGS", "--deny warnings");
+    run_all([examples, docs])
+}
+
+fn driver(_: &Context) -> Result<Done> {
+    let tests = [
+        "test",
+        "--quiet",
+        "--package",
+        "xtask",
+        "--profile",
+        "xtask",
+    ];
+    run_all([shell::cargo(&tests)])
+}
+
+/// The build has checked the types already; here they are checked whether or not something changed.
+fn types(_: &Context) -> Result<Done> {
+    build::build()?;
+    let tsc = "node_modules/typescript/bin/tsc";
+    let check_only = [
+        "--emitDeclarationOnly",
+        "false",
+        "--declaration",
+        "false",
+        "--noEmit",
+    ];
+    let mut check = shell::node(&[tsc]);
+    check.args(check_only);
+    run_all([check])
+}
+
+/// A runner of its own is told where to list the skipped tests.
+fn with_skipped(mut command: Command, context: &Context) -> Command {
+    command.env("CASTELJAU_SKIPPED", &context.skipped);
+    command
+}
