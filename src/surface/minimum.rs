@@ -1,8 +1,8 @@
 //! Where is a polynomial over patches least? The certain answer, by branch and bound.
 
 use super::piece::{Jet, MODERATE_DEGREE, Piece};
+use super::waiting::Waiting;
 use casteljau_kernels::WorkLimit;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// What rounding makes of coefficients of the size 1 to 8, after products and halvings; as much is no difference.
@@ -53,17 +53,12 @@ pub(super) trait Objective {
         1
     }
 
-    /// The value of the polynomials from which on places are of no interest.
-    fn cutoff(&self) -> f64 {
-        f64::INFINITY
-    }
-
     /// A place that is as good or better, found in a way that loses fewer digits.
     fn refine(&self, _root: usize, at: [f64; 2]) -> [f64; 2] {
         at
     }
 
-    /// Whether it is certain that no place is better by more than rounding.
+    /// Whether the search can end: no place is better by more than rounding, or a more exact search follows.
     fn is_least(&self, _minimum: &Minimum) -> bool {
         false
     }
@@ -82,7 +77,7 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Min
         roots,
         objective,
         is_done: false,
-        floor: objective.cutoff(),
+        floor: f64::INFINITY,
         best: None,
         ties: 0,
     };
@@ -92,7 +87,7 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Min
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
     least.improve(first, &UNIT_SQUARE, true, &mut work);
     for root in roots {
-        for (at, _) in root.corners() {
+        for (at, _) in root.corners(0) {
             least.keep_better(root, at, &mut work);
         }
     }
@@ -116,8 +111,12 @@ struct Least<'a> {
 impl Least<'_> {
     /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value.
     fn search(&mut self, work: &mut WorkLimit) {
-        let mut waiting: BinaryHeap<Waiting> =
-            self.roots.iter().cloned().map(Waiting::new).collect();
+        let mut waiting: BinaryHeap<Waiting> = self
+            .roots
+            .iter()
+            .cloned()
+            .map(by_least_coefficient)
+            .collect();
         // Of halves only: all whole polynomials are there before.
         let mut coefficients = 0;
         while let Some(Waiting { low, piece }) = waiting.pop() {
@@ -132,7 +131,7 @@ impl Least<'_> {
                 if coefficients > MAX_WAITING {
                     return;
                 }
-                waiting.extend(piece.halves().map(Waiting::new));
+                waiting.extend(piece.halves(1).map(by_least_coefficient));
             }
         }
     }
@@ -202,42 +201,14 @@ impl Least<'_> {
     }
 }
 
-/// A piece and its least coefficient; a greater one has a lesser coefficient.
-struct Waiting {
-    low: f64,
-    piece: Piece,
+fn by_least_coefficient(piece: Piece) -> Waiting {
+    let [low, _] = piece.range(0);
+    Waiting { low, piece }
 }
-
-impl Waiting {
-    fn new(piece: Piece) -> Self {
-        let [low, _] = piece.range(0);
-        Self { low, piece }
-    }
-}
-
-impl Ord for Waiting {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.low.total_cmp(&self.low)
-    }
-}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Waiting {}
 
 /// The least corner of a piece and its value.
 fn least_corner(piece: &Piece) -> ([f64; 2], f64) {
-    let [first, others @ ..] = piece.corners();
+    let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
 }

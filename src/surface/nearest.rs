@@ -9,6 +9,7 @@ use super::frame::{Frame, box_of};
 use super::minimum::{Minimum, Objective, minimise};
 use super::normal::binomial;
 use super::piece::Piece;
+use super::small_distance::search_small;
 use super::{Patch, Surface};
 use crate::curve::{Bounds, check_finite};
 use crate::error::Error;
@@ -23,6 +24,9 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// these steps than the maximum only creep.
 const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
 const MAX_REFINEMENTS: usize = 16;
+
+/// Below this share of the size, rounding of the squared distance hides that other places are nearer.
+const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
 
 /// The damping of steps, as shares of the sum of the squared derivatives.
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
@@ -94,7 +98,7 @@ impl Patch {
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec3) -> Result<PatchPoint, Error> {
         check_finite("point", &[p])?;
-        let nearest = nearest(std::slice::from_ref(self), p, f64::INFINITY);
+        let nearest = nearest(std::slice::from_ref(self), p);
         Ok(nearest
             .unwrap_or_else(|| SurfacePoint::at(self, 0, 0.0, 0.0, p))
             .on_patch())
@@ -102,10 +106,14 @@ impl Patch {
 }
 
 impl Patch {
-    /// The nearest point to p, if it is no farther away than `reach`.
+    /// The nearest point to p, if it is no farther away than a small `reach`.
     pub(super) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
-        // Twice as far, since the polynomial rounds.
-        let nearest = nearest(std::slice::from_ref(self), p, 2.0 * reach)?;
+        let patches = std::slice::from_ref(self);
+        let frame = Frame::around(box_of(patches)?);
+        let images = [frame.image(self)];
+        let distance = Distance::new(patches, &[0], &images, &frame, p);
+        // Twice as far, since the bounds round.
+        let nearest = distance.search_small(None, 2.0 * reach)?;
         (nearest.distance <= reach).then(|| nearest.on_patch())
     }
 }
@@ -121,12 +129,12 @@ impl Surface {
     pub fn nearest(&self, p: DVec3) -> Result<Option<SurfacePoint>, Error> {
         check_finite("point", &[p])?;
         let patches: Vec<Patch> = self.patches().collect();
-        Ok(nearest(&patches, p, f64::INFINITY))
+        Ok(nearest(&patches, p))
     }
 }
 
-/// The nearest point; if none is nearer than `cutoff`, any point that is farther away.
-fn nearest(patches: &[Patch], p: DVec3, cutoff: f64) -> Option<SurfacePoint> {
+/// The nearest point; `None` without patches.
+fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let frame = Frame::around(box_of(patches)?);
     // The farthest that the nearest point can be: at a corner of some patch.
     let corner = |patch: &Patch| (patch.points[0] * 0.5 - p * 0.5).norm();
@@ -139,17 +147,12 @@ fn nearest(patches: &[Patch], p: DVec3, cutoff: f64) -> Option<SurfacePoint> {
         .zip(&images)
         .map(|(root, image)| squared_distance(root, image, &frame, p))
         .collect();
-    let distance = Distance {
-        patches,
-        near: &near,
-        images: &images,
-        image_of_p: frame.place(p),
-        p,
-        size: frame.as_coarse_as_its_coordinates().size,
-        cutoff: squared_distance_of(cutoff, &frame, p),
-    };
+    let distance = Distance::new(patches, &near, &images, &frame, p);
     let least = minimise(&roots, &distance)?;
-    let place = distance.place(least.root, [least.u, least.v]);
+    let mut place = distance.place(least.root, [least.u, least.v]);
+    if place.distance <= LOST_IN_SQUARES * distance.size {
+        place = distance.search_small(Some(place), place.distance)?;
+    }
     Some(distance.refined(&place))
 }
 
@@ -164,8 +167,6 @@ struct Distance<'a> {
     p: DVec3,
     /// The size that rounding is relative to.
     size: f64,
-    /// The value of the polynomials at the greatest distance of interest.
-    cutoff: f64,
 }
 
 impl Objective for Distance<'_> {
@@ -177,30 +178,17 @@ impl Objective for Distance<'_> {
         2
     }
 
-    fn cutoff(&self) -> f64 {
-        self.cutoff
-    }
-
     /// The square of a small distance has lost the digits that the difference S − p still has.
     fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
-        let mut place = self.place(root, at);
-        for _ in 0..MAX_REFINEMENTS {
-            if place.distance > SMALL_DISTANCE * self.size {
-                break;
-            }
-            let next = self.refined(&place);
-            if next.distance == place.distance {
-                break;
-            }
-            place = next;
-        }
+        let place = self.descend(self.place(root, at));
         [place.u, place.v]
     }
 
-    /// Whether the distance is zero but for rounding, or all control points lie behind the plane through the place at
-    /// right angles to the way from the point to it: so does the convex hull of the net, and with it the patch.
+    /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
+    /// behind the plane through the place at right angles to the way from the point to it: so does the convex hull of the
+    /// net, and with it the patch.
     fn is_least(&self, minimum: &Minimum) -> bool {
-        if minimum.value <= ROUNDING * self.size {
+        if minimum.value <= LOST_IN_SQUARES * self.size {
             return true;
         }
         let place = self.images[minimum.root].eval(minimum.u, minimum.v);
@@ -212,7 +200,59 @@ impl Objective for Distance<'_> {
     }
 }
 
-impl Distance<'_> {
+impl<'a> Distance<'a> {
+    fn new(
+        patches: &'a [Patch],
+        near: &'a [usize],
+        images: &'a [Patch],
+        frame: &Frame,
+        p: DVec3,
+    ) -> Self {
+        Self {
+            patches,
+            near,
+            images,
+            image_of_p: frame.place(p),
+            p,
+            size: frame.as_coarse_as_its_coordinates().size,
+        }
+    }
+
+    /// The nearest place, if it is nearer than `least`, or the best one so far.
+    fn search_small(&self, mut best: Option<SurfacePoint>, least: f64) -> Option<SurfacePoint> {
+        let roots = (0..).zip(self.near).map(|(root, &k)| {
+            let patch = &self.patches[k];
+            let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
+            let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
+            let planes = (0..3).flat_map(axis).collect();
+            Piece::whole(root, patch.columns, patch.rows(), planes)
+        });
+        let mut descend = |root: usize, at: [f64; 2]| {
+            let place = self.descend(self.place(root, at));
+            if best.is_none_or(|best| place.distance < best.distance) {
+                best = Some(place);
+            }
+            place.distance / self.size
+        };
+        search_small(roots.collect(), least / self.size, ROUNDING, &mut descend);
+        best
+    }
+
+    /// A place that Gauss–Newton steps lead to where the distance is small.
+    fn descend(&self, mut place: SurfacePoint) -> SurfacePoint {
+        for _ in 0..MAX_REFINEMENTS {
+            if place.distance > SMALL_DISTANCE * self.size {
+                break;
+            }
+            let next = self.refined(&place);
+            if next.distance == place.distance {
+                break;
+            }
+            place = next;
+        }
+        place
+    }
+
     fn place(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
         let patch = self.near[root];
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
@@ -256,17 +296,6 @@ impl Distance<'_> {
 /// Half the distance of a point from a box.
 pub(super) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
     (p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5).norm()
-}
-
-/// What [`squared_distance`] is at this distance.
-fn squared_distance_of(distance: f64, frame: &Frame, p: DVec3) -> f64 {
-    let away = frame.centre * 0.5 - p * 0.5;
-    let unit = (0.5 * frame.size).max(away.norm());
-    let share = 0.5 * distance / unit;
-    let value =
-        share * (distance / frame.size) - away.norm() / unit * (away.norm() / (0.5 * frame.size));
-    // Not a number where infinities cancel: then every distance is of interest.
-    if value.is_nan() { f64::INFINITY } else { value }
 }
 
 /// |S − p|², less a constant and over a constant that are the same for all patches of the frame.

@@ -110,14 +110,15 @@ impl Piece {
         self.plane(k).iter().fold(first, widen)
     }
 
-    /// The four corners: parameters, and the value of plane 0 there.
-    pub(super) fn corners(&self) -> [([f64; 2], f64); 4] {
+    /// The four corners: parameters, and the value of a plane there.
+    pub(super) fn corners(&self, k: usize) -> [([f64; 2], f64); 4] {
         let (last, end) = (self.columns - 1, self.columns * self.rows - 1);
+        let plane = self.plane(k);
         [
-            ([self.u[0], self.v[0]], self.planes[0]),
-            ([self.u[1], self.v[0]], self.planes[last]),
-            ([self.u[0], self.v[1]], self.planes[end - last]),
-            ([self.u[1], self.v[1]], self.planes[end]),
+            ([self.u[0], self.v[0]], plane[0]),
+            ([self.u[1], self.v[0]], plane[last]),
+            ([self.u[0], self.v[1]], plane[end - last]),
+            ([self.u[1], self.v[1]], plane[end]),
         ]
     }
 
@@ -167,18 +168,17 @@ impl Piece {
         [bend(2, 0), bend(1, 1), bend(0, 2)]
     }
 
-    /// The greatest slope of the first two planes.
-    fn steepest(&self, along_u: bool) -> f64 {
-        let planes = self.planes.len() / (self.columns * self.rows);
-        (0..planes.min(2))
+    /// The greatest slope of the first planes.
+    fn steepest(&self, along_u: bool, planes: usize) -> f64 {
+        (0..planes)
             .flat_map(|k| self.slopes(k, along_u))
             .fold(0.0, |most: f64, slope| most.max(slope.abs()))
     }
 
-    /// The two halves, cut across the direction in which the first two planes change most.
-    pub(super) fn halves(mut self) -> [Self; 2] {
+    /// The two halves, cut across the direction in which the first planes, as many as are said, change most.
+    pub(super) fn halves(mut self, planes: usize) -> [Self; 2] {
         let mut other = self.clone();
-        let along_u = self.steepest(true) >= self.steepest(false);
+        let along_u = self.steepest(true, planes) >= self.steepest(false, planes);
         let area = self.columns * self.rows;
         let planes = self.planes.chunks_exact_mut(area);
         for (plane, half) in planes.zip(other.planes.chunks_exact_mut(area)) {
@@ -273,7 +273,10 @@ pub(super) fn search(
         if pieces.len() > most || coefficients > MAX_COEFFICIENTS {
             return false;
         }
-        pieces = pieces.into_iter().flat_map(Piece::halves).collect();
+        pieces = pieces
+            .into_iter()
+            .flat_map(|piece| piece.halves(2))
+            .collect();
     }
     true
 }

@@ -1,0 +1,90 @@
+//! Which point of patches is nearest where the distance is small?
+//!
+//! The square of a distance below 1e-7 of the size is lost in the rounding of the polynomial that [`minimise`] searches.
+//! This search bounds the distance itself: the control points of a piece lie in a box, and so does the piece. The
+//! bound is of first order only, but it is exact to rounding in each coordinate.
+//!
+//! [`minimise`]: super::minimum::minimise
+
+use super::piece::{MODERATE_DEGREE, Piece};
+use super::waiting::Waiting;
+use casteljau_kernels::WorkLimit;
+use std::collections::BinaryHeap;
+
+/// Pieces are dropped that are no nearer than this share of the least distance found: small distances are found to so much
+/// of themselves.
+const SHARE: f64 = 15.0 / 16.0;
+
+/// The steps of one descent, in evaluations of a piece with derivatives.
+const DESCENT_JETS: usize = 16;
+
+/// The most coefficients of pieces that wait: 16 MB.
+const MAX_WAITING: usize = 1 << 21;
+
+/// Searches pieces whose planes are the coordinates of S − p for the least distance.
+///
+/// `least` is the least distance so far or of interest; `descend` goes down from a place and returns the distance that it
+/// reaches. The search ends at a distance of `goal`, when no piece can be nearer, and when it has taken the most steps
+/// for each root.
+pub(super) fn search_small(
+    roots: Vec<Piece>,
+    mut least: f64,
+    goal: f64,
+    descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
+) {
+    let limits = roots
+        .iter()
+        .map(|root| root.max_search_steps(MODERATE_DEGREE));
+    let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
+    let mut waiting: BinaryHeap<Waiting> = roots.into_iter().map(by_box).collect();
+    let mut coefficients = 0;
+    while let Some(Waiting { low, piece }) = waiting.pop() {
+        coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
+        if least <= goal || low > SHARE * least || !work.spend(piece.steps()) {
+            return;
+        }
+        let (start, corner) = nearest_corner(&piece);
+        if corner < SHARE * least {
+            if !work.spend(DESCENT_JETS * piece.jet_steps()) {
+                return;
+            }
+            least = least.min(descend(piece.root, start));
+        }
+        if piece.is_divisible() {
+            let halves = piece.halves(3).map(by_box);
+            let near = halves.into_iter().filter(|half| half.low <= SHARE * least);
+            for half in near {
+                coefficients += half.piece.plane(0).len();
+                waiting.push(half);
+            }
+            if coefficients > MAX_WAITING {
+                return;
+            }
+        }
+    }
+}
+
+/// A piece with the distance of the box around its control points.
+fn by_box(piece: Piece) -> Waiting {
+    let gap = |axis: usize| {
+        let [low, high] = piece.range(axis);
+        low.max(-high).max(0.0)
+    };
+    let low = length([gap(0), gap(1), gap(2)]);
+    Waiting { low, piece }
+}
+
+/// The corner that is nearest, and its distance.
+fn nearest_corner(piece: &Piece) -> ([f64; 2], f64) {
+    let [x, y, z] = [0, 1, 2].map(|axis| piece.corners(axis));
+    (0..4)
+        .map(|k| (x[k].0, length([x[k].1, y[k].1, z[k].1])))
+        .fold(
+            ([0.0; 2], f64::INFINITY),
+            |a, b| if b.1 < a.1 { b } else { a },
+        )
+}
+
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    (x * x + y * y + z * z).sqrt()
+}

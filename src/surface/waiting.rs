@@ -1,0 +1,31 @@
+//! Pieces that wait in a priority queue, the one with the least bound first.
+
+use super::piece::Piece;
+use std::cmp::Ordering;
+
+/// A piece and a lower bound on what is searched for in it. In [`BinaryHeap`](std::collections::BinaryHeap), the greatest
+/// of them is the one with the least bound.
+pub(super) struct Waiting {
+    pub(super) low: f64,
+    pub(super) piece: Piece,
+}
+
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.low.total_cmp(&self.low)
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Waiting {}
