@@ -25,8 +25,10 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
 const MAX_REFINEMENTS: usize = 16;
 
-/// Below this share of the size, rounding of the squared distance hides that other places are nearer.
+/// Below the lesser share of the size, rounding of the squared distance hides that other places are nearer; below the
+/// greater one, the search by squares may take long.
 const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
+const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
 
 /// The damping of steps, as shares of the sum of the squared derivatives.
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
@@ -150,7 +152,7 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let distance = Distance::new(patches, &near, &images, &frame, p);
     let least = minimise(&roots, &distance)?;
     let mut place = distance.place(least.root, [least.u, least.v]);
-    if place.distance <= LOST_IN_SQUARES * distance.size {
+    if place.distance <= ROUGH_IN_SQUARES * distance.size {
         place = distance.search_small(Some(place), place.distance)?;
     }
     Some(distance.refined(&place))

@@ -8,7 +8,7 @@
 use super::frame::{Frame, box_of};
 use super::nearest::gap;
 use super::piece::Piece;
-use super::zeros::{NEAR, common_zeros};
+use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
 use super::{Patch, PatchPoint, Surface, SurfacePoint};
 use crate::curve::check_finite;
 use crate::error::Error;
@@ -30,12 +30,9 @@ impl Patch {
     /// A ray that runs within the patch has no single hits: given are the points where it crosses the patch's sides,
     /// and the origin if it is on the patch.
     ///
-    /// The search takes at most 2²³ steps over the patch (2²⁶ above degree 3) and 2²³ over each side and corner, about one
-    /// for each multiplication: some milliseconds. A ray for which that is not enough counts as one that runs within the patch:
-    /// given are the hits found by then and those on the sides.
-    ///
     /// # Errors
-    /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity.
+    /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity, [`Error::TooMany`] when
+    /// the search takes more than 2²⁷ steps, about one for each multiplication.
     pub fn intersect_ray(&self, origin: DVec3, direction: DVec3) -> Result<Vec<PatchPoint>, Error> {
         let hits = hits(std::slice::from_ref(self), origin, direction)?;
         Ok(hits.into_iter().map(SurfacePoint::on_patch).collect())
@@ -119,7 +116,13 @@ fn hits_of(
     let Some(piece) = distances(patch, ray, frame) else {
         return Ok(Vec::new());
     };
-    let zeros = common_zeros(&piece);
+    let Some(zeros) = common_zeros(&piece) else {
+        return Err(Error::TooMany {
+            what: "steps of a ray query",
+            limit: MAX_RAY_STEPS,
+            needed: MAX_RAY_STEPS + 1,
+        });
+    };
     let mut hits: Vec<SurfacePoint> = zeros
         .places
         .iter()

@@ -11,9 +11,10 @@ use super::waiting::Waiting;
 use casteljau_kernels::WorkLimit;
 use std::collections::BinaryHeap;
 
-/// Pieces are dropped that are no nearer than this share of the least distance found: small distances are found to so much
-/// of themselves.
-const SHARE: f64 = 15.0 / 16.0;
+/// Pieces are dropped whose bound is below the least distance found by no more than this share of it, and by no more than
+/// this share of the size.
+const SHARE: f64 = 1.0 / 16.0;
+const SHARE_OF_SIZE: f64 = 1.0 / 16_777_216.0;
 
 /// The steps of one descent, in evaluations of a piece with derivatives.
 const DESCENT_JETS: usize = 16;
@@ -40,11 +41,11 @@ pub(super) fn search_small(
     let mut coefficients = 0;
     while let Some(Waiting { low, piece }) = waiting.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
-        if least <= goal || low > SHARE * least || !work.spend(piece.steps()) {
+        if least <= goal || low > worthwhile(least) || !work.spend(piece.steps()) {
             return;
         }
         let (start, corner) = nearest_corner(&piece);
-        if corner < SHARE * least {
+        if corner < worthwhile(least) {
             if !work.spend(DESCENT_JETS * piece.jet_steps()) {
                 return;
             }
@@ -52,7 +53,9 @@ pub(super) fn search_small(
         }
         if piece.is_divisible() {
             let halves = piece.halves(3).map(by_box);
-            let near = halves.into_iter().filter(|half| half.low <= SHARE * least);
+            let near = halves
+                .into_iter()
+                .filter(|half| half.low <= worthwhile(least));
             for half in near {
                 coefficients += half.piece.plane(0).len();
                 waiting.push(half);
@@ -62,6 +65,11 @@ pub(super) fn search_small(
             }
         }
     }
+}
+
+/// The distance from which on a place is not enough of an improvement.
+fn worthwhile(least: f64) -> f64 {
+    least - (SHARE * least).min(SHARE_OF_SIZE)
 }
 
 /// A piece with the distance of the box around its control points.

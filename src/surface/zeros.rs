@@ -26,11 +26,8 @@ const MAX_SPREAD: f64 = 0.5;
 /// run in it for the root of rounding, to the fourth for a touch of that order: some 1e-4.
 const CURVE_SHARE: f64 = 1.0 / 64.0;
 
-/// Up to this degree of a patch a search over the square may take 2²³ steps, above it 2²⁶: rays may hit it dozens of times.
-const LOW_DEGREE: usize = 3;
-
-/// The most steps of the search over each side of the square, and over each corner.
-const MAX_SIDE_STEPS: usize = 1 << 23;
+/// The most steps of a search over the square, its sides and its corners.
+pub(super) const MAX_RAY_STEPS: usize = 1 << 27;
 
 /// The zeros that were found.
 pub(super) struct Zeros {
@@ -52,16 +49,17 @@ struct Zero {
 
 /// The common zeros of the planes 0 and 1 of a whole piece. Where they are zero along a curve, its ends on the sides;
 /// where they are zero along a side, the side's ends. Plane 2 tells a curve of zeros from one place that has many
-/// parameters: along a curve it changes.
-pub(super) fn common_zeros(whole: &Piece) -> Zeros {
+/// parameters: along a curve it changes. `None` when that takes more steps than [`MAX_RAY_STEPS`].
+pub(super) fn common_zeros(whole: &Piece) -> Option<Zeros> {
     let mut zeros = Vec::new();
-    let complete = collect(whole.clone(), whole, &mut zeros);
+    let mut work = WorkLimit::new(MAX_RAY_STEPS);
+    let complete = collect(whole.clone(), whole, &mut zeros, &mut work);
     let places = zeros.iter().map(|zero| zero.at).collect();
-    Zeros { places, complete }
+    (!work.is_exceeded()).then_some(Zeros { places, complete })
 }
 
 /// Adds the zeros of a piece: the whole one, a side of it, or a corner.
-fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>) -> bool {
+fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLimit) -> bool {
     let sides = piece.sides();
     let mut finder = Finder {
         whole,
@@ -70,12 +68,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>) -> bool {
         zeros,
         curve: None,
     };
-    let mut work = WorkLimit::new(if finder.on_face {
-        whole.max_search_steps(LOW_DEGREE)
-    } else {
-        MAX_SIDE_STEPS
-    });
-    let few = search(vec![piece], MAX_PIECES, &mut work, &mut |piece, work| {
+    let few = search(vec![piece], MAX_PIECES, work, &mut |piece, work| {
         finder.look(piece, work)
     });
     let curve = finder.curve;
@@ -83,7 +76,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>) -> bool {
         return true;
     }
     for side in sides {
-        collect(side, whole, zeros);
+        collect(side, whole, zeros, work);
     }
     // A touch of so high an order that it looked like a curve.
     if let (Some(zero), true) = (curve, zeros.is_empty()) {
