@@ -114,8 +114,8 @@ impl Patch {
         let frame = Frame::around(box_of(patches)?);
         let images = [frame.image(self)];
         let distance = Distance::new(patches, &[0], &images, &frame, p);
-        // Twice as far, since the bounds round.
-        let nearest = distance.search_small(None, 2.0 * reach)?;
+        // Farther away, since the bounds round.
+        let nearest = distance.search_small(None, 4.0 * reach)?;
         (nearest.distance <= reach).then(|| nearest.on_patch())
     }
 }
@@ -153,7 +153,7 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let least = minimise(&roots, &distance)?;
     let mut place = distance.place(least.root, [least.u, least.v]);
     if place.distance <= ROUGH_IN_SQUARES * distance.size {
-        place = distance.search_small(Some(place), place.distance)?;
+        place = distance.search_small(Some(place), f64::INFINITY)?;
     }
     Some(distance.refined(&place))
 }
@@ -220,8 +220,8 @@ impl<'a> Distance<'a> {
         }
     }
 
-    /// The nearest place, if it is nearer than `least`, or the best one so far.
-    fn search_small(&self, mut best: Option<SurfacePoint>, least: f64) -> Option<SurfacePoint> {
+    /// The nearest place, if it is no farther away than `cutoff`; some place otherwise.
+    fn search_small(&self, mut best: Option<SurfacePoint>, cutoff: f64) -> Option<SurfacePoint> {
         let roots = (0..).zip(self.near).map(|(root, &k)| {
             let patch = &self.patches[k];
             let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
@@ -229,6 +229,7 @@ impl<'a> Distance<'a> {
             let planes = (0..3).flat_map(axis).collect();
             Piece::whole(root, patch.columns, patch.rows(), planes)
         });
+        let least = best.map_or(f64::INFINITY, |best| best.distance / self.size);
         let mut descend = |root: usize, at: [f64; 2]| {
             let place = self.descend(self.place(root, at));
             if best.is_none_or(|best| place.distance < best.distance) {
@@ -236,7 +237,12 @@ impl<'a> Distance<'a> {
             }
             place.distance / self.size
         };
-        search_small(roots.collect(), least / self.size, ROUNDING, &mut descend);
+        search_small(
+            roots.collect(),
+            least,
+            [ROUNDING, cutoff / self.size],
+            &mut descend,
+        );
         best
     }
 

@@ -103,6 +103,11 @@ impl Piece {
         [self.u, self.v].map(|[from, to]| 0.5 * (from + to))
     }
 
+    /// The area of the rectangle.
+    pub(super) fn area(&self) -> f64 {
+        (self.u[1] - self.u[0]) * (self.v[1] - self.v[0])
+    }
+
     /// The least and the greatest coefficient of a plane.
     pub(super) fn range(&self, k: usize) -> [f64; 2] {
         let first = [f64::INFINITY, f64::NEG_INFINITY];

@@ -24,13 +24,13 @@ const MAX_WAITING: usize = 1 << 21;
 
 /// Searches pieces whose planes are the coordinates of S − p for the least distance.
 ///
-/// `least` is the least distance so far or of interest; `descend` goes down from a place and returns the distance that it
-/// reaches. The search ends at a distance of `goal`, when no piece can be nearer, and when it has taken the most steps
-/// for each root.
+/// `least` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
+/// farther away than `cutoff` are dropped. The search ends at a distance of `goal`, when no piece can be nearer, and when
+/// it has taken the most steps for each root.
 pub(super) fn search_small(
     roots: Vec<Piece>,
     mut least: f64,
-    goal: f64,
+    [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
 ) {
     let limits = roots
@@ -41,7 +41,8 @@ pub(super) fn search_small(
     let mut coefficients = 0;
     while let Some(Waiting { low, piece }) = waiting.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
-        if least <= goal || low > worthwhile(least) || !work.spend(piece.steps()) {
+        let is_far = |low: f64, least: f64| low > cutoff.min(worthwhile(least));
+        if least <= goal || is_far(low, least) || !work.spend(piece.steps()) {
             return;
         }
         let (start, corner) = nearest_corner(&piece);
@@ -53,9 +54,7 @@ pub(super) fn search_small(
         }
         if piece.is_divisible() {
             let halves = piece.halves(3).map(by_box);
-            let near = halves
-                .into_iter()
-                .filter(|half| half.low <= worthwhile(least));
+            let near = halves.into_iter().filter(|half| !is_far(half.low, least));
             for half in near {
                 coefficients += half.piece.plane(0).len();
                 waiting.push(half);

@@ -4,7 +4,7 @@ use super::piece::Piece;
 use std::cmp::Ordering;
 
 /// A piece and a lower bound on what is searched for in it. In [`BinaryHeap`](std::collections::BinaryHeap), the greatest
-/// of them is the one with the least bound.
+/// of them is the one with the least bound, of equal ones the smallest.
 pub(super) struct Waiting {
     pub(super) low: f64,
     pub(super) piece: Piece,
@@ -12,7 +12,9 @@ pub(super) struct Waiting {
 
 impl Ord for Waiting {
     fn cmp(&self, other: &Self) -> Ordering {
-        other.low.total_cmp(&self.low)
+        let area = |waiting: &Self| waiting.piece.area();
+        let by_area = || area(other).total_cmp(&area(self));
+        other.low.total_cmp(&self.low).then_with(by_area)
     }
 }
 
