@@ -11,11 +11,11 @@ const AREA_ERROR: f64 = 1e-9;
 /// In units of the patch's size squared, what is left of an area where there is none.
 const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
-/// The most tiles that are split at once: only folds need so many, and patches of high degrees that have as many bends.
-const MAX_TILES: usize = 1024;
-
-/// The most steps of an area, about one for each two multiplications.
-const MAX_AREA_STEPS: usize = 1 << 23;
+/// The most steps of an area, about one for each two multiplications: so many for each control point, within these limits.
+/// Only folds need so many, and patches of high degrees that have as many bends.
+const STEPS_PER_POINT: usize = 1 << 19;
+const MIN_LIMIT: usize = 1 << 23;
+const MAX_LIMIT: usize = 3 << 25;
 
 /// Tiles are halved no more often than this in u and v.
 const MAX_ROUNDS: usize = 40;
@@ -44,9 +44,10 @@ impl Patch {
     /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
     /// twice. Zero for a patch that is a curve or a point.
     ///
-    /// At most 1024 tiles are split at once, in at most 2²³ steps, about one for each two multiplications: some milliseconds.
-    /// Where that is not enough, the best estimate: of a patch that folds back along a line that is no tile's side, the
-    /// eighth digit may be off; of one of a high degree with dozens of folds, the third.
+    /// At most 2²³ steps up to degree 3, about one for each two multiplications (some milliseconds); above it 2¹⁹ for each
+    /// control point, but no more than 3·2²⁵. Where that is not enough, the best estimate: of a patch that folds back along a
+    /// line that is no tile's side, the eighth digit may be off; of one with many folds or of very different sizes along its
+    /// axes, the sixth.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = area_in_frame(&frame.image(self));
@@ -68,12 +69,13 @@ impl Surface {
 fn area_in_frame(patch: &Patch) -> f64 {
     let points = patch.points.iter().map(|p| p.to_array()).collect();
     let mut rule = TileArea::new(points, patch.columns);
-    let mut work = WorkLimit::new(MAX_AREA_STEPS);
+    let limit = (patch.points.len() * STEPS_PER_POINT).clamp(MIN_LIMIT, MAX_LIMIT);
+    let mut work = WorkLimit::new(limit);
     let steps_of_split = 2 * (rule.steps(true) + rule.steps(false));
     let mut tiles = vec![Tile::new([0.0, 1.0], [0.0, 1.0], 0.0, &mut rule)];
     let mut settled = 0.0;
     for _ in 0..MAX_ROUNDS {
-        let affordable = (MAX_AREA_STEPS - work.used()) / steps_of_split;
+        let affordable = (limit - work.used()) / steps_of_split;
         let is_last = tiles.len() > affordable;
         if is_last {
             sort_by(&mut tiles, |a, b| {
@@ -87,7 +89,7 @@ fn area_in_frame(patch: &Patch) -> f64 {
         let split: Vec<Split> = tiles.iter().map(|tile| tile.split(&mut rule)).collect();
         let area = split.iter().fold(settled, |sum, tile| sum + tile.area);
         let error: f64 = split.iter().map(|tile| tile.error).sum();
-        if is_last || error <= AREA_ERROR * area + NO_AREA || split.len() > MAX_TILES {
+        if is_last || error <= AREA_ERROR * area + NO_AREA {
             return area;
         }
         let allowed = AREA_ERROR * area / (2.0 * split.len() as f64);

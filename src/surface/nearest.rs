@@ -115,8 +115,13 @@ impl Patch {
         let images = [frame.image(self)];
         let distance = Distance::new(patches, &[0], &images, &frame, p);
         // Farther away, since the bounds round.
-        let nearest = distance.search_small(None, 4.0 * reach)?;
-        (nearest.distance <= reach).then(|| nearest.on_patch())
+        let (found, is_complete) = distance.search_small(None, 4.0 * reach);
+        let is_near = |place: &SurfacePoint| place.distance <= reach;
+        let found = found.filter(is_near).or_else(|| {
+            let other = || nearest(patches, p).filter(is_near);
+            if is_complete { None } else { other() }
+        });
+        found.map(SurfacePoint::on_patch)
     }
 }
 
@@ -153,7 +158,8 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let least = minimise(&roots, &distance)?;
     let mut place = distance.place(least.root, [least.u, least.v]);
     if place.distance <= ROUGH_IN_SQUARES * distance.size {
-        place = distance.search_small(Some(place), f64::INFINITY)?;
+        let (nearer, _) = distance.search_small(Some(place), f64::INFINITY);
+        place = nearer.unwrap_or(place);
     }
     Some(distance.refined(&place))
 }
@@ -220,8 +226,13 @@ impl<'a> Distance<'a> {
         }
     }
 
-    /// The nearest place, if it is no farther away than `cutoff`; some place otherwise.
-    fn search_small(&self, mut best: Option<SurfacePoint>, cutoff: f64) -> Option<SurfacePoint> {
+    /// The nearest place, if it is no farther away than `cutoff`, some place otherwise; and whether the search came to its
+    /// end.
+    fn search_small(
+        &self,
+        mut best: Option<SurfacePoint>,
+        cutoff: f64,
+    ) -> (Option<SurfacePoint>, bool) {
         let roots = (0..).zip(self.near).map(|(root, &k)| {
             let patch = &self.patches[k];
             let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
@@ -237,13 +248,9 @@ impl<'a> Distance<'a> {
             }
             place.distance / self.size
         };
-        search_small(
-            roots.collect(),
-            least,
-            [ROUNDING, cutoff / self.size],
-            &mut descend,
-        );
-        best
+        let limits = [ROUNDING, cutoff / self.size];
+        let is_complete = search_small(roots.collect(), least, limits, &mut descend);
+        (best, is_complete)
     }
 
     /// A place that Gauss–Newton steps lead to where the distance is small.

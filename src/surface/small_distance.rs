@@ -26,13 +26,13 @@ const MAX_WAITING: usize = 1 << 21;
 ///
 /// `least` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
 /// farther away than `cutoff` are dropped. The search ends at a distance of `goal`, when no piece can be nearer, and when
-/// it has taken the most steps for each root.
+/// it has taken the most steps for each root: then it returns `false`.
 pub(super) fn search_small(
     roots: Vec<Piece>,
     mut least: f64,
     [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
-) {
+) -> bool {
     let limits = roots
         .iter()
         .map(|root| root.max_search_steps(MODERATE_DEGREE));
@@ -42,14 +42,16 @@ pub(super) fn search_small(
     while let Some(Waiting { low, piece }) = waiting.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
         let is_far = |low: f64, least: f64| low > cutoff.min(worthwhile(least));
-        if least <= goal || is_far(low, least) || !work.spend(piece.steps()) {
-            return;
+        if least <= goal || is_far(low, least) {
+            return true;
         }
         let (start, corner) = nearest_corner(&piece);
-        if corner < worthwhile(least) {
-            if !work.spend(DESCENT_JETS * piece.jet_steps()) {
-                return;
-            }
+        let descends = corner < worthwhile(least);
+        let jets = if descends { DESCENT_JETS } else { 0 };
+        if !work.spend(piece.steps() + jets * piece.jet_steps()) {
+            return false;
+        }
+        if descends {
             least = least.min(descend(piece.root, start));
         }
         if piece.is_divisible() {
@@ -60,10 +62,11 @@ pub(super) fn search_small(
                 waiting.push(half);
             }
             if coefficients > MAX_WAITING {
-                return;
+                return false;
             }
         }
     }
+    true
 }
 
 /// The distance from which on a place is not enough of an improvement.
