@@ -149,6 +149,7 @@ pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
             last,
             got,
         } => allows(what) && !(first..=last).contains(&got),
+        Error::NotFinite { what, got, .. } => allows(what) && !got.is_finite(),
         Error::Count { what, .. } | Error::Item { what, .. } => allows(what),
         _ => false,
     };

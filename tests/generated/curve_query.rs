@@ -283,8 +283,16 @@ fn tangents_from(case: &Case) -> Checked {
     ensure!(ascends(&ts, 0.0, 1.0), "{ts:?} do not ascend in [0, 1]");
     let at = |t: f64| (curve.eval(t) - p).perp_dot(curve.derivative_at(t, 1));
     let slack = 64.0 * slack(case.size(), curve.degree()) * case.size() * real(curve.degree());
+    // Where the curve turns back, the product changes its sign without a tangent through p: left out are the pieces on
+    // which the direction turns by more than a right angle.
     let samples: Vec<(f64, f64)> = parameters(32, 1.0).map(|t| (t, at(t))).collect();
-    roots_are_complete(&ts, &samples, slack)
+    for pair in samples.windows(2) {
+        let tangents = [pair[0].0, pair[1].0].map(|t| curve.tangent(t));
+        if tangents[0].dot(tangents[1]) > 0.0 {
+            roots_are_complete(&ts, pair, slack)?;
+        }
+    }
+    Ok(())
 }
 
 fn distance_to<P: Space>(case: &Case) -> Checked {

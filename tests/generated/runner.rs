@@ -5,7 +5,7 @@ use casteljau_generator::{Case, case, find};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 /// A function and the check of one call.
@@ -70,48 +70,91 @@ impl Settings {
     }
 }
 
-type Current = Arc<Mutex<Option<(Case, Instant)>>>;
+/// The failures of each function: their number, and the first ones as texts.
+type Failures = BTreeMap<&'static str, (usize, Vec<String>)>;
+
+/// What a worker and the thread that watches it share.
+#[derive(Default)]
+struct Shared {
+    /// The case that is running, the row of its function, and since when.
+    current: Option<(Case, usize, Instant)>,
+    failures: Failures,
+    /// The number of the worker; one that was given up has a lower number and must not write any more.
+    worker: usize,
+}
+
+impl Shared {
+    fn add(&mut self, case: &Case, message: &str) {
+        let (count, shown) = self.failures.entry(case.function).or_default();
+        *count += 1;
+        if shown.len() < SHOWN {
+            shown.push(describe(case, message));
+        }
+    }
+}
 
 /// Runs the checks and fails with a list of what was found.
 pub(crate) fn run(tables: &'static [&'static [Row]]) {
-    let settings = Settings::read();
-    let (current, (sender, receiver)) = (Current::default(), channel());
-    let seen = Arc::clone(&current);
-    let worker = std::thread::Builder::new()
-        .stack_size(16 << 20)
-        .spawn(move || {
-            let mut failures = BTreeMap::new();
-            for &(name, check) in tables.iter().copied().flatten() {
-                run_function(name, check, &settings, &seen, &mut failures);
-            }
-            let _ = sender.send(failures);
-        });
-    worker.expect("a thread");
-    let failures = wait(&receiver, &current);
-    assert!(failures.is_empty(), "{}", report(&failures));
+    let rows: Arc<Vec<Row>> = Arc::new(tables.iter().copied().flatten().copied().collect());
+    let (shared, settings) = (Arc::<Mutex<Shared>>::default(), Settings::read());
+    let mut first = 0;
+    // A call that does not return keeps its thread: another worker goes on with the next function.
+    while let Some(next) = watch(&spawn(&rows, first, &settings, &shared), &shared) {
+        first = next;
+    }
+    let failures = &lock(&shared).failures;
+    assert!(failures.is_empty(), "{}", report(failures));
 }
 
-/// The failures of a function, of which the first ones are kept as texts.
-pub(crate) type Failures = BTreeMap<&'static str, (usize, Vec<String>)>;
+fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
+    shared.lock().expect("no panic while it is locked")
+}
 
-fn run_function(
-    name: &'static str,
-    check: fn(&Case) -> Checked,
+/// A thread for the rows from `first` on; the receiver hears of its end.
+fn spawn(
+    rows: &Arc<Vec<Row>>,
+    first: usize,
     settings: &Settings,
-    current: &Current,
-    failures: &mut Failures,
-) {
-    for number in settings.numbers(name) {
-        let case = case(settings.seed, name, number);
-        *current.lock().expect("the lock") = Some((case.clone(), Instant::now()));
-        if let Err(message) = guarded(check, &case) {
-            let (count, shown) = failures.entry(name).or_default();
-            *count += 1;
-            if shown.len() < SHOWN {
-                shown.push(describe(&case, &message));
+    shared: &Arc<Mutex<Shared>>,
+) -> Receiver<()> {
+    let (sender, receiver) = channel();
+    let (rows, settings, shared) = (Arc::clone(rows), settings.clone(), Arc::clone(shared));
+    let number = lock(&shared).worker;
+    let work = move || {
+        let _ended = sender; // dropped at the end, also of a panic
+        for (row, &(name, check)) in rows.iter().enumerate().skip(first) {
+            for number_of_case in settings.numbers(name) {
+                let case = case(settings.seed, name, number_of_case);
+                lock(&shared).current = Some((case.clone(), row, Instant::now()));
+                let outcome = guarded(check, &case);
+                let mut shared = lock(&shared);
+                if shared.worker != number {
+                    return;
+                }
+                if let Err(message) = outcome {
+                    shared.add(&case, &message);
+                }
             }
         }
+    };
+    let builder = std::thread::Builder::new().stack_size(16 << 20);
+    builder.spawn(work).expect("a thread");
+    receiver
+}
+
+/// Waits for the end of a worker. Where a call takes too long, notes it and gives the row to go on with.
+fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
+    while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
+        let mut shared = lock(shared);
+        if let Some((case, row, start)) = shared.current.clone()
+            && start.elapsed() > HANG
+        {
+            shared.add(&case, &format!("no answer after {HANG:?}"));
+            shared.worker += 1;
+            return Some(row + 1);
+        }
     }
+    None
 }
 
 /// A check whose panics are failures.
@@ -122,25 +165,6 @@ pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
         Err(format!("panicked: {}", text.unwrap_or_default()))
     })
-}
-
-/// Waits for the end of the worker, or for a call that takes too long.
-fn wait(receiver: &Receiver<Failures>, current: &Current) -> Failures {
-    loop {
-        match receiver.recv_timeout(Duration::from_secs(1)) {
-            Ok(failures) => return failures,
-            Err(RecvTimeoutError::Disconnected) => panic!("the worker ended without an answer"),
-            Err(RecvTimeoutError::Timeout) => {
-                let running = current.lock().expect("the lock").clone();
-                if let Some((case, start)) = running.filter(|(_, start)| start.elapsed() > HANG) {
-                    panic!(
-                        "{}",
-                        describe(&case, &format!("no answer after {:?}", start.elapsed()))
-                    );
-                }
-            }
-        }
-    }
 }
 
 /// A failure with what repeats it and what can be pasted into a test.

@@ -1,6 +1,7 @@
 //! Cases as lines of Rust and of JavaScript, to be pasted into a test.
 
 use crate::case::{Case, SplineData, SurfaceData, Value};
+use crate::functions;
 use glam::DVec3;
 
 impl Case {
@@ -37,8 +38,16 @@ impl Case {
             .unwrap_or(("", self.function));
         let word = if separator == "::" { "let" } else { "const" };
         let mut line = String::new();
-        for (name, value) in &self.arguments {
-            line += &format!("{word} {} = {}; ", rename(name), text(value));
+        let kinds = functions::find(self.function).map_or(Vec::new(), |known| known.arguments);
+        for (k, (name, value)) in self.arguments.iter().enumerate() {
+            let mut text = text(value);
+            let optional = kinds
+                .get(k)
+                .is_some_and(|(_, kind)| kind.starts_with("optional"));
+            if optional && word == "let" && *value != Value::Nothing {
+                text = format!("Some({text})");
+            }
+            line += &format!("{word} {} = {text}; ", rename(name));
         }
         let mut names = self.arguments.iter().map(|(name, _)| rename(name));
         let receiver = self
