@@ -7,36 +7,53 @@
 mod arguments;
 mod check;
 mod coverage;
+mod curve_drawing;
 mod curve_edit;
 mod curve_measure;
+mod curve_places;
 mod curve_query;
 mod curve_shape;
+mod export;
 mod limits;
 mod mesh;
 mod numbers;
 mod parsers;
 mod patch;
+mod patch_query;
 mod path;
+mod path_query;
 mod percentiles;
 mod runner;
 mod spline_edit;
+mod spline_forms;
 mod spline_measure;
+mod spline_query;
 mod surface;
+mod surface_query;
 
 use runner::Row;
 
 /// The functions in groups; each group is a test, so that they run side by side.
-const GROUPS: [(&str, &[&[Row]]); 8] = [
-    (
-        "curves: evaluation and editing",
-        &[curve_shape::ROWS, curve_edit::ROWS],
-    ),
+const GROUPS: [(&str, &[&[Row]]); 9] = [
+    ("curves: evaluation", &[curve_shape::ROWS]),
+    ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
     ("curves: measures", &[curve_measure::ROWS]),
-    ("curves: queries", &[curve_query::ROWS]),
-    ("splines", &[spline_edit::ROWS, spline_measure::ROWS]),
-    ("paths", &[path::ROWS]),
-    ("patches", &[patch::ROWS]),
-    ("surfaces", &[surface::ROWS, mesh::ROWS]),
+    ("curves: queries", &[curve_query::ROWS, curve_places::ROWS]),
+    (
+        "splines",
+        &[
+            spline_edit::ROWS,
+            spline_forms::ROWS,
+            spline_measure::ROWS,
+            spline_query::ROWS,
+        ],
+    ),
+    ("paths", &[path::ROWS, path_query::ROWS]),
+    ("patches", &[patch::ROWS, patch_query::ROWS]),
+    (
+        "surfaces",
+        &[surface::ROWS, surface_query::ROWS, export::ROWS],
+    ),
     ("parsers", &[parsers::ROWS]),
 ];
 
@@ -50,12 +67,13 @@ macro_rules! groups {
 }
 
 groups! {
-    curves_evaluation_and_editing: 0,
-    curves_measures: 1,
-    curves_queries: 2,
-    splines: 3,
-    paths: 4,
-    patches: 5,
-    surfaces: 6,
-    parsers_read_what_they_wrote: 7,
+    curves_evaluation: 0,
+    curves_editing: 1,
+    curves_measures: 2,
+    curves_queries: 3,
+    splines: 4,
+    paths: 5,
+    patches: 6,
+    surfaces: 7,
+    parsers_read_what_they_wrote: 8,
 }

@@ -1,6 +1,7 @@
 //! Cases as lines of JSON. Numbers have the fewest digits that give them back, so both languages see the same bits.
 
 use crate::case::{Case, SplineData, SurfaceData, Value};
+use crate::listing::surface_text;
 use glam::DVec3;
 
 impl Case {
@@ -62,8 +63,9 @@ impl SurfaceData {
         let vertices = list(&self.vertices, |p| point(3, *p));
         let degrees = list(&self.degrees, |[m, n]| format!("[{m},{n}]"));
         format!(
-            "{{\"vertices\":{vertices},\"indices\":{},\"degrees\":{degrees}}}",
-            list(&self.indices, u32::to_string)
+            "{{\"vertices\":{vertices},\"indices\":{},\"degrees\":{degrees},\"text\":{}}}",
+            list(&self.indices, u32::to_string),
+            quoted(&surface_text(self))
         )
     }
 }

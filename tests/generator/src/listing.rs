@@ -182,28 +182,35 @@ fn js_spline(spline: &SplineData) -> String {
     )
 }
 
-fn js_surface(
+/// By its text, the one form in which patches may have different degrees.
+fn js_surface(surface: &SurfaceData) -> String {
+    format!("Surface.parse({:?})", surface_text(surface))
+}
+
+/// A surface in the indexed form of its text.
+pub(crate) fn surface_text(
     SurfaceData {
         vertices,
         indices,
         degrees,
     }: &SurfaceData,
 ) -> String {
-    let mut at = 0;
-    let nets = joined(degrees, |[m, n]| {
-        format!("{{ degreeU: {m}, degreeV: {n} }}")
-    });
-    let mut patches = Vec::new();
-    for [m, n] in degrees {
-        let end = at + (m + 1) * (n + 1);
-        patches.push(format!("{:?}", &indices[at..end]));
-        at = end;
+    let mut text = format!("surface\nvertices {}\n", vertices.len());
+    for p in vertices {
+        text += &format!("{:?} {:?} {:?}\n", p.x, p.y, p.z);
     }
-    format!(
-        "new Surface({{ vertices: {}, patches: [{}], degrees: [{nets}] }})",
-        js_points(3, vertices),
-        patches.join(", ")
-    )
+    text += &format!("patches {}\n", degrees.len());
+    let mut rest = indices.as_slice();
+    for &[m, n] in degrees {
+        text += &format!("{m} {n}\n");
+        for _ in 0..=n {
+            let (row, others) = rest.split_at(m + 1);
+            let words: Vec<String> = row.iter().map(u32::to_string).collect();
+            text += &format!("{}\n", words.join(" "));
+            rest = others;
+        }
+    }
+    text
 }
 
 fn camel_case(name: &str) -> String {
