@@ -3,10 +3,8 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
-use casteljau::curve::Pen;
-use casteljau::glam::DVec2;
-use casteljau::{Curve, Path, Point, Spline};
-use casteljau_generator::{Case, Mode};
+use casteljau::Curve;
+use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Curve::split", both!(split)),

@@ -3,9 +3,7 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
-use casteljau::curve::{Contact, Intersection, SelfIntersection};
 use casteljau::glam::DVec2;
-use casteljau::{Curve, Point};
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[

@@ -3,12 +3,9 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::mesh::{REFUSALS, grid_of, is_mesh};
-use crate::numbers::Numbers;
-use crate::patch::as_surface;
 use crate::runner::Row;
-use casteljau::glam::{DVec2, DVec3};
-use casteljau::surface::{Fineness, View, Weld};
-use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
+use casteljau::surface::{Fineness, Weld};
+use casteljau::{Error, Grid, Mesh};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[

@@ -7,7 +7,7 @@ use crate::patch::as_surface;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::surface::{Fineness, View, Weld};
 use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
-use casteljau_generator::{Case, Mode};
+use casteljau_generator::Case;
 
 /// Buffers that belong together, indices in range, finite positions, normals of length 1 or 0.
 pub(crate) fn is_mesh<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Checked {

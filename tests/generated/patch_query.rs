@@ -3,12 +3,11 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::curve_measure::holds;
-use crate::mesh;
 use crate::patch::{places, slack_at};
 use crate::runner::Row;
 use casteljau::glam::DVec3;
-use casteljau::{Patch, Point, Surface};
-use casteljau_generator::{Case, Mode, Value};
+use casteljau::Patch;
+use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Patch::split_u", split_u),

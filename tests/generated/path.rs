@@ -6,9 +6,7 @@ use crate::curve_drawing::Recorder;
 use crate::curve_measure::holds;
 use crate::runner::Row;
 use casteljau::Path;
-use casteljau::curve::Contact;
 use casteljau::glam::DVec2;
-use casteljau::path::{FillRule, PathIntersection};
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[

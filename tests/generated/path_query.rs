@@ -2,7 +2,6 @@
 
 use crate::arguments::*;
 use crate::check::*;
-use crate::curve_drawing::Recorder;
 use crate::curve_measure::holds;
 use crate::path::DEGREE;
 use crate::runner::Row;

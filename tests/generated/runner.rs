@@ -3,6 +3,7 @@
 use crate::check::{self, Checked};
 use casteljau_generator::{Case, case, find};
 use std::collections::BTreeMap;
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -88,7 +89,10 @@ impl Shared {
         let (count, shown) = self.failures.entry(case.function).or_default();
         *count += 1;
         if shown.len() < SHOWN {
-            shown.push(describe(case, message));
+            let text = describe(case, message);
+            // At once, past the capture of the test's output: a run that is stopped has told what it found.
+            let _ = writeln!(std::io::stderr(), "{text}");
+            shown.push(text);
         }
     }
 }

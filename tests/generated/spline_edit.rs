@@ -2,12 +2,10 @@
 
 use crate::arguments::*;
 use crate::check::*;
-use crate::curve_drawing::{Recorder, is_offset, near_drawn};
 use crate::runner::Row;
-use casteljau::glam::DVec2;
-use casteljau::spline::{JointMode, OffsetJoin, Through};
-use casteljau::{Path, Spline};
-use casteljau_generator::{Case, Mode};
+use casteljau::Spline;
+use casteljau::spline::JointMode;
+use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Spline::new", both!(new)),

@@ -5,7 +5,7 @@ use crate::check::*;
 use crate::curve_drawing::{Recorder, is_offset, near_drawn};
 use crate::runner::Row;
 use casteljau::glam::DVec2;
-use casteljau::spline::{JointMode, OffsetJoin, Through};
+use casteljau::spline::{OffsetJoin, Through};
 use casteljau::{Path, Spline};
 use casteljau_generator::{Case, Mode};
 

@@ -3,7 +3,6 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::curve_measure::{frames_hold, holds};
-use crate::curve_query::{contacts_hold, doubles_hold, is_nearest};
 use crate::runner::Row;
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};

@@ -2,12 +2,10 @@
 
 use crate::arguments::*;
 use crate::check::*;
-use crate::curve_measure::{frames_hold, holds};
 use crate::curve_query::{contacts_hold, doubles_hold, is_nearest};
 use crate::runner::Row;
 use crate::spline_measure::slack_at;
-use casteljau::Spline;
-use casteljau::glam::{DVec2, DVec3};
+use casteljau::glam::DVec2;
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[

@@ -2,16 +2,13 @@
 
 use crate::arguments::*;
 use crate::check::*;
-use crate::curve_drawing::Recorder;
 use crate::curve_measure::holds;
 use crate::mesh;
-use crate::patch::places;
-use crate::patch_query::is_hit;
 use crate::runner::Row;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Height, TeapotOptions, Up, Wire, WireframeOptions};
+use casteljau::surface::{Height, TeapotOptions, Up};
 use casteljau::{Patch, Point, Surface};
-use casteljau_generator::{Case, Mode};
+use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Surface::new", new),
