@@ -8,11 +8,13 @@ use std::cell::Cell;
 
 /// Fails the check with a message unless a condition holds.
 macro_rules! ensure {
-    ($holds:expr, $($message:tt)+) => {
-        if !$holds {
+    ($holds:expr, $($message:tt)+) => {{
+        // A variable, because the negation of a comparison of numbers looks like a mistake.
+        let holds: bool = $holds;
+        if !holds {
             return Err(format!($($message)+));
         }
-    };
+    }};
 }
 
 /// The answer of a call that may be refused: on a refusal that is stated, and in extreme cases, the check ends here.

@@ -3,9 +3,9 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
+use casteljau::Curve;
 use casteljau::curve::{Bounds, Frame};
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Point};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[
@@ -219,18 +219,29 @@ fn hull(case: &Case) -> Checked {
     if case.mode == Mode::Extreme || hull.len() < 3 {
         return Ok(());
     }
+    // In every direction the hull reaches as far as the points; its signed area is not negative but for rounding.
     let slack = slack(case.size(), 2);
-    for k in 0..hull.len() {
-        let (a, b) = (hull[k], hull[(k + 1) % hull.len()]);
-        let outside = points.iter().find(|&&p| {
-            (b - a).perp_dot(p - a) < -slack * (b - a).norm().max(slack)
-                && from_segment(p, a, b) > slack
-        });
-        ensure!(
-            outside.is_none(),
-            "{outside:?} lies outside of the side {k}"
-        );
+    for k in 0..32 {
+        let direction = DVec2::from_angle(real(k) * std::f64::consts::TAU / 32.0);
+        let reach = |points: &[DVec2]| {
+            points
+                .iter()
+                .map(|p| p.dot(direction))
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
+        let short = reach(points) - reach(&hull);
+        ensure!(short <= slack, "a point lies {short:e} outside of the hull");
     }
+    let next = hull.iter().cycle().skip(1);
+    let area: f64 = hull
+        .iter()
+        .zip(next)
+        .map(|(&a, &b)| (a - hull[0]).perp_dot(b - hull[0]))
+        .sum();
+    ensure!(
+        area >= -slack * case.size(),
+        "clockwise, with the area {area:e}"
+    );
     Ok(())
 }
 

@@ -35,8 +35,7 @@ fn from_svg(case: &Case) -> Checked {
             "a message of {} bytes",
             error.to_string().len()
         );
-        let before =
-            Path::from_svg(&text[..error.offset]).map_or_else(|error| error.path, |path| path);
+        let before = Path::from_svg(&text[..error.offset]).unwrap_or_else(|error| error.path);
         ensure!(
             before.segment_count() <= error.path.segment_count() + 1,
             "more before the error than with it"

@@ -5,8 +5,8 @@ use crate::check::*;
 use crate::curve_measure::holds;
 use crate::patch::{places, slack_at};
 use crate::runner::Row;
-use casteljau::glam::DVec3;
 use casteljau::Patch;
+use casteljau::glam::DVec3;
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[

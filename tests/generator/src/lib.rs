@@ -10,6 +10,8 @@ mod functions;
 mod geometry;
 mod json;
 mod listing;
+mod lists;
+mod mutations;
 mod random;
 mod texts;
 
