@@ -8,7 +8,8 @@ pub(crate) mod threads;
 
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
-pub(crate) use casteljau_generator::{adversarial as wild, random::Rng};
+#[allow(unused_imports, reason = "each test binary uses a part of it")]
+pub(crate) use casteljau_generator::{Rng, adversarial as wild};
 
 /// The plane or space, made from three coordinates.
 pub(crate) trait Space: Point {
