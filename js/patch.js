@@ -255,9 +255,10 @@ export class Patch {
   /**
    * The area, within 1e-8 of itself; what the patch covers twice counts twice, a curve or a point is 0.
    *
-   * The work is limited to 2²³ steps, about one for each two multiplications. Where that is not enough, the result is the
-   * best estimate: the eighth digit may be off for a patch that folds back along a line, and the third for one of a high
-   * degree with dozens of folds.
+   * The work is limited to 2²³ steps up to degree 3, about one for each two multiplications; above it to 2¹⁹ for each
+   * control point, but no more than 3·2²⁵. Where that is not enough, the result is the best estimate: the eighth digit may
+   * be off for a patch that folds back along a line, and the sixth for one with many folds or of very different sizes along
+   * its axes.
    *
    * @returns {number}
    */
@@ -278,9 +279,9 @@ export class Patch {
   /**
    * The point of the patch that is nearest to p, of all of it, sides and corners included.
    *
-   * The search takes at most 2²³ steps (2²⁶ above degree 24), about one for each multiplication. Where that is not enough,
-   * as where a whole curve of the patch is nearest, the point is the nearest one found by then, at a local minimum of the
-   * distance.
+   * Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size, by the distance itself, take at
+   * most 2²³ steps each (2²⁶ above degree 24), about one for each multiplication. Where that is not enough, as where a
+   * whole curve of the patch is nearest, the point is the nearest one found by then, at a local minimum of the distance.
    *
    * @param {PointLike} p
    * @returns {PatchPoint}
@@ -294,14 +295,11 @@ export class Patch {
    * the ray touches the patch, and at a side that is a point, there is one hit; of a ray that runs within the patch those
    * are given where it crosses the sides, and the origin if it is on the patch.
    *
-   * The search takes at most 2²³ steps over the patch (2²⁶ above degree 3) and 2²³ over each side and corner, about one
-   * for each multiplication. A ray for which that is not enough counts as one that runs within the patch: given are the
-   * hits found by then and those on the sides.
-   *
    * @param {PointLike} origin
    * @param {PointLike} direction
    * @returns {PatchPoint[]}
-   * @throws {RangeError} for a direction of length 0
+   * @throws {RangeError} for a direction of length 0, and when the search takes more than 2²⁷ steps, about one for each
+   *   multiplication
    */
   intersectRay(origin, direction) {
     return queries.intersectRay(this.#asSurface(), origin, direction).map(queries.onPatch);

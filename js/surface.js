@@ -187,6 +187,7 @@ export class Surface {
    */
   movePoint(index, to) {
     const { joined } = this.#network;
+    if (joined.length === 0) throw new RangeError("vertices: expected at least 1, got 0");
     check.whole(index, "index", 0, joined.length - 1);
     const vertices = this.vertices;
     writePoint(vertices, 3 * index, to, 3, "to");
@@ -267,7 +268,7 @@ export class Surface {
    * @param {PointLike} origin
    * @param {PointLike} direction
    * @returns {SurfacePoint[]}
-   * @throws {RangeError} for a direction of length 0
+   * @throws {RangeError} for a direction of length 0, and when the search over a patch takes too many steps
    */
   intersectRay(origin, direction) {
     return queries.intersectRay(this.#loader(false), origin, direction);

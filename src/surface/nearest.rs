@@ -92,9 +92,10 @@ impl Patch {
     /// of all, not of a neighbourhood; distances that differ by rounding (some 1e-7 of the size where both are about zero)
     /// count as equal, and of equally near points any one is given. On a patch that is a point, that point.
     ///
-    /// The search takes at most 2²³ steps, about one for each multiplication: some milliseconds (2²⁶ above degree 24).
-    /// Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum of the
-    /// distance that no point found before is nearer than.
+    /// Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size, by the distance itself, take at
+    /// most 2²³ steps each, about one for each multiplication: some milliseconds (2²⁶ above degree 24). Where that is not
+    /// enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum
+    /// of the distance that no point found before is nearer than.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.

@@ -231,8 +231,16 @@ impl Surface {
     /// when the surface was made: what was joined stays joined, what was not does not become so.
     ///
     /// # Errors
-    /// [`Error::Index`] for an index past the vertices, [`Error::NotFinite`] for a target with a NaN or an infinity.
+    /// [`Error::Count`] without vertices, [`Error::Index`] for an index past them, [`Error::NotFinite`] for a target with a
+    /// NaN or an infinity.
     pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
+        if self.vertices.is_empty() {
+            return Err(Error::Count {
+                what: "vertices",
+                expected: "at least 1",
+                got: 0,
+            });
+        }
         let mut moved = self.clone();
         checked_point(&mut moved.vertices, index, to)?;
         let place = self.joined[index];

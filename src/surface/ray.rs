@@ -44,7 +44,7 @@ impl Surface {
     /// the first of them.
     ///
     /// # Errors
-    /// As for a patch.
+    /// As for a patch, of which each has a limit of its own.
     pub fn intersect_ray(
         &self,
         origin: DVec3,

@@ -200,7 +200,7 @@ fn move_point(case: &Case) -> Checked {
         count(case, "index"),
         point::<DVec3>(case, "to"),
     );
-    let moved = answer!(case, surface.move_point(index, to), &["index"]);
+    let moved = answer!(case, surface.move_point(index, to), &["index", "vertices"]);
     ensure!(moved.vertices()[index] == to, "the vertex is elsewhere");
     ensure!(moved.indices() == surface.indices(), "other indices");
     Ok(())
