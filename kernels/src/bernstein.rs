@@ -1,4 +1,4 @@
-//! Polynomials over the unit square in Bernstein form: halving, and multiplication.
+//! Polynomials over the unit square in Bernstein form.
 
 /// Halves a net of coefficients at ½ by de Casteljau's algorithm, along u (the fast index) or along v.
 ///
@@ -34,39 +34,4 @@ fn halve_row(left: &mut [f64], right: &mut [f64]) {
             right[i] = 0.5 * (right[i] + right[i + 1]);
         }
     }
-}
-
-/// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets that hold coefficients times
-/// their binomials: such products add up where their indices do.
-pub fn add_product(product: &mut [f64], left: &[f64], right: &[f64], columns: usize) {
-    let wide = 2 * columns - 1;
-    for (j, left) in left.chunks_exact(columns).enumerate() {
-        for (l, right) in right.chunks_exact(columns).enumerate() {
-            let row = &mut product[(j + l) * wide..][..wide];
-            for (i, a) in left.iter().enumerate() {
-                for (sum, b) in row[i..i + columns].iter_mut().zip(right) {
-                    *sum += a * b;
-                }
-            }
-        }
-    }
-}
-
-/// Value, first and second derivative along each row of a net, given the Bernstein weights of the row's degree n and of
-/// the degrees n − 1 and n − 2 at the parameter. Rows have at least three coefficients.
-pub fn blend_row(row: &[f64], weights: [&[f64]; 3]) -> [f64; 3] {
-    let n = (row.len() - 1) as f64;
-    let [of_value, of_slope, of_bend] = weights;
-    let value = row.iter().zip(of_value).map(|(c, w)| c * w).sum();
-    let slope: f64 = row
-        .windows(2)
-        .zip(of_slope)
-        .map(|(c, w)| (c[1] - c[0]) * w)
-        .sum();
-    let bend: f64 = row
-        .windows(3)
-        .zip(of_bend)
-        .map(|(c, w)| (c[2] - c[1] - (c[1] - c[0])) * w)
-        .sum();
-    [value, n * slope, n * (n - 1.0) * bend]
 }

@@ -3,7 +3,6 @@
 //! They live apart so that a build for small size can compile them for speed. They check nothing but lengths.
 
 mod angle;
-mod area;
 mod bend;
 mod bernstein;
 mod bicubic;
@@ -23,9 +22,8 @@ mod weights;
 mod work;
 
 pub use angle::cos_sin;
-pub use area::TileArea;
 pub use bend::{BEND_SLACK, Bends, Sizes};
-pub use bernstein::{add_product, blend_row, halve_coefficients};
+pub use bernstein::halve_coefficients;
 pub use bicubic::BicubicGrid;
 pub use curve::sample_plane_cubic;
 pub use gauss::{GAUSS_8, GAUSS_16, GAUSS_32, Rule};

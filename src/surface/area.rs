@@ -1,9 +1,11 @@
 //! How large is the surface?
 
 use super::frame::Frame;
+use super::tile_area::TileArea;
 use super::{Patch, Surface};
+use crate::curve::ratio;
 use crate::order::sort_by;
-use casteljau_kernels::{TileArea, WorkLimit};
+use casteljau_kernels::WorkLimit;
 
 /// The error of an area that is aimed at: a tenth of what is promised.
 const AREA_ERROR: f64 = 1e-9;
@@ -92,7 +94,7 @@ fn area_in_frame(patch: &Patch) -> f64 {
         if is_last || error <= AREA_ERROR * area + NO_AREA {
             return area;
         }
-        let allowed = AREA_ERROR * area / (2.0 * split.len() as f64);
+        let allowed = AREA_ERROR * area / (2.0 * ratio(split.len(), 1));
         tiles.clear();
         for tile in split {
             if tile.error > allowed {

@@ -10,6 +10,7 @@
 mod area;
 mod curvature;
 mod cutter;
+mod distance;
 mod export;
 mod extent;
 mod first_of;
@@ -51,6 +52,7 @@ mod tessellate;
 mod text;
 mod text_reader;
 mod text_write;
+mod tile_area;
 mod topology;
 mod tracer;
 mod view;

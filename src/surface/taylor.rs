@@ -2,7 +2,6 @@
 
 use crate::curve::{bernstein_into, ratio};
 use crate::error::MAX_DEGREE;
-use casteljau_kernels::blend_row;
 
 /// The most coefficients of a row: the degree of a squared distance is twice that of a patch.
 pub(super) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
@@ -55,4 +54,23 @@ pub(super) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
         }
     }
     [row[0], slope, bend]
+}
+
+/// Value, first and second derivative along each row of a net, given the Bernstein weights of the row's degree n and of
+/// the degrees n − 1 and n − 2 at the parameter. Rows have at least three coefficients.
+fn blend_row(row: &[f64], weights: [&[f64]; 3]) -> [f64; 3] {
+    let n = ratio(row.len() - 1, 1);
+    let [of_value, of_slope, of_bend] = weights;
+    let value = row.iter().zip(of_value).map(|(c, w)| c * w).sum();
+    let slope: f64 = row
+        .windows(2)
+        .zip(of_slope)
+        .map(|(c, w)| (c[1] - c[0]) * w)
+        .sum();
+    let bend: f64 = row
+        .windows(3)
+        .zip(of_bend)
+        .map(|(c, w)| (c[2] - c[1] - (c[1] - c[0])) * w)
+        .sum();
+    [value, n * slope, n * (n - 1.0) * bend]
 }

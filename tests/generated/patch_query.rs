@@ -191,7 +191,11 @@ fn intersect_ray(case: &Case) -> Checked {
         point::<DVec3>(case, "origin"),
         point::<DVec3>(case, "direction"),
     );
-    let hits = answer!(case, patch.intersect_ray(origin, direction), &["direction"]);
+    let hits = answer!(
+        case,
+        patch.intersect_ray(origin, direction),
+        &["direction", "too many"]
+    );
     ensure!(
         hits.windows(2).all(|w| w[0].distance <= w[1].distance),
         "the hits are not sorted"

@@ -120,7 +120,7 @@ fn intersect_ray(case: &Case) -> Checked {
     let hits = answer!(
         case,
         surface.intersect_ray(origin, direction),
-        &["direction"]
+        &["direction", "too many"]
     );
     for hit in hits {
         let patch = surface.patch(hit.patch).ok_or("no such patch")?;

@@ -1,6 +1,7 @@
 //! The area of a tile of a Bézier patch.
 
-use crate::gauss::GAUSS_8;
+use crate::curve::ratio;
+use casteljau_kernels::GAUSS_8;
 
 /// The nodes of the rule with 8 points.
 const NODES: usize = 8;
@@ -11,7 +12,7 @@ type Lanes = [f64; NODES];
 /// Integrates |∂u × ∂v| over tiles by Gauss and Legendre's rule with 8 × 8 points.
 ///
 /// Tiles that follow each other and have the same range of u, or of v, share a part of the work.
-pub struct TileArea {
+pub(super) struct TileArea {
     points: Vec<[f64; 3]>,
     columns: usize,
     of_u: Weights,
@@ -32,7 +33,7 @@ struct Weights {
 
 impl TileArea {
     /// For a patch whose rows, in u, have `columns` control points.
-    pub fn new(points: Vec<[f64; 3]>, columns: usize) -> Self {
+    pub(super) fn new(points: Vec<[f64; 3]>, columns: usize) -> Self {
         let rows = points.len() / columns;
         Self {
             columns,
@@ -46,14 +47,14 @@ impl TileArea {
 
     /// The steps of an area, about one for each two multiplications, for a range of u that is new or that of the tile
     /// before.
-    pub fn steps(&self, is_new: bool) -> usize {
+    pub(super) fn steps(&self, is_new: bool) -> usize {
         let (columns, rows) = (self.columns, self.points.len() / self.columns);
         let of_rows = columns * columns * 4 + self.points.len() * 12;
         96 * (rows + 1) + rows * rows * 2 + if is_new { of_rows } else { 0 }
     }
 
     /// The area of the tile.
-    pub fn area(&mut self, u: [f64; 2], v: [f64; 2]) -> f64 {
+    pub(super) fn area(&mut self, u: [f64; 2], v: [f64; 2]) -> f64 {
         if u != self.of_u.range {
             self.of_u.move_to(u);
             self.blend_rows();
@@ -62,7 +63,7 @@ impl TileArea {
             self.of_v.move_to(v);
         }
         let rows = self.slopes.len();
-        let factor = (self.columns - 1) as f64 * (rows - 1) as f64;
+        let factor = ratio((self.columns - 1) * (rows - 1), 1);
         let mut sum = [0.0; NODES];
         for k in 0..NODES {
             let du = blend(&self.slopes, &self.of_v.weights, k);
@@ -141,14 +142,12 @@ fn nodes([from, to]: [f64; 2]) -> Lanes {
     })
 }
 
-#[inline(always)]
 fn add(sum: &mut Lanes, factor: f64, values: &Lanes) {
     for (sum, value) in sum.iter_mut().zip(values) {
         *sum += factor * value;
     }
 }
 
-#[inline(always)]
 fn blend(points: &[[Lanes; 3]], weights: &[Lanes], node: usize) -> [Lanes; 3] {
     let mut sum = [[0.0; NODES]; 3];
     for (point, w) in points.iter().zip(weights) {
@@ -157,7 +156,6 @@ fn blend(points: &[[Lanes; 3]], weights: &[Lanes], node: usize) -> [Lanes; 3] {
     sum
 }
 
-#[inline(always)]
 fn cross_lengths([ax, ay, az]: &[Lanes; 3], [bx, by, bz]: &[Lanes; 3]) -> Lanes {
     std::array::from_fn(|i| {
         let x = ay[i] * bz[i] - az[i] * by[i];

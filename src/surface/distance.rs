@@ -1,0 +1,216 @@
+//! The distance of patches from a point: its square as a polynomial, and steps that make it less.
+
+use super::Patch;
+use super::frame::Frame;
+use super::minimum::{Minimum, Objective};
+use super::nearest::SurfacePoint;
+use super::normal::binomial;
+use super::piece::Piece;
+use super::small_distance::search_small;
+use crate::point::Point;
+use glam::DVec3;
+
+/// What rounding makes of a point of a patch, as a share of the size.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Below this share of the size, the squared distance has lost digits that Gauss–Newton steps can bring back; more of
+/// these steps than the maximum only creep.
+const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
+const MAX_REFINEMENTS: usize = 16;
+
+/// Below the lesser share of the size, rounding of the squared distance hides that other places are nearer; below the
+/// greater one, the search by squares may take long.
+const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
+pub(super) const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
+
+/// The damping of steps, as shares of the sum of the squared derivatives.
+const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
+
+/// The distance of patches from a point.
+pub(super) struct Distance<'a> {
+    patches: &'a [Patch],
+    /// The numbers of the patches that the polynomials are for …
+    near: &'a [usize],
+    /// … and these patches in a frame, with the point there.
+    images: &'a [Patch],
+    image_of_p: DVec3,
+    p: DVec3,
+    /// The size that rounding is relative to.
+    pub(super) size: f64,
+}
+
+impl Objective for Distance<'_> {
+    fn value(&self, root: usize, at: [f64; 2]) -> f64 {
+        self.place(root, at).distance
+    }
+
+    fn degree_factor(&self) -> usize {
+        2
+    }
+
+    /// The square of a small distance has lost the digits that the difference S − p still has.
+    fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
+        let place = self.descend(self.place(root, at));
+        [place.u, place.v]
+    }
+
+    /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
+    /// behind the plane through the place at right angles to the way from the point to it: so does the convex hull of the
+    /// net, and with it the patch.
+    fn is_least(&self, minimum: &Minimum) -> bool {
+        if minimum.value <= LOST_IN_SQUARES * self.size {
+            return true;
+        }
+        let place = self.images[minimum.root].eval(minimum.u, minimum.v);
+        let normal = (place - self.image_of_p).unit();
+        let is_behind = |point: &DVec3| (*point - place).dot(normal) >= -ROUNDING;
+        self.images
+            .iter()
+            .all(|image| image.points.iter().all(is_behind))
+    }
+}
+
+impl<'a> Distance<'a> {
+    pub(super) fn new(
+        patches: &'a [Patch],
+        near: &'a [usize],
+        images: &'a [Patch],
+        frame: &Frame,
+        p: DVec3,
+    ) -> Self {
+        Self {
+            patches,
+            near,
+            images,
+            image_of_p: frame.place(p),
+            p,
+            size: frame.as_coarse_as_its_coordinates().size,
+        }
+    }
+
+    /// The nearest place, if it is no farther away than `cutoff`, some place otherwise; and whether the search came to its
+    /// end.
+    pub(super) fn search_small(
+        &self,
+        mut best: Option<SurfacePoint>,
+        cutoff: f64,
+    ) -> (Option<SurfacePoint>, bool) {
+        let roots = (0..).zip(self.near).map(|(root, &k)| {
+            let patch = &self.patches[k];
+            let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
+            let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
+            let planes = (0..3).flat_map(axis).collect();
+            Piece::whole(root, patch.columns, patch.rows(), planes)
+        });
+        let least = best.map_or(f64::INFINITY, |best| best.distance / self.size);
+        let mut descend = |root: usize, at: [f64; 2]| {
+            let place = self.descend(self.place(root, at));
+            if best.is_none_or(|best| place.distance < best.distance) {
+                best = Some(place);
+            }
+            place.distance / self.size
+        };
+        let limits = [ROUNDING, cutoff / self.size];
+        let is_complete = search_small(roots.collect(), least, limits, &mut descend);
+        (best, is_complete)
+    }
+
+    /// A place that Gauss–Newton steps lead to where the distance is small.
+    fn descend(&self, mut place: SurfacePoint) -> SurfacePoint {
+        for _ in 0..MAX_REFINEMENTS {
+            if place.distance > SMALL_DISTANCE * self.size {
+                break;
+            }
+            let next = self.refined(&place);
+            if next.distance == place.distance {
+                break;
+            }
+            place = next;
+        }
+        place
+    }
+
+    pub(super) fn place(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+        let patch = self.near[root];
+        SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
+    }
+
+    /// The nearest of the places after a Gauss–Newton step, more or less damped (Levenberg and Marquardt's method), along
+    /// both parameters or along one; the place itself if none is nearer. Undamped steps fail where the derivative is
+    /// singular, as on a patch that is a curve; steps along both may fail at the sides.
+    pub(super) fn refined(&self, place: &SurfacePoint) -> SurfacePoint {
+        let patch = &self.patches[place.patch];
+        let d = patch.partials(place.u, place.v);
+        let off = place.point - self.p;
+        let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
+        let (u, v) = (d.u.dot(off), d.v.dot(off));
+        let damped = |share: f64| {
+            let (uu, vv) = (uu + share * (uu + vv), vv + share * (uu + vv));
+            let det = uu * vv - uv * uv;
+            [(vv * u - uv * v) / det, (uu * v - uv * u) / det]
+        };
+        // By the normal and not by the products: these lose the lesser of two coordinates of very different sizes.
+        let normal = d.u.cross(d.v);
+        let square = normal.dot(normal);
+        let undamped = [
+            off.cross(d.v).dot(normal) / square,
+            d.u.cross(off).dot(normal) / square,
+        ];
+        let others = [undamped, [u / uu, 0.0], [0.0, v / vv]];
+        let mut nearest = *place;
+        for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
+            let [u, v] = [place.u - u, place.v - v].map(|t| t.clamp(0.0, 1.0));
+            let next = SurfacePoint::at(patch, place.patch, u, v, self.p);
+            // A step that is not finite leads nowhere.
+            if next.distance < nearest.distance {
+                nearest = next;
+            }
+        }
+        nearest
+    }
+}
+
+/// |S − p|², less a constant and over a constant that are the same for all patches of the frame.
+///
+/// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d²; the last is left out, since it would drown
+/// the others for a p far away, and all is divided by |d| where that is above 1.
+pub(super) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
+    let away = frame.centre * 0.5 - p * 0.5;
+    let unit = (0.5 * frame.size).max(away.norm());
+    let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
+    let (m, n) = (image.degree_u(), image.degree_v());
+    let weights: Vec<f64> = (0..image.points.len())
+        .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))
+        .collect();
+    let columns = 2 * m + 1;
+    let mut product = vec![0.0; columns * (2 * n + 1)];
+    for axis in 0..3 {
+        let weighted = |of: &dyn Fn(DVec3) -> DVec3| -> Vec<f64> {
+            let points = image.points.iter().zip(&weights);
+            points.map(|(&q, w)| of(q).coordinate(axis) * w).collect()
+        };
+        let left = weighted(&|q| q);
+        let right = weighted(&|q| q * share + toward);
+        add_product(&mut product, &left, &right, m + 1);
+    }
+    for (k, coefficient) in product.iter_mut().enumerate() {
+        *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);
+    }
+    Piece::whole(root, columns, 2 * n + 1, product)
+}
+
+/// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets that hold coefficients times
+/// their binomials: such products add up where their indices do.
+fn add_product(product: &mut [f64], left: &[f64], right: &[f64], columns: usize) {
+    let wide = 2 * columns - 1;
+    for (j, left) in left.chunks_exact(columns).enumerate() {
+        for (l, right) in right.chunks_exact(columns).enumerate() {
+            let row = &mut product[(j + l) * wide..][..wide];
+            for (i, a) in left.iter().enumerate() {
+                for (sum, b) in row[i..i + columns].iter_mut().zip(right) {
+                    *sum += a * b;
+                }
+            }
+        }
+    }
+}
