@@ -198,17 +198,26 @@ fn to_svg(case: &Case) -> Checked {
     Ok(())
 }
 
+/// Why an offset may be refused.
+pub(crate) const OFFSET_REFUSALS: [&str; 3] = ["tolerance", "distance", "steps of an offset"];
+
+/// The documented tolerance of an offset for which none is given.
+pub(crate) fn default_tolerance(case: &Case, diagonal: f64, distance: f64) -> f64 {
+    (1e-4 * diagonal).max(1e-12 * (case.size() + distance.abs()))
+}
+
 fn offset(case: &Case) -> Checked {
     let (curve, d, tolerance) = (
         curve::<DVec2>(case, "curve"),
         number(case, "distance"),
         optional(case, "tolerance"),
     );
-    let spline = answer!(case, curve.offset(d, tolerance), &["tolerance", "distance"]);
+    let spline = answer!(case, curve.offset(d, tolerance), &OFFSET_REFUSALS);
     if case.mode == Mode::MixedScale || curve.control_points().iter().all(|&p| p == curve.start()) {
         return Ok(());
     }
-    let tolerance = tolerance.unwrap_or(1e-4 * curve.control_bounds().diagonal());
+    let diagonal = curve.control_bounds().diagonal();
+    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(case, diagonal, d));
     is_offset(case, &curve, &spline, d, tolerance)
 }
 
