@@ -167,11 +167,11 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
         right = right.elevated();
     }
     let healed = healed_at(&left, &right, split_parameter(&left, &right));
-    if healed.points.iter().all(|&p| p.is_finite()) {
+    if healed.control_points().iter().all(|&p| p.is_finite()) {
         return healed;
     }
     let healed = healed_at(&left, &right, 0.5);
-    if healed.points.iter().all(|&p| p.is_finite()) {
+    if healed.control_points().iter().all(|&p| p.is_finite()) {
         return healed;
     }
     Curve::from_points([left.start(), right.end()].into_iter().collect())
