@@ -218,10 +218,10 @@ fn offset(case: &Case) -> Checked {
     }
     let diagonal = curve.control_bounds().diagonal();
     let tolerance = tolerance.unwrap_or_else(|| default_tolerance(case, diagonal, d));
-    is_offset(case, &curve, &spline, d, tolerance)
+    is_offset(case, &curve, &spline, d, tolerance, d.abs())
 }
 
-/// Points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and its points no farther than |d| and the
+/// Points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and its points no farther than `farthest` and the
 /// tolerance from the curve.
 pub(crate) fn is_offset(
     case: &Case,
@@ -229,6 +229,7 @@ pub(crate) fn is_offset(
     spline: &Spline<DVec2>,
     d: f64,
     tolerance: f64,
+    farthest: f64,
 ) -> Checked {
     let slack = 16.0 * slack(case.size() + d.abs(), curve.degree());
     let length = curve
@@ -256,7 +257,7 @@ pub(crate) fn is_offset(
             .map_err(|error| error.to_string())?
             .distance;
         ensure!(
-            away <= d.abs() + tolerance + slack,
+            away <= farthest + tolerance + slack,
             "the spline is {away:e} from the curve at {t} of its length"
         );
     }

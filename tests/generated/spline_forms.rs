@@ -163,7 +163,9 @@ fn offset(case: &Case) -> Checked {
     if case.mode == Mode::MixedScale || is_point || spline.segment_count() > 1 {
         return Ok(());
     }
-    is_offset(case, &spline.segments()[0], &offset, d, tolerance)
+    // The tip of a miter at the joint of a closed spline is up to four distances away.
+    let farthest = if spline.is_closed() { 4.0 } else { 1.0 } * d.abs();
+    is_offset(case, &spline.segments()[0], &offset, d, tolerance, farthest)
 }
 
 fn trace(case: &Case) -> Checked {
