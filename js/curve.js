@@ -598,9 +598,10 @@ export class Curve {
    *
    * @param {number} distance
    * @param {{ tolerance?: number }} [options] `tolerance`: the greatest distance between the spline and the true parallel, by
-   *   default 1e-4 of the diagonal of the control points' box
+   *   default 1e-4 of the diagonal of the control points' box, at least 1e-12 of the largest coordinate plus the distance
    * @returns {Spline}
-   * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate and the distance
+   * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate and the distance, and where more than 2¹⁷
+   *   steps (pieces tried and bounds evaluated) would be needed
    */
   offset(distance, options) {
     this.#plane("offset");

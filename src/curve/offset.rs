@@ -38,7 +38,8 @@ impl Curve<DVec2> {
     ///
     /// O(t) = B(t) + d·N(t), N the tangent turned by +90°; a negative distance lies on the other side. `tolerance`
     /// is the greatest distance from any point of O to the spline and from any point of the spline to O, in the
-    /// input's unit; by default 10⁻⁴ of the diagonal of the control points' box. Ends and end tangents are exact, and
+    /// input's unit; by default 10⁻⁴ of the diagonal of the control points' box, and at least 10⁻¹² of the largest coordinate
+    /// plus the distance. Ends and end tangents are exact, and
     /// the pieces share their ends.
     ///
     /// Where |κd| passes 1 the parallel has a cusp, and so has the spline; nothing is trimmed. Where the curve turns

@@ -45,7 +45,11 @@ fn scaled(coefficients: &[f64]) -> Option<(Scalars, f64)> {
 pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     let mut roots = Scalars::new();
     walk(coefficients, slack, |meeting| {
-        if let Meeting::Cross(t) = meeting {
+        // A root next to an end may round to it.
+        if let Meeting::Cross(t) = meeting
+            && t > 0.0
+            && t < 1.0
+        {
             roots.push(t);
         }
     });

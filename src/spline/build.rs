@@ -108,7 +108,8 @@ impl<P: Point> Spline<P> {
     /// With a and b the lengths of the derivatives before and after the joint and t₀ = a/(a + b), the first half of
     /// the new control points continues the left piece to the parameter 1/t₀, the second half the right one
     /// backwards; the middle one of an even degree is the mean of both. Where a or b vanishes, t₀ =
-    /// √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|); if that fails too, ½. The lower degree is elevated first. On a closed spline
+    /// √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|); if that fails too, ½, and also where the points would overflow; if they still do, a line
+    /// joins the two ends. The lower degree is elevated first. On a closed spline
     /// joint 0 may go as well: the list then starts at the joint after it.
     ///
     /// # Errors
@@ -165,13 +166,24 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
     while right.degree() < left.degree() {
         right = right.elevated();
     }
-    let t = split_parameter(&left, &right);
+    let healed = healed_at(&left, &right, split_parameter(&left, &right));
+    if healed.control_points().iter().all(|&p| p.is_finite()) {
+        return healed;
+    }
+    let healed = healed_at(&left, &right, 0.5);
+    if healed.control_points().iter().all(|&p| p.is_finite()) {
+        return healed;
+    }
+    Curve::from_points([left.start(), right.end()].into_iter().collect())
+}
+
+/// One curve in the place of two of the same degree, whose joint would lie at t.
+fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
     let n = left.degree();
-    let (whole, halves) = extrapolate(&left, &right, t);
-    let ends = (left.start(), right.end());
+    let (whole, halves) = extrapolate(left, right, t);
     let point = |i: usize| match i {
-        0 => ends.0,
-        _ if i == n => ends.1,
+        0 => left.start(),
+        _ if i == n => right.end(),
         _ if 2 * i < n => whole[i],
         _ if 2 * i > n => halves[i],
         _ => whole[i].mix(halves[i], 0.5),

@@ -198,21 +198,30 @@ fn to_svg(case: &Case) -> Checked {
     Ok(())
 }
 
+/// Why an offset may be refused.
+pub(crate) const OFFSET_REFUSALS: [&str; 3] = ["tolerance", "distance", "steps of an offset"];
+
+/// The documented tolerance of an offset for which none is given.
+pub(crate) fn default_tolerance(case: &Case, diagonal: f64, distance: f64) -> f64 {
+    (1e-4 * diagonal).max(1e-12 * (case.size() + distance.abs()))
+}
+
 fn offset(case: &Case) -> Checked {
     let (curve, d, tolerance) = (
         curve::<DVec2>(case, "curve"),
         number(case, "distance"),
         optional(case, "tolerance"),
     );
-    let spline = answer!(case, curve.offset(d, tolerance), &["tolerance", "distance"]);
+    let spline = answer!(case, curve.offset(d, tolerance), &OFFSET_REFUSALS);
     if case.mode == Mode::MixedScale || curve.control_points().iter().all(|&p| p == curve.start()) {
         return Ok(());
     }
-    let tolerance = tolerance.unwrap_or(1e-4 * curve.control_bounds().diagonal());
-    is_offset(case, &curve, &spline, d, tolerance)
+    let diagonal = curve.control_bounds().diagonal();
+    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(case, diagonal, d));
+    is_offset(case, &curve, &spline, d, tolerance, d.abs())
 }
 
-/// Points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and its points no farther than |d| and the
+/// Points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and its points no farther than `farthest` and the
 /// tolerance from the curve.
 pub(crate) fn is_offset(
     case: &Case,
@@ -220,6 +229,7 @@ pub(crate) fn is_offset(
     spline: &Spline<DVec2>,
     d: f64,
     tolerance: f64,
+    farthest: f64,
 ) -> Checked {
     let slack = 16.0 * slack(case.size() + d.abs(), curve.degree());
     let length = curve
@@ -247,7 +257,7 @@ pub(crate) fn is_offset(
             .map_err(|error| error.to_string())?
             .distance;
         ensure!(
-            away <= d.abs() + tolerance + slack,
+            away <= farthest + tolerance + slack,
             "the spline is {away:e} from the curve at {t} of its length"
         );
     }

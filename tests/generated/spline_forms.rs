@@ -2,7 +2,7 @@
 
 use crate::arguments::*;
 use crate::check::*;
-use crate::curve_drawing::{Recorder, is_offset, near_drawn};
+use crate::curve_drawing::{OFFSET_REFUSALS, Recorder, default_tolerance, is_offset, near_drawn};
 use crate::runner::Row;
 use casteljau::glam::DVec2;
 use casteljau::spline::{OffsetJoin, Through};
@@ -153,12 +153,9 @@ fn offset(case: &Case) -> Checked {
         "miter" => OffsetJoin::Miter,
         _ => OffsetJoin::Bevel,
     };
-    let offset = answer!(
-        case,
-        spline.offset(d, tolerance, join),
-        &["tolerance", "distance"]
-    );
-    let tolerance = tolerance.unwrap_or(1e-4 * spline.control_bounds().diagonal());
+    let offset = answer!(case, spline.offset(d, tolerance, join), &OFFSET_REFUSALS);
+    let diagonal = spline.control_bounds().diagonal();
+    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(case, diagonal, d));
     let is_point = spline
         .control_points()
         .iter()
@@ -166,7 +163,9 @@ fn offset(case: &Case) -> Checked {
     if case.mode == Mode::MixedScale || is_point || spline.segment_count() > 1 {
         return Ok(());
     }
-    is_offset(case, &spline.segments()[0], &offset, d, tolerance)
+    // The tip of a miter at the joint of a closed spline is up to four distances away.
+    let farthest = if spline.is_closed() { 4.0 } else { 1.0 } * d.abs();
+    is_offset(case, &spline.segments()[0], &offset, d, tolerance, farthest)
 }
 
 fn trace(case: &Case) -> Checked {

@@ -16,7 +16,7 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 16] = [
+pub(crate) const STEPS: [Step; 17] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
@@ -81,6 +81,13 @@ pub(crate) const STEPS: [Step; 16] = [
         title: "JSDoc types of the package's sources",
         needs: &["build"],
         act: types,
+        ..PLAIN
+    },
+    Step {
+        name: "size",
+        title: "Sizes of the package's parts",
+        needs: &["build"],
+        act: size,
         ..PLAIN
     },
     Step {
@@ -220,6 +227,11 @@ fn driver(_: &Context) -> Result<Done> {
 }
 
 /// The build has checked the types already; here they are checked whether or not something changed.
+fn size(_: &Context) -> Result<Done> {
+    crate::size::size()?;
+    Ok(Done::Passed)
+}
+
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
     let tsc = "node_modules/typescript/bin/tsc";
