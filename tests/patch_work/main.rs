@@ -161,33 +161,6 @@ fn of_points_of_patches() {
     });
 }
 
-/// A ruled patch and a ray along a ruling from a point of the patch: its origin is a hit, at any scale of the height.
-#[test]
-fn of_rays_along_a_ruling() {
-    use casteljau::glam::DVec3;
-    for (seed, exponent) in (0..120).map(|k| (k, k as i32 % 7)) {
-        let mut random = Random(seed);
-        let rows = 2 + below(&mut random, 5);
-        let scale = 10_f64.powi(exponent);
-        let net: Vec<DVec3> = (0..2 * rows)
-            .map(|k| {
-                let z = scale * (2.0 * random.unit() - 1.0);
-                DVec3::new((k % 2) as f64, (k / 2) as f64, z)
-            })
-            .collect();
-        let patch = Patch::new(&net, 1, rows - 1).unwrap();
-        let v = 0.25 + 0.5 * random.unit();
-        let (origin, end) = (patch.eval(0.5, v), patch.eval(1.0, v));
-        take_steps();
-        let hits = patch.intersect_ray(origin, end - origin).unwrap();
-        assert!(take_steps() <= RAY + 4 * (SEARCH + ONE_MORE));
-        // Hits are those of a ray as wide as this.
-        let width = 1e-14 * scale.max(rows as f64);
-        let near = |hit: &PatchPoint| hit.point.distance(origin) <= width;
-        assert!(hits.iter().any(near), "seed {seed}: {hits:?}, not {origin}");
-    }
-}
-
 /// The height of this graph over its plane is 1e13: squares of distances of some 0.1 are rounding.
 #[test]
 fn of_a_ray_from_a_steep_graph() {
