@@ -104,21 +104,28 @@ impl Pair {
         }
         for curve in [0, 1] {
             for &stop in &self.stops[curve] {
-                let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
-                while let Some(&(t, u, _)) = places.iter().find(near) {
-                    let tip = if curve == 0 {
-                        self.opposite(stop, u)
-                    } else {
-                        self.across(t, stop)
-                    };
-                    if !(self.one(tip) && self.gather(&mut places, tip, false)) {
-                        break;
-                    }
-                }
+                self.gather_at_stop(&mut places, curve, stop);
             }
         }
         self.one_crossing_each(&mut places);
         places
+    }
+
+    /// Moves the places next to a stop to the stop. Each of them is looked at once: the place that replaces it may lie too
+    /// far from it on the other curve to take it away.
+    fn gather_at_stop(&self, places: &mut Vec<Place>, curve: usize, stop: f64) {
+        let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
+        let all: Vec<Place> = places.iter().filter(near).copied().collect();
+        for place in all {
+            let tip = if curve == 0 {
+                self.opposite(stop, place.1)
+            } else {
+                self.across(place.0, stop)
+            };
+            if places.contains(&place) && self.one(tip) {
+                self.gather(places, tip, false);
+            }
+        }
     }
 
     /// Whether a place is not at a parameter of a curve, but next to it.
