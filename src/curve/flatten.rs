@@ -8,9 +8,11 @@
 
 use super::deviation::CubicDeviation;
 use super::flatten_any::PieceDeviation;
+use super::flatten_cubics::as_cubics;
 use super::{Curve, check_tolerance, ratio, ulp};
 use crate::error::Error;
 use crate::point::{Cross, Point};
+use glam::DVec3;
 
 /// The most vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
@@ -23,6 +25,9 @@ const AIMED_AT: f64 = 0.92;
 
 /// Corrections of one chord before the best safe one is taken.
 const MOST_CORRECTIONS: usize = 8;
+
+/// Steps of the rule that forecasts the number of chords.
+const FORECAST_STEPS: usize = 1024;
 
 /// Outside of this range of coordinates, squares of products leave the range of f64 and a scaled copy is measured.
 const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
@@ -74,7 +79,10 @@ impl<P: Point> Curve<P> {
     ///
     /// # Errors
     /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] above 2²⁴ vertices.
+    /// coordinate, [`Error::TooMany`] where more than 2²⁴ vertices are to be expected (a forecast, right to some per cent).
+    ///
+    /// Cost: up to degree 3 some 50 ns for each vertex. Above, n² steps for each piece that a cubic replaces, and the same
+    /// for each vertex; where the tolerance is so coarse that cubics bring nothing, some 20 n² steps for each vertex.
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
         let mut line = Polyline::default();
@@ -88,7 +96,7 @@ impl<P: Point> Curve<P> {
     /// As [`flatten`](Self::flatten), handing each vertex to `vertex` instead of collecting them.
     ///
     /// # Errors
-    /// As `flatten`; the limit is checked before the first vertex.
+    /// As `flatten`, all before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
         self.walk(tolerance, vertex)
@@ -96,15 +104,29 @@ impl<P: Point> Curve<P> {
 
     /// Refuses what would fail, before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(|| std::iter::once(self.clone()), tolerance)
+    }
+
+    /// About how many chords a fine tolerance needs: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint rule; to some
+    /// per cent.
+    fn expected_chords(&self, tolerance: f64) -> f64 {
         let size = self.max_abs();
-        check_tolerance(tolerance, size)?;
-        // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size.
-        let n = ratio(self.degree(), 1);
-        if n * n * size > tolerance * (MAX_VERTICES as f64).powi(2) {
-            // Often far too high a bound: count before refusing.
-            self.walk(tolerance, |_, _| ())?;
-        }
-        Ok(())
+        let scaled: super::Points<P> = self.points.iter().map(|&p| p / size).collect();
+        let first = Self { points: scaled }.derivative();
+        let second = first.derivative();
+        let density = |k: usize| {
+            let t = (k as f64 + 0.5) / FORECAST_STEPS as f64;
+            let (v, a) = (first.eval(t), second.eval(t));
+            let speed = v.norm();
+            if speed > 0.0 {
+                (v.cross(a).size_squared().sqrt() / speed).sqrt()
+            } else {
+                0.0
+            }
+        };
+        let mean = (0..FORECAST_STEPS).map(density).sum::<f64>() / FORECAST_STEPS as f64;
+        mean / (8.0 * AIMED_AT.sqrt() * (tolerance / size)).sqrt()
     }
 
     fn walk(&self, tolerance: f64, mut vertex: impl FnMut(f64, P)) -> Result<(), Error> {
@@ -183,24 +205,73 @@ impl<P: Point> Curve<P> {
     }
 }
 
+/// Refuses to flatten curves together where more vertices are to be expected than the limit allows.
+pub(crate) fn check_vertices<P: Point, I: Iterator<Item = Curve<P>>>(
+    curves: impl Fn() -> I,
+    tolerance: f64,
+) -> Result<(), Error> {
+    // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size: often far too many.
+    let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
+    let limit = MAX_VERTICES as f64;
+    if curves().map(enough).sum::<f64>() <= limit
+        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < limit
+    {
+        return Ok(());
+    }
+    Err(Error::TooMany {
+        what: "vertices",
+        limit: MAX_VERTICES,
+        needed: MAX_VERTICES + 1,
+    })
+}
+
 fn walk_points<P: Point>(
     points: &[P],
     tolerance: f64,
     vertex: &mut impl FnMut(f64),
 ) -> Result<(), Error> {
+    let mut left = MAX_VERTICES - 1;
     if points.len() <= 4 {
-        walk_chords(&mut CubicDeviation::new(points, tolerance), vertex)
-    } else {
-        walk_chords(&mut PieceDeviation::new(points, tolerance), vertex)
+        return walk_chords(
+            &mut CubicDeviation::new(points, tolerance),
+            &mut left,
+            vertex,
+        );
     }
+    let in_space: super::Points<DVec3> = points.iter().map(|p| p.in_space()).collect();
+    let Some((cubics, tolerance)) = as_cubics(&in_space, tolerance)? else {
+        return walk_chords(
+            &mut PieceDeviation::new(in_space, tolerance),
+            &mut left,
+            vertex,
+        );
+    };
+    for cubic in cubics {
+        let (from, length) = (cubic.from, cubic.to - cubic.from);
+        let mut inside = |s: f64| {
+            vertex(if s == 1.0 {
+                cubic.to
+            } else {
+                from + length * s
+            })
+        };
+        let mut deviation = CubicDeviation::new(&cubic.points, tolerance);
+        walk_chords(&mut deviation, &mut left, &mut inside)?;
+    }
+    Ok(())
 }
 
-/// From vertex to vertex until t = 1.
-fn walk_chords(deviation: &mut impl Deviation, vertex: &mut impl FnMut(f64)) -> Result<(), Error> {
+/// From vertex to vertex until t = 1; `left` is the number of vertices still allowed.
+fn walk_chords(
+    deviation: &mut impl Deviation,
+    left: &mut usize,
+    vertex: &mut impl FnMut(f64),
+) -> Result<(), Error> {
     let mut t = 0.0;
     deviation.start_at(t);
     let (mut previous, mut step): (f64, f64) = (f64::INFINITY, 0.0);
-    for _ in 0..MAX_VERTICES - 1 {
+    while *left > 0 {
+        *left -= 1;
         let rest = 1.0 - t;
         // The change of the last two steps goes on, within reason.
         let expected = step * (step / previous).clamp(0.6, 1.6);

@@ -26,11 +26,11 @@ pub(crate) struct PieceDeviation {
 
 impl PieceDeviation {
     /// `points`: control points of moderate size. Those of the plane are looked at in space: one code for both.
-    pub(crate) fn new<P: Point>(points: &[P], tolerance: f64) -> Self {
+    pub(crate) fn new(points: Points<DVec3>, tolerance: f64) -> Self {
         Self {
-            points: points.iter().map(|p| p.in_space()).collect(),
             start: 0.0,
-            from: points[0].in_space(),
+            from: points[0],
+            points,
             tolerance,
         }
     }

@@ -18,6 +18,7 @@ mod even;
 mod extrema;
 mod flatten;
 mod flatten_any;
+mod flatten_cubics;
 mod frames;
 mod hausdorff;
 mod hull;
@@ -65,7 +66,7 @@ pub(crate) use basis::apply;
 pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
 pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
 pub(crate) use even::{ByLength, check_length};
-pub(crate) use flatten::MAX_VERTICES;
+pub(crate) use flatten::{MAX_VERTICES, check_vertices};
 pub(crate) use frames::{FRAME_NUMBERS, Railway, frames_along};
 pub(crate) use moments::moments;
 #[cfg(feature = "wasm")]

@@ -1,7 +1,9 @@
 //! How large is it, and which polylines are close?
 
 use super::Path;
-use crate::curve::{Bounds, Curve, MAX_VERTICES, Polyline, check_tolerance, max_abs};
+use crate::curve::{
+    Bounds, Curve, MAX_VERTICES, Polyline, check_tolerance, check_vertices, max_abs,
+};
 use crate::error::Error;
 use crate::point::Point;
 use glam::{DVec2, DVec3};
@@ -40,6 +42,7 @@ impl Path {
     /// As [`Spline::flatten`](crate::Spline::flatten), with the limit of 2²⁴ vertices for all subpaths together.
     pub fn flatten(&self, tolerance: f64) -> Result<Vec<Polyline<DVec2>>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(|| self.segments().map(Curve::from_slice), tolerance)?;
         let mut left = MAX_VERTICES;
         self.parts()
             .map(|part| {
@@ -50,7 +53,7 @@ impl Path {
                     line.points.extend(&piece.points[skipped..]);
                     let ts = piece.ts[skipped..].iter().map(|t| k as f64 + t);
                     line.ts.extend(ts);
-                    check_vertices(line.ts.len(), left)?;
+                    check_count(line.ts.len(), left)?;
                 }
                 left -= line.ts.len();
                 Ok(line)
@@ -69,7 +72,7 @@ impl Path {
     }
 }
 
-fn check_vertices(count: usize, left: usize) -> Result<(), Error> {
+fn check_count(count: usize, left: usize) -> Result<(), Error> {
     if count <= left {
         return Ok(());
     }

@@ -3,6 +3,7 @@
 use super::Spline;
 use crate::curve::{
     Bounds, MAX_OUTPUT_F64, MAX_VERTICES, Pen, Polyline, check_segments, check_tolerance,
+    check_vertices,
 };
 use crate::error::Error;
 use crate::point::Point;
@@ -62,6 +63,10 @@ impl<P: Point> Spline<P> {
     /// As [`Curve::flatten`](crate::Curve::flatten).
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(
+            || (0..self.segment_count()).map(|k| self.curve(k)),
+            tolerance,
+        )?;
         let mut line = Polyline::default();
         for k in 0..self.segment_count() {
             let piece = self.curve(k).flatten(tolerance)?;

@@ -1,33 +1,53 @@
-//! Curves where numbers break: coincident, collinear, cusped, looped, a few ulps apart, huge, tiny.
+//! Adversarial curves: coincident and collinear points, cusps, loops, points a few ulps apart, huge and tiny coordinates.
 
-use super::{Rng, real};
-use casteljau::glam::DVec3;
+use crate::random::Rng;
+use glam::DVec3;
 
-/// What is wrong with a curve.
+/// What makes a curve difficult.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// Random control points.
     Random,
+    /// Small integer coordinates.
     Integers,
+    /// The end point is the start point.
     Closed,
+    /// All control points on one line.
     Collinear,
+    /// Control points close to one line.
     NearlyCollinear,
+    /// Several control points coincide with an end point.
     ZeroHandles,
+    /// A cusp, or almost one.
     Cusp,
+    /// A loop.
     Loop,
+    /// A flat curve with alternating sides.
     FlatS,
+    /// All control points within a few ulps.
     FewUlps,
+    /// All control points but one coincide.
     OneAway,
+    /// All control points coincide.
     Coincident,
+    /// Control points of very different magnitudes.
     Mixed,
+    /// Far from the origin.
     FarAway,
+    /// A curve of lower degree, elevated.
     Elevated,
+    /// One control point far from the others.
     LongHandle,
+    /// The curve runs there and back on almost the same line.
     Spike,
+    /// Coordinates near 1e300.
     Huge,
+    /// Coordinates near 1e-300.
     Tiny,
 }
 
-pub(crate) const ORDINARY: [Kind; 17] = [
+/// The kinds with coordinates of ordinary size.
+pub const ORDINARY: [Kind; 17] = [
     Kind::Random,
     Kind::Integers,
     Kind::Closed,
@@ -47,7 +67,8 @@ pub(crate) const ORDINARY: [Kind; 17] = [
     Kind::Spike,
 ];
 
-pub(crate) const ALL: [Kind; 19] = {
+/// All kinds.
+pub const ALL: [Kind; 19] = {
     let mut all = [Kind::Huge; 19];
     let mut i = 0;
     while i < 17 {
@@ -59,7 +80,7 @@ pub(crate) const ALL: [Kind; 19] = {
 };
 
 /// Control points of a kind and a degree; z = 0 where `dimension` is 2.
-pub(crate) fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec<DVec3> {
+pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec<DVec3> {
     let mut p: Vec<DVec3> = (0..=degree).map(|_| rng.point(dimension)).collect();
     let n = degree;
     match kind {
@@ -113,7 +134,7 @@ pub(crate) fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize)
             p[at.clamp(1, n)] *= rng.magnitude(0.0, 4.0);
         }
         Kind::Spike => {
-            // There and back again, all but on the same way.
+            // There and back on almost the same line.
             let thin = rng.magnitude(-9.0, -2.0);
             p.iter_mut().for_each(|p| p.y *= thin);
             p[n] = p[0] + rng.point(dimension) * thin;
@@ -174,12 +195,16 @@ fn cross_handles(rng: &mut Rng, p: &mut [DVec3], kind: Kind) {
     }
 }
 
-/// Degree elevation as the books have it.
-pub(crate) fn elevated(p: &[DVec3]) -> Vec<DVec3> {
+/// Degree elevation by the textbook formula, independent of the library.
+pub fn elevated(p: &[DVec3]) -> Vec<DVec3> {
     let n = real(p.len());
     let inner = (1..p.len()).map(|i| p[i - 1] * (real(i) / n) + p[i] * (1.0 - real(i) / n));
     let mut raised = vec![p[0]];
     raised.extend(inner);
     raised.push(p[p.len() - 1]);
     raised
+}
+
+fn real(n: usize) -> f64 {
+    f64::from(u32::try_from(n).expect("a small number"))
 }

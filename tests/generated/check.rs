@@ -1,0 +1,163 @@
+//! What every call is checked for: finite numbers, steps within the limit, refusals with a reason.
+
+use crate::limits;
+use crate::numbers::Numbers;
+use casteljau::Error;
+use casteljau_generator::{Case, Mode};
+use std::cell::Cell;
+
+/// Fails the check with a message unless a condition holds.
+macro_rules! ensure {
+    ($holds:expr, $($message:tt)+) => {{
+        // A variable, because the negation of a comparison of numbers looks like a mistake.
+        let holds: bool = $holds;
+        if !holds {
+            return Err(format!($($message)+));
+        }
+    }};
+}
+
+/// The answer of a call that may be refused: on a refusal that is stated, and in extreme cases, the check ends here.
+macro_rules! answer {
+    ($case:expr, $call:expr) => {
+        answer!($case, $call, &[])
+    };
+    ($case:expr, $call:expr, $allowed:expr) => {
+        match $crate::check::call($case, || $call)? {
+            Ok(_) if $case.mode == casteljau_generator::Mode::Extreme => return Ok(()),
+            Ok(value) => value,
+            Err(error) => return $crate::check::refused(&error, $allowed),
+        }
+    };
+}
+
+/// The answer of a call that is never refused; in extreme cases the check ends here.
+macro_rules! value {
+    ($case:expr, $call:expr) => {{
+        let value = $crate::check::call($case, || $call)?;
+        if $case.mode == casteljau_generator::Mode::Extreme {
+            return Ok(());
+        }
+        value
+    }};
+}
+
+/// A check for curves or splines of the plane and of space, by the dimension of the case.
+macro_rules! both {
+    ($check:ident) => {
+        |case| {
+            if case.dimension() == 3 {
+                $check::<casteljau::glam::DVec3>(case)
+            } else {
+                $check::<casteljau::glam::DVec2>(case)
+            }
+        }
+    };
+}
+
+pub(crate) use {answer, both, ensure, value};
+
+/// The outcome of a check.
+pub(crate) type Checked = Result<(), String>;
+
+thread_local! {
+    /// Steps of the calls of the case so far.
+    static STEPS: Cell<usize> = const { Cell::new(0) };
+    /// CPU time of the calls of the case so far, in nanoseconds; counted only for the table of percentiles.
+    static TIME: Cell<u64> = const { Cell::new(0) };
+    static TIMED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Begins a case.
+pub(crate) fn start() {
+    STEPS.set(0);
+    TIME.set(0);
+}
+
+/// Counts CPU time from now on.
+pub(crate) fn count_time() {
+    TIMED.set(true);
+}
+
+/// Steps and CPU time in nanoseconds of the case.
+pub(crate) fn work() -> (usize, u64) {
+    (STEPS.get(), TIME.get())
+}
+
+fn cpu_time() -> u64 {
+    if !TIMED.get() {
+        return 0;
+    }
+    #[cfg(unix)]
+    {
+        let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+        u64::try_from(time.tv_sec).unwrap_or(0) * 1_000_000_000
+            + u64::try_from(time.tv_nsec).unwrap_or(0)
+    }
+    #[cfg(not(unix))]
+    0
+}
+
+/// Makes the call that a case is about. Its answer must hold finite numbers.
+///
+/// The rule: an answer never holds a NaN. It holds no infinity either, unless coordinates lie near the ends of the range
+/// of f64 (`Mode::Extreme`).
+pub(crate) fn call<T: Numbers>(case: &Case, act: impl FnOnce() -> T) -> Result<T, String> {
+    let answer = call_unbounded(case, act)?;
+    let mut infinite = None;
+    answer.visit(&mut |x| infinite = infinite.or((!x.is_finite()).then_some(x)));
+    match infinite {
+        Some(x) if case.mode != Mode::Extreme => Err(format!("the answer holds {x}")),
+        _ => Ok(answer),
+    }
+}
+
+/// As `call`, for answers that may be infinite by definition (the curvature at a cusp), but not NaN.
+pub(crate) fn call_unbounded<T: Numbers>(
+    case: &Case,
+    act: impl FnOnce() -> T,
+) -> Result<T, String> {
+    casteljau_kernels::take_steps();
+    let begin = cpu_time();
+    let answer = act();
+    TIME.set(TIME.get() + cpu_time() - begin);
+    STEPS.set(STEPS.get() + casteljau_kernels::take_steps());
+    let (steps, limit) = (STEPS.get(), limits::of(case.function));
+    ensure!(steps <= limit, "{steps} steps, at most {limit} are allowed");
+    let mut nan = false;
+    answer.visit(&mut |x| nan |= x.is_nan());
+    ensure!(!nan, "the answer holds a NaN");
+    Ok(answer)
+}
+
+/// Whether a refusal is one that the documentation states, for the argument that it names.
+pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
+    let message = error.to_string();
+    ensure!(
+        message.contains("expected"),
+        "the refusal has no reason: {message}"
+    );
+    let allows = |what: &str| allowed.contains(&what);
+    let fits = match *error {
+        Error::Tolerance { least, got } => allows("tolerance") && got < least && least.is_finite(),
+        Error::Least { what, least, got } => allows(what) && got < least,
+        Error::TooMany { limit, needed, .. } => {
+            needed > limit && (allows("tolerance") || allows("too many"))
+        }
+        Error::Range { what, got, .. } => allows(what) && !got.is_nan(),
+        Error::Index {
+            what,
+            first,
+            last,
+            got,
+        } => allows(what) && !(first..=last).contains(&got),
+        Error::NotFinite { what, got, .. } => allows(what) && !got.is_finite(),
+        Error::Count { what, .. } | Error::Item { what, .. } => allows(what),
+        _ => false,
+    };
+    ensure!(
+        fits,
+        "refused without a stated reason: {message} ({error:?})"
+    );
+    Ok(())
+}

@@ -1,0 +1,95 @@
+//! Every public function of the library's types has a row: found by reading the sources.
+
+use crate::GROUPS;
+use std::path::{Path, PathBuf};
+
+/// The types whose functions are called with generated arguments.
+const TYPES: [&str; 8] = [
+    "Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "Grid", "Easing",
+];
+
+/// Functions that checks of others call on every case.
+const WITHIN_OTHERS: [&str; 6] = [
+    "Grid::vertex_count",   // Patch::grid
+    "Grid::triangle_count", // Patch::grid
+    "Grid::vertex",         // Grid::quads
+    "Grid::uv",             // Grid::quads
+    "Grid::quad",           // Grid::quads
+    "Grid::triangles",      // Grid::quads
+];
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(folder).expect("the sources").flatten() {
+        let path = entry.path();
+        if path.is_dir() && !path.ends_with("wasm") {
+            files.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// The type that an `impl` line is about; `None` for impls of traits, which have no public functions of their own.
+fn type_of(line: &str) -> Option<&str> {
+    let mut rest = line.strip_prefix("impl")?;
+    if rest.starts_with('<') {
+        // Past the parameters, in which arrows and brackets may nest.
+        let mut depth = 0;
+        let end = rest.find(|c| {
+            depth += i32::from(c == '<') - i32::from(c == '>');
+            depth == 0
+        });
+        rest = &rest[end? + 1..];
+    }
+    let name = rest.trim_start();
+    let end = name.find(|c: char| !c.is_alphanumeric())?;
+    (!line.contains(" for ")).then_some(&name[..end])
+}
+
+fn public_functions(text: &str) -> Vec<String> {
+    let (mut found, mut current) = (Vec::new(), None);
+    for line in text.lines() {
+        if line.starts_with("impl") {
+            current = type_of(line);
+        }
+        let function = line
+            .strip_prefix("    pub fn ")
+            .or_else(|| line.strip_prefix("    pub const fn "));
+        if let (Some(kind), Some(function)) =
+            (current.filter(|kind| TYPES.contains(kind)), function)
+        {
+            let end = function
+                .find(|c: char| !c.is_alphanumeric() && c != '_')
+                .expect("a parenthesis");
+            found.push(format!("{kind}::{}", &function[..end]));
+        }
+    }
+    found
+}
+
+#[test]
+fn every_public_function_has_a_row() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let texts = sources(&folder)
+        .into_iter()
+        .map(|path| std::fs::read_to_string(path).expect("a source"));
+    let functions: Vec<String> = texts.flat_map(|text| public_functions(&text)).collect();
+    assert!(
+        functions.len() > 150,
+        "only {} public functions were found",
+        functions.len()
+    );
+    let rows: Vec<&str> = GROUPS
+        .iter()
+        .flat_map(|(_, tables)| tables.iter().copied().flatten())
+        .map(|&(name, _)| name)
+        .collect();
+    let known = |name: &str| rows.contains(&name) || WITHIN_OTHERS.contains(&name);
+    let missing: Vec<&String> = functions.iter().filter(|name| !known(name)).collect();
+    assert!(
+        missing.is_empty(),
+        "no generated test calls {missing:?}: add rows to tests/generated and tests/generator"
+    );
+}

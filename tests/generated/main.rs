@@ -1,0 +1,79 @@
+//! Generated calls of every public function: no panic, no NaN, the invariants of each answer, the limits of work.
+//!
+//! `CASTELJAU_CASES=N` asks for N calls per function, `CASTELJAU_SEED=S` for other ones, and
+//! `CASTELJAU_ONLY=Curve::offset` or `CASTELJAU_ONLY=Curve::offset:123` for those of one function, or for one call.
+#![cfg(not(target_family = "wasm"))]
+
+mod arguments;
+mod check;
+mod coverage;
+mod curve_drawing;
+mod curve_edit;
+mod curve_measure;
+mod curve_places;
+mod curve_query;
+mod curve_shape;
+mod export;
+mod limits;
+mod mesh;
+mod numbers;
+mod parsers;
+mod patch;
+mod patch_query;
+mod path;
+mod path_query;
+mod percentiles;
+mod runner;
+mod spline_edit;
+mod spline_forms;
+mod spline_measure;
+mod spline_query;
+mod surface;
+mod surface_query;
+
+use runner::Row;
+
+/// The functions in groups; each group is a test, so that they run side by side.
+const GROUPS: [(&str, &[&[Row]]); 9] = [
+    ("curves: evaluation", &[curve_shape::ROWS]),
+    ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
+    ("curves: measures", &[curve_measure::ROWS]),
+    ("curves: queries", &[curve_query::ROWS, curve_places::ROWS]),
+    (
+        "splines",
+        &[
+            spline_edit::ROWS,
+            spline_forms::ROWS,
+            spline_measure::ROWS,
+            spline_query::ROWS,
+        ],
+    ),
+    ("paths", &[path::ROWS, path_query::ROWS]),
+    ("patches", &[patch::ROWS, patch_query::ROWS]),
+    (
+        "surfaces",
+        &[surface::ROWS, surface_query::ROWS, export::ROWS],
+    ),
+    ("parsers", &[parsers::ROWS]),
+];
+
+macro_rules! groups {
+    ($($name:ident: $index:literal,)*) => {$(
+        #[test]
+        fn $name() {
+            runner::run(GROUPS[$index].1);
+        }
+    )*};
+}
+
+groups! {
+    curves_evaluation: 0,
+    curves_editing: 1,
+    curves_measures: 2,
+    curves_queries: 3,
+    splines: 4,
+    paths: 5,
+    patches: 6,
+    surfaces: 7,
+    parsers_read_what_they_wrote: 8,
+}

@@ -1,0 +1,139 @@
+//! Checks of what reads texts and numbers: no panic, errors within the text, what was read is written and read again.
+
+use crate::arguments::*;
+use crate::check::*;
+use crate::runner::Row;
+use casteljau::{Easing, Path, Surface};
+use casteljau_generator::Case;
+
+pub(crate) const ROWS: &[Row] = &[
+    ("Path::from_svg", from_svg),
+    ("Surface::parse", parse),
+    ("Easing::new", easing_new),
+    ("Easing::eval", easing_eval),
+];
+
+fn from_svg(case: &Case) -> Checked {
+    let text = text(case, "text");
+    let (path, error) = match call(case, || Path::from_svg(text).map_err(Box::new))? {
+        Ok(path) => (path, None),
+        Err(error) => (error.path.clone(), Some(error)),
+    };
+    if let Some(error) = error {
+        ensure!(
+            error.offset <= text.len(),
+            "offset {} of {}",
+            error.offset,
+            text.len()
+        );
+        ensure!(
+            text.as_bytes()[..error.offset].is_ascii(),
+            "text before the error that is not ASCII"
+        );
+        ensure!(
+            error.to_string().len() < 300 + text.len(),
+            "a message of {} bytes",
+            error.to_string().len()
+        );
+        let before = Path::from_svg(&text[..error.offset]).unwrap_or_else(|error| error.path);
+        ensure!(
+            before.segment_count() <= error.path.segment_count() + 1,
+            "more before the error than with it"
+        );
+    }
+    // An arc makes at most four cubics of at least nine characters.
+    ensure!(
+        path.segment_count() <= text.len() + 1,
+        "{} segments of {} bytes",
+        path.segment_count(),
+        text.len()
+    );
+    let written = path.to_svg(None, None).map_err(|error| error.to_string())?;
+    ensure!(
+        written.len() <= 600 * (text.len() + 1),
+        "{} bytes of {}",
+        written.len(),
+        text.len()
+    );
+    let again = Path::from_svg(&written).map_err(|error| error.to_string())?;
+    ensure!(again == path, "another path is read from {written}");
+    Ok(())
+}
+
+fn parse(case: &Case) -> Checked {
+    let text = text(case, "text");
+    let surface = match call(case, || Surface::parse(text).map_err(Box::new))? {
+        Ok(surface) => surface,
+        Err(error) => {
+            let lines = text.split('\n').count() + text.matches('\r').count() + 1;
+            ensure!(
+                (1..=lines).contains(&error.line),
+                "line {} of {lines}",
+                error.line
+            );
+            ensure!(
+                !error.expected.is_empty() && error.to_string().len() <= 300 + text.len(),
+                "no short message"
+            );
+            return Ok(());
+        }
+    };
+    ensure!(
+        surface.vertices().len() + surface.indices().len() <= text.len(),
+        "more numbers than characters"
+    );
+    let again = Surface::parse(&surface.to_text()).map_err(|error| error.to_string())?;
+    let same = again.vertices() == surface.vertices() && again.indices() == surface.indices();
+    ensure!(same, "another surface is read from what was written");
+    Ok(())
+}
+
+fn handles(case: &Case) -> [f64; 4] {
+    ["x1", "y1", "x2", "y2"].map(|name| number(case, name))
+}
+
+fn easing_new(case: &Case) -> Checked {
+    let [x1, y1, x2, y2] = handles(case);
+    casteljau_kernels::take_steps();
+    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
+    let ends = call(case, || [easing.eval(0.0), easing.eval(1.0)])?;
+    ensure!(ends == [0.0, 1.0], "the ends are {ends:?}");
+    Ok(())
+}
+
+fn easing_eval(case: &Case) -> Checked {
+    let ([x1, y1, x2, y2], x) = (handles(case), number(case, "x"));
+    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
+    let y = call(case, || easing.eval(x))?;
+    ensure!(y.is_finite(), "{y}");
+    if !(0.0..=1.0).contains(&x) || case.size() > 0.0 {
+        return Ok(());
+    }
+    // x(t) is right to 1e-15, and y is that t's: every t whose x is as close is as good.
+    let weights = |t: f64, a: f64, b: f64| {
+        3.0 * a * t * (1.0 - t).powi(2) + 3.0 * b * t * t * (1.0 - t) + t.powi(3)
+    };
+    let parameter_at = |x: f64| {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if weights(middle, x1, x2) < x {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    };
+    let (below, above) = (parameter_at(x - 4e-15), parameter_at(x + 4e-15));
+    let values = parameters(8, 1.0).map(|s| weights(below + (above - below) * s, y1, y2));
+    let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| {
+        (a.min(y), b.max(y))
+    });
+    let slack = 1e-9 * y1.abs().max(y2.abs()).max(1.0);
+    ensure!(
+        y >= least - slack && y <= most + slack,
+        "{y} at {x}, between {least} and {most} were expected"
+    );
+    Ok(())
+}

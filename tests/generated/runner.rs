@@ -1,0 +1,196 @@
+//! Runs the cases of a group on a thread of its own, watches for calls that do not return, and reports failures.
+
+use crate::check::{self, Checked};
+use casteljau_generator::{Case, case, find};
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
+
+/// A function and the check of one call.
+pub(crate) type Row = (&'static str, fn(&Case) -> Checked);
+
+const SEED: u64 = 11;
+const CASES: u64 = 2_000;
+const DEEP_CASES: u64 = 100_000;
+/// A call that takes longer than this is reported as one that does not return. No answer takes a thousandth of it.
+const HANG: Duration = Duration::from_secs(60);
+/// Failures of a function that are shown.
+const SHOWN: usize = 2;
+
+/// What the environment asks for.
+#[derive(Clone)]
+pub(crate) struct Settings {
+    pub(crate) seed: u64,
+    pub(crate) cases: u64,
+    only: Option<(String, Option<u64>)>,
+}
+
+impl Settings {
+    pub(crate) fn read() -> Self {
+        let number = |name: &str| {
+            std::env::var(name)
+                .ok()
+                .map(|text| text.parse().expect("a whole number"))
+        };
+        let deep = if std::env::var_os("CASTELJAU_DEEP").is_some() {
+            DEEP_CASES
+        } else {
+            CASES
+        };
+        let only = std::env::var("CASTELJAU_ONLY")
+            .ok()
+            .map(|text| match text.rsplit_once(':') {
+                Some((name, digits))
+                    if !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()) =>
+                {
+                    (name.to_owned(), digits.parse().ok())
+                }
+                _ => (text, None),
+            });
+        Self {
+            seed: number("CASTELJAU_SEED").unwrap_or(SEED),
+            cases: number("CASTELJAU_CASES").unwrap_or(deep),
+            only,
+        }
+    }
+
+    /// The numbers of the cases of a function that are asked for.
+    pub(crate) fn numbers(&self, function: &str) -> std::ops::Range<u64> {
+        let Some((name, number)) = &self.only else {
+            return 0..self.cases;
+        };
+        let wanted = find(name).unwrap_or_else(|| panic!("CASTELJAU_ONLY: no function {name}"));
+        match number {
+            _ if wanted.name != function => 0..0,
+            Some(number) => *number..*number + 1,
+            None => 0..self.cases,
+        }
+    }
+}
+
+/// The failures of each function: their number, and the first ones as texts.
+type Failures = BTreeMap<&'static str, (usize, Vec<String>)>;
+
+/// What a worker and the thread that watches it share.
+#[derive(Default)]
+struct Shared {
+    /// The case that is running, the row of its function, and since when.
+    current: Option<(Case, usize, Instant)>,
+    failures: Failures,
+    /// The number of the worker; one that was given up has a lower number and must not write any more.
+    worker: usize,
+}
+
+impl Shared {
+    fn add(&mut self, case: &Case, message: &str) {
+        let (count, shown) = self.failures.entry(case.function).or_default();
+        *count += 1;
+        if shown.len() < SHOWN {
+            let text = describe(case, message);
+            // At once, past the capture of the test's output: a run that is stopped has told what it found.
+            let _ = writeln!(std::io::stderr(), "{text}");
+            shown.push(text);
+        }
+    }
+}
+
+/// Runs the checks and fails with a list of what was found.
+pub(crate) fn run(tables: &'static [&'static [Row]]) {
+    let rows: Arc<Vec<Row>> = Arc::new(tables.iter().copied().flatten().copied().collect());
+    let (shared, settings) = (Arc::<Mutex<Shared>>::default(), Settings::read());
+    let mut first = 0;
+    // A call that does not return keeps its thread: another worker goes on with the next function.
+    while let Some(next) = watch(&spawn(&rows, first, &settings, &shared), &shared) {
+        first = next;
+    }
+    let failures = &lock(&shared).failures;
+    assert!(failures.is_empty(), "{}", report(failures));
+}
+
+fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
+    shared.lock().expect("no panic while it is locked")
+}
+
+/// A thread for the rows from `first` on; the receiver hears of its end.
+fn spawn(
+    rows: &Arc<Vec<Row>>,
+    first: usize,
+    settings: &Settings,
+    shared: &Arc<Mutex<Shared>>,
+) -> Receiver<()> {
+    let (sender, receiver) = channel();
+    let (rows, settings, shared) = (Arc::clone(rows), settings.clone(), Arc::clone(shared));
+    let number = lock(&shared).worker;
+    let work = move || {
+        let _ended = sender; // dropped at the end, also of a panic
+        for (row, &(name, check)) in rows.iter().enumerate().skip(first) {
+            for number_of_case in settings.numbers(name) {
+                let case = case(settings.seed, name, number_of_case);
+                lock(&shared).current = Some((case.clone(), row, Instant::now()));
+                let outcome = guarded(check, &case);
+                let mut shared = lock(&shared);
+                if shared.worker != number {
+                    return;
+                }
+                if let Err(message) = outcome {
+                    shared.add(&case, &message);
+                }
+            }
+        }
+    };
+    let builder = std::thread::Builder::new().stack_size(16 << 20);
+    builder.spawn(work).expect("a thread");
+    receiver
+}
+
+/// Waits for the end of a worker. Where a call takes too long, notes it and gives the row to go on with.
+fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
+    while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
+        let mut shared = lock(shared);
+        if let Some((case, row, start)) = shared.current.clone()
+            && start.elapsed() > HANG
+        {
+            shared.add(&case, &format!("no answer after {HANG:?}"));
+            shared.worker += 1;
+            return Some(row + 1);
+        }
+    }
+    None
+}
+
+/// A check whose panics are failures.
+pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
+    check::start();
+    catch_unwind(AssertUnwindSafe(|| check(case))).unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
+        Err(format!("panicked: {}", text.unwrap_or_default()))
+    })
+}
+
+/// A failure with what repeats it and what can be pasted into a test.
+fn describe(case: &Case, message: &str) -> String {
+    format!(
+        "{}, seed {}, number {} ({:?}): {message}\n  repeat: CASTELJAU_SEED={} CASTELJAU_ONLY={}:{} cargo test --test generated\n  Rust: {}\n  JavaScript: {}",
+        case.function,
+        case.seed,
+        case.number,
+        case.mode,
+        case.seed,
+        case.function,
+        case.number,
+        case.to_rust(),
+        case.to_javascript()
+    )
+}
+
+fn report(failures: &Failures) -> String {
+    let mut text = format!("{} functions failed\n", failures.len());
+    for (name, (count, shown)) in failures {
+        text += &format!("\n{name}: {count} failures\n{}\n", shown.join("\n"));
+    }
+    text
+}

@@ -1,0 +1,296 @@
+//! A value for each kind of argument.
+
+use crate::case::{Case, Mode, Value};
+use crate::functions;
+use crate::geometry;
+use crate::random::Rng;
+use crate::texts;
+use glam::DVec3;
+
+/// The words of each kind of choice.
+const CHOICES: &[(&str, &[&str])] = &[
+    (
+        "named basis",
+        &["bezier", "hermite", "b-spline", "catmull-rom"],
+    ),
+    ("interpolation", &["natural", "catmull-rom"]),
+    ("join", &["round", "miter", "bevel"]),
+    ("joint mode", &["free", "g1", "c1", "c2", "g2", "auto"]),
+    ("rule", &["nonzero", "evenodd"]),
+    ("method", &["bernstein", "forward"]),
+    ("weld", &["position", "normal", "none"]),
+    ("height", &["squashed", "original"]),
+    ("up", &["z", "y"]),
+    ("wire", &["tube", "ribbon"]),
+];
+
+/// The case of a seed, a function and a number.
+///
+/// # Panics
+/// For a function that is not in the table, and for a kind of argument that this file does not know.
+pub fn case(seed: u64, function: &str, number: u64) -> Case {
+    let signature = functions::find(function)
+        .unwrap_or_else(|| panic!("no row for {function} in functions.rs"));
+    let mut rng = Rng::for_case(seed, signature.name, number);
+    let mode = match number % 16 {
+        15 => Mode::Extreme,
+        number if number % 2 == 1 => Mode::MixedScale,
+        _ => Mode::Moderate,
+    };
+    let mut made = Case {
+        seed,
+        function: signature.name,
+        number,
+        mode,
+        arguments: Vec::new(),
+    };
+    for &(name, kind) in &signature.arguments {
+        let value = Maker {
+            rng: &mut rng,
+            mode,
+            made: &made,
+        }
+        .value(kind);
+        made.arguments.push((name, value));
+    }
+    made
+}
+
+/// Makes one argument; the earlier ones are known.
+pub(crate) struct Maker<'a> {
+    pub(crate) rng: &'a mut Rng,
+    pub(crate) mode: Mode,
+    pub(crate) made: &'a Case,
+}
+
+impl Maker<'_> {
+    fn value(&mut self, kind: &'static str) -> Value {
+        if let Some(kind) = kind.strip_prefix("optional ") {
+            return if self.rng.chance(0.5) {
+                Value::Nothing
+            } else {
+                self.value(kind)
+            };
+        }
+        if let Some((_, words)) = CHOICES.iter().find(|(known, _)| *known == kind) {
+            return Value::Word(self.rng.pick(words));
+        }
+        self.geometry(kind)
+            .or_else(|| self.number(kind))
+            .or_else(|| self.count(kind))
+            .or_else(|| self.list(kind))
+            .or_else(|| texts::text(self.rng, kind).map(Value::Text))
+            .unwrap_or_else(|| panic!("no kind of argument: {kind}"))
+    }
+
+    fn geometry(&mut self, kind: &str) -> Option<Value> {
+        let (mode, rng) = (self.mode, &mut *self.rng);
+        let any = 2 + rng.below(2);
+        let curve = |rng: &mut Rng, dimension, max| {
+            Value::Curve(dimension, geometry::curve(rng, mode, dimension, max))
+        };
+        Some(match kind {
+            "curve" => curve(rng, any, 24),
+            "curve2" => curve(rng, 2, 24),
+            "curve3" => curve(rng, 3, 24),
+            "cubic" => curve(rng, any, 3),
+            "other" => {
+                let Value::Curve(dimension, first) = &self.made.arguments[0].1 else {
+                    panic!("another curve needs a first one");
+                };
+                Value::Curve(*dimension, geometry::related(rng, mode, *dimension, first))
+            }
+            "spline" => Value::Spline(geometry::spline(rng, mode, any)),
+            "spline2" => Value::Spline(geometry::spline(rng, mode, 2)),
+            "spline3" => Value::Spline(geometry::spline(rng, mode, 3)),
+            "path" => Value::Path(geometry::path(rng, mode)),
+            "patch" => Value::Patch(geometry::patch(rng, mode)),
+            "surface" => Value::Surface(geometry::surface(rng, mode)),
+            "point" => self.point(),
+            "direction" => {
+                let direction = rng.point(3) * rng.magnitude(-3.0, 3.0);
+                Value::Point(
+                    3,
+                    if rng.chance(0.2) {
+                        direction.round()
+                    } else {
+                        direction
+                    },
+                )
+            }
+            _ => return None,
+        })
+    }
+
+    /// Near the geometry, on one of its control points, or far away.
+    fn point(&mut self) -> Value {
+        let (dimension, size) = (self.made.dimension(), self.size());
+        let flat = |p: DVec3| {
+            if dimension == 2 {
+                DVec3::new(p.x, p.y, 0.0)
+            } else {
+                p
+            }
+        };
+        let known = control_points(&self.made.arguments[0].1);
+        let random = self.rng.point(3) * size;
+        Value::Point(
+            dimension,
+            flat(match self.rng.below(8) {
+                0 | 1 if !known.is_empty() => known[self.rng.below(known.len())],
+                2 if !known.is_empty() => (known[0] + known[known.len() - 1]) * 0.5,
+                3 => random * 1e3_f64.min(f64::MAX / (1.0 + size) * 1e-3),
+                4 => DVec3::ZERO,
+                _ => random,
+            }),
+        )
+    }
+
+    /// The size of the earlier arguments, 1 where there is none.
+    pub(crate) fn size(&self) -> f64 {
+        let size = self.made.size();
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    fn number(&mut self, kind: &str) -> Option<Value> {
+        let (size, mode) = (self.size(), self.mode);
+        let least = if mode == Mode::MixedScale {
+            -12.0
+        } else {
+            -6.0
+        };
+        let number = match kind {
+            "t" => parameter(self.rng, 1.0),
+            "spline t" => {
+                let end = self.segments();
+                parameter(self.rng, end)
+            }
+            "unit" => self.rng.pick(&[
+                0.0,
+                0.5,
+                1.0,
+                self.rng.clone().unit(),
+                self.rng.clone().unit(),
+            ]),
+            "handle" => self.handle(),
+            "length" => self.length(size),
+            "coordinate" => self.rng.signed() * size,
+            "tolerance" => self.tolerance(size, least, -1.0),
+            "coarse tolerance" => self.tolerance(size, least.max(-5.0), -1.0),
+            // Fine meshes take long to make: one case in fifty asks for them.
+            "mesh tolerance" if mode == Mode::MixedScale && self.rng.chance(0.02) => {
+                self.tolerance(size, -12.0, -1.0)
+            }
+            "mesh tolerance" => self.tolerance(size, -3.0, 0.0),
+            "wire width" => self.tolerance(size, -4.0, -1.0),
+            "pixels" => self.tolerance(1.0, -1.0, 2.0),
+            _ => return None,
+        };
+        Some(Value::Number(number))
+    }
+
+    /// A part of the size; one in thirty is out of range.
+    fn tolerance(&mut self, size: f64, least: f64, most: f64) -> f64 {
+        match self.rng.below(60) {
+            0 => self.rng.pick(&[0.0, -1.0, 1e-300]),
+            1 => size * self.rng.magnitude(-20.0, -14.0),
+            _ => size * self.rng.magnitude(least, most),
+        }
+    }
+
+    fn length(&mut self, size: f64) -> f64 {
+        let sign = if self.rng.chance(0.5) { 1.0 } else { -1.0 };
+        match self.rng.below(10) {
+            0 => 0.0,
+            1 => sign * size,
+            2 if self.mode == Mode::MixedScale => sign * size * self.rng.magnitude(-12.0, 3.0),
+            _ => sign * size * self.rng.magnitude(-3.0, 0.5),
+        }
+    }
+
+    fn handle(&mut self) -> f64 {
+        match self.mode {
+            Mode::Moderate => 3.0 * self.rng.signed(),
+            Mode::MixedScale => self.rng.signed() * self.rng.magnitude(-12.0, 15.0),
+            Mode::Extreme => self.rng.signed() * self.rng.pick(&[1e300, 1e-300, 1.0]),
+        }
+    }
+
+    fn count(&mut self, kind: &str) -> Option<Value> {
+        let first = &self.made.arguments.first();
+        let known = first.map_or(0, |(_, value)| control_points(value).len());
+        let joints = if first.is_some() {
+            self.whole_segments().max(1)
+        } else {
+            1
+        };
+        let rng = &mut *self.rng;
+        // One index or count in twenty is out of range.
+        let outside = rng.chance(0.05);
+        let count = match kind {
+            "segments" | "cells" | "lines" if outside => 0,
+            "segments" => rng.pick(&[1, 2, 3, 7, 10, 32, 100]),
+            "cells" => rng.pick(&[1, 1, 2, 3, 4, 8, 13]),
+            "lines" => rng.pick(&[1, 2, 3]),
+            "sides" => rng.pick(&[3, 4, 6, 8, 2]),
+            "order" => rng.below(26),
+            "axis" if outside => 3,
+            "axis" => rng.below(self.made.dimension()),
+            "any degree" | "any dimension" | "any count" => return self.whole(kind),
+            "low degree" => rng.pick(&[1, 2, 3, 3, 3, 4, 7]),
+            "joint" => rng.below(if outside { 8 } else { joints }),
+            "index" => rng.below(5),
+            "point index" => rng.below((known + usize::from(outside)).max(1)),
+            "precision" => rng.pick(&[0, 1, 2, 3, 6, 12, 17, 100]),
+            _ => return None,
+        };
+        Some(Value::Count(count))
+    }
+
+    fn whole(&mut self, kind: &str) -> Option<Value> {
+        Some(Value::Count(match kind {
+            "any degree" => self.rng.pick(&[0, 1, 2, 3, 7, 24, 63, 64, 65]),
+            "any dimension" => 2 + self.rng.below(2),
+            _ => self.rng.pick(&[0, 1, 2, 100, 1_000_000, usize::MAX >> 11]),
+        }))
+    }
+
+    pub(crate) fn whole_segments(&self) -> usize {
+        match &self.made.arguments[0].1 {
+            Value::Spline(spline) => spline.degrees.len(),
+            _ => 1,
+        }
+    }
+
+    pub(crate) fn segments(&self) -> f64 {
+        f64::from(u32::try_from(self.whole_segments()).expect("few segments"))
+    }
+}
+
+/// In the range, at its ends, at joints, and outside.
+pub(crate) fn parameter(rng: &mut Rng, end: f64) -> f64 {
+    match rng.below(16) {
+        0 => 0.0,
+        1 => end,
+        2 => (end * rng.unit()).round(),
+        3 => end * 0.5,
+        4 => rng.pick(&[f64::EPSILON, 1e-9, 1e-300]),
+        5 => end - rng.pick(&[f64::EPSILON, 1e-9]),
+        6 => -rng.unit(),
+        7 => end + rng.unit(),
+        _ => end * rng.unit(),
+    }
+}
+
+pub(crate) fn control_points(value: &Value) -> Vec<DVec3> {
+    match value {
+        Value::Curve(_, points) | Value::Points(_, points) => points.clone(),
+        Value::Spline(spline) => spline.points.clone(),
+        Value::Path(splines) => splines
+            .iter()
+            .flat_map(|spline| spline.points.clone())
+            .collect(),
+        Value::Patch(surface) | Value::Surface(surface) => surface.vertices.clone(),
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,290 @@
+//! Curves, splines, paths, patches and surfaces of each mode.
+
+use crate::adversarial::{self, Kind, ORDINARY};
+use crate::case::{Mode, SplineData, SurfaceData};
+use crate::random::Rng;
+use glam::DVec3;
+
+/// The control points of a curve.
+pub(crate) fn curve(rng: &mut Rng, mode: Mode, dimension: usize, max_degree: usize) -> Vec<DVec3> {
+    let degree = degree(rng, mode, max_degree);
+    match mode {
+        Mode::Moderate => moderate(rng, degree, dimension),
+        Mode::MixedScale => mixed_scale(rng, degree, dimension),
+        Mode::Extreme => {
+            let kind = rng.pick(&[Kind::Huge, Kind::Tiny]);
+            adversarial::points(rng, kind, degree, dimension)
+        }
+    }
+}
+
+/// Mostly low degrees, up to 24.
+fn degree(rng: &mut Rng, mode: Mode, max: usize) -> usize {
+    let degree = if mode == Mode::MixedScale && rng.chance(0.5) {
+        1 + rng.below(24)
+    } else {
+        rng.pick(&[1, 2, 2, 3, 3, 3, 3, 3, 4, 4, 5, 6, 8, 12])
+    };
+    degree.min(max)
+}
+
+fn moderate(rng: &mut Rng, degree: usize, dimension: usize) -> Vec<DVec3> {
+    let kind = rng.pick(&ORDINARY);
+    let scale = rng.pick(&[1.0, 1.0, 10.0, 100.0, 1000.0]);
+    let mut points = adversarial::points(rng, kind, degree, dimension);
+    points.iter_mut().for_each(|p| *p *= scale);
+    points
+}
+
+/// A number whose size lies between 1e-12 and 1e15, or zero, or one of few values that repeat.
+fn mixed_number(rng: &mut Rng) -> f64 {
+    let sign = if rng.chance(0.5) { 1.0 } else { -1.0 };
+    match rng.below(10) {
+        0 | 1 => 0.0,
+        2 => sign,
+        3 => sign * 1e15,
+        _ => sign * rng.magnitude(-12.0, 15.0),
+    }
+}
+
+fn mixed_point(rng: &mut Rng, dimension: usize) -> DVec3 {
+    let (x, y, z) = (mixed_number(rng), mixed_number(rng), mixed_number(rng));
+    DVec3::new(x, y, if dimension == 3 { z } else { 0.0 })
+}
+
+fn mixed_scale(rng: &mut Rng, degree: usize, dimension: usize) -> Vec<DVec3> {
+    // Half of the curves have one size for each point, so that their two or three coordinates are comparable.
+    let together = rng.chance(0.5);
+    let mut points: Vec<DVec3> = if together {
+        let kind = rng.pick(&ORDINARY);
+        adversarial::points(rng, kind, degree, dimension)
+    } else {
+        (0..=degree).map(|_| mixed_point(rng, dimension)).collect()
+    };
+    if together {
+        let scale = rng.magnitude(-9.0, 12.0);
+        points
+            .iter_mut()
+            .for_each(|p| *p *= scale * rng.magnitude(-3.0, 3.0));
+    }
+    if rng.chance(0.3) {
+        repeat_points(rng, &mut points);
+    }
+    if rng.chance(0.2) {
+        // On a line through the first point; the multiples are of very different sizes.
+        let (origin, direction) = (points[0], rng.point(dimension));
+        let along = points.iter().map(|p| origin + direction * p.x);
+        points = along.collect();
+    }
+    points
+}
+
+/// Some points take the place of others.
+fn repeat_points(rng: &mut Rng, points: &mut [DVec3]) {
+    for _ in 0..1 + rng.below(points.len()) {
+        let (from, to) = (rng.below(points.len()), rng.below(points.len()));
+        points[to] = points[from];
+    }
+}
+
+/// A curve that has something in common with another one: a piece, an end, a direction, or all but a few ulps.
+pub(crate) fn related(rng: &mut Rng, mode: Mode, dimension: usize, first: &[DVec3]) -> Vec<DVec3> {
+    let mut points = first.to_vec();
+    match rng.below(8) {
+        0 => points.reverse(),
+        1 => {
+            let up =
+                (first[0] - first[first.len() - 1]).abs().max_element() * rng.magnitude(-16.0, 0.0);
+            points
+                .iter_mut()
+                .for_each(|p| *p += DVec3::new(0.0, up, 0.0));
+        }
+        2 => points = left_piece(first, rng.unit()),
+        3 => points = adversarial::elevated(first),
+        4 => {
+            let (joint, mut other) = (first[first.len() - 1], curve(rng, mode, dimension, 24));
+            other[0] = joint;
+            points = other;
+        }
+        _ => points = curve(rng, mode, dimension, 24),
+    }
+    points.truncate(25);
+    if points.len() < 2 {
+        first.to_vec()
+    } else {
+        points
+    }
+}
+
+/// The control points of the piece from 0 to t, by de Casteljau's algorithm.
+fn left_piece(points: &[DVec3], t: f64) -> Vec<DVec3> {
+    let mut row = points.to_vec();
+    let mut piece = vec![row[0]];
+    while row.len() > 1 {
+        row = row
+            .windows(2)
+            .map(|w| w[0] * (1.0 - t) + w[1] * t)
+            .collect();
+        piece.push(row[0]);
+    }
+    piece
+}
+
+/// A spline of one to five segments.
+pub(crate) fn spline(rng: &mut Rng, mode: Mode, dimension: usize) -> SplineData {
+    let closed = rng.chance(0.4);
+    let count = 1 + rng.below(5);
+    let same_degree = rng.chance(0.6).then(|| degree(rng, mode, 6));
+    let mut points: Vec<DVec3> = Vec::new();
+    let mut degrees = Vec::new();
+    for _ in 0..count {
+        let mut piece = curve(rng, mode, dimension, same_degree.unwrap_or(8));
+        while same_degree.is_some_and(|degree| piece.len() <= degree) {
+            piece = adversarial::elevated(&piece);
+        }
+        degrees.push(piece.len() - 1);
+        join(rng, &mut points, piece);
+    }
+    if closed {
+        points.pop();
+    }
+    SplineData {
+        dimension,
+        points,
+        degrees,
+        closed,
+    }
+}
+
+/// Appends a piece from where the last one ends; in half of the cases its first handle continues the last direction.
+fn join(rng: &mut Rng, points: &mut Vec<DVec3>, mut piece: Vec<DVec3>) {
+    let Some(&end) = points.last() else {
+        points.extend(piece);
+        return;
+    };
+    let shift = end - piece[0];
+    piece.iter_mut().for_each(|p| *p += shift);
+    if rng.chance(0.5) && piece.len() > 2 {
+        piece[1] = end + (end - points[points.len() - 2]) * rng.pick(&[1.0, 1.0, 0.5, 1e-6]);
+    }
+    points.extend(&piece[1..]);
+}
+
+/// None to three splines of the plane.
+pub(crate) fn path(rng: &mut Rng, mode: Mode) -> Vec<SplineData> {
+    let count = rng.pick(&[0, 1, 1, 1, 2, 2, 3]);
+    (0..count).map(|_| spline(rng, mode, 2)).collect()
+}
+
+/// A net of control points: a graph with noise, or curves of any kind as rows; sides and rows may coincide.
+pub(crate) fn net(rng: &mut Rng, mode: Mode) -> (Vec<DVec3>, [usize; 2]) {
+    let max = if mode == Mode::MixedScale { 12 } else { 5 };
+    let [m, n] = [patch_degree(rng, max), patch_degree(rng, max)];
+    let mut net = if rng.chance(0.5) {
+        graph(rng, m, n)
+    } else {
+        rows(rng, mode, m, n)
+    };
+    match rng.below(8) {
+        0 => collapse_row(rng, &mut net, m, n),
+        1 => repeat_points(rng, &mut net),
+        2 => net.iter_mut().for_each(|p| p.z = 0.0),
+        3 if mode == Mode::MixedScale => {
+            net.iter_mut().for_each(|p| *p *= rng.magnitude(-6.0, 6.0))
+        }
+        _ => {}
+    }
+    let scale = match mode {
+        Mode::Moderate => rng.pick(&[1.0, 10.0, 100.0]),
+        Mode::MixedScale => rng.magnitude(-6.0, 3.0),
+        Mode::Extreme => rng.pick(&[1e290, 1e-290]),
+    };
+    if mode != Mode::Extreme || net.iter().all(|p| p.abs().max_element() < 1e3) {
+        net.iter_mut().for_each(|p| *p *= scale);
+    }
+    (net, [m, n])
+}
+
+fn patch_degree(rng: &mut Rng, max: usize) -> usize {
+    rng.pick(&[1, 2, 3, 3, 3, 3, 3, 4, 5, 8, 12]).min(max)
+}
+
+fn graph(rng: &mut Rng, m: usize, n: usize) -> Vec<DVec3> {
+    let noise = rng.pick(&[0.0, 0.1, 1.0]);
+    let count = |n: usize| f64::from(u32::try_from(n).expect("a degree"));
+    let places = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
+    let points = places.map(|(i, j)| DVec3::new(count(i), count(j), 0.0) + rng.point(3) * noise);
+    points.collect()
+}
+
+fn rows(rng: &mut Rng, mode: Mode, m: usize, n: usize) -> Vec<DVec3> {
+    let mut net = Vec::new();
+    for _ in 0..=n {
+        let mut row = curve(rng, mode, 3, m);
+        while row.len() <= m {
+            row = adversarial::elevated(&row);
+        }
+        net.extend(row);
+    }
+    net
+}
+
+/// One side becomes a point.
+fn collapse_row(rng: &mut Rng, net: &mut [DVec3], m: usize, n: usize) {
+    let along_u = rng.chance(0.5);
+    let (first, step, count) = if along_u {
+        (0, 1, m + 1)
+    } else {
+        (0, m + 1, n + 1)
+    };
+    let point = net[first];
+    for k in 0..count {
+        net[first + k * step] = point;
+    }
+}
+
+/// A patch as a surface with one patch.
+pub(crate) fn patch(rng: &mut Rng, mode: Mode) -> SurfaceData {
+    let (vertices, degrees) = net(rng, mode);
+    let count = u32::try_from(vertices.len()).expect("a small net");
+    SurfaceData {
+        vertices,
+        indices: (0..count).collect(),
+        degrees: vec![degrees],
+    }
+}
+
+/// A surface of none to four patches; neighbours often share vertices or places.
+pub(crate) fn surface(rng: &mut Rng, mode: Mode) -> SurfaceData {
+    let mut surface = SurfaceData {
+        vertices: Vec::new(),
+        indices: Vec::new(),
+        degrees: Vec::new(),
+    };
+    for _ in 0..rng.pick(&[0, 1, 1, 2, 2, 3, 4]) {
+        let (net, degrees) = net(rng, mode);
+        let first = surface.vertices.len();
+        let shares = first > 0 && rng.chance(0.6);
+        for (k, point) in net.into_iter().enumerate() {
+            // The first row of a patch is taken from vertices that are there already, by index or by place.
+            let known = shares && k <= degrees[0] && k < first;
+            let index = if known && rng.chance(0.9) {
+                first - 1 - k
+            } else {
+                surface.vertices.len()
+            };
+            if index == surface.vertices.len() {
+                surface.vertices.push(if known {
+                    surface.vertices[first - 1 - k]
+                } else {
+                    point
+                });
+            }
+            surface
+                .indices
+                .push(u32::try_from(index).expect("a small surface"));
+        }
+        surface.degrees.push(degrees);
+    }
+    surface
+}

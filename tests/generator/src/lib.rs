@@ -1,0 +1,21 @@
+//! Seeded cases for the generated tests of casteljau: the same calls in Rust and in JavaScript.
+//!
+//! [`case`] makes the arguments of one call from a seed, the name of a function and a number. The Rust tests use this
+//! crate as a library; its program prints the same cases as lines of JSON for the tests of the npm package.
+
+pub mod adversarial;
+mod arguments;
+mod case;
+mod functions;
+mod geometry;
+mod json;
+mod listing;
+mod lists;
+mod mutations;
+mod random;
+mod texts;
+
+pub use arguments::case;
+pub use case::{Case, Mode, SplineData, SurfaceData, Value};
+pub use functions::{FUNCTIONS, Signature, find};
+pub use random::Rng;

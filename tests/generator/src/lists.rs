@@ -1,0 +1,154 @@
+//! Arguments that are lists: points, parameters, knots, matrices.
+
+use crate::arguments::{Maker, control_points, parameter};
+use crate::case::Value;
+use crate::geometry;
+use crate::random::Rng;
+use glam::DVec3;
+
+/// The parts of the teapot.
+const PARTS: [&str; 6] = ["rim", "body", "handle", "spout", "lid", "bottom"];
+
+impl Maker<'_> {
+    pub(crate) fn list(&mut self, kind: &str) -> Option<Value> {
+        let any = 2 + self.rng.below(2);
+        Some(match kind {
+            "control points" => Value::Points(any, geometry::curve(self.rng, self.mode, any, 24)),
+            "four points" => Value::Points(any, self.points(any, 4)),
+            "sixteen points" => Value::Points(3, self.points(3, 16)),
+            "few points" => self.some_points(any, 2, 8),
+            "many points" => self.some_points(any, 2, 24),
+            "stroke" => self.some_points(any, 2, 60),
+            "parameters" => Value::Numbers(self.parameters(1.0)),
+            "spline parameters" => {
+                let end = self.segments();
+                Value::Numbers(self.parameters(end))
+            }
+            "distinct parameters" => self.distinct_parameters(),
+            "knots" => self.knots(),
+            "basis" => {
+                let words = ["bezier", "hermite", "b-spline", "catmull-rom"];
+                if self.rng.chance(0.3) {
+                    self.numbers(16)
+                } else {
+                    Value::Word(self.rng.pick(&words))
+                }
+            }
+            "joint modes" => {
+                let modes = ["free", "g1", "c1", "c2", "g2", "auto"];
+                Value::Words(
+                    (0..=self.whole_segments())
+                        .map(|_| self.rng.pick(&modes))
+                        .collect(),
+                )
+            }
+            "parts" => Value::Words(PARTS.into_iter().filter(|_| self.rng.chance(0.6)).collect()),
+            "map" => self.map(),
+            "projection" => self.projection(),
+            "closed" | "flag" => Value::Flag(self.rng.chance(0.5)),
+            _ => return None,
+        })
+    }
+
+    fn points(&mut self, dimension: usize, count: usize) -> Vec<DVec3> {
+        let mut points = Vec::new();
+        while points.len() < count {
+            points.extend(geometry::curve(self.rng, self.mode, dimension, 12));
+        }
+        points.truncate(count);
+        points
+    }
+
+    fn some_points(&mut self, dimension: usize, least: usize, most: usize) -> Value {
+        let count = least + self.rng.below(most + 1 - least);
+        Value::Points(dimension, self.points(dimension, count))
+    }
+
+    fn parameters(&mut self, end: f64) -> Vec<f64> {
+        let count = self.rng.below(20);
+        (0..count).map(|_| parameter(self.rng, end)).collect()
+    }
+
+    /// As many as the points, in order and not close together; in some cases shuffled, and in a few equal.
+    fn distinct_parameters(&mut self) -> Value {
+        let count = control_points(&self.made.arguments[0].1).len();
+        let place = |k: usize| f64::from(u32::try_from(k).expect("few points"));
+        let mut ts: Vec<f64> = (0..count)
+            .map(|k| (place(k) + 0.5 * self.rng.unit()) / place(count))
+            .collect();
+        match self.rng.below(10) {
+            0 => ts.reverse(),
+            1 => ts.iter_mut().for_each(|t| *t = 3.0 * *t - 1.0),
+            2 => ts[count - 1] = ts[0],
+            _ => {}
+        }
+        Value::Numbers(ts)
+    }
+
+    /// Knots for the points and the degree before: ascending, some repeated.
+    fn knots(&mut self) -> Value {
+        let points = control_points(&self.made.arguments[0].1).len();
+        let degree = match self.made.arguments[1].1 {
+            Value::Count(degree) => degree,
+            _ => 3,
+        };
+        // An open B-spline takes points + degree + 1 knots, a closed one points + 1; whether it is closed comes later.
+        let count = if self.rng.chance(0.5) {
+            points + degree + 1
+        } else {
+            points + 1
+        };
+        let mut knot = 0.0;
+        let step = |rng: &mut Rng| {
+            if rng.chance(0.3) {
+                0.0
+            } else {
+                rng.pick(&[1.0, 1.0, 0.25, 3.0])
+            }
+        };
+        let knots = (0..count).map(|_| {
+            knot += step(self.rng);
+            knot
+        });
+        Value::Numbers(knots.collect())
+    }
+
+    fn numbers(&mut self, count: usize) -> Value {
+        Value::Numbers(
+            (0..count)
+                .map(|_| (4.0 * self.rng.signed()).round() * 0.5)
+                .collect(),
+        )
+    }
+
+    /// An affine map, column-major: the 2 × 2 or 3 × 3 matrix, then the translation.
+    fn map(&mut self) -> Value {
+        let dimension = self.made.dimension();
+        let mut numbers: Vec<f64> = (0..dimension * (dimension + 1))
+            .map(|_| 2.0 * self.rng.signed())
+            .collect();
+        match self.rng.below(5) {
+            0 => numbers.iter_mut().for_each(|x| *x = x.round()),
+            1 => numbers[..dimension].fill(0.0), // singular
+            _ => {}
+        }
+        Value::Numbers(numbers)
+    }
+
+    /// A 4 × 4 matrix, column-major: affine, or a perspective whose eye may lie amid the surface.
+    fn projection(&mut self) -> Value {
+        let (scale, mut m) = (self.rng.pick(&[1.0, 100.0]) / self.size(), vec![0.0; 16]);
+        for k in 0..3 {
+            let row = self.rng.point(3) * scale;
+            [m[k], m[4 + k], m[8 + k]] = row.to_array();
+            m[12 + k] = self.rng.signed();
+        }
+        m[15] = 1.0;
+        if self.rng.chance(0.6) {
+            let w = self.rng.point(3) / self.size();
+            [m[3], m[7], m[11]] = w.to_array();
+            m[15] = self.rng.pick(&[0.0, 1.0, 2.0]);
+        }
+        Value::Numbers(m)
+    }
+}

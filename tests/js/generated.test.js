@@ -1,0 +1,80 @@
+// Generated calls of every public function of the package: only stated refusals, no NaN, true answers, and always an end.
+// tests/generator makes the cases, the same ones as for tests/generated; CASTELJAU_CASES, CASTELJAU_SEED and
+// CASTELJAU_ONLY=Curve.offset:123 choose them.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Worker } from "node:worker_threads";
+import * as casteljau from "casteljau";
+import { GROUPS } from "./generated/calls.js";
+import { generatorPath, lines, rowOf } from "./generated/generator.js";
+import { READERS } from "./generated/parsers.js";
+import { isWanted, range, seed } from "./generated/settings.js";
+
+/** A call that takes longer than this is reported as one that does not return. No answer takes a thousandth of it. */
+const HANG_MS = 60_000;
+const LOOK_MS = 1_000;
+
+const { Curve, Spline, Path, Patch, Surface, Mesh } = casteljau;
+const CLASSES = { Curve, Spline, Path, Patch, Surface, Mesh };
+const [first, count] = range;
+const path = generatorPath();
+
+/** What repeats a failure, and what can be pasted into a test. */
+function described(name, { number, mode, message }) {
+  const [line] = lines(path, seed, rowOf(name), number, 1, "--javascript");
+  return `${name}, seed ${seed}, number ${number} (${mode}): ${message}
+  repeat: CASTELJAU_SEED=${seed} CASTELJAU_ONLY=${rowOf(name)}:${number} node --test tests/js/generated.test.js
+  JavaScript: ${line}`;
+}
+
+/** Runs functions on a thread; where a call does not return, gives the place of its function. */
+function runOn(names, reports) {
+  const progress = new SharedArrayBuffer(16);
+  const current = new Float64Array(progress).fill(-1);
+  const worker = new Worker(new URL("./generated/worker.js", import.meta.url), { workerData: { path, seed, first, count, names, progress } });
+  return new Promise((resolve, reject) => {
+    let [seen, since] = ["", Date.now()];
+    const watch = setInterval(() => {
+      const now = current.join();
+      if (now !== seen) [seen, since] = [now, Date.now()];
+      else if (current[0] >= 0 && Date.now() - since > HANG_MS) {
+        clearInterval(watch);
+        reports.push({ name: names[current[0]], failed: 1, failures: [{ number: current[1], mode: "watched", message: `no answer after ${HANG_MS / 1000} s` }] });
+        worker.terminate().then(() => resolve(current[0]));
+      }
+    }, LOOK_MS);
+    worker.on("message", (report) => reports.push(report));
+    worker.on("error", reject);
+    worker.on("exit", () => {
+      clearInterval(watch);
+      resolve(undefined);
+    });
+  });
+}
+
+async function runAll(all) {
+  const reports = [];
+  let names = all.filter((name) => isWanted(rowOf(name)));
+  while (names.length) {
+    const stuck = await runOn(names, reports);
+    names = stuck === undefined ? [] : names.slice(stuck + 1);
+  }
+  const bad = reports.filter(({ failed }) => failed);
+  const text = bad.map(({ name, failed, failures }) => [`${name}: ${failed} failures`, ...failures.map((failure) => described(name, failure))].join("\n"));
+  assert.equal(bad.length, 0, `${bad.length} functions failed\n\n${text.join("\n\n")}`);
+}
+
+const groups = [...GROUPS.map(Object.keys), Object.keys(READERS)];
+test("generated calls: every answer is true, every refusal is stated, every call returns", { concurrency: 2 }, async (t) => {
+  await Promise.all(groups.map((names) => t.test(`${names[0]} … ${names.at(-1)}`, () => runAll(names))));
+});
+
+test("every public function has a row", () => {
+  const names = Object.entries(CLASSES).flatMap(([name, type]) => [
+    ...Object.getOwnPropertyNames(type.prototype).map((method) => `${name}.${method}`),
+    ...Object.getOwnPropertyNames(type).filter((method) => !["length", "name", "prototype"].includes(method)).map((method) => `${name}.${method}`),
+  ]);
+  const known = groups.flat();
+  assert.deepEqual(names.filter((name) => !known.includes(name)), []);
+  assert.deepEqual(Object.keys(casteljau).filter((name) => !(name in CLASSES) && !known.includes(name)), ["init"]);
+});
