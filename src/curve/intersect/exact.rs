@@ -178,7 +178,7 @@ impl Pair {
                 let run_ends =
                     k + 1 == places.len() || !self.is_continued(places[k], places[k + 1]);
                 if run_ends {
-                    let (t, u) = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+                    let (t, u) = self.between(p, q);
                     places[first] = (t, u, self.kind_between(p, q));
                     places.drain(first + 1..=k);
                     k = first + 1;
@@ -191,6 +191,22 @@ impl Pair {
             }
             k += 1;
         }
+    }
+
+    /// A place amid two others between which the curves are as one. Where they run at different paces, as next to a
+    /// turn-back, equal shares of both parameters are no place: then that of one curve is looked for, from the other's.
+    fn between(&self, p: Place, q: Place) -> (f64, f64) {
+        let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+        if self.one(middle) {
+            return middle;
+        }
+        [
+            self.opposite(middle.0, middle.1),
+            self.across(middle.0, middle.1),
+        ]
+        .into_iter()
+        .find(|&place| self.one(place))
+        .unwrap_or((p.0, p.1))
     }
 
     fn is_continued(&self, p: Place, q: Place) -> bool {
