@@ -275,6 +275,8 @@ export class Curve {
    *
    *     const { points, tangents, normals } = path.frames(path.evenly(100), { normal: [0, 0, 1] }); // a camera's flight
    *
+   * Steps between frames are halved at most 4096 + 64 times the number of frames.
+   *
    * @param {number | ArrayLike<number>} where a number of segments, for frames at t = i / segments, or values of t
    * @param {FrameOptions} [options]
    * @returns {Frames}
@@ -289,6 +291,8 @@ export class Curve {
 
   /**
    * The length ∫ |B′(t)| dt, right to 10⁻¹² of itself, at cusps and turn-backs too.
+   *
+   * At most 4096 intervals are examined, more than ten times what coordinates of moderate size need.
    *
    * @param {number} [tolerance] the greatest error, in the unit of the points, where it asks for more than that
    * @returns {number} 0 for a point
@@ -488,6 +492,9 @@ export class Curve {
    *
    * Ends count. "tangent" says that both have the same or the opposite direction there, "overlap" is a shared piece. 2D only.
    *
+   * At most 4096 pairs of pieces are compared, and 256 more for each degree above 3. Only curves that rounding makes hard
+   * to tell apart on long stretches need more; each pair of pieces that is undecided then counts as one place at most.
+   *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}
    * @throws {TypeError} for a curve of space
@@ -527,6 +534,9 @@ export class Curve {
   /**
    * The point of the curve that is nearest to p: the least distance of all for t in [0, 1], found by isolating the roots
    * of (B(t) − p)·B′(t). Of equally near points the one with the smallest t.
+   *
+   * Up to degree 3 at most 256 pieces are examined, above 64 + 16 n; only distances that are constant but for rounding
+   * need more.
    *
    * @param {PointLike} p
    * @returns {Nearest}
@@ -655,6 +665,8 @@ export class Curve {
    * The least distance between the points of this curve and another one, 0 where they meet, and where it is: the least of
    * all, for t and u in [0, 1]. Of several such places any one.
    *
+   * After 1536 pairs of pieces, or 16384 steps of all kinds, the least distance seen is returned.
+   *
    * @param {Curve} curve of the same dimension
    * @returns {Distance}
    */
@@ -665,6 +677,8 @@ export class Curve {
   /**
    * The Hausdorff distance of two curves: the greatest distance that a point of either has from the other. 0 says that
    * they are the same set of points. Within 1e-9 of itself.
+   *
+   * After 600 nearest points or 6000 pieces in either direction, the greatest distance seen is returned.
    *
    * @param {Curve} curve of the same dimension
    * @returns {number}

@@ -200,6 +200,8 @@ export class Path {
    * All places that the path shares with another one, or with a spline or a curve: sorted by subpath, then the other's,
    * then t, then u.
    *
+   * At worst each segment is compared with each, with the limit of Curve.intersect.
+   *
    * @param {Path | Spline | Curve} other
    * @returns {PathIntersection[]}
    */

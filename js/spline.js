@@ -461,6 +461,8 @@ export class Spline {
    * All places that this spline shares with a curve or another spline, sorted by t, then by u, which run from 0 to the
    * numbers of segments. A joint is one place, a shared piece that runs across joints is one. 2D only.
    *
+   * At worst each curve is compared with each, with the limit of Curve.intersect.
+   *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}
    */
@@ -513,6 +515,10 @@ export class Spline {
    * A spline of fewer cubics: no point of it is farther than the tolerance from this one, nor the other way round.
    * Corners stay. Where there are no fewer segments, and none is above degree 3, the spline comes back as it is; higher
    * degrees become cubics, more of them where that is what the tolerance takes.
+   *
+   * Where more than 4096 vertices for each segment would be needed (tolerances below about 1e-7 of its size), degrees up
+   * to 3 come back as they are and higher ones as cubics with the same tangents: a RangeError above 4096 of them for each
+   * segment.
    *
    * @param {number} tolerance
    * @returns {Spline}

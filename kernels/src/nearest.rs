@@ -1,10 +1,16 @@
 //! The point of a cubic that is nearest to the origin.
 
+use crate::work::WorkLimit;
+
 /// Halvings of the coefficients, before their rounding counts.
 const ROUGH_HALVINGS: u32 = 5;
 
 /// Further halvings, after which several roots count as one: squared distances differ by the square of the width there.
 const MOST_HALVINGS: u32 = 24;
+
+/// Pieces that are looked at. In exact arithmetic at most two pieces of each width have more than one change of sign, which
+/// makes about 120 pieces; where the distance is constant but for rounding, every piece has changes of sign.
+const MAX_PIECES: usize = 256;
 
 /// Steps that even a root of multiplicity 5, where Newton's method converges slowest, does not need.
 const MOST_STEPS: usize = 80;
@@ -93,7 +99,8 @@ fn search_closely<const D: usize>(
     best: &mut Best,
 ) {
     let piece = Cubic::new(points);
-    if piece.settles(&piece.quintic(), [0.0, 1.0], [lo, hi], halvings == 0, best) {
+    let force = halvings == 0 || !best.work.spend(1);
+    if piece.settles(&piece.quintic(), [0.0, 1.0], [lo, hi], force, best) {
         return;
     }
     let (left, right) = halves(&piece.points);
@@ -148,7 +155,8 @@ impl<const D: usize> Cubic<D> {
 
     /// Halves until a piece has at most one change of sign; from left to right.
     fn search(&self, quintic: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
-        if self.settles(quintic, [lo, hi], [0.0, 1.0], false, best) {
+        let force = !best.work.spend(1);
+        if self.settles(quintic, [lo, hi], [0.0, 1.0], force, best) {
             return;
         }
         if halvings == 0 {
@@ -254,6 +262,8 @@ struct Best {
     square: f64,
     /// The square of what the rounding of a distance may be.
     slack: f64,
+    /// The pieces that were looked at.
+    work: WorkLimit,
 }
 
 impl Best {
@@ -268,6 +278,7 @@ impl Best {
             t: 0.0,
             square: dot(&points[0], &points[0]),
             slack: rounding * rounding,
+            work: WorkLimit::new(MAX_PIECES),
         }
     }
 

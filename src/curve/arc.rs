@@ -2,7 +2,7 @@
 
 use super::{Points, evaluate, max_abs};
 use crate::point::Point;
-use casteljau_kernels::{binomial, speed_integral};
+use casteljau_kernels::{WorkLimit, binomial, speed_integral};
 use glam::DVec3;
 
 /// The error that is aimed at, as a part of the length; 10⁻¹² is promised.
@@ -14,8 +14,9 @@ const MOST_CUTS: usize = 56;
 /// Of the search for a t; bisection alone takes as many.
 const MOST_STEPS: usize = 64;
 
-/// More pieces than any curve needs; past them the rest is taken as it is.
-const MOST_PIECES: usize = 1 << 14;
+/// Intervals that are looked at, more than ten times what curves of moderate numbers need; past them the rest is taken as
+/// it is.
+const MAX_INTERVALS: usize = 1 << 12;
 
 /// A cut is moved to the least speed where that is this far from both ends, as a part of the interval.
 const OFF_THE_ENDS: f64 = 0.03;
@@ -39,6 +40,8 @@ pub(crate) struct Arc {
     /// `slopes` times their binomials.
     weighted: Points<DVec3>,
     pieces: Vec<Piece>,
+    /// Counts the intervals that are looked at.
+    work: WorkLimit,
     tolerance: f64,
     /// What rounding may do to an integral over [0, 1].
     noise: f64,
@@ -56,6 +59,7 @@ impl Arc {
         let mut arc = Self {
             weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
             pieces: Vec::new(),
+            work: WorkLimit::new(MAX_INTERVALS),
             tolerance: 0.0,
             noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
             slopes,
@@ -139,7 +143,7 @@ impl Arc {
             && off <= self.tolerance.max(self.noise * (hi - lo))
             && !self.turns_near(lo, cut)
             && !self.turns_near(hi, cut);
-        if good || depth >= MOST_CUTS || self.pieces.len() >= MOST_PIECES {
+        if !self.work.spend(1) || good || depth >= MOST_CUTS {
             self.push(cut, left);
             self.push(hi, right);
         } else {

@@ -4,10 +4,11 @@
 //! to the other, this bound misses the truth by the square of the pieces' length. So pairs of pieces that cannot be
 //! nearer than what was found are dropped, and the others halved. Newton's method finds the places exactly.
 
-use super::nearest::{nearest_parameter, unit_for};
+use super::nearest::{counted_parameter, unit_for};
 use super::{Curve, Points, evaluate, ratio, ulp};
 use crate::list::points_of;
 use crate::point::Point;
+use casteljau_kernels::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -25,6 +26,9 @@ pub struct Distance {
 /// Pairs of pieces that are looked at, at most. Only curves that all but keep their distance along a bend need more.
 const MOST_PAIRS: usize = 1536;
 
+/// Pairs, steps of Newton's method and pieces of searches for nearest points, together at most.
+const MAX_STEPS: usize = 16_384;
+
 /// How many places are looked from where curves run along each other.
 const ALONG: usize = 64;
 
@@ -40,7 +44,8 @@ impl<P: Point> Curve<P> {
     /// The least of all, not of a neighbourhood, to 10⁻¹² of itself or 2 (n + m + 2) ulps of the largest coordinate,
     /// whichever is more; not above those ulps the curves meet and the distance is 0. Of several such places any one is
     /// given. Points and straight curves are curves like others. Where curves run side by side in all but the same
-    /// distance, the search ends after 1536 pairs of pieces with the least distance seen.
+    /// distance, the search ends after 1536 pairs of pieces, or after 16384 steps that it counts (pairs, steps of Newton's
+    /// method, pieces in searches for nearest points), with the least distance seen.
     ///
     /// Source: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA 1998.
     ///
@@ -194,6 +199,10 @@ struct Search<'a, P: Point> {
     distance: f64,
     t: f64,
     u: f64,
+    /// Counts pairs, steps of Newton's method, and the pieces of searches for nearest points.
+    work: WorkLimit,
+    /// Whether the work is within its limit.
+    within: bool,
 }
 
 impl<'a, P: Point> Search<'a, P> {
@@ -205,6 +214,8 @@ impl<'a, P: Point> Search<'a, P> {
             distance: f64::INFINITY,
             t: 0.0,
             u: 0.0,
+            work: WorkLimit::new(MAX_STEPS),
+            within: true,
         }
     }
 
@@ -227,8 +238,10 @@ impl<'a, P: Point> Search<'a, P> {
     fn run(&mut self) {
         // The ends first: they settle what begins, ends or overlaps.
         for end in [0.0, 1.0] {
-            self.consider(end, nearest_parameter(self.b.points, self.a.at(end)));
-            self.consider(nearest_parameter(self.a.points, self.b.at(end)), end);
+            let u = self.foot(self.b.points, self.a.at(end));
+            self.consider(end, u);
+            let t = self.foot(self.a.points, self.b.at(end));
+            self.consider(t, end);
         }
         let (mut left, mut right) = (Pieces::new(self.a.points), Pieces::new(self.b.points));
         let mut pairs = Heap::from([Apart {
@@ -236,6 +249,10 @@ impl<'a, P: Point> Search<'a, P> {
             of: (0, 0),
         }]);
         for _ in 0..MOST_PAIRS {
+            self.within &= self.work.spend(1);
+            if !self.within {
+                return;
+            }
             // The pair that may be nearest; when it is not near enough, none is.
             let Some(Apart { least, of: (i, j) }) = pairs.pop() else {
                 return;
@@ -264,6 +281,13 @@ impl<'a, P: Point> Search<'a, P> {
         self.walk_along();
     }
 
+    /// The parameter on a curve that is nearest to a point.
+    fn foot(&mut self, points: &[P], p: P) -> f64 {
+        let (t, steps) = counted_parameter(points, p);
+        self.within &= self.work.spend(steps);
+        t
+    }
+
     /// Whether a distance that is possible yet is worth a look.
     fn may_improve(&self, least: f64) -> bool {
         least < self.distance * (1.0 - ACCURACY) - self.rounding
@@ -273,10 +297,16 @@ impl<'a, P: Point> Search<'a, P> {
     /// about the best of them.
     fn walk_along(&mut self) {
         for k in 1..ALONG {
+            if !self.within {
+                return;
+            }
             self.look_from(ratio(k, ALONG));
         }
         let (mut lo, mut hi) = (self.t - ratio(1, ALONG), self.t + ratio(1, ALONG));
         for _ in 0..ALONG {
+            if !self.within {
+                return;
+            }
             let third = (hi - lo) / 3.0;
             if self.look_from(lo + third) < self.look_from(hi - third) {
                 hi -= third;
@@ -289,7 +319,7 @@ impl<'a, P: Point> Search<'a, P> {
     /// The distance of A(t) from the other curve.
     fn look_from(&mut self, t: f64) -> f64 {
         let t = t.clamp(0.0, 1.0);
-        let u = nearest_parameter(self.b.points, self.a.at(t));
+        let u = self.foot(self.b.points, self.a.at(t));
         self.consider(t, u);
         (self.a.at(t) - self.b.at(u)).norm()
     }
@@ -305,6 +335,10 @@ impl<'a, P: Point> Search<'a, P> {
     fn descend(&mut self, mut t: f64, mut u: f64) {
         for _ in 0..MOST_STEPS {
             self.consider(t, u);
+            self.within &= self.work.spend(1);
+            if !self.within {
+                return;
+            }
             let way = self.a.at(t) - self.b.at(u);
             let (step_t, step_u) = self.newton(way, t, u);
             let mut share = 1.0;

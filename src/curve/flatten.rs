@@ -86,7 +86,7 @@ impl<P: Point> Curve<P> {
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
         let mut line = Polyline::default();
-        self.walk(tolerance, |t, point| {
+        self.walk(tolerance, MAX_VERTICES, |t, point| {
             line.ts.push(t);
             line.points.push(point);
         })?;
@@ -99,13 +99,28 @@ impl<P: Point> Curve<P> {
     /// As `flatten`, all before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        self.walk(tolerance, vertex)
+        self.walk(tolerance, MAX_VERTICES, vertex)
     }
 
     /// Refuses what would fail, before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         check_vertices(|| std::iter::once(self.clone()), tolerance)
+    }
+
+    /// As [`flatten`](Self::flatten) with a lower limit on the number of vertices, for a tolerance that was checked.
+    pub(crate) fn flatten_within(
+        &self,
+        tolerance: f64,
+        limit: usize,
+    ) -> Result<Polyline<P>, Error> {
+        check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit)?;
+        let mut line = Polyline::default();
+        self.walk(tolerance, limit, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
+        Ok(line)
     }
 
     /// About how many chords a fine tolerance needs: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint rule; to some
@@ -129,7 +144,12 @@ impl<P: Point> Curve<P> {
         mean / (8.0 * AIMED_AT.sqrt() * (tolerance / size)).sqrt()
     }
 
-    fn walk(&self, tolerance: f64, mut vertex: impl FnMut(f64, P)) -> Result<(), Error> {
+    fn walk(
+        &self,
+        tolerance: f64,
+        limit: usize,
+        mut vertex: impl FnMut(f64, P),
+    ) -> Result<(), Error> {
         let size = self.max_abs();
         let plain = PLAIN_RANGE.contains(&size);
         vertex(0.0, self.start());
@@ -144,10 +164,10 @@ impl<P: Point> Curve<P> {
         // Rounding of a vertex takes its share of the tolerance first.
         let budget = tolerance - 2.0 * ulp(size);
         if plain {
-            walk_points(&self.points, budget, &mut inside)
+            walk_points(&self.points, budget, limit, &mut inside)
         } else {
             let scaled: super::Points<P> = self.points.iter().map(|&p| p / size).collect();
-            walk_points(&scaled, budget / size, &mut inside)
+            walk_points(&scaled, budget / size, limit, &mut inside)
         }
     }
 
@@ -210,27 +230,36 @@ pub(crate) fn check_vertices<P: Point, I: Iterator<Item = Curve<P>>>(
     curves: impl Fn() -> I,
     tolerance: f64,
 ) -> Result<(), Error> {
+    check_vertices_within(curves, tolerance, MAX_VERTICES)
+}
+
+fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
+    curves: impl Fn() -> I,
+    tolerance: f64,
+    limit: usize,
+) -> Result<(), Error> {
     // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size: often far too many.
     let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
-    let limit = MAX_VERTICES as f64;
-    if curves().map(enough).sum::<f64>() <= limit
-        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < limit
+    let most = limit as f64;
+    if curves().map(enough).sum::<f64>() <= most
+        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < most
     {
         return Ok(());
     }
     Err(Error::TooMany {
         what: "vertices",
-        limit: MAX_VERTICES,
-        needed: MAX_VERTICES + 1,
+        limit,
+        needed: limit.saturating_add(1),
     })
 }
 
 fn walk_points<P: Point>(
     points: &[P],
     tolerance: f64,
+    limit: usize,
     vertex: &mut impl FnMut(f64),
 ) -> Result<(), Error> {
-    let mut left = MAX_VERTICES - 1;
+    let mut left = limit.saturating_sub(1);
     if points.len() <= 4 {
         return walk_chords(
             &mut CubicDeviation::new(points, tolerance),

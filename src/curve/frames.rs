@@ -9,6 +9,7 @@ use super::length::hodograph;
 use super::{Curve, check_segments, evaluate, ratio};
 use crate::error::Error;
 use crate::point::Point;
+use casteljau_kernels::WorkLimit;
 use glam::DVec3;
 
 /// A step is short enough when the normal moves by less than this if it is halved; what is left is some 20 times less.
@@ -32,8 +33,9 @@ const CLEAR_WAY: f64 = 1e-10;
 /// Derivatives count as parallel when the sine of their angle is below this.
 const PARALLEL_SINE: f64 = 1e-9;
 
-/// Halvings of one way; no curve of moderate numbers needs a tenth.
-const MOST_HALVINGS: usize = 1 << 14;
+/// Halvings of all ways together, and so many more for each frame: more than ten times what moderate curves need.
+const MAX_HALVINGS: usize = 1 << 12;
+const MAX_HALVINGS_PER_FRAME: usize = 64;
 
 /// A place on a curve in space with three directions at right angles, each of length 1.
 ///
@@ -72,6 +74,9 @@ impl Curve<DVec3> {
     /// normal there; on a straight piece the axis that is farthest from the tangent, made so. Straight pieces and inflections
     /// change nothing; over a cusp the frame turns by 180° in the plane of the cusp, and over a turn-back on a line
     /// about its normal.
+    ///
+    /// Steps are halved up to 4096 + 64 times the number of frames in all. Only curves whose direction is rounding, on
+    /// long stretches, need more; from there on the steps are as long as the way from frame to frame.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec3};
@@ -127,6 +132,9 @@ pub(crate) fn frames_along(
     // The last direction: a curve of a chain that is a point has none of its own.
     let mut direction = rail.tangent(at);
     let mut carried = rail.first_normal(at, normal);
+    let mut work = WorkLimit::new(
+        MAX_HALVINGS.saturating_add(MAX_HALVINGS_PER_FRAME.saturating_mul(ts.len())),
+    );
     for &t in ts {
         let (to, rest) = chain.place(t);
         while k != to {
@@ -136,7 +144,7 @@ pub(crate) fn frames_along(
             } else {
                 (0.0, 1.0, k - 1)
             };
-            carried = rail.carried(carried, at, end);
+            carried = rail.carried(carried, at, end, &mut work);
             direction = rail.direction(end, direction);
             rail = Rail::new(chain.link(next));
             let after = rail.direction(start, direction);
@@ -147,7 +155,7 @@ pub(crate) fn frames_along(
             };
             (k, at, direction) = (next, start, after);
         }
-        carried = rail.carried(carried, at, rest);
+        carried = rail.carried(carried, at, rest, &mut work);
         (at, direction) = (rest, rail.direction(rest, direction));
         frames.push(Frame {
             t,
@@ -243,15 +251,14 @@ impl Rail {
     }
 
     /// The normal at t₀ carried to t₁.
-    fn carried(&self, normal: DVec3, t0: f64, t1: f64) -> DVec3 {
+    fn carried(&self, normal: DVec3, t0: f64, t1: f64, work: &mut WorkLimit) -> DVec3 {
         if t0 == t1 || self.slopes.iter().all(|&slope| slope == DVec3::ZERO) {
             return normal;
         }
-        let mut left = MOST_HALVINGS;
-        self.in_steps(&self.place(t0), normal, &self.place(t1), &mut left)
+        self.in_steps(&self.place(t0), normal, &self.place(t1), work)
     }
 
-    fn in_steps(&self, from: &Place, normal: DVec3, to: &Place, left: &mut usize) -> DVec3 {
+    fn in_steps(&self, from: &Place, normal: DVec3, to: &Place, work: &mut WorkLimit) -> DVec3 {
         let middle = self.place(0.5 * (from.t + to.t));
         let at_once = reflected(from, normal, to);
         let in_two = reflected(&middle, reflected(from, normal, &middle), to);
@@ -260,15 +267,17 @@ impl Rail {
             .dot(middle.tangent)
             .min(middle.tangent.dot(to.tangent));
         let gentle = cosine > GENTLE_COSINE;
-        if *left == 0 || (gentle && (in_two - at_once).length() <= CARRIED_APART) {
+        if work.is_exceeded() || (gentle && (in_two - at_once).length() <= CARRIED_APART) {
             return in_two;
         }
         if (to.t - from.t).abs() <= CUSP_STEP {
             return turned(from.tangent, normal, to.tangent, self.axis(middle.t));
         }
-        *left -= 1;
-        let half = self.in_steps(from, normal, &middle, left);
-        self.in_steps(&middle, half, to, left)
+        if !work.spend(1) {
+            return in_two;
+        }
+        let half = self.in_steps(from, normal, &middle, work);
+        self.in_steps(&middle, half, to, work)
     }
 
     /// The normal of the plane in which a cusp lies; zero where there is none.

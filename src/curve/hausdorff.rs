@@ -1,12 +1,16 @@
 //! How different are two curves, as sets of points?
 
 use super::distance::{Apart, Heap};
-use super::nearest::{nearest_parameter, unit_for};
+use super::nearest::{counted_parameter, unit_for};
 use super::{Curve, Points, evaluate, ulp};
 use crate::point::Point;
+use casteljau_kernels::WorkLimit;
 
 /// Nearest points that are looked for, at most. Only curves that run along each other at another pace need more.
 const MOST_PLACES: usize = 600;
+
+/// Pieces that the searches for nearest points may look at together, in each direction.
+const MAX_STEPS: usize = 6000;
 
 /// What a distance may be too small by, relative to itself.
 const ACCURACY: f64 = 1e-9;
@@ -17,7 +21,8 @@ impl<P: Point> Curve<P> {
     /// max(maxₜ minᵤ |A(t) − B(u)|, maxᵤ minₜ |A(t) − B(u)|), symmetric, in the unit of the points: 0 says that the curves
     /// are the same set of points, whatever their parameters. Not less than the truth by more than 10⁻⁹ of it or some ulps
     /// of the largest coordinate, and never more: pieces are halved until the distance of two pieces, run through side by
-    /// side, proves that. The proof is given up after 600 nearest points, which takes curves that run along each other at
+    /// side, proves that. The proof is given up after 600 nearest points, or where the searches for them have looked at
+    /// 6000 pieces, in either direction, which takes curves that run along each other at
     /// another pace, above degree 3 or all but straight; the greatest distance seen is given. Points and straight curves
     /// are curves like others.
     ///
@@ -112,14 +117,16 @@ fn farthest<P: Point>(
     rounding: f64,
     mut greatest: f64,
 ) -> f64 {
-    let look = |p: P, greatest: &mut f64| {
-        let u = nearest_parameter(b, p);
+    let mut work = WorkLimit::new(MAX_STEPS);
+    let mut look = |p: P, greatest: &mut f64| {
+        let (u, steps) = counted_parameter(b, p);
+        let within = work.spend(steps);
         *greatest = greatest.max((evaluate(b, u) - p).norm());
-        u
+        (u, within)
     };
     let b_curve = Curve::from_slice(high);
-    let from = look(a[0], &mut greatest);
-    let to = look(a[a.len() - 1], &mut greatest);
+    let (from, _) = look(a[0], &mut greatest);
+    let (to, _) = look(a[a.len() - 1], &mut greatest);
     let whole = Piece {
         points: a.clone(),
         from,
@@ -139,7 +146,10 @@ fn farthest<P: Point>(
             break;
         }
         let (left, right) = Curve::from_points(piece.points).halve();
-        let mid = look(right.points[0], &mut greatest);
+        let (mid, within) = look(right.points[0], &mut greatest);
+        if !within {
+            break;
+        }
         for half in [
             Piece {
                 points: left.points,

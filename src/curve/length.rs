@@ -15,7 +15,7 @@ impl<P: Point> Curve<P> {
     /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, else by Gauss–Legendre rules on pieces that end where the
     /// speed is least. It is right to 10⁻¹² of itself, at cusps and turn-backs too. `tolerance` is the greatest error, in
     /// the unit of the points, and makes sense where it asks for more than that; below some roundings of the length
-    /// nothing gets better. A curve that is a point has length 0, exactly; beyond the range of f64 the length is infinite.
+    /// nothing gets better. At most 4096 intervals are looked at, of which moderate numbers need less than a tenth. A curve that is a point has length 0, exactly; beyond the range of f64 the length is infinite.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};

@@ -5,12 +5,12 @@
 //! up to 3 have a kernel of their own, which looks at minima only.
 
 use super::distance::Way;
-use super::product::product_of;
+use super::product::Binomials;
 use super::roots::{roots_inside, sign_changes};
 use super::{Curve, Points, check_finite, evaluate, max_abs};
 use crate::error::Error;
 use crate::point::Point;
-use casteljau_kernels::{nearest_in_plane, nearest_in_space};
+use casteljau_kernels::{WorkLimit, nearest_in_plane, nearest_in_space};
 
 /// The point of a curve or of a spline that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +26,13 @@ pub struct Nearest<P> {
 /// Halvings after which several roots count as one: squared distances differ by the square of the width there.
 const MOST_HALVINGS: usize = 26;
 
+/// Pieces that are looked at, and so many more for each degree: more than ten times what curves of moderate numbers need.
+const MAX_PIECES: usize = 64;
+const MAX_PIECES_PER_DEGREE: usize = 16;
+
+/// What a search on a quadratic or a cubic counts as, in pieces.
+const STEPS_OF_CUBIC: usize = 8;
+
 /// Steps of Newton's method after a root was found; one or two at most places.
 const MOST_STEPS: usize = 12;
 
@@ -36,6 +43,10 @@ impl<P: Point> Curve<P> {
     /// isolated by its Bernstein coefficients. Distances that differ by less than a few ulps of the largest coordinate of
     /// B − p count as equal; of equally near points the one with the smallest t is given. Of a curve that is a point: t = 0.
     /// The distance is in the unit of the points.
+    ///
+    /// Up to degree 3 at most 256 pieces of the polynomial are looked at, above 64 + 16 n; pieces that are farther away than a
+    /// point found before are left out. Only distances that are constant but for rounding need more pieces; those that are
+    /// left are then not halved any more.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -68,17 +79,22 @@ pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
 
 /// The parameter of the nearest point of the curve with these control points.
 pub(crate) fn nearest_parameter<P: Point>(points: &[P], p: P) -> f64 {
+    counted_parameter(points, p).0
+}
+
+/// The same, with the number of pieces that were looked at; up to degree 3 a number that stands for them.
+pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
-        return t;
+        return (t, STEPS_OF_CUBIC);
     }
     let unit = unit_for(max_abs(points).max(p.max_abs()));
     let about: Points<P> = points.iter().map(|&q| q * unit - p * unit).collect();
     if let [a, b] = *about {
-        return on_segment(a, b);
+        return (on_segment(a, b), 1);
     }
     as_cubic(&about)
         .and_then(|cubic| on_cubic(cubic, P::default()))
-        .unwrap_or_else(|| of_any_degree(&about))
+        .map_or_else(|| of_any_degree(&about), |t| (t, STEPS_OF_CUBIC))
 }
 
 /// A power of two that makes the size about 1.
@@ -118,46 +134,87 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 }
 
 /// The same for points given from the query, through the roots of B·B′.
-fn of_any_degree<P: Point>(points: &[P]) -> f64 {
-    let slack = 4.0 * f64::EPSILON * max_abs(points);
-    let way = Way::new(points);
-    let (mut best, mut least) = (0.0, points[0].norm());
-    let mut consider = |t: f64| {
-        let (t, distance) = closer(&way, t);
-        if distance < least - slack {
-            (best, least) = (t, distance);
-        }
+fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
+    let n = points.len() - 1;
+    let mut search = Search {
+        way: Way::new(points),
+        binomials: Binomials::new(n, n - 1),
+        slack: 4.0 * f64::EPSILON * max_abs(points),
+        t: 0.0,
+        least: points[0].norm(),
+        end: points[n].norm(),
+        work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
-    search(points, [0.0, 1.0], MOST_HALVINGS, &mut consider);
-    consider(1.0);
-    best
+    search.run(points, [0.0, 1.0], MOST_HALVINGS);
+    search.consider(1.0);
+    (search.t, search.work.used())
 }
 
-/// The places where B·B′ changes sign from − to +, from left to right. The control points are halved and not the
-/// coefficients: where roots lie close together those are small, and so is their rounding then.
-fn search<P: Point>(
-    points: &[P],
-    [lo, hi]: [f64; 2],
-    halvings: usize,
-    consider: &mut impl FnMut(f64),
-) {
-    let n = points.len() - 1;
-    let rate = product_of(n, n - 1, |i, j| points[i].dot(points[j + 1] - points[j]));
-    let (changes, sign) = sign_changes(&rate);
-    if changes == 0 || changes == 1 && sign > 0.0 {
-        return;
+/// The search for the point of a curve that is nearest to the origin.
+struct Search<'a, P: Point> {
+    way: Way<'a, P>,
+    binomials: Binomials,
+    /// Distances that differ by less are equal.
+    slack: f64,
+    t: f64,
+    /// The distance at t.
+    least: f64,
+    /// The distance of the curve's end.
+    end: f64,
+    work: WorkLimit,
+}
+
+impl<P: Point> Search<'_, P> {
+    fn consider(&mut self, t: f64) {
+        let (t, distance) = closer(&self.way, t);
+        if distance < self.least - self.slack {
+            (self.t, self.least) = (t, distance);
+        }
     }
-    if changes == 1 || halvings == 0 {
-        roots_inside(&rate)
-            .iter()
-            .for_each(|s| consider(lo + (hi - lo) * s));
-        return;
+
+    /// The places where B·B′ changes sign from − to +, from left to right. The control points are halved and not the
+    /// coefficients: where roots lie close together those are small, and so is their rounding then.
+    fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
+        let within = self.work.spend(1);
+        let bound = distance_of_box(points);
+        if bound > self.least.min(self.end) + self.slack {
+            return;
+        }
+        let rate = self
+            .binomials
+            .product(|i, j| points[i].dot(points[j + 1] - points[j]));
+        let (changes, sign) = sign_changes(&rate);
+        if changes == 0 || changes == 1 && sign > 0.0 {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        if (points.len() - 1) as f64 * max_of(&rate) <= self.slack * bound {
+            // B·B′ / |B| is the derivative of the distance, which is constant here but for rounding.
+            return self.consider(mid);
+        }
+        if changes == 1 || halvings == 0 || !within {
+            roots_inside(&rate)
+                .iter()
+                .for_each(|s| self.consider(lo + (hi - lo) * s));
+            return;
+        }
+        let (left, right) = Curve::from_slice(points).halve();
+        self.run(&left.points, [lo, mid], halvings - 1);
+        self.consider(mid);
+        self.run(&right.points, [mid, hi], halvings - 1);
     }
-    let (left, right) = Curve::from_slice(points).halve();
-    let mid = 0.5 * (lo + hi);
-    search(&left.points, [lo, mid], halvings - 1, consider);
-    consider(mid);
-    search(&right.points, [mid, hi], halvings - 1, consider);
+}
+
+/// The distance of the origin from the box of some points.
+fn distance_of_box<P: Point>(points: &[P]) -> f64 {
+    let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
+    let (low, high) = points[1..].iter().fold((points[0], points[0]), around);
+    low.max(high * -1.0).max(P::default()).norm()
+}
+
+/// The greatest absolute value of some numbers.
+fn max_of(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
 /// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve

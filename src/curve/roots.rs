@@ -12,6 +12,7 @@
 //! ([`contacts`], [`crossings`]).
 
 use super::{Scalars, ratio};
+use casteljau_kernels::WorkLimit;
 
 /// Below this width an interval counts as one parameter: a root of even multiplicity, or several that rounding
 /// cannot tell apart.
@@ -167,6 +168,8 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
     let count = coefficients.len();
     let mut pieces = coefficients.to_vec();
     let mut spans = vec![(0.0, 1.0)];
+    // At most one piece for each change of sign is halved, at each of 53 widths.
+    let mut work = WorkLimit::new(2 * 53 * count);
     while let Some((lo, hi)) = spans.pop() {
         let from = pieces.len() - count;
         let piece = &pieces[from..];
@@ -176,7 +179,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
         let (changes, sign) = sign_changes(piece);
         // Where the piece is monotone too, rounding can mislead about the sign only at the root itself.
         let plain = changes == 0 || changes == 1 && monotone(piece);
-        if plain || hi - lo <= SMALLEST_INTERVAL {
+        if !work.spend(1) || plain || hi - lo <= SMALLEST_INTERVAL {
             if changes == 1 {
                 push_inside(roots, polynomial.close_in(lo, hi, sign));
             } else if changes > 1 {

@@ -69,7 +69,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// The cubic with the same ends and the same derivatives there.
-    fn cubic_of_same_tangents(&self) -> Self {
+    pub(crate) fn cubic_of_same_tangents(&self) -> Self {
         let n = self.degree();
         let reach = ratio(n, 3);
         let (start, end) = (self.start(), self.end());
@@ -83,7 +83,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// A bound on the distance to a curve of a lower degree: the greatest one between control points at equal degree.
-    fn distance_of_controls(&self, other: &Self) -> f64 {
+    pub(crate) fn distance_of_controls(&self, other: &Self) -> f64 {
         let mut raised = other.clone();
         while raised.degree() < self.degree() {
             raised = raised.elevated();

@@ -6,6 +6,7 @@
 use super::Spline;
 use crate::curve::{Contact, Curve, Intersection};
 use crate::order::sort_by;
+use casteljau_kernels::WorkLimit;
 use glam::DVec2;
 
 /// Boxes are widened by this part of their coordinates: curves that rounding keeps apart count as meeting.
@@ -98,7 +99,9 @@ impl Chains {
     /// All places that chains of this list share with chains of another one: by chains, then by t, then by u.
     pub(crate) fn meet(&self, other: &Self) -> Vec<Meeting> {
         let mut found = Vec::new();
-        self.walk(other, 1, 1, &mut |i, j| {
+        // All pairs of boxes may meet, and then all are looked at.
+        let mut work = WorkLimit::new(usize::MAX);
+        self.walk(other, (1, 1), &mut work, &mut |i, j| {
             for place in self.curves[i].intersect(&other.curves[j]) {
                 found.push(self.meeting(other, (i, j), place));
             }
@@ -121,10 +124,16 @@ impl Chains {
         }
     }
 
-    /// Calls for each pair of curves whose boxes meet.
-    fn walk(&self, other: &Self, k: usize, l: usize, act: &mut impl FnMut(usize, usize)) {
+    /// Calls for each pair of curves whose boxes meet. The work counts pairs of boxes.
+    fn walk(
+        &self,
+        other: &Self,
+        (k, l): (usize, usize),
+        work: &mut WorkLimit,
+        act: &mut impl FnMut(usize, usize),
+    ) {
         let ([min_a, max_a], [min_b, max_b]) = (self.boxes[k], other.boxes[l]);
-        if min_a.cmpgt(max_b).any() || min_b.cmpgt(max_a).any() {
+        if !work.spend(1) || min_a.cmpgt(max_b).any() || min_b.cmpgt(max_a).any() {
             return;
         }
         let (leaves_a, leaves_b) = (self.boxes.len() / 2, other.boxes.len() / 2);
@@ -134,12 +143,12 @@ impl Chains {
             (leaf_a, leaf_b)
                 if leaf_b || !leaf_a && size(self.boxes[k]) >= size(other.boxes[l]) =>
             {
-                self.walk(other, 2 * k, l, act);
-                self.walk(other, 2 * k + 1, l, act);
+                self.walk(other, (2 * k, l), work, act);
+                self.walk(other, (2 * k + 1, l), work, act);
             }
             _ => {
-                self.walk(other, k, 2 * l, act);
-                self.walk(other, k, 2 * l + 1, act);
+                self.walk(other, (k, 2 * l), work, act);
+                self.walk(other, (k, 2 * l + 1), work, act);
             }
         }
     }
@@ -148,7 +157,8 @@ impl Chains {
     /// place before the second. What runs along itself is left out.
     pub(crate) fn meet_selves(&self) -> Vec<Meeting> {
         let mut found = Vec::new();
-        self.walk(self, 1, 1, &mut |i, j| {
+        let mut work = WorkLimit::new(usize::MAX);
+        self.walk(self, (1, 1), &mut work, &mut |i, j| {
             if i == j {
                 for place in self.curves[i].self_intersections() {
                     let kind = Contact::Cross;
@@ -200,7 +210,7 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
     let (pieces, points): (Vec<Meeting>, Vec<Meeting>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, Contact::Overlap { .. }));
-    let ends: Vec<(usize, usize, f64, f64)> = pieces
+    let mut ends: Vec<(usize, usize, f64, f64)> = pieces
         .iter()
         .flat_map(|m| {
             let (t_end, u_end) = end_of(m);
@@ -208,6 +218,9 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
                 .map(|(t, u)| (m.a, m.b, a.start_at(m.a, t), b.start_at(m.b, u)))
         })
         .collect();
+    sort_by(&mut ends, |p, q| {
+        (p.0, p.1).cmp(&(q.0, q.1)).then(p.2.total_cmp(&q.2))
+    });
     let pieces = joined_pieces(pieces);
     let mut all: Vec<Meeting> = Vec::with_capacity(pieces.len() + points.len());
     for point in points {
@@ -225,10 +238,14 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
             }
             continue;
         }
-        // Sorted by the chains, then by t, but for the ends: those are few.
-        let at_piece = ends
+        let from = (point.a, point.b, point.at.t - ONE_JOINT);
+        let start = ends.partition_point(|&(a, b, t, _)| (a, b, t) < from);
+        let at_piece = ends[start..]
             .iter()
-            .any(|&(a, b, t, u)| (a, b) == (point.a, point.b) && near(t, u));
+            .take_while(|&&(a, b, t, _)| {
+                (a, b) == (point.a, point.b) && t <= point.at.t + ONE_JOINT
+            })
+            .any(|&(_, _, t, u)| near(t, u));
         if !at_piece {
             all.push(point);
         }

@@ -113,32 +113,46 @@ impl<'a, P: Point> Stroke<'a, P> {
         assemble(self.given, self.scale, &cubics, self.closed)
     }
 
-    /// The point about REACH tolerances before or after another; at least one step.
-    fn beyond(&self, k: usize, step: isize) -> Option<usize> {
+    /// The point about REACH tolerances after another one; at least one step. `None` past the end, and where a closed
+    /// stroke is shorter.
+    fn after(&self, k: usize) -> Option<usize> {
         let lengths = &self.trail.lengths;
         let last = lengths.len() - 1;
-        let ring = self.closed;
-        let mut at = k;
-        let mut way = 0.0;
-        while way < REACH * self.trail.promise.tolerance || at == k {
-            let next = match at.checked_add_signed(step) {
-                Some(next) if next <= last => next,
-                _ if ring && step > 0 => 1,
-                _ if ring => last - 1,
-                _ => return (at != k).then_some(at),
-            };
-            way += (self.trail.points[next] - self.trail.points[at]).norm();
-            at = next;
-            if at == k {
-                return None;
-            }
+        let to = lengths[k] + REACH * self.trail.promise.tolerance;
+        let at = lengths.partition_point(|&way| way < to).max(k + 1);
+        if at <= last {
+            Some(at)
+        } else if self.closed {
+            let round = lengths.partition_point(|&way| way < to - lengths[last]);
+            Some(round.max(1)).filter(|&at| at < k)
+        } else {
+            (k < last).then_some(last)
         }
-        Some(at)
+    }
+
+    /// The same before a point.
+    fn before(&self, k: usize) -> Option<usize> {
+        let lengths = &self.trail.lengths;
+        let last = lengths.len() - 1;
+        let to = lengths[k] - REACH * self.trail.promise.tolerance;
+        let at = lengths.partition_point(|&way| way <= to).checked_sub(1);
+        if let Some(at) = at.filter(|_| k > 0) {
+            return Some(at.min(k - 1));
+        }
+        if self.closed {
+            let round = lengths.partition_point(|&way| way <= to + lengths[last]);
+            round
+                .checked_sub(1)
+                .map(|at| at.min(last - 1))
+                .filter(|&at| at > k)
+        } else {
+            (k > 0).then_some(0)
+        }
     }
 
     /// The angle by which the points turn at one of them, and its neighbours there.
     fn turn(&self, k: usize) -> Option<(f64, usize, usize)> {
-        let (before, after) = (self.beyond(k, -1)?, self.beyond(k, 1)?);
+        let (before, after) = (self.before(k)?, self.after(k)?);
         let points = &self.trail.points;
         let (u, v) = (
             (points[k] - points[before]).unit(),
@@ -162,24 +176,20 @@ impl<'a, P: Point> Stroke<'a, P> {
             })
             .collect();
         let angle = |k: usize| turns[k % last].map_or(0.0, |turn| turn.0);
-        let is_corner = |k: &usize| {
-            let Some((here, before, after)) = turns[*k] else {
+        let is_corner = |&k: &usize| {
+            let Some((here, before, after)) = turns[k] else {
                 return false;
             };
             if here < LEAST_CORNER {
                 return false;
             }
             let stands_out = here > 2.0 * angle(before).max(angle(after));
-            // The sharpest of its surroundings; of equal ones the first.
-            let mut i = before;
-            let mut sharpest = true;
-            while i != after {
-                i = (i + 1) % last;
-                if i == after % last {
-                    break;
-                }
-                sharpest &= i == *k || angle(i) < here || (angle(i) == here && i > *k);
-            }
+            // The sharpest of its surroundings; of equal ones the first. From the inside out, this ends next to a
+            // sharper one: for all points together a little more than one look at each.
+            let (back, ahead) = ((k + last - before) % last, (after + last - k) % last);
+            let blunter = |i: usize| angle(i) < here || angle(i) == here && i % last > k;
+            let sharpest = (1..back.max(ahead))
+                .all(|n| (n >= back || blunter(k + last - n)) && (n >= ahead || blunter(k + n)));
             (here > SURE_CORNER || stands_out) && sharpest
         };
         (0..last).filter(is_corner).collect()

@@ -14,6 +14,7 @@ impl Spline<DVec2> {
     /// spline.
     ///
     /// Pairs of curves are found by a tree of boxes: long chains take hardly more than their number times its logarithm.
+    /// Each pair of curves whose boxes meet, at worst all, costs what it would on its own, with the same limit.
     pub fn intersect(&self, other: &Self) -> Vec<Intersection> {
         places(Chains::new([self]).meet(&Chains::new([other])))
     }

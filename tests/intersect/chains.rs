@@ -4,6 +4,7 @@ use crate::common::{Rng, plane, real};
 use casteljau::curve::{Contact, Intersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Spline};
+use casteljau_kernels::take_steps;
 
 fn polygon(points: &[(f64, f64)], closed: bool) -> Spline<DVec2> {
     let points: Vec<DVec2> = points.iter().map(|&p| DVec2::from(p)).collect();
@@ -119,12 +120,18 @@ fn wave(segments: usize, height: f64) -> Spline<DVec2> {
     Spline::new(&points, 3, false).expect("a wave")
 }
 
-/// The waves cross between and at their joints, and a wave does not cross itself.
+/// The waves cross between and at their joints, and a wave does not cross itself. The steps (pairs of boxes and of pieces)
+/// grow hardly faster than the number of segments.
 #[test]
 fn long_chains() {
     for segments in [1, 2, 300, 30_000] {
         let (a, b) = (wave(segments, 1.0), wave(segments, -1.0));
+        take_steps();
         assert_eq!(a.intersect(&b).len(), 2 * segments + 1);
+        let across = take_steps();
+        assert!(across <= 50 * segments, "{segments}: {across}");
         assert!(a.self_intersections().is_empty());
+        let itself = take_steps();
+        assert!(itself <= 30 * segments, "{segments}: {itself}");
     }
 }

@@ -118,3 +118,28 @@ fn the_tip_of_a_turn_back_is_one_place() {
     );
     assert_eq!(loop_.intersect(&bent).len(), bent.intersect(&loop_).len());
 }
+
+/// Next to the curve's stops there are two places that are too far apart on the other curve to be one; this did not end.
+#[test]
+fn places_next_to_a_stop_end() {
+    let curve = curve(&[
+        [0.0, 3.15226451847719e-6],
+        [-2.7154260618674997e-6, 3.7056504482343374e-6],
+        [-0.005002670546670256, 0.0010226635414463704],
+        [-0.011577764137035611, 0.002362624268361621],
+    ]);
+    let other = Curve::new(
+        &[
+            [0.0, 7.767519634453476e-10],
+            [-7731174.303668077, -4269303.7191457],
+            [747629083536546.6, 412855214681899.8],
+            [-88271658546526.19, -48745314143162.2],
+        ]
+        .map(DVec2::from),
+    )
+    .expect("finite");
+    for place in curve.intersect(&other) {
+        let gap = (curve.eval(place.t) - other.eval(place.u)).length();
+        assert!(gap < 1.0, "{place:?} {gap}"); // the ulp of 7.5e14 is 0.125
+    }
+}

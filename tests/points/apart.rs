@@ -5,6 +5,7 @@ use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, hostile, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau_kernels::take_steps;
 
 /// Two curves that may cross, touch, overlap, or be the same.
 fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
@@ -42,7 +43,10 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
 /// Whether all digits are right; some are not where curves run along each other.
 fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let (p, q): (Curve<P>, Curve<P>) = (curve(a), curve(b));
+    take_steps();
     let found = p.distance_to(&q);
+    let work = take_steps();
+    assert!(work <= 40_000, "{work} steps: {a:?} {b:?}");
     assert!((0.0..=1.0).contains(&found.t) && (0.0..=1.0).contains(&found.u));
     let size = largest(a).max(largest(b));
     let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);

@@ -6,6 +6,7 @@ mod classes;
 mod common;
 mod nearest;
 mod turns;
+mod work;
 
 use casteljau::glam::DVec3;
 use common::wild::{self, Kind};

@@ -37,10 +37,9 @@ impl<R: Row> Meeting<R> {
 
     /// Two pieces that span the same x.
     fn matched(&mut self, a: &Piece<R>, b: &Piece<R>) {
-        if self.budget == 0 {
+        if !self.work.spend(1) {
             return self.note(a, b);
         }
-        self.budget -= 1;
         let (slopes_a, slopes_b) = (slopes(a), slopes(b));
         let heights = heights(a, b, slopes_a, slopes_b);
         let (least, most) = (heights.least, heights.most);

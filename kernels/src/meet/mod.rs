@@ -13,6 +13,7 @@ mod piece;
 
 pub use piece::{Piece, Row};
 
+use crate::work::WorkLimit;
 use clip::clip;
 use cross::Crossing;
 
@@ -43,19 +44,20 @@ pub struct Meeting<R> {
     pub(crate) whole: [Piece<R>; 2],
     /// Closer than this is a contact: what rounding may have moved.
     pub(crate) slack: f64,
-    /// The most pairs of pieces that are looked at, so that any input ends.
-    pub(crate) budget: usize,
+    /// Counts the pairs of pieces that are looked at; past its limit pieces are not cut any more.
+    pub(crate) work: WorkLimit,
     /// The contacts, in no order.
     pub found: Vec<Contact>,
 }
 
 impl<R: Row> Meeting<R> {
-    /// Two curves whose coordinates are at most about 1, and the distance that counts as none.
-    pub fn new(whole: [Piece<R>; 2], slack: f64, budget: usize) -> Self {
+    /// Two curves whose coordinates are at most about 1, the distance that counts as none, and the
+    /// most pairs of pieces that are looked at.
+    pub fn new(whole: [Piece<R>; 2], slack: f64, limit: usize) -> Self {
         Self {
             whole,
             slack,
-            budget,
+            work: WorkLimit::new(limit),
             found: Vec::new(),
         }
     }
@@ -68,17 +70,11 @@ impl<R: Row> Meeting<R> {
         self.pair(a, b);
     }
 
-    /// How many pairs of pieces were not needed.
-    pub fn unused(&self) -> usize {
-        self.budget
-    }
-
     fn pair(&mut self, mut a: Piece<R>, mut b: Piece<R>) {
         loop {
-            if self.budget == 0 {
+            if !self.work.spend(1) {
                 return self.note(&a, &b);
             }
-            self.budget -= 1;
             let Some(left_b) = clip(&a, &mut b, self.slack) else {
                 return;
             };

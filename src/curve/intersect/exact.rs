@@ -104,21 +104,28 @@ impl Pair {
         }
         for curve in [0, 1] {
             for &stop in &self.stops[curve] {
-                let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
-                while let Some(&(t, u, _)) = places.iter().find(near) {
-                    let tip = if curve == 0 {
-                        self.opposite(stop, u)
-                    } else {
-                        self.across(t, stop)
-                    };
-                    if !(self.one(tip) && self.gather(&mut places, tip, false)) {
-                        break;
-                    }
-                }
+                self.gather_at_stop(&mut places, curve, stop);
             }
         }
         self.one_crossing_each(&mut places);
         places
+    }
+
+    /// Moves the places next to a stop to the stop. Each of them is looked at once: the place that replaces it may lie too
+    /// far from it on the other curve to take it away.
+    fn gather_at_stop(&self, places: &mut Vec<Place>, curve: usize, stop: f64) {
+        let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
+        let all: Vec<Place> = places.iter().filter(near).copied().collect();
+        for place in all {
+            let tip = if curve == 0 {
+                self.opposite(stop, place.1)
+            } else {
+                self.across(place.0, stop)
+            };
+            if places.contains(&place) && self.one(tip) {
+                self.gather(places, tip, false);
+            }
+        }
     }
 
     /// Whether a place is not at a parameter of a curve, but next to it.
@@ -171,7 +178,7 @@ impl Pair {
                 let run_ends =
                     k + 1 == places.len() || !self.is_continued(places[k], places[k + 1]);
                 if run_ends {
-                    let (t, u) = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+                    let (t, u) = self.between(p, q);
                     places[first] = (t, u, self.kind_between(p, q));
                     places.drain(first + 1..=k);
                     k = first + 1;
@@ -184,6 +191,22 @@ impl Pair {
             }
             k += 1;
         }
+    }
+
+    /// A place amid two others between which the curves are as one. Where they run at different paces, as next to a
+    /// turn-back, equal shares of both parameters are no place: then that of one curve is looked for, from the other's.
+    fn between(&self, p: Place, q: Place) -> (f64, f64) {
+        let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+        if self.one(middle) {
+            return middle;
+        }
+        [
+            self.opposite(middle.0, middle.1),
+            self.across(middle.0, middle.1),
+        ]
+        .into_iter()
+        .find(|&place| self.one(place))
+        .unwrap_or((p.0, p.1))
     }
 
     fn is_continued(&self, p: Place, q: Place) -> bool {

@@ -64,8 +64,11 @@ impl Curve<DVec2> {
     /// passes a point twice, two. A shared piece is one [`Contact::Overlap`] with its two ends.
     ///
     /// Curves count as meeting where they are closer than rounding can tell, some 1e-15 of the largest coordinate. So
-    /// two crossings closer together than about 1e-8 of the curves' size come back as one tangency. Up to degree 3 no pair
-    /// takes long, however it lies.
+    /// two crossings closer together than about 1e-8 of the curves' size come back as one tangency.
+    ///
+    /// At most 4096 pairs of pieces are looked at, and 256 more for each degree above 3, at a cost of the square of the
+    /// degree each. Only curves that rounding makes hard to tell apart on long stretches need more: what is undecided then
+    /// is not cut any further, and each such pair of pieces counts as one place at most.
     ///
     /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for what crosses.
     pub fn intersect(&self, other: &Self) -> Vec<Intersection> {

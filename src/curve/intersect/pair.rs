@@ -8,9 +8,10 @@ use casteljau_kernels as kernels;
 use casteljau_kernels::{Meeting, Piece, meet_cubics};
 use glam::DVec2;
 
-/// The most pairs of pieces that are looked at: any input ends. Pairs of degree 3 need a few hundred at worst, two curves of
-/// degree 64 that meet a thousand times some thousands.
-const BUDGET: usize = 20_000;
+/// Pairs of pieces that are looked at, and so many more for each degree above 3: more than ten times what 999 of 1000
+/// curves of moderate numbers need, also where one of them is nearly the other.
+const MAX_PAIRS: usize = 4096;
+const MAX_PAIRS_PER_DEGREE: usize = 256;
 
 /// The rounding of a coordinate of the input, which moves a curve by up to one ulp in each coordinate of both curves.
 const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
@@ -124,7 +125,7 @@ impl Pair {
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
             let whole = [cubic(a), cubic(b)];
-            let mut meeting = Meeting::new(whole, self.slack, BUDGET);
+            let mut meeting = Meeting::new(whole, self.slack, MAX_PAIRS);
             for (i, j) in pairs {
                 meet_cubics(
                     &mut meeting,
@@ -135,7 +136,11 @@ impl Pair {
             return meeting.found;
         }
         let whole = [piece(a, degree), piece(b, degree)];
-        let mut meeting = Meeting::new(whole, self.slack, BUDGET);
+        let mut meeting = Meeting::new(
+            whole,
+            self.slack,
+            MAX_PAIRS + MAX_PAIRS_PER_DEGREE * (degree - 3),
+        );
         for (i, j) in pairs {
             meeting.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
         }
