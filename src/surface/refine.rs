@@ -19,6 +19,14 @@ const MAX_CELLS: usize =
         30
     }) / ((6 + 9) * 4);
 
+/// The most cells of a mesh by tolerance or pixels. On thin patches nearly every cell has vertices of its own, and a mesh in the
+/// making takes some 3 kB a cell, of the 4 GiB that addresses of 32 bits allow.
+const MAX_CUT_CELLS: usize = if cfg!(target_pointer_width = "32") {
+    1 << 20
+} else {
+    MAX_CELLS
+};
+
 /// A forecast of too many cells is believed if this share of it is too many, and if it is no less than this share of the
 /// forecast before.
 const CLOSE_SHARE: f64 = 7.0 / 8.0;
@@ -197,7 +205,7 @@ impl Surface {
         (0..self.patch_count())
             .filter_map(|patch| self.degrees(patch))
             .map(|[m, n]| most_cells(m, n))
-            .fold(MAX_CELLS, usize::min)
+            .fold(MAX_CUT_CELLS, usize::min)
     }
 
     /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.
