@@ -258,7 +258,7 @@ export class Patch {
    * The work is limited to 2²³ steps up to degree 3, about one for each two multiplications; above it to 2¹⁹ for each
    * control point, but no more than 3·2²⁵. Where that is not enough, the result is the best estimate: the eighth digit may
    * be off for a patch that folds back along a line, and the sixth for one with many folds or of very different sizes along
-   * its axes.
+   * its axes; the fourth where coordinates differ by many powers of ten.
    *
    * @returns {number}
    */

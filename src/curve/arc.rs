@@ -154,7 +154,7 @@ impl Arc {
 
     /// High degrees may hide a wave between the nodes of the first rules.
     fn least_depth(&self) -> usize {
-        self.slopes.len() / 16
+        self.slopes.len() / 4
     }
 
     /// Whether the curve turns so sharply near an end that neither rule has seen it.

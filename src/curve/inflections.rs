@@ -38,8 +38,9 @@ impl Curve<DVec2> {
     /// All parameters in \[0, 1\] at which the tangent line passes through p, sorted.
     ///
     /// The roots of (B − p)×B′, of degree 2n − 2; where it only touches zero, as at p itself if p is on the curve, once
-    /// each. Where the curve stops (B′ = 0) the tangent is its limit. If every tangent passes through p, the curve being
-    /// straight or a point, the answer is 0 and 1, the ends of the range.
+    /// each. Where the curve stops (|B′| below 10⁻⁷ of the largest control vector of B′) the tangent itself must pass
+    /// through p, within 10⁻⁷ of the size. If every tangent passes through p, the curve being straight or a point, the
+    /// answer is 0 and 1, the ends of the range.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.

@@ -49,7 +49,7 @@ impl Patch {
     /// At most 2²³ steps up to degree 3, about one for each two multiplications (some milliseconds); above it 2¹⁹ for each
     /// control point, but no more than 3·2²⁵. Where that is not enough, the best estimate: of a patch that folds back along a
     /// line that is no tile's side, the eighth digit may be off; of one with many folds or of very different sizes along its
-    /// axes, the sixth.
+    /// axes, the sixth; where its coordinates differ by many powers of ten, the fourth.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = area_in_frame(&frame.image(self));

@@ -128,7 +128,11 @@ fn hits_of(
         .iter()
         .map(|&[u, v]| SurfacePoint::at(patch, number, u, v, origin))
         .collect();
-    hits.retain(|hit| (frame.place(hit.point) - ray.start).dot(ray.along) >= -NEAR);
+    // A place that Newton's method did not bring onto the ray is no hit.
+    hits.retain(|hit| {
+        let from_start = frame.place(hit.point) - ray.start;
+        from_start.dot(ray.along) >= -NEAR && from_start.cross(ray.along).norm() <= 0.5 * ON_SIDE
+    });
     let reach = NEAR * frame.size;
     if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {
         let origin_on_patch = patch.nearest_within(origin, reach);

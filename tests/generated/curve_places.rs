@@ -140,11 +140,19 @@ fn tangents_from(case: &Case) -> Checked {
     let at = |t: f64| (curve.eval(t) - p).perp_dot(curve.derivative_at(t, 1));
     let slack = 64.0 * slack(case.size(), curve.degree()) * case.size() * real(curve.degree());
     // Where the curve turns back, the product changes its sign without a tangent through p: left out are the pieces on
-    // which the direction turns by more than a right angle.
+    // which the direction turns by more than a right angle, and those with a near stop, where the tangent counts.
+    let fastest = curve
+        .derivative()
+        .control_points()
+        .iter()
+        .map(|v| v.length())
+        .fold(0.0, f64::max);
+    let stops = |t: f64| curve.derivative_at(t, 1).length() <= 1e-7 * fastest;
     let samples: Vec<(f64, f64)> = parameters(32, 1.0).map(|t| (t, at(t))).collect();
     for pair in samples.windows(2) {
         let tangents = [pair[0].0, pair[1].0].map(|t| curve.tangent(t));
-        if tangents[0].dot(tangents[1]) > 0.0 {
+        let stop = pair.iter().any(|&(t, _)| stops(t));
+        if tangents[0].dot(tangents[1]) > 0.0 && !stop {
             roots_are_complete(&ts, pair, slack)?;
         }
     }

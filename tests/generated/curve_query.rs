@@ -6,7 +6,7 @@ use crate::runner::Row;
 use casteljau::curve::{Contact, Intersection, SelfIntersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Point};
-use casteljau_generator::Case;
+use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[
     ("Curve::intersect", intersect),
@@ -16,6 +16,16 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::distance_to", both!(distance_to)),
     ("Curve::hausdorff", both!(hausdorff)),
 ];
+
+/// How far two curves may be apart where they meet: more where coordinates differ by many powers of ten.
+pub(crate) fn contact_slack(case: &Case, degree: usize) -> f64 {
+    let mixed = if case.mode == Mode::MixedScale {
+        64.0
+    } else {
+        1.0
+    };
+    4.0 * mixed * slack(case.size(), degree)
+}
 
 /// Both curves are at the stated point at the stated parameters, and the list is sorted.
 pub(crate) fn contacts_hold(
@@ -58,7 +68,7 @@ pub(crate) fn contacts_hold(
 fn intersect(case: &Case) -> Checked {
     let (a, b) = (curve::<DVec2>(case, "curve"), curve::<DVec2>(case, "other"));
     let found = value!(case, a.intersect(&b));
-    let slack = 4.0 * slack(case.size(), a.degree().max(b.degree()));
+    let slack = contact_slack(case, a.degree().max(b.degree()));
     contacts_hold(&found, [1.0, 1.0], slack, |t| a.eval(t), |u| b.eval(u))
 }
 
@@ -68,7 +78,7 @@ fn intersect_spline(case: &Case) -> Checked {
         spline::<DVec2>(case, "spline"),
     );
     let found = value!(case, a.intersect_spline(&b));
-    let slack = 4.0 * slack(case.size(), a.degree().max(12));
+    let slack = contact_slack(case, a.degree().max(12));
     contacts_hold(
         &found,
         [1.0, real(b.segment_count())],
