@@ -14,6 +14,9 @@ const MOST_CUTS: usize = 56;
 /// Of the search for a t; bisection alone takes as many.
 const MOST_STEPS: usize = 64;
 
+/// Every interval is halved at least this often at degrees of 25 and more.
+const MAX_LEAST_DEPTH: usize = 6;
+
 /// Intervals that are looked at, more than ten times what curves of moderate numbers need; past them the rest is taken as
 /// it is.
 const MAX_INTERVALS: usize = 1 << 12;
@@ -154,7 +157,7 @@ impl Arc {
 
     /// High degrees may hide a wave between the nodes of the first rules.
     fn least_depth(&self) -> usize {
-        self.slopes.len() / 4
+        (self.slopes.len() / 4).min(MAX_LEAST_DEPTH)
     }
 
     /// Whether the curve turns so sharply near an end that neither rule has seen it.
