@@ -495,6 +495,9 @@ export class Curve {
    * At most 4096 pairs of pieces are compared, and 256 more for each degree above 3. Only curves that rounding makes hard
    * to tell apart on long stretches need more; each pair of pieces that is undecided then counts as one place at most.
    *
+   * Both curves have the point at their parameters but for rounding, some 1e-15 of the largest coordinate; 1e-11 of it where
+   * one curve has coordinates that differ by many powers of ten.
+   *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}
    * @throws {TypeError} for a curve of space
@@ -651,7 +654,8 @@ export class Curve {
 
   /**
    * All parameters in [0, 1] at which the tangent line passes through p, sorted; 2D only. Where every tangent does, the
-   * curve being straight: 0 and 1, the ends of the range.
+   * curve being straight: 0 and 1, the ends of the range. Where the curve stops (its derivative is below 1e-7 of the largest
+   * control vector of the derivative), the tangent itself must pass through p within 1e-7 of the size.
    *
    * @param {PointLike} p
    * @returns {Float64Array}
