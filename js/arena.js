@@ -3,6 +3,9 @@ import { core, memory } from "./init.js";
 
 /** @import { Gate } from "./gate.js" */
 
+/** Above this many numbers the arena gives its memory back after a result was read. */
+export const LARGE_RESULT = 1 << 20;
+
 /**
  * A view of at least `length` numbers over the arena, the block of wasm memory through which all numbers pass:
  * write the arguments from its start, call the core, read the result from its start.

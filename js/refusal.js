@@ -1,4 +1,4 @@
-import { arena } from "./arena.js";
+import { arena, LARGE_RESULT, trimArena } from "./arena.js";
 import { curves } from "./curves-gate.js";
 import { memory } from "./init.js";
 
@@ -28,11 +28,13 @@ export function done(count, gate = curves) {
  * @returns {RangeError}
  */
 function refusal(gate) {
+  gate.view = new Float64Array(0); // the call may have made the arena longer, and moved it, before it refused
   const parts = arena(2 * PARTS, gate);
   let message = "";
   for (let i = 0; i < 2 * PARTS; i += 2) {
     const [value, length] = [parts[i], parts[i + 1]];
     message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory(gate).buffer, value, length));
   }
+  if (parts.length > LARGE_RESULT) trimArena(gate);
   return new RangeError(message);
 }

@@ -1,11 +1,8 @@
-import { arena, trimArena } from "./arena.js";
+import { arena, LARGE_RESULT, trimArena } from "./arena.js";
 import { curves } from "./curves-gate.js";
 import { done } from "./refusal.js";
 
 /** @import { Gate } from "./gate.js" */
-
-/** Above this many numbers the arena gives its memory back after a result was read. */
-const LARGE_RESULT = 1 << 20;
 
 /**
  * Control points that were checked: what the constructors take from inside the package.

@@ -1,5 +1,6 @@
 //! The Bernstein weights: how much each control point counts at t.
 
+use super::{Scalars, ratio};
 use crate::error::{Error, MAX_DEGREE};
 
 /// The n + 1 Bernstein weights of degree n at t: Bᵢ(t) = C(n, i) tⁱ (1 − t)ⁿ⁻ⁱ.
@@ -62,4 +63,16 @@ fn normalise(weights: &mut [f64]) {
     for weight in weights {
         *weight /= sum;
     }
+}
+
+/// C(n, 0) … C(n, n).
+pub(crate) fn binomials(n: usize) -> Scalars {
+    let mut value = 1.0;
+    (0..=n)
+        .map(|k| {
+            let this = value;
+            value *= ratio(n - k, k + 1);
+            this
+        })
+        .collect()
 }

@@ -40,7 +40,7 @@ mod turning;
 
 pub use basis::Basis;
 pub use bernstein::bernstein;
-pub(crate) use bernstein::bernstein_into;
+pub(crate) use bernstein::{bernstein_into, binomials};
 pub use bounds::Bounds;
 pub use classify::Class;
 pub use distance::Distance;

@@ -1,5 +1,6 @@
 //! Handing a curve to something that draws lines, quadratics and cubics.
 
+use super::bernstein::binomials;
 use super::{Curve, ratio};
 use crate::error::Error;
 use crate::point::Point;
@@ -82,16 +83,22 @@ impl<P: Point> Curve<P> {
         ])
     }
 
-    /// A bound on the distance to a curve of a lower degree: the greatest one between control points at equal degree.
+    /// A bound on the distance to a curve of a lower degree m: the greatest one between control points at equal degree.
+    ///
+    /// The other's control points at degree n are Σᵢ C(m, i) C(n − m, k − i) / C(n, k) Qᵢ (Farin, *Curves and Surfaces for
+    /// CAGD*, section 6.1, repeated).
     pub(crate) fn distance_of_controls(&self, other: &Self) -> f64 {
-        let mut raised = other.clone();
-        while raised.degree() < self.degree() {
-            raised = raised.elevated();
-        }
-        self.points
-            .iter()
-            .zip(&raised.points)
-            .map(|(&a, &b)| (a - b).norm())
+        let (n, m) = (self.degree(), other.degree());
+        let [of_n, of_m, of_rest] = [n, m, n - m].map(binomials);
+        let raised = |k: usize| {
+            let range = k.saturating_sub(n - m)..=k.min(m);
+            range.fold(P::default(), |sum, i| {
+                sum + other.points[i] * (of_m[i] * of_rest[k - i] / of_n[k])
+            })
+        };
+        let distances = self.points.iter().enumerate();
+        distances
+            .map(|(k, &p)| (p - raised(k)).norm())
             .fold(0.0, f64::max)
     }
 }

@@ -13,11 +13,9 @@ const AREA_ERROR: f64 = 1e-9;
 /// In units of the patch's size squared, what is left of an area where there is none.
 const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
-/// The most steps of an area, about one for each two multiplications: so many for each control point, within these limits.
-/// Only folds need so many, and patches of high degrees that have as many bends.
-const STEPS_PER_POINT: usize = 1 << 19;
-const MIN_LIMIT: usize = 1 << 23;
-const MAX_LIMIT: usize = 3 << 25;
+/// The most steps of an area, about one for each two multiplications. Only folds need so many, and patches of high degrees
+/// that have as many bends.
+const MAX_STEPS: usize = 1 << 23;
 
 /// Tiles are halved no more often than this in u and v.
 const MAX_ROUNDS: usize = 40;
@@ -71,13 +69,12 @@ impl Surface {
 fn area_in_frame(patch: &Patch) -> f64 {
     let points = patch.points.iter().map(|p| p.to_array()).collect();
     let mut rule = TileArea::new(points, patch.columns);
-    let limit = (patch.points.len() * STEPS_PER_POINT).clamp(MIN_LIMIT, MAX_LIMIT);
-    let mut work = WorkLimit::new(limit);
+    let mut work = WorkLimit::new(MAX_STEPS);
     let steps_of_split = 2 * (rule.steps(true) + rule.steps(false));
     let mut tiles = vec![Tile::new([0.0, 1.0], [0.0, 1.0], 0.0, &mut rule)];
     let mut settled = 0.0;
     for _ in 0..MAX_ROUNDS {
-        let affordable = (limit - work.used()) / steps_of_split;
+        let affordable = (MAX_STEPS - work.used()) / steps_of_split;
         let is_last = tiles.len() > affordable;
         if is_last {
             sort_by(&mut tiles, |a, b| {

@@ -5,7 +5,7 @@
 //! numerator N, the denominator W and the cubic C the error is (N − C·W) / W; the numerator is a polynomial, and the
 //! largest of its Bernstein coefficients over the smallest Wᵢ bounds it. It falls by 16 with each halving.
 
-use crate::curve::{Curve, Pen, Points, Scalars, ratio};
+use crate::curve::{Curve, Pen, Points, binomials, ratio, ulp};
 use crate::point::Point;
 use glam::{DMat4, DVec3, DVec4};
 
@@ -91,7 +91,9 @@ impl<T: Pen> Stroke<'_, T> {
         if !self.down {
             self.pen.move_to(flat.start().in_plane());
         }
-        flat.trace_on(self.pen, Some(tolerance));
+        // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
+        let least = 4.0 * ulp(flat.max_abs());
+        flat.trace_on(self.pen, Some(tolerance.max(least)));
         self.down = true;
     }
 }
@@ -127,16 +129,4 @@ fn error_bound(points: &[DVec3], cubic: &[DVec3; 4]) -> f64 {
     }
     let least = points.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
     largest / least
-}
-
-/// C(n, 0) … C(n, n).
-fn binomials(n: usize) -> Scalars {
-    let mut value = 1.0;
-    (0..=n)
-        .map(|k| {
-            let this = value;
-            value *= ratio(n - k, k + 1);
-            this
-        })
-        .collect()
 }

@@ -34,7 +34,7 @@ mod surface_query;
 use runner::Row;
 
 /// The functions in groups; each group is a test, so that they run side by side.
-const GROUPS: [(&str, &[&[Row]]); 9] = [
+const GROUPS: [(&str, &[&[Row]]); 10] = [
     ("curves: evaluation", &[curve_shape::ROWS]),
     ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
     ("curves: measures", &[curve_measure::ROWS]),
@@ -50,10 +50,8 @@ const GROUPS: [(&str, &[&[Row]]); 9] = [
     ),
     ("paths", &[path::ROWS, path_query::ROWS]),
     ("patches", &[patch::ROWS, patch_query::ROWS]),
-    (
-        "surfaces",
-        &[surface::ROWS, surface_query::ROWS, export::ROWS],
-    ),
+    ("surfaces: meshes", &[surface::ROWS, export::ROWS]),
+    ("surfaces: queries", &[surface_query::ROWS]),
     ("parsers", &[parsers::ROWS]),
 ];
 
@@ -74,6 +72,7 @@ groups! {
     splines: 4,
     paths: 5,
     patches: 6,
-    surfaces: 7,
-    parsers_read_what_they_wrote: 8,
+    surfaces_meshes: 7,
+    surfaces_queries: 8,
+    parsers_read_what_they_wrote: 9,
 }

@@ -125,6 +125,17 @@ test("what is inside", () => {
   assert.ok(twice.contains([2, 2]) && !twice.contains([2, 2], "evenodd") && twice.contains([0.5, 2], "evenodd"));
 });
 
+test("a refusal after a part of the answer was written says why, and the next calls work", () => {
+  const arch = (x) => new Path([new Spline([0, 0, 0, x, x, x, x, 0], { degree: 3, dimension: 2 })]);
+  const several = new Path([1, 1, 1, 1].flatMap((x) => [...arch(x).subpaths]));
+  const fine = several.flatten(1e-12)[0].ts.length; // the core's memory now is large enough for what follows
+  assert.ok(fine > 400_000);
+  const both = new Path([...arch(1).subpaths, ...arch(1e6).subpaths]);
+  refused(() => both.flatten(1e-12), RangeError, /^tolerance: expected at least 4\.6\d*e-10 \(4 ulps of the largest coordinate\), got 1e-12$/);
+  assert.deepEqual(arch(1).subpaths[0].eval(0.5), { x: 0.5, y: 0.75 });
+  assert.equal(several.flatten(1e-12)[3].ts.length, fine);
+});
+
 test("bounds, flattening, empty paths", () => {
   const path = Path.fromSVG("M100,200 C100,100 250,100 250,200 S400,300 400,200");
   assert.deepEqual(path.bounds(), { min: { x: 100, y: 125 }, max: { x: 400, y: 275 } });

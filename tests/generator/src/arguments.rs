@@ -177,13 +177,15 @@ impl Maker<'_> {
             "coordinate" => self.rng.signed() * size,
             "tolerance" => self.tolerance(size, least, -1.0),
             "coarse tolerance" => self.tolerance(size, least.max(-5.0), -1.0),
-            // Fine meshes take long to make: one case in fifty asks for them.
-            "mesh tolerance" if mode == Mode::MixedScale && self.rng.chance(0.02) => {
-                self.tolerance(size, -12.0, -1.0)
-            }
-            "mesh tolerance" => self.tolerance(size, -3.0, 0.0),
+            // Large answers take long to make and to check: one case in fifty asks for them.
+            "flatten tolerance" => self.seldom_fine(size, least.max(-10.0), -7.0),
+            "piece tolerance" => self.seldom_fine(size, least.max(-5.0), -2.0),
+            "mesh tolerance" => self.seldom_fine(size, least, -3.0),
             "wire width" => self.tolerance(size, -4.0, -1.0),
-            "pixels" => self.tolerance(1.0, -1.0, 2.0),
+            "pixels" => match self.pixels_across() {
+                Some(across) => self.seldom_fine(across, -4.0, -2.0),
+                None => self.tolerance(1.0, -1.0, 2.0),
+            },
             _ => return None,
         };
         Some(Value::Number(number))
@@ -196,6 +198,36 @@ impl Maker<'_> {
             1 => size * self.rng.magnitude(-20.0, -14.0),
             _ => size * self.rng.magnitude(least, most),
         }
+    }
+
+    /// A part of the size between 10^usual and 10^−1, in one case of fifty between 10^least and 10^−1.
+    fn seldom_fine(&mut self, size: f64, least: f64, usual: f64) -> f64 {
+        let least = if self.rng.chance(0.02) {
+            least
+        } else {
+            least.max(usual)
+        };
+        self.tolerance(size, least, -1.0)
+    }
+
+    /// How far the control points reach on a screen 640 pixels wide, if a projection was made already.
+    fn pixels_across(&self) -> Option<f64> {
+        let (_, Value::Numbers(m)) = self.made.arguments.last()? else {
+            return None;
+        };
+        let points = control_points(&self.made.arguments[0].1);
+        let row = |k: usize, p: DVec3| m[k] * p.x + m[4 + k] * p.y + m[8 + k] * p.z + m[12 + k];
+        let depth = points.iter().map(|&p| row(3, p).abs()).fold(0.0, f64::max);
+        let places = points.iter().map(|&p| {
+            let largest = row(0, p).abs().max(row(1, p).abs());
+            320.0 * largest / row(3, p).max(1e-2 * depth)
+        });
+        let across = places.fold(0.0, f64::max);
+        Some(if across > 0.0 && across.is_finite() {
+            across
+        } else {
+            1.0
+        })
     }
 
     fn length(&mut self, size: f64) -> f64 {

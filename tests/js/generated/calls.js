@@ -33,14 +33,6 @@ const traced = (draw) => {
 };
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
-/** A quarter of a million leaves, each an object, fill the memory of a test run: here a tolerance is not much finer than the net. */
-const coarse = (a) => (a.tolerance > 0 ? Math.max(a.tolerance, 1e-2 * a.surface.vertices.reduce((most, x) => Math.max(most, Math.abs(x)), 0)) : a.tolerance);
-/** The same for the vertices of a path. */
-const coarsePath = (a) => {
-  const box = a.path.bounds();
-  const size = box ? Math.max(...[box.min.x, box.min.y, box.max.x, box.max.y].map(Math.abs)) : 0;
-  return a.tolerance > 0 ? Math.max(a.tolerance, 1e-7 * size) : a.tolerance;
-};
 const view = (a) => ({ pixels: a.pixels, viewProjection: a.view, viewport: [640, 480] });
 const wire = (a) => (a.wire === "tube" ? { lines: a.lines, radius: a.width, sides: a.sides } : { lines: a.lines, width: a.width });
 const mesh = (a) => a.surface.grid({ segments: a.segments_u, quads: a.quads });
@@ -165,7 +157,7 @@ const PATH = {
   "Path.nearest": (a) => a.path.nearest(a.p),
   "Path.winding": (a) => a.path.winding(a.p),
   "Path.contains": (a) => a.path.contains(a.p, a.rule),
-  "Path.flatten": (a) => a.path.flatten(coarsePath(a)),
+  "Path.flatten": (a) => a.path.flatten(a.tolerance),
   "Path.intersect": (a) => a.path.intersect(a.other),
   "Path.selfIntersections": (a) => a.path.selfIntersections(),
   "Path.transform": (a) => a.path.transform(matrix(a)),
@@ -230,7 +222,7 @@ const SURFACE = {
   "Surface.tessellateView": (a) => a.surface.tessellate(view(a), { weld: a.weld, precision: "f64" }),
   "Surface.isocurves": (a) => a.surface.isocurves({ lines: a.lines }),
   "Surface.wireframe": (a) => a.surface.wireframe(wire(a)),
-  "Surface.subdivide": (a) => a.surface.subdivide(coarse(a)),
+  "Surface.subdivide": (a) => a.surface.subdivide(a.tolerance),
   "Surface.trace": (a) => traced((target) => a.surface.trace(target, { matrix: a.view, lines: a.lines, tolerance: a.tolerance })),
   "Mesh.constructor": (a) => new Mesh(mesh(a)),
   "Mesh.toOBJ": (a) => mesh(a).toOBJ(),
