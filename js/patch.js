@@ -255,10 +255,9 @@ export class Patch {
   /**
    * The area, within 1e-8 of itself; what the patch covers twice counts twice, a curve or a point is 0.
    *
-   * The work is limited to 2²³ steps up to degree 3, about one for each two multiplications; above it to 2¹⁹ for each
-   * control point, but no more than 3·2²⁵. Where that is not enough, the result is the best estimate: the eighth digit may
-   * be off for a patch that folds back along a line, and the sixth for one with many folds or of very different sizes along
-   * its axes; the fourth where coordinates differ by many powers of ten.
+   * At most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back, or has very
+   * different sizes along its axes, the result is the best estimate and the fifth digit may be off; where coordinates differ
+   * by many powers of ten, the fourth.
    *
    * @returns {number}
    */

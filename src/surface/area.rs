@@ -15,7 +15,7 @@ const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
 /// The most steps of an area, about one for each two multiplications. Only folds need so many, and patches of high degrees
 /// that have as many bends.
-const MAX_STEPS: usize = 1 << 23;
+const MAX_STEPS: usize = 1 << 22;
 
 /// Tiles are halved no more often than this in u and v.
 const MAX_ROUNDS: usize = 40;
@@ -44,10 +44,10 @@ impl Patch {
     /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
     /// twice. Zero for a patch that is a curve or a point.
     ///
-    /// At most 2²³ steps up to degree 3, about one for each two multiplications (some milliseconds); above it 2¹⁹ for each
-    /// control point, but no more than 3·2²⁵. Where that is not enough, the best estimate: of a patch that folds back along a
-    /// line that is no tile's side, the eighth digit may be off; of one with many folds or of very different sizes along its
-    /// axes, the sixth; where its coordinates differ by many powers of ten, the fourth.
+    /// At most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back, or has
+    /// very different sizes along its axes, the result is the best estimate and the fifth digit may be off: the rule may
+    /// miss a fold that cuts a corner of a tile off, and folds may need more steps. Where coordinates differ by many
+    /// powers of ten, the fourth.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = area_in_frame(&frame.image(self));

@@ -99,7 +99,7 @@ fn exact_area(points: &[DVec3]) -> f64 {
 #[test]
 fn area_is_the_integral() {
     let mut rng = Rng(1821);
-    for case in 0..thorough(20_000, 1_000_000) {
+    for case in 0..thorough(20_000, 500_000) {
         let kind = rng.pick(&ORDINARY);
         let degree = if case % 20 == 0 {
             1 + rng.below(64)

@@ -72,7 +72,7 @@ pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
 #[test]
 fn the_integral_of_the_speed() {
     let mut rng = Rng(1654);
-    for _ in 0..thorough(20_000, 1_000_000) {
+    for _ in 0..thorough(20_000, 300_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let expected = integral::length(&points, 0.0, 1.0);
         let flat = points.iter().all(|p| p.z == 0.0);
@@ -88,7 +88,7 @@ fn the_integral_of_the_speed() {
 #[test]
 fn a_tolerance_is_kept() {
     let mut rng = Rng(1659);
-    for _ in 0..thorough(5_000, 500_000) {
+    for _ in 0..thorough(5_000, 200_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let expected = integral::length(&points, 0.0, 1.0);
@@ -106,7 +106,7 @@ fn a_tolerance_is_kept() {
 #[test]
 fn lengths_of_pieces_add_up() {
     let mut rng = Rng(1660);
-    for _ in 0..thorough(5_000, 500_000) {
+    for _ in 0..thorough(5_000, 200_000) {
         let points = hostile(&mut rng, &ORDINARY);
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);

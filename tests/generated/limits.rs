@@ -17,11 +17,11 @@ const LIMITS: &[(&str, usize)] = &[
     ("Patch::nearest", 2 * SEARCH),
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),
-    ("Patch::area", 1 << 23),
+    ("Patch::area", 1 << 22),
     ("Surface::nearest", PATCHES * 2 * SEARCH),
     ("Surface::intersect_ray", PATCHES * RAY),
     ("Surface::bounds", PATCHES * 6 * SEARCH),
-    ("Surface::area", PATCHES << 23),
+    ("Surface::area", PATCHES << 22),
     ("Surface::subdivide", (1 << 24) + (1 << 12)),
 ];
 

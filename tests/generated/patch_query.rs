@@ -127,11 +127,11 @@ fn area(case: &Case) -> Checked {
     }
     let [a, b, c, d] = patch.split(0.5, 0.5);
     let sum: f64 = [a, b, c, d].iter().map(Patch::area).sum();
-    // 1e-8 each; the sixth digit where the patch folds back, and the fourth where coordinates differ by many powers of ten.
+    // 1e-8 each; the fifth digit where the patch folds back, and the fourth where coordinates differ by many powers of ten.
     let part = if case.mode == Mode::MixedScale {
         1e-3
     } else {
-        1e-5
+        1e-4
     };
     let slack = part * area + 64.0 * slack_at(case, &patch, 0.0, 0.0) * case.size();
     ensure!(

@@ -12,7 +12,7 @@ use std::sync::Mutex;
 
 fn cases() -> u64 {
     if std::env::var_os("CASTELJAU_DEEP").is_some() {
-        1_000_000
+        300_000
     } else {
         20_000
     }

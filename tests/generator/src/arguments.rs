@@ -177,15 +177,20 @@ impl Maker<'_> {
             "coordinate" => self.rng.signed() * size,
             "tolerance" => self.tolerance(size, least, -1.0),
             "coarse tolerance" => self.tolerance(size, least.max(-5.0), -1.0),
-            // Large answers take long to make and to check: one case in fifty asks for them.
-            "flatten tolerance" => self.seldom_fine(size, least.max(-10.0), -7.0),
-            "piece tolerance" => self.seldom_fine(size, least.max(-5.0), -2.0),
-            "mesh tolerance" => self.seldom_fine(size, least, -3.0),
+            // Large answers take long to make and to check: few cases ask for them.
+            "flatten tolerance" => self.seldom_fine(0.01, size, least.max(-10.0), -7.0),
+            "piece tolerance" => self.seldom_fine(0.02, size, least.max(-5.0), -2.0),
+            "mesh tolerance" => self.seldom_fine(0.004, size, least, -3.0),
             "wire width" => self.tolerance(size, -4.0, -1.0),
-            "pixels" => match self.pixels_across() {
-                Some(across) => self.seldom_fine(across, -4.0, -2.0),
-                None => self.tolerance(1.0, -1.0, 2.0),
-            },
+            // Any number above 0 is allowed here.
+            "pixels" if self.rng.chance(0.02) => self.rng.pick(&[0.0, -1.0]),
+            "pixels" => {
+                let (size, least) = self
+                    .pixels_across()
+                    .map_or((1.0, -1.0), |size| (size, -3.0));
+                let least = if self.rng.chance(0.004) { -4.0 } else { least };
+                size * self.rng.magnitude(least, 0.0)
+            }
             _ => return None,
         };
         Some(Value::Number(number))
@@ -200,9 +205,9 @@ impl Maker<'_> {
         }
     }
 
-    /// A part of the size between 10^usual and 10^−1, in one case of fifty between 10^least and 10^−1.
-    fn seldom_fine(&mut self, size: f64, least: f64, usual: f64) -> f64 {
-        let least = if self.rng.chance(0.02) {
+    /// A part of the size between 10^usual and 10^−1, or with a probability between 10^least and 10^−1.
+    fn seldom_fine(&mut self, probability: f64, size: f64, least: f64, usual: f64) -> f64 {
+        let least = if self.rng.chance(probability) {
             least
         } else {
             least.max(usual)

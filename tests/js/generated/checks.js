@@ -10,7 +10,11 @@ const INFINITE = new Set(["Curve.curvature", "Curve.torsion"]);
 function visit(value, see) {
   if (typeof value === "number") return see(value);
   if (typeof value !== "object" || value === null) return;
-  if (ArrayBuffer.isView(value) || Array.isArray(value)) return value.forEach((item) => visit(item, see));
+  if (ArrayBuffer.isView(value)) {
+    for (const x of value) see(x);
+    return;
+  }
+  if (Array.isArray(value)) return value.forEach((item) => visit(item, see));
   if (value instanceof Path) return value.subpaths.forEach((spline) => visit(spline, see));
   if (value instanceof Surface) return visit(value.vertices, see);
   if (typeof value.controlPoints === "function") return visit(value.controlPoints(), see);
@@ -46,7 +50,10 @@ const distance = (p, q) => Math.hypot(...numbersOf(p).map((x, k) => x - numbersO
 const slackOf = (size, degree) => 64 * (degree + 2) * Number.EPSILON * size + Number.MIN_VALUE;
 const close = (p, q, slack, what) => assert.ok(distance(p, q) <= slack, `${what}: ${distance(p, q)} apart, more than ${slack}`);
 const growth = (t, degree) => (Math.abs(t) + Math.abs(1 - t)) ** degree;
-const ascend = (ts, least, most) => assert.ok([...ts].every((t, k) => t >= least && t <= most && (k === 0 || ts[k - 1] < t)), `${ts} do not ascend from ${least} to ${most}`);
+const ascend = (ts, least, most) => {
+  const at = [...ts].findIndex((t, k) => !(t >= least && t <= most && (k === 0 || ts[k - 1] < t)));
+  if (at >= 0) assert.fail(`${ts.slice(Math.max(at - 1, 0), at + 1)} at ${at} do not ascend from ${least} to ${most}`);
+};
 const inside = ({ min, max }, p, slack) => numbersOf(p).every((x, k) => x >= numbersOf(min)[k] - slack && x <= numbersOf(max)[k] + slack);
 
 const isMesh = (mesh) => {
