@@ -411,9 +411,9 @@ export class Curve {
    * @param {number} t
    * @returns {Float64Array[]}
    */
-  scaffold(t) {
+  deCasteljau(t) {
     check.finite(t, "t");
-    core().curve_scaffold(this.#dimension, this.#load(), t);
+    core().curve_de_casteljau(this.#dimension, this.#load(), t);
     const levels = [];
     for (let length = this.#flat.length, from = 0; length > 0; length -= this.#dimension) {
       levels.push(take(from, from + length));

@@ -14,7 +14,7 @@ import { Checked } from "./transfer.js";
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
- * @import { Curvature, PatchPoint, PatchScaffold } from "./queries.js"
+ * @import { Curvature, PatchPoint, PatchDeCasteljau } from "./queries.js"
  * @import { Fineness, MeshOptions } from "./tessellation.js"
  */
 
@@ -170,10 +170,10 @@ export class Patch {
    *
    * @param {number} u
    * @param {number} v
-   * @returns {PatchScaffold}
+   * @returns {PatchDeCasteljau}
    */
-  scaffold(u, v) {
-    return queries.scaffold(this.#flat, this.#degreeU + 1, check.finite(u, "u"), check.finite(v, "v"));
+  deCasteljau(u, v) {
+    return queries.deCasteljau(this.#flat, this.#degreeU + 1, check.finite(u, "u"), check.finite(v, "v"));
   }
 
   /**

@@ -19,7 +19,7 @@ import { Checked } from "./transfer.js";
  * De Casteljau's construction of a point: for each row of the net all levels at u, from the row's points to the row's
  * one point; then all levels at v of the curve that these points control; then the point.
  *
- * @typedef {{ rows: Float64Array[][], column: Float64Array[], point: Point }} PatchScaffold
+ * @typedef {{ rows: Float64Array[][], column: Float64Array[], point: Point }} PatchDeCasteljau
  */
 
 /**
@@ -140,11 +140,11 @@ export function onPatch({ u, v, point, distance }) {
  * @param {number} columns
  * @param {number} u
  * @param {number} v
- * @returns {PatchScaffold}
+ * @returns {PatchDeCasteljau}
  */
-export function scaffold(flat, columns, u, v) {
+export function deCasteljau(flat, columns, u, v) {
   const levels = (/** @type {Float64Array} */ row, /** @type {number} */ t) =>
-    new Curve(/** @type {any} */ (new Checked(row, 3))).scaffold(t);
+    new Curve(/** @type {any} */ (new Checked(row, 3))).deCasteljau(t);
   const rows = [];
   for (let i = 0; i < flat.length; i += 3 * columns) rows.push(levels(flat.slice(i, i + 3 * columns), u));
   const ends = new Float64Array(3 * rows.length);

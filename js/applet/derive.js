@@ -31,7 +31,7 @@ export function derive(state) {
     curve,
     atT: segments.map((segment) => segment.eval(t)).map(({ x, y }) => [x, y]),
     hulls: layers.hull ? segments.map((segment) => segment.hull()) : [],
-    scaffolds: layers.scaffold ? segments.map((segment) => segment.scaffold(t)) : [],
+    scaffolds: layers.scaffold ? segments.map((segment) => segment.deCasteljau(t)) : [],
     halves: layers.halves ? segments.map((segment) => segment.split(t)) : [],
     continuity: continuityAtP3(state),
   };

@@ -52,7 +52,7 @@ impl<P: Point> Curve<P> {
     /// All levels of de Casteljau's triangle at t: the control points first, the point of the curve last.
     ///
     /// Level k has n + 1 − k points; each lies on the segment between two neighbours of the level before.
-    pub fn scaffold(&self, t: f64) -> Vec<Vec<P>> {
+    pub fn de_casteljau(&self, t: f64) -> Vec<Vec<P>> {
         let mut levels = vec![self.points.to_vec()];
         for level in 0..self.degree() {
             let next = levels[level]

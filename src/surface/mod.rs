@@ -10,6 +10,7 @@
 mod area;
 mod curvature;
 mod cutter;
+mod de_casteljau;
 mod distance;
 mod export;
 mod extent;
@@ -38,7 +39,6 @@ mod projected;
 mod ray;
 mod refine;
 mod sampler;
-mod scaffold;
 mod sets;
 mod small_distance;
 mod stitched;
@@ -63,6 +63,7 @@ mod wires;
 mod zeros;
 
 pub use curvature::Curvature;
+pub use de_casteljau::PatchDeCasteljau;
 #[cfg(feature = "wasm")]
 pub(crate) use first_of::joined;
 pub use flat_enough::FlatPiece;
@@ -71,7 +72,6 @@ pub use mesh::{Indices, Mesh, PatchRange};
 pub use nearest::{PatchPoint, SurfacePoint};
 pub use network::Surface;
 pub use patch::{Partials, Patch};
-pub use scaffold::PatchScaffold;
 pub use sets::{Height, TeapotOptions, Up};
 #[cfg(feature = "wasm")]
 pub(crate) use tessellate::Filler;

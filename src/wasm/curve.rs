@@ -135,9 +135,9 @@ pub fn curve_elevate(dimension: usize, count: usize) -> isize {
 
 /// Leaves all levels of de Casteljau's triangle, one after the other.
 #[wasm_bindgen]
-pub fn curve_scaffold(dimension: usize, count: usize, t: f64) -> usize {
+pub fn curve_de_casteljau(dimension: usize, count: usize, t: f64) -> usize {
     arena::with(|a| {
-        let levels = curve_in_space(a, dimension, count).scaffold(t);
+        let levels = curve_in_space(a, dimension, count).de_casteljau(t);
         levels
             .iter()
             .fold(0, |at, level| a.put_from_space(at, level, dimension))

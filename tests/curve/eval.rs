@@ -173,11 +173,11 @@ fn samples_are_points_at_even_steps() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_scaffold_is_de_casteljaus_triangle() {
+fn every_level_of_the_triangle() {
     wild_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
         for t in [0.0, 0.25, 0.625, 1.0] {
-            let levels = curve.scaffold(t);
+            let levels = curve.de_casteljau(t);
             let lengths: Vec<usize> = levels.iter().map(Vec::len).collect();
             assert_eq!(lengths, (1..=points.len()).rev().collect::<Vec<usize>>());
             assert_eq!(levels[0], points);

@@ -97,7 +97,7 @@ proptest! {
             assert!(!curve.curvature(t).is_nan());
             let bounds = curve.bounds();
             assert!(bounds.min.is_finite() && bounds.max.is_finite());
-            assert!(curve.scaffold(t).iter().flatten().all(|p| p.is_finite()));
+            assert!(curve.de_casteljau(t).iter().flatten().all(|p| p.is_finite()));
         }
         check(&space(&points), t, u);
         check(&plane(&points), t, u);

@@ -14,7 +14,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::elevate", both!(elevate)),
     ("Curve::reduce", both!(reduce)),
     ("Curve::transform", both!(transform)),
-    ("Curve::scaffold", both!(scaffold)),
+    ("Curve::de_casteljau", both!(de_casteljau)),
 ];
 
 /// What a piece has in common with the curve: its points.
@@ -135,9 +135,9 @@ fn transform<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn scaffold<P: Space>(case: &Case) -> Checked {
+fn de_casteljau<P: Space>(case: &Case) -> Checked {
     let (curve, t) = (curve::<P>(case, "curve"), number(case, "t"));
-    let levels = value!(case, curve.scaffold(t));
+    let levels = value!(case, curve.de_casteljau(t));
     let lengths: Vec<usize> = levels.iter().map(Vec::len).collect();
     ensure!(
         lengths == (1..=curve.degree() + 1).rev().collect::<Vec<_>>(),

@@ -129,7 +129,7 @@ by_fields! {
     [] SurfacePoint: u v point distance;
     [] Partials: u v uu uv vv;
     [] Curvature: gaussian mean k1 k2;
-    [] PatchScaffold: rows column point;
+    [] PatchDeCasteljau: rows column point;
     [] FlatPiece: u0 u1 v0 v1 corners;
     [T: Numbers] Mesh<T>: positions normals uvs;
 }

@@ -21,7 +21,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Patch::partials", partials),
     ("Patch::normal", normal),
     ("Patch::curvature", curvature),
-    ("Patch::scaffold", scaffold),
+    ("Patch::de_casteljau", every_level),
     ("Patch::isocurve_at_u", isocurve_at_u),
     ("Patch::isocurve_at_v", isocurve_at_v),
     ("Patch::transform", transform),
@@ -176,20 +176,20 @@ fn curvature(case: &Case) -> Checked {
     Ok(())
 }
 
-fn scaffold(case: &Case) -> Checked {
+fn every_level(case: &Case) -> Checked {
     let (patch, u, v) = (patch(case), number(case, "u"), number(case, "v"));
-    let scaffold = value!(case, patch.scaffold(u, v));
+    let levels = value!(case, patch.de_casteljau(u, v));
     ensure!(
-        scaffold.rows.len() == patch.degree_v() + 1,
+        levels.rows.len() == patch.degree_v() + 1,
         "{} rows",
-        scaffold.rows.len()
+        levels.rows.len()
     );
     ensure!(
-        scaffold.column.len() == patch.degree_v() + 1,
+        levels.column.len() == patch.degree_v() + 1,
         "{} levels",
-        scaffold.column.len()
+        levels.column.len()
     );
-    let gap = distance(scaffold.point, patch.eval(u, v));
+    let gap = distance(levels.point, patch.eval(u, v));
     ensure!(
         gap <= slack_at(case, &patch, u, v),
         "{gap:e} away from eval"

@@ -94,10 +94,10 @@ test("split, halve, subsegment, reverse, elevate keep the curve", () => {
   assert.deepEqual([...right.controlPoints()], [4, 6, 6, 6, 8, 4, 8, 0]);
 });
 
-test("scaffold is de Casteljau's triangle", () => {
-  const levels = cubic.scaffold(0.5).map((level) => pairs(level));
+test("deCasteljau gives every level of the triangle", () => {
+  const levels = cubic.deCasteljau(0.5).map((level) => pairs(level));
   assert.deepEqual(levels, [CUBIC, [[0, 4], [4, 8], [8, 4]], [[2, 6], [6, 6]], [[4, 6]]]);
-  assert.deepEqual(space.scaffold(0.5).map((level) => level.length), [12, 9, 6, 3]);
+  assert.deepEqual(space.deCasteljau(0.5).map((level) => level.length), [12, 9, 6, 3]);
 });
 
 test("bernstein and basisMatrix", () => {

@@ -124,7 +124,7 @@ test("degrees", () => {
 test("parameters", () => {
   const calls = [
     (t) => cubic.eval(t), (t) => cubic.derivativeAt(t), (t) => cubic.tangent(t), (t) => cubic.normal(t), (t) => cubic.curvature(t),
-    (t) => cubic.split(t), (t) => cubic.scaffold(t), (t) => seven.eval(t), (t) => seven.insert(t), (t) => Curve.bernstein(3, t),
+    (t) => cubic.split(t), (t) => cubic.deCasteljau(t), (t) => seven.eval(t), (t) => seven.insert(t), (t) => Curve.bernstein(3, t),
     (t) => new Curve(SPACE).eval(t), (t) => new Curve(CUBIC.slice(1)).eval(t),
   ];
   for (const call of calls) {

@@ -20,7 +20,7 @@ test("the memory of a large result serves what comes next", () => {
 test("results stay what they were while the memory grows", () => {
   const kept = () => [
     cubic.sample(100), cubic.evalAt([0, 0.3]), cubic.flatten(0.001).points, cubic.flatten(0.001).ts, cubic.hull(),
-    cubic.controlPoints(), ...cubic.scaffold(0.4), new Spline(SEVEN).sample(50), cubic.subdivide(0.01).curve.controlPoints(),
+    cubic.controlPoints(), ...cubic.deCasteljau(0.4), new Spline(SEVEN).sample(50), cubic.subdivide(0.01).curve.controlPoints(),
   ];
   const results = kept();
   const copies = results.map((result) => [...result]);

@@ -152,7 +152,7 @@ test("results are arrays of their own, of exactly their length", () => {
   const { points, ts } = curve.flatten(0.01);
   const results = [
     curve.controlPoints(), curve.sample(9), curve.evalAt([0.5]), curve.hull(), curve.toBasis("hermite"), points, ts,
-    Curve.bernstein(3, 0.5), Curve.basisMatrix("bezier"), ...curve.scaffold(0.5), spline.controlPoints(), spline.sample(9),
+    Curve.bernstein(3, 0.5), Curve.basisMatrix("bezier"), ...curve.deCasteljau(0.5), spline.controlPoints(), spline.sample(9),
   ];
   results.forEach(owned);
   assert.equal(new Set(results.map((result) => result.buffer)).size, results.length);

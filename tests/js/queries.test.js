@@ -92,8 +92,8 @@ test("all hits of a ray, by distance", () => {
   assert.deepEqual(empty.intersectRay([0, 0, 0], [0, 0, 1]), []);
 });
 
-test("the scaffold: rows, then a curve, then the point", () => {
-  const { rows, column, point } = bowl.scaffold(0.25, 0.75);
+test("deCasteljau of a patch: rows, then a curve, then the point", () => {
+  const { rows, column, point } = bowl.deCasteljau(0.25, 0.75);
   assert.deepEqual(rows.map((levels) => levels.map((level) => level.length / 3)), [[3, 2, 1], [3, 2, 1], [3, 2, 1]]);
   assert.deepEqual(column.map((level) => level.length / 3), [3, 2, 1]);
   assert.deepEqual(rows.map((levels) => [...levels[2]]).flat(), [...column[0]]);
@@ -127,7 +127,7 @@ const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
   ["no point", () => cube.nearest(/** @type {any} */ (7)), TypeError, /^point: expected a point/],
   ["an infinite point", () => cube.nearest([0, 0, Infinity]), RangeError, /^point\[2\]: expected a finite number, got Infinity$/],
   ["a parameter that is no number", () => plane.curvature(/** @type {any} */ ("0"), 0), TypeError, /^u: expected a number, got "0"$/],
-  ["a scaffold at NaN", () => plane.scaffold(0, NaN), RangeError, /^v: expected a finite number, got NaN$/],
+  ["deCasteljau at NaN", () => plane.deCasteljau(0, NaN), RangeError, /^v: expected a finite number, got NaN$/],
   ["an unknown basis", () => Patch.fromBasis(/** @type {any} */ ("spline"), plane.controlPoints()), RangeError, /^basis: expected one of "bezier"/],
   ["a basis of nine numbers", () => Patch.fromBasis(new Float64Array(9), plane.controlPoints()), RangeError, /^basis: expected 16 numbers \(4×4\), got 9$/],
   ["nine points", () => Patch.fromBasis("b-spline", bowl.controlPoints()), RangeError, /^net: expected 16 points, got 9$/],

@@ -1,4 +1,4 @@
-//! Curvature, flatness, the scaffold, other bases.
+//! Curvature, flatness, de Casteljau, other bases.
 
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
@@ -180,29 +180,29 @@ fn flatness_bounds_the_two_triangles() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_scaffold_leads_from_rows_to_the_point() {
+fn de_casteljau_leads_from_rows_to_the_point() {
     let patch = Random(9).patch(3, 2);
     for (u, v) in [(0.0, 0.0), (0.25, 0.5), (1.0, 0.3), (1.5, -0.5)] {
-        let scaffold = patch.scaffold(u, v);
-        assert_eq!(scaffold.rows.len(), 3);
-        for (levels, row) in scaffold.rows.iter().zip(patch.control_points().chunks(4)) {
+        let levels = patch.de_casteljau(u, v);
+        assert_eq!(levels.rows.len(), 3);
+        for (of_row, row) in levels.rows.iter().zip(patch.control_points().chunks(4)) {
             assert_eq!(
-                levels.iter().map(Vec::len).collect::<Vec<_>>(),
+                of_row.iter().map(Vec::len).collect::<Vec<_>>(),
                 [4, 3, 2, 1]
             );
-            assert_eq!(levels[0], row);
+            assert_eq!(of_row[0], row);
             let curve = Curve::new(row).unwrap();
-            assert_near(levels[3][0], curve.eval(u), 1e-14);
+            assert_near(of_row[3][0], curve.eval(u), 1e-14);
         }
         assert_eq!(
-            scaffold.column.iter().map(Vec::len).collect::<Vec<_>>(),
+            levels.column.iter().map(Vec::len).collect::<Vec<_>>(),
             [3, 2, 1]
         );
-        for (levels, &end) in scaffold.rows.iter().zip(&scaffold.column[0]) {
-            assert_eq!(levels[3][0], end);
+        for (of_row, &end) in levels.rows.iter().zip(&levels.column[0]) {
+            assert_eq!(of_row[3][0], end);
         }
-        assert_eq!(scaffold.column[2], [scaffold.point]);
-        assert_near(scaffold.point, patch.eval(u, v), 1e-14);
+        assert_eq!(levels.column[2], [levels.point]);
+        assert_near(levels.point, patch.eval(u, v), 1e-14);
     }
 }
 

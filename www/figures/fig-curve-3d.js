@@ -144,7 +144,7 @@ export class FigCurve3d extends Figure {
     const drawn = this.flat(this.curve, place);
     const control = POINTS.map(place);
     const at = this.curve.eval(this.t);
-    const levels = this.curve.scaffold(this.t).map((level) => triples(level).map(place));
+    const levels = this.curve.deCasteljau(this.t).map((level) => triples(level).map(place));
     const words = `A cubic in space, seen from ${Math.round(this.turn)} degrees around and ${Math.round(this.tilt)} above; arrow keys turn it. At t = ${decimal(this.t)} the point is ${tuple([at.x, at.y, at.z], 3)}`;
     return html`
       <svg class="orbit" viewBox="0 0 ${this.wide} ${height}" role="img" tabindex="0" aria-label=${words} @pointerdown=${this.drag} @keydown=${this.key}>

@@ -13,7 +13,7 @@ export function sample(print) {
   print(`by hand: (${casteljau(points, 0.25).join(", ")})`);
 
   // The library keeps all levels: four points, three, two, one.
-  for (const level of new Curve(points).scaffold(0.25)) {
+  for (const level of new Curve(points).deCasteljau(0.25)) {
     const text = [];
     for (let k = 0; k < level.length; k += 2) {
       text.push(`(${level[k]}, ${level[k + 1]})`);

@@ -18,7 +18,7 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "by hand: ({}, {})", p.x, p.y);
 
     // The library keeps all levels: four points, three, two, one.
-    for level in Curve::new(&points).unwrap().scaffold(0.25) {
+    for level in Curve::new(&points).unwrap().de_casteljau(0.25) {
         let pairs: Vec<String> = level
             .iter()
             .map(|p| format!("({}, {})", p.x, p.y))

@@ -54,7 +54,7 @@ pub(crate) const PARTS: [Part; 3] = [
             "curve_cubics",
             "curve_eval",
             "curve_hull",
-            "curve_scaffold",
+            "curve_de_casteljau",
             "curve_split",
             "spline_append",
             "spline_continuity",

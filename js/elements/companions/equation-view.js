@@ -182,7 +182,7 @@ function symbolic({ basis, degree, matrix }) {
 /** @param {Subject} subject */
 function casteljauForm({ curve, names, basis, t }) {
   if (!curve) return nothing;
-  const levels = curve.scaffold(t).map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
+  const levels = curve.deCasteljau(t).map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
   const first = Math.max(0, levels.length - MOST_LEVELS);
   const bezier = basis === "bezier" ? names : bezierForm(curve).names;
   const own = (/** @type {number} */ level, /** @type {number} */ i) => (level ? mathml`<msubsup><mi>b</mi><mn>${i}</mn><mn>${level}</mn></msubsup>` : name(bezier[i]));

@@ -156,5 +156,5 @@ export function casteljau(patch, u, v, step) {
  * @param {number} t
  */
 function dividing(curve, t) {
-  return curve.scaffold(t).slice(1).flatMap(chain);
+  return curve.deCasteljau(t).slice(1).flatMap(chain);
 }

@@ -68,7 +68,7 @@ export const scaffold = {
    * @param {Figure} figure
    * @param {State} state
    */
-  derive: ({ pieces }, { t }) => pieces.map(({ curve }) => curve.scaffold(t)),
+  derive: ({ pieces }, { t }) => pieces.map(({ curve }) => curve.deCasteljau(t)),
 
   /**
    * @param {Sheet} sheet

@@ -49,7 +49,7 @@ export function namesOf(figure, { layers, labels, basis, segment, t }) {
     return piece && piece.curve.degree <= MOST_DEGREE.b0 ? halfNames(piece.curve.split(t)) : [];
   }
   if (!layers.has("scaffold") || basis !== "bezier" || figure.degree > MOST_DEGREE[labels]) return [];
-  return figure.pieces.flatMap(({ curve, indices }) => scaffoldNames(curve.scaffold(t), labels, indices[0]));
+  return figure.pieces.flatMap(({ curve, indices }) => scaffoldNames(curve.deCasteljau(t), labels, indices[0]));
 }
 
 /**

@@ -6,8 +6,8 @@ use glam::DVec3;
 
 /// Everything that de Casteljau's algorithm passes through on its way to S(u, v): rows, then a curve, then the point.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PatchScaffold {
-    /// For each row of the net all levels at u: the row itself first, its point last; see [`Curve::scaffold`].
+pub struct PatchDeCasteljau {
+    /// For each row of the net all levels at u: the row itself first, its point last; see [`Curve::de_casteljau`].
     pub rows: Vec<Vec<Vec<DVec3>>>,
     /// All levels at v of the curve u = constant, whose control points are the points of the rows.
     pub column: Vec<Vec<DVec3>>,
@@ -21,16 +21,16 @@ impl Patch {
     /// Each of the n + 1 rows is a curve of degree m, drawn out at u; the last points of their constructions are the
     /// control points of a curve of degree n, drawn out at v. Parameters outside [0, 1] extrapolate. Source: de Casteljau,
     /// *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, 5th ed., §14.3.
-    pub fn scaffold(&self, u: f64, v: f64) -> PatchScaffold {
+    pub fn de_casteljau(&self, u: f64, v: f64) -> PatchDeCasteljau {
         let rows: Vec<_> = self
             .points
             .chunks(self.columns)
-            .map(|row| Curve::from_slice(row).scaffold(u))
+            .map(|row| Curve::from_slice(row).de_casteljau(u))
             .collect();
         let ends: Vec<DVec3> = rows.iter().map(|levels| last(levels)).collect();
-        let column = Curve::from_slice(&ends).scaffold(v);
+        let column = Curve::from_slice(&ends).de_casteljau(v);
         let point = last(&column);
-        PatchScaffold {
+        PatchDeCasteljau {
             rows,
             column,
             point,
