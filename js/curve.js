@@ -273,7 +273,7 @@ export class Curve {
    * Rotation-minimising frames: the normals do not turn about the tangents, to 10⁻⁹, also through inflections, straight
    * pieces and cusps. 3D only.
    *
-   *     const { points, tangents, normals } = path.frames(path.evenly(100), { normal: [0, 0, 1] }); // a camera's flight
+   *     const { points, tangents, normals } = path.frames(path.equidistantTimes(100), { normal: [0, 0, 1] }); // a camera's flight
    *
    * Steps between frames are halved at most 4096 + 64 times the number of frames.
    *
@@ -316,14 +316,14 @@ export class Curve {
   /**
    * The values of t that divide the curve into arcs of one length.
    *
-   *     curve.evalAt(curve.evenly(100)); // 101 points, evenly spaced along the curve
+   *     curve.evalAt(curve.equidistantTimes(100)); // 101 points, evenly spaced along the curve
    *
    * @param {number} segments
    * @returns {Float64Array} `segments` + 1 values, the first 0, the last 1
    */
-  evenly(segments) {
+  equidistantTimes(segments) {
     check.segmentCount(segments);
-    return largeTake(core().curve_evenly(this.#dimension, this.#load(), segments));
+    return largeTake(core().curve_equidistant_times(this.#dimension, this.#load(), segments));
   }
 
   /**

@@ -188,10 +188,10 @@ export class Path {
    * @param {number} segments
    * @returns {PathTime[]}
    */
-  evenly(segments) {
+  equidistantTimes(segments) {
     check.segmentCount(segments);
     load(this.#packed);
-    const places = takeTimes(core().path_evenly(segments));
+    const places = takeTimes(core().path_equidistant_times(segments));
     trim();
     return places;
   }

@@ -299,9 +299,9 @@ export class Spline {
    * @param {number} segments
    * @returns {Float64Array} `segments` + 1 values, the first 0, the last the number of the spline's segments
    */
-  evenly(segments) {
+  equidistantTimes(segments) {
     check.segmentCount(segments);
-    const ts = take(0, core().spline_evenly(this.#load(), segments));
+    const ts = take(0, core().spline_equidistant_times(this.#load(), segments));
     trim();
     return ts;
   }

@@ -138,11 +138,11 @@ function evenSteps() {
     size: steps,
     items: steps,
     check: () => {
-      const ts = curve.evenly(steps);
+      const ts = curve.equidistantTimes(steps);
       const half = curve.subsegment(0, ts[steps / 2]).length();
       assertSame("half of the steps", [0.5 * curve.length()], [half], 1e-11 * half);
     },
-    ours: () => curve.evenly(steps)[steps >> 1],
+    ours: () => curve.equidistantTimes(steps)[steps >> 1],
   }));
 }
 

@@ -71,7 +71,7 @@ impl<P: Point> Curve<P> {
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
-    pub fn evenly(&self, segments: usize) -> Result<Vec<f64>, Error> {
+    pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
         let table = ByLength::new(self, None);
         let mut ts = vec![0.0; segments + 1];

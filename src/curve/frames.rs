@@ -84,7 +84,7 @@ impl Curve<DVec3> {
     /// // A camera that flies at an even pace and starts upright.
     /// let path = [(0., 0., 0.), (4., 0., 1.), (4., 4., 2.), (0., 4., 0.)].map(DVec3::from);
     /// let path = Curve::new(&path)?;
-    /// let flight = path.frames_at(&path.evenly(100)?, Some(DVec3::Z))?;
+    /// let flight = path.frames_at(&path.equidistant_times(100)?, Some(DVec3::Z))?;
     /// assert!(flight.iter().all(|frame| frame.tangent.dot(frame.normal).abs() < 1e-15));
     /// # Ok::<(), casteljau::Error>(())
     /// ```

@@ -61,8 +61,8 @@ impl Path {
     /// gaps. Of a path without a length: even steps of t.
     ///
     /// # Errors
-    /// As [`Curve::evenly`].
-    pub fn evenly(&self, segments: usize) -> Result<Vec<PathTime>, Error> {
+    /// As [`Curve::equidistant_times`].
+    pub fn equidistant_times(&self, segments: usize) -> Result<Vec<PathTime>, Error> {
         check_segments(segments, 3)?;
         if self.is_empty() {
             return Ok(Vec::new());

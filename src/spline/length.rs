@@ -57,8 +57,8 @@ impl<P: Point> Spline<P> {
     /// steps of t.
     ///
     /// # Errors
-    /// As [`Curve::evenly`](crate::Curve::evenly).
-    pub fn evenly(&self, segments: usize) -> Result<Vec<f64>, Error> {
+    /// As [`Curve::equidistant_times`](crate::Curve::equidistant_times).
+    pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
         let (ends, count) = (self.lengths(), self.segment_count());
         let whole = ends[count];

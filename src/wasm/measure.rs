@@ -42,9 +42,9 @@ pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f
 
 /// Leaves `segments` + 1 parameters.
 #[wasm_bindgen]
-pub fn curve_evenly(dimension: usize, count: usize, segments: usize) -> isize {
+pub fn curve_equidistant_times(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
-        let ts = curve(a, dimension, count).evenly(segments)?;
+        let ts = curve(a, dimension, count).equidistant_times(segments)?;
         Ok(a.put_numbers(0, &ts))
     })
 }
@@ -69,9 +69,9 @@ pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize 
 
 /// Leaves `segments` + 1 parameters.
 #[wasm_bindgen]
-pub fn spline_evenly(dimension: usize, segments: usize) -> isize {
+pub fn spline_equidistant_times(dimension: usize, segments: usize) -> isize {
     arena::answer(|a| {
-        let ts = spline(a, dimension).0.evenly(segments)?;
+        let ts = spline(a, dimension).0.equidistant_times(segments)?;
         Ok(a.put_numbers(0, &ts))
     })
 }

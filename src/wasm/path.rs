@@ -104,9 +104,9 @@ pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
 
 /// Leaves subpaths and ts of even steps.
 #[wasm_bindgen]
-pub fn path_evenly(segments: usize) -> isize {
+pub fn path_equidistant_times(segments: usize) -> isize {
     arena::answer(|a| {
-        let times = path(a).0.evenly(segments)?;
+        let times = path(a).0.equidistant_times(segments)?;
         Ok(put_times(a, &times))
     })
 }

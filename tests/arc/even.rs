@@ -14,7 +14,10 @@ fn time<P: Point>(curve: &Curve<P>, s: f64) -> f64 {
 #[test]
 fn closed_forms() {
     let line = plane(&[(0., 0.), (3., 4.)]);
-    assert_eq!(line.evenly(4).expect("steps"), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    assert_eq!(
+        line.equidistant_times(4).expect("steps"),
+        [0.0, 0.25, 0.5, 0.75, 1.0]
+    );
     assert_eq!(time(&line, 2.5), 0.5);
     // There and back: s = 2t(1 − t) up to the middle.
     let back = plane(&[(0., 0.), (1., 0.), (0., 0.)]);
@@ -51,7 +54,7 @@ fn the_ends() {
                 assert_eq!(time(&curve, f64::MAX), 1.0);
             }
             for n in [1, 2, 3, 10] {
-                let ts = curve.evenly(n).expect("steps");
+                let ts = curve.equidistant_times(n).expect("steps");
                 assert_eq!((ts.len(), ts[0], ts[n]), (n + 1, 0.0, 1.0));
                 assert!(ts.windows(2).all(|t| t[0] <= t[1]), "{ts:?} of {points:?}");
             }
@@ -59,7 +62,10 @@ fn the_ends() {
     }
     let point = plane(&[(2., 3.); 4]);
     assert_eq!((time(&point, 1.0), time(&point, 0.0)), (0.0, 0.0));
-    assert_eq!(point.evenly(4).expect("steps"), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    assert_eq!(
+        point.equidistant_times(4).expect("steps"),
+        [0.0, 0.25, 0.5, 0.75, 1.0]
+    );
 }
 
 #[test]
@@ -86,9 +92,12 @@ fn refusals() {
         curve.length(Some(f64::NAN)),
         Err(Error::Range { .. })
     ));
-    assert!(matches!(curve.evenly(0), Err(Error::Range { .. })));
     assert!(matches!(
-        curve.evenly(usize::MAX),
+        curve.equidistant_times(0),
+        Err(Error::Range { .. })
+    ));
+    assert!(matches!(
+        curve.equidistant_times(usize::MAX),
         Err(Error::TooMany { .. })
     ));
 }
@@ -125,7 +134,7 @@ fn steps_are_even() {
         let curve: Curve<DVec3> = curve(&points);
         let whole = curve.length(None).expect("a length");
         let n = rng.pick(&[1, 2, 3, 7, 16]);
-        let ts = curve.evenly(n).expect("steps");
+        let ts = curve.equidistant_times(n).expect("steps");
         for pair in ts.windows(2) {
             let off = (integral::length(&points, pair[0], pair[1]) - whole / real(n)).abs();
             assert!(off <= 2e-12 * whole, "{off:e} of {whole}: {points:?}");
@@ -160,7 +169,7 @@ fn splines_go_on_over_joints() {
         assert!((got - whole).abs() <= 1e-12 * whole);
         assert!((spline.length(Some(1e-6)).expect("a length") - whole).abs() <= 1e-6);
         let n = 1 + rng.below(20);
-        let ts = spline.evenly(n).expect("steps");
+        let ts = spline.equidistant_times(n).expect("steps");
         assert_eq!((ts[0], ts[n]), (0.0, real(pieces.len())));
         for (i, &t) in ts.iter().enumerate() {
             let s = whole * real(i) / real(n);
@@ -177,7 +186,10 @@ fn splines_go_on_over_joints() {
         assert!(pieces.len() == 1 || first == 0.0 || joint == 1.0);
     }
     let point = Spline::new(&[DVec2::ONE; 7], 3, false).expect("a spline");
-    assert_eq!(point.evenly(4).expect("steps"), [0.0, 0.5, 1.0, 1.5, 2.0]);
+    assert_eq!(
+        point.equidistant_times(4).expect("steps"),
+        [0.0, 0.5, 1.0, 1.5, 2.0]
+    );
     assert_eq!(point.length(None), Ok(0.0));
 }
 
@@ -201,17 +213,17 @@ fn the_same_at_any_size() {
                 "{got} instead of {length}: {points:?}"
             );
             for (a, b) in scaled
-                .evenly(5)
+                .equidistant_times(5)
                 .expect("steps")
                 .iter()
-                .zip(unit.evenly(5).expect("steps"))
+                .zip(unit.equidistant_times(5).expect("steps"))
             {
                 let off = integral::length(&points, a.min(b), a.max(b));
                 assert!(off <= 1e-12 * length, "{points:?}");
             }
         }
-        let forth = unit.evenly(8).expect("steps");
-        let back = unit.reverse().evenly(8).expect("steps");
+        let forth = unit.equidistant_times(8).expect("steps");
+        let back = unit.reverse().equidistant_times(8).expect("steps");
         for (a, b) in forth.iter().zip(back.iter().rev()) {
             let off = integral::length(&points, a.min(1.0 - b), a.max(1.0 - b));
             assert!(off <= 2e-12 * length, "{a} and {b}: {points:?}");

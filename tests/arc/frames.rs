@@ -211,7 +211,7 @@ fn plane_curves_keep_their_binormal() {
         // A normal out of the plane stays.
         let up = u.cross(v);
         for frame in path
-            .frames_at(&path.evenly(20).expect("steps"), Some(up))
+            .frames_at(&path.equidistant_times(20).expect("steps"), Some(up))
             .expect("frames")
         {
             assert!(

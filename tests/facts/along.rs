@@ -46,7 +46,7 @@ pub(crate) fn area(fact: &Fact) {
 pub(crate) fn length_centroid(fact: &Fact) {
     let plane: Curve<DVec2> = curve(&fact.points("points"));
     let whole = plane.length(None).expect("a length");
-    let steps = plane.evenly(2000).expect("steps");
+    let steps = plane.equidistant_times(2000).expect("steps");
     // The mean over even steps of the length: Simpson's rule.
     let weight = |i: usize| match i {
         0 | 2000 => 1.0,

@@ -11,7 +11,7 @@ use casteljau_generator::{Case, Mode};
 pub(crate) const ROWS: &[Row] = &[
     ("Curve::length", both!(length)),
     ("Curve::time_at_length", both!(time_at_length)),
-    ("Curve::evenly", both!(evenly)),
+    ("Curve::equidistant_times", both!(equidistant_times)),
     ("Curve::area", area),
     ("Curve::moments", moments),
     ("Curve::bounds", both!(bounds)),
@@ -80,9 +80,9 @@ fn time_at_length<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn evenly<P: Space>(case: &Case) -> Checked {
+fn equidistant_times<P: Space>(case: &Case) -> Checked {
     let (curve, segments) = (curve::<P>(case, "curve"), count(case, "segments"));
-    let ts = answer!(case, curve.evenly(segments), &["segments"]);
+    let ts = answer!(case, curve.equidistant_times(segments), &["segments"]);
     ensure!(ts.len() == segments + 1, "{} parameters", ts.len());
     ensure!(
         ts[0] == 0.0 && ts[segments] == 1.0,

@@ -21,7 +21,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::control_bounds", control_bounds),
     ("Path::length", length),
     ("Path::time_at_length", time_at_length),
-    ("Path::evenly", evenly),
+    ("Path::equidistant_times", equidistant_times),
     ("Path::area", area),
     ("Path::moments", moments),
     ("Path::flatten", flatten),
@@ -148,9 +148,9 @@ fn time_at_length(case: &Case) -> Checked {
     Ok(())
 }
 
-fn evenly(case: &Case) -> Checked {
+fn equidistant_times(case: &Case) -> Checked {
     let (path, segments) = (path(case, "path"), count(case, "segments"));
-    let places = answer!(case, path.evenly(segments), &["segments"]);
+    let places = answer!(case, path.equidistant_times(segments), &["segments"]);
     let expected = if path.is_empty() { 0 } else { segments + 1 };
     ensure!(places.len() == expected, "{} places", places.len());
     let ascend = places

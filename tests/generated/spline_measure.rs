@@ -16,7 +16,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Spline::frames_at", frames_at),
     ("Spline::length", both!(length)),
     ("Spline::time_at_length", both!(time_at_length)),
-    ("Spline::evenly", both!(evenly)),
+    ("Spline::equidistant_times", both!(equidistant_times)),
     ("Spline::area", area),
     ("Spline::bounds", both!(bounds)),
     ("Spline::control_bounds", both!(control_bounds)),
@@ -151,9 +151,9 @@ fn time_at_length<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn evenly<P: Space>(case: &Case) -> Checked {
+fn equidistant_times<P: Space>(case: &Case) -> Checked {
     let (spline, segments) = (spline::<P>(case, "spline"), count(case, "segments"));
-    let ts = answer!(case, spline.evenly(segments), &["segments"]);
+    let ts = answer!(case, spline.equidistant_times(segments), &["segments"]);
     ensure!(ts.len() == segments + 1, "{} parameters", ts.len());
     ensure!(
         ts[0] == 0.0 && ts[segments] == real(spline.segment_count()),

@@ -61,7 +61,7 @@ test("area: swept from the origin", () => {
 
 const CURVES = [[[0, 0], [3, 4]], [[0, 0], [1, 0], [0, 0]], CUBIC, SPACE, [[0, 0], [9, 1], [-3, 4], [5, 5], [2, 0], [0, 7]]];
 
-test("timeAtLength and evenly: the length up to t is s", () => {
+test("timeAtLength and equidistantTimes: the length up to t is s", () => {
   for (const points of CURVES) {
     const curve = new Curve(points);
     const whole = curve.length();
@@ -69,23 +69,23 @@ test("timeAtLength and evenly: the length up to t is s", () => {
     for (const part of [1e-6, 0.25, 0.5, 0.9]) near([upTo(curve.timeAtLength(part * whole))], [part * whole], 4e-12 * whole);
     near([upTo(curve.timeAtLength(0.3 * whole, 1e-3))], [0.3 * whole], 1e-3);
     assert.deepEqual([-1, 0, whole, 1e9].map((s) => curve.timeAtLength(s)), [0, 0, 1, 1]);
-    const ts = curve.evenly(7);
+    const ts = curve.equidistantTimes(7);
     owned(ts);
     assert.deepEqual([ts.length, ts[0], ts[7]], [8, 0, 1]);
     ts.forEach((t, i) => near([upTo(t)], [(i * whole) / 7], 4e-12 * whole));
   }
-  assert.deepEqual([...new Curve([[0, 0], [3, 4]]).evenly(4)], [0, 0.25, 0.5, 0.75, 1]);
-  assert.deepEqual([...new Curve([[1, 1], [1, 1]]).evenly(2)], [0, 0.5, 1]);
+  assert.deepEqual([...new Curve([[0, 0], [3, 4]]).equidistantTimes(4)], [0, 0.25, 0.5, 0.75, 1]);
+  assert.deepEqual([...new Curve([[1, 1], [1, 1]]).equidistantTimes(2)], [0, 0.5, 1]);
 });
 
-test("splines: length, timeAtLength, evenly, area", () => {
+test("splines: length, timeAtLength, equidistantTimes, area", () => {
   const open = new Spline(SEVEN);
   const lengths = open.segments().map((curve) => curve.length());
   agree(open.length(), lengths[0] + lengths[1]);
   near([open.length(1e-3)], [open.length()], 1e-3);
   assert.equal(open.timeAtLength(lengths[0]), 1);
   assert.deepEqual([-1, open.length(), 1e9].map((s) => open.timeAtLength(s)), [0, 2, 2]);
-  const ts = open.evenly(10);
+  const ts = open.equidistantTimes(10);
   owned(ts);
   assert.deepEqual([ts.length, ts[0], ts[10]], [11, 0, 2]);
   ts.slice(1, 10).forEach((t, i) => {
@@ -101,15 +101,15 @@ test("splines: length, timeAtLength, evenly, area", () => {
   refused(() => space.area(), TypeError, /^area: expected a 2D spline, got a 3D one$/);
 });
 
-test("timeAtLength and evenly: refusals", () => {
+test("timeAtLength and equidistantTimes: refusals", () => {
   for (const target of [new Curve(CUBIC), new Spline(SEVEN)]) {
     for (const s of [NaN, Infinity]) refused(() => target.timeAtLength(s), RangeError, /^s: expected a finite number, got /);
     for (const s of [undefined, "1", null]) refused(() => target.timeAtLength(s), TypeError, /^s: expected a number, got /);
     refused(() => target.timeAtLength(1, 0), RangeError, /^tolerance: expected a number above 0, got 0$/);
     refused(() => target.timeAtLength(1, 1e-17), RangeError, /^tolerance: expected at least /);
-    for (const n of [0, -1, 1.5, NaN]) refused(() => target.evenly(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
-    refused(() => target.evenly("8"), TypeError, /^segments: expected a whole number, got /);
-    refused(() => target.evenly(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
+    for (const n of [0, -1, 1.5, NaN]) refused(() => target.equidistantTimes(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
+    refused(() => target.equidistantTimes("8"), TypeError, /^segments: expected a whole number, got /);
+    refused(() => target.equidistantTimes(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
   }
 });
 
@@ -130,7 +130,7 @@ test("frames: orthonormal, without twist, as many as asked for", () => {
   const at = (array, i) => [...array.slice(3 * i, 3 * i + 3)];
   const curve = new Curve(TWISTED);
   for (const target of [curve, new Spline(TWISTED), new Spline([...TWISTED, [2, 1, 4], [2, 0, 3], [1, 0, 3]])]) {
-    for (const where of [8, target.evenly(10), [0.1, 0.5, 0.2]]) {
+    for (const where of [8, target.equidistantTimes(10), [0.1, 0.5, 0.2]]) {
       const frames = target.frames(where);
       const ts = typeof where === "number" ? Array.from({ length: 8 * (target.segmentCount ?? 1) + 1 }, (_, i) => i / 8) : where;
       Object.values(frames).forEach(owned);

@@ -165,11 +165,11 @@ test("by length", () => {
   assert.deepEqual(ring.timeAtLength(6), { subpath: 0, t: 1.5 });
   assert.deepEqual(ring.timeAtLength(17), { subpath: 1, t: 0.5 });
   assert.deepEqual([ring.timeAtLength(-1), ring.timeAtLength(99)], [{ subpath: 0, t: 0 }, { subpath: 1, t: 4 }]);
-  assert.deepEqual(ring.evenly(6).map(({ subpath, t }) => [subpath, t]), [[0, 0], [0, 1], [0, 2], [0, 3], [1, 0], [1, 2], [1, 4]]);
+  assert.deepEqual(ring.equidistantTimes(6).map(({ subpath, t }) => [subpath, t]), [[0, 0], [0, 1], [0, 2], [0, 3], [1, 0], [1, 2], [1, 4]]);
   const empty = new Path([]);
-  assert.deepEqual([empty.timeAtLength(1), empty.evenly(3)], [null, []]);
+  assert.deepEqual([empty.timeAtLength(1), empty.equidistantTimes(3)], [null, []]);
   for (const bad of [NaN, Infinity]) refused(() => ring.timeAtLength(bad), RangeError, /^s: /);
-  for (const bad of [0, -1, 0.5, NaN]) refused(() => ring.evenly(bad), RangeError, /^segments: /);
+  for (const bad of [0, -1, 0.5, NaN]) refused(() => ring.equidistantTimes(bad), RangeError, /^segments: /);
 });
 
 test("where paths meet", () => {

@@ -112,7 +112,7 @@ test("glyph: quadratics within the tolerance, measured", async (t) => {
     const quadratic = await outline(page);
     assert.ok(quadratic.subpaths.every((spline) => spline.degrees.every((degree) => degree <= 2)));
     assert.equal(Number(await page.locator("td.theirs").innerText()), quadratic.subpaths.reduce((sum, spline) => sum + spline.controlPoints().length / 2, 0));
-    const far = before.evenly(900).map(({ subpath, t }) => quadratic.nearest(Object.values(before.subpaths[subpath].eval(t))).distance);
+    const far = before.equidistantTimes(900).map(({ subpath, t }) => quadratic.nearest(Object.values(before.subpaths[subpath].eval(t))).distance);
     close(Math.max(...far), error, 0.05 * error);
     await page.getByRole("button", { name: "Undo" }).click();
   }

@@ -313,7 +313,7 @@ fn places_by_length_have_that_length_behind_them() {
             );
         }
         let count = 1 + rng.below(20);
-        let places = path.evenly(count).expect("few");
+        let places = path.equidistant_times(count).expect("few");
         assert_eq!(places.len(), count + 1);
         assert_eq!(places[0], PathTime { subpath: 0, t: 0.0 });
         let last = splines.len() - 1;
@@ -334,10 +334,10 @@ fn places_by_length_have_that_length_behind_them() {
         }
     }
     assert_eq!(Path::default().time_at_length(1.0, None), Ok(None));
-    assert_eq!(Path::default().evenly(3), Ok(Vec::new()));
+    assert_eq!(Path::default().equidistant_times(3), Ok(Vec::new()));
     let dot = Path::from_svg("M1 1ZM2 2Z").expect("dots");
     assert_eq!(
-        dot.evenly(2).expect("few")[1],
+        dot.equidistant_times(2).expect("few")[1],
         PathTime { subpath: 1, t: 0.0 }
     );
     assert_eq!(

@@ -77,7 +77,7 @@ export class CameraPath extends Figure {
     this.chosen = Math.min(this.chosen, this.state.points.length - 1);
     this.line = this.path.sample(24);
     this.stops = this.path.evalAt(equalSteps(this.path, this.steps, this.state.even));
-    this.frames = framesOf(this.path, this.path.evenly(DRAWN_FRAMES), this.state.frames);
+    this.frames = framesOf(this.path, this.path.equidistantTimes(DRAWN_FRAMES), this.state.frames);
   }
 
   /** The camera now. */

@@ -50,7 +50,7 @@ export const timeAt = (path, progress, even) => (even ? path.timeAtLength(progre
  * @param {boolean} even
  */
 export const equalSteps = (path, steps, even) =>
-  even ? path.evenly(steps) : Float64Array.from({ length: steps + 1 }, (_, i) => (i / steps) * path.segmentCount);
+  even ? path.equidistantTimes(steps) : Float64Array.from({ length: steps + 1 }, (_, i) => (i / steps) * path.segmentCount);
 
 /**
  * Rotation-minimising frames: carried along from the start without turning about the path.

@@ -39,7 +39,7 @@ export const rolls = (camera) => guard([camera.state, camera.wide], () => rollPl
 
 /** @param {CameraPath} camera */
 function rollPlot(camera) {
-  const ts = camera.path.evenly(ROLL_STEPS);
+  const ts = camera.path.equidistantTimes(ROLL_STEPS);
   const carried = minimising(camera.path, ts);
   const kinds = /** @type {const} */ ([["minimising", "level1", "", "rotation-minimising"], ["frenet", "handle", "2 4", "Frenet"], ["upright", "curve", "8 4", "upright"]]);
   const [left, right, height] = [74, 16, 130];

@@ -13,7 +13,7 @@ pub(crate) fn sample(out: &mut String) {
     let stops = [(60.0, 380.0), (170.0, 110.0), (420.0, 90.0), (610.0, 300.0)];
     let way = Spline::through(&stops.map(DVec2::from), Through::Natural, false).unwrap();
     let ts: Vec<String> = way
-        .evenly(4)
+        .equidistant_times(4)
         .unwrap()
         .iter()
         .map(|t| format!("{t:.3}"))

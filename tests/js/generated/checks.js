@@ -73,7 +73,7 @@ const CHECKS = {
   },
   "Curve.reverse": (reversed, { curve }) => assert.ok(reversed.reverse().equals(curve)),
   "Curve.fromJSON": (again, { curve }) => assert.ok(again.equals(curve)),
-  "Curve.evenly": (ts, { segments }) => assert.deepEqual([ts.length, ts[0], ts[segments]], [segments + 1, 0, 1]),
+  "Curve.equidistantTimes": (ts, { segments }) => assert.deepEqual([ts.length, ts[0], ts[segments]], [segments + 1, 0, 1]),
   "Curve.sample": (points, { curve, segments }) => assert.equal(points.length, (segments + 1) * curve.dimension),
   "Curve.flatten": ({ points, ts }, { curve }, size) => {
     ascend(ts, 0, 1);

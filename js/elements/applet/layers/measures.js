@@ -102,8 +102,8 @@ export const ticks = {
    * @param {State} state
    */
   derive({ pieces, spline }, { ticks }) {
-    if (!spline) return { across: pieces.flatMap(({ curve }) => [...ways(curve, curve.evenly(ticks))]), length: null, ticks };
-    const ts = spline.evenly(ticks);
+    if (!spline) return { across: pieces.flatMap(({ curve }) => [...ways(curve, curve.equidistantTimes(ticks))]), length: null, ticks };
+    const ts = spline.equidistantTimes(ticks);
     const across = pieces.flatMap(({ curve }, k) => {
       const last = k === pieces.length - 1;
       const own = ts.filter((t) => t >= k && (last || t < k + 1)).map((t) => t - k);
