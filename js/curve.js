@@ -564,8 +564,8 @@ export class Curve {
    * @param {{ x: number } | { y: number } | { z: number }} where
    * @returns {Float64Array}
    */
-  timesAt(where) {
-    return places.timesAt(this.#flat, this.#dimension, where);
+  timesAtCoordinate(where) {
+    return places.timesAtCoordinate(this.#flat, this.#dimension, where);
   }
 
   /**

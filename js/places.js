@@ -97,7 +97,7 @@ export function extrema(flat, dimension) {
  * @param {{ x: number } | { y: number } | { z: number }} where
  * @returns {Float64Array}
  */
-export function timesAt(flat, dimension, where) {
+export function timesAtCoordinate(flat, dimension, where) {
   const given = /** @type {Record<string, unknown>} */ (options(where, "where"));
   const axes = AXES.slice(0, dimension);
   const axis = axes.findIndex((name) => given[name] !== undefined);
@@ -106,7 +106,7 @@ export function timesAt(flat, dimension, where) {
   }
   const value = finite(given[axes[axis]], axes[axis]);
   load(flat);
-  return take(0, core().curve_times_at(dimension, flat.length / dimension, axis, value));
+  return take(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
 }
 
 /**

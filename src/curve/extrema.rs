@@ -44,11 +44,11 @@ impl<P: Point> Curve<P> {
     /// use casteljau::{Curve, glam::DVec2};
     ///
     /// let arch = Curve::new(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)].map(DVec2::from))?;
-    /// assert_eq!(arch.times_at(1, 0.0)?, [0.0, 1.0]);
-    /// assert_eq!(arch.times_at(1, 1.5)?, [0.5]);
+    /// assert_eq!(arch.times_at_coordinate(1, 0.0)?, [0.0, 1.0]);
+    /// assert_eq!(arch.times_at_coordinate(1, 1.5)?, [0.5]);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
-    pub fn times_at(&self, axis: usize, value: f64) -> Result<Vec<f64>, Error> {
+    pub fn times_at_coordinate(&self, axis: usize, value: f64) -> Result<Vec<f64>, Error> {
         if !value.is_finite() {
             return Err(Error::NotFinite {
                 what: "value",
@@ -83,7 +83,7 @@ pub(crate) fn extrema_of(values: &[f64]) -> Vec<f64> {
     crossings(&slopes, 0.5 * ulp(largest(values))).to_vec()
 }
 
-/// See [`Curve::times_at`].
+/// See [`Curve::times_at_coordinate`].
 pub(crate) fn times_of(values: &[f64], value: f64) -> Vec<f64> {
     let heights: Scalars = values.iter().map(|v| 0.5 * v - 0.5 * value).collect();
     // What n steps of interpolation may lose, halved as the heights are.

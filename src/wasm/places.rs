@@ -81,7 +81,7 @@ pub fn curve_extrema(dimension: usize, count: usize, axis: usize) -> usize {
 
 /// Leaves the parameters where a coordinate has a value.
 #[wasm_bindgen]
-pub fn curve_times_at(dimension: usize, count: usize, axis: usize, value: f64) -> usize {
+pub fn curve_times_at_coordinate(dimension: usize, count: usize, axis: usize, value: f64) -> usize {
     arena::with(|a| a.put_numbers(0, &times_of(&coordinates(a, dimension, count, axis), value)))
 }
 

@@ -35,7 +35,7 @@ pub(crate) fn roots(fact: &Fact) {
     let mut found: Vec<f64> = Vec::new();
     while from < to {
         let graph = graph(&powers, from);
-        for t in graph.times_at(1, 0.0).expect("y") {
+        for t in graph.times_at_coordinate(1, 0.0).expect("y") {
             if found
                 .last()
                 .is_none_or(|last| from + t - last > fact.tolerance)
@@ -111,7 +111,9 @@ pub(crate) fn solve(fact: &Fact) {
     };
     all(
         fact,
-        &flat(fact).times_at(axis, value).expect("an axis"),
+        &flat(fact)
+            .times_at_coordinate(axis, value)
+            .expect("an axis"),
         &fact.expect,
     );
 }

@@ -8,7 +8,7 @@ use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Curve::extrema", both!(extrema)),
-    ("Curve::times_at", both!(times_at)),
+    ("Curve::times_at_coordinate", both!(times_at_coordinate)),
     ("Curve::inflections", inflections),
     ("Curve::cusps", both!(cusps)),
     ("Curve::classify", both!(classify)),
@@ -62,13 +62,13 @@ fn roots_are_complete(ts: &[f64], values: &[(f64, f64)], slack: f64) -> Checked 
     Ok(())
 }
 
-fn times_at<P: Space>(case: &Case) -> Checked {
+fn times_at_coordinate<P: Space>(case: &Case) -> Checked {
     let (curve, axis, value) = (
         curve::<P>(case, "curve"),
         count(case, "axis"),
         number(case, "value"),
     );
-    let ts = answer!(case, curve.times_at(axis, value), &["axis"]);
+    let ts = answer!(case, curve.times_at_coordinate(axis, value), &["axis"]);
     ensure!(ascends(&ts, 0.0, 1.0), "{ts:?} do not ascend in [0, 1]");
     let slack = 4.0 * slack(case.size(), curve.degree());
     let at = |t: f64| curve.eval(t).coordinate(axis) - value;

@@ -155,7 +155,7 @@ const KINDS = {
   svgpath: svg,
   solve_t({ input, expect, tol }) {
     const { points, ...value } = input;
-    near(new Curve(points).timesAt(value), expect, tol, "ts");
+    near(new Curve(points).timesAtCoordinate(value), expect, tol, "ts");
   },
 };
 

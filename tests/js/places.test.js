@@ -1,4 +1,4 @@
-// Places on curves: nearest, extrema, timesAt … by closed forms; the search itself is tested in Rust.
+// Places on curves: nearest, extrema, timesAtCoordinate … by closed forms; the search itself is tested in Rust.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
@@ -55,13 +55,13 @@ test("extrema: inside only, where the derivative changes its sign", () => {
   assert.deepEqual(new Curve([[0, -1], [1, 1], [2, -1], [3, 1]]).extrema().y.length, 0);
 });
 
-test("timesAt: crossings, ends, touches", () => {
-  near(arch.timesAt({ x: 4 }), [0.5]);
-  near(arch.timesAt({ y: 0 }), [0, 1]);
-  near(arch.timesAt({ y: 6 }), [0.5], 1e-7);
-  assert.equal(arch.timesAt({ y: 6.001 }).length, 0);
-  near(arch.timesAt({ y: 4.5 }), [0.25, 0.75]);
-  near(new Curve([[0, 0, 5], [1, 1, 5]]).timesAt({ z: 5 }), [0, 1]);
+test("timesAtCoordinate: crossings, ends, touches", () => {
+  near(arch.timesAtCoordinate({ x: 4 }), [0.5]);
+  near(arch.timesAtCoordinate({ y: 0 }), [0, 1]);
+  near(arch.timesAtCoordinate({ y: 6 }), [0.5], 1e-7);
+  assert.equal(arch.timesAtCoordinate({ y: 6.001 }).length, 0);
+  near(arch.timesAtCoordinate({ y: 4.5 }), [0.25, 0.75]);
+  near(new Curve([[0, 0, 5], [1, 1, 5]]).timesAtCoordinate({ z: 5 }), [0, 1]);
 });
 
 test("inflections, cusps, classify, tangentsFrom", () => {
@@ -107,13 +107,13 @@ test("refusals name what came", () => {
   for (const bad of [null, undefined, 5, "x", {}, [1], [1, 2, 3], { x: "1", y: 2 }]) {
     assert.throws(() => arch.nearest(/** @type {any} */ (bad)), /^(Range|Type)Error: p/);
   }
-  assert.throws(() => arch.timesAt({ z: 1 }), { name: "TypeError", message: /^where: expected one of x, y/ });
-  assert.throws(() => arch.timesAt(/** @type {any} */ ({})), TypeError);
-  assert.throws(() => arch.timesAt(/** @type {any} */ ({ x: 1, y: 2 })), TypeError);
+  assert.throws(() => arch.timesAtCoordinate({ z: 1 }), { name: "TypeError", message: /^where: expected one of x, y/ });
+  assert.throws(() => arch.timesAtCoordinate(/** @type {any} */ ({})), TypeError);
+  assert.throws(() => arch.timesAtCoordinate(/** @type {any} */ ({ x: 1, y: 2 })), TypeError);
   assert.throws(() => new Curve(SPACE).inflections(), { name: "TypeError", message: /^inflections: expected a 2D curve/ });
   assert.throws(() => new Curve(SPACE).tangentsFrom([0, 0, 0]), { name: "TypeError", message: /^tangentsFrom: expected a 2D/ });
   assert.throws(() => arch.tangentsFrom([NaN, 0]), { name: "RangeError", message: /^p\[0\]/ });
   assert.throws(() => arch.distanceTo(new Curve(SPACE)), { name: "TypeError", message: /^curve: expected a 2D curve, got a 3D/ });
   assert.throws(() => arch.hausdorff(/** @type {any} */ ([[0, 0], [1, 1]])), { name: "TypeError", message: /^curve: / });
-  assert.throws(() => arch.timesAt({ x: Infinity }), { name: "RangeError", message: /^x: / });
+  assert.throws(() => arch.timesAtCoordinate({ x: Infinity }), { name: "RangeError", message: /^x: / });
 });

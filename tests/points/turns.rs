@@ -61,7 +61,7 @@ fn every_time_at_a_value_is_found_once() {
             _ => t,
         };
         let value = on.eval(wanted)[axis];
-        let found = on.times_at(axis, value).expect("finite");
+        let found = on.times_at_coordinate(axis, value).expect("finite");
         let slack = slack(&points);
         let off = |t: f64| on.eval(t)[axis] - value;
         assert!(!found.is_empty(), "{points:?} at {wanted}");
@@ -221,16 +221,19 @@ fn known_answers() {
     );
     // A double root that rounding splits: y = (t − 0.3)² touches 0 once.
     let touch = plane(&[(0.0, 0.09), (0.5, -0.21), (1.0, 0.49)]);
-    let ts = touch.times_at(1, 0.0).expect("finite");
+    let ts = touch.times_at_coordinate(1, 0.0).expect("finite");
     assert!(ts.len() == 1 && (ts[0] - 0.3).abs() < 1e-8, "{ts:?}");
     let flat = plane(&[(0.0, 2.0), (5.0, 2.0), (1.0, 2.0)]);
-    assert_eq!(flat.times_at(1, 2.0).expect("finite"), [0.0, 1.0]);
-    assert!(flat.times_at(1, 2.1).expect("finite").is_empty());
+    assert_eq!(
+        flat.times_at_coordinate(1, 2.0).expect("finite"),
+        [0.0, 1.0]
+    );
+    assert!(flat.times_at_coordinate(1, 2.1).expect("finite").is_empty());
     assert!(flat.extrema(1).expect("y").is_empty());
     assert!(
         flat.extrema(2).is_err()
-            && flat.times_at(2, 0.0).is_err()
-            && flat.times_at(0, f64::NAN).is_err()
+            && flat.times_at_coordinate(2, 0.0).is_err()
+            && flat.times_at_coordinate(0, f64::NAN).is_err()
     );
     let line = plane(&[(0.0, 0.0), (1.0, 1.0)]);
     assert_eq!(

@@ -190,7 +190,7 @@ export class EasingLab extends Figure {
 
   time() {
     const curve = curveOf(this.value);
-    const t = this.x <= 0 ? 0 : this.x >= 1 ? 1 : curve.timesAt({ x: this.x })[0];
+    const t = this.x <= 0 ? 0 : this.x >= 1 ? 1 : curve.timesAtCoordinate({ x: this.x })[0];
     const wrong = curve.eval(this.x);
     return html`
       <div class="frame">

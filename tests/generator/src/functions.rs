@@ -1,7 +1,7 @@
 //! The functions for which cases are made, with the kinds of their arguments.
 //!
 //! A row is `Type::function(receiver, name: kind, …)`; an argument without a kind has its name as its kind. JavaScript's
-//! names (`timesAt`, `toSVG`) find the same rows: case and underscores do not count. `arguments.rs` explains the kinds.
+//! names (`timesAtCoordinate`, `toSVG`) find the same rows: case and underscores do not count. `arguments.rs` explains the kinds.
 
 /// Functions of both languages, and of one.
 pub const FUNCTIONS: &[&str] = &[
@@ -55,7 +55,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Curve::self_intersections(curve: curve2)",
     "Curve::nearest(curve, p: point)",
     "Curve::extrema(curve, axis)",
-    "Curve::times_at(curve, axis, value: coordinate)",
+    "Curve::times_at_coordinate(curve, axis, value: coordinate)",
     "Curve::inflections(curve: curve2)",
     "Curve::cusps(curve)",
     "Curve::classify(curve)",
@@ -242,7 +242,7 @@ impl Signature {
     }
 }
 
-/// The row of a function, by its name in either language: `Curve::times_at` and `Curve.timesAt`.
+/// The row of a function, by its name in either language: `Curve::times_at_coordinate` and `Curve.timesAtCoordinate`.
 pub fn find(name: &str) -> Option<Signature> {
     let wanted = plain(name);
     let row = FUNCTIONS.iter().find(|row| {
