@@ -4,7 +4,7 @@
 //!     cargo run --example flight
 
 use casteljau::glam::DVec3;
-use casteljau::spline::Through;
+use casteljau::spline::Interpolation;
 use casteljau::{Easing, Error, Spline};
 
 /// Pictures of the flight.
@@ -19,7 +19,7 @@ fn main() -> Result<(), Error> {
         [-1.0, 4.0, 1.0],
     ]
     .map(DVec3::from);
-    let way = Spline::through(&stops, Through::Natural, false)?;
+    let way = Spline::interpolate(&stops, Interpolation::Natural, false)?;
     let length = way.length(None)?;
     println!("{length:.3} long, through {} points", stops.len());
 

@@ -581,7 +581,7 @@ export class Curve {
 
   /**
    * The curve of degree n − 1 that passes n points, 2 to 65. Above ten or so, even parameters make it swing out between
-   * the points; `Spline.through` does not.
+   * the points; `Spline.interpolate` does not.
    *
    * @param {PointsLike} points
    * @param {ArrayLike<number>} [ts] the parameter of each point; by default in proportion to the chords, from 0 to 1 (even
@@ -590,7 +590,7 @@ export class Curve {
    * @returns {Curve}
    * @throws {RangeError} for equal parameters
    */
-  static through(points, ts, options) {
+  static interpolate(points, ts, options) {
     const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
     const count = flat.length / dimension;
     if (count < 2 || count > 65) throw new RangeError(`points: expected 2 to 65 points, got ${count}`);
@@ -599,7 +599,7 @@ export class Curve {
       throw new RangeError(`ts: expected ${count} numbers, one for each point, got ${parameters.length}`);
     }
     load(flat, parameters.length).set(parameters, flat.length);
-    return made(core().curve_through(dimension, count, parameters.length), dimension);
+    return made(core().curve_interpolate(dimension, count, parameters.length), dimension);
   }
 
   /**

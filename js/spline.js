@@ -9,7 +9,7 @@ import { nearestLeft } from "./places.js";
 import { boxAt, flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { packedSpline } from "./path-packed.js";
 import { done } from "./refusal.js";
-import { through } from "./through.js";
+import { interpolate } from "./interpolate.js";
 import { svgOf, traceOn } from "./svg-write.js";
 import { Checked, load, take, takeInto, trim } from "./transfer.js";
 
@@ -21,7 +21,7 @@ import { Checked, load, take, takeInto, trim } from "./transfer.js";
  * @import { FrameOptions, Frames } from "./frames.js"
  * @import { Continuity, JointMode } from "./joints.js"
  * @import { Point } from "./points.js"
- * @import { ThroughOptions } from "./through.js"
+ * @import { InterpolateOptions } from "./interpolate.js"
  * @import { SvgOptions } from "./svg-write.js"
  */
 
@@ -95,12 +95,12 @@ export class Spline {
    * and its neighbours; free ends start straight, and a point that comes twice is a corner (unless alpha is 0).
    *
    * @param {PointsLike} points 2 or more
-   * @param {ThroughOptions} [options] natural and open by default
+   * @param {InterpolateOptions} [options] natural and open by default
    * @returns {Spline}
    * @throws {RangeError} for fewer than 2 points, a NaN or an infinity, an alpha outside of 0 to 1
    */
-  static through(points, options) {
-    const { length, dimension } = through(points, options);
+  static interpolate(points, options) {
+    const { length, dimension } = interpolate(points, options);
     return takeSpline(length, dimension);
   }
 

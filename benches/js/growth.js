@@ -89,8 +89,8 @@ function throughSteps() {
     return {
       size: count,
       items: count,
-      check: () => assertSame("through", points, everyThird(Spline.through(points)), 0),
-      ours: () => Spline.through(points).segmentCount,
+      check: () => assertSame("interpolate", points, everyThird(Spline.interpolate(points)), 0),
+      ours: () => Spline.interpolate(points).segmentCount,
     };
   });
 }
@@ -105,7 +105,7 @@ const everyThird = (spline) => spline.controlPoints().filter((_, i) => i % 6 < 2
 /** One handle moved, all joints C2: the chain is changed from end to end; the item is a segment. */
 function moveSteps() {
   return [100, 1000, 10_000, 100_000].map((count) => {
-    const spline = Spline.through(walk(count + 1));
+    const spline = Spline.interpolate(walk(count + 1));
     const joints = new Array(count).fill("c2");
     const move = () => spline.movePoint(3 * (count >> 1) + 1, [0, 0], { joints });
     return {
@@ -149,7 +149,7 @@ function evenSteps() {
 /** The nearest point of a chain; the item is a segment. */
 function nearestSteps() {
   return [4, 16, 64, 256].map((count) => {
-    const spline = Spline.through(walk(count + 1));
+    const spline = Spline.interpolate(walk(count + 1));
     const query = { x: count / 4, y: 3 };
     return {
       size: count,

@@ -12,6 +12,7 @@ mod cubics;
 mod edit;
 mod fit;
 mod frames;
+mod interpolate;
 mod intersect;
 mod joint;
 mod knots;
@@ -21,16 +22,15 @@ mod nearest;
 mod offset;
 mod repair;
 mod simplify;
-mod through;
 
 pub use bspline::BSpline;
 pub(crate) use chains::{Chains, Meeting};
 pub use continuity::Continuity;
+pub use interpolate::Interpolation;
 pub use joint::JointMode;
 pub use offset::OffsetJoin;
 #[cfg(feature = "wasm")]
 pub(crate) use offset::parallel_of;
-pub use through::Through;
 
 use crate::curve::{Curve, check_finite, max_abs};
 use crate::error::{Error, MAX_DEGREE};

@@ -8,13 +8,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 /// In: points. Leaves the natural spline through them, for an alpha from 0 on that of Catmull-Rom.
 #[wasm_bindgen]
-pub fn spline_through(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
+pub fn spline_interpolate(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         // JavaScript's power: Rust's would be two kilobytes of the module.
         let power = |length| js_sys::Math::pow(length, alpha);
         let step: Option<&dyn Fn(f64) -> f64> = if alpha < 0.0 { None } else { Some(&power) };
-        let spline = Spline::through_by(&points, closed, step)?;
+        let spline = Spline::interpolate_with(&points, closed, step)?;
         Ok(put(a, &spline, dimension))
     })
 }

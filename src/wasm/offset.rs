@@ -68,11 +68,11 @@ pub fn curve_reduce(dimension: usize, count: usize) -> usize {
 
 /// In: points, and behind them as many parameters or none. Leaves the control points of the curve through them.
 #[wasm_bindgen]
-pub fn curve_through(dimension: usize, count: usize, number: usize) -> isize {
+pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let ts = (number > 0).then(|| a.numbers(count * dimension, number));
-        let curve = Curve::through(&points, ts)?;
+        let curve = Curve::interpolate(&points, ts)?;
         Ok(a.put_from_space(0, curve.control_points(), dimension))
     })
 }

@@ -18,7 +18,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::to_basis", both!(to_basis)),
     ("Curve::basis_matrix", basis_matrix),
     ("Curve::bernstein", bernstein_weights),
-    ("Curve::through", both!(through)),
+    ("Curve::interpolate", both!(interpolate)),
     ("Curve::eval", both!(eval)),
     ("Curve::eval_at", both!(eval_at)),
     ("Curve::sample", both!(sample)),
@@ -120,9 +120,9 @@ fn bernstein_weights(case: &Case) -> Checked {
     Ok(())
 }
 
-fn through<P: Space>(case: &Case) -> Checked {
+fn interpolate<P: Space>(case: &Case) -> Checked {
     let (points, ts) = (points::<P>(case, "points"), optional_numbers(case, "ts"));
-    let curve = answer!(case, Curve::through(&points, ts), &["ts"]);
+    let curve = answer!(case, Curve::interpolate(&points, ts), &["ts"]);
     let largest = curve
         .control_points()
         .iter()

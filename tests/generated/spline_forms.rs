@@ -5,14 +5,14 @@ use crate::check::*;
 use crate::curve_drawing::{OFFSET_REFUSALS, Recorder, default_tolerance, is_offset, near_drawn};
 use crate::runner::Row;
 use casteljau::glam::DVec2;
-use casteljau::spline::{OffsetJoin, Through};
+use casteljau::spline::{Interpolation, OffsetJoin};
 use casteljau::{Path, Spline};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[
     ("Spline::from_bspline", both!(from_bspline)),
     ("Spline::to_bspline", both!(to_bspline)),
-    ("Spline::through", both!(through)),
+    ("Spline::interpolate", both!(interpolate)),
     ("Spline::fit", both!(fit)),
     ("Spline::reverse", both!(reverse)),
     ("Spline::transform", both!(transform)),
@@ -58,15 +58,15 @@ fn to_bspline<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn through<P: Space>(case: &Case) -> Checked {
+fn interpolate<P: Space>(case: &Case) -> Checked {
     let (points, closed) = (points::<P>(case, "points"), flag(case, "closed"));
     let kind = match word(case, "kind") {
-        "natural" => Through::Natural,
-        _ => Through::CatmullRom {
+        "natural" => Interpolation::Natural,
+        _ => Interpolation::CatmullRom {
             alpha: number(case, "alpha"),
         },
     };
-    let spline = answer!(case, Spline::through(&points, kind, closed));
+    let spline = answer!(case, Spline::interpolate(&points, kind, closed));
     ensure!(
         spline.is_closed() == closed,
         "closed: {}",

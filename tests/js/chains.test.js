@@ -11,21 +11,21 @@ const joints = (spline) => Array.from({ length: spline.segmentCount + (spline.cl
 test("through: natural by default, C2 at the joints, which are the points", () => {
   for (const closed of [false, true]) {
     for (const points of [FOUR, SPACE, SPACE.slice(0, 3)]) {
-      const spline = Spline.through(points, { closed });
+      const spline = Spline.interpolate(points, { closed });
       assert.deepEqual(joints(spline), points);
-      assert.ok(spline.equals(Spline.through(points, { kind: "natural", closed })));
+      assert.ok(spline.equals(Spline.interpolate(points, { kind: "natural", closed })));
       for (let k = closed ? 0 : 1; k < spline.segmentCount; k++) assert.ok(spline.continuity(k).c2, `${k}`);
     }
   }
-  assert.deepEqual(Spline.through([{ x: 0, y: 0 }, { x: 3, y: 0 }]).degrees, [3]);
-  assert.equal(Spline.through([0, 0, 0, 1, 1, 1], { dimension: 3 }).dimension, 3);
+  assert.deepEqual(Spline.interpolate([{ x: 0, y: 0 }, { x: 3, y: 0 }]).degrees, [3]);
+  assert.equal(Spline.interpolate([0, 0, 0, 1, 1, 1], { dimension: 3 }).dimension, 3);
 });
 
 test("through: Catmull-Rom with classical handles", () => {
-  const uniform = Spline.through(FOUR, { kind: "catmull-rom", alpha: 0 });
+  const uniform = Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 0 });
   near(uniform.segments()[1].controlPoints(), Curve.fromBasis("catmull-rom", FOUR).controlPoints());
   for (const alpha of [0.5, 1, 0.3]) {
-    const spline = Spline.through(SPACE, { kind: "catmull-rom", alpha });
+    const spline = Spline.interpolate(SPACE, { kind: "catmull-rom", alpha });
     const [a, b, c] = SPACE;
     const [d1, d2] = [[a, b], [b, c]].map(([p, q]) => Math.hypot(...p.map((x, i) => q[i] - x)) ** alpha);
     const tangent = a.map((_, i) => (b[i] - a[i]) / d1 - (c[i] - a[i]) / (d1 + d2) + (c[i] - b[i]) / d2);
@@ -34,17 +34,17 @@ test("through: Catmull-Rom with classical handles", () => {
     near(points[4], b.map((x, i) => x + (tangent[i] * d2) / 3));
     near(points[1], a.map((x, i) => x + (b[i] - x) / 3));
   }
-  assert.ok(Spline.through(FOUR, { kind: "catmull-rom" }).equals(Spline.through(FOUR, { kind: "catmull-rom", alpha: 0.5 })));
+  assert.ok(Spline.interpolate(FOUR, { kind: "catmull-rom" }).equals(Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 0.5 })));
 });
 
 test("through: refusals", () => {
-  refused(() => Spline.through([[0, 0]]), RangeError, /^points: expected at least 2 points, got 1$/);
-  refused(() => Spline.through([]), RangeError, /^points: expected at least 2 points, got 0$/);
-  refused(() => Spline.through([[0, 0], [NaN, 0]]), RangeError, /^points\[1\]\[0\]: expected a finite number, got NaN$/);
-  refused(() => Spline.through(FOUR, { kind: "akima" }), RangeError, /^kind: expected one of "natural", "catmull-rom", got "akima"$/);
-  refused(() => Spline.through(FOUR, { kind: "catmull-rom", alpha: 1.5 }), RangeError, /^alpha: expected a number from 0 to 1, got 1.5$/);
-  refused(() => Spline.through(FOUR, { kind: "catmull-rom", alpha: "1" }), TypeError, /^alpha: expected a number, got "1"$/);
-  refused(() => Spline.through(5), TypeError, /^points: expected an array of points, got 5$/);
+  refused(() => Spline.interpolate([[0, 0]]), RangeError, /^points: expected at least 2 points, got 1$/);
+  refused(() => Spline.interpolate([]), RangeError, /^points: expected at least 2 points, got 0$/);
+  refused(() => Spline.interpolate([[0, 0], [NaN, 0]]), RangeError, /^points\[1\]\[0\]: expected a finite number, got NaN$/);
+  refused(() => Spline.interpolate(FOUR, { kind: "akima" }), RangeError, /^kind: expected one of "natural", "catmull-rom", got "akima"$/);
+  refused(() => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 1.5 }), RangeError, /^alpha: expected a number from 0 to 1, got 1.5$/);
+  refused(() => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: "1" }), TypeError, /^alpha: expected a number, got "1"$/);
+  refused(() => Spline.interpolate(5), TypeError, /^points: expected an array of points, got 5$/);
 });
 
 test("fromBSpline: uniform, with knots, closed", () => {
@@ -61,7 +61,7 @@ test("fromBSpline: uniform, with knots, closed", () => {
 
 test("toBSpline and back gives the same spline", () => {
   const several = [
-    Spline.through(FOUR), Spline.through(SPACE, { closed: true }), new Spline([[0, 0], [1, 1], [2, 0], [5, 5]], { degree: 1 }),
+    Spline.interpolate(FOUR), Spline.interpolate(SPACE, { closed: true }), new Spline([[0, 0], [1, 1], [2, 0], [5, 5]], { degree: 1 }),
     new Spline([[0, 0], [1, 1], [2, 0], [5, 5]], { degree: 2, closed: true }), Spline.fromBSpline(SPACE, { degree: 4, closed: true }),
   ];
   for (const spline of several) {
@@ -69,7 +69,7 @@ test("toBSpline and back gives the same spline", () => {
     [points, options.knots].forEach(owned);
     assert.ok(Spline.fromBSpline(points, options).equals(spline));
   }
-  const { knots, degree, closed } = Spline.through(FOUR.slice(1)).toBSpline();
+  const { knots, degree, closed } = Spline.interpolate(FOUR.slice(1)).toBSpline();
   assert.deepEqual([[...knots], degree, closed], [[0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], 3, false]);
 });
 
@@ -90,7 +90,7 @@ test("fromBSpline and toBSpline: refusals", () => {
 
 test("a million points", () => {
   const numbers = Float64Array.from({ length: 2e6 }, (_, i) => (i * 7919) % 1009);
-  for (const spline of [Spline.through(numbers), Spline.through(numbers, { kind: "catmull-rom", closed: true }), Spline.fromBSpline(numbers)]) {
+  for (const spline of [Spline.interpolate(numbers), Spline.interpolate(numbers, { kind: "catmull-rom", closed: true }), Spline.fromBSpline(numbers)]) {
     assert.ok(spline.segmentCount > 999_990);
     assert.ok(spline.controlPoints().every(Number.isFinite));
   }

@@ -56,15 +56,15 @@ test("reduce gives the closest curve, and how close", () => {
 
 test("a curve through points", () => {
   const points = [[0, 0], [1, 2], [3, 1], [4, 4]];
-  const curve = Curve.through(points, [0, 0.25, 0.5, 1]);
+  const curve = Curve.interpolate(points, [0, 0.25, 0.5, 1]);
   [0, 0.25, 0.5, 1].forEach((t, i) => {
     const { x, y } = curve.eval(t);
     assert.ok(Math.hypot(x - points[i][0], y - points[i][1]) < 1e-14);
   });
-  assert.equal(Curve.through([[0, 0, 1], [1, 2, 3], [3, 1, 0]]).dimension, 3);
-  assert.throws(() => Curve.through(points, [0, 1, 1, 2]), { name: "RangeError", message: /^ts: expected parameters that differ/ });
-  assert.throws(() => Curve.through(points, [0, 1]), { name: "RangeError", message: /^ts: / });
-  assert.throws(() => Curve.through([[0, 0]]), { name: "RangeError", message: /^points: / });
+  assert.equal(Curve.interpolate([[0, 0, 1], [1, 2, 3], [3, 1, 0]]).dimension, 3);
+  assert.throws(() => Curve.interpolate(points, [0, 1, 1, 2]), { name: "RangeError", message: /^ts: expected parameters that differ/ });
+  assert.throws(() => Curve.interpolate(points, [0, 1]), { name: "RangeError", message: /^ts: / });
+  assert.throws(() => Curve.interpolate([[0, 0]]), { name: "RangeError", message: /^points: / });
 });
 
 test("a spline along a stroke, and with fewer segments", () => {

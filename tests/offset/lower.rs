@@ -63,7 +63,7 @@ fn through_points() {
             .map(|i| 0.5 - 0.5 * (std::f64::consts::PI * real(i) / last).cos())
             .collect();
         for ts in [None, Some(&crowded[..])] {
-            let curve = Curve::through(&points, ts).expect("different");
+            let curve = Curve::interpolate(&points, ts).expect("different");
             assert_eq!((curve.start(), curve.end()), (points[0], points[count - 1]));
             let given = ts.map_or_else(|| chords(&points), <[f64]>::to_vec);
             let size = largest(curve.control_points());
@@ -100,7 +100,7 @@ fn through_points_of_a_known_curve() {
         let curve = random(&mut rng, degree);
         let ts: Vec<f64> = (0..=degree).map(|k| real(k) / real(degree)).collect();
         let points = curve.eval_at(&ts);
-        let found = Curve::through(&points, Some(&ts)).expect("different");
+        let found = Curve::interpolate(&points, Some(&ts)).expect("different");
         assert!(found.equals(&curve, 1e-11), "degree {degree}");
     }
 }
@@ -108,9 +108,9 @@ fn through_points_of_a_known_curve() {
 #[test]
 fn what_cannot_be_done_is_refused() {
     let points = [DVec2::ZERO, DVec2::X, DVec2::Y];
-    assert!(Curve::through(&points, Some(&[0.0, 0.5, 0.5])).is_err());
-    assert!(Curve::through(&points, Some(&[0.0, 0.5])).is_err());
-    assert!(Curve::through(&points[..1], None).is_err());
-    assert!(Curve::through(&[DVec2::ONE; 3], None).is_ok());
-    assert!(Curve::through(&[DVec2::NAN; 3], None).is_err());
+    assert!(Curve::interpolate(&points, Some(&[0.0, 0.5, 0.5])).is_err());
+    assert!(Curve::interpolate(&points, Some(&[0.0, 0.5])).is_err());
+    assert!(Curve::interpolate(&points[..1], None).is_err());
+    assert!(Curve::interpolate(&[DVec2::ONE; 3], None).is_ok());
+    assert!(Curve::interpolate(&[DVec2::NAN; 3], None).is_err());
 }

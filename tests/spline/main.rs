@@ -6,10 +6,10 @@ mod build;
 mod common;
 mod continuity;
 mod cut;
+mod interpolate;
 mod joints;
 mod measure;
 mod move_point;
-mod through;
 
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};

@@ -13,7 +13,7 @@ export function cameraCode({ points, kind, closed, even, frames }, progress, poi
   const note = frames === "minimising" ? "" : `  // (the page shows ${frames === "frenet" ? "Frenet's" : "upright"} frames; these do not roll)\n`;
   return `import { Spline } from "casteljau";
 
-const path = Spline.through([
+const path = Spline.interpolate([
 ${list}
 ], ${options});
 const length = path.length();

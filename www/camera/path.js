@@ -30,7 +30,7 @@ const triple = (flat, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]];
  * @param {readonly Vector[]} points
  * @param {{ kind: "natural" | "catmull-rom", closed: boolean }} options
  */
-export const pathThrough = (points, { kind, closed }) => Spline.through(points.map((point) => [...point]), { kind, closed, dimension: 3 });
+export const pathThrough = (points, { kind, closed }) => Spline.interpolate(points.map((point) => [...point]), { kind, closed, dimension: 3 });
 
 /**
  * Where the camera is after a part of the time.

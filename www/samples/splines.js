@@ -3,8 +3,8 @@ import { Spline } from "casteljau";
 export function sample(print) {
   const points = [[60, 380], [170, 110], [300, 330], [420, 90], [610, 300]];
   const kinds = {
-    natural: Spline.through(points, { kind: "natural" }),
-    "Catmull-Rom": Spline.through(points, { kind: "catmull-rom", alpha: 0.5 }),
+    natural: Spline.interpolate(points, { kind: "natural" }),
+    "Catmull-Rom": Spline.interpolate(points, { kind: "catmull-rom", alpha: 0.5 }),
     "B-spline": Spline.fromBSpline(points),
   };
 
@@ -18,8 +18,8 @@ export function sample(print) {
   // Move the first point by 50 and look at the far end.
   const shifted = [[60, 330], ...points.slice(1)];
   for (const kind of ["natural", "catmull-rom"]) {
-    const before = Spline.through(points, { kind }).eval(3.5);
-    const after = Spline.through(shifted, { kind }).eval(3.5);
+    const before = Spline.interpolate(points, { kind }).eval(3.5);
+    const after = Spline.interpolate(shifted, { kind }).eval(3.5);
     const moved = Math.hypot(after.x - before.x, after.y - before.y);
     print(`${kind}: the far end moves by ${moved.toFixed(3)}`);
   }

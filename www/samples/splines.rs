@@ -1,4 +1,4 @@
-use casteljau::{Spline, glam::DVec2, spline::Through};
+use casteljau::{Spline, glam::DVec2, spline::Interpolation};
 
 pub(crate) fn sample(out: &mut String) {
     let points = [
@@ -9,15 +9,15 @@ pub(crate) fn sample(out: &mut String) {
         (610.0, 300.0),
     ]
     .map(DVec2::from);
-    let catmull_rom = Through::CatmullRom { alpha: 0.5 };
+    let catmull_rom = Interpolation::CatmullRom { alpha: 0.5 };
     let kinds = [
         (
             "natural",
-            Spline::through(&points, Through::Natural, false).unwrap(),
+            Spline::interpolate(&points, Interpolation::Natural, false).unwrap(),
         ),
         (
             "Catmull-Rom",
-            Spline::through(&points, catmull_rom, false).unwrap(),
+            Spline::interpolate(&points, catmull_rom, false).unwrap(),
         ),
         (
             "B-spline",
@@ -42,9 +42,14 @@ pub(crate) fn sample(out: &mut String) {
     // Move the first point by 50 and look at the far end.
     let mut shifted = points;
     shifted[0].y -= 50.0;
-    for (name, kind) in [("natural", Through::Natural), ("catmull-rom", catmull_rom)] {
-        let before = Spline::through(&points, kind, false).unwrap().eval(3.5);
-        let after = Spline::through(&shifted, kind, false).unwrap().eval(3.5);
+    for (name, kind) in [
+        ("natural", Interpolation::Natural),
+        ("catmull-rom", catmull_rom),
+    ] {
+        let before = Spline::interpolate(&points, kind, false).unwrap().eval(3.5);
+        let after = Spline::interpolate(&shifted, kind, false)
+            .unwrap()
+            .eval(3.5);
         let moved = before.distance(after);
         writeln!(out, "{name}: the far end moves by {moved:.3}");
     }

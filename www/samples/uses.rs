@@ -1,6 +1,6 @@
 use casteljau::glam::DVec2;
 use casteljau::path::FillRule;
-use casteljau::spline::Through;
+use casteljau::spline::Interpolation;
 use casteljau::{Easing, Path, Spline};
 
 pub(crate) fn sample(out: &mut String) {
@@ -11,7 +11,7 @@ pub(crate) fn sample(out: &mut String) {
 
     // A camera: through four stops, at even speed. t does not run evenly.
     let stops = [(60.0, 380.0), (170.0, 110.0), (420.0, 90.0), (610.0, 300.0)];
-    let way = Spline::through(&stops.map(DVec2::from), Through::Natural, false).unwrap();
+    let way = Spline::interpolate(&stops.map(DVec2::from), Interpolation::Natural, false).unwrap();
     let ts: Vec<String> = way
         .equidistant_times(4)
         .unwrap()

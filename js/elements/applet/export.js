@@ -58,8 +58,8 @@ function pairsOf(flat) {
 const MAKERS = {
   bezier: (degree) => `new Spline(points, { degree: ${degree} })`,
   "b-spline": (degree) => `Spline.fromBSpline(points, { degree: ${degree} })`,
-  natural: () => `Spline.through(points, { kind: "natural" })`,
-  centripetal: () => `Spline.through(points, { kind: "catmull-rom" })`,
+  natural: () => `Spline.interpolate(points, { kind: "natural" })`,
+  centripetal: () => `Spline.interpolate(points, { kind: "catmull-rom" })`,
 };
 
 /**

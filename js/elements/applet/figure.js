@@ -121,7 +121,7 @@ function byGroups(points, _, matrix) {
  * @returns {Plan}
  */
 function through(points, kind) {
-  const spline = points.length > 1 ? Spline.through(points, { kind, dimension: 2 }) : null;
+  const spline = points.length > 1 ? Spline.interpolate(points, { kind, dimension: 2 }) : null;
   const near = (/** @type {number} */ k) => points.map((_, i) => i).filter((i) => kind === "natural" || (i >= k - 1 && i <= k + 2));
   const pieces = (spline?.segments() ?? []).map((curve, k) => ({ curve, indices: near(k) }));
   return { pieces, spline, kinds: points.map(() => "on") };

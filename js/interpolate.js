@@ -13,7 +13,7 @@ import { load } from "./transfer.js";
  * at free ends; or `catmull-rom`, whose tangent at a point comes from its two neighbours. `alpha` says how much the lengths
  * of chords count there: 0 uniform, ½ centripetal, 1 chordal.
  *
- * @typedef {object} ThroughOptions
+ * @typedef {object} InterpolateOptions
  * @property {"natural" | "catmull-rom"} [kind] "natural" by default
  * @property {number} [alpha] 0 to 1, by default ½
  * @property {boolean} [closed]
@@ -28,10 +28,10 @@ const KINDS = ["natural", "catmull-rom"];
  *
  * @internal
  * @param {PointsLike} points
- * @param {ThroughOptions} [options]
+ * @param {InterpolateOptions} [options]
  * @returns {{ length: number, dimension: 2 | 3 }}
  */
-export function through(points, options) {
+export function interpolate(points, options) {
   const { kind = "natural", alpha = 0.5, closed = false, dimension: wanted } = check.options(options);
   check.oneOf(kind, "kind", KINDS);
   const power = check.finite(alpha, "alpha");
@@ -39,5 +39,5 @@ export function through(points, options) {
   const { flat, dimension } = flatten(points, wanted, 2);
   load(flat);
   const count = flat.length / dimension;
-  return { length: core().spline_through(dimension, count, Boolean(closed), kind === "natural" ? -1 : power), dimension };
+  return { length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : power), dimension };
 }

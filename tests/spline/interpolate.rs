@@ -2,11 +2,11 @@
 
 use crate::common::{Rng, Space, apart, largest, real};
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::spline::Through::{self, CatmullRom, Natural};
+use casteljau::spline::Interpolation::{self, CatmullRom, Natural};
 use casteljau::{Error, Point, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-const KINDS: [Through; 5] = [
+const KINDS: [Interpolation; 5] = [
     Natural,
     CatmullRom { alpha: 0.0 },
     CatmullRom { alpha: 0.5 },
@@ -23,8 +23,8 @@ fn points<P: Space>(rng: &mut Rng, count: usize) -> Vec<P> {
     (0..count).map(|_| P::of(rng.point(P::DIMENSION))).collect()
 }
 
-fn through<P: Point>(points: &[P], kind: Through, closed: bool) -> Spline<P> {
-    Spline::through(points, kind, closed).expect("points")
+fn interpolate<P: Point>(points: &[P], kind: Interpolation, closed: bool) -> Spline<P> {
+    Spline::interpolate(points, kind, closed).expect("points")
 }
 
 /// The equations themselves, which have one solution: C2 at every joint, no second derivative at free ends.
@@ -33,7 +33,7 @@ fn natural<P: Space>(seed: u64) {
     for round in 0..600 {
         let closed = round % 2 == 0;
         let p = points::<P>(&mut rng, 2 + (round * 7 % 61).min(round));
-        let spline = through(&p, Natural, closed);
+        let spline = interpolate(&p, Natural, closed);
         let n = spline.segment_count();
         assert_eq!(
             (n, spline.is_closed()),
@@ -82,7 +82,7 @@ fn catmull_rom<P: Space>(seed: u64) {
         let closed = round % 2 == 0;
         let alpha = [0.0, 0.5, 1.0, rng.unit()][round / 2 % 4];
         let p = points::<P>(&mut rng, 3 + round % 9);
-        let spline = through(&p, CatmullRom { alpha }, closed);
+        let spline = interpolate(&p, CatmullRom { alpha }, closed);
         let (n, q) = (p.len(), spline.control_points());
         for i in usize::from(!closed)..n - usize::from(!closed) {
             let (behind, ahead) = tangents([p[(i + n - 1) % n], p[i], p[(i + 1) % n]], alpha);
@@ -110,11 +110,11 @@ fn catmull_rom_splines_have_the_tangents_of_the_book() {
 #[wasm_bindgen_test(unsupported = test)]
 fn uniform_ones_are_the_classical_basis() {
     let p = [(0.0, 0.0), (1.0, 1.0), (3.0, 1.0), (4.0, 0.0)].map(DVec2::from);
-    let spline = through(&p, CatmullRom { alpha: 0.0 }, false);
+    let spline = interpolate(&p, CatmullRom { alpha: 0.0 }, false);
     let basis = casteljau::Curve::from_basis(casteljau::curve::Basis::CatmullRom, p).expect("four");
     assert!(spline.segment(1).expect("a segment").equals(&basis, 1e-15));
     // Three points around: a closed spline has a joint at each.
-    let ring = through(&p[..3], CatmullRom { alpha: 0.0 }, true);
+    let ring = interpolate(&p[..3], CatmullRom { alpha: 0.0 }, true);
     assert!((0..3).all(|k| ring.continuity(k, None).expect("a joint").c1));
 }
 
@@ -122,7 +122,7 @@ fn uniform_ones_are_the_classical_basis() {
 fn two_points_make_a_line() {
     let p = [DVec2::new(1.0, 2.0), DVec2::new(4.0, -1.0)];
     for kind in KINDS {
-        let line = through(&p, kind, false);
+        let line = interpolate(&p, kind, false);
         let thirds = [
             p[0],
             p[0].lerp(p[1], 1.0 / 3.0),
@@ -133,7 +133,7 @@ fn two_points_make_a_line() {
             line.equals(&Spline::new(&thirds, 3, false).expect("a line"), 1e-15),
             "{kind:?}"
         );
-        let back = through(&p, kind, true);
+        let back = interpolate(&p, kind, true);
         assert_eq!(back.segment_count(), 2);
         assert!(
             back.control_points()
@@ -146,7 +146,7 @@ fn two_points_make_a_line() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_point_that_comes_twice_is_a_corner() {
     let p = [(0.0, 0.0), (1.0, 0.0), (1.0, 0.0), (1.0, 1.0)].map(DVec2::from);
-    let spline = through(&p, CatmullRom { alpha: 0.5 }, false);
+    let spline = interpolate(&p, CatmullRom { alpha: 0.5 }, false);
     let q = spline.control_points();
     assert!(q[3..=6].iter().all(|&q| q == p[1]));
     assert!(
@@ -172,10 +172,10 @@ fn wild<P: Space>(seed: u64) {
             _ => {}
         }
         let (kind, closed) = (rng.pick(&KINDS), rng.chance(0.5));
-        let plain = through(&p, kind, closed);
+        let plain = interpolate(&p, kind, closed);
         for scale in [1.0, 1e9, 1e-9, 1e300, 1.7e308, 1e-300, 5e-324] {
             let scaled: Vec<P> = p.iter().map(|&q| q * scale).collect();
-            let spline = through(&scaled, kind, closed);
+            let spline = interpolate(&scaled, kind, closed);
             assert!(
                 spline
                     .control_points()
@@ -200,7 +200,7 @@ fn wild<P: Space>(seed: u64) {
             p.rotate_right(1);
         }
         assert!(
-            through(&p, kind, closed).equals(&plain.reverse(), 1e-13),
+            interpolate(&p, kind, closed).equals(&plain.reverse(), 1e-13),
             "{kind:?} {closed}"
         );
     }
@@ -222,7 +222,7 @@ fn a_million_points() {
         (Natural, true),
         (CatmullRom { alpha: 0.5 }, true),
     ] {
-        let spline = through(&p, kind, closed);
+        let spline = interpolate(&p, kind, closed);
         assert_eq!(spline.eval(777_777.0), p[777_777]);
         let size = largest(&spline.control_points()[..300]);
         assert!(size < 105.0 || closed, "{size}");
@@ -234,19 +234,19 @@ fn refusals() {
     for count in [0, 1] {
         let few = vec![DVec2::ZERO; count];
         for kind in KINDS {
-            let refused = Spline::through(&few, kind, true);
+            let refused = Spline::interpolate(&few, kind, true);
             assert!(
                 matches!(refused, Err(Error::Count { what: "points", got, .. }) if got == count)
             );
         }
     }
     for alpha in [-0.1, 1.1, f64::NAN, f64::INFINITY] {
-        let refused = Spline::through(&[DVec2::ZERO; 3], CatmullRom { alpha }, false);
+        let refused = Spline::interpolate(&[DVec2::ZERO; 3], CatmullRom { alpha }, false);
         assert!(matches!(refused, Err(Error::Range { what: "alpha", .. })));
     }
     let bad = [DVec2::ZERO, DVec2::new(0.0, f64::NAN)];
     assert!(matches!(
-        Spline::through(&bad, Natural, false),
+        Spline::interpolate(&bad, Natural, false),
         Err(Error::NotFinite { index: 1, .. })
     ));
 }

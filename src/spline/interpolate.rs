@@ -8,7 +8,7 @@ use crate::point::Point;
 
 /// Which smooth curve goes through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Through {
+pub enum Interpolation {
     /// The natural cubic spline: equal second derivatives at all joints, none at free ends. Each point has a say
     /// everywhere, a quarter as much from joint to joint.
     #[default]
@@ -44,10 +44,10 @@ impl<P: Point> Spline<P> {
     /// Takes 2 points or more; two open ones make a straight line, two closed ones a line there and back.
     ///
     /// ```
-    /// use casteljau::{Spline, spline::Through, glam::DVec2};
+    /// use casteljau::{Spline, spline::Interpolation, glam::DVec2};
     ///
     /// let points = [(0.0, 0.0), (1.0, 1.0), (3.0, 1.0), (4.0, 0.0)].map(DVec2::from);
-    /// let spline = Spline::through(&points, Through::Natural, false)?;
+    /// let spline = Spline::interpolate(&points, Interpolation::Natural, false)?;
     /// assert_eq!(spline.eval(2.0), points[2]);
     /// assert!(spline.continuity(1, None)?.c2);
     /// # Ok::<(), casteljau::Error>(())
@@ -59,9 +59,9 @@ impl<P: Point> Spline<P> {
     ///
     /// Sources: Unser, "Splines: a perfect fit for signal and image processing", 1999 (the recursive filter); Yuksel,
     /// Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
-    pub fn through(points: &[P], kind: Through, closed: bool) -> Result<Self, Error> {
-        let Through::CatmullRom { alpha } = kind else {
-            return Self::through_by(points, closed, None);
+    pub fn interpolate(points: &[P], kind: Interpolation, closed: bool) -> Result<Self, Error> {
+        let Interpolation::CatmullRom { alpha } = kind else {
+            return Self::interpolate_with(points, closed, None);
         };
         if !(0.0..=1.0).contains(&alpha) {
             return Err(Error::Range {
@@ -70,11 +70,11 @@ impl<P: Point> Spline<P> {
                 got: alpha,
             });
         }
-        Self::through_by(points, closed, Some(&|length| power(length, alpha)))
+        Self::interpolate_with(points, closed, Some(&|length| power(length, alpha)))
     }
 
     /// The Catmull-Rom spline whose parameter has these steps by the lengths of chords; without, the natural one.
-    pub(crate) fn through_by(
+    pub(crate) fn interpolate_with(
         points: &[P],
         closed: bool,
         step: Option<&dyn Fn(f64) -> f64>,

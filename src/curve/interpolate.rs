@@ -22,10 +22,10 @@ impl<P: Point> Curve<P> {
     /// # Errors
     /// [`Error::Count`] unless there are 2 to 65 points and as many parameters, [`Error::NotFinite`] for a NaN or an infinity,
     /// [`Error::Range`] for equal parameters.
-    pub fn through(points: &[P], ts: Option<&[f64]>) -> Result<Self, Error> {
+    pub fn interpolate(points: &[P], ts: Option<&[f64]>) -> Result<Self, Error> {
         check_finite("points", points)?;
         let ts = ts.map_or_else(|| chord_lengths(points), Scalars::from);
-        check_through(points.len(), &ts)?;
+        check_interpolation(points.len(), &ts)?;
         let mut curve = interpolate(points, &ts);
         for _ in 0..REFINEMENTS {
             let missing: Points<P> = points
@@ -59,7 +59,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-fn check_through(count: usize, ts: &[f64]) -> Result<(), Error> {
+fn check_interpolation(count: usize, ts: &[f64]) -> Result<(), Error> {
     if !(2..=MAX_DEGREE + 1).contains(&count) {
         return Err(Error::Count {
             what: "points",
