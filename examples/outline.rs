@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|outline| outline.offset(6.0, Some(0.01), OffsetJoin::Round))
         .collect::<Result<_, _>>()?;
     let line = Curve::new(&[DVec2::new(10.0, 60.0), DVec2::new(220.0, 190.0)])?;
-    let cuts = letter.intersect(&Path::new(&[Spline::from_curves(
+    let cuts = letter.intersections(&Path::new(&[Spline::from_curves(
         std::slice::from_ref(&line),
         false,
     )?]));

@@ -502,12 +502,12 @@ export class Curve {
    * @returns {Intersection[]}
    * @throws {TypeError} for a curve of space
    */
-  intersect(other) {
-    this.#plane("intersect");
+  intersections(other) {
+    this.#plane("intersections");
     if (typeof other !== "object" || other === null || !(#flat in other)) {
       return meetChains(this[CHAIN](), chainOf(other));
     }
-    other.#plane("intersect");
+    other.#plane("intersections");
     const [mine, its] = [this.#flat, other.#flat];
     const view = load(mine, its.length);
     for (let i = 0; i < its.length; i++) view[mine.length + i] = its[i];
@@ -530,7 +530,7 @@ export class Curve {
    * @returns {Chain}
    */
   [CHAIN]() {
-    this.#plane("intersect");
+    this.#plane("intersections");
     return { flat: this.#flat, dimension: this.#dimension, degrees: [this.degree], closed: false };
   }
 

@@ -200,12 +200,12 @@ export class Path {
    * All places that the path shares with another one, or with a spline or a curve: sorted by subpath, then the other's,
    * then t, then u.
    *
-   * At worst each segment is compared with each, with the limit of Curve.intersect.
+   * At worst each segment is compared with each, with the limit of Curve.intersections.
    *
    * @param {Path | Spline | Curve} other
    * @returns {PathIntersection[]}
    */
-  intersect(other) {
+  intersections(other) {
     const path = typeof other === "object" && other !== null && #packed in other;
     return meetPaths(this.#packed, path ? other.#packed : packedSplines([checkedSpline(other, "other", "a Path, a Spline or a Curve")]));
   }

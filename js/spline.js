@@ -461,12 +461,12 @@ export class Spline {
    * All places that this spline shares with a curve or another spline, sorted by t, then by u, which run from 0 to the
    * numbers of segments. A joint is one place, a shared piece that runs across joints is one. 2D only.
    *
-   * At worst each curve is compared with each, with the limit of Curve.intersect.
+   * At worst each curve is compared with each, with the limit of Curve.intersections.
    *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}
    */
-  intersect(other) {
+  intersections(other) {
     return meetChains(this[CHAIN](), chainOf(other));
   }
 
@@ -486,7 +486,7 @@ export class Spline {
    * @returns {Chain}
    */
   [CHAIN]() {
-    inPlane("intersect", "spline", this.dimension);
+    inPlane("intersections", "spline", this.dimension);
     return this.#parts;
   }
 

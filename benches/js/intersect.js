@@ -36,14 +36,14 @@ const nineOfBezier = NINE.map((p) => new Bezier(p));
  */
 function samePlaces(a, b, p, q) {
   const found = p.getIntersections(q).map((/** @type {any} */ place) => place.time);
-  assertSame("intersect", found.sort((/** @type {number} */ s, /** @type {number} */ t) => s - t), a.intersect(b).map(({ t }) => t), TOLERANCE);
+  assertSame("intersect", found.sort((/** @type {number} */ s, /** @type {number} */ t) => s - t), a.intersections(b).map(({ t }) => t), TOLERANCE);
 }
 
 /** bezier-js returns pairs of parameters as text, some of them twice and within half a unit: each is near one of ours. */
 function nineCheck() {
   const [a, b] = nine;
   samePlaces(a, b, nineOfPaper[0], nineOfPaper[1]);
-  const places = a.intersect(b);
+  const places = a.intersections(b);
   for (const pair of nineOfBezier[0].intersects(nineOfBezier[1])) {
     const t = Number(String(pair).split("/")[0]);
     const near = Math.min(...places.map((place) => Math.abs(place.t - t)));
@@ -52,7 +52,7 @@ function nineCheck() {
 }
 
 /** What both rows of nine intersections have in common. */
-const ON_NINE = { work: "curve × curve, 9 intersections", items: 1, check: nineCheck, ours: () => nine[0].intersect(nine[1]).length };
+const ON_NINE = { work: "curve × curve, 9 intersections", items: 1, check: nineCheck, ours: () => nine[0].intersections(nine[1]).length };
 
 /** @type {import("./harness.js").Row[]} */
 export const rows = [
@@ -73,7 +73,7 @@ export const rows = [
     },
     ours: () => {
       let sum = 0;
-      for (let k = 0; k < 2 * PAIRS; k += 2) sum += ours[k].intersect(ours[k + 1]).length;
+      for (let k = 0; k < 2 * PAIRS; k += 2) sum += ours[k].intersections(ours[k + 1]).length;
       return sum;
     },
   },

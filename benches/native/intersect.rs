@@ -58,7 +58,7 @@ fn row(criterion: &mut Criterion, name: &str, pairs: &[([Curve<DVec2>; 2], [Lyon
     group.bench_function("casteljau", |b| {
         b.iter(|| {
             for ([p, q], _) in pairs {
-                black_box(p.intersect(q));
+                black_box(p.intersections(q));
             }
         });
     });
@@ -68,7 +68,7 @@ fn row(criterion: &mut Criterion, name: &str, pairs: &[([Curve<DVec2>; 2], [Lyon
 fn assert_same([p, q]: &[Curve<DVec2>; 2], [r, s]: &[Lyon; 2]) {
     let mut theirs: Vec<(f64, f64)> = r.cubic_intersections_t(s).to_vec();
     theirs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let ours = p.intersect(q);
+    let ours = p.intersections(q);
     assert_eq!(
         theirs.len(),
         ours.len(),

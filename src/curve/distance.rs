@@ -228,7 +228,7 @@ impl<'a, P: Point> Search<'a, P> {
         }
         let plane =
             |points: &[P]| Curve::from_points(points.iter().map(|p| p.in_plane()).collect());
-        let places = plane(self.a.points).intersect(&plane(self.b.points));
+        let places = plane(self.a.points).intersections(&plane(self.b.points));
         if let Some(place) = places.first() {
             self.consider(place.t, place.u);
         }

@@ -25,11 +25,11 @@ pub struct PathIntersection {
 impl Path {
     /// All places that this path shares with another one: sorted by subpath, then the other's, then t, then u.
     ///
-    /// As [`Spline::intersect`](crate::Spline::intersect), for each pair of subpaths; the lines that would close open ones
+    /// As [`Spline::intersections`](crate::Spline::intersections), for each pair of subpaths; the lines that would close open ones
     /// do not count. A spline or a curve becomes a path by `Path::from`. Pairs of curves are found by a tree of boxes: long
     /// paths take hardly more than their number of segments times its logarithm, and at worst, where all boxes meet, each
-    /// segment is intersected with each, at the cost of [`Curve::intersect`](crate::Curve::intersect).
-    pub fn intersect(&self, other: &Self) -> Vec<PathIntersection> {
+    /// segment is intersected with each, at the cost of [`Curve::intersections`](crate::Curve::intersections).
+    pub fn intersections(&self, other: &Self) -> Vec<PathIntersection> {
         places(Chains::new(&self.subpaths()).meet(&Chains::new(&other.subpaths())))
     }
 

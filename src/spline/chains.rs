@@ -102,7 +102,7 @@ impl Chains {
         // All pairs of boxes may meet, and then all are looked at.
         let mut work = WorkLimit::new(usize::MAX);
         self.walk(other, (1, 1), &mut work, &mut |i, j| {
-            for place in self.curves[i].intersect(&other.curves[j]) {
+            for place in self.curves[i].intersections(&other.curves[j]) {
                 found.push(self.meeting(other, (i, j), place));
             }
         });
@@ -171,7 +171,7 @@ impl Chains {
                     found.push(self.meeting(self, (i, i), place));
                 }
             } else if i < j {
-                let places = self.curves[i].intersect(&self.curves[j]);
+                let places = self.curves[i].intersections(&self.curves[j]);
                 found.extend(
                     places
                         .into_iter()

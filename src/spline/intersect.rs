@@ -8,19 +8,19 @@ use glam::DVec2;
 impl Spline<DVec2> {
     /// All places that this spline shares with another one, sorted by t, then by u.
     ///
-    /// As [`Curve::intersect`], with t and u from 0 to the numbers of segments. A joint on the other spline is one
+    /// As [`Curve::intersections`], with t and u from 0 to the numbers of segments. A joint on the other spline is one
     /// place, of the kind [`Tangent`](crate::curve::Contact::Tangent) if either of its curves touches there; t or u of a
     /// closed spline's start is 0. A shared piece that runs across joints is one, except across the start of a closed
     /// spline.
     ///
     /// Pairs of curves are found by a tree of boxes: long chains take hardly more than their number times its logarithm.
     /// Each pair of curves whose boxes meet, at worst all, costs what it would on its own, with the same limit.
-    pub fn intersect(&self, other: &Self) -> Vec<Intersection> {
+    pub fn intersections(&self, other: &Self) -> Vec<Intersection> {
         places(Chains::new([self]).meet(&Chains::new([other])))
     }
 
-    /// All places that this spline shares with a curve; see [`intersect`](Self::intersect).
-    pub fn intersect_curve(&self, other: &Curve<DVec2>) -> Vec<Intersection> {
+    /// All places that this spline shares with a curve; see [`intersections`](Self::intersections).
+    pub fn intersections_with_curve(&self, other: &Curve<DVec2>) -> Vec<Intersection> {
         places(Chains::new([self]).meet(&Chains::of_curve(other)))
     }
 
@@ -40,8 +40,8 @@ impl Spline<DVec2> {
 }
 
 impl Curve<DVec2> {
-    /// All places that this curve shares with a spline; u is the spline's t. See [`Spline::intersect`].
-    pub fn intersect_spline(&self, other: &Spline<DVec2>) -> Vec<Intersection> {
+    /// All places that this curve shares with a spline; u is the spline's t. See [`Spline::intersections`].
+    pub fn intersections_with_spline(&self, other: &Spline<DVec2>) -> Vec<Intersection> {
         places(Chains::of_curve(self).meet(&Chains::new([other])))
     }
 }

@@ -56,7 +56,7 @@ fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {
 pub fn curve_intersect(count: usize, other_count: usize) -> usize {
     arena::with(|a| {
         let other = curve(a, 2 * count, other_count);
-        let places = curve(a, 0, count).intersect(&other);
+        let places = curve(a, 0, count).intersections(&other);
         put(a, &places)
     })
 }
@@ -75,7 +75,7 @@ pub fn curve_self_intersections(count: usize) -> usize {
 pub fn spline_intersect() -> usize {
     arena::with(|a| {
         let (first, end) = spline(a, 0);
-        let places = first.intersect(&spline(a, end).0);
+        let places = first.intersections(&spline(a, end).0);
         put(a, &places)
     })
 }

@@ -124,7 +124,7 @@ pub fn path_intersect(two: bool) -> usize {
     arena::with(|a| {
         let (first, end) = path_at(a, 0);
         let places = if two {
-            first.intersect(&path_at(a, end).0)
+            first.intersections(&path_at(a, end).0)
         } else {
             first.self_intersections()
         };

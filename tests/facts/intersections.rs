@@ -14,7 +14,7 @@ fn named(fact: &Fact, name: &str) -> Curve<DVec2> {
 /// `intersect` and `line_intersect`: the same places, kinds included; nothing else, nothing twice.
 pub(crate) fn meetings(fact: &Fact) {
     let (a, b) = (named(fact, "a"), named(fact, "b"));
-    let found = a.intersect(&b);
+    let found = a.intersections(&b);
     if fact.expect.get("overlap").is_some() {
         let whole = matches!(
             found[..],

@@ -9,8 +9,11 @@ use casteljau::{Curve, Point};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[
-    ("Curve::intersect", intersect),
-    ("Curve::intersect_spline", intersect_spline),
+    ("Curve::intersections", intersections),
+    (
+        "Curve::intersections_with_spline",
+        intersections_with_spline,
+    ),
     ("Curve::self_intersections", self_intersections),
     ("Curve::nearest", both!(nearest)),
     ("Curve::distance_to", both!(distance_to)),
@@ -65,19 +68,19 @@ pub(crate) fn contacts_hold(
     Ok(())
 }
 
-fn intersect(case: &Case) -> Checked {
+fn intersections(case: &Case) -> Checked {
     let (a, b) = (curve::<DVec2>(case, "curve"), curve::<DVec2>(case, "other"));
-    let found = value!(case, a.intersect(&b));
+    let found = value!(case, a.intersections(&b));
     let slack = contact_slack(case, a.degree().max(b.degree()));
     contacts_hold(&found, [1.0, 1.0], slack, |t| a.eval(t), |u| b.eval(u))
 }
 
-fn intersect_spline(case: &Case) -> Checked {
+fn intersections_with_spline(case: &Case) -> Checked {
     let (a, b) = (
         curve::<DVec2>(case, "curve"),
         spline::<DVec2>(case, "spline"),
     );
-    let found = value!(case, a.intersect_spline(&b));
+    let found = value!(case, a.intersections_with_spline(&b));
     let slack = contact_slack(case, a.degree().max(12));
     contacts_hold(
         &found,

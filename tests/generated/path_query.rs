@@ -15,7 +15,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::nearest", nearest),
     ("Path::winding", winding),
     ("Path::contains", contains),
-    ("Path::intersect", intersect),
+    ("Path::intersections", intersections),
     ("Path::self_intersections", self_intersections),
 ];
 
@@ -106,9 +106,9 @@ fn contacts(case: &Case, found: &[PathIntersection], a: &Path, b: &Path) -> Chec
     Ok(())
 }
 
-fn intersect(case: &Case) -> Checked {
+fn intersections(case: &Case) -> Checked {
     let (a, b) = (path(case, "path"), path(case, "other"));
-    let found = value!(case, a.intersect(&b));
+    let found = value!(case, a.intersections(&b));
     contacts(case, &found, &a, &b)
 }
 

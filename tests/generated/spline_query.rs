@@ -10,8 +10,8 @@ use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Spline::nearest", both!(nearest)),
-    ("Spline::intersect", intersect),
-    ("Spline::intersect_curve", intersect_curve),
+    ("Spline::intersections", intersections),
+    ("Spline::intersections_with_curve", intersections_with_curve),
     ("Spline::self_intersections", self_intersections),
     ("Spline::continuity", both!(continuity)),
     ("Spline::flatten", both!(flatten)),
@@ -39,12 +39,12 @@ fn nearest<P: Space>(case: &Case) -> Checked {
     )
 }
 
-fn intersect(case: &Case) -> Checked {
+fn intersections(case: &Case) -> Checked {
     let (a, b) = (
         spline::<DVec2>(case, "spline"),
         spline::<DVec2>(case, "other"),
     );
-    let found = value!(case, a.intersect(&b));
+    let found = value!(case, a.intersections(&b));
     let slack = slack(case.size(), 12) * 4.0;
     contacts_hold(
         &found,
@@ -55,12 +55,12 @@ fn intersect(case: &Case) -> Checked {
     )
 }
 
-fn intersect_curve(case: &Case) -> Checked {
+fn intersections_with_curve(case: &Case) -> Checked {
     let (a, b) = (
         spline::<DVec2>(case, "spline"),
         curve::<DVec2>(case, "curve"),
     );
-    let found = value!(case, a.intersect_curve(&b));
+    let found = value!(case, a.intersections_with_curve(&b));
     let slack = slack(case.size(), b.degree().max(12)) * 4.0;
     contacts_hold(
         &found,

@@ -20,10 +20,10 @@ fn joints_are_one_place() {
     let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
     let diagonal = plane(&[(-1.0, -1.0), (3.0, 3.0)]);
     let expected = [(0.0, 0.25, Contact::Cross), (2.0, 0.75, Contact::Cross)];
-    assert_eq!(kinds(&square.intersect_curve(&diagonal)), expected);
+    assert_eq!(kinds(&square.intersections_with_curve(&diagonal)), expected);
     let zigzag = polygon(&[(-1.0, 0.0), (0.0, 0.0), (0.0, -1.0)], false);
     assert_eq!(
-        kinds(&square.intersect(&zigzag)),
+        kinds(&square.intersections(&zigzag)),
         [(0.0, 1.0, Contact::Tangent)]
     );
 }
@@ -35,7 +35,7 @@ fn shared_pieces_run_across_joints() {
         t_end: 4.0,
         u_end: 4.0,
     };
-    assert_eq!(kinds(&square.intersect(&square)), [(0.0, 0.0, whole)]);
+    assert_eq!(kinds(&square.intersections(&square)), [(0.0, 0.0, whole)]);
     let hook = polygon(
         &[
             (3.0, 0.0),
@@ -47,7 +47,7 @@ fn shared_pieces_run_across_joints() {
         ],
         false,
     );
-    let found = kinds(&square.intersect(&hook));
+    let found = kinds(&square.intersections(&hook));
     let bottom = Contact::Overlap {
         t_end: 1.0,
         u_end: 0.5,
@@ -77,7 +77,7 @@ fn a_curve_cut_into_a_spline_meets_as_the_curve_does() {
             let k = [1.0, 2.0, 3.0].iter().filter(|&&joint| t >= joint).count();
             cuts[k] + (t - real(k)) * (cuts[k + 1] - cuts[k])
         };
-        let (curve, chain) = (a.intersect(&b), spline.intersect_curve(&b));
+        let (curve, chain) = (a.intersections(&b), spline.intersections_with_curve(&b));
         assert_eq!(curve.len(), chain.len(), "{curve:?} {chain:?}");
         for (p, q) in curve.iter().zip(&chain) {
             assert!(
@@ -127,7 +127,7 @@ fn long_chains() {
     for segments in [1, 2, 300, 30_000] {
         let (a, b) = (wave(segments, 1.0), wave(segments, -1.0));
         take_steps();
-        assert_eq!(a.intersect(&b).len(), 2 * segments + 1);
+        assert_eq!(a.intersections(&b).len(), 2 * segments + 1);
         let across = take_steps();
         assert!(across <= 50 * segments, "{segments}: {across}");
         assert!(a.self_intersections().is_empty());

@@ -53,7 +53,7 @@ fn every_reported_place_lies_on_both() {
     for a in shapes() {
         for b in neighbours(&a).into_iter().chain(shapes()) {
             let all = [a.control_points(), b.control_points()];
-            for place in a.intersect(&b) {
+            for place in a.intersections(&b) {
                 let mut off = (a.eval(place.t) - b.eval(place.u)).length();
                 if let Contact::Overlap { t_end, u_end } = place.kind {
                     off = off.max((a.eval(t_end) - b.eval(u_end)).length());

@@ -11,7 +11,10 @@ fn line(from: (f64, f64), to: (f64, f64)) -> Curve<DVec2> {
 }
 
 fn kinds(a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64, Contact)> {
-    a.intersect(b).iter().map(|p| (p.t, p.u, p.kind)).collect()
+    a.intersections(b)
+        .iter()
+        .map(|p| (p.t, p.u, p.kind))
+        .collect()
 }
 
 #[test]
@@ -69,7 +72,7 @@ fn graphs_meet_at_the_roots_of_their_difference() {
             .enumerate()
             .map(|(i, &y)| DVec2::new(real(i) / n, y))
             .collect();
-        let found = new(&points).intersect(&line((0.0, 0.0), (1.0, 0.0)));
+        let found = new(&points).intersections(&line((0.0, 0.0), (1.0, 0.0)));
         let mut distinct = roots.clone();
         distinct.dedup();
         assert_eq!(found.len(), distinct.len(), "{roots:?}: {found:?}");
@@ -113,11 +116,11 @@ fn close_crossings_are_two_and_close_misses_none() {
         let d = 10_f64.powi(-k);
         let arch = plane(&[(-1.0, -1.0), (0.0, 1.0), (1.0, -1.0)]);
         let through = line((-1.0, -d * d), (1.0, -d * d));
-        let found = arch.intersect(&through);
+        let found = arch.intersections(&through);
         assert_eq!(found.len(), 2, "{d}: {found:?}");
         assert!(((found[1].point.x - found[0].point.x) / (2.0 * d) - 1.0).abs() < 1e-3);
         assert!(found.iter().all(|p| p.kind == Contact::Cross));
-        assert_eq!(arch.intersect(&line((-1.0, d * d), (1.0, d * d))), []);
+        assert_eq!(arch.intersections(&line((-1.0, d * d), (1.0, d * d))), []);
     }
 }
 
@@ -143,7 +146,7 @@ fn a_curve_that_traces_another_in_its_own_way() {
         .map(|(p, y)| DVec2::new(p.x, y))
         .collect();
     let parabola = plane(&[(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)]);
-    let found = parabola.intersect(&new(&points));
+    let found = parabola.intersections(&new(&points));
     assert!(
         !found.is_empty()
             && found

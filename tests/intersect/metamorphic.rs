@@ -39,7 +39,7 @@ fn the_results_follow() {
     for seed in 0..6000 {
         let case = case(&mut Rng(seed));
         let (a, b) = (case.a, case.b);
-        let found = a.intersect(&b);
+        let found = a.intersections(&b);
         // A piece from a parameter to itself is a point with the shape of rounding.
         let size = |c: &Curve<DVec2>| c.control_bounds().diagonal();
         if size(&a).min(size(&b)) < 1e-9 * size(&a).max(size(&b)) {
@@ -48,19 +48,19 @@ fn the_results_follow() {
         let fixed = firm(&found, &a, &b);
         let told = |how: &str| format!("{} (seed {seed}), {how}: {found:?}", case.name);
 
-        let swapped: Vec<(f64, f64)> = b.intersect(&a).iter().map(|p| (p.u, p.t)).collect();
+        let swapped: Vec<(f64, f64)> = b.intersections(&a).iter().map(|p| (p.u, p.t)).collect();
         assert!(same(&swapped, &fixed), "{}", told("swapped"));
 
         let reversed: Vec<(f64, f64)> = a
             .reverse()
-            .intersect(&b)
+            .intersections(&b)
             .iter()
             .map(|p| (1.0 - p.t, p.u))
             .collect();
         assert!(same(&reversed, &fixed), "{}", told("reversed"));
 
         let turn = DAffine2::from_angle(0.7);
-        let turned = places(&a.transform(&turn).intersect(&b.transform(&turn)));
+        let turned = places(&a.transform(&turn).intersections(&b.transform(&turn)));
         assert!(same(&turned, &fixed), "{}", told("turned"));
     }
 }
@@ -70,7 +70,7 @@ fn the_results_follow() {
 fn scaled_by_powers_of_two() {
     for seed in 0..3000 {
         let case = case(&mut Rng(seed));
-        let found = case.a.intersect(&case.b);
+        let found = case.a.intersections(&case.b);
         for exponent in [-30, 30] {
             let scale = |c: &Curve<DVec2>| {
                 let points: Vec<DVec2> = c
@@ -80,7 +80,7 @@ fn scaled_by_powers_of_two() {
                     .collect();
                 new(&points)
             };
-            let scaled = scale(&case.a).intersect(&scale(&case.b));
+            let scaled = scale(&case.a).intersections(&scale(&case.b));
             let plain = |found: &[Intersection]| {
                 found.iter().map(|p| (p.t, p.u, p.kind)).collect::<Vec<_>>()
             };

@@ -53,7 +53,7 @@ fn rounding(a: &Curve<DVec2>, b: &Curve<DVec2>) -> f64 {
 
 pub(crate) fn judged(case: &Case) -> Result<(), String> {
     let (a, b) = (&case.a, &case.b);
-    let found = a.intersect(b);
+    let found = a.intersections(b);
     let slack = rounding(a, b);
     for place in &found {
         let gap = (a.eval(place.t) - b.eval(place.u)).length();

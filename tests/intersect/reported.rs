@@ -20,7 +20,7 @@ fn halves_of_a_line_meet_in_the_middle() {
         let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
         let (a, b) = line.split(0.1 + f64::from(k % 9) / 11.0);
         let expected = vec![(1.0, 0.0, Contact::Tangent)];
-        assert_eq!(kinds(&a.intersect(&b)), expected, "{a:?} {b:?}");
+        assert_eq!(kinds(&a.intersections(&b)), expected, "{a:?} {b:?}");
     }
 }
 
@@ -30,7 +30,7 @@ fn a_part_of_a_line_lies_on_it() {
         let x = |m: u32| f64::from((k * m) % 101) / 7.0;
         let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
         let (from, to) = (0.05 + x(13) / 40.0, 0.55 + x(17) / 40.0);
-        let found = line.intersect(&line.subsegment(from, to));
+        let found = line.intersections(&line.subsegment(from, to));
         let [place] = found[..] else {
             panic!("{line:?} from {from} to {to}: {found:?}")
         };
@@ -57,10 +57,10 @@ fn ends_that_touch_are_exact_from_both_sides() {
     for (k, (a, b)) in cases.iter().enumerate() {
         let (a, b) = (curve(a), curve(b));
         let (t, u) = if k == 0 { (0.0, 1.0) } else { (1.0, 0.0) };
-        assert_eq!(kinds(&a.intersect(&b)), [(t, u, Contact::Tangent)]);
-        assert_eq!(kinds(&b.intersect(&a)), [(u, t, Contact::Tangent)]);
+        assert_eq!(kinds(&a.intersections(&b)), [(t, u, Contact::Tangent)]);
+        assert_eq!(kinds(&b.intersections(&a)), [(u, t, Contact::Tangent)]);
         assert_eq!(
-            kinds(&a.reverse().intersect(&b)),
+            kinds(&a.reverse().intersections(&b)),
             [(1.0 - t, u, Contact::Tangent)]
         );
     }
@@ -68,13 +68,13 @@ fn ends_that_touch_are_exact_from_both_sides() {
         curve(&[[1.1, 7.4], [5.9, 1.3]]),
         curve(&[[5.9, 1.3], [1.0, 4.6]]),
     );
-    assert_eq!(kinds(&a.intersect(&b)), [(1.0, 0.0, Contact::Cross)]);
+    assert_eq!(kinds(&a.intersections(&b)), [(1.0, 0.0, Contact::Cross)]);
 }
 
 #[test]
 fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
     let ts = |a: &Curve<DVec2>, b: &Curve<DVec2>| -> Vec<(f64, Contact)> {
-        a.intersect(b).iter().map(|f| (f.t, f.kind)).collect()
+        a.intersections(b).iter().map(|f| (f.t, f.kind)).collect()
     };
     let a = curve(&[[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]);
     let b = curve(&[[1e-9, 0.0], [1.0, 2.0 + 1e-9], [3.0, 1.0]]);
@@ -106,17 +106,20 @@ fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
 fn the_tip_of_a_turn_back_is_one_place() {
     let there_and_back = curve(&[[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]);
     let across = curve(&[[-1.0, 1.0], [2.0, 1.0]]);
-    let found = there_and_back.intersect(&across);
+    let found = there_and_back.intersections(&across);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!((found[0].t - 0.5).abs() < 1e-12 && (found[0].u - 1.0 / 3.0).abs() < 1e-12);
     let from = curve(&[[0.0, 1.0], [2.0, 1.0]]);
-    assert_eq!(there_and_back.intersect(&from).len(), 1);
-    assert_eq!(from.intersect(&there_and_back).len(), 1);
+    assert_eq!(there_and_back.intersections(&from).len(), 1);
+    assert_eq!(from.intersections(&there_and_back).len(), 1);
     let (loop_, bent) = (
         curve(&[[1.0, 2.0], [2.0, 0.0], [0.0, 0.0], [1.0, 2.0]]),
         curve(&[[0.0, 2.0], [2.0, 2.0], [0.0, 2.0]]),
     );
-    assert_eq!(loop_.intersect(&bent).len(), bent.intersect(&loop_).len());
+    assert_eq!(
+        loop_.intersections(&bent).len(),
+        bent.intersections(&loop_).len()
+    );
 }
 
 /// Next to the curve's stops there are two places that are too far apart on the other curve to be one; this did not end.
@@ -138,7 +141,7 @@ fn places_next_to_a_stop_end() {
         .map(DVec2::from),
     )
     .expect("finite");
-    for place in curve.intersect(&other) {
+    for place in curve.intersections(&other) {
         let gap = (curve.eval(place.t) - other.eval(place.u)).length();
         assert!(gap < 1.0, "{place:?} {gap}"); // the ulp of 7.5e14 is 0.125
     }

@@ -96,7 +96,7 @@ fn halves_meet_where_the_whole_meets_itself() {
         );
         expected.extend(
             before
-                .intersect(&after)
+                .intersections(&after)
                 .iter()
                 .map(|p| (back(p.t), on(p.u))),
         );

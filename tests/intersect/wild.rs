@@ -51,7 +51,7 @@ fn any_numbers() {
         } else {
             wild(&mut rng)
         };
-        for place in a.intersect(&b) {
+        for place in a.intersections(&b) {
             let inside = |t: f64| (0.0..=1.0).contains(&t);
             let ends = match place.kind {
                 Contact::Overlap { t_end, u_end } => inside(t_end) && inside(u_end),

@@ -24,7 +24,7 @@ function near(got, expected, tol, what = "") {
 
 /** Meetings: an overlap, or points with kinds. */
 function meetings({ input, expect, tol }) {
-  const found = new Curve(input.a).intersect(new Curve(input.b));
+  const found = new Curve(input.a).intersections(new Curve(input.b));
   if (expect.overlap) return assert.ok(found.some(({ kind }) => kind === "overlap"), JSON.stringify(found));
   if (expect.count === undefined) return; // the note tells what is acceptable
   assert.equal(found.length, expect.count, JSON.stringify(found));

@@ -181,19 +181,19 @@ test("where paths meet", () => {
   ];
   const numbers = ({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y];
   for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
-    const places = ring.intersect(other);
+    const places = ring.intersections(other);
     assert.deepEqual(places.map(({ kind }) => kind), ["cross", "cross"]);
     near(places.flatMap(numbers), expected.flatMap(numbers));
   }
-  const [overlap] = ring.intersect(new Curve([[1, 4], [3, 4]]));
+  const [overlap] = ring.intersections(new Curve([[1, 4], [3, 4]]));
   assert.equal(overlap.kind, "overlap");
   near([...numbers(overlap), overlap.tEnd, overlap.uEnd], [0, 2.25, 0, 1, 3, 4, 2.75, 0]);
   const eight = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3");
   const twice = eight.selfIntersections().flatMap(numbers);
   near(twice, [[0, 0.5, 0, 2.5, 1, 1], [0, 0.5, 1, 1 / 3, 1, 1], [0, 1.5, 1, 2 / 3, 1, 2], [0, 2.5, 1, 1 / 3, 1, 1]].flat());
-  assert.deepEqual(new Path([]).intersect(ring), []);
-  for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]]) refused(() => ring.intersect(bad), TypeError, /^other: expected a Path/);
-  refused(() => ring.intersect(new Curve(SPACE)), TypeError, /^other: .*2D.*3D/);
+  assert.deepEqual(new Path([]).intersections(ring), []);
+  for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]]) refused(() => ring.intersections(bad), TypeError, /^other: expected a Path/);
+  refused(() => ring.intersections(new Curve(SPACE)), TypeError, /^other: .*2D.*3D/);
 });
 
 test("paths of splines and curves, and back", () => {

@@ -359,14 +359,14 @@ fn paths_meet_where_their_splines_do() {
         for (i, one) in ours.iter().enumerate() {
             for (j, other) in theirs.iter().enumerate() {
                 expected.extend(
-                    one.intersect(other)
+                    one.intersections(other)
                         .into_iter()
                         .map(|place| (i, j, place.t, place.u, place.point)),
                 );
             }
         }
         let got: Vec<_> = a
-            .intersect(&b)
+            .intersections(&b)
             .into_iter()
             .map(|place| {
                 (

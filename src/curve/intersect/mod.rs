@@ -72,7 +72,7 @@ impl Curve<DVec2> {
     /// is not cut any further, and each such pair of pieces counts as one place at most.
     ///
     /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for what crosses.
-    pub fn intersect(&self, other: &Self) -> Vec<Intersection> {
+    pub fn intersections(&self, other: &Self) -> Vec<Intersection> {
         Pair::new(&self.points, &other.points).map_or_else(Vec::new, |pair| pair.solve(self, other))
     }
 }

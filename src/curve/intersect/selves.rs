@@ -23,7 +23,7 @@ impl Curve<DVec2> {
     ///
     /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) =
     /// a(σ² − π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut where they turn,
-    /// and their pieces intersected, within the limit of [`intersect`](Self::intersect).
+    /// and their pieces intersected, within the limit of [`intersections`](Self::intersections).
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
         if self.degree() < 3 || runs_forward(&self.points) {
             return Vec::new();

@@ -91,7 +91,7 @@ const CHECKS = {
     close(answer.point, curve.eval(answer.t), slack, "the point at t");
     for (let k = 0; k <= 16; k++) assert.ok(answer.distance <= distance(curve.eval(k / 16), p) + slack, `B(${k / 16}) is nearer`);
   },
-  "Curve.intersect": (found, { curve, other }, size, mode) => {
+  "Curve.intersections": (found, { curve, other }, size, mode) => {
     // Where coordinates differ by many powers of ten, the points may be farther apart.
     const slack = slackOf(size, Math.max(curve.degree, other.degree)) * (mode === "MixedScale" ? 64 : 1);
     for (const { t, u } of found) close(curve.eval(t), other.eval(u), slack, `the curves at ${t}, ${u}`);
@@ -122,7 +122,7 @@ const CHECKS = {
     ascend(ts, 0, spline.segmentCount);
     assert.equal(points.length, ts.length * spline.dimension);
   },
-  "Spline.intersect": (found, { spline, other }, size) => {
+  "Spline.intersections": (found, { spline, other }, size) => {
     for (const { t, u } of found) close(spline.eval(t), other.eval(u), slackOf(size, 24), `the splines at ${t}, ${u}`);
   },
   "Spline.movePoint": (moved, { index, to }) => close(moved.controlPoints().slice(index * to.length, (index + 1) * to.length), to, 0, "the point"),
