@@ -16,7 +16,7 @@ import { takeSpline } from "./spline.js";
 /**
  * @import { Chain, Intersection, SelfIntersection } from "./meetings.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
- * @import { Class, Distance, Extrema, Nearest } from "./places.js"
+ * @import { CurveKind, Distance, Extrema, Nearest } from "./places.js"
  * @import { Point } from "./points.js"
  * @import { BasisLike, BasisName } from "./basis.js"
  * @import { Spline } from "./spline.js"
@@ -646,10 +646,10 @@ export class Curve {
    * The kind of curve, judged by what it does for t from 0 to 1 and without regard to its size. In space a plane curve is
    * judged in its plane, and one that lies in no plane is "twisted".
    *
-   * @returns {Class}
+   * @returns {CurveKind}
    */
   classify() {
-    return places.CLASSES[core().curve_classify(this.#dimension, this.#load())];
+    return places.CURVE_KINDS[core().curve_classify(this.#dimension, this.#load())];
   }
 
   /**

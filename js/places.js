@@ -112,16 +112,16 @@ export function timesAtCoordinate(flat, dimension, where) {
 /**
  * The kind of a curve.
  *
- * @typedef {"point" | "line" | "quadratic" | "arch" | "serpentine" | "loop" | "cusp" | "twisted"} Class
+ * @typedef {"point" | "line" | "quadratic" | "arch" | "serpentine" | "loop" | "cusp" | "twisted"} CurveKind
  */
 
 /**
  * In the order of the core.
  *
  * @internal
- * @type {readonly Class[]}
+ * @type {readonly CurveKind[]}
  */
-export const CLASSES = ["point", "line", "quadratic", "arch", "serpentine", "loop", "cusp", "twisted"];
+export const CURVE_KINDS = ["point", "line", "quadratic", "arch", "serpentine", "loop", "cusp", "twisted"];
 
 /**
  * @internal

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3};
 
 /// The shape of a curve, as far as it does not change under affine maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
+pub enum CurveKind {
     /// All control points coincide.
     Point,
     /// All control points lie on a line; the curve may turn back on it.
@@ -35,8 +35,8 @@ impl<P: Point> Curve<P> {
     /// The kind of curve, judged by what the curve does for t from 0 to 1.
     ///
     /// First by what it is: a point, a line, a parabola (a higher degree that only elevates one counts as such), in space
-    /// a curve that lies in no plane. What is left is judged in its plane: [`Class::Cusp`] if it has one inside,
-    /// [`Class::Loop`] if it meets itself, [`Class::Serpentine`] if it has an inflection inside, else [`Class::Arch`]. Of a cubic
+    /// a curve that lies in no plane. What is left is judged in its plane: [`CurveKind::Cusp`] if it has one inside,
+    /// [`CurveKind::Loop`] if it meets itself, [`CurveKind::Serpentine`] if it has an inflection inside, else [`CurveKind::Arch`]. Of a cubic
     /// these exclude each other, being the signs of the discriminant of B′×B″; of higher degrees the first that holds, in
     /// this order, is given. The tests compare with the rounding of the control points and with nothing else, so they do not depend on
     /// the size.
@@ -45,18 +45,18 @@ impl<P: Point> Curve<P> {
     /// Blinn, "Resolution independent curve rendering", SIGGRAPH 2005.
     ///
     /// ```
-    /// use casteljau::{Curve, curve::Class, glam::DVec2};
+    /// use casteljau::{Curve, curve::CurveKind, glam::DVec2};
     ///
     /// let of = |points: [(f64, f64); 4]| Curve::new(&points.map(DVec2::from)).map(|curve| curve.classify());
-    /// assert_eq!(of([(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)])?, Class::Arch);
-    /// assert_eq!(of([(0.0, 0.0), (4.0, 2.0), (-2.0, 2.0), (2.0, 0.0)])?, Class::Loop);
+    /// assert_eq!(of([(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)])?, CurveKind::Arch);
+    /// assert_eq!(of([(0.0, 0.0), (4.0, 2.0), (-2.0, 2.0), (2.0, 0.0)])?, CurveKind::Loop);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
-    pub fn classify(&self) -> Class {
+    pub fn classify(&self) -> CurveKind {
         let (_, unit) = hodograph(&self.points);
         let rounding = ulp(self.max_abs());
         if unit <= 2.0 * rounding {
-            return Class::Point;
+            return CurveKind::Point;
         }
         // From the start and about 1: an affine map, after which no power leaves the range.
         let unit = unit_for(unit);
@@ -68,8 +68,8 @@ impl<P: Point> Curve<P> {
             .collect();
         let rounding = rounding * unit;
         match in_its_plane(&ways, 4.0 * ways.len() as f64 * rounding) {
-            Flat::Line => Class::Line,
-            Flat::Not => Class::Twisted,
+            Flat::Line => CurveKind::Line,
+            Flat::Not => CurveKind::Twisted,
             Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
         }
     }
@@ -139,17 +139,17 @@ fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
 }
 
 /// The class of a plane curve of its lowest degree; z = 0.
-fn class_in_plane(points: &[DVec3], rounding: f64) -> Class {
+fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
     if points.len() == 3 {
-        Class::Quadratic
+        CurveKind::Quadratic
     } else if !cusps_of(points, rounding).is_empty() {
-        Class::Cusp
+        CurveKind::Cusp
     } else if meets_itself(points) {
-        Class::Loop
+        CurveKind::Loop
     } else if !inflections_of(points, rounding).is_empty() {
-        Class::Serpentine
+        CurveKind::Serpentine
     } else {
-        Class::Arch
+        CurveKind::Arch
     }
 }
 

@@ -42,7 +42,7 @@ pub use basis::Basis;
 pub use bernstein::bernstein;
 pub(crate) use bernstein::{bernstein_into, binomials};
 pub use bounds::Bounds;
-pub use classify::Class;
+pub use classify::CurveKind;
 pub use distance::Distance;
 pub use flatten::Polyline;
 pub use frames::Frame;

@@ -117,7 +117,7 @@ pub fn curve_tangents_from(count: usize) -> usize {
     })
 }
 
-/// The number of the class in the order of `Class`.
+/// The number of the class in the order of `CurveKind`.
 #[wasm_bindgen]
 pub fn curve_classify(dimension: usize, count: usize) -> usize {
     arena::with(|a| in_space(a, dimension, count).classify() as usize)

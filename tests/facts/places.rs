@@ -4,7 +4,7 @@ use crate::common::exact::{exactly, sum};
 use crate::common::{curve, largest, plane, real};
 use crate::fact::{Fact, number, numbers, point};
 use casteljau::Curve;
-use casteljau::curve::Class;
+use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};
 use serde_json::Value;
 
@@ -80,13 +80,13 @@ pub(crate) fn inflections(fact: &Fact) {
 pub(crate) fn classify(fact: &Fact) {
     let (plane, space) = (flat(fact), fact.curve());
     let class = match fact.expect["class"].as_str().expect("a class") {
-        "point" => Class::Point,
-        "line" => Class::Line,
-        "quadratic" => Class::Quadratic,
-        "arch" => Class::Arch,
-        "serpentine" => Class::Serpentine,
-        "loop" => Class::Loop,
-        "cusp" => Class::Cusp,
+        "point" => CurveKind::Point,
+        "line" => CurveKind::Line,
+        "quadratic" => CurveKind::Quadratic,
+        "arch" => CurveKind::Arch,
+        "serpentine" => CurveKind::Serpentine,
+        "loop" => CurveKind::Loop,
+        "cusp" => CurveKind::Cusp,
         other => panic!("{}: {other}", fact.id),
     };
     assert_eq!(
@@ -97,8 +97,8 @@ pub(crate) fn classify(fact: &Fact) {
     );
     if let Some(t) = fact.expect.get("t") {
         match class {
-            Class::Cusp => all(fact, &plane.cusps(), t),
-            Class::Serpentine => all(fact, &plane.inflections(), t),
+            CurveKind::Cusp => all(fact, &plane.cusps(), t),
+            CurveKind::Serpentine => all(fact, &plane.inflections(), t),
             _ => {}
         }
     }

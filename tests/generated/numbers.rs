@@ -42,12 +42,11 @@ without_numbers!(
     usize,
     String,
     Error,
-    CurveClass,
+    CurveKind,
     Topology
 );
 
 /// The kind of a curve; named here, since it has a name that may change.
-pub(crate) type CurveClass = Class;
 
 impl Numbers for DVec2 {
     fn visit(&self, see: &mut dyn FnMut(f64)) {

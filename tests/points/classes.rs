@@ -4,47 +4,49 @@ use crate::cases;
 use crate::common::wild::{self, elevated};
 use crate::common::{Rng, curve, plane};
 use casteljau::Curve;
-use casteljau::curve::Class;
+use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};
 
 /// A cubic of a class. Those with crossed handles (0,0) (k,1) (1−k,1) (1,0) have the discriminant (1 − k)(3k − 1).
-fn made(rng: &mut Rng, class: Class) -> Vec<DVec3> {
+fn made(rng: &mut Rng, class: CurveKind) -> Vec<DVec3> {
     let between = |rng: &mut Rng, low: f64, high: f64| low + (high - low) * rng.unit();
     let crossed = |k: f64| [(0.0, 0.0), (k, 1.0), (1.0 - k, 1.0), (1.0, 0.0)];
     let points = match class {
-        Class::Point => [(0.5, 0.25); 4],
-        Class::Line => [(); 4].map(|()| rng.signed()).map(|x| (x, 0.0)),
-        Class::Arch => crossed(between(rng, 0.05, 0.48)),
-        Class::Serpentine if rng.chance(0.5) => crossed(between(rng, 0.52, 0.97)),
-        Class::Serpentine => [
+        CurveKind::Point => [(0.5, 0.25); 4],
+        CurveKind::Line => [(); 4].map(|()| rng.signed()).map(|x| (x, 0.0)),
+        CurveKind::Arch => crossed(between(rng, 0.05, 0.48)),
+        CurveKind::Serpentine if rng.chance(0.5) => crossed(between(rng, 0.52, 0.97)),
+        CurveKind::Serpentine => [
             (0.0, 0.0),
             (1.0, between(rng, 0.1, 2.0)),
             (2.0, between(rng, -2.0, -0.1)),
             (3.0, 0.0),
         ],
-        Class::Cusp => crossed(1.0),
-        Class::Loop => crossed(between(rng, 1.03, 4.0)),
-        Class::Quadratic | Class::Twisted => [(0.0, 0.0), (1.0, 3.0), (2.0, 1.0), (0.0, 0.0)],
+        CurveKind::Cusp => crossed(1.0),
+        CurveKind::Loop => crossed(between(rng, 1.03, 4.0)),
+        CurveKind::Quadratic | CurveKind::Twisted => {
+            [(0.0, 0.0), (1.0, 3.0), (2.0, 1.0), (0.0, 0.0)]
+        }
     };
     let mut points: Vec<DVec3> = points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect();
-    if class == Class::Quadratic {
+    if class == CurveKind::Quadratic {
         points.truncate(3);
     }
-    if class == Class::Twisted {
+    if class == CurveKind::Twisted {
         points[3].z = between(rng, 0.1, 1.0);
     }
     points
 }
 
-const CLASSES: [Class; 8] = [
-    Class::Point,
-    Class::Line,
-    Class::Quadratic,
-    Class::Arch,
-    Class::Serpentine,
-    Class::Loop,
-    Class::Cusp,
-    Class::Twisted,
+const CLASSES: [CurveKind; 8] = [
+    CurveKind::Point,
+    CurveKind::Line,
+    CurveKind::Quadratic,
+    CurveKind::Arch,
+    CurveKind::Serpentine,
+    CurveKind::Loop,
+    CurveKind::Cusp,
+    CurveKind::Twisted,
 ];
 
 #[test]
@@ -57,7 +59,7 @@ fn the_class_stays_under_affine_maps() {
         for _ in 0..rng.below(3) {
             points = elevated(&points);
         }
-        let dimension = if class == Class::Twisted {
+        let dimension = if class == CurveKind::Twisted {
             3
         } else {
             2 + case / CLASSES.len() % 2
@@ -85,7 +87,7 @@ fn the_class_stays_under_affine_maps() {
         assert_eq!(found, class, "{image:?}");
         let back: Vec<DVec3> = image.into_iter().rev().collect();
         assert_eq!(curve::<DVec3>(&back).classify(), class, "{back:?}");
-        if class == Class::Cusp {
+        if class == CurveKind::Cusp {
             let ts = curve::<DVec3>(&back).cusps();
             assert!(
                 ts.len() == 1 && (ts[0] - 0.5).abs() < 1e-6,
@@ -105,7 +107,7 @@ fn every_curve_has_a_class() {
                 let class = curve::<DVec3>(&points).classify();
                 if dimension == 2 {
                     assert_eq!(curve::<DVec2>(&points).classify(), class, "{points:?}");
-                    assert_ne!(class, Class::Twisted);
+                    assert_ne!(class, CurveKind::Twisted);
                 }
             }
         }
@@ -117,35 +119,35 @@ fn features_count_only_inside() {
     // The inflection at t = 0 of a zero-length handle, a double point beyond the end, a tip at the start.
     assert_eq!(
         plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]).classify(),
-        Class::Arch
+        CurveKind::Arch
     );
     let whole = plane(&[(0.0, 0.0), (4.0, 2.0), (-2.0, 2.0), (2.0, 0.0)]);
-    assert_eq!(whole.classify(), Class::Loop);
-    assert_eq!(whole.subsegment(0.0, 0.5).classify(), Class::Arch);
+    assert_eq!(whole.classify(), CurveKind::Loop);
+    assert_eq!(whole.subsegment(0.0, 0.5).classify(), CurveKind::Arch);
     assert_eq!(
         plane(&[(0.0, 0.0), (3.0, 2.0), (-3.0, 2.0), (0.0, 0.0)]).classify(),
-        Class::Loop
+        CurveKind::Loop
     );
     let cusp = plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]);
-    assert_eq!(cusp.subsegment(0.0, 0.5).classify(), Class::Arch);
-    assert_eq!(cusp.subsegment(0.5, 1.0).classify(), Class::Arch);
+    assert_eq!(cusp.subsegment(0.0, 0.5).classify(), CurveKind::Arch);
+    assert_eq!(cusp.subsegment(0.5, 1.0).classify(), CurveKind::Arch);
     assert_eq!(cusp.inflections(), []);
     // Of degree 4: a loop, and a wave with more bends than a cubic has.
     assert_eq!(
         plane(&[(0.0, 0.0), (4.0, 1.0), (1.0, 3.0), (-2.0, 1.0), (2.0, 0.0)]).classify(),
-        Class::Loop
+        CurveKind::Loop
     );
     assert_eq!(
         plane(&[(0.0, 0.0), (1.0, 2.0), (2.0, -3.0), (3.0, 2.0), (4.0, 0.0)]).classify(),
-        Class::Serpentine
+        CurveKind::Serpentine
     );
     assert_eq!(
         plane(&[(0.0, 0.0), (0.0, 1.0), (1.0, 2.0), (2.0, 1.0), (2.0, 0.0)]).classify(),
-        Class::Arch
+        CurveKind::Arch
     );
     let turning: Curve<DVec2> = plane(&[(0.0, 0.0), (2.0, 2.0), (1.0, 1.0)]);
     assert_eq!(
         (turning.classify(), turning.cusps().len()),
-        (Class::Line, 1)
+        (CurveKind::Line, 1)
     );
 }
