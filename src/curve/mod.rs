@@ -46,7 +46,7 @@ pub use classify::CurveKind;
 pub use distance::Distance;
 pub use flatten::Polyline;
 pub use frames::Frame;
-pub use intersect::{Contact, Intersection, SelfIntersection};
+pub use intersect::{Intersection, IntersectionKind, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
 pub(crate) use nearest::nearest_on;

@@ -1,7 +1,7 @@
 //! Where do paths meet?
 
 use super::Path;
-use crate::curve::Contact;
+use crate::curve::IntersectionKind;
 use crate::spline::{Chains, Meeting};
 use glam::DVec2;
 
@@ -19,7 +19,7 @@ pub struct PathIntersection {
     /// The point.
     pub point: DVec2,
     /// How they meet.
-    pub kind: Contact,
+    pub kind: IntersectionKind,
 }
 
 impl Path {

@@ -4,7 +4,7 @@
 //! plane. Both trees are walked down where boxes touch.
 
 use super::Spline;
-use crate::curve::{Contact, Curve, Intersection};
+use crate::curve::{Curve, Intersection, IntersectionKind};
 use crate::order::sort_by;
 use casteljau_kernels::WorkLimit;
 use glam::DVec2;
@@ -111,7 +111,7 @@ impl Chains {
 
     fn meeting(&self, other: &Self, (i, j): (usize, usize), place: Intersection) -> Meeting {
         let mut at = place;
-        if let Contact::Overlap { t_end, u_end } = &mut at.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = &mut at.kind {
             (at.t, at.u) = (self.end_at(i, place.t), other.end_at(j, place.u));
             (*t_end, *u_end) = (self.end_at(i, *t_end), other.end_at(j, *u_end));
         } else {
@@ -161,7 +161,7 @@ impl Chains {
         self.walk(self, (1, 1), &mut work, &mut |i, j| {
             if i == j {
                 for place in self.curves[i].self_intersections() {
-                    let kind = Contact::Cross;
+                    let kind = IntersectionKind::Cross;
                     let place = Intersection {
                         t: place.t,
                         u: place.u,
@@ -183,7 +183,7 @@ impl Chains {
             if m.a == m.b && m.at.t > m.at.u {
                 (m.at.t, m.at.u) = (m.at.u, m.at.t);
             }
-            let overlap = matches!(m.at.kind, Contact::Overlap { .. });
+            let overlap = matches!(m.at.kind, IntersectionKind::Overlap { .. });
             !(overlap || m.a == m.b && self.one_joint(m.a, m.at.t, m.at.u))
         });
         joined(found, self, self)
@@ -209,7 +209,7 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
     sort_by(&mut found, order);
     let (pieces, points): (Vec<Meeting>, Vec<Meeting>) = found
         .into_iter()
-        .partition(|m| matches!(m.at.kind, Contact::Overlap { .. }));
+        .partition(|m| matches!(m.at.kind, IntersectionKind::Overlap { .. }));
     let mut ends: Vec<(usize, usize, f64, f64)> = pieces
         .iter()
         .flat_map(|m| {
@@ -233,8 +233,8 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
             .rev()
             .take_while(|q| point.at.t - q.at.t <= ONE_JOINT && same(q));
         if let Some(again) = before.find(|q| near(q.at.t, q.at.u)) {
-            if point.at.kind == Contact::Tangent {
-                again.at.kind = Contact::Tangent;
+            if point.at.kind == IntersectionKind::Tangent {
+                again.at.kind = IntersectionKind::Tangent;
             }
             continue;
         }
@@ -258,7 +258,7 @@ fn joined(mut found: Vec<Meeting>, a: &Chains, b: &Chains) -> Vec<Meeting> {
 /// The parameters of the end of a shared piece, or of a point.
 fn end_of(meeting: &Meeting) -> (f64, f64) {
     match meeting.at.kind {
-        Contact::Overlap { t_end, u_end } => (t_end, u_end),
+        IntersectionKind::Overlap { t_end, u_end } => (t_end, u_end),
         _ => (meeting.at.t, meeting.at.u),
     }
 }
@@ -276,7 +276,7 @@ fn joined_pieces(pieces: Vec<Meeting>) -> Vec<Meeting> {
                 && (u - q.at.u) * (u_end - piece.at.u) > 0.0
         };
         match all.iter_mut().rev().find(continues) {
-            Some(before) => before.at.kind = Contact::Overlap { t_end, u_end },
+            Some(before) => before.at.kind = IntersectionKind::Overlap { t_end, u_end },
             None => all.push(piece),
         }
     }

@@ -9,7 +9,7 @@ impl Spline<DVec2> {
     /// All places that this spline shares with another one, sorted by t, then by u.
     ///
     /// As [`Curve::intersections`], with t and u from 0 to the numbers of segments. A joint on the other spline is one
-    /// place, of the kind [`Tangent`](crate::curve::Contact::Tangent) if either of its curves touches there; t or u of a
+    /// place, of the kind [`Tangent`](crate::curve::IntersectionKind::Tangent) if either of its curves touches there; t or u of a
     /// closed spline's start is 0. A shared piece that runs across joints is one, except across the start of a closed
     /// spline.
     ///

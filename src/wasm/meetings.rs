@@ -3,7 +3,7 @@
 
 use super::arena::{self, Arena};
 use super::spline::spline_at;
-use crate::curve::{Contact, Curve, Intersection, SelfIntersection};
+use crate::curve::{Curve, Intersection, IntersectionKind, SelfIntersection};
 use crate::spline::Spline;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -34,9 +34,9 @@ fn put(a: &mut Arena, places: &[Intersection]) -> usize {
 pub(super) fn put_place(a: &mut Arena, at: usize, place: Intersection) -> usize {
     let Intersection { t, u, point, kind } = place;
     let (code, t_end, u_end) = match kind {
-        Contact::Cross => (0.0, t, u),
-        Contact::Tangent => (1.0, t, u),
-        Contact::Overlap { t_end, u_end } => (2.0, t_end, u_end),
+        IntersectionKind::Cross => (0.0, t, u),
+        IntersectionKind::Tangent => (1.0, t, u),
+        IntersectionKind::Overlap { t_end, u_end } => (2.0, t_end, u_end),
     };
     a.put_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
 }
@@ -44,7 +44,7 @@ pub(super) fn put_place(a: &mut Arena, at: usize, place: Intersection) -> usize 
 fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {
     let crossing = |place: &SelfIntersection| {
         let SelfIntersection { t, u, point } = *place;
-        let kind = Contact::Cross;
+        let kind = IntersectionKind::Cross;
         Intersection { t, u, point, kind }
     };
     let places: Vec<Intersection> = places.iter().map(crossing).collect();

@@ -3,7 +3,7 @@
 use crate::common::{curve, largest};
 use crate::fact::{Fact, numbers, point};
 use casteljau::Curve;
-use casteljau::curve::{Contact, Intersection};
+use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ pub(crate) fn meetings(fact: &Fact) {
         let whole = matches!(
             found[..],
             [Intersection {
-                kind: Contact::Overlap { .. },
+                kind: IntersectionKind::Overlap { .. },
                 ..
             }]
         );
@@ -56,7 +56,7 @@ pub(crate) fn meetings(fact: &Fact) {
             .get("tangent")
             .is_some_and(|list| list[k] == Value::Bool(true));
         assert_eq!(
-            place.kind == Contact::Tangent,
+            place.kind == IntersectionKind::Tangent,
             tangent,
             "{}: {place:?}",
             fact.id

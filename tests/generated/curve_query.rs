@@ -3,7 +3,7 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
-use casteljau::curve::{Contact, Intersection, SelfIntersection};
+use casteljau::curve::{Intersection, IntersectionKind, SelfIntersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Point};
 use casteljau_generator::{Case, Mode};
@@ -44,7 +44,7 @@ pub(crate) fn contacts_hold(
     ensure!(sorted, "the list is not sorted");
     for contact in found {
         let mut pairs = vec![(contact.t, contact.u)];
-        if let Contact::Overlap { t_end, u_end } = contact.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = contact.kind {
             pairs.push((t_end, u_end));
         }
         for (t, u) in pairs {

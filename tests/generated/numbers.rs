@@ -46,8 +46,6 @@ without_numbers!(
     Topology
 );
 
-/// The kind of a curve; named here, since it has a name that may change.
-
 impl Numbers for DVec2 {
     fn visit(&self, see: &mut dyn FnMut(f64)) {
         self.to_array().visit(see);
@@ -133,7 +131,7 @@ by_fields! {
     [T: Numbers] Mesh<T>: positions normals uvs;
 }
 
-impl Numbers for Contact {
+impl Numbers for IntersectionKind {
     fn visit(&self, see: &mut dyn FnMut(f64)) {
         if let Self::Overlap { t_end, u_end } = self {
             [*t_end, *u_end].visit(see);

@@ -6,7 +6,7 @@ use crate::curve_measure::holds;
 use crate::path::DEGREE;
 use crate::runner::Row;
 use casteljau::Path;
-use casteljau::curve::Contact;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;
 use casteljau::path::{FillRule, PathIntersection};
 use casteljau_generator::Case;
@@ -92,7 +92,7 @@ fn contacts(case: &Case, found: &[PathIntersection], a: &Path, b: &Path) -> Chec
     for contact in found {
         let (a, b) = (&a[contact.subpath], &b[contact.other_subpath]);
         let mut pairs = vec![(contact.t, contact.u)];
-        if let Contact::Overlap { t_end, u_end } = contact.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = contact.kind {
             pairs.push((t_end, u_end));
         }
         for (t, u) in pairs {

@@ -1,7 +1,7 @@
 //! Splines that meet others and themselves.
 
 use crate::common::{Rng, plane, real};
-use casteljau::curve::{Contact, Intersection};
+use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Spline};
 use casteljau_kernels::take_steps;
@@ -11,7 +11,7 @@ fn polygon(points: &[(f64, f64)], closed: bool) -> Spline<DVec2> {
     Spline::new(&points, 1, closed).expect("a polygon")
 }
 
-fn kinds(found: &[Intersection]) -> Vec<(f64, f64, Contact)> {
+fn kinds(found: &[Intersection]) -> Vec<(f64, f64, IntersectionKind)> {
     found.iter().map(|p| (p.t, p.u, p.kind)).collect()
 }
 
@@ -19,19 +19,22 @@ fn kinds(found: &[Intersection]) -> Vec<(f64, f64, Contact)> {
 fn joints_are_one_place() {
     let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
     let diagonal = plane(&[(-1.0, -1.0), (3.0, 3.0)]);
-    let expected = [(0.0, 0.25, Contact::Cross), (2.0, 0.75, Contact::Cross)];
+    let expected = [
+        (0.0, 0.25, IntersectionKind::Cross),
+        (2.0, 0.75, IntersectionKind::Cross),
+    ];
     assert_eq!(kinds(&square.intersections_with_curve(&diagonal)), expected);
     let zigzag = polygon(&[(-1.0, 0.0), (0.0, 0.0), (0.0, -1.0)], false);
     assert_eq!(
         kinds(&square.intersections(&zigzag)),
-        [(0.0, 1.0, Contact::Tangent)]
+        [(0.0, 1.0, IntersectionKind::Tangent)]
     );
 }
 
 #[test]
 fn shared_pieces_run_across_joints() {
     let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
-    let whole = Contact::Overlap {
+    let whole = IntersectionKind::Overlap {
         t_end: 4.0,
         u_end: 4.0,
     };
@@ -48,11 +51,11 @@ fn shared_pieces_run_across_joints() {
         false,
     );
     let found = kinds(&square.intersections(&hook));
-    let bottom = Contact::Overlap {
+    let bottom = IntersectionKind::Overlap {
         t_end: 1.0,
         u_end: 0.5,
     };
-    let side = Contact::Overlap {
+    let side = IntersectionKind::Overlap {
         t_end: 4.0,
         u_end: 3.0,
     };

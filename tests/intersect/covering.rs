@@ -2,7 +2,7 @@
 
 use crate::common::plane;
 use casteljau::Curve;
-use casteljau::curve::Contact;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DAffine2, DVec2};
 
 /// The shapes are some units large.
@@ -55,7 +55,7 @@ fn every_reported_place_lies_on_both() {
             let all = [a.control_points(), b.control_points()];
             for place in a.intersections(&b) {
                 let mut off = (a.eval(place.t) - b.eval(place.u)).length();
-                if let Contact::Overlap { t_end, u_end } = place.kind {
+                if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
                     off = off.max((a.eval(t_end) - b.eval(u_end)).length());
                 }
                 off = off.max((a.eval(place.t) - place.point).length());

@@ -3,14 +3,14 @@
 use crate::common::{Rng, plane, real};
 use crate::generate::new;
 use casteljau::Curve;
-use casteljau::curve::Contact;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;
 
 fn line(from: (f64, f64), to: (f64, f64)) -> Curve<DVec2> {
     plane(&[from, to])
 }
 
-fn kinds(a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64, Contact)> {
+fn kinds(a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64, IntersectionKind)> {
     a.intersections(b)
         .iter()
         .map(|p| (p.t, p.u, p.kind))
@@ -21,21 +21,27 @@ fn kinds(a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64, Contact)> {
 fn lines() {
     let level = line((0.0, 0.0), (4.0, 0.0));
     let upright = line((1.0, -1.0), (1.0, 1.0));
-    assert_eq!(kinds(&level, &upright), [(0.25, 0.5, Contact::Cross)]);
-    assert_eq!(kinds(&upright, &level), [(0.5, 0.25, Contact::Cross)]);
+    assert_eq!(
+        kinds(&level, &upright),
+        [(0.25, 0.5, IntersectionKind::Cross)]
+    );
+    assert_eq!(
+        kinds(&upright, &level),
+        [(0.5, 0.25, IntersectionKind::Cross)]
+    );
     let aside = line((0.0, 1e-9), (4.0, 1e-9));
     assert_eq!(kinds(&level, &aside), []);
     // End to end in one line, with an end on the other, and past each other.
     assert_eq!(
         kinds(&level, &line((4.0, 0.0), (6.0, 0.0))),
-        [(1.0, 0.0, Contact::Tangent)]
+        [(1.0, 0.0, IntersectionKind::Tangent)]
     );
     assert_eq!(
         kinds(&level, &line((2.0, 0.0), (2.0, 5.0))),
-        [(0.5, 0.0, Contact::Cross)]
+        [(0.5, 0.0, IntersectionKind::Cross)]
     );
     assert_eq!(kinds(&level, &line((5.0, 0.0), (6.0, 0.0))), []);
-    let shared = Contact::Overlap {
+    let shared = IntersectionKind::Overlap {
         t_end: 1.0,
         u_end: 0.5,
     };
@@ -43,7 +49,7 @@ fn lines() {
         kinds(&level, &line((2.0, 0.0), (6.0, 0.0))),
         [(0.5, 0.0, shared)]
     );
-    let against = Contact::Overlap {
+    let against = IntersectionKind::Overlap {
         t_end: 1.0,
         u_end: 0.5,
     };
@@ -81,7 +87,7 @@ fn graphs_meet_at_the_roots_of_their_difference() {
             let near = [1e-12, 1e-9, 1e-4, 1e-3, 1e-2][times - 1];
             assert!((place.t - root).abs() <= near, "{roots:?}: {place:?}");
             assert_eq!(
-                place.kind == Contact::Tangent,
+                place.kind == IntersectionKind::Tangent,
                 times > 1,
                 "{roots:?}: {place:?}"
             );
@@ -119,7 +125,7 @@ fn close_crossings_are_two_and_close_misses_none() {
         let found = arch.intersections(&through);
         assert_eq!(found.len(), 2, "{d}: {found:?}");
         assert!(((found[1].point.x - found[0].point.x) / (2.0 * d) - 1.0).abs() < 1e-3);
-        assert!(found.iter().all(|p| p.kind == Contact::Cross));
+        assert!(found.iter().all(|p| p.kind == IntersectionKind::Cross));
         assert_eq!(arch.intersections(&line((-1.0, d * d), (1.0, d * d))), []);
     }
 }
@@ -151,7 +157,7 @@ fn a_curve_that_traces_another_in_its_own_way() {
         !found.is_empty()
             && found
                 .iter()
-                .all(|p| matches!(p.kind, Contact::Overlap { .. })),
+                .all(|p| matches!(p.kind, IntersectionKind::Overlap { .. })),
         "{found:?}"
     );
     assert_eq!(found[0].t, 0.0);
@@ -161,13 +167,13 @@ fn a_curve_that_traces_another_in_its_own_way() {
 fn points_and_extremes() {
     let dot = plane(&[(1.0, 0.0), (1.0, 0.0)]);
     let level = line((0.0, 0.0), (4.0, 0.0));
-    assert_eq!(kinds(&dot, &level), [(0.0, 0.25, Contact::Cross)]);
-    assert_eq!(kinds(&dot, &dot), [(0.0, 0.0, Contact::Cross)]);
+    assert_eq!(kinds(&dot, &level), [(0.0, 0.25, IntersectionKind::Cross)]);
+    assert_eq!(kinds(&dot, &dot), [(0.0, 0.0, IntersectionKind::Cross)]);
     for scale in [1e300, 1e-300, 1e-310, 1.7e308] {
         let a = plane(&[(-scale, -scale), (scale, scale)]);
         let b = plane(&[(-scale, scale), (scale, -scale)]);
         let found = kinds(&a, &b);
-        let [(t, u, Contact::Cross)] = found[..] else {
+        let [(t, u, IntersectionKind::Cross)] = found[..] else {
             panic!("{scale}: {found:?}");
         };
         assert!((t - 0.5).abs() + (u - 0.5).abs() < 1e-15, "{found:?}");

@@ -3,7 +3,7 @@
 use crate::common::Rng;
 use crate::generate::{case, new};
 use casteljau::Curve;
-use casteljau::curve::{Contact, Intersection};
+use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::{DAffine2, DVec2};
 
 /// Places that do not depend on rounding: crossings at an angle, away from ends.
@@ -11,7 +11,7 @@ fn firm(found: &[Intersection], a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64,
     let inside = |t: f64| t > 1e-3 && t < 1.0 - 1e-3;
     found
         .iter()
-        .filter(|p| p.kind == Contact::Cross && inside(p.t) && inside(p.u))
+        .filter(|p| p.kind == IntersectionKind::Cross && inside(p.t) && inside(p.u))
         .filter(|p| a.tangent(p.t).perp_dot(b.tangent(p.u)).abs() > 1e-2)
         // Next to a cusp a place is known to the third root of rounding.
         .filter(|p| runs(a, p.t) && runs(b, p.u))

@@ -5,7 +5,7 @@ use crate::common::{Rng, largest, real};
 use crate::generate::{Case, case};
 use crate::reference::{Cluster, Reference};
 use casteljau::Curve;
-use casteljau::curve::{Contact, Intersection};
+use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -63,7 +63,7 @@ pub(crate) fn judged(case: &Case) -> Result<(), String> {
                 "not on both, by {gap:e} and {off:e} (allowed {slack:e}): {place:?}"
             ));
         }
-        if let Contact::Overlap { t_end, u_end } = place.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
             let gap = (a.eval(t_end) - b.eval(u_end)).length();
             if gap > slack || t_end <= place.t {
                 return Err(format!("the overlap ends {gap:e} apart: {place:?}"));
@@ -72,7 +72,7 @@ pub(crate) fn judged(case: &Case) -> Result<(), String> {
     }
     // A curve that turns back may lie on one that does not twice from the same place on.
     let sorted = found.windows(2).all(|p| {
-        let twice = matches!(p[0].kind, Contact::Overlap { .. }) && p[0].kind != p[1].kind;
+        let twice = matches!(p[0].kind, IntersectionKind::Overlap { .. }) && p[0].kind != p[1].kind;
         (p[0].t, p[0].u) < (p[1].t, p[1].u) || twice && (p[0].t, p[0].u) == (p[1].t, p[1].u)
     });
     if !sorted {
@@ -92,7 +92,7 @@ fn covered(
     let mut counts = vec![Vec::new(); reference.clusters.len()];
     for place in found {
         let mut spots = vec![(place.t, place.u)];
-        if let Contact::Overlap { t_end, u_end } = place.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
             spots.push((t_end, u_end));
         }
         for (t, u) in spots {

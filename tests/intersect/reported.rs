@@ -1,7 +1,7 @@
 //! Places at ends, at tips and between curves that nearly coincide, each once and exact; cases that a tester found.
 
 use casteljau::Curve;
-use casteljau::curve::{Contact, Intersection};
+use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
 
 fn curve(points: &[[f64; 2]]) -> Curve<DVec2> {
@@ -9,7 +9,7 @@ fn curve(points: &[[f64; 2]]) -> Curve<DVec2> {
     Curve::new(&points).expect("a curve")
 }
 
-fn kinds(found: &[Intersection]) -> Vec<(f64, f64, Contact)> {
+fn kinds(found: &[Intersection]) -> Vec<(f64, f64, IntersectionKind)> {
     found.iter().map(|f| (f.t, f.u, f.kind)).collect()
 }
 
@@ -19,7 +19,7 @@ fn halves_of_a_line_meet_in_the_middle() {
         let x = |m: u32| f64::from((k * m) % 97) / 10.0;
         let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
         let (a, b) = line.split(0.1 + f64::from(k % 9) / 11.0);
-        let expected = vec![(1.0, 0.0, Contact::Tangent)];
+        let expected = vec![(1.0, 0.0, IntersectionKind::Tangent)];
         assert_eq!(kinds(&a.intersections(&b)), expected, "{a:?} {b:?}");
     }
 }
@@ -34,7 +34,7 @@ fn a_part_of_a_line_lies_on_it() {
         let [place] = found[..] else {
             panic!("{line:?} from {from} to {to}: {found:?}")
         };
-        let Contact::Overlap { t_end, u_end } = place.kind else {
+        let IntersectionKind::Overlap { t_end, u_end } = place.kind else {
             panic!("{line:?}: {place:?}")
         };
         assert!((place.t - from).abs() < 1e-12 && (t_end - to).abs() < 1e-12);
@@ -57,30 +57,39 @@ fn ends_that_touch_are_exact_from_both_sides() {
     for (k, (a, b)) in cases.iter().enumerate() {
         let (a, b) = (curve(a), curve(b));
         let (t, u) = if k == 0 { (0.0, 1.0) } else { (1.0, 0.0) };
-        assert_eq!(kinds(&a.intersections(&b)), [(t, u, Contact::Tangent)]);
-        assert_eq!(kinds(&b.intersections(&a)), [(u, t, Contact::Tangent)]);
+        assert_eq!(
+            kinds(&a.intersections(&b)),
+            [(t, u, IntersectionKind::Tangent)]
+        );
+        assert_eq!(
+            kinds(&b.intersections(&a)),
+            [(u, t, IntersectionKind::Tangent)]
+        );
         assert_eq!(
             kinds(&a.reverse().intersections(&b)),
-            [(1.0 - t, u, Contact::Tangent)]
+            [(1.0 - t, u, IntersectionKind::Tangent)]
         );
     }
     let (a, b) = (
         curve(&[[1.1, 7.4], [5.9, 1.3]]),
         curve(&[[5.9, 1.3], [1.0, 4.6]]),
     );
-    assert_eq!(kinds(&a.intersections(&b)), [(1.0, 0.0, Contact::Cross)]);
+    assert_eq!(
+        kinds(&a.intersections(&b)),
+        [(1.0, 0.0, IntersectionKind::Cross)]
+    );
 }
 
 #[test]
 fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
-    let ts = |a: &Curve<DVec2>, b: &Curve<DVec2>| -> Vec<(f64, Contact)> {
+    let ts = |a: &Curve<DVec2>, b: &Curve<DVec2>| -> Vec<(f64, IntersectionKind)> {
         a.intersections(b).iter().map(|f| (f.t, f.kind)).collect()
     };
     let a = curve(&[[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]]);
     let b = curve(&[[1e-9, 0.0], [1.0, 2.0 + 1e-9], [3.0, 1.0]]);
     let found = ts(&a, &b);
     assert_eq!(found.len(), 2, "{found:?}");
-    assert!((found[0].0 - 0.29843788).abs() < 1e-6 && found[0].1 == Contact::Cross);
+    assert!((found[0].0 - 0.29843788).abs() < 1e-6 && found[0].1 == IntersectionKind::Cross);
     assert_eq!(found[1].0, 1.0);
     let c = curve(&[[0.0, 0.0], [1.0, 3.0], [3.0, -2.0], [4.0, 1.0]]);
     let beside: Vec<DVec2> = c
@@ -91,7 +100,9 @@ fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
     let found = ts(&c, &Curve::new(&beside).expect("a curve"));
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(
-        found.iter().all(|&(_, kind)| kind == Contact::Cross),
+        found
+            .iter()
+            .all(|&(_, kind)| kind == IntersectionKind::Cross),
         "{found:?}"
     );
     let a = curve(&[[0.0, 2.0], [1.0, 0.0]]);

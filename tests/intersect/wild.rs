@@ -3,7 +3,7 @@
 use crate::common::Rng;
 use crate::generate::new;
 use casteljau::Curve;
-use casteljau::curve::Contact;
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::DVec2;
 
 fn coordinate(rng: &mut Rng) -> f64 {
@@ -54,7 +54,7 @@ fn any_numbers() {
         for place in a.intersections(&b) {
             let inside = |t: f64| (0.0..=1.0).contains(&t);
             let ends = match place.kind {
-                Contact::Overlap { t_end, u_end } => inside(t_end) && inside(u_end),
+                IntersectionKind::Overlap { t_end, u_end } => inside(t_end) && inside(u_end),
                 _ => true,
             };
             assert!(

@@ -2,7 +2,7 @@
 //! places is one, and two lines are judged by their ends.
 
 use super::super::evaluate;
-use super::Contact;
+use super::IntersectionKind;
 use super::near::taylor;
 use super::pair::{Pair, Place};
 use glam::DVec2;
@@ -50,7 +50,7 @@ impl Pair {
                 .max_element();
             if long > LEAST_OVERLAP * self.slack {
                 let (t_end, u_end) = last;
-                return vec![(first.0, first.1, Contact::Overlap { t_end, u_end })];
+                return vec![(first.0, first.1, IntersectionKind::Overlap { t_end, u_end })];
             }
             // Where both ends meet, that is the place.
             let both = |&(t, u): &(f64, f64)| t.fract() == 0.0 && u.fract() == 0.0;
@@ -58,7 +58,7 @@ impl Pair {
             return vec![(t, u, self.kind(t, u))];
         }
         self.lines_crossing()
-            .map(|(t, u)| (t, u, Contact::Cross))
+            .map(|(t, u)| (t, u, IntersectionKind::Cross))
             .into_iter()
             .collect()
     }
@@ -149,7 +149,7 @@ impl Pair {
         let near = |p: f64, q: f64| self.is_near(0, p, t) && self.is_near(1, q, u);
         let mut ends_piece = false;
         for place in places.iter_mut() {
-            let Contact::Overlap { t_end, u_end } = &mut place.2 else {
+            let IntersectionKind::Overlap { t_end, u_end } = &mut place.2 else {
                 continue;
             };
             if near(place.0, place.1) {
@@ -225,12 +225,12 @@ impl Pair {
     }
 
     /// Where the sides before and after differ, a crossing.
-    fn kind_between(&self, p: Place, q: Place) -> Contact {
+    fn kind_between(&self, p: Place, q: Place) -> IntersectionKind {
         let (before, after) = (self.side(p, p.0 - q.0), self.side(q, q.0 - p.0));
         if before * after > 0.0 {
-            Contact::Tangent
+            IntersectionKind::Tangent
         } else {
-            Contact::Cross
+            IntersectionKind::Cross
         }
     }
 
@@ -254,9 +254,9 @@ impl Pair {
 }
 
 fn is_point(place: &Place) -> bool {
-    !matches!(place.2, Contact::Overlap { .. })
+    !matches!(place.2, IntersectionKind::Overlap { .. })
 }
 
 fn is_crossing(place: &Place) -> bool {
-    place.2 == Contact::Cross
+    place.2 == IntersectionKind::Cross
 }

@@ -27,12 +27,12 @@ pub struct Intersection {
     /// The point.
     pub point: DVec2,
     /// How they meet.
-    pub kind: Contact,
+    pub kind: IntersectionKind,
 }
 
 /// How two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Contact {
+pub enum IntersectionKind {
     /// At an angle. An end that lies on the other curve is of this kind too, and a curve that is a point.
     Cross,
     /// With the same direction or the opposite one.
@@ -61,7 +61,7 @@ impl Curve<DVec2> {
     /// All places that this curve shares with another one, sorted by t, then by u.
     ///
     /// A(t) = B(u) with t and u in [0, 1]; ends count. Each place comes once for each pair of parameters: where a curve
-    /// passes a point twice, two. A shared piece is one [`Contact::Overlap`] with its two ends.
+    /// passes a point twice, two. A shared piece is one [`IntersectionKind::Overlap`] with its two ends.
     ///
     /// Curves count as meeting where they are closer than rounding can tell, some 1e-15 of the largest coordinate. So
     /// two crossings closer together than about 1e-8 of the curves' size come back as one tangency. Where one curve has

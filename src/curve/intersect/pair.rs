@@ -3,7 +3,7 @@
 use super::super::{Points, Scalars, ratio};
 use super::pieces::{stops, with_ends};
 use super::zone::joined;
-use super::{Contact, Curve, Intersection};
+use super::{Curve, Intersection, IntersectionKind};
 use casteljau_kernels as kernels;
 use casteljau_kernels::{Meeting, Piece, meet_cubics};
 use glam::DVec2;
@@ -29,7 +29,7 @@ const ONE_PLACE: f64 = 1e-10;
 const ONE_END: f64 = 1e-7;
 
 /// A place by its parameters, and what it is.
-pub(super) type Place = (f64, f64, Contact);
+pub(super) type Place = (f64, f64, IntersectionKind);
 
 /// Two curves moved to the origin and scaled to size 1.
 pub(super) struct Pair {
@@ -105,7 +105,12 @@ impl Pair {
         let mut places = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
             let place = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
-            places.extend(found.iter().map(place).map(|(t, u)| (t, u, Contact::Cross)));
+            places.extend(
+                found
+                    .iter()
+                    .map(place)
+                    .map(|(t, u)| (t, u, IntersectionKind::Cross)),
+            );
         } else {
             for zone in joined(self, found) {
                 self.settle(&zone, &mut places);
@@ -182,7 +187,7 @@ fn sort(places: &mut [Place], before: impl Fn(&Place, &Place) -> bool) {
 }
 
 fn is_point(place: &Place) -> bool {
-    !matches!(place.2, Contact::Overlap { .. })
+    !matches!(place.2, IntersectionKind::Overlap { .. })
 }
 
 fn near(p: Place, (t, u): (f64, f64), within: f64) -> bool {
@@ -192,7 +197,7 @@ fn near(p: Place, (t, u): (f64, f64), within: f64) -> bool {
 /// Whether a place is an end of a shared piece.
 fn ends_piece(place: Place, all: &[Place]) -> bool {
     all.iter().any(|q| {
-        let Contact::Overlap { t_end, u_end } = q.2 else {
+        let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
             return false;
         };
         near(place, (q.0, q.1), ONE_END) || near(place, (t_end, u_end), ONE_END)

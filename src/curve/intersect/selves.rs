@@ -3,7 +3,7 @@
 use super::super::{Bounds, Points, blossom_piece};
 use super::pair::Pair;
 use super::pieces::{runs_forward, stops};
-use super::{Contact, Curve, SelfIntersection};
+use super::{Curve, IntersectionKind, SelfIntersection};
 use crate::point::Point;
 use glam::DVec2;
 
@@ -107,7 +107,7 @@ fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
     // The pieces before and after a cut meet there, which is no news; the caller leaves it out.
     pair.places(found)
         .into_iter()
-        .filter(|place| !matches!(place.2, Contact::Overlap { .. }))
+        .filter(|place| !matches!(place.2, IntersectionKind::Overlap { .. }))
         .map(|(t, u, _)| (t, u))
         .collect()
 }

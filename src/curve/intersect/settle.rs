@@ -4,7 +4,7 @@ use super::super::{Scalars, evaluate};
 use super::near::taylor;
 use super::pair::{Pair, Place};
 use super::zone::Zone;
-use super::{Contact, Curve};
+use super::{Curve, IntersectionKind};
 use crate::point::Point;
 use glam::DVec2;
 
@@ -25,7 +25,7 @@ impl Pair {
     pub(super) fn settle(&self, zone: &Zone, places: &mut Vec<Place>) {
         if zone.crossing {
             let (t, u) = self.snapped(zone.ends()[0]);
-            return places.push((t, u, Contact::Cross));
+            return places.push((t, u, IntersectionKind::Cross));
         }
         if let Some(overlap) = self.overlap(zone) {
             return places.push(overlap);
@@ -35,12 +35,12 @@ impl Pair {
         }
         let middle = (0.5 * (zone.t[0] + zone.t[1]), 0.5 * (zone.u[0] + zone.u[1]));
         if let Some((t, u)) = self.tangency(middle).filter(|&place| zone.holds(place)) {
-            return places.push((t, u, Contact::Tangent));
+            return places.push((t, u, IntersectionKind::Tangent));
         }
         let crossing = |place| self.crossing(place).filter(|&place| zone.holds(place));
         match self.paired(zone).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
-                places.extend([p, q].map(|(t, u)| (t, u, Contact::Cross)));
+                places.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
             }
             [Some((t, u)), _] | [None, Some((t, u))] => places.push((t, u, self.kind(t, u))),
             // A contact of higher order, or a cusp, that Newton's method does not sharpen.
@@ -95,7 +95,7 @@ impl Pair {
             .paired(zone)
             .map(|place| self.at_end(self.snapped(place)));
         let ((t, u), (t_end, u_end)) = (start?, end?);
-        Some((t, u, Contact::Overlap { t_end, u_end }))
+        Some((t, u, IntersectionKind::Overlap { t_end, u_end }))
     }
 
     /// A place where a curve ends, made exact on the other; `None` where none does.
@@ -139,7 +139,7 @@ impl Pair {
     }
 
     /// Tangent where the directions differ by no more than rounding can turn them.
-    pub(super) fn kind(&self, t: f64, u: f64) -> Contact {
+    pub(super) fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];
             let tangent = Curve::from_slice(points).tangent(t);
@@ -148,9 +148,9 @@ impl Pair {
         let turned = (16.0 * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
         if directed && a.0.perp_dot(b.0).abs() <= turned {
-            Contact::Tangent
+            IntersectionKind::Tangent
         } else {
-            Contact::Cross
+            IntersectionKind::Cross
         }
     }
 }
