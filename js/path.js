@@ -257,10 +257,10 @@ export class Path {
    * @param {PointLike} point
    * @returns {number}
    */
-  winding(point) {
+  windingNumber(point) {
     const [x, y] = place(point);
     load(this.#packed);
-    return core().path_winding(x, y);
+    return core().path_winding_number(x, y);
   }
 
   /**
@@ -272,7 +272,7 @@ export class Path {
    */
   contains(point, rule = "nonzero") {
     check.oneOf(rule, "rule", RULES);
-    const winding = this.winding(point);
+    const winding = this.windingNumber(point);
     return rule === "nonzero" ? winding !== 0 : winding % 2 !== 0;
   }
 

@@ -42,7 +42,7 @@ impl Path {
     /// each in its own direction, exactly one has the points on it. For a NaN 0.
     ///
     /// Source of the crossing rule: Haines, "Point in polygon strategies", *Graphics Gems IV* (1994).
-    pub fn winding(&self, p: DVec2) -> i32 {
+    pub fn winding_number(&self, p: DVec2) -> i32 {
         self.parts()
             .map(|part| {
                 let (start, end) = part.ends();
@@ -52,9 +52,9 @@ impl Path {
             .sum()
     }
 
-    /// Whether the path, filled by that rule, covers a point; see [`winding`](Self::winding) for the boundary.
+    /// Whether the path, filled by that rule, covers a point; see [`winding_number`](Self::winding_number) for the boundary.
     pub fn contains(&self, p: DVec2, rule: FillRule) -> bool {
-        let winding = self.winding(p);
+        let winding = self.winding_number(p);
         match rule {
             FillRule::NonZero => winding != 0,
             FillRule::EvenOdd => winding % 2 != 0,

@@ -140,8 +140,8 @@ pub fn path_intersect(two: bool) -> usize {
 
 /// The winding number of a point.
 #[wasm_bindgen]
-pub fn path_winding(x: f64, y: f64) -> i32 {
-    arena::with(|a| path(a).0.winding(DVec2::new(x, y)))
+pub fn path_winding_number(x: f64, y: f64) -> i32 {
+    arena::with(|a| path(a).0.winding_number(DVec2::new(x, y)))
 }
 
 /// Leaves for each subpath the number of its vertices, their points and their parameters; the number of f64.

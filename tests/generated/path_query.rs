@@ -13,7 +13,7 @@ use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Path::nearest", nearest),
-    ("Path::winding", winding),
+    ("Path::winding_number", winding_number),
     ("Path::contains", contains),
     ("Path::intersections", intersections),
     ("Path::self_intersections", self_intersections),
@@ -45,9 +45,9 @@ fn nearest(case: &Case) -> Checked {
     Ok(())
 }
 
-fn winding(case: &Case) -> Checked {
+fn winding_number(case: &Case) -> Checked {
     let (path, p) = (path(case, "path"), point::<DVec2>(case, "p"));
-    let winding = value!(case, path.winding(p));
+    let winding = value!(case, path.winding_number(p));
     let bounds = path.control_bounds();
     let outside = bounds.is_none_or(|bounds| !holds(&bounds, p, 0.0));
     ensure!(!outside || winding == 0, "{winding} outside of the box");
@@ -57,7 +57,7 @@ fn winding(case: &Case) -> Checked {
         .map_err(|error| error.to_string())?
         .map_or(1.0, |nearest| nearest.distance);
     let closed = path.subpaths().iter().all(|spline| spline.is_closed());
-    let back = path.reverse().winding(p);
+    let back = path.reverse().winding_number(p);
     ensure!(
         !closed || away <= slack(case.size(), DEGREE) || back == -winding,
         "{winding}, and backwards {back}"
@@ -73,7 +73,7 @@ fn contains(case: &Case) -> Checked {
         FillRule::NonZero
     };
     let inside = value!(case, path.contains(p, rule));
-    let winding = path.winding(p);
+    let winding = path.winding_number(p);
     let expected = if rule == FillRule::EvenOdd {
         winding % 2 != 0
     } else {

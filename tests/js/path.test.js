@@ -118,10 +118,10 @@ const RING = "M0 0H4V4H0Z M1 1V3H3V1Z";
 
 test("what is inside", () => {
   const ring = Path.fromSVG(RING);
-  assert.deepEqual([[0.5, 2], [2, 2], [5, 2]].map((p) => ring.winding(p)), [1, 0, 0]);
+  assert.deepEqual([[0.5, 2], [2, 2], [5, 2]].map((p) => ring.windingNumber(p)), [1, 0, 0]);
   assert.ok(ring.contains({ x: 0.5, y: 2 }) && !ring.contains([2, 2]));
   const twice = Path.fromSVG("M0 0H4V4H0Z M1 1H3V3H1Z");
-  assert.equal(twice.winding([2, 2]), 2);
+  assert.equal(twice.windingNumber([2, 2]), 2);
   assert.ok(twice.contains([2, 2]) && !twice.contains([2, 2], "evenodd") && twice.contains([0.5, 2], "evenodd"));
 });
 
@@ -145,7 +145,7 @@ test("bounds, flattening, empty paths", () => {
   assert.equal(Path.fromSVG(RING).flatten(1).length, 2);
   const empty = new Path([]);
   assert.deepEqual([empty.bounds(), empty.controlBounds(), empty.flatten(1), empty.toSVG(), empty.subpaths], [null, null, [], "", []]);
-  assert.equal(empty.winding([0, 0]), 0);
+  assert.equal(empty.windingNumber([0, 0]), 0);
   assert.ok(empty.equals(Path.fromSVG("")));
 });
 
@@ -241,7 +241,7 @@ test("refusals", () => {
   for (const bad of [undefined, null, 5, [], {}, { subpaths: 5 }]) refused(() => Path.fromJSON(bad), TypeError, /^json: /);
   const path = Path.fromSVG(RING);
   for (const bad of [undefined, null, 5, "0 0"]) refused(() => path.contains(bad), TypeError, /^point: /);
-  for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.winding(bad), RangeError, /^point/);
+  for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.windingNumber(bad), RangeError, /^point/);
   refused(() => path.contains([0, 0], "odd"), RangeError, /^rule: /);
   for (const bad of [-1, 0.5, 101, NaN, Infinity]) refused(() => path.toSVG({ precision: bad }), RangeError, /^precision: /);
   refused(() => path.toSVG({ precision: "2" }), TypeError, /^precision: /);

@@ -13,17 +13,17 @@ test("glyph: letters are inked where their contours wind, holes are holes", asyn
   for (const [name, inside, hole] of [["a", [570, 600], [400, 650]], ["R", [200, 400], [400, 300]], ["&", [470, 560], [380, 250]]]) {
     await page.getByRole("button", { name, exact: true }).click();
     const path = await outline(page);
-    assert.ok(path.winding(inside) > 0, `${name} has ink`);
-    assert.equal(path.winding(hole), 0, `${name} has a hole`);
+    assert.ok(path.windingNumber(inside) > 0, `${name} has ink`);
+    assert.equal(path.windingNumber(hole), 0, `${name} has a hole`);
   }
   await page.getByRole("button", { name: "a", exact: true }).click();
   await page.getByRole("slider", { name: /^Contour 2, point 0, x/ }).focus();
   assert.match(await page.locator(".direction").innerText(), /^counter-clockwise/);
   await page.getByRole("button", { name: "Turn contour round" }).click();
   assert.match(await page.locator(".direction").innerText(), /^clockwise/);
-  assert.equal((await outline(page)).winding([400, 650]), 2);
+  assert.equal((await outline(page)).windingNumber([400, 650]), 2);
   await page.keyboard.press("Control+z");
-  assert.equal((await outline(page)).winding([400, 650]), 0);
+  assert.equal((await outline(page)).windingNumber([400, 650]), 0);
 });
 
 test("glyph: a smooth joint stays smooth under the hand; freed, it breaks; undo and redo", async (t) => {

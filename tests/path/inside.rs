@@ -76,7 +76,7 @@ fn ask(path: &Path, rng: &mut Rng, questions: usize) {
         }
         let turns = angle_sum(&rings, p) / TAU;
         assert!((turns - turns.round()).abs() < 1e-6, "{turns}");
-        let winding = path.winding(p);
+        let winding = path.winding_number(p);
         assert_eq!(f64::from(winding), turns.round(), "{p} in {path:?}");
         assert_eq!(path.contains(p, FillRule::NonZero), winding != 0);
         assert_eq!(
@@ -204,8 +204,8 @@ fn parts_of_the_plane_share_no_point_and_leave_none() {
         around.extend(columns.iter().rev().map(|row| row[0].reverse()));
         let outline = closed(&around);
         let ask = |p: DVec2| {
-            let sum: i32 = cells.iter().map(|cell| cell.winding(p)).sum();
-            assert_eq!(sum, outline.winding(p), "case {case}: {p}");
+            let sum: i32 = cells.iter().map(|cell| cell.winding_number(p)).sum();
+            assert_eq!(sum, outline.winding_number(p), "case {case}: {p}");
         };
         for curve in rows.iter().chain(&columns).flatten() {
             for t in [0.0, 0.125, 0.3, 0.5, 0.75, 0.9, 1.0] {
@@ -251,10 +251,10 @@ fn on_the_boundary_left_and_lower_sides_belong_to_the_inside() {
 fn points_without_a_place_are_outside() {
     let square = Path::from_svg("M0 0H4V4H0Z").expect("a square");
     for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
-        assert_eq!(square.winding(DVec2::new(x, 2.0)), 0);
-        assert_eq!(square.winding(DVec2::new(2.0, x)), 0);
+        assert_eq!(square.winding_number(DVec2::new(x, 2.0)), 0);
+        assert_eq!(square.winding_number(DVec2::new(2.0, x)), 0);
     }
-    assert_eq!(Path::default().winding(DVec2::ZERO), 0);
+    assert_eq!(Path::default().winding_number(DVec2::ZERO), 0);
     assert!(!Path::default().contains(DVec2::ZERO, FillRule::EvenOdd));
 }
 
@@ -271,8 +271,8 @@ fn winding_numbers_of_wild_curves_are_at_most_their_degree() {
         let curve = Curve::new(&points).expect("finite");
         let path = Path::from(curve.clone());
         // On the curve, where everything is decided by the last digits.
-        let winding = path.winding(curve.eval(rng.unit()));
+        let winding = path.winding_number(curve.eval(rng.unit()));
         assert!(winding.unsigned_abs() <= 64, "{kind:?}");
-        path.winding(rng.pick(&points));
+        path.winding_number(rng.pick(&points));
     }
 }

@@ -48,7 +48,7 @@ export function joint(editor) {
     <p class="facts chosen">
       ${node.on ? html`Point ${node.index} of contour ${c + 1}: <b class="truth">${truth(contour, node.joint)}</b>.` : html`Handle ${node.index} of contour ${c + 1}.`}
       It is at (${node.at.map((value) => short(value, 1)).join(", ")}). The contour runs <b class="direction">${clockwise ? "clockwise ↻" : "counter-clockwise ↺"}</b>.
-      ${editor.pointer ? html`<span class="winding">Around the pointer the outline winds ${decimal(editor.path.winding(editor.pointer), 0)} times.</span>` : ""}
+      ${editor.pointer ? html`<span class="winding">Around the pointer the outline winds ${decimal(editor.path.windingNumber(editor.pointer), 0)} times.</span>` : ""}
     </p>
     <div class="controls">
       ${node.on ? list({ name: "Joint", options: MODES.map((mode) => [mode, mode === "free" ? "free" : mode.toUpperCase().replace("AUTO", "auto")]), value: contour.modes[node.joint], change: (mode) => editor.take(setMode(editor.outline, c, node.joint, /** @type {"free"} */ (mode))) }) : ""}

@@ -129,7 +129,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Path::area(path)",
     "Path::moments(path)",
     "Path::nearest(path, p: point)",
-    "Path::winding(path, p: point)",
+    "Path::winding_number(path, p: point)",
     "Path::contains(path, p: point, rule)",
     "Path::flatten(path, tolerance: flatten tolerance)",
     "Path::intersections(path, other: path)",
