@@ -78,7 +78,7 @@ pub enum Error {
         got: f64,
     },
     /// A size below what the numbers of a mesh can show.
-    Least {
+    TooSmall {
         /// The argument.
         what: &'static str,
         /// The least value for this input, in the input's unit.
@@ -214,7 +214,7 @@ impl Error {
                 none,
                 none,
             ],
-            Self::Least { what, least, got } => [
+            Self::TooSmall { what, least, got } => [
                 Text(what),
                 Text(": expected at least "),
                 Number(least),

@@ -80,7 +80,10 @@ fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
         let slack = 4.0 * rounding * points.len() as f64;
         let lower = Curve::from_points(lower(&points));
-        if !lower.elevated().equals(&Curve::from_slice(&points), slack) {
+        if !lower
+            .elevated()
+            .approx_eq(&Curve::from_slice(&points), slack)
+        {
             break;
         }
         points = lower.points;

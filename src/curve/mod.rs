@@ -156,7 +156,7 @@ impl<P: Point> Curve<P> {
     ///
     /// A tolerance of 0 asks for equal numbers. Equal shapes with other control points (another degree, a reversed
     /// direction) are not equal.
-    pub fn equals(&self, other: &Self, tolerance: f64) -> bool {
+    pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         self.points.len() == other.points.len()
             && self
                 .points

@@ -165,7 +165,7 @@ impl Patch {
     /// Whether both patches have the same degrees and every control point lies within `tolerance` of its counterpart.
     ///
     /// A tolerance of 0 asks for equal numbers.
-    pub fn equals(&self, other: &Self, tolerance: f64) -> bool {
+    pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         self.columns == other.columns
             && self.points.len() == other.points.len()
             && self

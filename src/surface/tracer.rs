@@ -55,7 +55,7 @@ impl Tracer {
         let share = radii * 2.0 * sine * sine;
         let least = LEAST_ULPS * f64::from(f32::EPSILON) * size / share;
         if got < least {
-            return Err(Error::Least { what, least, got });
+            return Err(Error::TooSmall { what, least, got });
         }
         Ok(Self {
             tolerance: got * share,

@@ -75,7 +75,7 @@ impl Surface {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Range`] for 0 lines, fewer than 3 sides, a radius or a width that is not above 0, [`Error::Least`] for
+    /// [`Error::Range`] for 0 lines, fewer than 3 sides, a radius or a width that is not above 0, [`Error::TooSmall`] for
     /// one so small that f32 cannot show it, [`Error::TooMany`] above 1 GiB.
     pub fn wireframe(&self, options: &WireframeOptions) -> Result<Mesh, Error> {
         let section = options.wire.section()?;

@@ -140,7 +140,7 @@ pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
     let allows = |what: &str| allowed.contains(&what);
     let fits = match *error {
         Error::Tolerance { least, got } => allows("tolerance") && got < least && least.is_finite(),
-        Error::Least { what, least, got } => allows(what) && got < least,
+        Error::TooSmall { what, least, got } => allows(what) && got < least,
         Error::TooMany { limit, needed, .. } => {
             needed > limit && (allows("tolerance") || allows("too many"))
         }

@@ -13,7 +13,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::control_points", both!(accessors)),
     ("Curve::start", both!(accessors)),
     ("Curve::end", both!(accessors)),
-    ("Curve::equals", both!(equals)),
+    ("Curve::approx_eq", both!(approx_eq)),
     ("Curve::from_basis", both!(from_basis)),
     ("Curve::to_basis", both!(to_basis)),
     ("Curve::basis_matrix", basis_matrix),
@@ -57,14 +57,14 @@ fn accessors<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn equals<P: Space>(case: &Case) -> Checked {
+fn approx_eq<P: Space>(case: &Case) -> Checked {
     let (a, b) = (curve::<P>(case, "curve"), curve::<P>(case, "other"));
-    let same = call(case, || a.equals(&b, number(case, "tolerance")))?;
+    let same = call(case, || a.approx_eq(&b, number(case, "tolerance")))?;
     ensure!(
-        same == b.equals(&a, number(case, "tolerance")),
+        same == b.approx_eq(&a, number(case, "tolerance")),
         "not symmetric"
     );
-    ensure!(a.equals(&a, 0.0), "not equal to itself");
+    ensure!(a.approx_eq(&a, 0.0), "not equal to itself");
     Ok(())
 }
 

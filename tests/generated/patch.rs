@@ -16,7 +16,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Patch::control_points", new),
     ("Patch::control_bounds", control_bounds),
     ("Patch::from_basis", from_basis),
-    ("Patch::equals", equals),
+    ("Patch::approx_eq", approx_eq),
     ("Patch::eval", eval),
     ("Patch::partials", partials),
     ("Patch::normal", normal),
@@ -91,10 +91,10 @@ fn from_basis(case: &Case) -> Checked {
     Ok(())
 }
 
-fn equals(case: &Case) -> Checked {
+fn approx_eq(case: &Case) -> Checked {
     let (patch, tolerance) = (patch(case), number(case, "tolerance"));
-    let same = call(case, || patch.equals(&patch, tolerance.max(0.0)))?;
-    ensure!(same && patch.equals(&patch, 0.0), "not equal to itself");
+    let same = call(case, || patch.approx_eq(&patch, tolerance.max(0.0)))?;
+    ensure!(same && patch.approx_eq(&patch, 0.0), "not equal to itself");
     Ok(())
 }
 

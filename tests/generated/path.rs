@@ -16,7 +16,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::is_empty", accessors),
     ("Path::subpaths", accessors),
     ("Path::subpath", subpath),
-    ("Path::equals", equals),
+    ("Path::approx_eq", approx_eq),
     ("Path::bounds", bounds),
     ("Path::control_bounds", control_bounds),
     ("Path::length", length),
@@ -67,14 +67,14 @@ fn subpath(case: &Case) -> Checked {
     Ok(())
 }
 
-fn equals(case: &Case) -> Checked {
+fn approx_eq(case: &Case) -> Checked {
     let (path, tolerance) = (path(case, "path"), number(case, "tolerance"));
-    let same = call(case, || path.equals(&path.reverse(), tolerance))?;
+    let same = call(case, || path.approx_eq(&path.reverse(), tolerance))?;
     ensure!(
-        same == path.reverse().equals(&path, tolerance),
+        same == path.reverse().approx_eq(&path, tolerance),
         "not symmetric"
     );
-    ensure!(path.equals(&path, 0.0), "not equal to itself");
+    ensure!(path.approx_eq(&path, 0.0), "not equal to itself");
     Ok(())
 }
 

@@ -17,7 +17,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Spline::segment", both!(segment)),
     ("Spline::segments", both!(accessors)),
     ("Spline::from_curves", both!(from_curves)),
-    ("Spline::equals", both!(equals)),
+    ("Spline::approx_eq", both!(approx_eq)),
     ("Spline::append", both!(append)),
     ("Spline::insert", both!(insert)),
     ("Spline::remove", both!(remove)),
@@ -86,14 +86,14 @@ fn from_curves<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-fn equals<P: Space>(case: &Case) -> Checked {
+fn approx_eq<P: Space>(case: &Case) -> Checked {
     let (spline, tolerance) = (spline::<P>(case, "spline"), number(case, "tolerance"));
-    let same = call(case, || spline.equals(&spline.reverse(), tolerance))?;
+    let same = call(case, || spline.approx_eq(&spline.reverse(), tolerance))?;
     ensure!(
-        same == spline.reverse().equals(&spline, tolerance),
+        same == spline.reverse().approx_eq(&spline, tolerance),
         "not symmetric"
     );
-    ensure!(spline.equals(&spline, 0.0), "not equal to itself");
+    ensure!(spline.approx_eq(&spline, 0.0), "not equal to itself");
     Ok(())
 }
 

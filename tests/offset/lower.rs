@@ -46,7 +46,7 @@ fn elevated_curves_come_back() {
         let back = curve.elevate().expect("below 64").reduce();
         assert!(back.error <= 1e-14);
         assert!(
-            back.curve.equals(&curve, 1e-12),
+            back.curve.approx_eq(&curve, 1e-12),
             "degree {degree}: {:?}, {curve:?}",
             back.curve
         );
@@ -101,7 +101,7 @@ fn through_points_of_a_known_curve() {
         let ts: Vec<f64> = (0..=degree).map(|k| real(k) / real(degree)).collect();
         let points = curve.eval_at(&ts);
         let found = Curve::interpolate(&points, Some(&ts)).expect("different");
-        assert!(found.equals(&curve, 1e-11), "degree {degree}");
+        assert!(found.approx_eq(&curve, 1e-11), "degree {degree}");
     }
 }
 

@@ -226,11 +226,11 @@ fn splines_in_and_out() {
             assert_eq!(path.reverse().subpath(k), Ok(spline.reverse()));
         }
         assert!(path.subpath(splines.len()).is_err());
-        assert!(path.equals(&path.clone(), 0.0));
+        assert!(path.approx_eq(&path.clone(), 0.0));
         if !splines.is_empty() {
             let moved = path.transform(&DAffine2::from_translation(DVec2::splat(1e-3)));
-            assert!(path.equals(&moved, 2e-3) && !path.equals(&moved, 1e-4));
-            assert!(!path.equals(&Path::new(&splines[1..]), real(1000)));
+            assert!(path.approx_eq(&moved, 2e-3) && !path.approx_eq(&moved, 1e-4));
+            assert!(!path.approx_eq(&Path::new(&splines[1..]), real(1000)));
         }
     }
 }

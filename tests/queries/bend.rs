@@ -212,7 +212,7 @@ fn a_patch_from_another_basis() {
     let net: [DVec3; 16] = std::array::from_fn(|_| random.point());
     // The Bézier basis and its matrix change nothing.
     let same = Patch::from_basis(Basis::Bezier, &net).unwrap();
-    assert!(same.equals(&Patch::new(&net, 3, 3).unwrap(), 1e-14));
+    assert!(same.approx_eq(&Patch::new(&net, 3, 3).unwrap(), 1e-14));
     // Every basis is that of the rows, then of the columns.
     for basis in [
         Basis::Hermite,

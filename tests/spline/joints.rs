@@ -433,7 +433,7 @@ fn reversed_and_turned() {
             assert!(
                 turned
                     .expect("a point")
-                    .equals(&moved.transform(&turn), 1e-9 * size),
+                    .approx_eq(&moved.transform(&turn), 1e-9 * size),
                 "{degrees:?} {modes:?} {index}"
             );
         }
@@ -444,7 +444,7 @@ fn reversed_and_turned() {
                 .move_point(last - index, to, |k| modes[n - k])
                 .expect("a point");
             assert!(
-                back.reverse().equals(&moved, 1e-9 * size),
+                back.reverse().approx_eq(&moved, 1e-9 * size),
                 "{degrees:?} {modes:?} {index}"
             );
         }
@@ -474,7 +474,7 @@ fn setting_a_joint_keeps_the_handle_before_it() {
                     assert!(c.c1, "{degrees:?} {closed} {joint} {mode:?}");
                 }
                 let again = set.set_joint(joint, mode).expect("a joint");
-                assert!(again.equals(&set, 1e-12), "{degrees:?} {joint} {mode:?}");
+                assert!(again.approx_eq(&set, 1e-12), "{degrees:?} {joint} {mode:?}");
             }
         }
     }

@@ -275,10 +275,10 @@ fn moving_a_point_moves_only_that() {
     for (index, (a, b)) in (0..).zip(patch.control_points().iter().zip(moved.control_points())) {
         assert_eq!(*b, if index == 5 { DVec3::ONE } else { *a });
     }
-    assert!(patch.equals(&patch, 0.0));
-    assert!(!patch.equals(&moved, 1e-9));
-    assert!(patch.equals(&moved, 4.0));
-    assert!(!patch.equals(&patch.elevate().unwrap(), 1e9));
+    assert!(patch.approx_eq(&patch, 0.0));
+    assert!(!patch.approx_eq(&moved, 1e-9));
+    assert!(patch.approx_eq(&moved, 4.0));
+    assert!(!patch.approx_eq(&patch.elevate().unwrap(), 1e9));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

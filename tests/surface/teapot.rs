@@ -121,7 +121,7 @@ fn up_is_a_turn_and_not_a_mirror_image() {
     };
     let (turned, expected) = (Surface::teapot(options), teapot().transform(&turn));
     for (a, b) in turned.patches().zip(expected.patches()) {
-        assert!(a.equals(&b, 1e-15));
+        assert!(a.approx_eq(&b, 1e-15));
     }
 }
 

@@ -30,7 +30,7 @@ pub(crate) fn sample(out: &mut String) {
     ]
     .map(DVec2::from);
     let hermite = Curve::from_basis(Basis::Hermite, ends_and_speeds).unwrap();
-    writeln!(out, "the same curve: {}", hermite.equals(&bezier, 1e-9));
+    writeln!(out, "the same curve: {}", hermite.approx_eq(&bezier, 1e-9));
 
     // A matrix of your own: the straight line from the first point to the last.
     #[rustfmt::skip]

@@ -214,6 +214,9 @@ pub(crate) fn surface_text(
 }
 
 fn camel_case(name: &str) -> String {
+    if name == "approx_eq" {
+        return String::from("equals");
+    }
     let mut words = name.split('_');
     let first = words.next().unwrap_or_default().to_owned();
     let upper = |word: &str| match word {

@@ -21,4 +21,4 @@ export function lines(path, ...request) {
 }
 
 /** The name of a function in the generator's table. */
-export const rowOf = (name) => name.replace("constructor", "new").replace(/^easing$/, "Easing.eval");
+export const rowOf = (name) => name.replace("constructor", "new").replace(/\.equals$/, ".approx_eq").replace(/^easing$/, "Easing.eval");
