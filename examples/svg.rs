@@ -3,7 +3,7 @@
 //!     cargo run --example svg > spline.svg
 
 use casteljau::glam::DVec2;
-use casteljau::{Error, Spline, curve::Pen};
+use casteljau::{Error, Spline, curve::PathSink};
 use std::fmt::Write;
 
 /// A pen that writes SVG path data.
@@ -20,7 +20,7 @@ impl PathData {
     }
 }
 
-impl Pen for PathData {
+impl PathSink for PathData {
     fn move_to(&mut self, p: DVec2) {
         self.step('M', &[p]);
     }

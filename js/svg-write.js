@@ -17,7 +17,7 @@ const COMMANDS = ["", "L", "Q", "C"];
  * What draws a packed path: `move`, then `curve` with the degree (1 to 3), the coordinates and the place of the first
  * one after the start; `close`.
  *
- * @typedef {object} Pen
+ * @typedef {object} PathSink
  * @property {(x: number, y: number) => void} move
  * @property {(degree: number, list: Float64Array, at: number) => void} curve
  * @property {(line: boolean) => void} close the argument says whether the last line is left to it
@@ -27,7 +27,7 @@ const COMMANDS = ["", "L", "Q", "C"];
  * Draws a packed path; higher degrees become cubics.
  *
  * @param {Float64Array} packed
- * @param {Pen} pen
+ * @param {PathSink} pen
  * @param {number} tolerance 0 for the default
  * @param {boolean} closing whether the last line of a closed subpath is drawn, or left to `close`
  */
@@ -68,7 +68,7 @@ function leftToClose(packed, points, at) {
 }
 
 /**
- * @param {Pen} pen
+ * @param {PathSink} pen
  * @param {Float64Array} curve
  * @param {number} tolerance
  */

@@ -53,7 +53,7 @@ pub(crate) use nearest::nearest_on;
 pub(crate) use offset::{Chain, offset_tolerance};
 pub use reduce::Reduced;
 pub use subdivide::Subdivision;
-pub use trace::Pen;
+pub use trace::PathSink;
 #[cfg(feature = "wasm")]
 pub(crate) use {
     extrema::{extrema_of, times_of},

@@ -6,32 +6,32 @@ use crate::error::Error;
 use crate::point::Point;
 use glam::DVec2;
 
-/// What draws: an HTML canvas, a path builder, a plotter.
-pub trait Pen {
-    /// Lifts the pen and puts it down at `p`.
+/// Receives path commands: an HTML canvas, a path builder, a plotter.
+pub trait PathSink {
+    /// Begins a subpath at `p`.
     fn move_to(&mut self, p: DVec2);
-    /// Draws a line to `p`.
+    /// Adds a line to `p`.
     fn line_to(&mut self, p: DVec2);
-    /// Draws a quadratic Bézier curve to `p`.
+    /// Adds a quadratic Bézier curve to `p`.
     fn quad_to(&mut self, p1: DVec2, p: DVec2);
-    /// Draws a cubic Bézier curve to `p`.
+    /// Adds a cubic Bézier curve to `p`.
     fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2);
-    /// Closes the figure.
+    /// Closes the subpath.
     fn close(&mut self);
 }
 
 impl Curve<DVec2> {
-    /// Draws the curve with `pen`, from a `move_to` its start.
+    /// Sends the curve to `sink`, from a `move_to` its start.
     ///
     /// Degrees 1 to 3 go out as they are. Higher degrees become cubics with the same end tangents, none farther from
     /// the curve than `tolerance` (by default 10⁻⁴ of the diagonal of the control points' box).
     ///
     /// # Errors
     /// As [`flatten`](Self::flatten) for the tolerance.
-    pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
+    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
         self.check_trace(tolerance)?;
-        pen.move_to(self.start());
-        self.trace_on(pen, tolerance);
+        sink.move_to(self.start());
+        self.trace_on(sink, tolerance);
         Ok(())
     }
 }
@@ -44,29 +44,29 @@ impl<P: Point> Curve<P> {
         })
     }
 
-    /// Draws on from where the pen is, the curve as seen along z.
-    pub(crate) fn trace_on(&self, pen: &mut impl Pen, tolerance: Option<f64>) {
+    /// Continues from the current point, with the projection of the curve along z.
+    pub(crate) fn trace_on(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         match *self.points {
-            [_, p1] => pen.line_to(p1.in_plane()),
-            [_, p1, p2] => pen.quad_to(p1.in_plane(), p2.in_plane()),
-            [_, p1, p2, p3] => pen.cubic_to(p1.in_plane(), p2.in_plane(), p3.in_plane()),
+            [_, p1] => sink.line_to(p1.in_plane()),
+            [_, p1, p2] => sink.quad_to(p1.in_plane(), p2.in_plane()),
+            [_, p1, p2, p3] => sink.cubic_to(p1.in_plane(), p2.in_plane(), p3.in_plane()),
             _ => {
                 let default = || 1e-4 * self.control_bounds().diagonal();
-                self.trace_cubics(pen, tolerance.unwrap_or_else(default), MOST_HALVINGS);
+                self.trace_cubics(sink, tolerance.unwrap_or_else(default), MOST_HALVINGS);
             }
         }
     }
 
     /// Halves until a cubic fits.
-    fn trace_cubics(&self, pen: &mut impl Pen, tolerance: f64, halvings: usize) {
+    fn trace_cubics(&self, sink: &mut impl PathSink, tolerance: f64, halvings: usize) {
         let cubic = self.cubic_of_same_tangents();
         if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
-            cubic.trace_on(pen, None);
+            cubic.trace_on(sink, None);
             return;
         }
         let (left, right) = self.halve();
-        left.trace_cubics(pen, tolerance, halvings - 1);
-        right.trace_cubics(pen, tolerance, halvings - 1);
+        left.trace_cubics(sink, tolerance, halvings - 1);
+        right.trace_cubics(sink, tolerance, halvings - 1);
     }
 
     /// The cubic with the same ends and the same derivatives there.

@@ -1,7 +1,7 @@
 //! Paths as SVG path data.
 
 use super::Path;
-use crate::curve::{Curve, Pen};
+use crate::curve::{Curve, PathSink};
 use crate::error::Error;
 use crate::spline::Spline;
 use crate::surface::written_number;
@@ -162,7 +162,7 @@ impl Writer {
     }
 }
 
-impl Pen for Writer {
+impl PathSink for Writer {
     fn move_to(&mut self, p: DVec2) {
         self.draw('M', &[p]);
     }

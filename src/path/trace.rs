@@ -1,23 +1,23 @@
 //! Handing a path to something that draws.
 
 use super::Path;
-use crate::curve::{Curve, Pen, check_tolerance};
+use crate::curve::{Curve, PathSink, check_tolerance};
 use crate::error::Error;
 
 impl Path {
-    /// Draws the path with `pen`: for each subpath a `move_to` and its segments; closed ones are closed.
+    /// Sends the path to `sink`: for each subpath a `move_to` and its segments; closed ones are closed.
     ///
     /// # Errors
     /// As [`Curve::trace`].
-    pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
+    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
         self.check_trace(tolerance)?;
         for part in self.parts() {
-            pen.move_to(part.points[0]);
+            sink.move_to(part.points[0]);
             for points in part.segments() {
-                Curve::from_slice(points).trace_on(pen, tolerance);
+                Curve::from_slice(points).trace_on(sink, tolerance);
             }
             if part.closed {
-                pen.close();
+                sink.close();
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::{
-    Bounds, MAX_OUTPUT_F64, MAX_VERTICES, Pen, Polyline, check_segments, check_tolerance,
+    Bounds, MAX_OUTPUT_F64, MAX_VERTICES, PathSink, Polyline, check_segments, check_tolerance,
     check_vertices,
 };
 use crate::error::Error;
@@ -104,20 +104,20 @@ impl<P: Point> Spline<P> {
 }
 
 impl Spline<DVec2> {
-    /// Draws the spline with `pen`: one `move_to`, then its segments; a closed spline is closed.
+    /// Sends the spline to `sink`: one `move_to`, then its segments; a closed spline is closed.
     ///
     /// # Errors
     /// As [`Curve::trace`](crate::Curve::trace).
-    pub fn trace(&self, pen: &mut impl Pen, tolerance: Option<f64>) -> Result<(), Error> {
+    pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        pen.move_to(self.points[0]);
+        sink.move_to(self.points[0]);
         for k in 0..self.segment_count() {
-            self.curve(k).trace_on(pen, tolerance);
+            self.curve(k).trace_on(sink, tolerance);
         }
         if self.closed {
-            pen.close();
+            sink.close();
         }
         Ok(())
     }

@@ -5,7 +5,7 @@
 //! numerator N, the denominator W and the cubic C the error is (N − C·W) / W; the numerator is a polynomial, and the
 //! largest of its Bernstein coefficients over the smallest Wᵢ bounds it. It falls by 16 with each halving.
 
-use crate::curve::{Curve, Pen, Points, binomials, ratio, ulp};
+use crate::curve::{Curve, PathSink, Points, binomials, ratio, ulp};
 use crate::point::Point;
 use glam::{DMat4, DVec3, DVec4};
 
@@ -23,9 +23,9 @@ pub(super) struct Projection {
     tolerance: f64,
 }
 
-/// A pen and whether it is down at the end of the piece before.
+/// A sink, and whether its current point is the end of the piece before.
 struct Stroke<'a, T> {
-    pen: &'a mut T,
+    sink: &'a mut T,
     down: bool,
 }
 
@@ -43,15 +43,20 @@ impl Projection {
     }
 
     /// Draws one curve, or what of it lies before the eye.
-    pub(super) fn draw(&self, curve: &Curve<DVec3>, pen: &mut impl Pen) {
+    pub(super) fn draw(&self, curve: &Curve<DVec3>, sink: &mut impl PathSink) {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
-        let mut stroke = Stroke { pen, down: false };
+        let mut stroke = Stroke { sink, down: false };
         self.draw_piece(&Curve::from_points(image), &mut stroke, MOST_HALVINGS);
     }
 
     /// Draws a piece of a curve (X, Y, W), or its halves.
-    fn draw_piece(&self, piece: &Curve<DVec3>, stroke: &mut Stroke<impl Pen>, halvings: usize) {
+    fn draw_piece(
+        &self,
+        piece: &Curve<DVec3>,
+        stroke: &mut Stroke<impl PathSink>,
+        halvings: usize,
+    ) {
         let before_eye = |p: &DVec3| p.z >= self.near;
         let all = piece.control_points().iter().all(before_eye);
         if all && let Some(cubic) = self.flat_curve(piece, halvings == 0) {
@@ -81,7 +86,7 @@ impl Projection {
     }
 }
 
-impl<T: Pen> Stroke<'_, T> {
+impl<T: PathSink> Stroke<'_, T> {
     /// Draws a curve, joined to the one before if that was drawn; nothing where coordinates leave the numbers.
     fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
         if !flat.max_abs().is_finite() {
@@ -89,11 +94,11 @@ impl<T: Pen> Stroke<'_, T> {
             return;
         }
         if !self.down {
-            self.pen.move_to(flat.start().in_plane());
+            self.sink.move_to(flat.start().in_plane());
         }
         // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
         let least = 4.0 * ulp(flat.max_abs());
-        flat.trace_on(self.pen, Some(tolerance.max(least)));
+        flat.trace_on(self.sink, Some(tolerance.max(least)));
         self.down = true;
     }
 }

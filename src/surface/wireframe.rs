@@ -3,7 +3,7 @@
 use super::projected::Projection;
 use super::topology::SIDES;
 use super::{Patch, Surface};
-use crate::curve::{Curve, MAX_OUTPUT_F64, Pen, check_tolerance, ratio};
+use crate::curve::{Curve, MAX_OUTPUT_F64, PathSink, check_tolerance, ratio};
 use crate::error::Error;
 use glam::{DMat4, DVec3};
 
@@ -46,7 +46,7 @@ impl Surface {
     /// As `isocurves`; [`Error::NotFinite`] for the matrix, [`Error::Range`] for the tolerance.
     pub fn trace_projected(
         &self,
-        pen: &mut impl Pen,
+        sink: &mut impl PathSink,
         matrix: &DMat4,
         lines: usize,
         tolerance: Option<f64>,
@@ -57,7 +57,7 @@ impl Surface {
         Error::unless_finite("matrix", &matrix.to_cols_array())?;
         let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
         let projection = Projection::new(matrix, self.vertices(), tolerance);
-        self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, pen))
+        self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, sink))
     }
 
     /// Hands out the isocurves one by one, by reference to one closure, so that the loop is compiled once.

@@ -16,6 +16,7 @@
 
 mod alone;
 mod arena;
+mod canvas;
 mod chains;
 mod curve;
 mod lines;
@@ -24,7 +25,6 @@ mod meetings;
 mod mesh;
 mod offset;
 mod path;
-mod pen;
 mod places;
 mod queries;
 mod spline;

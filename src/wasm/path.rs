@@ -4,7 +4,7 @@ use super::arena::{self, Arena};
 use super::given;
 use super::meetings::put_place;
 use super::spline::spline_at;
-use crate::curve::{Curve, Intersection, MAX_VERTICES, Pen, check_tolerance};
+use crate::curve::{Curve, Intersection, MAX_VERTICES, PathSink, check_tolerance};
 use crate::error::Error;
 use crate::path::{Path, PathIntersection, PathTime};
 use crate::spline::Spline;
@@ -179,7 +179,7 @@ pub fn path_check_tolerance(tolerance: f64, size: f64) -> isize {
 #[wasm_bindgen]
 pub fn curve_cubics(count: usize, tolerance: f64) -> usize {
     struct Cubics(Vec<DVec2>);
-    impl Pen for Cubics {
+    impl PathSink for Cubics {
         fn move_to(&mut self, _: DVec2) {}
         fn line_to(&mut self, _: DVec2) {}
         fn quad_to(&mut self, _: DVec2, _: DVec2) {}

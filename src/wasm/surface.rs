@@ -5,9 +5,9 @@
 //! for each vertex the first that it is joined to; further arguments behind them.
 
 use super::arena::{self, Arena};
+use super::canvas::CanvasSink;
 use super::given;
 use super::mesh::begin_grid;
-use super::pen::CanvasPen;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
 use glam::DMat4;
@@ -180,7 +180,7 @@ pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
         let (surface, end) = surface(a)?;
         Ok::<_, Error>((surface, DMat4::from_cols_slice(a.numbers(end, 16))))
     });
-    let mut pen = CanvasPen::new(target);
+    let mut pen = CanvasSink::new(target);
     let draw = |(surface, matrix): (Surface, DMat4)| {
         surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))
     };

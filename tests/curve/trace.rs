@@ -2,7 +2,7 @@
 
 use crate::common::measure::from_segment;
 use crate::common::{Rng, plane, real};
-use casteljau::curve::Pen;
+use casteljau::curve::PathSink;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -19,7 +19,7 @@ enum Stroke {
 #[derive(Default)]
 struct Notes(Vec<Stroke>);
 
-impl Pen for Notes {
+impl PathSink for Notes {
     fn move_to(&mut self, p: DVec2) {
         self.0.push(Stroke::Move(p));
     }

@@ -3,7 +3,7 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
-use casteljau::curve::Pen;
+use casteljau::curve::PathSink;
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Path, Point, Spline};
 use casteljau_generator::{Case, Mode};
@@ -119,7 +119,7 @@ impl Recorder {
     }
 }
 
-impl Pen for Recorder {
+impl PathSink for Recorder {
     fn move_to(&mut self, p: DVec2) {
         self.bad |= !p.is_finite();
         self.at = p;

@@ -4,7 +4,7 @@ use crate::common::measure::{Ruler, farthest};
 use crate::common::{Rng, exact, real};
 use crate::{CHAINS, control, plane, random};
 use casteljau::Error;
-use casteljau::curve::Pen;
+use casteljau::curve::PathSink;
 use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -181,7 +181,7 @@ fn reversed_and_mapped_splines() {
 #[derive(Default, Debug, PartialEq)]
 struct Counts([usize; 5], Vec<DVec2>);
 
-impl Pen for Counts {
+impl PathSink for Counts {
     fn move_to(&mut self, p: DVec2) {
         self.0[0] += 1;
         self.1.push(p);

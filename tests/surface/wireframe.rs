@@ -1,7 +1,7 @@
 //! A surface as lines: which ones, and what a projection draws of them.
 
 use crate::nets::{Random, assert_near};
-use casteljau::curve::Pen;
+use casteljau::curve::PathSink;
 use casteljau::glam::{DMat4, DVec2, DVec3, dvec4};
 use casteljau::{Curve, Error, Surface, TeapotOptions};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -28,7 +28,7 @@ impl Record {
     }
 }
 
-impl Pen for Record {
+impl PathSink for Record {
     fn move_to(&mut self, p: DVec2) {
         self.0.push(Vec::new());
         self.1 = p;

@@ -1,18 +1,18 @@
-//! The pen of an HTML canvas.
+//! An HTML canvas as a sink of path commands.
 
-use crate::curve::Pen;
+use crate::curve::PathSink;
 use glam::DVec2;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, Path2d};
 
 /// Draws on what JavaScript passed: a `Path2D`, or a 2D context of a canvas or an offscreen canvas (the methods are
 /// looked up by name, so anything with the methods of a context will do).
-pub(super) enum CanvasPen<'a> {
+pub(super) enum CanvasSink<'a> {
     Path(&'a Path2d),
     Context(&'a CanvasRenderingContext2d),
 }
 
-impl<'a> CanvasPen<'a> {
+impl<'a> CanvasSink<'a> {
     pub(super) fn new(target: &'a JsValue) -> Self {
         match target.dyn_ref::<Path2d>() {
             Some(path) => Self::Path(path),
@@ -21,7 +21,7 @@ impl<'a> CanvasPen<'a> {
     }
 }
 
-impl Pen for CanvasPen<'_> {
+impl PathSink for CanvasSink<'_> {
     fn move_to(&mut self, p: DVec2) {
         match self {
             Self::Path(path) => path.move_to(p.x, p.y),
