@@ -2,7 +2,7 @@
  * A side of a patch, named by the parameter that is constant along it; `reversed` where it runs against the first side of
  * those that it is shared with.
  *
- * @typedef {{ patch: number, side: "u0" | "u1" | "v0" | "v1", reversed: boolean }} Side
+ * @typedef {{ patch: number, edge: "u0" | "u1" | "v0" | "v1", reversed: boolean }} EdgeUse
  */
 
 /**
@@ -10,7 +10,7 @@
  * line), `nonManifold` (three and more of them), `open` (the boundary) or `collapsed` (the side is a point). `components`
  * holds the patches of each connected part.
  *
- * @typedef {{ shared: Side[][], nonManifold: Side[][], open: Side[], collapsed: Side[], components: number[][] }} Topology
+ * @typedef {{ shared: EdgeUse[][], nonManifold: EdgeUse[][], open: EdgeUse[], collapsed: EdgeUse[], components: number[][] }} Topology
  */
 
 const NAMES = /** @type {const} */ (["u0", "u1", "v0", "v1"]);
@@ -27,7 +27,7 @@ export function readTopology(numbers) {
   const next = () => numbers[at++];
   const side = (/** @type {number} */ code) => ({
     patch: Math.floor(code / 8),
-    side: NAMES[(code >> 1) & 3],
+    edge: NAMES[(code >> 1) & 3],
     reversed: (code & 1) === 1,
   });
   const group = () => Array.from({ length: next() }, next);

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, box_of};
 use super::net::differences_u;
-use super::topology::{Side, SideName};
+use super::topology::{EdgeUse, PatchEdge};
 use super::{Patch, Surface};
 use crate::curve::{bernstein_into, ratio};
 use glam::DVec3;
@@ -160,7 +160,7 @@ impl Surface {
 
 /// Whether the way around the patch, counter-clockwise as seen from its normal, follows the line that the side is. The
 /// ways around two neighbours run against each other where their normals agree.
-fn follows(side: &Side) -> bool {
-    let along = matches!(side.side, SideName::V0 | SideName::U1);
+fn follows(side: &EdgeUse) -> bool {
+    let along = matches!(side.edge, PatchEdge::V0 | PatchEdge::U1);
     along != side.reversed
 }

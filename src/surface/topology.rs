@@ -10,9 +10,9 @@ use super::first_of::{FirstOf, mix};
 /// The sides of a patch.
 pub(super) const SIDES: usize = 4;
 
-/// A side of a patch, by the parameter that is constant along it.
+/// An edge of a patch, by the parameter that is constant along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SideName {
+pub enum PatchEdge {
     /// u = 0; it runs along v.
     U0,
     /// u = 1; it runs along v.
@@ -23,13 +23,13 @@ pub enum SideName {
     V1,
 }
 
-/// One side of one patch.
+/// One edge of one patch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Side {
+pub struct EdgeUse {
     /// The patch.
     pub patch: usize,
-    /// Which of its sides.
-    pub side: SideName,
+    /// Which of its edges.
+    pub edge: PatchEdge,
     /// Whether it runs against the first side of those that it is shared with.
     pub reversed: bool,
 }
@@ -38,13 +38,13 @@ pub struct Side {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Topology {
     /// Pairs of sides that are the same line.
-    pub shared: Vec<Vec<Side>>,
+    pub shared: Vec<Vec<EdgeUse>>,
     /// Three and more sides that are the same line.
-    pub non_manifold: Vec<Vec<Side>>,
+    pub non_manifold: Vec<Vec<EdgeUse>>,
     /// Sides with one patch: the boundary.
-    pub open: Vec<Side>,
+    pub open: Vec<EdgeUse>,
     /// Sides that are a point.
-    pub collapsed: Vec<Side>,
+    pub collapsed: Vec<EdgeUse>,
     /// The patches of each connected part, joined by shared sides; each list ascends.
     pub components: Vec<Vec<usize>>,
 }
@@ -60,7 +60,7 @@ pub(super) struct SideUse {
     pub(super) collapsed: bool,
 }
 
-impl SideName {
+impl PatchEdge {
     /// In the order of their numbers.
     const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
 }
@@ -76,11 +76,11 @@ impl Surface {
             components: self.components(&uses),
             ..Topology::default()
         };
-        let mut groups: Vec<Vec<Side>> = vec![Vec::new(); uses.len()];
+        let mut groups: Vec<Vec<EdgeUse>> = vec![Vec::new(); uses.len()];
         for (number, used) in uses.iter().enumerate() {
-            let side = Side {
+            let side = EdgeUse {
                 patch: number / SIDES,
-                side: SideName::ALL[number % SIDES],
+                edge: PatchEdge::ALL[number % SIDES],
                 reversed: used.reversed,
             };
             if used.collapsed {

@@ -5,7 +5,7 @@ use super::arena::{self, Arena};
 use super::surface::{patch, surface};
 use crate::error::Error;
 use crate::surface::{
-    Filler, Fineness, Grid, GridMethod, Indices, Mesh, Side, Surface, View, Weld,
+    EdgeUse, Filler, Fineness, Grid, GridMethod, Indices, Mesh, Surface, View, Weld,
 };
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
@@ -148,7 +148,7 @@ pub(super) fn keep_mesh(mesh: Mesh) -> usize {
 pub fn surface_topology() -> isize {
     arena::answer(|a| {
         let topology = surface(a)?.0.topology();
-        let code = |s: &Side| s.patch * 8 + s.side as usize * 2 + usize::from(s.reversed);
+        let code = |s: &EdgeUse| s.patch * 8 + s.edge as usize * 2 + usize::from(s.reversed);
         let mut numbers = Vec::new();
         for groups in [&topology.shared, &topology.non_manifold] {
             put_groups(&mut numbers, groups, code);

@@ -142,10 +142,10 @@ test("topology of the teapot", () => {
   const { shared, nonManifold, open, collapsed, components } = teapot.topology();
   assert.deepEqual([shared.length, nonManifold.length, open.length, collapsed.length], [52, 0, 16, 8]);
   assert.deepEqual(components.map((patches) => patches.length), [16, 4, 4, 8]);
-  const sides = [...shared.flat(), ...open, ...collapsed].map(({ patch, side }) => `${patch} ${side}`);
+  const sides = [...shared.flat(), ...open, ...collapsed].map(({ patch, edge }) => `${patch} ${edge}`);
   assert.equal(new Set(sides).size, 128);
   assert.ok(shared.every((pair) => pair.length === 2 && pair[0].reversed === false));
-  assert.ok(shared.flat().every(({ side, reversed }) => ["u0", "u1", "v0", "v1"].includes(side) && typeof reversed === "boolean"));
+  assert.ok(shared.flat().every(({ edge, reversed }) => ["u0", "u1", "v0", "v1"].includes(edge) && typeof reversed === "boolean"));
 });
 
 test("three patches on one side, one of them backwards", () => {
@@ -153,7 +153,7 @@ test("three patches on one side, one of them backwards", () => {
   const fins = new Surface({ vertices, patches: [[0, 1, 2, 3], [0, 1, 4, 5], [1, 0, 7, 6]] }, { degreeU: 1, degreeV: 1 });
   const { shared, nonManifold, open, components } = fins.topology();
   assert.deepEqual(nonManifold, [[
-    { patch: 0, side: "v0", reversed: false }, { patch: 1, side: "v0", reversed: false }, { patch: 2, side: "v0", reversed: true },
+    { patch: 0, edge: "v0", reversed: false }, { patch: 1, edge: "v0", reversed: false }, { patch: 2, edge: "v0", reversed: true },
   ]]);
   assert.deepEqual([shared.length, open.length, components], [0, 9, [[0, 1, 2]]]);
   assert.equal(fins.tessellate({ segments: 4 }, { weld: "position" }).positions.length / 3, 5 + 3 * 20);

@@ -191,7 +191,7 @@ pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> 
         .topology()
         .open
         .iter()
-        .map(|s| (s.patch, s.side as usize))
+        .map(|s| (s.patch, s.edge as usize))
         .collect();
     let boundary: HashSet<(u32, u32)> = soup.boundary(sheets).into_iter().collect();
     let mut on_open_sides = 0;

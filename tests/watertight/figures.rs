@@ -7,7 +7,7 @@ use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_point
 use super::soup::{Soup, vectors};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Indices, Side, Topology, Up, Weld};
+use casteljau::surface::{EdgeUse, Fineness, Indices, Topology, Up, Weld};
 
 #[test]
 fn sides_of_the_known_surfaces() {
@@ -56,7 +56,9 @@ fn sides_are_joined_where_their_points_are() {
             ..Topology::default()
         };
         for uses in lines(&surface) {
-            let Side { patch, side, .. } = uses[0];
+            let EdgeUse {
+                patch, edge: side, ..
+            } = uses[0];
             let point = is_point(&side_points(&surface.patch(patch).unwrap(), side));
             match uses.len() {
                 1 if point => expected.collapsed.extend(uses),

@@ -9,7 +9,7 @@ use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, 
 use super::soup::{Chain, Soup, add, vectors};
 use super::thorough;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Side, SideName, Weld};
+use casteljau::surface::{EdgeUse, Fineness, PatchEdge, Weld};
 use casteljau::{Mesh, Surface};
 
 const CASES: usize = 20_000;
@@ -55,7 +55,7 @@ pub(crate) fn check(surface: &Surface, joined: &Surface, fineness: &Fineness) {
 }
 
 /// The vertices of a patch on one of its sides, in the order of its parameter; none of a patch that is a curve.
-fn polyline(mesh: &Mesh, patch: usize, side: SideName) -> Vec<usize> {
+fn polyline(mesh: &Mesh, patch: usize, side: PatchEdge) -> Vec<usize> {
     let range = mesh.patch_ranges[patch];
     let own = range.first_vertex as usize..(range.first_vertex + range.vertices) as usize;
     let place = |k: usize| along(side, [mesh.uvs[2 * k].into(), mesh.uvs[2 * k + 1].into()]);
@@ -78,8 +78,8 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
                 let [a, b] = [pair[0], pair[1]].map(|k| soup.place_of[k]);
                 // Counter-clockwise: v = 0 and u = 1 run along, the others back.
                 match side {
-                    SideName::V0 | SideName::U1 => add(&mut expected, a, b),
-                    SideName::V1 | SideName::U0 => add(&mut expected, b, a),
+                    PatchEdge::V0 | PatchEdge::U1 => add(&mut expected, a, b),
+                    PatchEdge::V1 | PatchEdge::U0 => add(&mut expected, b, a),
                 }
             }
         }
@@ -95,12 +95,14 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
 fn assert_lines_agree(surface: &Surface, joined: &Surface, mesh: &Mesh) {
     let points: Vec<DVec3> = vectors(&mesh.positions).collect();
     for uses in lines(joined) {
-        let Side { patch, side, .. } = uses[0];
+        let EdgeUse {
+            patch, edge: side, ..
+        } = uses[0];
         let controls = side_points(&surface.patch(patch).unwrap(), side);
         let collapsed = is_point(&side_points(&joined.patch(patch).unwrap(), side));
         let mut seen: Option<Vec<DVec3>> = None;
         for used in &uses {
-            let mut line: Vec<DVec3> = polyline(mesh, used.patch, used.side)
+            let mut line: Vec<DVec3> = polyline(mesh, used.patch, used.edge)
                 .iter()
                 .map(|&k| points[k])
                 .collect();

@@ -2,7 +2,7 @@
 
 pub(crate) use crate::listings::gumbo;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Side, SideName, Up};
+use casteljau::surface::{EdgeUse, Fineness, PatchEdge, Up};
 use casteljau::{Grid, Patch, Surface, TeapotOptions};
 
 pub(crate) fn teapot() -> Surface {
@@ -53,40 +53,41 @@ pub(crate) fn part(surface: &Surface, patches: &[usize]) -> Surface {
 }
 
 /// The sides in the order of their names.
-pub(crate) const SIDES: [SideName; 4] = [SideName::U0, SideName::U1, SideName::V0, SideName::V1];
+pub(crate) const SIDES: [PatchEdge; 4] =
+    [PatchEdge::U0, PatchEdge::U1, PatchEdge::V0, PatchEdge::V1];
 
 /// Whether (u, v) lies on the side, and how far along it.
-pub(crate) fn along(side: SideName, [u, v]: [f64; 2]) -> Option<f64> {
+pub(crate) fn along(side: PatchEdge, [u, v]: [f64; 2]) -> Option<f64> {
     let (across, along, at) = match side {
-        SideName::U0 => (u, v, 0.0),
-        SideName::U1 => (u, v, 1.0),
-        SideName::V0 => (v, u, 0.0),
-        SideName::V1 => (v, u, 1.0),
+        PatchEdge::U0 => (u, v, 0.0),
+        PatchEdge::U1 => (u, v, 1.0),
+        PatchEdge::V0 => (v, u, 0.0),
+        PatchEdge::V1 => (v, u, 1.0),
     };
     (across == at).then_some(along)
 }
 
 /// The control points of a side, in the direction of its parameter.
-pub(crate) fn side_points(patch: &Patch, side: SideName) -> Vec<DVec3> {
+pub(crate) fn side_points(patch: &Patch, side: PatchEdge) -> Vec<DVec3> {
     let (points, columns) = (patch.control_points(), patch.degree_u() + 1);
     let last = points.len() - columns;
     match side {
-        SideName::U0 => points.iter().step_by(columns).copied().collect(),
-        SideName::U1 => points
+        PatchEdge::U0 => points.iter().step_by(columns).copied().collect(),
+        PatchEdge::U1 => points
             .iter()
             .skip(columns - 1)
             .step_by(columns)
             .copied()
             .collect(),
-        SideName::V0 => points[..columns].to_vec(),
-        SideName::V1 => points[last..].to_vec(),
+        PatchEdge::V0 => points[..columns].to_vec(),
+        PatchEdge::V1 => points[last..].to_vec(),
     }
 }
 
 /// Every side with all that are the same line, found by comparing each with each; each side comes once, sides that are a
 /// point are alone.
-pub(crate) fn lines(surface: &Surface) -> Vec<Vec<Side>> {
-    let mut lines: Vec<(Vec<DVec3>, Vec<Side>)> = Vec::new();
+pub(crate) fn lines(surface: &Surface) -> Vec<Vec<EdgeUse>> {
+    let mut lines: Vec<(Vec<DVec3>, Vec<EdgeUse>)> = Vec::new();
     for (patch, net) in surface.patches().enumerate() {
         for side in SIDES {
             let points = side_points(&net, side);
@@ -98,17 +99,17 @@ pub(crate) fn lines(surface: &Surface) -> Vec<Vec<Side>> {
             match found {
                 Some((other, uses)) if !point => {
                     let reversed = *other != points;
-                    uses.push(Side {
+                    uses.push(EdgeUse {
                         patch,
-                        side,
+                        edge: side,
                         reversed,
                     });
                 }
                 _ => lines.push((
                     points,
-                    vec![Side {
+                    vec![EdgeUse {
                         patch,
-                        side,
+                        edge: side,
                         reversed: false,
                     }],
                 )),

@@ -133,8 +133,8 @@ function cornersOf(surface, pieces) {
   const { shared, nonManifold } = surface.topology();
   for (const group of [...shared, ...nonManifold]) {
     const turned = (/** @type {{ reversed: boolean }} */ side, /** @type {number} */ t) => (side.reversed ? 1 - t : t);
-    const all = new Set(group.flatMap((side) => (along.get(`${side.patch} ${side.side}`) ?? []).map((t) => turned(side, t))));
-    for (const side of group) for (const t of all) corners[side.patch].add(key(...placeOn(side.side, turned(side, t))));
+    const all = new Set(group.flatMap((side) => (along.get(`${side.patch} ${side.edge}`) ?? []).map((t) => turned(side, t))));
+    for (const side of group) for (const t of all) corners[side.patch].add(key(...placeOn(side.edge, turned(side, t))));
   }
   return corners;
 }
