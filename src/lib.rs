@@ -57,7 +57,7 @@ pub use easing::Easing;
 pub use error::{Error, MAX_DEGREE};
 pub use glam;
 pub use path::Path;
-pub use point::{Cross, Point};
+pub use point::{CrossProduct, Point};
 pub use spline::Spline;
 pub use surface::{Grid, GridMethod, Indices, Mesh, Patch, Surface, TeapotOptions};
 

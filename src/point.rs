@@ -31,12 +31,12 @@ pub trait Point:
     /// The affine maps of this space.
     type Affine: Copy + Debug;
     /// A×B: the signed area in the plane (a number), the vector product in space.
-    type Cross: Cross;
+    type CrossProduct: CrossProduct;
 
     /// The point itself in space; a point of the plane at z = 0.
-    fn in_space(self) -> DVec3;
+    fn to_3d(self) -> DVec3;
     /// The point itself in the plane; a point of space without its z.
-    fn in_plane(self) -> DVec2;
+    fn to_2d(self) -> DVec2;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
     /// This point with one coordinate replaced.
@@ -45,7 +45,7 @@ pub trait Point:
     /// The scalar product.
     fn dot(self, other: Self) -> f64;
     /// The cross product.
-    fn cross(self, other: Self) -> Self::Cross;
+    fn cross(self, other: Self) -> Self::CrossProduct;
     /// The largest absolute coordinate.
     fn max_abs(self) -> f64;
     /// The smaller of each coordinate.
@@ -64,7 +64,7 @@ pub trait Point:
 
     /// (1 − t)·self + t·other, which is exact at both ends and cannot overflow for t in [0, 1].
     #[inline]
-    fn mix(self, other: Self, t: f64) -> Self {
+    fn lerp(self, other: Self, t: f64) -> Self {
         self * (1.0 - t) + other * t
     }
 
@@ -102,7 +102,7 @@ pub trait Point:
 }
 
 /// The result of a cross product, of which the algorithms only need the size and linear combinations.
-pub trait Cross: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
+pub trait CrossProduct: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
     /// The size: absolute value or length.
     fn size(self) -> f64;
     /// The curvature numerator that is reported: signed in the plane, not negative in space.
@@ -113,7 +113,7 @@ pub trait Cross: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
     fn dot(self, other: Self) -> f64;
 }
 
-impl Cross for f64 {
+impl CrossProduct for f64 {
     #[inline]
     fn size(self) -> f64 {
         self.abs()
@@ -132,7 +132,7 @@ impl Cross for f64 {
     }
 }
 
-impl Cross for DVec3 {
+impl CrossProduct for DVec3 {
     #[inline]
     fn size(self) -> f64 {
         self.norm()
@@ -154,14 +154,14 @@ impl Cross for DVec3 {
 impl Point for DVec2 {
     const DIMENSION: usize = 2;
     type Affine = DAffine2;
-    type Cross = f64;
+    type CrossProduct = f64;
 
     #[inline]
-    fn in_space(self) -> DVec3 {
+    fn to_3d(self) -> DVec3 {
         self.extend(0.0)
     }
     #[inline]
-    fn in_plane(self) -> DVec2 {
+    fn to_2d(self) -> DVec2 {
         self
     }
     #[inline]
@@ -225,14 +225,14 @@ impl Point for DVec2 {
 impl Point for DVec3 {
     const DIMENSION: usize = 3;
     type Affine = DAffine3;
-    type Cross = DVec3;
+    type CrossProduct = DVec3;
 
     #[inline]
-    fn in_space(self) -> DVec3 {
+    fn to_3d(self) -> DVec3 {
         self
     }
     #[inline]
-    fn in_plane(self) -> DVec2 {
+    fn to_2d(self) -> DVec2 {
         self.truncate()
     }
     #[inline]

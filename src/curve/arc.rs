@@ -56,7 +56,7 @@ impl Arc {
     /// large error would go unseen.
     pub(crate) fn new<P: Point>(slopes: &[P], tolerance: f64) -> Self {
         let degree = slopes.len() as f64;
-        let slopes: Points<DVec3> = slopes.iter().map(|p| p.in_space() * degree).collect();
+        let slopes: Points<DVec3> = slopes.iter().map(|p| p.to_3d() * degree).collect();
         let last = slopes.len() - 1;
         let weighted = slopes.iter().enumerate();
         let mut arc = Self {

@@ -32,7 +32,7 @@ pub(crate) fn triangle_area<P: Point>(a: P, b: P, unit: f64) -> f64 {
     if unit == 0.0 {
         return 0.0;
     }
-    0.5 * (a / unit).in_plane().cross((b / unit).in_plane())
+    0.5 * (a / unit).to_2d().cross((b / unit).to_2d())
 }
 
 /// The area that the segment from `centre` sweeps, in squares of `unit`.
@@ -46,7 +46,7 @@ pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
     // Halves: the distance of ±1e308 is no number.
     let around: Points<DVec2> = points
         .iter()
-        .map(|&p| ((p * 0.5 - centre * 0.5) / unit).in_plane())
+        .map(|&p| ((p * 0.5 - centre * 0.5) / unit).to_2d())
         .collect();
     let n = around.len() - 1;
     let binomial = casteljau_kernels::binomial;

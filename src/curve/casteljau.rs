@@ -16,7 +16,7 @@ pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
     row[..count].copy_from_slice(points);
     for last in (1..count).rev() {
         for i in 0..last {
-            row[i] = row[i].mix(row[i + 1], t);
+            row[i] = row[i].lerp(row[i + 1], t);
         }
     }
     row[0]
@@ -29,7 +29,7 @@ pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: 
     for (level, first) in left.iter_mut().enumerate() {
         *first = right[0];
         for i in 1..points.len() - level {
-            right[i - 1] = right[i - 1].mix(right[i], t);
+            right[i - 1] = right[i - 1].lerp(right[i], t);
         }
     }
 }
@@ -57,7 +57,7 @@ impl<P: Point> Curve<P> {
         for level in 0..self.degree() {
             let next = levels[level]
                 .windows(2)
-                .map(|pair| pair[0].mix(pair[1], t))
+                .map(|pair| pair[0].lerp(pair[1], t))
                 .collect();
             levels.push(next);
         }
@@ -71,9 +71,9 @@ impl<P: Point> Curve<P> {
     #[inline]
     pub fn split(&self, t: f64) -> (Self, Self) {
         if let [p0, p1, p2, p3] = *self.points {
-            let (p01, p12, p23) = (p0.mix(p1, t), p1.mix(p2, t), p2.mix(p3, t));
-            let (p012, p123) = (p01.mix(p12, t), p12.mix(p23, t));
-            let p = p012.mix(p123, t);
+            let (p01, p12, p23) = (p0.lerp(p1, t), p1.lerp(p2, t), p2.lerp(p3, t));
+            let (p012, p123) = (p01.lerp(p12, t), p12.lerp(p23, t));
+            let p = p012.lerp(p123, t);
             return (
                 Self::from_slice(&[p0, p01, p012, p]),
                 Self::from_slice(&[p, p123, p23, p3]),
@@ -135,7 +135,7 @@ pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
 fn keep_before<P: Point>(points: &mut [P], t: f64) {
     for level in 1..points.len() {
         for i in (level..points.len()).rev() {
-            points[i] = points[i - 1].mix(points[i], t);
+            points[i] = points[i - 1].lerp(points[i], t);
         }
     }
 }
@@ -144,7 +144,7 @@ fn keep_before<P: Point>(points: &mut [P], t: f64) {
 fn keep_after<P: Point>(points: &mut [P], t: f64) {
     for level in 1..points.len() {
         for i in 0..points.len() - level {
-            points[i] = points[i].mix(points[i + 1], t);
+            points[i] = points[i].lerp(points[i + 1], t);
         }
     }
 }

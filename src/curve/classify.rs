@@ -116,7 +116,7 @@ enum Flat {
 
 /// `ways` begin at the origin.
 fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
-    let ways: Points<DVec3> = ways.iter().map(|way| way.in_space()).collect();
+    let ways: Points<DVec3> = ways.iter().map(|way| way.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
     let along = ways.iter().copied().fold(DVec3::ZERO, longest).unit();
     let across = ways.iter().map(|&way| way - along * way.dot(along));
@@ -162,7 +162,7 @@ fn meets_itself(points: &[DVec3]) -> bool {
     let (slopes, _) = hodograph(points);
     let (turning, _) = turning(&slopes, 0.0);
     let [a, b, c] = *turning else {
-        let plane: Points<DVec2> = points.iter().map(|p| p.in_plane()).collect();
+        let plane: Points<DVec2> = points.iter().map(|p| p.to_2d()).collect();
         let closed = points[0] == points[points.len() - 1];
         return closed || !Curve::from_points(plane).self_intersections().is_empty();
     };

@@ -1,7 +1,7 @@
 //! Which way does it go, and how does it bend?
 
 use super::{Curve, Points, evaluate};
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 use std::cmp::Ordering;
 
 /// A derivative counts as vanishing when it is below this part of the largest one that its degree allows: rounding of

@@ -10,7 +10,7 @@
 
 use super::flatten::{Deviation, Fraction, fourth_root};
 use super::roots::roots_inside;
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 
 /// 16 · 0.92: h⁴ |D₁×D₂|² / |D₁|² for a parabola that uses 0.92 of the squared tolerance.
 const AIMED_BEND: f64 = 14.7;
@@ -27,9 +27,9 @@ pub(crate) struct CubicDeviation<P: Point> {
     taylor: [P; 3],
     /// The same at the current start, with their cross products.
     d: [P; 3],
-    a: P::Cross,
-    b: P::Cross,
-    c: P::Cross,
+    a: P::CrossProduct,
+    b: P::CrossProduct,
+    c: P::CrossProduct,
     per_squared_tolerance: f64,
 }
 
@@ -170,7 +170,7 @@ impl<P: Point> Deviation for CubicDeviation<P> {
 /// s²(1−s)²|…|² is linear in the three products, so it is enough that the bound holds for orthogonal vectors, where E
 /// is the maximum, and for parallel ones, where M makes it exact for equal vectors and K is the largest ratio.
 #[inline]
-pub(crate) fn greatest_squared<C: Cross>(first: C, last: C) -> f64 {
+pub(crate) fn greatest_squared<C: CrossProduct>(first: C, last: C) -> f64 {
     const E: f64 = LOBE_OF_ONE_END * LOBE_OF_ONE_END;
     const M: f64 = 1.0 / 32.0 - E;
     const K: f64 = 1.01466;
@@ -182,7 +182,7 @@ pub(crate) fn greatest_squared<C: Cross>(first: C, last: C) -> f64 {
 }
 
 /// The same for vectors that point against each other, as about an inflection: exact for parallel ones.
-fn greatest_squared_of_opposed<C: Cross>(first: C, last: C) -> f64 {
+fn greatest_squared_of_opposed<C: CrossProduct>(first: C, last: C) -> f64 {
     let (large, small) = if first.size_squared() >= last.size_squared() {
         (first, last)
     } else {

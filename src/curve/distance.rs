@@ -222,12 +222,11 @@ impl<'a, P: Point> Search<'a, P> {
     /// In the plane the intersections tell whether there is a distance; close crossings of curves that run along each
     /// other are their business.
     fn meet(&mut self) -> bool {
-        let flat = |points: &[P]| points.iter().all(|p| p.in_space().z == 0.0);
+        let flat = |points: &[P]| points.iter().all(|p| p.to_3d().z == 0.0);
         if !(flat(self.a.points) && flat(self.b.points)) {
             return false;
         }
-        let plane =
-            |points: &[P]| Curve::from_points(points.iter().map(|p| p.in_plane()).collect());
+        let plane = |points: &[P]| Curve::from_points(points.iter().map(|p| p.to_2d()).collect());
         let places = plane(self.a.points).intersections(&plane(self.b.points));
         if let Some(place) = places.first() {
             self.consider(place.t, place.u);

@@ -16,7 +16,7 @@ pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;
 #[inline]
 pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
     match *points {
-        [p0, p1] => p0.mix(p1, t),
+        [p0, p1] => p0.lerp(p1, t),
         [p0, p1, p2] => weigh3([p0, p1, p2], t),
         [p0, p1, p2, p3] => weigh4([p0, p1, p2, p3], t),
         _ => evaluate_by_casteljau(points, t),
@@ -99,7 +99,7 @@ impl<P: Point> Curve<P> {
         match *self.points {
             [p0, p1, p2] => fill(out, segments, |t| weigh3([p0, p1, p2], t)),
             [p0, p1, p2, p3] if P::DIMENSION == 2 => {
-                let points = [p0, p1, p2, p3].map(|p| p.in_plane().to_array());
+                let points = [p0, p1, p2, p3].map(|p| p.to_2d().to_array());
                 sample_plane_cubic(&points, bytemuck::cast_slice_mut(out));
             }
             [p0, p1, p2, p3] => fill(out, segments, |t| weigh4([p0, p1, p2, p3], t)),

@@ -11,7 +11,7 @@ use super::flatten_any::PieceDeviation;
 use super::flatten_cubics::as_cubics;
 use super::{Curve, check_tolerance, ratio, ulp};
 use crate::error::Error;
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 use glam::DVec3;
 
 /// The most vertices that flattening returns.
@@ -267,10 +267,10 @@ fn walk_points<P: Point>(
             vertex,
         );
     }
-    let in_space: super::Points<DVec3> = points.iter().map(|p| p.in_space()).collect();
-    let Some((cubics, tolerance)) = as_cubics(&in_space, tolerance)? else {
+    let points: super::Points<DVec3> = points.iter().map(|p| p.to_3d()).collect();
+    let Some((cubics, tolerance)) = as_cubics(&points, tolerance)? else {
         return walk_chords(
-            &mut PieceDeviation::new(in_space, tolerance),
+            &mut PieceDeviation::new(points, tolerance),
             &mut left,
             vertex,
         );

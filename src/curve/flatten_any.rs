@@ -83,7 +83,7 @@ fn nearly_cubic_bound(f: &[DVec3]) -> f64 {
     let n = f.len() - 1;
     let bend = |i: usize| f[i + 1] * ratio(n * (n - 1), (i + 1) * (n - 1 - i));
     let (first, last) = (bend(0), bend(n - 2));
-    let beside_linear = |i: usize| (bend(i) - first.mix(last, ratio(i, (n - 2).max(1)))).norm();
+    let beside_linear = |i: usize| (bend(i) - first.lerp(last, ratio(i, (n - 2).max(1)))).norm();
     greatest_squared(first, last).sqrt() + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
 }
 

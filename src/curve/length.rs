@@ -6,7 +6,7 @@
 use super::arc::Arc;
 use super::{Curve, Points, check_tolerance, max_abs};
 use crate::error::Error;
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 use casteljau_kernels::plane_cubic_length;
 
 impl<P: Point> Curve<P> {
@@ -66,8 +66,8 @@ impl<P: Point> Curve<P> {
     #[inline]
     fn plane_cubic(&self) -> Option<[[f64; 2]; 4]> {
         match *self.points {
-            [a, b, c, d] if self.points.iter().all(|p| p.in_space().z == 0.0) => {
-                Some([a, b, c, d].map(|p| p.in_plane().to_array()))
+            [a, b, c, d] if self.points.iter().all(|p| p.to_3d().z == 0.0) => {
+                Some([a, b, c, d].map(|p| p.to_2d().to_array()))
             }
             _ => None,
         }

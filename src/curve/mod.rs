@@ -202,7 +202,7 @@ impl<P: Point> Curve<P> {
     /// [`elevate`](Self::elevate) for a curve whose degree is known to be below 64.
     pub(crate) fn elevated(&self) -> Self {
         let count = self.points.len();
-        let inner = (1..count).map(|i| self.points[i].mix(self.points[i - 1], ratio(i, count)));
+        let inner = (1..count).map(|i| self.points[i].lerp(self.points[i - 1], ratio(i, count)));
         let ends = |p: P| std::iter::once(p);
         Self {
             points: ends(self.start())

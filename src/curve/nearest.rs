@@ -115,7 +115,7 @@ fn on_segment<P: Point>(a: P, b: P) -> f64 {
 #[inline]
 fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
     match *points {
-        [a, b, c] => Some([a, b.mix(a, 1.0 / 3.0), b.mix(c, 1.0 / 3.0), c]),
+        [a, b, c] => Some([a, b.lerp(a, 1.0 / 3.0), b.lerp(c, 1.0 / 3.0), c]),
         [a, b, c, d] => Some([a, b, c, d]),
         _ => None,
     }
@@ -125,10 +125,10 @@ fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
 fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
     // In wasm one kernel is enough.
     if P::DIMENSION == 2 && cfg!(not(target_family = "wasm")) {
-        let flat = |p: P| p.in_plane().to_array();
+        let flat = |p: P| p.to_2d().to_array();
         nearest_in_plane(&points.map(flat), &flat(p))
     } else {
-        let space = |p: P| p.in_space().to_array();
+        let space = |p: P| p.to_3d().to_array();
         nearest_in_space(&points.map(space), &space(p))
     }
 }

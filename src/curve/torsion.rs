@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::derivative::VANISHING_RATIO;
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 use std::cmp::Ordering;
 
 impl<P: Point> Curve<P> {
@@ -23,10 +23,10 @@ impl<P: Point> Curve<P> {
             return 0.0;
         };
         let term = |order: usize| local.coefficients[order - 1];
-        let plane = term(local.first).in_space().cross(term(bend).in_space());
+        let plane = term(local.first).to_3d().cross(term(bend).to_3d());
         let out_of_plane = |&order: &usize| {
             let later = term(order);
-            plane.dot(later.in_space()).abs() > VANISHING_RATIO * plane.size() * later.norm()
+            plane.dot(later.to_3d()).abs() > VANISHING_RATIO * plane.size() * later.norm()
         };
         let Some(twist) = (bend + 1..=self.degree()).find(out_of_plane) else {
             return 0.0;
@@ -34,7 +34,7 @@ impl<P: Point> Curve<P> {
         // With B ≈ A tᵃ + C tᵇ + E tᶜ the torsion is det(A, C, E)/|A×C|² · c(c−a)(c−b)/(ab(b−a)) · t to the power c − a − b.
         let [a, b, c] = [local.first, bend, twist].map(|order| order as f64);
         let size = plane.size();
-        let part = (plane / size).dot(term(twist).in_space()) / size;
+        let part = (plane / size).dot(term(twist).to_3d()) / size;
         match twist.cmp(&(local.first + bend)) {
             Ordering::Greater => 0.0,
             Ordering::Equal => part * (c * (c - a) * (c - b) / (a * b * (b - a))) / local.scale,

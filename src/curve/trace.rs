@@ -47,9 +47,9 @@ impl<P: Point> Curve<P> {
     /// Continues from the current point, with the projection of the curve along z.
     pub(crate) fn trace_on(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         match *self.points {
-            [_, p1] => sink.line_to(p1.in_plane()),
-            [_, p1, p2] => sink.quad_to(p1.in_plane(), p2.in_plane()),
-            [_, p1, p2, p3] => sink.cubic_to(p1.in_plane(), p2.in_plane(), p3.in_plane()),
+            [_, p1] => sink.line_to(p1.to_2d()),
+            [_, p1, p2] => sink.quad_to(p1.to_2d(), p2.to_2d()),
+            [_, p1, p2, p3] => sink.cubic_to(p1.to_2d(), p2.to_2d(), p3.to_2d()),
             _ => {
                 let default = || 1e-4 * self.control_bounds().diagonal();
                 self.trace_cubics(sink, tolerance.unwrap_or_else(default), MOST_HALVINGS);

@@ -11,7 +11,7 @@ use glam::DVec2;
 /// Since V×V = 0, a pair i < j contributes only vᵢ×vⱼ · C(m, i) C(m, j) (j − i) tᵏ (1 − t)²ᵐ⁻²⁻ᵏ with k = i + j − 1, so the
 /// degree is 2m − 2 and not 2m − 1. A single point has none.
 pub(crate) fn turning<P: Point>(v: &[P], rounding: f64) -> (Scalars, f64) {
-    let v: Points<DVec2> = v.iter().map(|p| p.in_plane()).collect();
+    let v: Points<DVec2> = v.iter().map(|p| p.to_2d()).collect();
     let m = v.len() - 1;
     let mut coefficients: Scalars = (0..2 * m.max(1) - 1).map(|_| 0.0).collect();
     let mut errors = coefficients.clone();

@@ -92,10 +92,10 @@ fn exact(points: &[DVec2]) -> Bounds<DVec2> {
     if cfg!(not(target_family = "wasm")) {
         return Curve::from_slice(points).bounds();
     }
-    let points = points.iter().map(|p| p.in_space()).collect();
+    let points = points.iter().map(|p| p.to_3d()).collect();
     let Bounds { min, max } = Curve::<DVec3>::from_points(points).bounds();
     Bounds {
-        min: min.in_plane(),
-        max: max.in_plane(),
+        min: min.to_2d(),
+        max: max.to_2d(),
     }
 }

@@ -104,7 +104,7 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
             plane_cubic_length(&raised.map(|p| p.to_array()))
         }
         [a, b] if (b - a).is_finite() => Point::norm(b - a),
-        _ => in_space(points).arc_length(tolerance),
+        _ => to_3d(points).arc_length(tolerance),
     }
 }
 
@@ -112,8 +112,8 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
 const FAR: f64 = 1e300;
 
 /// In space, where all lengths but those of plane cubics are computed.
-fn in_space(points: &[DVec2]) -> Curve<DVec3> {
-    Curve::from_points(points.iter().map(|p| p.in_space()).collect())
+fn to_3d(points: &[DVec2]) -> Curve<DVec3> {
+    Curve::from_points(points.iter().map(|p| p.to_3d()).collect())
 }
 
 /// The segments of a path, which is not empty, by their lengths.
@@ -171,7 +171,7 @@ impl<'a> Ruler<'a> {
     }
 
     fn curve(&self, k: usize) -> Curve<DVec3> {
-        in_space(self.segments[k].2)
+        to_3d(self.segments[k].2)
     }
 
     fn end(&self) -> PathTime {

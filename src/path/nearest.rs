@@ -78,11 +78,11 @@ fn nearest_of(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
     if cfg!(not(target_family = "wasm")) {
         return nearest_on(points, p);
     }
-    let points: Points<DVec3> = points.iter().map(|q| q.in_space()).collect();
-    let Nearest { t, point, distance } = nearest_on(&points, p.in_space());
+    let points: Points<DVec3> = points.iter().map(|q| q.to_3d()).collect();
+    let Nearest { t, point, distance } = nearest_on(&points, p.to_3d());
     Nearest {
         t,
-        point: point.in_plane(),
+        point: point.to_2d(),
         distance,
     }
 }

@@ -158,13 +158,13 @@ fn to_bezier<P: Point>(points: &mut [P], u: &[f64]) {
     for level in 1..p {
         for i in 0..p - level {
             let (from, to) = (u[i + level], u[i + p + 1]);
-            points[i] = points[i].mix(points[i + 1], (a - from) / (to - from));
+            points[i] = points[i].lerp(points[i + 1], (a - from) / (to - from));
         }
     }
     for level in 1..p {
         for i in (level + 1..=p).rev() {
             let to = u[p + i - level + 1];
-            points[i] = points[i - 1].mix(points[i], (b - a) / (to - a));
+            points[i] = points[i - 1].lerp(points[i], (b - a) / (to - a));
         }
     }
 }

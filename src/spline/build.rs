@@ -70,8 +70,8 @@ impl<P: Point> Spline<P> {
             1 => points.push(point),
             2 => points.extend([corner, point]),
             _ => points.extend([
-                from.mix(corner, 2.0 / 3.0),
-                point.mix(corner, 2.0 / 3.0),
+                from.lerp(corner, 2.0 / 3.0),
+                point.lerp(corner, 2.0 / 3.0),
                 point,
             ]),
         }
@@ -186,7 +186,7 @@ fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
         _ if i == n => right.end(),
         _ if 2 * i < n => whole[i],
         _ if 2 * i > n => halves[i],
-        _ => whole[i].mix(halves[i], 0.5),
+        _ => whole[i].lerp(halves[i], 0.5),
     };
     Curve::from_points((0..=n).map(point).collect())
 }

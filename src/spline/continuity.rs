@@ -3,7 +3,7 @@
 use super::Spline;
 use crate::curve::Curve;
 use crate::error::Error;
-use crate::point::{Cross, Point};
+use crate::point::{CrossProduct, Point};
 
 /// The tolerance by default, as a part of the largest extent of the two segments.
 const DEFAULT_RATIO: f64 = 1e-9;

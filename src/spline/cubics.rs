@@ -98,7 +98,7 @@ impl<P: Point> Trail<P> {
     /// The handles of a straight cubic.
     fn straight(&self, from: usize, to: usize) -> [P; 2] {
         let (a, b) = (self.points[from], self.points[to]);
-        [a.mix(b, 1.0 / 3.0), a.mix(b, 2.0 / 3.0)]
+        [a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0)]
     }
 
     /// The handles of a cubic that keeps the promise along a run, if one was found.
@@ -234,7 +234,7 @@ fn at<P: Point>(p: &[P; 4], u: f64) -> (P, P, P) {
     (
         P::blend4(*p, [r * r * r, 3.0 * r * r * u, 3.0 * r * u * u, u * u * u]),
         P::blend3([d0, d1, d2], [3.0 * r * r, 6.0 * r * u, 3.0 * u * u]),
-        (d1 - d0).mix(d2 - d1, u) * 6.0,
+        (d1 - d0).lerp(d2 - d1, u) * 6.0,
     )
 }
 

@@ -94,7 +94,7 @@ impl<T: PathSink> Stroke<'_, T> {
             return;
         }
         if !self.down {
-            self.sink.move_to(flat.start().in_plane());
+            self.sink.move_to(flat.start().to_2d());
         }
         // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
         let least = 4.0 * ulp(flat.max_abs());

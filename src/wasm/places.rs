@@ -93,7 +93,7 @@ fn coordinates(a: &Arena, dimension: usize, count: usize, axis: usize) -> Vec<f6
 #[wasm_bindgen]
 pub fn curve_inflections(count: usize) -> usize {
     arena::with(|a| {
-        let curve = in_space(a, 2, count);
+        let curve = space_curve(a, 2, count);
         let ts = inflections_of(curve.control_points(), ulp(curve.max_abs()));
         a.put_numbers(0, &ts)
     })
@@ -103,7 +103,7 @@ pub fn curve_inflections(count: usize) -> usize {
 #[wasm_bindgen]
 pub fn curve_cusps(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
-        let ts = in_space(a, dimension, count).cusps();
+        let ts = space_curve(a, dimension, count).cusps();
         a.put_numbers(0, &ts)
     })
 }
@@ -112,7 +112,7 @@ pub fn curve_cusps(dimension: usize, count: usize) -> usize {
 #[wasm_bindgen]
 pub fn curve_tangents_from(count: usize) -> usize {
     arena::with(|a| {
-        let ts = in_space(a, 2, count).tangents_through(a.point_in_space(2 * count, 2));
+        let ts = space_curve(a, 2, count).tangents_through(a.point_in_space(2 * count, 2));
         a.put_numbers(0, &ts)
     })
 }
@@ -120,7 +120,7 @@ pub fn curve_tangents_from(count: usize) -> usize {
 /// The number of the class in the order of `CurveKind`.
 #[wasm_bindgen]
 pub fn curve_classify(dimension: usize, count: usize) -> usize {
-    arena::with(|a| in_space(a, dimension, count).classify() as usize)
+    arena::with(|a| space_curve(a, dimension, count).classify() as usize)
 }
 
 /// In: the control points of another curve behind those of the first. Leaves the distance, t and u.
@@ -147,6 +147,6 @@ fn two(a: &Arena, dimension: usize, count: usize, other_count: usize) -> [Curve<
         .map(|(at, count)| Curve::from_points(a.points_in_space(at, count, dimension)))
 }
 
-fn in_space(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
+fn space_curve(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
     Curve::from_points(a.points_in_space(0, count, dimension))
 }

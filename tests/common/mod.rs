@@ -39,8 +39,8 @@ pub(crate) fn plane(points: &[(f64, f64)]) -> Curve<DVec2> {
     Curve::new(&points).expect("finite points")
 }
 
-pub(crate) fn in_space<P: Point>(points: &[P]) -> Vec<DVec3> {
-    points.iter().map(|p| p.in_space()).collect()
+pub(crate) fn to_3d<P: Point>(points: &[P]) -> Vec<DVec3> {
+    points.iter().map(|p| p.to_3d()).collect()
 }
 
 pub(crate) fn largest<P: Point>(points: &[P]) -> f64 {

@@ -2,7 +2,7 @@
 
 use crate::common::exact::{self, exactly};
 use crate::common::wild::ALL;
-use crate::common::{Rng, Space, curve, in_space, largest, parameters, plane, real, ulp};
+use crate::common::{Rng, Space, curve, largest, parameters, plane, real, to_3d, ulp};
 use crate::{assert_close, steps, wild_points};
 use casteljau::Curve;
 use casteljau::curve::bernstein;
@@ -41,8 +41,8 @@ fn de_casteljau(points: &[DVec3], t: f64) -> DVec3 {
 #[wasm_bindgen_test(unsupported = test)]
 fn closed_forms_are_as_exact_as_de_casteljau() {
     fn check<P: Space>(points: &[DVec3], t: f64, compared: &mut (usize, usize)) {
-        let points = in_space(&points.iter().map(|&p| P::of(p)).collect::<Vec<P>>());
-        let got = curve::<P>(&points).eval(t).in_space();
+        let points = to_3d(&points.iter().map(|&p| P::of(p)).collect::<Vec<P>>());
+        let got = curve::<P>(&points).eval(t).to_3d();
         let size = largest(&points);
         assert_close(got, exact::eval(&points, t), 3.0, size);
         // That one is up to 2.6 ulps off itself, rarely to the other side.

@@ -1,7 +1,7 @@
 //! Tangents, normals and curvature where the derivative vanishes: limits.
 
 use crate::common::wild::ALL;
-use crate::common::{Space, curve, in_space, largest, parameters, plane, real};
+use crate::common::{Space, curve, largest, parameters, plane, real, to_3d};
 use crate::wild_points;
 use casteljau::Point;
 use casteljau::glam::{DVec2, DVec3};
@@ -13,7 +13,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 fn tangents_at_the_ends_look_to_the_next_other_point() {
     fn check<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
-        let control = in_space(curve.control_points());
+        let control = to_3d(curve.control_points());
         let start = control
             .iter()
             .map(|&p| p - control[0])
@@ -34,7 +34,7 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
         for (t, direction) in [(0.0, start), (1.0, end)] {
             // Next to nothing beside the rest, a handle may count as none.
             if direction.max_abs() > 1e-11 * real(control.len()) * largest(&control) {
-                let error = (curve.tangent(t).in_space() - direction.unit()).length();
+                let error = (curve.tangent(t).to_3d() - direction.unit()).length();
                 assert!(error < 1e-15 * 4.0, "{points:?} at {t}: {error:e}");
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::common::exact;
 use crate::common::wild::ALL;
-use crate::common::{Rng, Space, curve, in_space, largest, plane, real};
+use crate::common::{Rng, Space, curve, largest, plane, real, to_3d};
 use crate::{assert_close, steps, wild_points};
 use casteljau::glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error};
@@ -13,7 +13,7 @@ const EIGHTHS: [f64; 9] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0
 
 /// `piece` at s is the whole curve at t₀ + (t₁ − t₀)s.
 fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64) {
-    let control = in_space(piece.control_points());
+    let control = to_3d(piece.control_points());
     for s in EIGHTHS {
         let expected = exact::eval(whole, t0 + (t1 - t0) * s);
         assert_close(
@@ -29,7 +29,7 @@ fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64
 fn the_two_sides_of_a_split_are_the_curve() {
     fn check<P: Space>(points: &[DVec3]) {
         let whole = curve::<P>(points);
-        let points = &in_space(whole.control_points());
+        let points = &to_3d(whole.control_points());
         for t in EIGHTHS {
             let (left, right) = whole.split(t);
             assert_eq!(
@@ -98,7 +98,7 @@ fn a_split_outside_extends_the_curve() {
 fn subsegments_are_pieces() {
     fn check<P: Space>(points: &[DVec3]) {
         let whole = curve::<P>(points);
-        let points = &in_space(whole.control_points());
+        let points = &to_3d(whole.control_points());
         for t0 in [0.0, 0.125, 0.5, 0.875, 1.0] {
             for t1 in [0.0, 0.25, 0.5, 1.0] {
                 let piece = whole.subsegment(t0, t1);

@@ -1,6 +1,6 @@
 //! Properties of random hostile curves, shrunk where they fail.
 
-use crate::common::{exact, in_space, largest, real, ulp};
+use crate::common::{exact, largest, real, to_3d, ulp};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
 use proptest::collection::vec;
@@ -131,7 +131,7 @@ proptest! {
     fn the_tangent_is_the_direction_of_the_way(points in points(), t in 1..16_u32) {
         let t = f64::from(t) / 16.0;
         let curve = plane(&points);
-        let flat = in_space(curve.control_points());
+        let flat = to_3d(curve.control_points());
         let derivative = exact::derivative(&flat, t, 1);
         // Where the derivative is not lost in the rounding of the control points.
         let scale = real(points.len()) * largest(&flat);

@@ -2,7 +2,7 @@
 
 use crate::common::exact;
 use crate::common::wild::{ALL, Kind};
-use crate::common::{Rng, curve, in_space, largest, plane, real, ulp};
+use crate::common::{Rng, curve, largest, plane, real, to_3d, ulp};
 use crate::{steps, wild_points};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
@@ -196,7 +196,7 @@ fn curves_stay_among_their_control_points() {
         let direction = rng.point(3);
         let along = |p: &DVec3| p.dot(direction);
         let most = points.iter().map(along).fold(f64::MIN, f64::max);
-        let samples = in_space(&curve.sample(50).expect("samples"));
+        let samples = to_3d(&curve.sample(50).expect("samples"));
         let rounding = 4.0 * steps(points) * ulp(largest(points));
         assert!(samples.iter().all(|p| along(p) <= most + rounding));
     });

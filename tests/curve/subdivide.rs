@@ -2,7 +2,7 @@
 
 use crate::common::measure::Ruler;
 use crate::common::wild::ORDINARY;
-use crate::common::{Space, curve, in_space, largest, plane, ulp};
+use crate::common::{Space, curve, largest, plane, to_3d, ulp};
 use crate::wild_points;
 use casteljau::curve::Subdivision;
 use casteljau::glam::{DVec2, DVec3};
@@ -15,7 +15,7 @@ fn polygon_length(points: &[DVec3]) -> f64 {
 
 /// Checks a node and those below it; `whole` is the curve from which it comes.
 fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
-    let points = in_space(node.curve.control_points());
+    let points = to_3d(node.curve.control_points());
     let rounding = 16.0 * ulp(largest(whole)) * crate::steps(whole);
     let near = |a: f64, b: f64| (a - b).abs() <= rounding;
     assert!(near(node.polygon_length, polygon_length(&points)));
@@ -63,12 +63,12 @@ fn assert_bound_holds<P: Point>(node: &Subdivision<P>, points: &[DVec3], roundin
 fn the_tree_of_every_curve() {
     fn all<P: Space>(points: &[DVec3]) {
         let curve = curve::<P>(points);
-        let size = polygon_length(&in_space(curve.control_points()));
+        let size = polygon_length(&to_3d(curve.control_points()));
         for part in [1e-1, 1e-4] {
             let tolerance = (size * part).max(64.0 * ulp(largest(points)).max(f64::MIN_POSITIVE));
             let tree = curve.subdivide(tolerance).expect("a tree");
             assert_eq!((tree.t0, tree.t1, &tree.curve), (0.0, 1.0, &curve));
-            check(&tree, &in_space(curve.control_points()), tolerance);
+            check(&tree, &to_3d(curve.control_points()), tolerance);
             let leaves = tree.leaves();
             assert!(leaves.iter().all(|leaf| leaf.halves.is_none()));
             assert!(

@@ -2,7 +2,7 @@
 
 use crate::common::measure::{Ruler, farthest};
 use crate::common::wild::{self, Kind};
-use crate::common::{Rng, Space, curve, in_space, largest, real, ulp};
+use crate::common::{Rng, Space, curve, largest, real, to_3d, ulp};
 use casteljau::curve::Polyline;
 use casteljau::glam::{DVec2, DVec3};
 
@@ -59,7 +59,7 @@ impl Case {
         );
         let on_curve = |k: usize| points[k] == curve.eval(ts[k]);
         assert!((1..last).all(on_curve), "not on the curve: {self:?}");
-        (ts, in_space(&points))
+        (ts, to_3d(&points))
     }
 
     /// Fails where the curve is farther from the polyline than the tolerance.

@@ -93,7 +93,7 @@ fn closed_curves_at_large_tolerances() {
     for tolerance in [0.9053, 0.8, 0.5, 0.1] {
         let line = curve.flatten(tolerance).expect("flat");
         let (points, ts) = (curve.control_points(), &line.ts);
-        let ruler = Ruler::new(&common::in_space(points));
+        let ruler = Ruler::new(&common::to_3d(points));
         let vertices: Vec<_> = line
             .points
             .iter()

@@ -4,7 +4,7 @@ use crate::arguments::*;
 use crate::check::*;
 use crate::runner::Row;
 use casteljau::curve::{Basis, bernstein};
-use casteljau::{Cross, Curve, Point};
+use casteljau::{CrossProduct, Curve, Point};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[

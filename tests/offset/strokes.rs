@@ -203,7 +203,7 @@ fn simplifying_what_is_simple() {
     let cubic = [(0.0, 0.0), (1.0, 3.0), (4.0, 3.0), (5.0, 0.0)].map(DVec2::from);
     let one = Spline::new(&cubic, 3, false).expect("finite");
     assert_eq!(one.simplify(0.001).expect("finite"), one);
-    let scaled = cubic.map(|p| p.in_plane() * 1e9);
+    let scaled = cubic.map(|p| p.to_2d() * 1e9);
     assert_eq!(
         Spline::new(&scaled, 3, false)
             .expect("finite")

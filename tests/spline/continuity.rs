@@ -1,6 +1,6 @@
 //! What is true at a joint: a table from closed forms.
 
-use crate::common::{Rng, curve, in_space, plane as bezier};
+use crate::common::{Rng, curve, plane as bezier, to_3d};
 use crate::plane;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::spline::{Continuity, JointMode};
@@ -203,7 +203,7 @@ fn in_space_and_at_the_seam_of_a_closed_spline() {
         2,
         true,
     );
-    let space: Vec<DVec3> = in_space(ring.control_points())
+    let space: Vec<DVec3> = to_3d(ring.control_points())
         .iter()
         .map(|p| DVec3::new(p.y, 1.0, p.x))
         .collect();
