@@ -36,6 +36,7 @@
 //! assert_eq!(line.ts.first(), Some(&0.0));
 //! # Ok::<(), casteljau::Error>(())
 //! ```
+#![deny(clippy::disallowed_methods)]
 
 pub mod curve;
 mod easing;

@@ -70,7 +70,7 @@ pub trait Point:
 
     /// The Euclidean length; it neither overflows nor vanishes before the true value does.
     #[inline]
-    fn norm(self) -> f64 {
+    fn length(self) -> f64 {
         let square = self.dot(self);
         if (1e-280..1e280).contains(&square) {
             return square.sqrt();
@@ -85,7 +85,7 @@ pub trait Point:
 
     /// The vector of length 1 in this direction; zero for the zero vector.
     #[inline]
-    fn unit(self) -> Self {
+    fn normalize_or_zero(self) -> Self {
         let scale = self.max_abs();
         if scale == 0.0 {
             return Self::default();
@@ -135,7 +135,7 @@ impl CrossProduct for f64 {
 impl CrossProduct for DVec3 {
     #[inline]
     fn size(self) -> f64 {
-        self.norm()
+        Point::length(self)
     }
     #[inline]
     fn curvature_sign(self) -> f64 {
@@ -290,9 +290,9 @@ impl Point for DVec3 {
     }
     #[inline]
     fn normal_of(tangent: Self, bend: Self) -> Self {
-        let across = |v: Self| (v - tangent * v.dot(tangent)).unit();
+        let across = |v: Self| Point::normalize_or_zero(v - tangent * v.dot(tangent));
         // Of a bend almost along the tangent, rounding leaves some of it: twice is enough (Kahan).
-        across(across(bend.unit()))
+        across(across(Point::normalize_or_zero(bend)))
     }
 }
 

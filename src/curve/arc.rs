@@ -129,7 +129,7 @@ impl Arc {
     }
 
     fn speed(&self, t: f64) -> f64 {
-        evaluate(&self.slopes, t).norm()
+        Point::length(evaluate(&self.slopes, t))
     }
 
     /// ∫ |B′| from `lo` to `hi`, by one rule.
@@ -167,8 +167,8 @@ impl Arc {
             evaluate(&self.slopes, end),
             evaluate(&self.slopes, end + way),
         );
-        at.dot(inside) < SHARP_COSINE * at.length() * inside.length()
-            && at.length() * way.abs() > self.tolerance
+        at.dot(inside) < SHARP_COSINE * Point::length(at) * Point::length(inside)
+            && Point::length(at) * way.abs() > self.tolerance
     }
 
     fn push(&mut self, t: f64, length: f64) {

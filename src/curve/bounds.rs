@@ -35,7 +35,7 @@ impl<P: Point> Bounds<P> {
     /// The length of the diagonal.
     pub fn diagonal(&self) -> f64 {
         // Halves first: max − min of ±1e308 would overflow.
-        (self.max * 0.5 - self.min * 0.5).norm() * 2.0
+        (self.max * 0.5 - self.min * 0.5).length() * 2.0
     }
 }
 

@@ -118,13 +118,13 @@ enum Flat {
 fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
     let ways: Points<DVec3> = ways.iter().map(|way| way.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
-    let along = ways.iter().copied().fold(DVec3::ZERO, longest).unit();
+    let along = Point::normalize_or_zero(ways.iter().copied().fold(DVec3::ZERO, longest));
     let across = ways.iter().map(|&way| way - along * way.dot(along));
     let across = across.fold(DVec3::ZERO, longest);
-    if across.norm() <= slack {
+    if Point::length(across) <= slack {
         return Flat::Line;
     }
-    let normal = along.cross(across.unit());
+    let normal = along.cross(Point::normalize_or_zero(across));
     if ways.iter().any(|way| way.dot(normal).abs() > slack) {
         return Flat::Not;
     }

@@ -75,14 +75,14 @@ impl<P: Point> CubicDeviation<P> {
             return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
         }
         // The chord is next to nothing; the piece is no farther from it than its control points.
-        let farthest = (d1.norm() / 3.0).max((u - end * (1.0 / 3.0)).norm()) * h;
+        let farthest = (d1.length() / 3.0).max((u - end * (1.0 / 3.0)).length()) * h;
         farthest * farthest * self.per_squared_tolerance
     }
 
     /// The overshoot past the ends of the chord, squared.
     fn overshoot_squared(&self, h: f64, u: P) -> f64 {
         let [d1, d2, d3] = self.d;
-        let direction = u.unit();
+        let direction = u.normalize_or_zero();
         let (a, b, c) = (
             d1.dot(direction) * h,
             d2.dot(direction) * h * h,

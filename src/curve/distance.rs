@@ -72,7 +72,7 @@ impl<P: Point> Curve<P> {
         }
         let (t, u) = (search.t, search.u);
         // Halves: the difference of ±1e308 would overflow.
-        let distance = (self.eval(t) * 0.5 - other.eval(u) * 0.5).norm() * 2.0;
+        let distance = (self.eval(t) * 0.5 - other.eval(u) * 0.5).length() * 2.0;
         Distance {
             distance: if distance <= ulps * ulp(size) {
                 0.0
@@ -127,7 +127,7 @@ impl<P: Point> Piece<P> {
 
     /// The part of a vector that is perpendicular to the chord.
     fn across(&self, way: P) -> P {
-        let chord = (self.points[self.points.len() - 1] - self.points[0]).unit();
+        let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
         way - chord * way.dot(chord)
     }
 
@@ -135,7 +135,7 @@ impl<P: Point> Piece<P> {
     fn apart(&self, other: &Self) -> f64 {
         let way = self.middle - other.middle;
         let bound = |way: P| {
-            let direction = way.unit();
+            let direction = way.normalize_or_zero();
             self.along(direction).0 - other.along(direction).1
         };
         bound(way)
@@ -268,7 +268,7 @@ impl<'a, P: Point> Search<'a, P> {
             };
             for (i, j) in halves {
                 let (p, q) = (&left.0[i], &right.0[j]);
-                if (p.middle - q.middle).norm() + self.rounding < self.distance {
+                if (p.middle - q.middle).length() + self.rounding < self.distance {
                     self.descend(p.mid(), q.mid());
                 }
                 let least = p.apart(q);
@@ -320,11 +320,11 @@ impl<'a, P: Point> Search<'a, P> {
         let t = t.clamp(0.0, 1.0);
         let u = self.foot(self.b.points, self.a.at(t));
         self.consider(t, u);
-        (self.a.at(t) - self.b.at(u)).norm()
+        (self.a.at(t) - self.b.at(u)).length()
     }
 
     fn consider(&mut self, t: f64, u: f64) {
-        let distance = (self.a.at(t) - self.b.at(u)).norm();
+        let distance = (self.a.at(t) - self.b.at(u)).length();
         if distance < self.distance {
             (self.distance, self.t, self.u) = (distance, t, u);
         }
@@ -341,13 +341,13 @@ impl<'a, P: Point> Search<'a, P> {
             let way = self.a.at(t) - self.b.at(u);
             let (step_t, step_u) = self.newton(way, t, u);
             let mut share = 1.0;
-            let old = way.norm();
+            let old = way.length();
             loop {
                 let (v, w) = (
                     (t + share * step_t).clamp(0.0, 1.0),
                     (u + share * step_u).clamp(0.0, 1.0),
                 );
-                if (self.a.at(v) - self.b.at(w)).norm() < old {
+                if (self.a.at(v) - self.b.at(w)).length() < old {
                     (t, u) = (v, w);
                     break;
                 }

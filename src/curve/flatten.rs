@@ -133,7 +133,7 @@ impl<P: Point> Curve<P> {
         let density = |k: usize| {
             let t = (k as f64 + 0.5) / FORECAST_STEPS as f64;
             let (v, a) = (first.eval(t), second.eval(t));
-            let speed = v.norm();
+            let speed = v.length();
             if speed > 0.0 {
                 (v.cross(a).size_squared().sqrt() / speed).sqrt()
             } else {
@@ -195,7 +195,8 @@ impl<P: Point> Curve<P> {
                 p
             }
         };
-        let direction = (self.points.iter().fold(end, |p, &q| farthest(p, q)) - start).unit();
+        let direction =
+            (self.points.iter().fold(end, |p, &q| farthest(p, q)) - start).normalize_or_zero();
         let across = |p: P| ((p - start) - direction * (p - start).dot(direction)).max_abs();
         if self.points.iter().any(|&p| across(p) > noise) {
             return None;
@@ -209,7 +210,7 @@ impl<P: Point> Curve<P> {
         })?;
         // Each turn that is left out lies within the tolerance of the end of its own chord.
         let mut turns = self.extrema_on(axis).to_vec();
-        let near = |t: f64, p: P| (self.eval(t) - p).norm() <= tolerance;
+        let near = |t: f64, p: P| (self.eval(t) - p).length() <= tolerance;
         while turns.last().is_some_and(|&t| near(t, end)) {
             turns.pop();
         }

@@ -43,7 +43,7 @@ impl PieceDeviation {
             .collect();
         let bound = nearly_cubic_bound(&distances);
         let undecided =
-            bound > self.tolerance && evaluate(&distances, 0.5).norm() <= self.tolerance;
+            bound > self.tolerance && Point::length(evaluate(&distances, 0.5)) <= self.tolerance;
         if undecided {
             bound.min(halved_bound(&distances, MOST_HALVINGS))
         } else {
@@ -54,10 +54,10 @@ impl PieceDeviation {
     /// Whether one of a few points of the piece is farther from its chord than the tolerance: a quick no.
     fn leaves_chord(&self, h: f64) -> bool {
         let at = |part: f64| evaluate(&self.points, (self.start + h * part).min(1.0)) - self.from;
-        let direction = at(1.0).unit();
+        let direction = Point::normalize_or_zero(at(1.0));
         [0.5, 0.25, 0.75]
             .iter()
-            .any(|&part| direction.cross(at(part)).norm() > self.tolerance)
+            .any(|&part| Point::length(direction.cross(at(part))) > self.tolerance)
     }
 
     /// How far the piece runs past the ends of its chord.
@@ -83,14 +83,15 @@ fn nearly_cubic_bound(f: &[DVec3]) -> f64 {
     let n = f.len() - 1;
     let bend = |i: usize| f[i + 1] * ratio(n * (n - 1), (i + 1) * (n - 1 - i));
     let (first, last) = (bend(0), bend(n - 2));
-    let beside_linear = |i: usize| (bend(i) - first.lerp(last, ratio(i, (n - 2).max(1)))).norm();
+    let beside_linear =
+        |i: usize| Point::length(bend(i) - first.lerp(last, ratio(i, (n - 2).max(1))));
     greatest_squared(first, last).sqrt() + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
 }
 
 /// The greatest control point after some halvings; each brings it four times nearer to the curve.
 fn halved_bound(f: &[DVec3], halvings: usize) -> f64 {
     if halvings == 0 {
-        return f.iter().map(|p| p.norm()).fold(0.0, f64::max);
+        return f.iter().map(|&p| Point::length(p)).fold(0.0, f64::max);
     }
     let (left, right) = Curve::from_slice(f).halve();
     halved_bound(left.control_points(), halvings - 1)
@@ -107,15 +108,18 @@ impl Deviation for PieceDeviation {
         let mut piece = self.points.clone();
         blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
         let chord = piece[piece.len() - 1] - piece[0];
-        let direction = chord.unit();
+        let direction = Point::normalize_or_zero(chord);
         let distance = if direction == DVec3::ZERO {
             piece
                 .iter()
-                .map(|&p| (p - piece[0]).norm())
+                .map(|&p| Point::length(p - piece[0]))
                 .fold(0.0, f64::max)
         } else {
-            self.across(&piece, direction)
-                .hypot(Self::overshoot(&piece, direction, chord.norm()))
+            self.across(&piece, direction).hypot(Self::overshoot(
+                &piece,
+                direction,
+                Point::length(chord),
+            ))
         };
         Fraction {
             over: (distance / self.tolerance).powi(2),
@@ -129,7 +133,7 @@ impl Deviation for PieceDeviation {
         }
         // The whole curve's second differences, as if they were those of the start.
         let n = ratio(self.points.len() - 1, 1);
-        let second = |w: &[DVec3]| ((w[2] - w[1]) - (w[1] - w[0])).norm();
+        let second = |w: &[DVec3]| Point::length((w[2] - w[1]) - (w[1] - w[0]));
         let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
         (8.0 * self.tolerance / bend).sqrt().min(1.0)
     }

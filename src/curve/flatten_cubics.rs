@@ -6,6 +6,7 @@
 
 use super::{Curve, Points};
 use crate::error::Error;
+use crate::point::Point;
 use glam::DVec3;
 
 /// A cubic differs from the curve by at most this part of the tolerance.
@@ -94,7 +95,7 @@ impl Piece {
 
     /// A bound on the distance from the cubic, point by point.
     fn error(&self) -> f64 {
-        let length = |p: &DVec3| p.length();
+        let length = |p: &DVec3| Point::length(*p);
         let most = self.fourth.control_points().iter().map(length);
         most.fold(0.0, f64::max) * self.length().powi(4) / 384.0
     }
@@ -144,7 +145,7 @@ impl Piece {
 
 /// About how many chords a cubic needs: even steps of a second derivative D are within D/(8 N²) of the curve.
 fn chord_count(p: &[DVec3; 4], tolerance: f64) -> f64 {
-    let second = |i: usize| (p[i + 2] - p[i + 1] * 2.0 + p[i]).length();
+    let second = |i: usize| Point::length(p[i + 2] - p[i + 1] * 2.0 + p[i]);
     let bend = 3.0 * (second(0) + second(1));
     (bend / (8.0 * tolerance)).sqrt()
 }

@@ -208,7 +208,7 @@ impl Rail {
         let slope = evaluate(&self.slopes, t);
         // The slopes have a largest coordinate of 1 to 2.
         if slope.max_abs() > CLEAR_SPEED {
-            slope.unit()
+            Point::normalize_or_zero(slope)
         } else {
             self.unit.tangent(t)
         }
@@ -243,7 +243,8 @@ impl Rail {
             .min_by(|a, b| a.dot(tangent).abs().total_cmp(&b.dot(tangent).abs()));
         let all = [wanted, Some(self.unit.normal(t)), farthest];
         // What is along the tangent but for rounding is no wish.
-        let clear = |v: &DVec3| v.unit().cross(tangent).length() > PARALLEL_SINE;
+        let clear =
+            |v: &DVec3| Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLEL_SINE;
         all.into_iter()
             .flatten()
             .find(clear)
@@ -267,7 +268,7 @@ impl Rail {
             .dot(middle.tangent)
             .min(middle.tangent.dot(to.tangent));
         let gentle = cosine > GENTLE_COSINE;
-        if work.is_exceeded() || (gentle && (in_two - at_once).length() <= CARRIED_APART) {
+        if work.is_exceeded() || (gentle && Point::length(in_two - at_once) <= CARRIED_APART) {
             return in_two;
         }
         if (to.t - from.t).abs() <= CUSP_STEP {
@@ -282,12 +283,12 @@ impl Rail {
 
     /// The normal of the plane in which a cusp lies; zero where there is none.
     fn axis(&self, t: f64) -> DVec3 {
-        let derivative = |k: usize| self.unit.derivative_at(t, k).unit();
+        let derivative = |k: usize| Point::normalize_or_zero(self.unit.derivative_at(t, k));
         let second = derivative(2);
         (3..=self.unit.degree())
             .map(|k| second.cross(derivative(k)))
-            .find(|axis| axis.length() > PARALLEL_SINE)
-            .map_or(DVec3::ZERO, |axis| axis.unit())
+            .find(|axis| Point::length(*axis) > PARALLEL_SINE)
+            .map_or(DVec3::ZERO, Point::normalize_or_zero)
     }
 }
 
@@ -297,12 +298,12 @@ fn reflected(from: &Place, normal: DVec3, to: &Place) -> DVec3 {
     if way.max_abs() < CLEAR_WAY && from.tangent.dot(to.tangent) > GENTLE_COSINE {
         return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
-    let chord = way.unit();
+    let chord = Point::normalize_or_zero(way);
     let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
     let (normal, tangent) = (mirror(normal, chord), mirror(from.tangent, chord));
-    let second = (to.tangent - tangent).unit();
+    let second = Point::normalize_or_zero(to.tangent - tangent);
     let normal = mirror(normal, second);
-    (normal - to.tangent * to.tangent.dot(normal)).unit()
+    Point::normalize_or_zero(normal - to.tangent * to.tangent.dot(normal))
 }
 
 /// The normal after the tangent has turned from `before` to `after` at one place, the short way; `axis` says about what
@@ -318,5 +319,5 @@ fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
     }
     let shared = normal.dot(after) / (1.0 + before.dot(after));
     let normal = normal - (before + after) * shared;
-    (normal - after * after.dot(normal)).unit()
+    Point::normalize_or_zero(normal - after * after.dot(normal))
 }

@@ -63,15 +63,18 @@ impl<P: Point> Curve<P> {
 fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     let start = points[0];
     let longest = |way: P, &p: &P| {
-        if (p - start).norm() > way.norm() {
+        if (p - start).length() > way.length() {
             p - start
         } else {
             way
         }
     };
-    let along = points.iter().fold(P::default(), longest).unit();
+    let along = points
+        .iter()
+        .fold(P::default(), longest)
+        .normalize_or_zero();
     let place = |p: P| (p - start).dot(along);
-    let off = |&p: &P| (p - start - along * place(p)).norm();
+    let off = |&p: &P| (p - start - along * place(p)).length();
     if points.len() == 2 || points.iter().map(off).fold(0.0, f64::max) > 8.0 * rounding {
         return points;
     }
@@ -121,7 +124,7 @@ fn farthest<P: Point>(
     let mut look = |p: P, greatest: &mut f64| {
         let (u, steps) = counted_parameter(b, p);
         let within = work.spend(steps);
-        *greatest = greatest.max((evaluate(b, u) - p).norm());
+        *greatest = greatest.max((evaluate(b, u) - p).length());
         (u, within)
     };
     let b_curve = Curve::from_slice(high);
@@ -181,7 +184,7 @@ impl<P: Point> Piece<P> {
                 .points
                 .iter()
                 .enumerate()
-                .map(|(i, &p)| (p - to(i)).norm());
+                .map(|(i, &p)| (p - to(i)).length());
             away.fold(0.0, f64::max)
         };
         far(&|i| along.points[i])

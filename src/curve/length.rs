@@ -50,7 +50,7 @@ impl<P: Point> Curve<P> {
             return 0.0;
         }
         let length = match *slopes {
-            [d] => d.norm(),
+            [d] => d.length(),
             [d, e] => line_integral(d, e),
             _ => Arc::new(&slopes, tolerance / unit).length(),
         };
@@ -104,9 +104,9 @@ fn power_of_two(x: f64) -> f64 {
 /// s₁ = s₀ + a at e, it is [s √(s² + h²) + h² arsinh(s/h)] / a. Both differences are taken without cancellation, so that
 /// neither a nearly even speed nor a turn-back (h = 0) does harm.
 fn line_integral<P: Point>(d: P, e: P) -> f64 {
-    let (r0, r1) = (d.norm(), e.norm());
+    let (r0, r1) = (d.length(), e.length());
     let way = e - d;
-    let a = way.norm();
+    let a = way.length();
     // The speed is even but for the square of a.
     if a <= 1e-9 * (r0 + r1) {
         return r0 + r1;

@@ -162,7 +162,7 @@ impl<P: Point> Curve<P> {
                 .points
                 .iter()
                 .zip(&other.points)
-                .all(|(&a, &b)| a == b || (a - b).norm() <= tolerance)
+                .all(|(&a, &b)| a == b || (a - b).length() <= tolerance)
     }
 
     /// The same curve run through backwards: B(1 − t).

@@ -73,7 +73,7 @@ pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
     let t = nearest_parameter(points, p);
     let point = evaluate(points, t);
     // Halves: the difference of ±1e308 would overflow.
-    let distance = (point * 0.5 - p * 0.5).norm() * 2.0;
+    let distance = (point * 0.5 - p * 0.5).length() * 2.0;
     Nearest { t, point, distance }
 }
 
@@ -141,8 +141,8 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
         binomials: Binomials::new(n, n - 1),
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
-        least: points[0].norm(),
-        end: points[n].norm(),
+        least: points[0].length(),
+        end: points[n].length(),
         work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
     search.run(points, [0.0, 1.0], MOST_HALVINGS);
@@ -209,7 +209,7 @@ impl<P: Point> Search<'_, P> {
 fn distance_of_box<P: Point>(points: &[P]) -> f64 {
     let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
     let (low, high) = points[1..].iter().fold((points[0], points[0]), around);
-    low.max(high * -1.0).max(P::default()).norm()
+    low.max(high * -1.0).max(P::default()).length()
 }
 
 /// The greatest absolute value of some numbers.
@@ -233,5 +233,5 @@ fn closer<P: Point>(way: &Way<P>, mut t: f64) -> (f64, f64) {
         }
         (t, p) = (next, q);
     }
-    (t, p.norm())
+    (t, p.length())
 }

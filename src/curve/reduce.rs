@@ -45,7 +45,7 @@ impl<P: Point> Curve<P> {
             .collect();
         Reduced {
             curve: Self::from_points(unelevated(&lower)),
-            error: excess.norm(),
+            error: excess.length(),
         }
     }
 

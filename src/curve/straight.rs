@@ -30,8 +30,8 @@ impl Curve<DVec2> {
                     far
                 }
             });
-        let way = far.unit();
-        let noise = (ULPS * ulp(0.5 * self.max_abs())).min(LARGEST_PART * far.norm());
+        let way = Point::normalize_or_zero(far);
+        let noise = (ULPS * ulp(0.5 * self.max_abs())).min(LARGEST_PART * Point::length(far));
         let across = |p: &DVec2| way.perp_dot(from_start(p)).abs();
         let straight = way != DVec2::ZERO && self.points.iter().all(|p| across(p) <= noise);
         straight.then_some(way)

@@ -76,9 +76,9 @@ fn grow<P: Point>(
     let polygon_length = curve
         .control_points()
         .windows(2)
-        .map(|pair| (pair[1] - pair[0]).norm())
+        .map(|pair| (pair[1] - pair[0]).length())
         .sum::<f64>();
-    let chord_length = (curve.end() - curve.start()).norm();
+    let chord_length = (curve.end() - curve.start()).length();
     let middle = 0.5 * (t0 + t1);
     let straight = polygon_length - chord_length < tolerance || middle <= t0 || middle >= t1;
     let halves = if straight {

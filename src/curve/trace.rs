@@ -98,7 +98,7 @@ impl<P: Point> Curve<P> {
         };
         let distances = self.points.iter().enumerate();
         distances
-            .map(|(k, &p)| (p - raised(k)).norm())
+            .map(|(k, &p)| (p - raised(k)).length())
             .fold(0.0, f64::max)
     }
 }

@@ -103,7 +103,7 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
             let raised = [DVec2::ZERO, first, first + way / 3.0, way];
             plane_cubic_length(&raised.map(|p| p.to_array()))
         }
-        [a, b] if (b - a).is_finite() => Point::norm(b - a),
+        [a, b] if (b - a).is_finite() => Point::length(b - a),
         _ => to_3d(points).arc_length(tolerance),
     }
 }

@@ -203,7 +203,7 @@ impl Path {
 
     /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
-        let near = |(&a, &b): (&DVec2, &DVec2)| a == b || (a - b).norm() <= tolerance;
+        let near = |(&a, &b): (&DVec2, &DVec2)| a == b || Point::length(a - b) <= tolerance;
         self.subpaths == other.subpaths
             && self.degrees == other.degrees
             && self.points.iter().zip(&other.points).all(near)

@@ -85,14 +85,14 @@ impl<P: Point> Spline<P> {
 
 fn judge<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continuity {
     let near =
-        |k: usize| (left.derivative_at(1.0, k) - right.derivative_at(0.0, k)).norm() <= tolerance;
+        |k: usize| (left.derivative_at(1.0, k) - right.derivative_at(0.0, k)).length() <= tolerance;
     let (before, after) = (left.tangent(1.0), right.tangent(0.0));
     let (along, across) = (before.dot(after), before.cross(after).size());
     let reach = handle(left, true).min(handle(right, false));
     let g1 = along > 0.0 && across * reach <= tolerance;
     // Two parabolas with these curvatures are κ/2 · reach² apart at the handle's tip.
     let bend = bend_of(left, 1.0) - bend_of(right, 0.0);
-    let g2 = g1 && bend.norm() * 0.5 * reach * reach <= tolerance;
+    let g2 = g1 && bend.length() * 0.5 * reach * reach <= tolerance;
     let c1 = near(1);
     Continuity {
         c0: true,
@@ -108,7 +108,7 @@ fn judge<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continu
 /// The length of the last handle before a joint, or the first after it, that is not zero.
 fn handle<P: Point>(curve: &Curve<P>, at_end: bool) -> f64 {
     let joint = if at_end { curve.end() } else { curve.start() };
-    let mut lengths = curve.control_points().iter().map(|&p| (p - joint).norm());
+    let mut lengths = curve.control_points().iter().map(|&p| (p - joint).length());
     let found = if at_end {
         lengths.rfind(|&l| l > 0.0)
     } else {

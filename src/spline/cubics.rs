@@ -50,7 +50,7 @@ pub(crate) fn ways<P: Point>(points: &[P]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut lengths = vec![0.0];
     lengths.extend(points.windows(2).map(|p| {
-        sum += (p[1] - p[0]).norm();
+        sum += (p[1] - p[0]).length();
         sum
     }));
     lengths
@@ -119,8 +119,12 @@ impl<P: Point> Trail<P> {
                     *u = foot(&cubic, p, *u);
                 }
                 let (q, w, _) = at(&cubic, *u);
-                worst = worst.max((q - p).norm());
-                let along = if round > 0 { w.unit() } else { P::default() };
+                worst = worst.max((q - p).length());
+                let along = if round > 0 {
+                    w.normalize_or_zero()
+                } else {
+                    P::default()
+                };
                 equations.add(q - p, along, (t0, t1), *u);
             }
             if worst <= self.promise.tolerance && self.keeps(&cubic, from, to, &samples) {
@@ -176,7 +180,7 @@ impl<P: Point> Trail<P> {
             } else {
                 foot(cubic, p, guess).max(last.0)
             };
-            let off = (at(cubic, u).0 - p).norm();
+            let off = (at(cubic, u).0 - p).length();
             let share = if self.promise.between {
                 sag(cubic, last.0, u)
             } else {
@@ -254,5 +258,5 @@ fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
 /// How far a cubic may be from its chord between two parameters: h²/8 of the largest second derivative.
 fn sag<P: Point>(cubic: &[P; 4], u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
-    at(cubic, u0).2.norm().max(at(cubic, u1).2.norm()) * h * h * 0.125
+    at(cubic, u0).2.length().max(at(cubic, u1).2.length()) * h * h * 0.125
 }

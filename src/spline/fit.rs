@@ -155,11 +155,11 @@ impl<'a, P: Point> Stroke<'a, P> {
         let (before, after) = (self.before(k)?, self.after(k)?);
         let points = &self.trail.points;
         let (u, v) = (
-            (points[k] - points[before]).unit(),
-            (points[after] - points[k]).unit(),
+            (points[k] - points[before]).normalize_or_zero(),
+            (points[after] - points[k]).normalize_or_zero(),
         );
         // Of unit vectors: 2 asin(|u − v|/2), exact for small angles and large ones.
-        let angle = 2.0 * ((u - v).norm() * 0.5).min(1.0).asin();
+        let angle = 2.0 * ((u - v).length() * 0.5).min(1.0).asin();
         Some((angle, before, after))
     }
 
@@ -256,7 +256,7 @@ fn parabola<P: Point>(points: impl Iterator<Item = (P, f64)>) -> P {
     } else {
         r1
     };
-    slope.unit()
+    slope.normalize_or_zero()
 }
 
 /// What rounding may take of the tolerance.

@@ -171,7 +171,11 @@ impl<P: Point> Row<P> {
             let (before, after) = self.beside(i);
             let points = [before, i, after].map(|k| self.points[k]);
             let step = |from: usize, to: usize, chord: P| {
-                if from == to { 0.0 } else { step(chord.norm()) }
+                if from == to {
+                    0.0
+                } else {
+                    step(chord.length())
+                }
             };
             let steps = [
                 step(before, i, points[1] - points[0]),

@@ -64,7 +64,7 @@ impl<P: Point> Sides<P> {
     /// far one. A handle of length zero has no direction: the other is then left alone.
     pub(crate) fn follow(&self, mode: JointMode) -> P {
         let ([near, _], joint, [far, _]) = (self.near, self.joint, self.far);
-        let aligned = || joint + (joint - near).unit() * (far - joint).norm();
+        let aligned = || joint + (joint - near).normalize_or_zero() * (far - joint).length();
         match mode {
             JointMode::Free | JointMode::Auto => far,
             JointMode::C1 | JointMode::C2 => {
@@ -93,24 +93,27 @@ impl<P: Point> Sides<P> {
 
     /// The far handle that makes the curvatures equal; none where that is no question of its length.
     fn bent(&self) -> Option<P> {
-        let along = (self.joint - self.near[0]).unit();
+        let along = (self.joint - self.near[0]).normalize_or_zero();
         // From the joint: the parts across the tangent.
         let across = |p: P| (p - self.joint) - along * (p - self.joint).dot(along);
         let (before, after) = (across(self.near[1]), across(self.far[1]));
-        let (h1, h5) = (before.norm(), after.norm());
+        let (h1, h5) = (before.length(), after.length());
         // A distance as small as the rounding of what it was computed from is none.
         let size = |points: &[P]| points.iter().map(|p| p.max_abs()).fold(0.0, f64::max);
         let largest = size(&self.near)
             .max(size(&self.far))
             .max(self.joint.max_abs());
         let none = 8.0 * f64::EPSILON * largest;
-        if h1 <= none || h5 <= none || before.unit().dot(after.unit()) <= 0.0 {
+        if h1 <= none
+            || h5 <= none
+            || before.normalize_or_zero().dot(after.normalize_or_zero()) <= 0.0
+        {
             return None;
         }
         // Curvatures are (n − 1)/n · h/length².
         let (n, m) = (self.near_degree, self.far_degree);
         let bends = ratio((m - 1) * n, m * (n - 1)).sqrt() * (h5.sqrt() / h1.sqrt());
-        Some(self.joint + along * ((self.joint - self.near[0]).norm() * bends))
+        Some(self.joint + along * ((self.joint - self.near[0]).length() * bends))
     }
 }
 

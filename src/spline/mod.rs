@@ -192,7 +192,7 @@ impl<P: Point> Spline<P> {
 
     /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
-        let near = |(&a, &b): (&P, &P)| a == b || (a - b).norm() <= tolerance;
+        let near = |(&a, &b): (&P, &P)| a == b || (a - b).length() <= tolerance;
         self.closed == other.closed
             && self.starts == other.starts
             && self.points.iter().zip(&other.points).all(near)

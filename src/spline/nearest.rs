@@ -72,6 +72,6 @@ impl<P: Point> Spline<P> {
         let (low, high) = self.points[from..to].iter().fold((last, last), around);
         // Halves: the difference of ±1e308 would overflow.
         let outside = (low * 0.5 - p * 0.5).max(p * 0.5 - high * 0.5);
-        outside.max(P::default()).norm() * 2.0
+        outside.max(P::default()).length() * 2.0
     }
 }

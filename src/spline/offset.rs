@@ -74,7 +74,7 @@ pub(crate) fn parallel_of(
     }
     let corner = |chain: &mut Chain, before: &Curve<DVec2>, after: &Curve<DVec2>| {
         let (from, to) = (end_tangent(before), start_tangent(after));
-        if (to - from).length() * distance.abs() > SMOOTH_PART * tolerance {
+        if Point::length(to - from) * distance.abs() > SMOOTH_PART * tolerance {
             chain.join(after.start(), from, to, distance, own, join);
         }
     };
@@ -138,7 +138,7 @@ fn way<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec
     let mut steps = others.map(step);
     steps
         .find(|&v| Point::max_abs(v) > NOTHING * far)
-        .map_or(DVec2::ZERO, Point::unit)
+        .map_or(DVec2::ZERO, Point::normalize_or_zero)
 }
 
 /// A handle of this part of the curve's size has no direction.

@@ -141,7 +141,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     /// Sets both handles of a joint by the joints beside it.
     fn automatic(&mut self, joint: usize) {
         let [before, here, after] = self.anchors(joint).map(|index| self.spline.points[index]);
-        let steps = [here - before, after - here].map(|chord| chord.norm().sqrt());
+        let steps = [here - before, after - here].map(|chord| chord.length().sqrt());
         let (departure, arrival) = catmull_rom([before, here, after], steps);
         let around = self.around(joint, true);
         let (left, right) = self.spline.beside(joint);

@@ -82,7 +82,7 @@ impl<P: Point> Spline<P> {
                 } else if k == 0 && tangent != P::default() {
                     let index = tangents.len() - 1;
                     tangents[index][1] = tangent;
-                    if index > 0 && (tangent - tangents[index][0]).norm() > CORNER {
+                    if index > 0 && (tangent - tangents[index][0]).length() > CORNER {
                         corners.push(index);
                     }
                 }

@@ -3,6 +3,7 @@
 use super::Patch;
 use super::frame::Frame;
 use super::patch::{REGULAR_RATIO, directions};
+use crate::point::Point;
 use glam::DVec3;
 
 /// The curvatures of a surface at a point.
@@ -65,10 +66,10 @@ impl Patch {
         }
         let p = self.partials(u, v);
         let cross = p.u.cross(p.v);
-        let normal = cross.normalize_or_zero();
+        let normal = Point::normalize_or_zero(cross);
         // ∂u = a·e1 and ∂v = b·e1 + c·e2 with unit vectors at right angles.
-        let a = p.u.length();
-        let (b, c) = (p.u.dot(p.v) / a, cross.length() / a);
+        let a = Point::length(p.u);
+        let (b, c) = (p.u.dot(p.v) / a, Point::length(cross) / a);
         let [l, m, n] = [p.uu, p.uv, p.vv].map(|d: DVec3| d.dot(normal));
         let w11 = l / (a * a);
         let w12 = (m - b * l / a) / (a * c);
@@ -99,6 +100,6 @@ impl Patch {
         let (du, dv) = directions(&self.points, self.columns);
         let along_u = super::net::evaluate_net(&du, self.columns - 1, u, v);
         let along_v = super::net::evaluate_net(&dv, self.columns, u, v);
-        along_u.cross(along_v).length() > REGULAR_RATIO
+        Point::length(along_u.cross(along_v)) > REGULAR_RATIO
     }
 }

@@ -62,7 +62,7 @@ impl Objective for Distance<'_> {
             return true;
         }
         let place = self.images[minimum.root].eval(minimum.u, minimum.v);
-        let normal = (place - self.image_of_p).unit();
+        let normal = Point::normalize_or_zero(place - self.image_of_p);
         let is_behind = |point: &DVec3| (*point - place).dot(normal) >= -ROUNDING;
         self.images
             .iter()
@@ -176,7 +176,7 @@ impl<'a> Distance<'a> {
 /// the others for a p far away, and all is divided by |d| where that is above 1.
 pub(super) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
     let away = frame.centre * 0.5 - p * 0.5;
-    let unit = (0.5 * frame.size).max(away.norm());
+    let unit = (0.5 * frame.size).max(Point::length(away));
     let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
     let (m, n) = (image.degree_u(), image.degree_v());
     let weights: Vec<f64> = (0..image.points.len())

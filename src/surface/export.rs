@@ -5,6 +5,7 @@ use super::glb::glb;
 use super::tessellate::to_f32;
 use super::text_write::{push, written};
 use crate::error::Error;
+use crate::point::Point;
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 
@@ -204,7 +205,7 @@ fn face_normal(points: [&[f32]; 3]) -> DVec3 {
     let [a, b, c] = points.map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into()));
     let cross = (b - a).cross(c - a);
     // Squares of what f32 can hold neither overflow nor vanish.
-    let length = cross.length();
+    let length = Point::length(cross);
     if length > 0.0 {
         cross / length
     } else {

@@ -140,14 +140,15 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
         keep_longer(&mut plane, [corner, before.cross(next)]);
         keep_longer(&mut line, [DVec3::ZERO, corner]);
     }
-    let [[amid, normal], [_, along]] = [plane, line].map(|[from, to]| [from, to.unit()]);
+    let [[amid, normal], [_, along]] =
+        [plane, line].map(|[from, to]| [from, Point::normalize_or_zero(to)]);
     around.iter().all(|&p| {
         let off = if normal != DVec3::ZERO {
             (p - amid).dot(normal).abs()
         } else if along != DVec3::ZERO {
-            p.cross(along).norm()
+            Point::length(p.cross(along))
         } else {
-            p.norm()
+            Point::length(p)
         };
         off <= most
     })
@@ -155,7 +156,7 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
 
 /// Keeps the place of the longer vector, and it.
 fn keep_longer(kept: &mut [DVec3; 2], place: [DVec3; 2]) {
-    if place[1].norm() > kept[1].norm() {
+    if Point::length(place[1]) > Point::length(kept[1]) {
         *kept = place;
     }
 }

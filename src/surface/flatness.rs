@@ -30,5 +30,7 @@ impl Patch {
 }
 
 fn longest(vectors: &[DVec3]) -> f64 {
-    vectors.iter().fold(0.0, |most: f64, v| most.max(v.norm()))
+    vectors
+        .iter()
+        .fold(0.0, |most: f64, v| most.max(Point::length(*v)))
 }

@@ -52,7 +52,7 @@ impl SurfacePoint {
             u,
             v,
             point,
-            distance: (point * 0.5 - p * 0.5).norm() * 2.0,
+            distance: Point::length(point * 0.5 - p * 0.5) * 2.0,
         }
     }
 
@@ -127,7 +127,7 @@ impl Surface {
 fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let frame = Frame::around(box_of(patches)?);
     // The farthest that the nearest point can be: at a corner of some patch.
-    let corner = |patch: &Patch| (patch.points[0] * 0.5 - p * 0.5).norm();
+    let corner = |patch: &Patch| Point::length(patch.points[0] * 0.5 - p * 0.5);
     let reach = patches.iter().map(corner).fold(f64::INFINITY, f64::min);
     let near: Vec<usize> = (0..patches.len())
         .filter(|&k| gap(patches[k].control_bounds(), p) <= reach * (1.0 + 8.0 * f64::EPSILON))
@@ -149,5 +149,5 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
 
 /// Half the distance of a point from a box.
 pub(super) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
-    (p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5).norm()
+    Point::length(p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5)
 }

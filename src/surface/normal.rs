@@ -127,7 +127,7 @@ fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
 
 /// The unit vector, unless the length is noise.
 fn direction(vector: DVec3) -> Option<DVec3> {
-    (vector.length_squared() > VANISHING * VANISHING).then(|| vector.unit())
+    (vector.length_squared() > VANISHING * VANISHING).then(|| Point::normalize_or_zero(vector))
 }
 
 /// Each coefficient of a net of these degrees times its binomials.

@@ -140,7 +140,7 @@ impl Patch {
         let along_v = evaluate_net(&dv, self.columns, u, v);
         let cross = along_u.cross(along_v);
         if cross.length_squared() > REGULAR_RATIO * REGULAR_RATIO {
-            return cross.unit();
+            return Point::normalize_or_zero(cross);
         }
         NormalNet::new(&du, &dv, self.degree_u(), self.degree_v()).limit(u, v)
     }
@@ -172,7 +172,7 @@ impl Patch {
                 .points
                 .iter()
                 .zip(&other.points)
-                .all(|(&a, &b)| a == b || (a - b).norm() <= tolerance)
+                .all(|(&a, &b)| a == b || Point::length(a - b) <= tolerance)
     }
 }
 

@@ -65,7 +65,7 @@ struct Ray {
 fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<SurfacePoint>, Error> {
     check_finite("origin", &[origin])?;
     check_finite("direction", &[direction])?;
-    let along = direction.unit();
+    let along = Point::normalize_or_zero(direction);
     if along == DVec3::ZERO {
         return Err(Error::Range {
             what: "direction",
@@ -84,7 +84,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         };
         for (k, patch) in patches.iter().enumerate() {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
-                let apart = (a.point * 0.5 - b.point * 0.5).norm() * 2.0;
+                let apart = Point::length(a.point * 0.5 - b.point * 0.5) * 2.0;
                 // A blur takes a normal, which is needed between its limits only.
                 apart <= NEAR * frame.size
                     || apart <= ON_SIDE * frame.size
@@ -131,7 +131,8 @@ fn hits_of(
     // A place that Newton's method did not bring onto the ray is no hit.
     hits.retain(|hit| {
         let from_start = frame.place(hit.point) - ray.start;
-        from_start.dot(ray.along) >= -NEAR && from_start.cross(ray.along).norm() <= 0.5 * ON_SIDE
+        from_start.dot(ray.along) >= -NEAR
+            && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
     let reach = NEAR * frame.size;
     if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {

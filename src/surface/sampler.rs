@@ -43,7 +43,7 @@ impl Sampler {
         let (point, facing) = self.samples.sample(u, v);
         let facing = DVec3::from(facing);
         let normal = if is_regular(facing) {
-            facing.unit()
+            Point::normalize_or_zero(facing)
         } else {
             self.limits().limit(u, v)
         };

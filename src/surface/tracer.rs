@@ -129,7 +129,7 @@ impl Tracer {
             return (to, frame);
         }
         let middle = 0.5 * (from.t + to.t);
-        let close = (to.point - from.point).norm() <= self.tolerance;
+        let close = Point::length(to.point - from.point) <= self.tolerance;
         if close || middle <= from.t || middle >= to.t {
             // A corner.
             sweep.end(&before);
@@ -149,7 +149,7 @@ fn frame(place: &Place, side: DVec3) -> Frame {
     } else {
         DVec3::Y
     };
-    let across = |v: DVec3| (v - along * v.dot(along)).unit();
+    let across = |v: DVec3| Point::normalize_or_zero(v - along * v.dot(along));
     // Of a side almost along the line, rounding leaves some of it: twice is enough (Kahan).
     let side = across(across(side));
     let side = if side == DVec3::ZERO {
@@ -164,7 +164,7 @@ fn frame(place: &Place, side: DVec3) -> Frame {
 /// points, then in the one that takes the tangent to that of the next.
 fn carried(from: &Frame, to: &Place) -> DVec3 {
     let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
-    let chord = (to.point - from.point).unit();
+    let chord = Point::normalize_or_zero(to.point - from.point);
     let (side, along) = (reflect(from.side, chord), reflect(from.along, chord));
-    reflect(side, (to.along - along).unit())
+    reflect(side, Point::normalize_or_zero(to.along - along))
 }

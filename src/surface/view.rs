@@ -71,15 +71,16 @@ impl View {
     fn tolerance_for(&self, [low, high]: [DVec3; 2]) -> f64 {
         let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
         let middle = low * 0.5 + high * 0.5;
-        let radius = (high - middle).norm();
+        let radius = Point::length(high - middle);
         // Outside of one of these half-spaces nothing is seen, neither of the piece nor of triangles between its points.
-        let unseen =
-            |plane: DVec4| plane.dot(middle.extend(1.0)) + radius * plane.truncate().norm() <= 0.0;
+        let unseen = |plane: DVec4| {
+            plane.dot(middle.extend(1.0)) + radius * Point::length(plane.truncate()) <= 0.0
+        };
         if [w, w + x, w - x, w + y, w - y].into_iter().any(unseen) {
             return f64::INFINITY;
         }
         let depth = w.dot(middle.extend(1.0));
-        let reach = radius * w.truncate().norm();
+        let reach = radius * Point::length(w.truncate());
         let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
         let slope = |row: DVec4, half: f64| {
             // ∂(X/W) = (∂X − X/W·∂W)/W; what is outside of the picture counts as on its rim.

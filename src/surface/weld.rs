@@ -146,12 +146,13 @@ impl Welder<'_> {
             for (k, &corner) in corners.iter().enumerate() {
                 let (a, b) = (point(k + 1) - point(k), point(k + 2) - point(k));
                 let normal = self.stitched.corners[corner as usize].normal;
-                sums[triangle[k] as usize] += normal * angle(a.unit(), b.unit());
+                sums[triangle[k] as usize] +=
+                    normal * angle(Point::normalize_or_zero(a), Point::normalize_or_zero(b));
             }
         }
         for (vertex, sum) in self.vertices.iter_mut().zip(sums) {
             // Normals that cancel leave the first one.
-            let mean = sum.unit();
+            let mean = Point::normalize_or_zero(sum);
             if mean != DVec3::ZERO {
                 vertex.normal = mean;
             }
@@ -161,5 +162,5 @@ impl Welder<'_> {
 
 /// The angle between unit vectors, accurate for small ones too: 2·atan(|a − b| / |a + b|) (Kahan).
 fn angle(a: DVec3, b: DVec3) -> f64 {
-    2.0 * (a - b).length().atan2((a + b).length())
+    2.0 * Point::length(a - b).atan2(Point::length(a + b))
 }

@@ -197,7 +197,7 @@ pub(crate) fn real(n: usize) -> f64 {
 
 /// The distance of two points.
 pub(crate) fn distance<P: Point>(a: P, b: P) -> f64 {
-    (a - b).norm()
+    (a - b).length()
 }
 
 /// De Casteljau's algorithm, independent of the library.

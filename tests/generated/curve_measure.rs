@@ -72,7 +72,7 @@ fn time_at_length<P: Space>(case: &Case) -> Checked {
     let slack =
         LENGTH_SLACK * whole + 4.0 * slack(case.size(), curve.degree()) + tolerance.unwrap_or(0.0);
     // A parameter is a number of f64: next to a place of great speed, lengths jump from one to the next.
-    let step = 4.0 * f64::EPSILON * t * curve.derivative_at(t, 1).norm();
+    let step = 4.0 * f64::EPSILON * t * curve.derivative_at(t, 1).length();
     ensure!(
         (got - s.clamp(0.0, whole)).abs() <= slack + step,
         "{got:e} of {whole:e} lies behind t = {t}, not {s:e}"
@@ -101,7 +101,7 @@ fn equidistant_times<P: Space>(case: &Case) -> Checked {
         .0
         .length(None)
         .map_err(|error| error.to_string())?;
-    let step = 4.0 * f64::EPSILON * ts[k] * curve.derivative_at(ts[k], 1).norm();
+    let step = 4.0 * f64::EPSILON * ts[k] * curve.derivative_at(ts[k], 1).length();
     let slack = LENGTH_SLACK * whole + 4.0 * slack(case.size(), curve.degree()) + step;
     let expected = whole * real(k) / real(segments);
     // Of a curve that is a point: even steps of t.

@@ -106,7 +106,7 @@ fn cusps<P: Space>(case: &Case) -> Checked {
     // B′ is the root of a function that rounding makes uncertain: B″ times the uncertainty of t comes in, √ε at worst.
     let speed = ts
         .iter()
-        .map(|&t| curve.derivative_at(t, 1).norm())
+        .map(|&t| curve.derivative_at(t, 1).length())
         .fold(0.0, f64::max);
     let slack = 1e-6 * case.size() * real(curve.degree()).powi(2);
     ensure!(speed <= slack, "a speed of {speed:e} at a cusp");

@@ -258,7 +258,7 @@ fn derivative_at<P: Space>(case: &Case) -> Checked {
 
 /// A direction is a unit vector, or zero.
 fn unit_or_zero<P: Space>(direction: P) -> Checked {
-    let length = direction.norm();
+    let length = direction.length();
     ensure!(
         length == 0.0 || (length - 1.0).abs() <= 1e-12,
         "the length is {length}"
@@ -277,9 +277,9 @@ fn tangent<P: Space>(case: &Case) -> Checked {
     let rounding =
         slack(case.size(), curve.degree()) * real(curve.degree()) * growth(t, curve.degree());
     // The angle between both is at most the rounding of B′ divided by its length.
-    let across = distance(derivative, tangent * derivative.norm());
+    let across = distance(derivative, tangent * derivative.length());
     ensure!(
-        derivative.norm() <= 1e3 * rounding || across <= 4.0 * rounding,
+        derivative.length() <= 1e3 * rounding || across <= 4.0 * rounding,
         "{across:e} off the derivative's direction"
     );
     Ok(())
@@ -312,7 +312,7 @@ fn curvature<P: Space>(case: &Case) -> Checked {
         return Ok(());
     }
     let (first, second) = (curve.derivative_at(t, 1), curve.derivative_at(t, 2));
-    let (speed, size) = (first.norm(), case.size() * growth(t, curve.degree()));
+    let (speed, size) = (first.length(), case.size() * growth(t, curve.degree()));
     // Far from a cusp the formula holds; elsewhere rounding decides.
     if speed > 1e-3 * size {
         let expected = first.cross(second).size() / speed.powi(3);

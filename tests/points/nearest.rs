@@ -8,7 +8,7 @@ use casteljau::{Curve, Error, Point, Spline};
 
 /// The least distance that samples and golden sections around the best of them find; never below the true one.
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
-    let distance = |t: f64| (curve.eval(t) - q).norm();
+    let distance = |t: f64| (curve.eval(t) - q).length();
     let all: Vec<f64> = steps(samples).map(distance).collect();
     let mut least = all.iter().copied().fold(f64::INFINITY, f64::min);
     for i in 0..=samples {
@@ -84,7 +84,7 @@ fn check<P: Space>(points: &[DVec3], q: DVec3, samples: usize) {
     let slack = 8.0 * (2.0 + real(points.len())) * ulp(size);
     assert!((0.0..=1.0).contains(&found.t), "{found:?}");
     assert_eq!(found.point, on.eval(found.t));
-    assert!((found.distance - (found.point - place).norm()).abs() <= slack);
+    assert!((found.distance - (found.point - place).length()).abs() <= slack);
     let least = sampled(&on, place, samples);
     assert!(
         found.distance <= least + slack,

@@ -239,7 +239,7 @@ fn equal_curvatures() {
 
 /// Handles by the textbook's formula, from the points of three joints.
 fn tangent<P: Point>(a: P, b: P, c: P) -> (P, f64, f64) {
-    let (d1, d2) = ((b - a).norm().sqrt(), (c - b).norm().sqrt());
+    let (d1, d2) = ((b - a).length().sqrt(), (c - b).length().sqrt());
     let t = (b - a) / d1 - (c - a) / (d1 + d2) + (c - b) / d2;
     (t, d1, d2)
 }
@@ -272,8 +272,8 @@ fn automatic<P: Space>(seed: u64) {
             let ahead = anchor(joint) + t * (d2 / real(degrees[right]));
             let behind = anchor(joint) - t * (d1 / real(degrees[left]));
             let off = (around(&moved, joint, 1) - ahead)
-                .norm()
-                .max((around(&moved, joint, -1) - behind).norm());
+                .length()
+                .max((around(&moved, joint, -1) - behind).length());
             assert!(
                 off < 1e-12,
                 "{degrees:?} {closed}: {moved_joint} moved, {joint}: {off}"
@@ -283,7 +283,7 @@ fn automatic<P: Space>(seed: u64) {
             // One-sided at a free end.
             let p = moved.control_points();
             let third = p[0] + (anchor(1) - p[0]) / real(degrees[0]);
-            assert!((p[1] - third).norm() < 1e-15);
+            assert!((p[1] - third).length() < 1e-15);
         }
         // Nothing else has moved.
         for (i, (a, b)) in spline

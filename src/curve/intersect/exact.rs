@@ -5,6 +5,7 @@ use super::super::evaluate;
 use super::IntersectionKind;
 use super::near::taylor;
 use super::pair::{Pair, Place};
+use crate::point::Point;
 use glam::DVec2;
 
 /// Places closer than this, at size 1, are one where an end or a stop lies between them.
@@ -245,7 +246,7 @@ impl Pair {
             let (_, u) = self.opposite(at, u);
             let [b, direction, _] = taylor(&self.curves[1], u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
-            let height = direction.normalize_or_zero().perp_dot(gap);
+            let height = Point::normalize_or_zero(direction).perp_dot(gap);
             if height.abs() > 4.0 * NO_HEIGHT * self.slack {
                 return height.signum();
             }

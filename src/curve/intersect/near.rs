@@ -53,8 +53,8 @@ impl Pair {
         let [a, da, _] = taylor(&self.curves[0], t);
         let [b, db, _] = taylor(&self.curves[1], u);
         let direction = if db == DVec2::ZERO { da } else { db };
-        match direction.normalize_or_zero() {
-            DVec2::ZERO => (a - b).length(),
+        match Point::normalize_or_zero(direction) {
+            DVec2::ZERO => Point::length(a - b),
             along => along.perp_dot(a - b).abs(),
         }
     }
@@ -121,8 +121,8 @@ impl Pair {
             let [a, da, dda] = taylor(&self.curves[0], t);
             let [b, db, ddb] = taylor(&self.curves[1], u);
             let (turn, ahead) = (da.perp_dot(db), (a - b).dot(da));
-            if turn.abs() <= PARALLEL * da.length() * db.length()
-                && ahead.abs() <= self.slack * da.length()
+            if turn.abs() <= PARALLEL * Point::length(da) * Point::length(db)
+                && ahead.abs() <= self.slack * Point::length(da)
             {
                 // A root that is not simple is not to be had nearer.
                 break;
@@ -142,7 +142,8 @@ impl Pair {
         }
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
         let (da, db) = (taylor(&self.curves[0], t)[1], taylor(&self.curves[1], u)[1]);
-        let parallel = da.perp_dot(db).abs() <= NEARLY_PARALLEL * da.length() * db.length();
+        let parallel =
+            da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::length(da) * Point::length(db);
         (inside && parallel && self.one((t, u))).then_some((t, u))
     }
 }

@@ -57,7 +57,7 @@ fn is_straight(pair: &Pair) -> bool {
         .iter()
         .map(|p| *p - points[0])
         .max_by(|p, q| p.length_squared().total_cmp(&q.length_squared()));
-    let along = longest.unwrap_or(DVec2::ZERO).normalize_or_zero();
+    let along = Point::normalize_or_zero(longest.unwrap_or(DVec2::ZERO));
     points
         .iter()
         .all(|p| along.perp_dot(*p - points[0]).abs() <= pair.slack)

@@ -143,7 +143,7 @@ impl Pair {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];
             let tangent = Curve::from_slice(points).tangent(t);
-            (tangent, 1.0 / taylor(points, t)[1].length())
+            (tangent, 1.0 / Point::length(taylor(points, t)[1]))
         });
         let turned = (16.0 * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
