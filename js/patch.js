@@ -15,7 +15,7 @@ import { Checked } from "./transfer.js";
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
  * @import { Curvature, PatchPoint, PatchDeCasteljau } from "./queries.js"
- * @import { Fineness, MeshOptions } from "./tessellation.js"
+ * @import { TessellationOptions } from "./tessellation.js"
  */
 
 /**
@@ -347,12 +347,11 @@ export class Patch {
   /**
    * A mesh of the patch; see `Surface.tessellate`.
    *
-   * @param {Fineness} fineness
-   * @param {MeshOptions} [options]
+   * @param {TessellationOptions} options
    * @returns {Mesh}
    */
-  tessellate(fineness, options) {
-    const { args, extra, into, ...kind } = tessellation(fineness, options);
+  tessellate(options) {
+    const { args, extra, into, ...kind } = tessellation(options);
     load(this.#flat, extra.length).set(extra, this.#flat.length);
     done(core().patch_tessellate(this.#degreeU, this.#degreeV, ...args));
     return takeMesh(into, kind);

@@ -18,7 +18,7 @@ import { Checked } from "./transfer.js";
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
  * @import { SurfacePoint } from "./queries.js"
- * @import { Fineness, MeshOptions } from "./tessellation.js"
+ * @import { TessellationOptions } from "./tessellation.js"
  * @import { Topology } from "./topology.js"
  */
 
@@ -294,14 +294,13 @@ export class Surface {
    *
    *     const mesh = Surface.teapot().tessellate({ tolerance: 0.01 });
    *
-   * @param {Fineness} fineness
-   * @param {MeshOptions} [options]
+   * @param {TessellationOptions} options
    * @returns {Mesh}
    * @throws {RangeError} for a tolerance that f32 (or f64) cannot keep, and for a mesh above 1 GiB; with patches of degrees
    *   m and n above 4 also, by tolerance or pixels, above 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1)) triangles
    */
-  tessellate(fineness, options) {
-    const { args, extra, into, ...kind } = tessellation(fineness, options);
+  tessellate(options) {
+    const { args, extra, into, ...kind } = tessellation(options);
     const end = this.#load(extra.length);
     end.view.set(extra, end.at);
     done(core().surface_tessellate(...args));

@@ -7,20 +7,22 @@ import { meshInto, segmentsOf } from "./mesh.js";
  */
 
 /**
- * How fine a mesh must be: by segments along u and v of every patch; by the greatest distance of the surface from it, in
- * the surface's unit; or by that distance on the screen, where what lies outside of the picture may be coarse. `viewProjection` takes (x, y, z, 1) to clip space, 16 numbers
- * column-major; `viewport` is the width and height of the picture in pixels.
+ * How fine a mesh must be: `segments` along u and v of every patch; `tolerance`, the largest distance from the surface to
+ * the mesh, in the surface's unit; or `pixels`, that distance on the screen, where what lies outside of the picture may be
+ * coarser. `viewProjection` takes (x, y, z, 1) to clip space, 16 numbers column-major; `viewport` is the width and height
+ * of the picture in pixels.
  *
  * @typedef {{ segments: number | { u: number, v: number } } | { tolerance: number }
- *   | { pixels: number, viewProjection: MatrixLike, viewport: ArrayLike<number> }} Fineness
+ *   | { pixels: number, viewProjection: MatrixLike, viewport: ArrayLike<number> }} Detail
  */
 
 /**
- * What becomes one vertex ("position": one for each point; "normal", the default: split where normals differ by more than
- * 0.1°; "none": each patch has its own, so that uvs and patch numbers hold), the type of positions and normals, and an
- * earlier mesh whose arrays are reused where they are large enough.
+ * How a surface becomes a mesh: its detail; `weld`, which points become one vertex ("position": all at one place; "normal",
+ * the default: split where normals differ by more than 0.1°; "none": each patch has its own, so that uvs and patch numbers
+ * hold); `precision`, the type of positions and normals ("f32" by default); `into`, an earlier mesh whose arrays are reused
+ * where they are large enough.
  *
- * @typedef {{ weld?: "position" | "normal" | "none", precision?: "f32" | "f64", into?: Mesh }} MeshOptions
+ * @typedef {Detail & { weld?: "position" | "normal" | "none", precision?: "f32" | "f64", into?: Mesh }} TessellationOptions
  */
 
 /** In the order of the core's numbers. */
@@ -30,35 +32,33 @@ const TOLERANCE = 1;
 const PIXELS = 2;
 
 /**
- * Checked arguments of `tessellate`, as the core takes them: the kind of fineness with its two numbers, the weld and the
+ * Checked arguments of `tessellate`, as the core takes them: the kind of detail with its two numbers, the weld and the
  * precision; `extra` goes behind the surface.
  *
  * @internal
- * @param {Fineness} fineness
- * @param {MeshOptions | undefined} options
+ * @param {TessellationOptions} options
  */
-export function tessellation(fineness, options) {
-  const { weld = "normal", precision = "f32", into } = check.options(options);
+export function tessellation(options) {
+  const { weld = "normal", precision = "f32", into, ...detail } = check.options(options);
   const how = WELDS.indexOf(check.oneOf(weld, "weld", WELDS));
   const precise = check.oneOf(precision, "precision", ["f32", "f64"]) === "f64";
-  const { kind, a, b = 0, extra = [] } = finenessNumbers(fineness);
+  const { kind, a, b = 0, extra = [] } = detailNumbers(detail);
   const args = /** @type {[number, number, number, number, boolean]} */ ([kind, a, b, how, precise]);
   return { args, extra, precise, own: weld === "none", into: meshInto(into) };
 }
 
 /**
- * @param {Fineness} fineness
+ * @param {Record<string, any>} given
  * @returns {{ kind: number, a: number, b?: number, extra?: number[] }}
  */
-function finenessNumbers(fineness) {
-  const given = /** @type {Record<string, any>} */ (check.options(fineness, "fineness"));
+function detailNumbers(given) {
   if ("segments" in given) {
     const { u, v } = segmentsOf(given.segments);
     return { kind: SEGMENTS, a: u, b: v };
   }
   if ("tolerance" in given) return { kind: TOLERANCE, a: check.positive(given.tolerance, "tolerance") };
   if ("pixels" in given) return { kind: PIXELS, a: check.positive(given.pixels, "pixels"), extra: viewNumbers(given) };
-  throw new TypeError("fineness: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them");
+  throw new TypeError("options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them");
 }
 
 /**

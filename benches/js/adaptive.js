@@ -77,7 +77,7 @@ function verbMeshes(told) {
 
 /** Our mesh in verb's form, patch by patch: with weld "none" every vertex has its (u, v); the triangles are the same. */
 function ourMeshes() {
-  const { positions, uvs, indices, patchRanges } = teapot.tessellate({ tolerance: TOLERANCE }, { weld: "none" });
+  const { positions, uvs, indices, patchRanges } = teapot.tessellate({ tolerance: TOLERANCE, weld: "none" });
   const take = (/** @type {ArrayLike<number>} */ list, /** @type {number} */ i, /** @type {number} */ count) =>
     Array.from({ length: count }, (_, k) => list[count * i + k]);
   const count = positions.length / 3;
@@ -146,7 +146,7 @@ const rowOf = (id, peer, told) => ({
   items: 1,
   check: () => check(told),
   theirs: () => verbMeshes(told)[31].points.length,
-  ours: () => teapot.tessellate({ tolerance: TOLERANCE }, { into }).normals[100],
+  ours: () => teapot.tessellate({ tolerance: TOLERANCE, into }).normals[100],
 });
 
 /** @param {import("./harness.js").Effort} effort */

@@ -9,7 +9,7 @@
 
 use super::net::{Net, differences_u, differences_v};
 use super::tessellate::to_f32;
-use super::view::Fineness;
+use super::view::Detail;
 use crate::curve::max_abs;
 use crate::error::Error;
 use casteljau_kernels::{BEND_SLACK, Bends, Cell};
@@ -41,7 +41,7 @@ struct Piece {
 
 /// Cuts patches into cells.
 pub(super) struct Cutter<'a> {
-    pub(super) fineness: &'a Fineness,
+    pub(super) detail: &'a Detail,
     /// The least tolerance that the mesh's numbers can keep, and the part of it that rounding takes.
     pub(super) least: f64,
     pub(super) rounding: f64,
@@ -79,7 +79,7 @@ impl Cutter<'_> {
         let closed = closed(net, columns);
         let mut tolerance = self.tolerance();
         while let Some(piece) = pieces.pop() {
-            if self.fineness.depends_on_place() {
+            if self.detail.depends_on_place() {
                 tolerance = self.tolerance();
             }
             let distance = bound(piece.lengths, piece.bend);
@@ -136,7 +136,7 @@ impl Cutter<'_> {
             Net::new()
         };
         let uv = differences_v(&du, m);
-        let place = if self.fineness.depends_on_place() {
+        let place = if self.detail.depends_on_place() {
             &net[..]
         } else {
             &[]
@@ -170,7 +170,7 @@ impl Cutter<'_> {
 
     /// The tolerance for the last piece.
     fn tolerance(&self) -> f64 {
-        let wanted = self.fineness.tolerance_for(|| {
+        let wanted = self.detail.tolerance_for(|| {
             self.bends
                 .control_box()
                 .map(|corner| DVec3::from(corner.map(f64::from)) * self.size)

@@ -79,6 +79,6 @@ pub use text_reader::ParseError;
 pub(crate) use text_reader::{END as END_OF_TEXT, shown as shown_word};
 pub(crate) use text_write::written_number;
 pub use topology::{EdgeUse, PatchEdge, Topology};
-pub use view::{Fineness, View};
+pub use view::{Detail, TessellationOptions, View};
 pub use weld::Weld;
 pub use wires::{Wire, WireframeOptions};

@@ -3,8 +3,8 @@
 use super::cutter::{CLOSE_FORECAST_DEPTHS, Cutter, DYADIC, FORECAST_DEPTHS, most_cells};
 use super::stitched::{Cut, stitch};
 use super::tessellate::to_f32;
-use super::view::Fineness;
-use super::{Grid, Mesh, Patch, Surface, Weld};
+use super::view::{Detail, TessellationOptions};
+use super::{Grid, Mesh, Patch, Surface};
 use crate::curve::{check_tolerance, max_abs};
 use crate::error::Error;
 use casteljau_kernels::{Bends, Cell};
@@ -62,7 +62,7 @@ const DOUBLE: Precision = Precision {
 impl Surface {
     /// A mesh without cracks and T-junctions: every edge inside of the surface has exactly two triangles.
     ///
-    /// With [`Fineness::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is cut
+    /// With [`Detail::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is cut
     /// where its second derivatives say so, and rounding to f32 takes its share first. Patches that share a side share
     /// its vertices, whatever each needs. Normals are those of the patches, limits where a side has collapsed. Triangles
     /// with two corners at one place are left out; a patch that is a curve or a point gives none.
@@ -70,11 +70,11 @@ impl Surface {
     /// Source of the bound: Filip, Magedson and Markot, CAGD 3 (1986).
     ///
     /// ```
-    /// use casteljau::surface::{Fineness, Weld};
+    /// use casteljau::surface::TessellationOptions;
     /// use casteljau::{Surface, TeapotOptions};
     ///
     /// let teapot = Surface::teapot(TeapotOptions::default());
-    /// let mesh = teapot.tessellate(&Fineness::Tolerance(0.01), Weld::Normal)?;
+    /// let mesh = teapot.tessellate(&TessellationOptions::tolerance(0.01))?;
     /// assert!(mesh.triangle_count() < 10_000);
     /// # Ok::<(), casteljau::Error>(())
     /// ```
@@ -86,9 +86,9 @@ impl Surface {
     /// pixels, a surface with patches of high degrees m and n may have fewer triangles: 2³¹ / ((m − 1)(n + 1) + mn +
     /// (m + 1)(n − 1)), some 1.2 million at degree 24, which take seconds. Most meshes that are too large are refused
     /// by an estimate, before cells are made.
-    pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
+    pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
         let mut mesh = Mesh::default();
-        self.tessellate_with(SINGLE, fineness, weld, &mut mesh)?;
+        self.tessellate_with(SINGLE, options, &mut mesh)?;
         Ok(mesh.to_f32())
     }
 
@@ -96,26 +96,25 @@ impl Surface {
     ///
     /// # Errors
     /// As `tessellate`, with ulps of f64.
-    pub fn tessellate_f64(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh<f64>, Error> {
+    pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
         let mut mesh = Mesh::default();
-        self.tessellate_with(DOUBLE, fineness, weld, &mut mesh)?;
+        self.tessellate_with(DOUBLE, options, &mut mesh)?;
         Ok(mesh)
     }
 
     fn tessellate_with(
         &self,
         precision: Precision,
-        fineness: &Fineness,
-        weld: Weld,
+        options: &TessellationOptions,
         mesh: &mut Mesh<f64>,
     ) -> Result<(), Error> {
-        let cut = self.cut(precision, fineness)?;
-        stitch(self, &cut, precision.round).weld(weld, mesh);
+        let cut = self.cut(precision, &options.detail)?;
+        stitch(self, &cut, precision.round).weld(options.weld, mesh);
         Ok(())
     }
 
     /// The cells of all patches.
-    fn cut(&self, precision: Precision, fineness: &Fineness) -> Result<Cut, Error> {
+    fn cut(&self, precision: Precision, detail: &Detail) -> Result<Cut, Error> {
         let size = self.max_abs();
         if size > precision.max {
             return Err(Error::Range {
@@ -126,17 +125,17 @@ impl Surface {
         }
         // Half an ulp along each axis is what rounding moves a vertex: less than one ulp in all.
         let ulp = (precision.ulp * size).max(precision.tiny);
-        match fineness {
-            Fineness::Segments(grid) => return self.cut_evenly(*grid),
-            Fineness::Tolerance(tolerance) => check_least(*tolerance, LEAST_ULPS * ulp)?,
-            Fineness::Pixels(view) => view.check()?,
+        match detail {
+            Detail::Segments(grid) => return self.cut_evenly(*grid),
+            Detail::Tolerance(tolerance) => check_least(*tolerance, LEAST_ULPS * ulp)?,
+            Detail::Pixels(view) => view.check()?,
         }
-        self.cut_finely(fineness, ulp)
+        self.cut_finely(detail, ulp)
     }
 
-    fn cut_finely(&self, fineness: &Fineness, ulp: f64) -> Result<Cut, Error> {
+    fn cut_finely(&self, detail: &Detail, ulp: f64) -> Result<Cut, Error> {
         let mut cutter = Cutter {
-            fineness,
+            detail,
             least: LEAST_ULPS * ulp,
             rounding: ulp,
             limit: self.max_cells(),
@@ -256,16 +255,16 @@ impl Patch {
     ///
     /// # Errors
     /// As there.
-    pub fn tessellate(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh, Error> {
-        self.alone().tessellate(fineness, weld)
+    pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
+        self.alone().tessellate(options)
     }
 
     /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
     ///
     /// # Errors
     /// As there.
-    pub fn tessellate_f64(&self, fineness: &Fineness, weld: Weld) -> Result<Mesh<f64>, Error> {
-        self.alone().tessellate_f64(fineness, weld)
+    pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
+        self.alone().tessellate_f64(options)
     }
 }
 

@@ -1,18 +1,35 @@
 //! How fine must a mesh be?
 
-use super::Grid;
+use super::{Grid, Weld};
 use crate::error::Error;
 use crate::point::Point;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
+/// How a surface becomes a mesh: how fine, and which vertices are joined.
+///
+/// ```
+/// use casteljau::surface::{TessellationOptions, Weld};
+///
+/// let fine = TessellationOptions::tolerance(1e-3).weld(Weld::Position);
+/// assert_eq!(TessellationOptions::segments(8).weld, Weld::Normal); // the default
+/// # assert_eq!(fine.weld, Weld::Position);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TessellationOptions {
+    /// How fine the mesh must be.
+    pub detail: Detail,
+    /// Which points become one vertex; by default those with the same normal.
+    pub weld: Weld,
+}
+
 /// How fine a mesh must be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fineness {
-    /// So many segments along u and v of every patch.
+pub enum Detail {
+    /// This many segments along u and v of every patch.
     Segments(Grid),
-    /// No point of the surface farther from the mesh than this, in the surface's unit.
+    /// The largest distance from the surface to the mesh, in the surface's unit.
     Tolerance(f64),
-    /// The same on the screen, in pixels; what lies outside of the picture may be as coarse as it likes.
+    /// The largest distance on the screen, in pixels; what lies outside of the picture may be coarser.
     Pixels(View),
 }
 
@@ -31,7 +48,39 @@ pub struct View {
 /// that the eye looks out of would have to be infinitely fine.
 const NEAR_RATIO: f64 = 1e-2;
 
-impl Fineness {
+impl TessellationOptions {
+    /// This many segments along u and v of every patch: a [`Grid`], or one number for both.
+    pub fn segments(grid: impl Into<Grid>) -> Self {
+        Detail::Segments(grid.into()).into()
+    }
+
+    /// The largest distance from the surface to the mesh, in the surface's unit.
+    pub fn tolerance(tolerance: f64) -> Self {
+        Detail::Tolerance(tolerance).into()
+    }
+
+    /// The largest distance on the screen, in pixels.
+    pub fn pixels(view: View) -> Self {
+        Detail::Pixels(view).into()
+    }
+
+    /// The same with another rule for vertices.
+    #[must_use]
+    pub fn weld(self, weld: Weld) -> Self {
+        Self { weld, ..self }
+    }
+}
+
+impl From<Detail> for TessellationOptions {
+    fn from(detail: Detail) -> Self {
+        Self {
+            detail,
+            weld: Weld::default(),
+        }
+    }
+}
+
+impl Detail {
     /// Whether [`tolerance_for`](Self::tolerance_for) looks at the piece.
     pub(super) fn depends_on_place(&self) -> bool {
         matches!(self, Self::Pixels(_))

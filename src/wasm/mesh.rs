@@ -5,7 +5,8 @@ use super::arena::{self, Arena};
 use super::surface::{patch, surface};
 use crate::error::Error;
 use crate::surface::{
-    EdgeUse, Filler, Fineness, Grid, GridMethod, Indices, Mesh, Surface, View, Weld,
+    Detail, EdgeUse, Filler, Grid, GridMethod, Indices, Mesh, Surface, TessellationOptions, View,
+    Weld,
 };
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
@@ -42,8 +43,8 @@ static PRECISE: Alone<[Vec<f64>; 2]> = Alone::new([Vec::new(), Vec::new()]);
 pub fn surface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -> isize {
     arena::answer(|arena| {
         let (surface, end) = surface(arena)?;
-        let fineness = fineness(arena, end, kind, [a, b]);
-        keep(&surface, &fineness, WELDS[weld as usize % 3], precise)
+        let options = options(arena, end, kind, [a, b], weld);
+        keep(&surface, &options, precise)
     })
 }
 
@@ -61,8 +62,8 @@ pub fn patch_tessellate(
     arena::answer(|arena| {
         let patch = patch(arena, degree_u, degree_v);
         let end = 3 * patch.control_points().len();
-        let fineness = fineness(arena, end, kind, [a, b]);
-        keep(&patch.alone(), &fineness, WELDS[weld as usize % 3], precise)
+        let options = options(arena, end, kind, [a, b], weld);
+        keep(&patch.alone(), &options, precise)
     })
 }
 
@@ -107,30 +108,37 @@ const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
     clippy::cast_sign_loss,
     reason = "JavaScript has checked that they are counts"
 )]
-fn fineness(arena: &Arena, end: usize, kind: u32, [a, b]: [f64; 2]) -> Fineness {
-    match kind {
-        0 => Fineness::Segments(Grid {
+fn options(
+    arena: &Arena,
+    end: usize,
+    kind: u32,
+    [a, b]: [f64; 2],
+    weld: u32,
+) -> TessellationOptions {
+    let detail = match kind {
+        0 => Detail::Segments(Grid {
             segments_u: a as usize,
             segments_v: b as usize,
         }),
-        1 => Fineness::Tolerance(a),
-        _ => Fineness::Pixels(View {
+        1 => Detail::Tolerance(a),
+        _ => Detail::Pixels(View {
             pixels: a,
             view_projection: DMat4::from_cols_slice(arena.numbers(end, 16)),
             viewport: DVec2::from_slice(arena.numbers(end + 16, 2)),
         }),
-    }
+    };
+    TessellationOptions::from(detail).weld(WELDS[weld as usize % 3])
 }
 
 /// Keeps a mesh to be copied; positions and normals in f64 apart.
-fn keep(surface: &Surface, fineness: &Fineness, weld: Weld, precise: bool) -> Result<usize, Error> {
+fn keep(surface: &Surface, options: &TessellationOptions, precise: bool) -> Result<usize, Error> {
     let mesh = if precise {
-        let mut mesh = surface.tessellate_f64(fineness, weld)?;
+        let mut mesh = surface.tessellate_f64(options)?;
         let numbers = [&mut mesh.positions, &mut mesh.normals].map(std::mem::take);
         PRECISE.with(|kept| *kept = numbers);
         mesh.to_f32()
     } else {
-        surface.tessellate(fineness, weld)?
+        surface.tessellate(options)?
     };
     Ok(keep_mesh(mesh))
 }

@@ -4,7 +4,7 @@ use crate::arguments::*;
 use crate::check::*;
 use crate::mesh::{REFUSALS, grid_of, is_mesh};
 use crate::runner::Row;
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Error, Grid, Mesh};
 use casteljau_generator::{Case, Mode};
 
@@ -51,8 +51,7 @@ fn counts(case: &Case) -> Checked {
 fn to_f32(case: &Case) -> Checked {
     let surface = surface(case);
     let made = surface.tessellate_f64(
-        &Fineness::Segments(Grid::from(count(case, "segments_u"))),
-        Weld::None,
+        &TessellationOptions::segments(Grid::from(count(case, "segments_u"))).weld(Weld::None),
     );
     let Ok(precise) = made else {
         return Ok(());

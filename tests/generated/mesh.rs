@@ -5,7 +5,7 @@ use crate::check::*;
 use crate::numbers::Numbers;
 use crate::patch::as_surface;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::surface::{Fineness, View, Weld};
+use casteljau::surface::{TessellationOptions, View, Weld};
 use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
 use casteljau_generator::Case;
 
@@ -142,10 +142,10 @@ fn weld(case: &Case) -> Weld {
     }
 }
 
-fn fineness(case: &Case) -> Fineness {
+fn options(case: &Case) -> TessellationOptions {
     match optional_count(case, "cells") {
-        Some(cells) => Fineness::Segments(Grid::from(cells)),
-        None => Fineness::Tolerance(number(case, "tolerance")),
+        Some(cells) => TessellationOptions::segments(Grid::from(cells)),
+        None => TessellationOptions::tolerance(number(case, "tolerance")),
     }
 }
 
@@ -194,13 +194,17 @@ fn tessellated<T: Copy + Into<f64> + Numbers>(
 
 pub(crate) fn surface_tessellate(case: &Case) -> Checked {
     let surface = surface(case);
-    let mesh = call(case, || surface.tessellate(&fineness(case), weld(case)))?;
+    let mesh = call(case, || {
+        surface.tessellate(&options(case).weld(weld(case)))
+    })?;
     tessellated(case, &surface, mesh)
 }
 
 pub(crate) fn surface_tessellate_f64(case: &Case) -> Checked {
     let surface = surface(case);
-    let mesh = call(case, || surface.tessellate_f64(&fineness(case), weld(case)))?;
+    let mesh = call(case, || {
+        surface.tessellate_f64(&options(case).weld(weld(case)))
+    })?;
     tessellated(case, &surface, mesh)
 }
 
@@ -213,7 +217,7 @@ pub(crate) fn surface_tessellate_view(case: &Case) -> Checked {
     };
     let mesh = answer!(
         case,
-        surface.tessellate(&Fineness::Pixels(view), weld(case)),
+        surface.tessellate(&TessellationOptions::pixels(view).weld(weld(case))),
         &["pixels", "tolerance", "too many", "vertices"]
     );
     is_mesh(&mesh)
@@ -221,12 +225,14 @@ pub(crate) fn surface_tessellate_view(case: &Case) -> Checked {
 
 pub(crate) fn patch_tessellate(case: &Case) -> Checked {
     let patch = patch(case);
-    let mesh = call(case, || patch.tessellate(&fineness(case), weld(case)))?;
+    let mesh = call(case, || patch.tessellate(&options(case).weld(weld(case))))?;
     tessellated(case, &as_surface(&patch), mesh)
 }
 
 pub(crate) fn patch_tessellate_f64(case: &Case) -> Checked {
     let patch = patch(case);
-    let mesh = call(case, || patch.tessellate_f64(&fineness(case), weld(case)))?;
+    let mesh = call(case, || {
+        patch.tessellate_f64(&options(case).weld(weld(case)))
+    })?;
     tessellated(case, &as_surface(&patch), mesh)
 }

@@ -64,8 +64,8 @@ const meshes = [
   ["32-bit indices", Surface.teapot().grid({ segments: 46 })],
   ["exactly 65,536 vertices", Surface.teapot().patch(0).grid({ segments: 255 })],
   ["tessellated", Surface.teapot().tessellate({ tolerance: 0.01 })],
-  ["by position, 64 bits", Surface.teaspoon().tessellate({ tolerance: 0.001 }, { weld: "position", precision: "f64" })],
-  ["with parameters", Surface.teacup().tessellate({ segments: 5 }, { weld: "none" })],
+  ["by position, 64 bits", Surface.teaspoon().tessellate({ tolerance: 0.001, weld: "position", precision: "f64" })],
+  ["with parameters", Surface.teacup().tessellate({ segments: 5, weld: "none" })],
   ["no patches", empty.grid({ segments: 2 })],
   ["a patch that is a point", point.grid({ segments: 2 })],
   ["tubes", Surface.teaspoon().wireframe({ lines: 3, radius: 0.004 })],
@@ -133,7 +133,7 @@ test("three.js gets the mesh's own arrays", () => {
   geometry.computeBoundingBox();
   assert.ok(Math.abs((geometry.boundingBox?.max.y ?? 0) - 3.15) < 1e-6);
 
-  const precise = Surface.teapot().tessellate({ segments: 4 }, { precision: "f64" }).toThree(THREE);
+  const precise = Surface.teapot().tessellate({ segments: 4, precision: "f64" }).toThree(THREE);
   assert.ok(precise.attributes.position.array instanceof Float32Array);
   assert.equal(precise.attributes.uv, undefined);
   assert.equal(empty.grid({ segments: 1 }).toThree(THREE).index?.count, 0);

@@ -6,7 +6,7 @@ import { Mesh, Patch, Surface } from "../../dist/index.js";
 
 const teapot = Surface.teapot();
 /** @type {any} any arguments, also wrong ones */
-const tessellate = (/** @type {any} */ fineness, /** @type {any} */ options) => teapot.tessellate(fineness, options);
+const tessellate = (/** @type {any} */ options) => teapot.tessellate(options);
 const square = new Patch([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], { degreeU: 1, degreeV: 1 });
 
 /** Edges of one triangle only, places compared by their numbers. */
@@ -26,25 +26,25 @@ function boundary({ positions, indices }) {
 }
 
 test("counts of even segments", () => {
-  const welded = tessellate({ segments: 16 }, { weld: "position" });
+  const welded = tessellate({ segments: 16, weld: "position" });
   assert.ok(welded instanceof Mesh);
   assert.equal(welded.positions.length, 3 * 8257);
   assert.equal(welded.normals.length, 3 * 8257);
   assert.equal(welded.indices.length, 3 * 16256);
   assert.equal(boundary(welded), 256);
-  assert.equal(tessellate({ segments: 16 }, { weld: "none" }).positions.length, 3 * 9248);
-  assert.ok(tessellate({ segments: 45 }, { weld: "position" }).indices instanceof Uint16Array);
-  assert.ok(tessellate({ segments: 46 }, { weld: "position" }).indices instanceof Uint32Array);
+  assert.equal(tessellate({ segments: 16, weld: "none" }).positions.length, 3 * 9248);
+  assert.ok(tessellate({ segments: 45, weld: "position" }).indices instanceof Uint16Array);
+  assert.ok(tessellate({ segments: 46, weld: "position" }).indices instanceof Uint32Array);
   const { u, v } = { u: 5, v: 2 };
   // Sides that meet with 5 and with 2 segments have the samples of both: more vertices than 32·6·3, and no crack.
-  const mixed = tessellate({ segments: { u, v } }, { weld: "none" });
+  const mixed = tessellate({ segments: { u, v }, weld: "none" });
   assert.ok(mixed.positions.length / 3 >= 32 * (u + 1) * (v + 1));
   assert.deepEqual([...new Set(mixed.patchIds)], [...Array(32).keys()]);
 });
 
 test("uvs and patch numbers belong to patches of their own", () => {
   for (const weld of ["position", "normal", undefined]) {
-    const mesh = tessellate({ tolerance: 0.02 }, { weld });
+    const mesh = tessellate({ tolerance: 0.02, weld });
     assert.equal(mesh.uvs, null);
     assert.equal(mesh.patchIds, null);
     assert.equal(mesh.patchRanges.length, 32);
@@ -52,7 +52,7 @@ test("uvs and patch numbers belong to patches of their own", () => {
     const ends = mesh.patchRanges.map(({ firstIndex, indices }) => firstIndex + indices);
     assert.equal(ends[31], mesh.indices.length);
   }
-  const mesh = tessellate({ tolerance: 0.02 }, { weld: "none" });
+  const mesh = tessellate({ tolerance: 0.02, weld: "none" });
   const count = mesh.positions.length / 3;
   assert.equal(mesh.uvs?.length, 2 * count);
   assert.equal(mesh.patchIds?.length, count);
@@ -64,7 +64,7 @@ test("uvs and patch numbers belong to patches of their own", () => {
 });
 
 test("positions are the same however vertices are shared", () => {
-  const [own, normal, position] = ["none", "normal", "position"].map((weld) => tessellate({ tolerance: 0.01 }, { weld }));
+  const [own, normal, position] = ["none", "normal", "position"].map((weld) => tessellate({ tolerance: 0.01, weld }));
   const corners = ({ positions, indices }) => [...indices].flatMap((i) => [...positions.subarray(3 * i, 3 * i + 3)]);
   assert.deepEqual(corners(normal), corners(own));
   assert.deepEqual(corners(position), corners(own));
@@ -72,8 +72,8 @@ test("positions are the same however vertices are shared", () => {
 });
 
 test("f64 on demand", () => {
-  const precise = tessellate({ segments: 8 }, { weld: "position", precision: "f64" });
-  const plain = tessellate({ segments: 8 }, { weld: "position" });
+  const precise = tessellate({ segments: 8, weld: "position", precision: "f64" });
+  const plain = tessellate({ segments: 8, weld: "position" });
   assert.ok(precise.positions instanceof Float64Array && precise.normals instanceof Float64Array);
   assert.ok(plain.positions instanceof Float32Array && plain.normals instanceof Float32Array);
   assert.deepEqual(new Float32Array(precise.positions), plain.positions);
@@ -81,14 +81,14 @@ test("f64 on demand", () => {
   assert.ok(precise.positions.some((x, i) => x !== plain.positions[i]));
   const least = 2 ** -21;
   assert.throws(() => square.tessellate({ tolerance: least * 0.9 }), RangeError);
-  assert.ok(square.tessellate({ tolerance: least * 0.9 }, { precision: "f64" }).indices.length > 0);
+  assert.ok(square.tessellate({ tolerance: least * 0.9, precision: "f64" }).indices.length > 0);
 });
 
 test("a patch alone", () => {
   const mesh = square.tessellate({ tolerance: 0.01 });
   // A bilinear patch bends by its twist 1 only: h · k · 2 / 8 within 0.01, so 25 cells at least.
   assert.ok(mesh.indices.length / 3 >= 2 * 25);
-  assert.equal(square.tessellate({ segments: 3 }, { weld: "none" }).uvs?.length, 2 * 16);
+  assert.equal(square.tessellate({ segments: 3, weld: "none" }).uvs?.length, 2 * 16);
 });
 
 test("by pixels: what is nearer is finer", () => {
@@ -102,14 +102,14 @@ test("by pixels: what is nearer is finer", () => {
 });
 
 test("an earlier mesh is filled again", () => {
-  const mesh = tessellate({ tolerance: 0.005 }, { weld: "none" });
+  const mesh = tessellate({ tolerance: 0.005, weld: "none" });
   const { positions, normals, uvs, patchIds, indices } = mesh;
-  assert.equal(tessellate({ tolerance: 0.005 }, { weld: "none", into: mesh }), mesh);
+  assert.equal(tessellate({ tolerance: 0.005, weld: "none", into: mesh }), mesh);
   assert.ok(mesh.positions === positions && mesh.normals === normals && mesh.uvs === uvs);
   assert.ok(mesh.patchIds === patchIds && mesh.indices === indices);
   // Fewer numbers: the same memory.
-  tessellate({ tolerance: 0.05 }, { weld: "none", into: mesh });
-  assert.deepEqual({ ...mesh }, { ...tessellate({ tolerance: 0.05 }, { weld: "none" }) });
+  tessellate({ tolerance: 0.05, weld: "none", into: mesh });
+  assert.deepEqual({ ...mesh }, { ...tessellate({ tolerance: 0.05, weld: "none" }) });
   assert.ok(mesh.positions.buffer === positions.buffer && mesh.indices.buffer === indices.buffer);
 });
 
@@ -121,11 +121,11 @@ test("an earlier mesh of any kind will do", () => {
   ];
   const mesh = teapot.grid({ segments: 4, quads: true });
   for (const [fineness, options] of kinds) {
-    const other = tessellate(fineness, { ...options, into: mesh });
+    const other = tessellate({ ...fineness, ...options, into: mesh });
     assert.equal(other, mesh);
-    assert.deepEqual({ ...mesh }, { ...tessellate(fineness, options) });
+    assert.deepEqual({ ...mesh }, { ...tessellate({ ...fineness, ...options }) });
   }
-  const empty = new Surface({ vertices: [], patches: [] }).tessellate({ segments: 2 }, { into: mesh });
+  const empty = new Surface({ vertices: [], patches: [] }).tessellate({ segments: 2, into: mesh });
   assert.equal(empty.positions.length + empty.indices.length + empty.patchRanges.length, 0);
   const again = teapot.grid({ segments: 4, quads: true, into: mesh });
   assert.deepEqual({ ...again }, { ...teapot.grid({ segments: 4, quads: true }) });
@@ -156,7 +156,7 @@ test("three patches on one side, one of them backwards", () => {
     { patch: 0, edge: "v0", reversed: false }, { patch: 1, edge: "v0", reversed: false }, { patch: 2, edge: "v0", reversed: true },
   ]]);
   assert.deepEqual([shared.length, open.length, components], [0, 9, [[0, 1, 2]]]);
-  assert.equal(fins.tessellate({ segments: 4 }, { weld: "position" }).positions.length / 3, 5 + 3 * 20);
+  assert.equal(fins.tessellate({ segments: 4, weld: "position" }).positions.length / 3, 5 + 3 * 20);
 });
 
 test("what was joined stays joined, and nothing else becomes so", () => {
@@ -171,44 +171,45 @@ test("what was joined stays joined, and nothing else becomes so", () => {
     assert.deepEqual(back.tessellate({ segments: 2 }), teapot.tessellate({ segments: 2 }));
     assert.deepEqual(moved.transform([1, 0, 0, 1, 5, 0]).topology(), before);
   }
-  assert.equal(boundary(teapot.movePoint(5, point(6)).tessellate({ segments: 4 }, { weld: "position" })), 64);
+  assert.equal(boundary(teapot.movePoint(5, point(6)).tessellate({ segments: 4, weld: "position" })), 64);
 });
 
 const view = { pixels: 1, viewProjection: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], viewport: [640, 480] };
 
-const refusals = /** @type {[string, any, any, any, RegExp][]} */ ([
-  ["nothing", undefined, {}, TypeError, /fineness/],
-  ["null", null, {}, TypeError, /fineness/],
-  ["no fineness", {}, {}, TypeError, /fineness: expected .*segments.*tolerance.*pixels/],
-  ["0 segments", { segments: 0 }, {}, RangeError, /segments: expected a whole number from 1.*got 0/],
-  ["half a segment", { segments: 2.5 }, {}, RangeError, /segments.*got 2.5/],
-  ["segments in words", { segments: "4" }, {}, TypeError, /segments.*"?4"?/],
-  ["segments along u only", { segments: { u: 3 } }, {}, TypeError, /segments\.v.*undefined/],
-  ["a million segments", { segments: 1e6 }, {}, RangeError, /segments: expected at most \d+, this needs 1000000/],
-  ["tolerance 0", { tolerance: 0 }, {}, RangeError, /tolerance.*got 0/],
-  ["a negative tolerance", { tolerance: -1 }, {}, RangeError, /tolerance.*got -1/],
-  ["tolerance NaN", { tolerance: NaN }, {}, RangeError, /tolerance.*got NaN/],
-  ["an infinite tolerance", { tolerance: Infinity }, {}, RangeError, /tolerance.*got Infinity/],
-  ["a tolerance in words", { tolerance: "0.1" }, {}, TypeError, /tolerance.*0\.1/],
-  ["a tolerance below f32", { tolerance: 1e-7 }, {}, RangeError, /tolerance: expected at least 0\.0000016\d+ .*got 1e-7/],
-  ["a tolerance below f64", { tolerance: 1e-16 }, { precision: "f64" }, RangeError, /tolerance: expected at least 3\.1\d+e-15 .*got 1e-16/],
-  ["too many triangles", { tolerance: 1e-12 }, { precision: "f64" }, RangeError, /triangles: expected at most \d+, this needs \d+/],
-  ["0 pixels", { ...view, pixels: 0 }, {}, RangeError, /pixels.*got 0/],
-  ["no matrix", { ...view, viewProjection: undefined }, {}, TypeError, /viewProjection/],
-  ["a matrix in the plane", { ...view, viewProjection: [1, 0, 0, 1, 0, 0] }, {}, RangeError, /viewProjection: expected 16 numbers, got 6/],
-  ["a matrix with NaN", { ...view, viewProjection: view.viewProjection.with(6, NaN) }, {}, RangeError, /viewProjection.*6.*NaN/],
-  ["no viewport", { ...view, viewport: undefined }, {}, TypeError, /viewport.*undefined/],
-  ["a viewport of one number", { ...view, viewport: [640] }, {}, RangeError, /viewport: expected 2 numbers, got 1/],
-  ["an empty viewport", { ...view, viewport: [640, 0] }, {}, RangeError, /viewport\[1\].*got 0/],
-  ["another weld", { segments: 2 }, { weld: "all" }, RangeError, /weld.*"position".*"normal".*"none".*all/],
-  ["another precision", { segments: 2 }, { precision: "f16" }, RangeError, /precision.*f32.*f64.*f16/],
-  ["into an array", { segments: 2 }, { into: new Float32Array(9) }, TypeError, /into: expected .*Mesh/],
-  ["into an object", { segments: 2 }, { into: {} }, TypeError, /into: expected .*Mesh/],
+const refusals = /** @type {[string, any, any, RegExp][]} */ ([
+  ["nothing", undefined, TypeError, /options: expected .*segments.*tolerance.*pixels/],
+  ["null", null, TypeError, /options: expected /],
+  ["a number", 8, TypeError, /options: expected an object, got 8/],
+  ["no detail", {}, TypeError, /options: expected .*segments.*tolerance.*pixels/],
+  ["0 segments", { segments: 0 }, RangeError, /segments: expected a whole number from 1.*got 0/],
+  ["half a segment", { segments: 2.5 }, RangeError, /segments.*got 2.5/],
+  ["segments in words", { segments: "4" }, TypeError, /segments.*"?4"?/],
+  ["segments along u only", { segments: { u: 3 } }, TypeError, /segments\.v.*undefined/],
+  ["a million segments", { segments: 1e6 }, RangeError, /segments: expected at most \d+, this needs 1000000/],
+  ["tolerance 0", { tolerance: 0 }, RangeError, /tolerance.*got 0/],
+  ["a negative tolerance", { tolerance: -1 }, RangeError, /tolerance.*got -1/],
+  ["tolerance NaN", { tolerance: NaN }, RangeError, /tolerance.*got NaN/],
+  ["an infinite tolerance", { tolerance: Infinity }, RangeError, /tolerance.*got Infinity/],
+  ["a tolerance in words", { tolerance: "0.1" }, TypeError, /tolerance.*0\.1/],
+  ["a tolerance below f32", { tolerance: 1e-7 }, RangeError, /tolerance: expected at least 0\.0000016\d+ .*got 1e-7/],
+  ["a tolerance below f64", { tolerance: 1e-16, precision: "f64" }, RangeError, /tolerance: expected at least 3\.1\d+e-15 .*got 1e-16/],
+  ["too many triangles", { tolerance: 1e-12, precision: "f64" }, RangeError, /triangles: expected at most \d+, this needs \d+/],
+  ["0 pixels", { ...view, pixels: 0 }, RangeError, /pixels.*got 0/],
+  ["no matrix", { ...view, viewProjection: undefined }, TypeError, /viewProjection/],
+  ["a matrix in the plane", { ...view, viewProjection: [1, 0, 0, 1, 0, 0] }, RangeError, /viewProjection: expected 16 numbers, got 6/],
+  ["a matrix with NaN", { ...view, viewProjection: view.viewProjection.with(6, NaN) }, RangeError, /viewProjection.*6.*NaN/],
+  ["no viewport", { ...view, viewport: undefined }, TypeError, /viewport.*undefined/],
+  ["a viewport of one number", { ...view, viewport: [640] }, RangeError, /viewport: expected 2 numbers, got 1/],
+  ["an empty viewport", { ...view, viewport: [640, 0] }, RangeError, /viewport\[1\].*got 0/],
+  ["another weld", { segments: 2, weld: "all" }, RangeError, /weld.*"position".*"normal".*"none".*all/],
+  ["another precision", { segments: 2, precision: "f16" }, RangeError, /precision.*f32.*f64.*f16/],
+  ["into an array", { segments: 2, into: new Float32Array(9) }, TypeError, /into: expected .*Mesh/],
+  ["into an object", { segments: 2, into: {} }, TypeError, /into: expected .*Mesh/],
 ]);
 
-for (const [name, fineness, options, type, message] of refusals) {
+for (const [name, options, type, message] of refusals) {
   test(`refused: ${name}`, () => {
-    for (const act of [() => tessellate(fineness, options), () => teapot.patch(0).tessellate(fineness, options)]) {
+    for (const act of [() => tessellate(options), () => teapot.patch(0).tessellate(options)]) {
       assert.throws(act, (/** @type {Error} */ error) => {
         assert.ok(error instanceof type, `${error.constructor.name}: ${error.message}`);
         assert.match(error.message, message);
@@ -216,7 +217,7 @@ for (const [name, fineness, options, type, message] of refusals) {
       });
       if (name.includes("f32") || name.includes("f64") || name.includes("triangles")) break;
     }
-    assert.equal(tessellate({ segments: 1 }, { weld: "position" }).positions.length, 3 * 37);
+    assert.equal(tessellate({ segments: 1, weld: "position" }).positions.length, 3 * 37);
   });
 }
 
@@ -224,7 +225,7 @@ test("nothing gives an empty mesh", () => {
   const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
   for (const surface of [new Surface({ vertices: [], patches: [] }), point]) {
     for (const weld of ["position", "normal", "none"]) {
-      const mesh = surface.tessellate({ tolerance: 0.1 }, /** @type {any} */ ({ weld }));
+      const mesh = surface.tessellate({ tolerance: 0.1, weld: /** @type {any} */ (weld) });
       assert.equal(mesh.positions.length + mesh.normals.length + mesh.indices.length, 0);
       assert.equal(mesh.uvs?.length ?? 0, 0);
     }

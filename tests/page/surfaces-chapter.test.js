@@ -55,7 +55,7 @@ test("without JavaScript every figure is there as lines, and the code can be rea
   assert.equal(await page.locator("bezier-surface > svg[role=img] path").count(), count);
   const { width, height } = await figures.first().locator("svg path").boundingBox();
   assert.ok(width > 100 && height > 60, `${width} × ${height}`);
-  assert.ok(await page.getByText("fn sample").count() === 0 && await page.getByText("Fineness::Tolerance").first().isVisible());
+  assert.ok(await page.getByText("fn sample").count() === 0 && await page.getByText("TessellationOptions::tolerance").first().isVisible());
 });
 
 test("a figure shows its lines until it is drawn, and again while it is far away", async (t) => {

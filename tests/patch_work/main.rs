@@ -5,7 +5,7 @@ mod generate;
 mod nets;
 mod worst;
 
-use casteljau::surface::{Fineness, Grid, PatchPoint, Weld};
+use casteljau::surface::{Grid, PatchPoint, TessellationOptions, Weld};
 use casteljau::{Error, Patch, Surface};
 use casteljau_kernels::take_steps;
 use generate::{any_patch, any_point, any_ray, below};
@@ -251,20 +251,20 @@ fn of_meshes_that_are_too_large() {
         patch = patch.transform(&casteljau::glam::DAffine3::from_scale(
             casteljau::glam::DVec3::splat(1.0 / size),
         ));
-        let coarse = patch.tessellate_f64(&Fineness::Tolerance(1e-2), Weld::None);
+        let coarse = patch.tessellate_f64(&TessellationOptions::tolerance(1e-2).weld(Weld::None));
         assert!(coarse.unwrap().triangle_count() > 10);
-        let fine = Fineness::Tolerance(1e-9);
-        let error = patch.tessellate_f64(&fine, Weld::None).unwrap_err();
+        let fine = TessellationOptions::tolerance(1e-9);
+        let error = patch.tessellate_f64(&fine.weld(Weld::None)).unwrap_err();
         let Error::TooMany { limit, needed, .. } = error else {
             panic!("{error}");
         };
         assert!(needed > limit, "{error}");
     }
-    let grid = Fineness::Segments(Grid::from(2));
+    let grid = TessellationOptions::segments(Grid::from(2));
     assert!(
         Random(5)
             .patch(24, 24)
-            .tessellate(&grid, Weld::None)
+            .tessellate(&grid.weld(Weld::None))
             .is_ok()
     );
 }

@@ -4,7 +4,7 @@ use super::limits::{MOST_DEGREES, limit};
 use super::shapes::{SIDES, along, diagonal, largest};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Indices, Weld};
+use casteljau::surface::{Indices, TessellationOptions, Weld};
 use casteljau::{Mesh, Patch, Surface};
 use std::collections::HashSet;
 
@@ -16,8 +16,8 @@ pub(crate) struct Three {
 }
 
 impl Three {
-    pub(crate) fn new(surface: &Surface, fineness: &Fineness) -> Self {
-        let of = |weld| surface.tessellate(fineness, weld).unwrap();
+    pub(crate) fn new(surface: &Surface, options: &TessellationOptions) -> Self {
+        let of = |weld| surface.tessellate(&options.weld(weld)).unwrap();
         Self {
             own: of(Weld::None),
             normal: of(Weld::Normal),

@@ -7,7 +7,7 @@ use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_point
 use super::soup::{Soup, vectors};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::{EdgeUse, Fineness, Indices, Topology, Up, Weld};
+use casteljau::surface::{EdgeUse, Indices, TessellationOptions, Topology, Up, Weld};
 
 #[test]
 fn sides_of_the_known_surfaces() {
@@ -77,7 +77,7 @@ fn vertices_and_triangles_of_even_segments() {
     for n in [1, 2, 3, 16, 21] {
         let count = |weld| {
             teapot()
-                .tessellate(&segments(n, n), weld)
+                .tessellate(&segments(n, n).weld(weld))
                 .unwrap()
                 .vertex_count()
         };
@@ -85,14 +85,14 @@ fn vertices_and_triangles_of_even_segments() {
         assert_eq!(count(Weld::None), 32 * (n + 1) * (n + 1));
     }
     let mesh = teapot()
-        .tessellate(&segments(16, 16), Weld::Position)
+        .tessellate(&segments(16, 16).weld(Weld::Position))
         .unwrap();
     assert_eq!(mesh.vertex_count(), 8_257);
     assert_eq!(mesh.triangle_count(), 16_256);
     assert_eq!(Soup::new(&mesh).boundary(1).len(), 256);
     let bits = |n| {
         teapot()
-            .tessellate(&segments(n, n), Weld::Position)
+            .tessellate(&segments(n, n).weld(Weld::Position))
             .unwrap()
             .indices
     };
@@ -105,7 +105,7 @@ fn vertices_and_triangles_of_even_segments() {
 fn distance_of_even_segments() {
     for (n, expected) in [(4, 0.0949), (8, 0.0250), (16, 0.00626), (32, 0.00157)] {
         let mesh = teapot()
-            .tessellate(&segments(n, n), Weld::Position)
+            .tessellate(&segments(n, n).weld(Weld::Position))
             .unwrap();
         let soup = Soup::new(&mesh);
         let (_, patch) = greatest(&teapot(), &soup, 32 * 64 * 64);
@@ -120,7 +120,7 @@ fn distance_of_even_segments() {
 #[test]
 fn normals_of_knob_and_bottom() {
     for weld in [Weld::Position, Weld::Normal, Weld::None] {
-        let mesh = teapot().tessellate(&segments(5, 5), weld).unwrap();
+        let mesh = teapot().tessellate(&segments(5, 5).weld(weld)).unwrap();
         let mut seen = 0;
         for (p, normal) in vectors(&mesh.positions).zip(vectors(&mesh.normals)) {
             let at = |z: f64| (p - DVec3::new(0.0, 0.0, z)).length() < 1e-6;
@@ -139,9 +139,9 @@ fn normals_of_knob_and_bottom() {
 #[test]
 fn triangles_at_a_thousandth_of_the_diagonal() {
     let count = |surface: &Surface| {
-        let tolerance = Fineness::Tolerance(diagonal(surface) * 1e-3);
+        let tolerance = TessellationOptions::tolerance(diagonal(surface) * 1e-3);
         surface
-            .tessellate(&tolerance, Weld::Normal)
+            .tessellate(&tolerance.weld(Weld::Normal))
             .unwrap()
             .triangle_count()
     };
@@ -175,8 +175,8 @@ fn closed_body_of_gumbo() {
     let body = part(&surface, body);
     let mut last = f64::INFINITY;
     for relative in [1e-2, 1e-3, 1e-4] {
-        let fineness = Fineness::Tolerance(diagonal(&surface) * relative);
-        let soup = Soup::new(&body.tessellate(&fineness, Weld::None).unwrap());
+        let options = TessellationOptions::tolerance(diagonal(&surface) * relative);
+        let soup = Soup::new(&body.tessellate(&options.weld(Weld::None)).unwrap());
         assert!(soup.boundary(1).is_empty(), "an open edge");
         let off = (soup.volume() - 2556.7737).abs() / 2556.7737;
         println!("{relative:e}: volume off by {off:.1e}");
@@ -191,7 +191,7 @@ fn closed_body_of_gumbo() {
 fn area_of_the_teacup() {
     let cup = Surface::teacup(Up::Z);
     let mesh = cup
-        .tessellate(&Fineness::Tolerance(diagonal(&cup) * 1e-5), Weld::Normal)
+        .tessellate(&TessellationOptions::tolerance(diagonal(&cup) * 1e-5).weld(Weld::Normal))
         .unwrap();
     let area = Soup::new(&mesh).area();
     assert!((area / 9.981_697_616 - 1.0).abs() < 2e-4, "{area}");

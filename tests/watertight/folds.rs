@@ -5,13 +5,13 @@ use super::distance::greatest;
 use super::shapes::segments;
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Patch, Surface};
 
 #[track_caller]
 fn assert_within(patch: &Patch, tolerance: f64) {
     let mesh = patch
-        .tessellate(&Fineness::Tolerance(tolerance), Weld::None)
+        .tessellate(&TessellationOptions::tolerance(tolerance).weld(Weld::None))
         .unwrap();
     assert_layout(&mesh, 1);
     let count = patch.control_points().len();
@@ -41,7 +41,7 @@ fn a_square_folded_along_its_diagonal() {
             assert_within(&patch, tolerance);
         }
         // Along the fold the two sides face opposite ways; either will do.
-        let mesh = patch.tessellate(&segments(2, 2), Weld::None).unwrap();
+        let mesh = patch.tessellate(&segments(2, 2).weld(Weld::None)).unwrap();
         let plane = (b - a).cross(c - a).normalize();
         for normal in vectors(&mesh.normals) {
             assert!((normal.dot(plane).abs() - 1.0).abs() < 1e-6, "{normal}");

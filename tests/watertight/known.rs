@@ -8,7 +8,7 @@ use super::shapes::{all, diagonal, segments};
 use super::soup::Soup;
 use super::{deep, thorough};
 use casteljau::Surface;
-use casteljau::surface::Fineness;
+use casteljau::surface::TessellationOptions;
 
 /// Decades from 0.1 to 1e-5 of the diagonal, in twelve steps.
 const TOLERANCES: i32 = 12;
@@ -24,7 +24,7 @@ fn within_every_tolerance() {
     let count = if deep() { TOLERANCES } else { QUICK_TOLERANCES };
     for (name, surface) in all() {
         for tolerance in tolerances(&surface, count) {
-            let three = Three::new(&surface, &Fineness::Tolerance(tolerance));
+            let three = Three::new(&surface, &TessellationOptions::tolerance(tolerance));
             let relative = tolerance / diagonal(&surface);
             let sheets = if relative > COARSE { 2 } else { 1 };
             check(name, &surface, &three, sheets, f64::from);

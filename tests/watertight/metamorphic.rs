@@ -4,7 +4,7 @@ use super::checks::{assert_watertight, degrees_between};
 use super::shapes::{all, diagonal};
 use super::soup::{Soup, vectors};
 use casteljau::glam::{DAffine3, DMat3, DVec3};
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
 /// What a change of the surface does to its mesh.
@@ -96,8 +96,8 @@ fn reversed_v(net: &mut [u32]) {
 }
 
 fn meshed(surface: &Surface) -> Mesh {
-    let tolerance = Fineness::Tolerance(diagonal_of_sphere(surface) * 2e-3);
-    surface.tessellate(&tolerance, Weld::None).unwrap()
+    let tolerance = TessellationOptions::tolerance(diagonal_of_sphere(surface) * 2e-3);
+    surface.tessellate(&tolerance.weld(Weld::None)).unwrap()
 }
 
 /// The same however the surface is turned.
@@ -147,7 +147,7 @@ fn powers_of_two_change_nothing() {
         for exponent in [-60, -1, 40] {
             let factor = f64::from(exponent).exp2();
             let of = |s: &Surface, size: f64| {
-                s.tessellate(&Fineness::Tolerance(size), Weld::Normal)
+                s.tessellate(&TessellationOptions::tolerance(size).weld(Weld::Normal))
                     .unwrap()
             };
             let (before, after) = (

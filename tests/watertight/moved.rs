@@ -1,13 +1,13 @@
 //! Moving points: what was joined stays joined, and nothing else becomes so.
 
 use super::common::Rng;
-use super::random::{check, fineness};
+use super::random::{check, options};
 use super::shapes::teapot;
 use super::soup::Soup;
 use super::{networks, thorough};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 
 #[test]
 fn topology_is_kept() {
@@ -17,9 +17,9 @@ fn topology_is_kept() {
         let moved =
             (0..1 + rng.below(4)).fold(surface.clone(), |moved, _| move_one(&mut rng, &moved));
         assert_eq!(moved.topology(), surface.topology(), "case {case}");
-        let fineness = fineness(&mut rng, &moved);
-        let outcome = std::panic::catch_unwind(|| check(&moved, &surface, &fineness));
-        assert!(outcome.is_ok(), "case {case}: {fineness:?} of {moved:?}");
+        let options = options(&mut rng, &moved);
+        let outcome = std::panic::catch_unwind(|| check(&moved, &surface, &options));
+        assert!(outcome.is_ok(), "case {case}: {options:?} of {moved:?}");
     }
 }
 
@@ -41,7 +41,7 @@ fn onto_another_point_and_away() {
     let surface = teapot();
     let expected = surface.topology();
     let meshed = |s: &Surface| {
-        s.tessellate(&Fineness::Tolerance(0.05), Weld::Position)
+        s.tessellate(&TessellationOptions::tolerance(0.05).weld(Weld::Position))
             .unwrap()
     };
     let before = meshed(&surface);

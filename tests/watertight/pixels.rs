@@ -6,7 +6,7 @@ use super::shapes::teapot;
 use super::soup::Soup;
 use casteljau::Surface;
 use casteljau::glam::{DMat4, DVec2, DVec3, DVec4};
-use casteljau::surface::{Fineness, View, Weld};
+use casteljau::surface::{TessellationOptions, View, Weld};
 
 const VIEWPORT: DVec2 = DVec2::new(1_280.0, 720.0);
 
@@ -25,8 +25,8 @@ fn camera(eye: DVec3, target: DVec3, field_of_view: f64) -> DMat4 {
     DMat4::from_rows(x, y, DVec4::W, w)
 }
 
-fn view(view_projection: DMat4, pixels: f64) -> Fineness {
-    Fineness::Pixels(View {
+fn view(view_projection: DMat4, pixels: f64) -> TessellationOptions {
+    TessellationOptions::pixels(View {
         pixels,
         view_projection,
         viewport: VIEWPORT,
@@ -43,7 +43,7 @@ fn seen(matrix: &DMat4, p: DVec3) -> Option<DVec2> {
 /// The greatest distance on the screen between points of the surface and the nearest of the mesh.
 fn greatest(surface: &Surface, matrix: &DMat4, pixels: f64) -> (f64, usize) {
     let mesh = surface
-        .tessellate(&view(*matrix, pixels), Weld::None)
+        .tessellate(&view(*matrix, pixels).weld(Weld::None))
         .unwrap();
     assert_watertight(surface, &mesh, 2);
     let tree = Tree::new(&Soup::new(&mesh));
@@ -114,8 +114,8 @@ fn what_is_nearer_is_finer() {
     let surface = teapot();
     // Along the axis from spout to handle, at eye level.
     let eye = DVec3::new(5.0, 0.0, 2.0);
-    let fineness = view(camera(eye, DVec3::new(0.0, 0.0, 1.5), 60.0), 0.5);
-    let soup = Soup::new(&surface.tessellate(&fineness, Weld::Position).unwrap());
+    let options = view(camera(eye, DVec3::new(0.0, 0.0, 1.5), 60.0), 0.5);
+    let soup = Soup::new(&surface.tessellate(&options.weld(Weld::Position)).unwrap());
     let mean_area = |near: bool| {
         let all = (0..soup.triangles.len()).map(|k| soup.corners_at(k));
         let some = all.filter(|[a, ..]| if near { a.x > 2.2 } else { a.x < -2.2 });
@@ -137,16 +137,16 @@ fn a_pixel_of_an_orthographic_view_is_a_length() {
     let surface = teapot();
     let matrix =
         DMat4::from_diagonal(DVec4::new(0.25, 1.0 / 2.25, 0.1, 1.0)) * DMat4::from_rotation_x(-1.2);
-    let count = |fineness: &Fineness| {
+    let count = |options: &TessellationOptions| {
         surface
-            .tessellate(fineness, Weld::Normal)
+            .tessellate(&options.weld(Weld::Normal))
             .unwrap()
             .triangle_count() as f64
     };
     // 8 units are 1,280 pixels. Parts outside of the picture may be coarser.
     let (by_pixels, by_length) = (
         count(&view(matrix, 0.8)),
-        count(&Fineness::Tolerance(0.8 * 8.0 / 1_280.0)),
+        count(&TessellationOptions::tolerance(0.8 * 8.0 / 1_280.0)),
     );
     assert!(
         by_pixels <= by_length && by_pixels > 0.6 * by_length,
@@ -180,7 +180,7 @@ fn strange_cameras_neither_hang_nor_fail() {
     for (k, matrix) in cameras.iter().enumerate() {
         for pixels in [1.0, 0.3, 1e300] {
             let triangles = teapot()
-                .tessellate(&view(*matrix, pixels), Weld::None)
+                .tessellate(&view(*matrix, pixels).weld(Weld::None))
                 .map(|mesh| {
                     assert_watertight(&teapot(), &mesh, 8);
                     mesh.triangle_count()

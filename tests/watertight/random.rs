@@ -9,7 +9,7 @@ use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, 
 use super::soup::{Chain, Soup, add, vectors};
 use super::thorough;
 use casteljau::glam::DVec3;
-use casteljau::surface::{EdgeUse, Fineness, PatchEdge, Weld};
+use casteljau::surface::{Detail, EdgeUse, PatchEdge, TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
 const CASES: usize = 20_000;
@@ -20,26 +20,26 @@ fn random_networks_have_no_cracks() {
     let mut rng = Rng(1986);
     let cases = (0..thorough(CASES, DEEP_CASES)).map(|case| {
         let surface = networks::random(&mut rng);
-        let fineness = fineness(&mut rng, &surface);
-        (case, surface, fineness)
+        let options = options(&mut rng, &surface);
+        (case, surface, options)
     });
-    on_all(cases, |(case, surface, fineness)| {
-        let outcome = std::panic::catch_unwind(|| check(&surface, &surface, &fineness));
-        assert!(outcome.is_ok(), "case {case}: {fineness:?} of {surface:?}");
+    on_all(cases, |(case, surface, options)| {
+        let outcome = std::panic::catch_unwind(|| check(&surface, &surface, &options));
+        assert!(outcome.is_ok(), "case {case}: {options:?} of {surface:?}");
     });
 }
 
-pub(crate) fn fineness(rng: &mut Rng, surface: &Surface) -> Fineness {
+pub(crate) fn options(rng: &mut Rng, surface: &Surface) -> TessellationOptions {
     let size = diagonal(surface).max(largest(surface) * 1e-4);
     if size == 0.0 || rng.chance(0.4) {
         return segments(1 + rng.below(4), 1 + rng.below(4));
     }
-    Fineness::Tolerance(size * rng.magnitude(-2.0, -0.5))
+    TessellationOptions::tolerance(size * rng.magnitude(-2.0, -0.5))
 }
 
 /// All that a mesh promises, for a surface whose patches are joined as those of another.
-pub(crate) fn check(surface: &Surface, joined: &Surface, fineness: &Fineness) {
-    let three = Three::new(surface, fineness);
+pub(crate) fn check(surface: &Surface, joined: &Surface, options: &TessellationOptions) {
+    let three = Three::new(surface, options);
     three.assert_alike(surface.patch_count());
     let mesh = &three.own;
     let soup = Soup::new(mesh);
@@ -47,10 +47,10 @@ pub(crate) fn check(surface: &Surface, joined: &Surface, fineness: &Fineness) {
     assert_inside_is_closed(surface, mesh, &soup);
     assert_lines_agree(surface, joined, mesh);
     assert_covers(mesh);
-    assert_places(surface, fineness);
-    if let Fineness::Tolerance(tolerance) = fineness {
+    assert_places(surface, options);
+    if let Detail::Tolerance(tolerance) = options.detail {
         let most = distance_of_sheets(surface, mesh, &soup);
-        assert!(most <= *tolerance, "{most} for {tolerance}");
+        assert!(most <= tolerance, "{most} for {tolerance}");
     }
 }
 
@@ -153,10 +153,10 @@ fn assert_covers(mesh: &Mesh) {
 }
 
 /// In f64 every vertex is on its patch; patches without vertices are curves.
-fn assert_places(surface: &Surface, fineness: &Fineness) {
-    let mesh = surface.tessellate_f64(fineness, Weld::None).unwrap();
-    let full = match fineness {
-        Fineness::Segments(grid) => (grid.segments_u * grid.segments_v) as f64,
+fn assert_places(surface: &Surface, options: &TessellationOptions) {
+    let mesh = surface.tessellate_f64(&options.weld(Weld::None)).unwrap();
+    let full = match options.detail {
+        Detail::Segments(grid) => (grid.segments_u * grid.segments_v) as f64,
         _ => (1_u64 << 24) as f64,
     };
     let slack = largest(surface) * 1e-13;

@@ -4,7 +4,7 @@ use super::allocations::allocated_by;
 use super::checks::assert_layout;
 use super::shapes::{diagonal, largest, segments, teapot};
 use casteljau::glam::{DAffine3, DMat3, DMat4, DVec2, DVec3};
-use casteljau::surface::{Fineness, View, Weld};
+use casteljau::surface::{TessellationOptions, View, Weld};
 use casteljau::{Error, Patch, Surface};
 
 /// A refusal must come before the mesh is made; the meshes that are refused here would take a gigabyte and more.
@@ -13,8 +13,12 @@ const MAX_BYTES: usize = 1 << 20;
 const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
 
 #[track_caller]
-fn refused(surface: &Surface, fineness: Fineness) -> Error {
-    refused_early(|| surface.tessellate(&fineness, Weld::Normal).unwrap_err())
+fn refused(surface: &Surface, options: TessellationOptions) -> Error {
+    refused_early(|| {
+        surface
+            .tessellate(&options.weld(Weld::Normal))
+            .unwrap_err()
+    })
 }
 
 #[track_caller]
@@ -68,7 +72,7 @@ fn counts_of_segments() {
 #[test]
 fn tolerances() {
     for tolerance in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let error = refused(&teapot(), Fineness::Tolerance(tolerance));
+        let error = refused(&teapot(), TessellationOptions::tolerance(tolerance));
         assert!(
             matches!(
                 error,
@@ -81,12 +85,12 @@ fn tolerances() {
         );
         assert!(
             teapot()
-                .tessellate_f64(&Fineness::Tolerance(tolerance), Weld::None)
+                .tessellate_f64(&TessellationOptions::tolerance(tolerance).weld(Weld::None))
                 .is_err()
         );
     }
     let least = largest(&teapot()) * (-21.0_f64).exp2();
-    let error = refused(&teapot(), Fineness::Tolerance(least * 0.999));
+    let error = refused(&teapot(), TessellationOptions::tolerance(least * 0.999));
     assert!(
         matches!(error, Error::Tolerance { least: named, .. } if named == least),
         "{error}"
@@ -96,16 +100,16 @@ fn tolerances() {
     let flat = Patch::new(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE], 1, 1).unwrap();
     let least = (-21.0_f64).exp2();
     assert!(
-        flat.tessellate(&Fineness::Tolerance(least * 0.9), Weld::None)
+        flat.tessellate(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
             .is_err()
     );
     let fine = flat
-        .tessellate_f64(&Fineness::Tolerance(least * 0.9), Weld::None)
+        .tessellate_f64(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
         .unwrap();
     assert_layout(&fine, 1);
     let least = 4.0 * f64::EPSILON;
     let error = flat
-        .tessellate_f64(&Fineness::Tolerance(least * 0.9), Weld::None)
+        .tessellate_f64(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
         .unwrap_err();
     assert!(
         matches!(error, Error::Tolerance { least: named, .. } if named == least),
@@ -117,8 +121,12 @@ fn tolerances() {
 fn far_too_fine_is_refused_before_the_mesh_is_made() {
     let surface = teapot();
     for relative in [1e-9, 1e-12, 1e-15] {
-        let fineness = Fineness::Tolerance(diagonal(&surface) * relative);
-        let error = refused_early(|| surface.tessellate_f64(&fineness, Weld::None).unwrap_err());
+        let options = TessellationOptions::tolerance(diagonal(&surface) * relative);
+        let error = refused_early(|| {
+            surface
+                .tessellate_f64(&options.weld(Weld::None))
+                .unwrap_err()
+        });
         let Error::TooMany { limit, needed, .. } = error else {
             panic!("{error}")
         };
@@ -126,7 +134,7 @@ fn far_too_fine_is_refused_before_the_mesh_is_made() {
     }
     // The least that f32 can keep is too much for a whole teapot, if only just.
     let least = largest(&surface) * (-21.0_f64).exp2();
-    let error = refused(&surface, Fineness::Tolerance(least));
+    let error = refused(&surface, TessellationOptions::tolerance(least));
     assert!(matches!(error, Error::TooMany { .. }), "{error}");
 }
 
@@ -138,7 +146,7 @@ fn a_cylinder_may_be_fine() {
     let strip = Patch::new(&net, 2, 1).unwrap();
     // n segments of a parabola with |second derivative| 4 are off by 4 / (8n²).
     let mesh = strip
-        .tessellate_f64(&Fineness::Tolerance(1e-11), Weld::None)
+        .tessellate_f64(&TessellationOptions::tolerance(1e-11).weld(Weld::None))
         .unwrap();
     let segments = (0.5 / 1e-11_f64).sqrt();
     assert!(
@@ -182,14 +190,14 @@ fn views() {
         },
     ];
     for view in bad {
-        let error = refused(&teapot(), Fineness::Pixels(view));
+        let error = refused(&teapot(), TessellationOptions::pixels(view));
         assert!(matches!(error, Error::Range { .. }), "{error}");
     }
     let mut matrix = DMat4::IDENTITY;
     matrix.y_axis.z = f64::NAN;
     let error = refused(
         &teapot(),
-        Fineness::Pixels(View {
+        TessellationOptions::pixels(View {
             view_projection: matrix,
             ..good
         }),
@@ -222,11 +230,14 @@ fn nothing_gives_an_empty_mesh() {
         (curve, 1),
     ] {
         for weld in WELDS {
-            for fineness in [segments(3, 2), Fineness::Tolerance(0.01)] {
-                let mesh = surface.tessellate(&fineness, weld).unwrap();
+            for options in [segments(3, 2), TessellationOptions::tolerance(0.01)] {
+                let mesh = surface.tessellate(&options.weld(weld)).unwrap();
                 assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (0, 0));
                 assert_layout(&mesh, patches);
-                assert_layout(&surface.tessellate_f64(&fineness, weld).unwrap(), patches);
+                assert_layout(
+                    &surface.tessellate_f64(&options.weld(weld)).unwrap(),
+                    patches,
+                );
             }
         }
         let topology = surface.topology();
@@ -246,14 +257,14 @@ fn nothing_gives_an_empty_mesh() {
 #[test]
 fn huge_and_tiny_coordinates() {
     let expected = teapot()
-        .tessellate_f64(&Fineness::Tolerance(0.05), Weld::Normal)
+        .tessellate_f64(&TessellationOptions::tolerance(0.05).weld(Weld::Normal))
         .unwrap()
         .triangle_count();
     for factor in [1e300, 1e307, 1e150, 1e-150, 1e-290] {
         let surface = scaled(factor);
         for weld in WELDS {
             let mesh = surface
-                .tessellate_f64(&Fineness::Tolerance(0.05 * factor), weld)
+                .tessellate_f64(&TessellationOptions::tolerance(0.05 * factor).weld(weld))
                 .unwrap();
             assert_layout(&mesh, 32);
             let count = mesh.triangle_count();
@@ -261,22 +272,29 @@ fn huge_and_tiny_coordinates() {
                 count.abs_diff(expected) * 50 <= expected,
                 "{factor:e}: {count} for {expected}"
             );
-            assert_layout(&surface.tessellate_f64(&segments(4, 4), weld).unwrap(), 32);
+            assert_layout(
+                &surface.tessellate_f64(&segments(4, 4).weld(weld)).unwrap(),
+                32,
+            );
         }
-        let error = surface.tessellate(&Fineness::Tolerance(0.05 * factor), Weld::Normal);
+        let error =
+            surface.tessellate(&TessellationOptions::tolerance(0.05 * factor).weld(Weld::Normal));
         assert!(error.is_err(), "{factor:e} in f32");
     }
     let error = refused(&scaled(1e300), segments(4, 4)).to_string();
     assert!(error.contains("f32"), "{error}");
     // Below the numbers of f32 everything is at one place.
     let mesh = scaled(1e-300)
-        .tessellate(&segments(4, 4), Weld::Normal)
+        .tessellate(&segments(4, 4).weld(Weld::Normal))
         .unwrap();
     assert_eq!(mesh.triangle_count(), 0);
     // At the ends of the numbers: a mesh or a refusal, but numbers.
     for factor in [4e307, 1e-305, 1e-315, 5e-324] {
-        for fineness in [segments(2, 3), Fineness::Tolerance(0.05 * factor)] {
-            if let Ok(mesh) = scaled(factor).tessellate_f64(&fineness, Weld::Position) {
+        for options in [
+            segments(2, 3),
+            TessellationOptions::tolerance(0.05 * factor),
+        ] {
+            if let Ok(mesh) = scaled(factor).tessellate_f64(&options.weld(Weld::Position)) {
                 assert!(
                     mesh.positions
                         .iter()

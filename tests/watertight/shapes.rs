@@ -2,7 +2,7 @@
 
 pub(crate) use crate::listings::gumbo;
 use casteljau::glam::DVec3;
-use casteljau::surface::{EdgeUse, Fineness, PatchEdge, Up};
+use casteljau::surface::{EdgeUse, PatchEdge, TessellationOptions, Up};
 use casteljau::{Grid, Patch, Surface, TeapotOptions};
 
 pub(crate) fn teapot() -> Surface {
@@ -30,8 +30,8 @@ pub(crate) fn largest(surface: &Surface) -> f64 {
     numbers.fold(0.0, |most: f64, x| most.max(x.abs()))
 }
 
-pub(crate) fn segments(u: usize, v: usize) -> Fineness {
-    Fineness::Segments(Grid {
+pub(crate) fn segments(u: usize, v: usize) -> TessellationOptions {
+    TessellationOptions::segments(Grid {
         segments_u: u,
         segments_v: v,
     })

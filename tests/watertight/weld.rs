@@ -6,15 +6,15 @@ use super::distance::greatest;
 use super::shapes::{all, diagonal, segments};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
 /// Above this corners do not share a vertex with weld "normal".
 const CREASE_DEGREES: f64 = 0.1;
 
-fn meshes(surface: &Surface, fineness: &Fineness) -> [Mesh; 3] {
+fn meshes(surface: &Surface, options: &TessellationOptions) -> [Mesh; 3] {
     [Weld::None, Weld::Normal, Weld::Position]
-        .map(|weld| surface.tessellate(fineness, weld).unwrap())
+        .map(|weld| surface.tessellate(&options.weld(weld)).unwrap())
 }
 
 /// For each place the mean of the corners' normals, weighted by the triangles' angles.
@@ -34,11 +34,11 @@ fn means(own: &Mesh, soup: &Soup) -> Vec<DVec3> {
 #[test]
 fn normals_of_shared_vertices() {
     for (name, surface) in all() {
-        for fineness in [
+        for options in [
             segments(5, 5),
-            Fineness::Tolerance(diagonal(&surface) * 3e-3),
+            TessellationOptions::tolerance(diagonal(&surface) * 3e-3),
         ] {
-            let [own, normal, position] = meshes(&surface, &fineness);
+            let [own, normal, position] = meshes(&surface, &options);
             let soup = Soup::new(&own);
             let expected = means(&own, &soup);
             let welded = Soup::new(&position);
@@ -105,7 +105,7 @@ fn rounding_has_its_share() {
     let vertices: Vec<DVec3> = [row(0.0), row(1.0)].as_flattened().to_vec();
     let surface = Surface::new(vertices, (0..6).collect(), 2, 1).unwrap();
     let mesh = surface
-        .tessellate(&Fineness::Tolerance(tolerance), Weld::Position)
+        .tessellate(&TessellationOptions::tolerance(tolerance).weld(Weld::Position))
         .unwrap();
     let (most, _) = greatest(&surface, &Soup::new(&mesh), 10_000);
     assert!(most <= tolerance, "{most} for {tolerance}");
@@ -122,8 +122,12 @@ fn thousands_of_patches_in_one_point() {
     let indices = (0..count).flat_map(|k| [0, 3 * k + 1, 3 * k + 2, 3 * k + 3]);
     let indices = indices.map(|k| u32::try_from(k).unwrap()).collect();
     let surface = Surface::new(vertices, indices, 1, 1).unwrap();
-    let mesh = surface.tessellate(&segments(1, 1), Weld::Normal).unwrap();
+    let mesh = surface
+        .tessellate(&segments(1, 1).weld(Weld::Normal))
+        .unwrap();
     assert_eq!(mesh.triangle_count(), 2 * count);
-    let welded = surface.tessellate(&segments(1, 1), Weld::Position).unwrap();
+    let welded = surface
+        .tessellate(&segments(1, 1).weld(Weld::Position))
+        .unwrap();
     assert_eq!(welded.vertex_count(), 3 * count + 1);
 }

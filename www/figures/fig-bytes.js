@@ -36,7 +36,7 @@ export function curveBytes(segments) {
  */
 export function teapotBytes(segments) {
 
-  const mesh = teapot().tessellate({ segments }, { weld: "position" });
+  const mesh = teapot().tessellate({ segments, weld: "position" });
   const indices = teapot().patches.reduce((sum, patch) => sum + patch.length, 0);
   return [
     { name: "control points", bytes: teapot().vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },

@@ -1,12 +1,12 @@
 use casteljau::Surface;
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 
 pub(crate) fn sample(out: &mut String) {
     let text = "1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n"; // one patch of degree 1 × 1 and its points
     let saddle = Surface::parse(text).unwrap();
     writeln!(out, "area {:.6}", saddle.area());
     let mesh = saddle
-        .tessellate(&Fineness::Segments(8.into()), Weld::Normal)
+        .tessellate(&TessellationOptions::segments(8).weld(Weld::Normal))
         .unwrap();
     let obj = mesh.to_obj().unwrap();
     writeln!(

@@ -1,12 +1,12 @@
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Grid, Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
     let teapot = Surface::teapot(TeapotOptions::default());
     for segments in [4, 8, 16] {
         let grid = teapot.grid(Grid::from(segments), false).unwrap();
-        let cells = Fineness::Segments(Grid::from(segments));
-        let mesh = teapot.tessellate(&cells, Weld::Position).unwrap();
+        let cells = TessellationOptions::segments(Grid::from(segments));
+        let mesh = teapot.tessellate(&cells.weld(Weld::Position)).unwrap();
         writeln!(
             out,
             "{segments}: {} vertices, welded {}, {} triangles",

@@ -3,7 +3,7 @@ import { Surface } from "casteljau";
 export function sample(print) {
   const teapot = Surface.teapot();
   print(`pieces of the recursion: ${teapot.subdivide(0.02).length}`);
-  const mesh = teapot.tessellate({ tolerance: 0.02 }, { weld: "position" });
+  const mesh = teapot.tessellate({ tolerance: 0.02, weld: "position" });
   const sides = new Map(); // how many triangles each edge has
   for (let i = 0; i < mesh.indices.length; i++) {
     const ends = [mesh.indices[i], mesh.indices[i % 3 === 2 ? i - 2 : i + 1]];

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
@@ -8,7 +8,7 @@ pub(crate) fn sample(out: &mut String) {
     let pieces = teapot.subdivide(0.02).unwrap();
     writeln!(out, "pieces of the recursion: {}", pieces.len());
     let mesh = teapot
-        .tessellate(&Fineness::Tolerance(0.02), Weld::Position)
+        .tessellate(&TessellationOptions::tolerance(0.02).weld(Weld::Position))
         .unwrap();
     let indices: Vec<_> = mesh.indices.iter().collect();
     let mut sides = HashMap::new(); // how many triangles each edge has

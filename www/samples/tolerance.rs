@@ -1,11 +1,11 @@
-use casteljau::surface::{Fineness, Weld};
+use casteljau::surface::{TessellationOptions, Weld};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
     let teapot = Surface::teapot(TeapotOptions::default());
     for tolerance in [0.1, 0.01, 0.001] {
         let mesh = teapot
-            .tessellate(&Fineness::Tolerance(tolerance), Weld::Normal)
+            .tessellate(&TessellationOptions::tolerance(tolerance).weld(Weld::Normal))
             .unwrap();
         writeln!(
             out,

@@ -8,7 +8,7 @@ const [NUMBER, INDEX] = [4, 2];
 /** What the mesh with its normals takes, in what the patches take. @param {number} segments */
 function ratioAt(segments) {
   const teapot = Surface.teapot();
-  const { positions, normals, indices } = teapot.tessellate({ segments }, { weld: "position" });
+  const { positions, normals, indices } = teapot.tessellate({ segments, weld: "position" });
   const numbers = teapot.patches.reduce((sum, net) => sum + net.length, 0);
   return (positions.byteLength + normals.byteLength + indices.byteLength) / (teapot.vertices.length * NUMBER + numbers * INDEX);
 }

@@ -110,13 +110,13 @@ export class Geometry {
   #make(surface, fineness, own, method, into) {
     const weld = own ? "none" : "normal";
     if ("segments" in fineness) return surface.grid({ ...fineness, method, into });
-    if ("tolerance" in fineness) return surface.tessellate(fineness, { weld, into });
+    if ("tolerance" in fineness) return surface.tessellate({ ...fineness, weld, into });
     if ("flatness" in fineness) {
       this.#pieces = surface.subdivide(fineness.flatness);
       return piecesMesh(surface, this.#pieces);
     }
     const { viewProjection = [], viewport = [] } = this.#sight ?? {};
-    return surface.tessellate({ ...fineness, viewProjection, viewport }, { weld, into });
+    return surface.tessellate({ ...fineness, viewProjection, viewport, weld, into });
   }
 
   /**

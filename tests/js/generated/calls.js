@@ -194,7 +194,7 @@ const PATCH = {
   "Patch.nearest": (a) => a.patch.nearest(a.p),
   "Patch.intersectRay": (a) => a.patch.intersectRay(a.origin, a.direction),
   "Patch.grid": (a) => a.patch.grid(grid(a)),
-  "Patch.tessellate": (a) => a.patch.tessellate(fineness(a), { weld: a.weld }),
+  "Patch.tessellate": (a) => a.patch.tessellate({ ...fineness(a), weld: a.weld }),
 };
 
 const SURFACE = {
@@ -218,8 +218,8 @@ const SURFACE = {
   "Surface.nearest": (a) => a.surface.nearest(a.p),
   "Surface.intersectRay": (a) => a.surface.intersectRay(a.origin, a.direction),
   "Surface.grid": (a) => a.surface.grid(grid(a)),
-  "Surface.tessellate": (a) => a.surface.tessellate(fineness(a), { weld: a.weld }),
-  "Surface.tessellateView": (a) => a.surface.tessellate(view(a), { weld: a.weld, precision: "f64" }),
+  "Surface.tessellate": (a) => a.surface.tessellate({ ...fineness(a), weld: a.weld }),
+  "Surface.tessellateView": (a) => a.surface.tessellate({ ...view(a), weld: a.weld, precision: "f64" }),
   "Surface.isocurves": (a) => a.surface.isocurves({ lines: a.lines }),
   "Surface.wireframe": (a) => a.surface.wireframe(wire(a)),
   "Surface.subdivide": (a) => a.surface.subdivide(a.tolerance),
