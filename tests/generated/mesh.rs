@@ -194,9 +194,7 @@ fn tessellated<T: Copy + Into<f64> + Numbers>(
 
 pub(crate) fn surface_tessellate(case: &Case) -> Checked {
     let surface = surface(case);
-    let mesh = call(case, || {
-        surface.tessellate(&options(case).weld(weld(case)))
-    })?;
+    let mesh = call(case, || surface.tessellate(&options(case).weld(weld(case))))?;
     tessellated(case, &surface, mesh)
 }
 

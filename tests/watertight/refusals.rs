@@ -14,11 +14,7 @@ const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
 
 #[track_caller]
 fn refused(surface: &Surface, options: TessellationOptions) -> Error {
-    refused_early(|| {
-        surface
-            .tessellate(&options.weld(Weld::Normal))
-            .unwrap_err()
-    })
+    refused_early(|| surface.tessellate(&options.weld(Weld::Normal)).unwrap_err())
 }
 
 #[track_caller]

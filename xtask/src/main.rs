@@ -13,6 +13,8 @@ mod size;
 mod snip;
 mod stamp;
 mod test;
+#[cfg(test)]
+mod vocabulary;
 mod wasm_test;
 
 use anyhow::{Result, bail};
