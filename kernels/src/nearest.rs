@@ -186,15 +186,15 @@ impl<const D: usize> Cubic<D> {
     ) -> bool {
         let signs = signs(quintic);
         let changes = (signs ^ (signs >> 1)) & 31;
-        let settled = changes & changes.wrapping_sub(1) == 0 || force;
-        if settled && changes != 0 && signs & 1 == 1 {
+        let converged = changes & changes.wrapping_sub(1) == 0 || force;
+        if converged && changes != 0 && signs & 1 == 1 {
             let k = changes.trailing_zeros() as usize;
             let (before, after) = (quintic[k], quintic[k + 1]);
             let guess = 0.2 * (k as f64 + before / (before - after));
             let (t, square) = self.close_in([lo, hi], lo + (hi - lo) * guess, best.slack);
             best.take(from + (to - from) * t, square);
         }
-        settled
+        converged
     }
 
     /// The control points of the piece from lo to hi.

@@ -28,7 +28,7 @@ type Row = [f32x4; 5];
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
-struct Facing {
+struct NormalNet {
     net: Net,
     rows: [Row; 6],
     /// The first and the last row and column that are not zero.
@@ -40,7 +40,7 @@ struct Facing {
 #[inline(never)]
 pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> bool {
     let columns = grid.segments_u + 1;
-    let Some(facing) = Facing::new(net) else {
+    let Some(facing) = NormalNet::new(net) else {
         out.fill([0.0; 3]);
         return true;
     };
@@ -130,7 +130,7 @@ fn unit([x, y, z]: [f32; 3], least: f32) -> [f32; 3] {
     [x * factor, y * factor, z * factor]
 }
 
-impl Facing {
+impl NormalNet {
     /// None if N is nowhere long enough.
     fn new(points: &[[f64; 3]; 16]) -> Option<Self> {
         let net = normal_net(points);

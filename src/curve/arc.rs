@@ -38,7 +38,7 @@ struct Piece {
 }
 
 /// The speed of a curve, in space, cut into pieces that one rule integrates well.
-pub(crate) struct Arc {
+pub(crate) struct ArcLengthTable {
     slopes: Points<DVec3>,
     /// `slopes` times their binomials.
     weighted: Points<DVec3>,
@@ -50,7 +50,7 @@ pub(crate) struct Arc {
     noise: f64,
 }
 
-impl Arc {
+impl ArcLengthTable {
     /// From the differences of control points, of moderate size and not all zero. `tolerance`, infinite for none, is
     /// looked at where it asks for more than is usual. Less is never done: where rules of a few points agree by chance, a
     /// large error would go unseen.

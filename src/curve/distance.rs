@@ -193,8 +193,8 @@ impl<T> PartialOrd for Apart<T> {
 
 /// The search for the least distance of two curves, made about 1 in size.
 struct Search<'a, P: Point> {
-    a: Way<'a, P>,
-    b: Way<'a, P>,
+    a: CurveWithDerivatives<'a, P>,
+    b: CurveWithDerivatives<'a, P>,
     rounding: f64,
     distance: f64,
     t: f64,
@@ -208,8 +208,8 @@ struct Search<'a, P: Point> {
 impl<'a, P: Point> Search<'a, P> {
     fn new(a: &'a [P], b: &'a [P], rounding: f64) -> Self {
         Self {
-            a: Way::new(a),
-            b: Way::new(b),
+            a: CurveWithDerivatives::new(a),
+            b: CurveWithDerivatives::new(b),
             rounding,
             distance: f64::INFINITY,
             t: 0.0,
@@ -396,13 +396,13 @@ impl<'a, P: Point> Search<'a, P> {
 }
 
 /// A curve and its derivatives.
-pub(super) struct Way<'a, P: Point> {
+pub(super) struct CurveWithDerivatives<'a, P: Point> {
     points: &'a [P],
     first: Points<P>,
     second: Points<P>,
 }
 
-impl<'a, P: Point> Way<'a, P> {
+impl<'a, P: Point> CurveWithDerivatives<'a, P> {
     pub(super) fn new(points: &'a [P]) -> Self {
         let rate = |points: &[P]| -> Points<P> {
             let n = points.len() - 1;

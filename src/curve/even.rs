@@ -1,6 +1,6 @@
 //! Where on the curve is the point that is so far along it?
 
-use super::arc::Arc;
+use super::arc::ArcLengthTable;
 use super::length::hodograph;
 use super::{Curve, check_segments, check_tolerance, ratio};
 use crate::error::Error;
@@ -10,8 +10,8 @@ use crate::point::Point;
 const DEFAULT_SLACK: f64 = 4.0 * f64::EPSILON;
 
 /// A curve that is asked for the t of lengths: its table is made once.
-pub(crate) struct ByLength {
-    arc: Option<Arc>,
+pub(crate) struct ArcLengthInverse {
+    arc: Option<ArcLengthTable>,
     /// The curve's length.
     length: f64,
     /// The same as the table has it; it may differ by some roundings.
@@ -19,12 +19,12 @@ pub(crate) struct ByLength {
     slack: f64,
 }
 
-impl ByLength {
+impl ArcLengthInverse {
     /// For a tolerance that was checked.
     pub(crate) fn new<P: Point>(curve: &Curve<P>, tolerance: Option<f64>) -> Self {
         let (slopes, unit) = hodograph(curve.control_points());
-        let arc = (unit > 0.0).then(|| Arc::new(&slopes, f64::INFINITY));
-        let in_table = arc.as_ref().map_or(0.0, Arc::length);
+        let arc = (unit > 0.0).then(|| ArcLengthTable::new(&slopes, f64::INFINITY));
+        let in_table = arc.as_ref().map_or(0.0, ArcLengthTable::length);
         Self {
             slack: (tolerance.unwrap_or(0.0) / (2.0 * unit)).max(DEFAULT_SLACK * in_table),
             arc,
@@ -61,7 +61,7 @@ impl<P: Point> Curve<P> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        Ok(ByLength::new(self, tolerance).time(s))
+        Ok(ArcLengthInverse::new(self, tolerance).time(s))
     }
 
     /// `segments` + 1 parameters that divide the curve into arcs of one length; the first is 0, the last 1.
@@ -73,7 +73,7 @@ impl<P: Point> Curve<P> {
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
     pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
-        let table = ByLength::new(self, None);
+        let table = ArcLengthInverse::new(self, None);
         let mut ts = vec![0.0; segments + 1];
         let mut before = 0.0;
         for (i, t) in ts.iter_mut().enumerate().skip(1) {

@@ -100,14 +100,14 @@ impl Curve<DVec3> {
 pub(crate) const FRAME_NUMBERS: usize = 13;
 
 /// Curves one after the other.
-pub(crate) trait Railway {
+pub(crate) trait FrameSequence {
     /// The curve of a t and the parameter on it.
     fn place(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
     fn link(&self, k: usize) -> Curve<DVec3>;
 }
 
-impl Railway for Curve<DVec3> {
+impl FrameSequence for Curve<DVec3> {
     fn place(&self, t: f64) -> (usize, f64) {
         (0, t)
     }
@@ -118,7 +118,7 @@ impl Railway for Curve<DVec3> {
 
 /// Frames along a chain; see [`Curve::frames_at`].
 pub(crate) fn frames_along(
-    chain: &dyn Railway,
+    chain: &dyn FrameSequence,
     ts: &[f64],
     normal: Option<DVec3>,
 ) -> Result<Vec<Frame>, Error> {
@@ -128,7 +128,7 @@ pub(crate) fn frames_along(
         return Ok(frames);
     };
     let (mut k, mut at) = chain.place(first);
-    let mut rail = Rail::new(chain.link(k));
+    let mut rail = FrameCurve::new(chain.link(k));
     // The last direction: a curve of a chain that is a point has none of its own.
     let mut direction = rail.tangent(at);
     let mut carried = rail.first_normal(at, normal);
@@ -146,7 +146,7 @@ pub(crate) fn frames_along(
             };
             carried = rail.carried(carried, at, end, &mut work);
             direction = rail.direction(end, direction);
-            rail = Rail::new(chain.link(next));
+            rail = FrameCurve::new(chain.link(next));
             let after = rail.direction(start, direction);
             carried = if carried == DVec3::ZERO {
                 rail.first_normal(start, normal)
@@ -174,7 +174,7 @@ fn check_all_finite(ts: &[f64], normal: Option<DVec3>) -> Result<(), Error> {
 }
 
 /// A curve as a rail for frames; also moved to the origin and to a moderate size.
-struct Rail {
+struct FrameCurve {
     curve: Curve<DVec3>,
     unit: Curve<DVec3>,
     slopes: super::Points<DVec3>,
@@ -182,13 +182,13 @@ struct Rail {
 
 /// What a step needs to know of its ends.
 #[derive(Clone, Copy)]
-struct Place {
+struct FrameSample {
     t: f64,
     point: DVec3,
     tangent: DVec3,
 }
 
-impl Rail {
+impl FrameCurve {
     fn new(curve: Curve<DVec3>) -> Self {
         let (slopes, _) = hodograph(curve.control_points());
         let mut point = DVec3::ZERO;
@@ -214,8 +214,8 @@ impl Rail {
         }
     }
 
-    fn place(&self, t: f64) -> Place {
-        Place {
+    fn place(&self, t: f64) -> FrameSample {
+        FrameSample {
             t,
             point: self.unit.eval(t),
             tangent: self.tangent(t),
@@ -259,7 +259,13 @@ impl Rail {
         self.in_steps(&self.place(t0), normal, &self.place(t1), work)
     }
 
-    fn in_steps(&self, from: &Place, normal: DVec3, to: &Place, work: &mut WorkLimit) -> DVec3 {
+    fn in_steps(
+        &self,
+        from: &FrameSample,
+        normal: DVec3,
+        to: &FrameSample,
+        work: &mut WorkLimit,
+    ) -> DVec3 {
         let middle = self.place(0.5 * (from.t + to.t));
         let at_once = reflected(from, normal, to);
         let in_two = reflected(&middle, reflected(from, normal, &middle), to);
@@ -293,7 +299,7 @@ impl Rail {
 }
 
 /// The double reflection: in the plane amid both points, then in that which takes the reflected tangent to the new one.
-fn reflected(from: &Place, normal: DVec3, to: &Place) -> DVec3 {
+fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     let way = to.point - from.point;
     if way.max_abs() < CLEAR_WAY && from.tangent.dot(to.tangent) > GENTLE_COSINE {
         return turned(from.tangent, normal, to.tangent, DVec3::ZERO);

@@ -3,7 +3,7 @@
 //! The length is ∫ |B′(t)| dt. For lines and quadratics it has a closed form. Else Gauss–Legendre rules integrate the
 //! speed, which they do very well where it is smooth and badly where the curve all but stops; so the curve is cut there.
 
-use super::arc::Arc;
+use super::arc::ArcLengthTable;
 use super::{Curve, Points, check_tolerance, max_abs};
 use crate::error::Error;
 use crate::point::{CrossProduct, Point};
@@ -52,7 +52,7 @@ impl<P: Point> Curve<P> {
         let length = match *slopes {
             [d] => d.length(),
             [d, e] => line_integral(d, e),
-            _ => Arc::new(&slopes, tolerance / unit).length(),
+            _ => ArcLengthTable::new(&slopes, tolerance / unit).length(),
         };
         length * unit
     }

@@ -4,7 +4,7 @@
 //! (B(t) − q)·B′(t) = 0, found by isolation and not by sampling, and both ends. Plane and space go the same way; degrees
 //! up to 3 have a kernel of their own, which looks at minima only.
 
-use super::distance::Way;
+use super::distance::CurveWithDerivatives;
 use super::product::Binomials;
 use super::roots::{roots_inside, sign_changes};
 use super::{Curve, Points, check_finite, evaluate, max_abs};
@@ -137,7 +137,7 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
     let n = points.len() - 1;
     let mut search = Search {
-        way: Way::new(points),
+        way: CurveWithDerivatives::new(points),
         binomials: Binomials::new(n, n - 1),
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
@@ -152,7 +152,7 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
 
 /// The search for the point of a curve that is nearest to the origin.
 struct Search<'a, P: Point> {
-    way: Way<'a, P>,
+    way: CurveWithDerivatives<'a, P>,
     binomials: Binomials,
     /// Distances that differ by less are equal.
     slack: f64,
@@ -219,7 +219,7 @@ fn max_of(numbers: &[f64]) -> f64 {
 
 /// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve
 /// hardly moves the roots of B·B′ are not known well. The parameter and the distance.
-fn closer<P: Point>(way: &Way<P>, mut t: f64) -> (f64, f64) {
+fn closer<P: Point>(way: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
     let mut p = way.at(t);
     for _ in 0..MOST_STEPS {
         let [first, second] = way.derivatives(t);

@@ -10,7 +10,7 @@ use super::{Curve, check_tolerance, ulp};
 use crate::error::Error;
 use crate::point::Point;
 use crate::spline::Spline;
-use casteljau_kernels::{Parallel, Plane, Source, WorkLimit, arc_pieces, cos_sin};
+use casteljau_kernels::{OffsetCurve, Plane, Source, WorkLimit, arc_pieces, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -52,16 +52,21 @@ impl Curve<DVec2> {
     /// tolerance is above 0; [`Error::Tolerance`] when it is below 4 ulps of the largest coordinate and the distance;
     /// [`Error::TooMany`] when more than 2¹⁷ steps (pieces tried and bounds evaluated) would be needed.
     ///
-    /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
+    /// Source: Levien, "OffsetCurve curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
     pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
-        self.parallel(distance, tolerance).map(Chain::spline)
+        self.parallel(distance, tolerance)
+            .map(SplineBuilder::spline)
     }
 
     /// As [`offset`](Self::offset), not yet a spline.
-    pub(crate) fn parallel(&self, distance: f64, tolerance: Option<f64>) -> Result<Chain, Error> {
+    pub(crate) fn parallel(
+        &self,
+        distance: f64,
+        tolerance: Option<f64>,
+    ) -> Result<SplineBuilder, Error> {
         let diagonal = || self.control_bounds().diagonal();
         let tolerance = offset_tolerance(distance, tolerance, self.max_abs(), diagonal)?;
-        let mut chain = Chain::default();
+        let mut chain = SplineBuilder::default();
         chain.add_parallel(self, distance, tolerance)?;
         Ok(chain)
     }
@@ -92,13 +97,13 @@ pub(crate) fn offset_tolerance(
 
 /// A spline in the making: its points, and the degree of each segment.
 #[derive(Default)]
-pub(crate) struct Chain {
+pub(crate) struct SplineBuilder {
     pub(crate) points: Vec<DVec2>,
     pub(crate) degrees: Vec<usize>,
     pub(crate) closed: bool,
 }
 
-impl Chain {
+impl SplineBuilder {
     pub(crate) fn spline(self) -> Spline<DVec2> {
         Spline::from_parts(self.points, &self.degrees, self.closed)
     }
@@ -130,7 +135,7 @@ impl Chain {
         } else if let Some(way) = curve.straight_way() {
             self.add_parallel_of_straight(curve, way, distance, tolerance);
         } else {
-            Bent::new(curve, reach, distance, tolerance).add_to(self)?;
+            NormalizedCurve::new(curve, reach, distance, tolerance).add_to(self)?;
         }
         Ok(())
     }
@@ -216,7 +221,7 @@ impl Chain {
 const REVERSED_SINE: f64 = 1e-12;
 
 /// A curve that bends, scaled to a size of about 1.
-struct Bent<'a> {
+struct NormalizedCurve<'a> {
     curve: &'a Curve<DVec2>,
     source: Source,
     distance: f64,
@@ -227,7 +232,7 @@ struct Bent<'a> {
     unit: f64,
 }
 
-impl<'a> Bent<'a> {
+impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
         let scale = power_of_two(reach);
         let points: super::Points<DVec2> = curve.points.iter().map(|&p| p * scale).collect();
@@ -251,7 +256,7 @@ impl<'a> Bent<'a> {
         }
     }
 
-    fn add_to(&self, chain: &mut Chain) -> Result<(), Error> {
+    fn add_to(&self, chain: &mut SplineBuilder) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
         let [first, last] = self.source.end_tangents();
         let (mut t, mut tangent) = (0.0, first);
@@ -288,7 +293,7 @@ impl<'a> Bent<'a> {
     /// A piece between two cusps of the curve.
     fn add_run(
         &self,
-        chain: &mut Chain,
+        chain: &mut SplineBuilder,
         ts: (f64, f64),
         tangents: [Plane; 2],
         end: DVec2,
@@ -299,7 +304,8 @@ impl<'a> Bent<'a> {
             chain.start(self.curve.start() + normal(tangents[0]));
         }
         let mut out = Vec::with_capacity(12);
-        Parallel::new(&self.source, self.scaled.0, self.scaled.1).run(ts, tangents, &mut out, work);
+        OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1)
+            .run(ts, tangents, &mut out, work);
         let origin = self.curve.start();
         let place = |p: &Plane| vector(*p) * self.unit + origin;
         chain.points.extend(out.iter().map(place));

@@ -47,7 +47,7 @@ pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     let mut roots = Scalars::new();
     walk(coefficients, slack, |meeting| {
         // A root next to an end may round to it.
-        if let Meeting::Cross(t) = meeting
+        if let ZeroCrossing::Cross(t) = meeting
             && t > 0.0
             && t < 1.0
         {
@@ -63,14 +63,14 @@ pub(crate) fn contacts(coefficients: &[f64], slack: f64) -> Option<Scalars> {
     let mut roots = Scalars::new();
     let mut everywhere = false;
     walk(coefficients, slack, |meeting| match meeting {
-        Meeting::Cross(t) | Meeting::Touch(t) => roots.push(t),
-        Meeting::Everywhere => everywhere = true,
+        ZeroCrossing::Cross(t) | ZeroCrossing::Touch(t) => roots.push(t),
+        ZeroCrossing::Everywhere => everywhere = true,
     });
     (!everywhere).then_some(roots)
 }
 
 /// How a polynomial meets zero.
-enum Meeting {
+enum ZeroCrossing {
     /// It changes its sign, inside (0, 1).
     Cross(f64),
     /// It comes to zero and turns back, or begins or ends there.
@@ -80,9 +80,9 @@ enum Meeting {
 }
 
 /// Goes through the ends and the extrema; between them the polynomial is monotone.
-fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(Meeting)) {
+fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) {
     let Some((coefficients, size)) = scaled(coefficients) else {
-        return report(Meeting::Everywhere);
+        return report(ZeroCrossing::Everywhere);
     };
     let (polynomial, slack) = (Polynomial::new(&coefficients), slack / size);
     let slopes: Scalars = coefficients.windows(2).map(|p| p[1] - p[0]).collect();
@@ -100,10 +100,10 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(Meeting)) {
         }
         match (off, at) {
             (Some((before, old)), _) if (old < 0.0) != (height < 0.0) => {
-                report(Meeting::Cross(polynomial.close_in(before, t, old)));
+                report(ZeroCrossing::Cross(polynomial.close_in(before, t, old)));
             }
-            (Some(_), Some((lowest, _))) => report(Meeting::Touch(lowest)),
-            (None, Some(_)) => report(Meeting::Touch(0.0)),
+            (Some(_), Some((lowest, _))) => report(ZeroCrossing::Touch(lowest)),
+            (None, Some(_)) => report(ZeroCrossing::Touch(0.0)),
             _ => {}
         }
         (off, at) = (Some((t, height)), None);
@@ -113,8 +113,8 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(Meeting)) {
         stop(t, polynomial.at(t));
     }
     match (off, at) {
-        (Some(_), Some(_)) => report(Meeting::Touch(1.0)),
-        (None, _) => report(Meeting::Everywhere),
+        (Some(_), Some(_)) => report(ZeroCrossing::Touch(1.0)),
+        (None, _) => report(ZeroCrossing::Everywhere),
         _ => {}
     }
 }

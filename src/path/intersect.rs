@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::IntersectionKind;
-use crate::spline::{Chains, Meeting};
+use crate::spline::{ChainIntersection, Chains};
 use glam::DVec2;
 
 /// A place that two paths share.
@@ -42,8 +42,8 @@ impl Path {
     }
 }
 
-fn places(found: Vec<Meeting>) -> Vec<PathIntersection> {
-    let place = |m: Meeting| PathIntersection {
+fn places(found: Vec<ChainIntersection>) -> Vec<PathIntersection> {
+    let place = |m: ChainIntersection| PathIntersection {
         subpath: m.a,
         t: m.at.t,
         other_subpath: m.b,

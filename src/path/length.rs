@@ -1,7 +1,7 @@
 //! How long is it, and where is the point that is so far along it?
 
 use super::{Path, PathTime};
-use crate::curve::{ByLength, Curve, check_length, check_segments, check_tolerance};
+use crate::curve::{ArcLengthInverse, Curve, check_length, check_segments, check_tolerance};
 use crate::error::Error;
 use crate::point::Point;
 use casteljau_kernels::plane_cubic_length;
@@ -46,12 +46,12 @@ impl Path {
         if self.is_empty() {
             return Ok(None);
         }
-        let ruler = Ruler::new(self);
+        let ruler = ArcLengthIndex::new(self);
         if s > 0.0 && s >= ruler.whole() {
             return Ok(Some(ruler.end()));
         }
         let (k, rest) = ruler.segment_at(s);
-        let t = ByLength::new(&ruler.curve(k), tolerance).time(rest);
+        let t = ArcLengthInverse::new(&ruler.curve(k), tolerance).time(rest);
         Ok(Some(ruler.place(k, t)))
     }
 
@@ -67,15 +67,15 @@ impl Path {
         if self.is_empty() {
             return Ok(Vec::new());
         }
-        let ruler = Ruler::new(self);
+        let ruler = ArcLengthIndex::new(self);
         let mut places = Vec::with_capacity(segments + 1);
-        let mut table: Option<(usize, ByLength)> = None;
+        let mut table: Option<(usize, ArcLengthInverse)> = None;
         for i in 0..segments {
             let part = i as f64 / segments as f64;
             let (k, rest) = ruler.segment_of(part);
             let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
                 Some(table) => table,
-                None => (k, ByLength::new(&ruler.curve(k), None)),
+                None => (k, ArcLengthInverse::new(&ruler.curve(k), None)),
             };
             let t = if ruler.whole() > 0.0 {
                 curve.time(rest)
@@ -117,14 +117,14 @@ fn to_3d(points: &[DVec2]) -> Curve<DVec3> {
 }
 
 /// The segments of a path, which is not empty, by their lengths.
-struct Ruler<'a> {
+struct ArcLengthIndex<'a> {
     /// The subpath, the number on it, and the control points.
     segments: Vec<(usize, usize, &'a [DVec2])>,
     /// The length up to the start of each, and the whole.
     starts: Vec<f64>,
 }
 
-impl<'a> Ruler<'a> {
+impl<'a> ArcLengthIndex<'a> {
     fn new(path: &'a Path) -> Self {
         let parts = path.parts().enumerate();
         let segments: Vec<_> = parts

@@ -11,7 +11,7 @@ use crate::point::Point;
 
 /// What the cubics must keep.
 #[derive(Clone, Copy)]
-pub(crate) struct Promise {
+pub(crate) struct FitCriteria {
     /// The greatest distance between a point and its foot on a cubic.
     pub(crate) tolerance: f64,
     /// Whether the way between two points counts, too: then the chords of the cubic between their feet take their share.
@@ -19,11 +19,11 @@ pub(crate) struct Promise {
 }
 
 /// Points in order, with the tangent and the way from the start of each.
-pub(crate) struct Trail<P> {
+pub(crate) struct FitSamples<P> {
     pub(crate) points: Vec<P>,
     pub(crate) tangents: Vec<P>,
     pub(crate) lengths: Vec<f64>,
-    pub(crate) promise: Promise,
+    pub(crate) promise: FitCriteria,
 }
 
 /// The most points that least squares look at; all are checked.
@@ -56,7 +56,7 @@ pub(crate) fn ways<P: Point>(points: &[P]) -> Vec<f64> {
     lengths
 }
 
-impl<P: Point> Trail<P> {
+impl<P: Point> FitSamples<P> {
     /// Appends the cubics of the run between two indices: the index of each end, and the two handles before it.
     pub(crate) fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
         let (mut from, mut step) = (first, last - first);

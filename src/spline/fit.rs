@@ -1,7 +1,7 @@
 //! Which spline runs along a stroke?
 
 use super::Spline;
-use super::cubics::{Promise, Trail, ways};
+use super::cubics::{FitCriteria, FitSamples, ways};
 use crate::curve::{check_finite, check_tolerance, max_abs};
 use crate::error::Error;
 use crate::point::Point;
@@ -50,28 +50,28 @@ impl<P: Point> Spline<P> {
             let ends = if closed { 1 } else { 2 };
             return Ok(Self::from_parts(vec![kept[0]; ends], &[1], closed));
         }
-        Ok(Stroke::new(&kept, tolerance, closed).fitted())
+        Ok(CurveFitter::new(&kept, tolerance, closed).fitted())
     }
 }
 
 /// Points moved to the origin and scaled to about 1.
-struct Stroke<'a, P: Point> {
+struct CurveFitter<'a, P: Point> {
     given: &'a [P],
     scale: f64,
-    trail: Trail<P>,
+    trail: FitSamples<P>,
     closed: bool,
 }
 
-impl<'a, P: Point> Stroke<'a, P> {
+impl<'a, P: Point> CurveFitter<'a, P> {
     fn new(given: &'a [P], tolerance: f64, closed: bool) -> Self {
         let scale = scale_of(given);
         let points = scaled(given, scale);
         let tolerance = tolerance * scale;
-        let trail = Trail {
+        let trail = FitSamples {
             lengths: ways(&points),
             tangents: Vec::new(),
             points,
-            promise: Promise {
+            promise: FitCriteria {
                 // Rounding of the result takes its share.
                 tolerance: tolerance * (1.0 - ROUNDING_SHARE),
                 between: false,

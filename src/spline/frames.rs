@@ -1,11 +1,11 @@
 //! Which way up, along a spline in space?
 
 use super::Spline;
-use crate::curve::{Curve, FRAME_NUMBERS, Frame, Railway, check_segments, frames_along};
+use crate::curve::{Curve, FRAME_NUMBERS, Frame, FrameSequence, check_segments, frames_along};
 use crate::error::Error;
 use glam::DVec3;
 
-impl Railway for Spline<DVec3> {
+impl FrameSequence for Spline<DVec3> {
     fn place(&self, t: f64) -> (usize, f64) {
         self.locate(t)
     }

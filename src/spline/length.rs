@@ -1,7 +1,7 @@
 //! How long is the spline, and where is the point that is so far along it?
 
 use super::Spline;
-use crate::curve::{ByLength, check_length, check_segments, check_tolerance};
+use crate::curve::{ArcLengthInverse, check_length, check_segments, check_tolerance};
 use crate::error::Error;
 use crate::point::Point;
 
@@ -47,7 +47,7 @@ impl<P: Point> Spline<P> {
         if k == count {
             return Ok(count as f64);
         }
-        Ok(k as f64 + ByLength::new(&self.curve(k), tolerance).time(s - ends[k]))
+        Ok(k as f64 + ArcLengthInverse::new(&self.curve(k), tolerance).time(s - ends[k]))
     }
 
     /// `segments` + 1 values of t that divide the whole spline into arcs of one length; the first is 0, the last the
@@ -63,7 +63,7 @@ impl<P: Point> Spline<P> {
         let (ends, count) = (self.lengths(), self.segment_count());
         let whole = ends[count];
         let mut ts = vec![0.0; segments + 1];
-        let mut table: Option<(usize, ByLength)> = None;
+        let mut table: Option<(usize, ArcLengthInverse)> = None;
         let mut k = 0;
         for i in 1..segments {
             let part = i as f64 / segments as f64;
@@ -77,7 +77,7 @@ impl<P: Point> Spline<P> {
             }
             let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
                 Some(table) => table,
-                None => (k, ByLength::new(&self.curve(k), None)),
+                None => (k, ArcLengthInverse::new(&self.curve(k), None)),
             };
             ts[i] = ts[i - 1].max(k as f64 + curve.time(s - ends[k]));
             table = Some((k, curve));

@@ -24,7 +24,7 @@ mod repair;
 mod simplify;
 
 pub use bspline::BSpline;
-pub(crate) use chains::{Chains, Meeting};
+pub(crate) use chains::{ChainIntersection, Chains};
 pub use continuity::Continuity;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;

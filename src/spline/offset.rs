@@ -1,7 +1,7 @@
 //! Which spline runs beside?
 
 use super::Spline;
-use crate::curve::{Chain, Curve, offset_tolerance};
+use crate::curve::{Curve, SplineBuilder, offset_tolerance};
 use crate::error::Error;
 use crate::point::Point;
 use glam::DVec2;
@@ -42,7 +42,7 @@ impl Spline<DVec2> {
         join: OffsetJoin,
     ) -> Result<Self, Error> {
         let curves = self.segments();
-        parallel_of(&curves, self.closed, distance, tolerance, join).map(Chain::spline)
+        parallel_of(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)
     }
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn parallel_of(
     distance: f64,
     tolerance: Option<f64>,
     join: OffsetJoin,
-) -> Result<Chain, Error> {
+) -> Result<SplineBuilder, Error> {
     let largest = curves.iter().map(Curve::max_abs).fold(0.0, f64::max);
     let box_of = || {
         let boxes = curves.iter().map(Curve::control_bounds);
@@ -63,7 +63,7 @@ pub(crate) fn parallel_of(
     };
     let tolerance = offset_tolerance(distance, tolerance, largest, box_of)?;
     let own = tolerance * (1.0 - SMOOTH_PART);
-    let mut chain = Chain::default();
+    let mut chain = SplineBuilder::default();
     let moves = |curve: &&Curve<DVec2>| {
         let points = curve.control_points();
         distance == 0.0 || points.iter().any(|&p| p != points[0])
@@ -72,7 +72,7 @@ pub(crate) fn parallel_of(
     if bent.is_empty() {
         bent.extend(&curves[..1]);
     }
-    let corner = |chain: &mut Chain, before: &Curve<DVec2>, after: &Curve<DVec2>| {
+    let corner = |chain: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
         let (from, to) = (end_tangent(before), start_tangent(after));
         if Point::length(to - from) * distance.abs() > SMOOTH_PART * tolerance {
             chain.join(after.start(), from, to, distance, own, join);
@@ -93,7 +93,7 @@ pub(crate) fn parallel_of(
     Ok(chain)
 }
 
-impl Chain {
+impl SplineBuilder {
     /// Leads from the parallel before a corner to the one after it.
     fn join(
         &mut self,

@@ -1,7 +1,7 @@
 //! Which spline of fewer segments is close enough?
 
 use super::Spline;
-use super::cubics::{Promise, Trail, ways};
+use super::cubics::{FitCriteria, FitSamples, ways};
 use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
 use crate::curve::{check_tolerance, ulp};
 use crate::error::Error;
@@ -49,11 +49,11 @@ impl<P: Point> Spline<P> {
         }
         let scale = scale_of(&given);
         let points = scaled(&given, scale);
-        let trail = Trail {
+        let trail = FitSamples {
             lengths: ways(&points),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
             points,
-            promise: Promise {
+            promise: FitCriteria {
                 tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * scale,
                 between: true,
             },
@@ -131,7 +131,7 @@ impl<P: Point> Spline<P> {
 
 /// The cubics between corners, each with the tangents of its own side.
 fn covered<P: Point>(
-    mut trail: Trail<P>,
+    mut trail: FitSamples<P>,
     tangents: &[[P; 2]],
     corners: &[usize],
 ) -> Vec<(usize, [P; 2])> {

@@ -72,7 +72,7 @@ fn area_in_frame(patch: &Patch) -> f64 {
     let mut work = WorkLimit::new(MAX_STEPS);
     let steps_of_split = 2 * (rule.steps(true) + rule.steps(false));
     let mut tiles = vec![Tile::new([0.0, 1.0], [0.0, 1.0], 0.0, &mut rule)];
-    let mut settled = 0.0;
+    let mut finished = 0.0;
     for _ in 0..MAX_ROUNDS {
         let affordable = (MAX_STEPS - work.used()) / steps_of_split;
         let is_last = tiles.len() > affordable;
@@ -80,13 +80,13 @@ fn area_in_frame(patch: &Patch) -> f64 {
             sort_by(&mut tiles, |a, b| {
                 b.change_before.total_cmp(&a.change_before)
             });
-            settled += tiles.drain(affordable..).map(|tile| tile.area).sum::<f64>();
+            finished += tiles.drain(affordable..).map(|tile| tile.area).sum::<f64>();
         }
         if !work.spend(tiles.len() * steps_of_split) {
             break;
         }
         let split: Vec<Split> = tiles.iter().map(|tile| tile.split(&mut rule)).collect();
-        let area = split.iter().fold(settled, |sum, tile| sum + tile.area);
+        let area = split.iter().fold(finished, |sum, tile| sum + tile.area);
         let error: f64 = split.iter().map(|tile| tile.error).sum();
         if is_last || error <= AREA_ERROR * area + NO_AREA {
             return area;
@@ -97,11 +97,11 @@ fn area_in_frame(patch: &Patch) -> f64 {
             if tile.error > allowed {
                 tiles.extend(tile.quarters);
             } else {
-                settled += tile.area;
+                finished += tile.area;
             }
         }
     }
-    tiles.iter().fold(settled, |sum, tile| sum + tile.area)
+    tiles.iter().fold(finished, |sum, tile| sum + tile.area)
 }
 
 impl Tile {

@@ -1,9 +1,9 @@
 //! Grids of samples over patches and surfaces.
 
-use super::tessellate::Filler;
+use super::tessellate::GridMeshBuilder;
 use super::{Grid, GridMethod, Mesh, Patch, Surface};
 use crate::error::Error;
-use casteljau_kernels::gather;
+use casteljau_kernels::gather_points;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -45,15 +45,15 @@ impl Surface {
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
         let all = 0..self.patch_count();
-        let mut filler = Filler::new(all.len(), grid, method, quads)?;
+        let mut filler = GridMeshBuilder::new(all.len(), grid, method, quads)?;
         self.fill_part(&mut filler, all, false, mesh);
         Ok(())
     }
 
-    /// Fills a mesh with the grids of some patches; see [`Filler::fill`].
+    /// Fills a mesh with the grids of some patches; see [`GridMeshBuilder::fill`].
     pub(crate) fn fill_part(
         &self,
-        filler: &mut Filler,
+        filler: &mut GridMeshBuilder,
         part: Range<usize>,
         has_layout: bool,
         mesh: &mut Mesh,
@@ -62,7 +62,7 @@ impl Surface {
             let indices = self.patch_indices(patch).unwrap_or_default();
             net.resize(indices.len(), DVec3::ZERO);
             let vertices = bytemuck::cast_slice(self.vertices());
-            gather(vertices, indices, bytemuck::cast_slice_mut(net));
+            gather_points(vertices, indices, bytemuck::cast_slice_mut(net));
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };
@@ -104,7 +104,7 @@ impl Patch {
             net.extend_from_slice(&self.points);
             (self.degree_u(), self.degree_v())
         };
-        Filler::new(1, grid, method, quads)?.fill(0..1, net_of, false, mesh);
+        GridMeshBuilder::new(1, grid, method, quads)?.fill(0..1, net_of, false, mesh);
         Ok(())
     }
 }

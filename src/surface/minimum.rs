@@ -167,10 +167,10 @@ impl Least<'_> {
             }
             self.ties += 1;
         }
-        let (at, value, settled) = go_down(root, within, start, work);
+        let (at, value, converged) = go_down(root, within, start, work);
         self.floor = self.floor.min(value);
         self.keep_better(root, at, work);
-        settled
+        converged
     }
 
     fn is_better(&self, value: f64) -> bool {
@@ -258,11 +258,11 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
         (at[k] <= within[k][0] && slope >= 0.0) || (at[k] >= within[k][1] && slope <= 0.0)
     };
     // Along one direction; where the bend is not that of a minimum, some way down.
-    let alone = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
+    let uncoupled = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
     match (stuck(0, jet.u), stuck(1, jet.v)) {
         (true, true) => [0.0; 2],
-        (true, false) => [0.0, alone(jet.v, jet.vv)],
-        (false, true) => [alone(jet.u, jet.uu), 0.0],
+        (true, false) => [0.0, uncoupled(jet.v, jet.vv)],
+        (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
             // Below this share rounding decides on the direction.
@@ -273,7 +273,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
                 ]
             } else {
                 let bend = jet.uu.max(0.0) + jet.vv.max(0.0);
-                [alone(jet.u, bend), alone(jet.v, bend)]
+                [uncoupled(jet.u, bend), uncoupled(jet.v, bend)]
             }
         }
     }

@@ -9,7 +9,6 @@
 
 mod area;
 mod curvature;
-mod cutter;
 mod de_casteljau;
 mod distance;
 mod export;
@@ -19,11 +18,11 @@ mod flat_enough;
 mod flatness;
 mod forward;
 mod frame;
-mod general;
+mod generic_grid_evaluator;
 mod glb;
 mod grid;
+mod grid_evaluator;
 mod gridded;
-mod kernel;
 mod measure;
 mod mesh;
 mod minimum;
@@ -42,6 +41,7 @@ mod sampler;
 mod sets;
 mod small_distance;
 mod stitched;
+mod subdivider;
 mod sweep;
 mod taylor;
 mod teacup_data;
@@ -74,7 +74,7 @@ pub use network::Surface;
 pub use patch::{Partials, Patch};
 pub use sets::{Height, TeapotOptions, Up};
 #[cfg(feature = "wasm")]
-pub(crate) use tessellate::Filler;
+pub(crate) use tessellate::GridMeshBuilder;
 pub use text_reader::ParseError;
 pub(crate) use text_reader::{END as END_OF_TEXT, shown as shown_word};
 pub(crate) use text_write::written_number;

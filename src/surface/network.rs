@@ -266,7 +266,7 @@ impl Surface {
 
 impl Patch {
     /// A surface of this patch alone.
-    pub(crate) fn alone(&self) -> Surface {
+    pub(crate) fn as_surface(&self) -> Surface {
         let vertices = self.points.to_vec();
         Surface {
             joined: joined(&vertices),

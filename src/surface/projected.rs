@@ -24,7 +24,7 @@ pub(super) struct Projection {
 }
 
 /// A sink, and whether its current point is the end of the piece before.
-struct Stroke<'a, T> {
+struct ProjectedSubpath<'a, T> {
     sink: &'a mut T,
     down: bool,
 }
@@ -46,7 +46,7 @@ impl Projection {
     pub(super) fn draw(&self, curve: &Curve<DVec3>, sink: &mut impl PathSink) {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
-        let mut stroke = Stroke { sink, down: false };
+        let mut stroke = ProjectedSubpath { sink, down: false };
         self.draw_piece(&Curve::from_points(image), &mut stroke, MOST_HALVINGS);
     }
 
@@ -54,7 +54,7 @@ impl Projection {
     fn draw_piece(
         &self,
         piece: &Curve<DVec3>,
-        stroke: &mut Stroke<impl PathSink>,
+        stroke: &mut ProjectedSubpath<impl PathSink>,
         halvings: usize,
     ) {
         let before_eye = |p: &DVec3| p.z >= self.near;
@@ -86,7 +86,7 @@ impl Projection {
     }
 }
 
-impl<T: PathSink> Stroke<'_, T> {
+impl<T: PathSink> ProjectedSubpath<'_, T> {
     /// Draws a curve, joined to the one before if that was drawn; nothing where coordinates leave the numbers.
     fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
         if !flat.max_abs().is_finite() {

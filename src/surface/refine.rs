@@ -1,13 +1,15 @@
 //! Meshes without cracks, as fine as asked for.
 
-use super::cutter::{CLOSE_FORECAST_DEPTHS, Cutter, DYADIC, FORECAST_DEPTHS, most_cells};
-use super::stitched::{Cut, stitch};
+use super::stitched::{SurfaceCells, stitch};
+use super::subdivider::{
+    AdaptiveSubdivider, CLOSE_FORECAST_DEPTHS, DYADIC, FORECAST_DEPTHS, most_cells,
+};
 use super::tessellate::to_f32;
 use super::view::{Detail, TessellationOptions};
 use super::{Grid, Mesh, Patch, Surface};
 use crate::curve::{check_tolerance, max_abs};
 use crate::error::Error;
-use casteljau_kernels::{Bends, Cell};
+use casteljau_kernels::{Cell, SecondDifferences};
 use glam::DVec3;
 
 /// The most cells of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
@@ -114,7 +116,7 @@ impl Surface {
     }
 
     /// The cells of all patches.
-    fn cut(&self, precision: Precision, detail: &Detail) -> Result<Cut, Error> {
+    fn cut(&self, precision: Precision, detail: &Detail) -> Result<SurfaceCells, Error> {
         let size = self.max_abs();
         if size > precision.max {
             return Err(Error::Range {
@@ -133,8 +135,8 @@ impl Surface {
         self.cut_finely(detail, ulp)
     }
 
-    fn cut_finely(&self, detail: &Detail, ulp: f64) -> Result<Cut, Error> {
-        let mut cutter = Cutter {
+    fn cut_finely(&self, detail: &Detail, ulp: f64) -> Result<SurfaceCells, Error> {
+        let mut subdivider = AdaptiveSubdivider {
             detail,
             least: LEAST_ULPS * ulp,
             rounding: ulp,
@@ -143,58 +145,59 @@ impl Surface {
             expected: 0.0,
             expected_at_most: 0.0,
             cells: Vec::new(),
-            bends: Bends::default(),
+            bends: SecondDifferences::default(),
             size: 0.0,
         };
-        self.foresee(&mut cutter)?;
+        self.foresee(&mut subdivider)?;
         let mut ends = Vec::with_capacity(self.patch_count());
         for patch in self.patches() {
-            cutter.cut(&patch.points, patch.columns)?;
-            ends.push(cutter.cells.len());
+            subdivider.cut(&patch.points, patch.columns)?;
+            ends.push(subdivider.cells.len());
         }
-        Ok(Cut {
-            cells: cutter.cells,
+        Ok(SurfaceCells {
+            cells: subdivider.cells,
             ends,
             full: DYADIC,
         })
     }
 
     /// Refuses more cells than the limit before any are made.
-    fn foresee(&self, cutter: &mut Cutter) -> Result<(), Error> {
-        let limit = cutter.limit as f64;
+    fn foresee(&self, subdivider: &mut AdaptiveSubdivider) -> Result<(), Error> {
+        let limit = subdivider.limit as f64;
         for depth in FORECAST_DEPTHS {
-            self.forecast(cutter, depth)?;
-            if cutter.expected <= limit {
+            self.forecast(subdivider, depth)?;
+            if subdivider.expected <= limit {
                 break;
             }
         }
-        if cutter.expected > limit {
-            return Err(cutter.too_many());
+        if subdivider.expected > limit {
+            return Err(subdivider.too_many());
         }
         // Halvings do not end exactly at the tolerance, so there will be more cells than are needed at least.
         let mut before = f64::INFINITY;
         for depth in CLOSE_FORECAST_DEPTHS {
-            if cutter.expected_at_most <= limit {
+            if subdivider.expected_at_most <= limit {
                 break;
             }
-            before = cutter.expected_at_most;
-            self.forecast(cutter, depth)?;
+            before = subdivider.expected_at_most;
+            self.forecast(subdivider, depth)?;
         }
-        let [cells, before] = [cutter.expected_at_most, before].map(|cells| cells * CLOSE_SHARE);
+        let [cells, before] =
+            [subdivider.expected_at_most, before].map(|cells| cells * CLOSE_SHARE);
         if cells > limit && cells >= before * CLOSE_SHARE {
-            cutter.expected = cutter.expected_at_most;
-            return Err(cutter.too_many());
+            subdivider.expected = subdivider.expected_at_most;
+            return Err(subdivider.too_many());
         }
-        cutter.forecast = None;
+        subdivider.forecast = None;
         Ok(())
     }
 
     /// Counts the cells that pieces of this depth let expect.
-    fn forecast(&self, cutter: &mut Cutter, depth: u32) -> Result<(), Error> {
-        cutter.forecast = Some(depth);
-        (cutter.expected, cutter.expected_at_most) = (0.0, 0.0);
+    fn forecast(&self, subdivider: &mut AdaptiveSubdivider, depth: u32) -> Result<(), Error> {
+        subdivider.forecast = Some(depth);
+        (subdivider.expected, subdivider.expected_at_most) = (0.0, 0.0);
         for patch in self.patches() {
-            cutter.cut(&patch.points, patch.columns)?;
+            subdivider.cut(&patch.points, patch.columns)?;
         }
         Ok(())
     }
@@ -208,7 +211,7 @@ impl Surface {
     }
 
     /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.
-    fn cut_evenly(&self, grid: Grid) -> Result<Cut, Error> {
+    fn cut_evenly(&self, grid: Grid) -> Result<SurfaceCells, Error> {
         grid.check(self.patch_count())?;
         let per_patch = grid.segments_u * grid.segments_v;
         let count = self.patch_count() * per_patch;
@@ -236,7 +239,7 @@ impl Surface {
             })
         };
         let cells: Vec<Cell> = (0..self.patch_count()).flat_map(|_| grid_cells()).collect();
-        Ok(Cut {
+        Ok(SurfaceCells {
             cells,
             ends: (1..=self.patch_count()).map(|k| k * per_patch).collect(),
             full,
@@ -256,7 +259,7 @@ impl Patch {
     /// # Errors
     /// As there.
     pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
-        self.alone().tessellate(options)
+        self.as_surface().tessellate(options)
     }
 
     /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
@@ -264,7 +267,7 @@ impl Patch {
     /// # Errors
     /// As there.
     pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
-        self.alone().tessellate_f64(options)
+        self.as_surface().tessellate_f64(options)
     }
 }
 

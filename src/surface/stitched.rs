@@ -8,7 +8,7 @@ use super::Surface;
 use super::sampler::Sampler;
 use super::topology::{SIDES, SideUse};
 use crate::curve::{Points, evaluate};
-use casteljau_kernels::{Cell, Lattice, first, pair, place, second, sort_distinct};
+use casteljau_kernels::{Cell, CellTriangulator, first, pair, place, second, sort_distinct};
 use glam::DVec3;
 
 /// No node yet.
@@ -32,7 +32,7 @@ pub(super) struct PatchEnd {
 
 /// The triangles of a surface before vertices are made of their corners.
 #[derive(Debug, Default)]
-pub(super) struct Stitched {
+pub(super) struct StitchedMesh {
     /// Where each node is.
     pub(super) nodes: Vec<DVec3>,
     pub(super) corners: Vec<Corner>,
@@ -42,7 +42,7 @@ pub(super) struct Stitched {
 }
 
 /// The cells of all patches.
-pub(super) struct Cut {
+pub(super) struct SurfaceCells {
     pub(super) cells: Vec<Cell>,
     /// Where the cells of each patch end.
     pub(super) ends: Vec<usize>,
@@ -53,17 +53,17 @@ pub(super) struct Cut {
 /// Work in progress.
 struct Stitcher<'a> {
     surface: &'a Surface,
-    cut: &'a Cut,
+    cut: &'a SurfaceCells,
     round: fn(DVec3) -> DVec3,
     uses: Vec<SideUse>,
     /// The samples inside of shared lines, sorted: the line's first side, and the parameter along it.
     samples: Vec<u64>,
     /// The node of each vertex that is a corner of patches; the nodes of `samples` come first.
     node_of_vertex: Vec<u32>,
-    out: Stitched,
+    out: StitchedMesh,
 }
 
-impl Cut {
+impl SurfaceCells {
     fn of_patch(&self, patch: usize) -> &[Cell] {
         let from = if patch == 0 { 0 } else { self.ends[patch - 1] };
         &self.cells[from..self.ends[patch]]
@@ -71,7 +71,11 @@ impl Cut {
 }
 
 /// Stitches the cells together; `round` is what the mesh's type of numbers does to a point.
-pub(super) fn stitch(surface: &Surface, cut: &Cut, round: fn(DVec3) -> DVec3) -> Stitched {
+pub(super) fn stitch(
+    surface: &Surface,
+    cut: &SurfaceCells,
+    round: fn(DVec3) -> DVec3,
+) -> StitchedMesh {
     let mut stitcher = Stitcher {
         surface,
         cut,
@@ -79,10 +83,10 @@ pub(super) fn stitch(surface: &Surface, cut: &Cut, round: fn(DVec3) -> DVec3) ->
         uses: surface.side_uses(),
         samples: Vec::new(),
         node_of_vertex: vec![NONE; surface.vertices().len()],
-        out: Stitched::default(),
+        out: StitchedMesh::default(),
     };
     stitcher.sample_sides();
-    let mut lattice = Lattice::default();
+    let mut lattice = CellTriangulator::default();
     for (k, patch) in surface.patches().enumerate() {
         let mut sampler = Sampler::new(&patch.points, patch.columns);
         if sampler.has_area() {
@@ -169,7 +173,7 @@ impl Stitcher<'_> {
         })
     }
 
-    fn add_corners(&mut self, patch: usize, lattice: &Lattice, sampler: &mut Sampler) {
+    fn add_corners(&mut self, patch: usize, lattice: &CellTriangulator, sampler: &mut Sampler) {
         for (u, v) in lattice.vertices() {
             let (at_u, at_v) = (self.parameter(u), self.parameter(v));
             let (point, normal) = sampler.point_and_normal(at_u, at_v);
@@ -219,7 +223,7 @@ impl Stitcher<'_> {
     }
 
     /// The triangles of a patch, without those that have two corners at one place.
-    fn add_triangles(&mut self, patch: usize, lattice: &mut Lattice, base: usize) {
+    fn add_triangles(&mut self, patch: usize, lattice: &mut CellTriangulator, base: usize) {
         let out = &mut self.out;
         let corners = out.corners[base..].iter();
         let points: Vec<_> = corners

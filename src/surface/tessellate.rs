@@ -1,6 +1,6 @@
 //! Filling a mesh: one grid per patch.
 
-use super::kernel::Kernel;
+use super::grid_evaluator::GridEvaluator;
 use super::{Grid, GridMethod, Indices, Mesh, PatchRange};
 use crate::error::Error;
 use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
@@ -16,15 +16,15 @@ pub(super) const MAX_U16_VERTICES: usize = 1 << 16;
 const PART_BYTES: usize = 5 << 17;
 
 /// Fills meshes with one grid for each of so many patches: all at once, or part by part.
-pub(crate) struct Filler {
+pub(crate) struct GridMeshBuilder {
     patches: usize,
     grid: Grid,
     quads: bool,
-    kernel: Kernel,
+    kernel: GridEvaluator,
     net: Vec<DVec3>,
 }
 
-impl Filler {
+impl GridMeshBuilder {
     pub(crate) fn new(
         patches: usize,
         grid: Grid,
@@ -36,7 +36,7 @@ impl Filler {
             patches,
             grid,
             quads,
-            kernel: Kernel::new(grid, method),
+            kernel: GridEvaluator::new(grid, method),
             net: Vec::new(),
         })
     }

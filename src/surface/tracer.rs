@@ -26,7 +26,7 @@ pub(super) struct Tracer {
 
 /// A place on a line before its frame is known.
 #[derive(Clone, Copy)]
-struct Place {
+struct LineSample {
     t: f64,
     point: DVec3,
     along: DVec3,
@@ -70,7 +70,7 @@ impl Tracer {
             return Ok(());
         }
         let polyline = line.curve.flatten(self.tolerance)?;
-        let mut before: Option<(Place, Frame)> = None;
+        let mut before: Option<(LineSample, Frame)> = None;
         for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
             let place = self.look(line, t, point);
             before = Some(match before {
@@ -84,13 +84,13 @@ impl Tracer {
         Ok(())
     }
 
-    fn look(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> Place {
+    fn look(&self, line: &Isocurve<'_>, t: f64, point: DVec3) -> LineSample {
         let (u, v) = if line.constant_u {
             (line.at, t)
         } else {
             (t, line.at)
         };
-        Place {
+        LineSample {
             t,
             point,
             along: line.curve.tangent(t),
@@ -102,7 +102,7 @@ impl Tracer {
         }
     }
 
-    fn start(&self, place: Place, sweep: &mut Sweep<'_>) -> (Place, Frame) {
+    fn start(&self, place: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, Frame) {
         let frame = frame(&place, place.normal);
         sweep.begin(&frame);
         (place, frame)
@@ -112,10 +112,10 @@ impl Tracer {
     fn advance(
         &self,
         line: &Isocurve<'_>,
-        (from, before): (Place, Frame),
-        to: Place,
+        (from, before): (LineSample, Frame),
+        to: LineSample,
         sweep: &mut Sweep<'_>,
-    ) -> (Place, Frame) {
+    ) -> (LineSample, Frame) {
         let straight =
             |a: DVec3, b: DVec3| a.dot(b) >= self.turn || a == DVec3::ZERO || b == DVec3::ZERO;
         if straight(from.along, to.along) && straight(from.normal, to.normal) {
@@ -142,8 +142,8 @@ impl Tracer {
 }
 
 /// The frame at a place, its side as near to the given direction as may be.
-fn frame(place: &Place, side: DVec3) -> Frame {
-    let Place { point, along, .. } = *place;
+fn frame(place: &LineSample, side: DVec3) -> Frame {
+    let LineSample { point, along, .. } = *place;
     let axis = if along.x.abs() < 0.5 {
         DVec3::X
     } else {
@@ -162,7 +162,7 @@ fn frame(place: &Place, side: DVec3) -> Frame {
 
 /// The side of a frame, carried to the next place without a turn about the line: reflected in the plane amid both
 /// points, then in the one that takes the tangent to that of the next.
-fn carried(from: &Frame, to: &Place) -> DVec3 {
+fn carried(from: &Frame, to: &LineSample) -> DVec3 {
     let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
     let chord = Point::normalize_or_zero(to.point - from.point);
     let (side, along) = (reflect(from.side, chord), reflect(from.along, chord));

@@ -1,6 +1,6 @@
 //! Which corners of triangles become one vertex?
 
-use super::stitched::{Stitched, number};
+use super::stitched::{StitchedMesh, number};
 use super::tessellate::to_f32;
 use super::{Indices, Mesh, PatchRange};
 use crate::point::Point;
@@ -39,13 +39,13 @@ struct Vertex {
 
 /// Numbers vertices as triangles use them.
 struct Welder<'a> {
-    stitched: &'a Stitched,
+    stitched: &'a StitchedMesh,
     vertices: Vec<Vertex>,
     /// The last vertex of each node.
     last: Vec<u32>,
 }
 
-impl Stitched {
+impl StitchedMesh {
     /// The mesh with vertices shared in this way.
     pub(super) fn weld(&self, weld: Weld, mesh: &mut Mesh<f64>) {
         mesh.clear();

@@ -3,7 +3,7 @@
 //! JavaScript writes the arguments at its start, calls, and reads the result from its start. Small calls allocate
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
-use super::alone::Alone;
+use super::single_thread_cell::SingleThreadCell;
 use crate::error::{Error, Part};
 use crate::point::Point;
 use glam::DVec3;
@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
 const LEAST_LENGTH: usize = 8192;
 
-static ARENA: Alone<Arena> = Alone::new(Arena(Vec::new()));
+static ARENA: SingleThreadCell<Arena> = SingleThreadCell::new(Arena(Vec::new()));
 
 /// The block, with the encodings of what lies in it.
 pub(super) struct Arena(Vec<f64>);
@@ -23,16 +23,16 @@ pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
     ARENA.with(f)
 }
 
-/// Runs `f` on the arena and returns its count; see [`settle`].
+/// Runs `f` on the arena and returns its count; see [`encode_result`].
 #[inline]
 pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> isize {
-    settle(with(f))
+    encode_result(with(f))
 }
 
 /// A count for JavaScript; a refusal leaves its message in the arena and is −1.
 ///
 /// Not a `Result` of the bindings: their code for values that may be thrown would stand in every function.
-pub(super) fn settle(result: Result<usize, Error>) -> isize {
+pub(super) fn encode_result(result: Result<usize, Error>) -> isize {
     match result {
         Ok(count) => count.cast_signed(),
         Err(error) => {

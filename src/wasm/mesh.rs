@@ -1,12 +1,12 @@
 //! Bindings of meshes: making them without cracks, and copying their buffers.
 
-use super::alone::Alone;
 use super::arena::{self, Arena};
+use super::single_thread_cell::SingleThreadCell;
 use super::surface::{patch, surface};
 use crate::error::Error;
 use crate::surface::{
-    Detail, EdgeUse, Filler, Grid, GridMethod, Indices, Mesh, Surface, TessellationOptions, View,
-    Weld,
+    Detail, EdgeUse, Grid, GridMeshBuilder, GridMethod, Indices, Mesh, Surface,
+    TessellationOptions, View, Weld,
 };
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// The last mesh, whose buffers the next one reuses.
-static MESH: Alone<Mesh> = Alone::new(Mesh {
+static MESH: SingleThreadCell<Mesh> = SingleThreadCell::new(Mesh {
     positions: Vec::new(),
     normals: Vec::new(),
     uvs: Vec::new(),
@@ -26,16 +26,16 @@ static MESH: Alone<Mesh> = Alone::new(Mesh {
 });
 
 /// The grid that is being made, part by part.
-static GRID: Alone<Option<(Surface, Filler)>> = Alone::new(None);
+static GRID: SingleThreadCell<Option<(Surface, GridMeshBuilder)>> = SingleThreadCell::new(None);
 
 /// Which part of a grid the last mesh is, if it is one.
-static LAYOUT: Alone<Option<Layout>> = Alone::new(None);
+static LAYOUT: SingleThreadCell<Option<Layout>> = SingleThreadCell::new(None);
 
 /// All that the layout of a part depends on: which patches, the grid, whether there are quads and indices have 32 bits.
 type Layout = (Range<usize>, Grid, bool, bool);
 
 /// Its positions and normals, where they are f64.
-static PRECISE: Alone<[Vec<f64>; 2]> = Alone::new([Vec::new(), Vec::new()]);
+static PRECISE: SingleThreadCell<[Vec<f64>; 2]> = SingleThreadCell::new([Vec::new(), Vec::new()]);
 
 /// Makes a mesh without cracks; 0. `kind` 0: `a` × `b` segments; 1: within the tolerance `a`; 2: within `a` pixels, with
 /// the matrix (in columns), width and height behind the surface. `weld`: 0 position, 1 normal, 2 none.
@@ -63,7 +63,7 @@ pub fn patch_tessellate(
         let patch = patch(arena, degree_u, degree_v);
         let end = 3 * patch.control_points().len();
         let options = options(arena, end, kind, [a, b], weld);
-        keep(&patch.alone(), &options, precise)
+        keep(&patch.as_surface(), &options, precise)
     })
 }
 
@@ -79,7 +79,7 @@ pub(super) fn begin_grid(
     } else {
         GridMethod::Bernstein
     };
-    let filler = Filler::new(surface.patch_count(), grid, method, quads)?;
+    let filler = GridMeshBuilder::new(surface.patch_count(), grid, method, quads)?;
     GRID.with(|kept| *kept = Some((surface, filler)));
     Ok(0)
 }

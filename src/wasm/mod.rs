@@ -14,7 +14,6 @@
     reason = "exports must be pub, though no Rust caller reaches them"
 )]
 
-mod alone;
 mod arena;
 mod canvas;
 mod chains;
@@ -27,6 +26,7 @@ mod offset;
 mod path;
 mod places;
 mod queries;
+mod single_thread_cell;
 mod spline;
 mod surface;
 

@@ -2,13 +2,13 @@
 
 use super::arena::{self, Arena};
 use super::given;
-use crate::curve::{Chain, Curve};
+use crate::curve::{Curve, SplineBuilder};
 use crate::spline::{OffsetJoin, Spline, parallel_of};
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Leaves a chain as a spline; its number of f64.
-fn put(a: &mut Arena, chain: &Chain) -> usize {
+fn put(a: &mut Arena, chain: &SplineBuilder) -> usize {
     let closed = f64::from(u8::from(chain.closed));
     let mut at = a.put_numbers(0, &[chain.degrees.len() as f64, closed]);
     for &degree in &chain.degrees {

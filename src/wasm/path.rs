@@ -172,7 +172,7 @@ pub fn path_flatten(tolerance: f64) -> isize {
 /// Refuses a tolerance that coordinates up to a size cannot resolve; else 0.
 #[wasm_bindgen]
 pub fn path_check_tolerance(tolerance: f64, size: f64) -> isize {
-    arena::settle(check_tolerance(tolerance, size).map(|()| 0))
+    arena::encode_result(check_tolerance(tolerance, size).map(|()| 0))
 }
 
 /// Leaves the cubics in place of a plane curve of a higher degree, six coordinates each; their number of f64.

@@ -84,7 +84,7 @@ pub fn patch_grid(
             segments_u,
             segments_v,
         };
-        begin_grid(patch.alone(), grid, quads, differences)
+        begin_grid(patch.as_surface(), grid, quads, differences)
     })
 }
 
@@ -184,5 +184,5 @@ pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
     let draw = |(surface, matrix): (Surface, DMat4)| {
         surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))
     };
-    arena::settle(read.and_then(draw).map(|()| 0))
+    arena::encode_result(read.and_then(draw).map(|()| 0))
 }

@@ -4,7 +4,7 @@
 use super::super::evaluate;
 use super::IntersectionKind;
 use super::near::taylor;
-use super::pair::{Pair, Place};
+use super::pair::{ClassifiedPoint, NormalizedPair};
 use crate::point::Point;
 use glam::DVec2;
 
@@ -23,14 +23,14 @@ const NO_HEIGHT: f64 = 4.0;
 /// A shared piece of two lines is longer than this many times the slack.
 const LEAST_OVERLAP: f64 = 64.0;
 
-impl Pair {
+impl NormalizedPair {
     /// Whether both are lines with a length.
     pub(super) fn is_of_lines(&self) -> bool {
         self.curves.iter().all(|c| c.len() == 2 && c[0] != c[1])
     }
 
     /// What two lines share. Wherever they run along each other an end lies on the other line.
-    pub(super) fn lines(&self) -> Vec<Place> {
+    pub(super) fn lines(&self) -> Vec<ClassifiedPoint> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
             for place in [self.foot(1, end), self.foot(0, end)] {
@@ -92,14 +92,14 @@ impl Pair {
     }
 
     /// The same places with those at ends and stops exact, and each once.
-    pub(super) fn exact(&self, mut places: Vec<Place>) -> Vec<Place> {
+    pub(super) fn exact(&self, mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
             return places; // a point has no ends of its own
         }
         for t in [0.0, 1.0] {
             for u in [0.0, 1.0] {
                 if evaluate(&self.curves[0], t) == evaluate(&self.curves[1], u) {
-                    self.gather(&mut places, (t, u), true);
+                    self.merge(&mut places, (t, u), true);
                 }
             }
         }
@@ -114,9 +114,10 @@ impl Pair {
 
     /// Moves the places next to a stop to the stop. Each of them is looked at once: the place that replaces it may lie too
     /// far from it on the other curve to take it away.
-    fn gather_at_stop(&self, places: &mut Vec<Place>, curve: usize, stop: f64) {
-        let near = |place: &&Place| is_point(place) && self.is_next_to(curve, place, stop);
-        let all: Vec<Place> = places.iter().filter(near).copied().collect();
+    fn gather_at_stop(&self, places: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
+        let near =
+            |place: &&ClassifiedPoint| is_point(place) && self.is_next_to(curve, place, stop);
+        let all: Vec<ClassifiedPoint> = places.iter().filter(near).copied().collect();
         for place in all {
             let tip = if curve == 0 {
                 self.opposite(stop, place.1)
@@ -124,13 +125,13 @@ impl Pair {
                 self.across(place.0, stop)
             };
             if places.contains(&place) && self.one(tip) {
-                self.gather(places, tip, false);
+                self.merge(places, tip, false);
             }
         }
     }
 
     /// Whether a place is not at a parameter of a curve, but next to it.
-    fn is_next_to(&self, curve: usize, place: &Place, at: f64) -> bool {
+    fn is_next_to(&self, curve: usize, place: &ClassifiedPoint, at: f64) -> bool {
         let t = if curve == 0 { place.0 } else { place.1 };
         t != at && self.is_near(curve, t, at)
     }
@@ -146,7 +147,7 @@ impl Pair {
 
     /// Puts one place where others are next to it; with `always` also where none is, unless a shared piece ends there.
     /// Whether it replaced any.
-    fn gather(&self, places: &mut Vec<Place>, (t, u): (f64, f64), always: bool) -> bool {
+    fn merge(&self, places: &mut Vec<ClassifiedPoint>, (t, u): (f64, f64), always: bool) -> bool {
         let near = |p: f64, q: f64| self.is_near(0, p, t) && self.is_near(1, q, u);
         let mut ends_piece = false;
         for place in places.iter_mut() {
@@ -170,7 +171,7 @@ impl Pair {
     }
 
     /// Crossings between which nothing but rounding keeps the curves apart are one, or a touch if both sides are the same.
-    fn one_crossing_each(&self, places: &mut Vec<Place>) {
+    fn one_crossing_each(&self, places: &mut Vec<ClassifiedPoint>) {
         let mut k = 1;
         let mut first = 0;
         while k < places.len() {
@@ -196,7 +197,7 @@ impl Pair {
 
     /// A place amid two others between which the curves are as one. Where they run at different paces, as next to a
     /// turn-back, equal shares of both parameters are no place: then that of one curve is looked for, from the other's.
-    fn between(&self, p: Place, q: Place) -> (f64, f64) {
+    fn between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> (f64, f64) {
         let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
         if self.one(middle) {
             return middle;
@@ -210,7 +211,7 @@ impl Pair {
         .unwrap_or((p.0, p.1))
     }
 
-    fn is_continued(&self, p: Place, q: Place) -> bool {
+    fn is_continued(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> bool {
         let (gap_t, gap_u) = (q.0 - p.0, q.1 - p.1);
         // A place that a curve passes twice is two.
         let [a, _] = &self.curves;
@@ -226,7 +227,7 @@ impl Pair {
     }
 
     /// Where the sides before and after differ, a crossing.
-    fn kind_between(&self, p: Place, q: Place) -> IntersectionKind {
+    fn kind_between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> IntersectionKind {
         let (before, after) = (self.side(p, p.0 - q.0), self.side(q, q.0 - p.0));
         if before * after > 0.0 {
             IntersectionKind::Tangent
@@ -236,7 +237,7 @@ impl Pair {
     }
 
     /// On which side of the second curve the first one is, some way from a place; 0 where it ends before that shows.
-    fn side(&self, (t, u, _): Place, mut way: f64) -> f64 {
+    fn side(&self, (t, u, _): ClassifiedPoint, mut way: f64) -> f64 {
         loop {
             way *= 2.0;
             let at = t + way;
@@ -254,10 +255,10 @@ impl Pair {
     }
 }
 
-fn is_point(place: &Place) -> bool {
+fn is_point(place: &ClassifiedPoint) -> bool {
     !matches!(place.2, IntersectionKind::Overlap { .. })
 }
 
-fn is_crossing(place: &Place) -> bool {
+fn is_crossing(place: &ClassifiedPoint) -> bool {
     place.2 == IntersectionKind::Cross
 }

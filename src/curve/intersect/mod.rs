@@ -1,21 +1,21 @@
 //! Where do two curves meet?
 //!
 //! [`pair`] moves both curves to the origin and to size 1, so that one small distance, the slack, says what rounding may
-//! have moved. The search in `kernels/src/meet` cuts the curves down to crossings and to zones of contact; [`zone`] joins
-//! what belongs together and [`settle`] says what a zone is: a tangency, a shared piece, or crossings too close for the
+//! have moved. The search in `kernels/src/clipping` cuts the curves down to crossings and to zones of contact; [`interval`] joins
+//! what belongs together and [`classify`] says what an interval is: a tangency, a shared piece, or crossings too close for the
 //! search.
 
+mod classify;
+mod contact_interval;
 mod exact;
 mod near;
 mod pair;
 mod pieces;
 mod selves;
-mod settle;
-mod zone;
 
 use super::Curve;
 use glam::DVec2;
-use pair::Pair;
+use pair::NormalizedPair;
 
 /// A place that two curves share.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,7 @@ impl Curve<DVec2> {
     ///
     /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for what crosses.
     pub fn intersections(&self, other: &Self) -> Vec<Intersection> {
-        Pair::new(&self.points, &other.points).map_or_else(Vec::new, |pair| pair.solve(self, other))
+        NormalizedPair::new(&self.points, &other.points)
+            .map_or_else(Vec::new, |pair| pair.solve(self, other))
     }
 }

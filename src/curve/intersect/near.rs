@@ -1,7 +1,7 @@
 //! Distances between two curves, and the places where they are least.
 
 use super::super::{Points, evaluate};
-use super::pair::Pair;
+use super::pair::NormalizedPair;
 use crate::point::Point;
 use glam::DVec2;
 
@@ -37,7 +37,7 @@ fn differences(points: &[DVec2]) -> Points<DVec2> {
     points.windows(2).map(|p| p[1] - p[0]).collect()
 }
 
-impl Pair {
+impl NormalizedPair {
     /// The distance between two points, by the larger coordinate.
     pub(super) fn apart(&self, t: f64, u: f64) -> f64 {
         (evaluate(&self.curves[0], t) - evaluate(&self.curves[1], u)).max_abs()

@@ -1,11 +1,11 @@
 //! Two curves made comparable.
 
 use super::super::{Points, Scalars, ratio};
+use super::contact_interval::joined;
 use super::pieces::{stops, with_ends};
-use super::zone::joined;
 use super::{Curve, Intersection, IntersectionKind};
 use casteljau_kernels as kernels;
-use casteljau_kernels::{Meeting, Piece, meet_cubics};
+use casteljau_kernels::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
 
 /// Pairs of pieces that are looked at, and so many more for each degree above 3: more than ten times what 999 of 1000
@@ -29,10 +29,10 @@ const ONE_PLACE: f64 = 1e-10;
 const ONE_END: f64 = 1e-7;
 
 /// A place by its parameters, and what it is.
-pub(super) type Place = (f64, f64, IntersectionKind);
+pub(super) type ClassifiedPoint = (f64, f64, IntersectionKind);
 
 /// Two curves moved to the origin and scaled to size 1.
-pub(super) struct Pair {
+pub(super) struct NormalizedPair {
     pub(super) curves: [Points<DVec2>; 2],
     /// Points closer than this are one point.
     pub(super) slack: f64,
@@ -40,7 +40,7 @@ pub(super) struct Pair {
     pub(super) stops: [Scalars; 2],
 }
 
-impl Pair {
+impl NormalizedPair {
     /// `None` where the boxes of the control points are apart.
     pub(super) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
         let (min_a, max_a) = corners(a);
@@ -101,7 +101,7 @@ impl Pair {
     }
 
     /// What the contacts are, in order.
-    pub(super) fn places(&self, found: Vec<kernels::Contact>) -> Vec<Place> {
+    pub(super) fn places(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
         let mut places = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
             let place = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
@@ -112,8 +112,8 @@ impl Pair {
                     .map(|(t, u)| (t, u, IntersectionKind::Cross)),
             );
         } else {
-            for zone in joined(self, found) {
-                self.settle(&zone, &mut places);
+            for interval in joined(self, found) {
+                self.classify(&interval, &mut places);
             }
         }
         tidied(places)
@@ -130,9 +130,9 @@ impl Pair {
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
             let whole = [cubic(a), cubic(b)];
-            let mut meeting = Meeting::new(whole, self.slack, MAX_PAIRS);
+            let mut meeting = ClippingSolver::new(whole, self.slack, MAX_PAIRS);
             for (i, j) in pairs {
-                meet_cubics(
+                intersect_cubics(
                     &mut meeting,
                     [cuts_a[i], cuts_a[i + 1]],
                     [cuts_b[j], cuts_b[j + 1]],
@@ -141,7 +141,7 @@ impl Pair {
             return meeting.found;
         }
         let whole = [piece(a, degree), piece(b, degree)];
-        let mut meeting = Meeting::new(
+        let mut meeting = ClippingSolver::new(
             whole,
             self.slack,
             MAX_PAIRS + MAX_PAIRS_PER_DEGREE * (degree - 3),
@@ -154,7 +154,7 @@ impl Pair {
 }
 
 /// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
-fn tidied(mut places: Vec<Place>) -> Vec<Place> {
+fn tidied(mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
     sort(&mut places, |p, q| p.0 < q.0);
     for k in 1..places.len() {
         if places[k].0 - places[k - 1].0 <= ONE_PARAMETER {
@@ -162,7 +162,7 @@ fn tidied(mut places: Vec<Place>) -> Vec<Place> {
         }
     }
     sort(&mut places, |p, q| (p.0, p.1) < (q.0, q.1));
-    let mut kept: Vec<Place> = Vec::with_capacity(places.len());
+    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(places.len());
     for &place in &places {
         let again = kept
             .iter()
@@ -176,7 +176,10 @@ fn tidied(mut places: Vec<Place>) -> Vec<Place> {
 }
 
 /// By insertion: the lists are short, or nearly in order.
-fn sort(places: &mut [Place], before: impl Fn(&Place, &Place) -> bool) {
+fn sort(
+    places: &mut [ClassifiedPoint],
+    before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
+) {
     for k in 1..places.len() {
         let mut i = k;
         while i > 0 && before(&places[i], &places[i - 1]) {
@@ -186,16 +189,16 @@ fn sort(places: &mut [Place], before: impl Fn(&Place, &Place) -> bool) {
     }
 }
 
-fn is_point(place: &Place) -> bool {
+fn is_point(place: &ClassifiedPoint) -> bool {
     !matches!(place.2, IntersectionKind::Overlap { .. })
 }
 
-fn near(p: Place, (t, u): (f64, f64), within: f64) -> bool {
+fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
     (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
 }
 
 /// Whether a place is an end of a shared piece.
-fn ends_piece(place: Place, all: &[Place]) -> bool {
+fn ends_piece(place: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
             return false;

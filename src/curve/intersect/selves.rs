@@ -1,7 +1,7 @@
 //! Where does a curve meet itself?
 
 use super::super::{Bounds, Points, blossom_piece};
-use super::pair::Pair;
+use super::pair::NormalizedPair;
 use super::pieces::{runs_forward, stops};
 use super::{Curve, IntersectionKind, SelfIntersection};
 use crate::point::Point;
@@ -28,7 +28,7 @@ impl Curve<DVec2> {
         if self.degree() < 3 || runs_forward(&self.points) {
             return Vec::new();
         }
-        let Some(pair) = Pair::new(&self.points, &self.points) else {
+        let Some(pair) = NormalizedPair::new(&self.points, &self.points) else {
             return Vec::new();
         };
         if is_straight(&pair) {
@@ -51,7 +51,7 @@ impl Curve<DVec2> {
     }
 }
 
-fn is_straight(pair: &Pair) -> bool {
+fn is_straight(pair: &NormalizedPair) -> bool {
     let points = &pair.curves[0];
     let longest = points
         .iter()
@@ -64,7 +64,7 @@ fn is_straight(pair: &Pair) -> bool {
 }
 
 /// The parameters of the double point of a cubic.
-fn double_point(pair: &Pair) -> Option<(f64, f64)> {
+fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
     let p = &pair.curves[0];
     let c = (p[1] - p[0]) * 3.0;
     let b = (p[2] - p[1]) * 3.0 - c;
@@ -81,7 +81,7 @@ fn double_point(pair: &Pair) -> Option<(f64, f64)> {
 }
 
 /// The same for any degree.
-fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
+fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
     for to in stops(&pair.curves[0]).into_iter().chain([1.0]) {
@@ -113,7 +113,7 @@ fn crossings(pair: &Pair) -> Vec<(f64, f64)> {
 }
 
 /// Cuts a piece until its parts run forward, and notes where they end.
-fn cut(pair: &Pair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
+fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
     let mut piece = Points::from(&pair.curves[0][..]);
     blossom_piece(&mut piece, from, to);
     let small = piece

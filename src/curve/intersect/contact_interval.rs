@@ -1,6 +1,6 @@
 //! Contacts that belong together.
 
-use super::pair::Pair;
+use super::pair::NormalizedPair;
 use crate::order::sort_by;
 use casteljau_kernels::Contact;
 
@@ -15,7 +15,7 @@ const ONE_CROSSING: f64 = 1e-12;
 
 /// A stretch on which two curves cannot be told apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Zone {
+pub(super) struct ContactInterval {
     pub(super) t: [f64; 2],
     /// The least and the greatest parameter on the second curve.
     pub(super) u: [f64; 2],
@@ -27,7 +27,7 @@ pub(super) struct Zone {
     last: Contact,
 }
 
-impl Zone {
+impl ContactInterval {
     fn new(contact: Contact) -> Self {
         let [u0, u1] = contact.u;
         // A box of a few roundings says nothing of a direction.
@@ -71,7 +71,7 @@ impl Zone {
     }
 
     /// Whether a contact that starts later is a part or the continuation of this one.
-    fn takes(&self, pair: &Pair, next: &Zone) -> bool {
+    fn takes(&self, pair: &NormalizedPair, next: &ContactInterval) -> bool {
         if self.direction * next.direction < 0.0 {
             return false;
         }
@@ -100,7 +100,7 @@ impl Zone {
             })
     }
 
-    fn join(&mut self, next: &Zone) {
+    fn join(&mut self, next: &ContactInterval) {
         self.t[1] = self.t[1].max(next.t[1]);
         self.u = [self.u[0].min(next.u[0]), self.u[1].max(next.u[1])];
         if self.direction == 0.0 {
@@ -120,16 +120,16 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 }
 
 /// The contacts in order, joined where they belong together.
-pub(super) fn joined(pair: &Pair, mut contacts: Vec<Contact>) -> Vec<Zone> {
+pub(super) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<ContactInterval> {
     sort_by(&mut contacts, |p, q| {
         p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))
     });
-    let mut zones: Vec<Zone> = Vec::with_capacity(contacts.len());
+    let mut zones: Vec<ContactInterval> = Vec::with_capacity(contacts.len());
     for contact in contacts {
-        let next = Zone::new(contact);
-        let near = zones
-            .iter()
-            .rposition(|zone| next.t[0] - zone.t[1] < LARGEST_GAP && zone.takes(pair, &next));
+        let next = ContactInterval::new(contact);
+        let near = zones.iter().rposition(|interval| {
+            next.t[0] - interval.t[1] < LARGEST_GAP && interval.takes(pair, &next)
+        });
         match near {
             Some(k) => zones[k].join(&next),
             None => zones.push(next),

@@ -2,7 +2,7 @@
 
 use super::source::MAX_POINTS;
 use super::vector::Plane;
-use super::{End, Parallel, Place, Source, VANISHING_SPEED};
+use super::{End, OffsetCurve, OffsetSample, Source, VANISHING_SPEED};
 
 /// What rounding leaves of B′, as a part of the sum of its terms' lengths.
 const SLOPE_ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -16,7 +16,7 @@ const NOISY_PIECE: f64 = 1e-3;
 /// The largest part of the distance that rounding may take of the tolerance.
 const MAX_NOISE: f64 = 0.01;
 
-impl Parallel<'_> {
+impl OffsetCurve<'_> {
     /// The same offset with the bounds and the tolerance that hold on a piece.
     ///
     /// Where B′ is small against its terms, rounding changes the direction of the normal. An offset closer to the true
@@ -40,7 +40,7 @@ impl Parallel<'_> {
     }
 
     /// How far rounding of B′ moves the point of the offset.
-    pub(super) fn noise(&self, at: &Place) -> f64 {
+    pub(super) fn noise(&self, at: &OffsetSample) -> f64 {
         let terms = self.source.slope_terms(at.t);
         self.distance.abs() * SLOPE_ROUNDING * terms / at.v.length()
     }
@@ -48,7 +48,7 @@ impl Parallel<'_> {
 
 impl Source {
     /// Whether B′ is zero but for rounding.
-    pub(super) fn is_still(&self, at: &Place) -> bool {
+    pub(super) fn is_still(&self, at: &OffsetSample) -> bool {
         at.v.length() <= VANISHING_SPEED * self.slope_terms(at.t)
     }
 

@@ -12,7 +12,7 @@ use super::tessellate::to_f32;
 use super::view::Detail;
 use crate::curve::max_abs;
 use crate::error::Error;
-use casteljau_kernels::{BEND_SLACK, Bends, Cell};
+use casteljau_kernels::{BEND_SLACK, Cell, SecondDifferences};
 use glam::DVec3;
 
 /// Parameters are whole numbers from 0 to this: pieces can be halved 30 times each way.
@@ -40,7 +40,7 @@ struct Piece {
 }
 
 /// Cuts patches into cells.
-pub(super) struct Cutter<'a> {
+pub(super) struct AdaptiveSubdivider<'a> {
     pub(super) detail: &'a Detail,
     /// The least tolerance that the mesh's numbers can keep, and the part of it that rounding takes.
     pub(super) least: f64,
@@ -54,11 +54,11 @@ pub(super) struct Cutter<'a> {
     pub(super) expected_at_most: f64,
     pub(super) cells: Vec<Cell>,
     /// The vectors of the pieces that wait, in units of `size`.
-    pub(super) bends: Bends,
+    pub(super) bends: SecondDifferences,
     pub(super) size: f64,
 }
 
-impl Cutter<'_> {
+impl AdaptiveSubdivider<'_> {
     /// Appends the cells of one patch.
     ///
     /// # Errors

@@ -1,9 +1,9 @@
-//! What is a zone of contact?
+//! What is an interval of contact?
 
 use super::super::{Scalars, evaluate};
+use super::contact_interval::ContactInterval;
 use super::near::taylor;
-use super::pair::{Pair, Place};
-use super::zone::Zone;
+use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::{Curve, IntersectionKind};
 use crate::point::Point;
 use glam::DVec2;
@@ -14,31 +14,34 @@ const NEAR_END: f64 = 1e-5;
 /// A shared piece is longer than this many times what rounding may move; a shorter one is a point.
 const LEAST_OVERLAP: f64 = 64.0;
 
-/// Two crossings in one zone are two if they are farther apart than this.
+/// Two crossings in one interval are two if they are farther apart than this.
 const TWO_CROSSINGS: f64 = 1e-10;
 
 /// Directions closer than this are equal where rounding hides them: next to cusps, 1e-8 from which they turn by as much.
 const HIDDEN_TURN: f64 = 1e-6;
 
-impl Pair {
-    /// Says what a zone is.
-    pub(super) fn settle(&self, zone: &Zone, places: &mut Vec<Place>) {
-        if zone.crossing {
-            let (t, u) = self.snapped(zone.ends()[0]);
+impl NormalizedPair {
+    /// Says what an interval is.
+    pub(super) fn classify(&self, interval: &ContactInterval, places: &mut Vec<ClassifiedPoint>) {
+        if interval.crossing {
+            let (t, u) = self.snapped(interval.ends()[0]);
             return places.push((t, u, IntersectionKind::Cross));
         }
-        if let Some(overlap) = self.overlap(zone) {
+        if let Some(overlap) = self.overlap(interval) {
             return places.push(overlap);
         }
-        if let Some((t, u)) = self.end_in(zone) {
+        if let Some((t, u)) = self.end_in(interval) {
             return places.push((t, u, self.kind(t, u)));
         }
-        let middle = (0.5 * (zone.t[0] + zone.t[1]), 0.5 * (zone.u[0] + zone.u[1]));
-        if let Some((t, u)) = self.tangency(middle).filter(|&place| zone.holds(place)) {
+        let middle = (
+            0.5 * (interval.t[0] + interval.t[1]),
+            0.5 * (interval.u[0] + interval.u[1]),
+        );
+        if let Some((t, u)) = self.tangency(middle).filter(|&place| interval.holds(place)) {
             return places.push((t, u, IntersectionKind::Tangent));
         }
-        let crossing = |place| self.crossing(place).filter(|&place| zone.holds(place));
-        match self.paired(zone).map(crossing) {
+        let crossing = |place| self.crossing(place).filter(|&place| interval.holds(place));
+        match self.paired(interval).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
                 places.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
             }
@@ -67,32 +70,32 @@ impl Pair {
         (snapped(0, t), snapped(1, u))
     }
 
-    /// The ends of a zone; of one too small to know its direction, as they are closer together.
-    fn paired(&self, zone: &Zone) -> [(f64, f64); 2] {
-        let ends = zone.ends();
+    /// The ends of an interval; of one too small to know its direction, as they are closer together.
+    fn paired(&self, interval: &ContactInterval) -> [(f64, f64); 2] {
+        let ends = interval.ends();
         let crossed = [(ends[0].0, ends[1].1), (ends[1].0, ends[0].1)];
         let apart = |ends: [(f64, f64); 2]| {
             self.apart(ends[0].0, ends[0].1) + self.apart(ends[1].0, ends[1].1)
         };
-        if zone.direction == 0.0 && apart(crossed) < apart(ends) {
+        if interval.direction == 0.0 && apart(crossed) < apart(ends) {
             crossed
         } else {
             ends
         }
     }
 
-    /// A zone that has a length and ends where a curve does is a shared piece.
-    fn overlap(&self, zone: &Zone) -> Option<Place> {
-        let start = evaluate(&self.curves[0], zone.t[0]);
+    /// A interval that has a length and ends where a curve does is a shared piece.
+    fn overlap(&self, interval: &ContactInterval) -> Option<ClassifiedPoint> {
+        let start = evaluate(&self.curves[0], interval.t[0]);
         let long = [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
-            let t = zone.t[0] + part * (zone.t[1] - zone.t[0]);
+            let t = interval.t[0] + part * (interval.t[1] - interval.t[0]);
             (evaluate(&self.curves[0], t) - start).max_abs() > LEAST_OVERLAP * self.slack
         });
         if !long {
             return None;
         }
         let [start, end] = self
-            .paired(zone)
+            .paired(interval)
             .map(|place| self.at_end(self.snapped(place)));
         let ((t, u), (t_end, u_end)) = (start?, end?);
         Some((t, u, IntersectionKind::Overlap { t_end, u_end }))
@@ -124,14 +127,17 @@ impl Pair {
             .collect()
     }
 
-    /// A place of the zone where a curve ends: both if there is one.
-    fn end_in(&self, zone: &Zone) -> Option<(f64, f64)> {
+    /// A place of the interval where a curve ends: both if there is one.
+    fn end_in(&self, interval: &ContactInterval) -> Option<(f64, f64)> {
         let within = |curve: usize, [from, to]: [f64; 2]| -> Scalars {
             let inside = |&t: &f64| t >= from && t <= to;
             self.ends(curve).into_iter().filter(inside).collect()
         };
-        let (ts, us) = (within(0, zone.t), within(1, zone.u));
-        let middle = (0.5 * (zone.t[0] + zone.t[1]), 0.5 * (zone.u[0] + zone.u[1]));
+        let (ts, us) = (within(0, interval.t), within(1, interval.u));
+        let middle = (
+            0.5 * (interval.t[0] + interval.t[1]),
+            0.5 * (interval.u[0] + interval.u[1]),
+        );
         let both = ts.iter().flat_map(|&t| us.iter().map(move |&u| (t, u)));
         let on_b = ts.iter().map(|&t| self.opposite(t, middle.1));
         let on_a = us.iter().map(|&u| self.across(middle.0, u));

@@ -12,7 +12,7 @@
 
 use super::fit::Pair;
 use super::vector::Plane;
-use super::{Parallel, VANISHING_SPEED};
+use super::{OffsetCurve, VANISHING_SPEED};
 use crate::WorkLimit;
 
 /// Bounds evaluated for one cubic before it is rejected; a cubic that keeps the tolerance needs 4 to 40.
@@ -22,7 +22,7 @@ const MAX_BOUNDS: usize = 96;
 /// foot is a little beside.
 const FOOT_SAFETY: f64 = 2.0;
 
-impl Parallel<'_> {
+impl OffsetCurve<'_> {
     /// Whether the cubic is known to keep the tolerance everywhere, after at most `MAX_BOUNDS` bounds.
     pub(super) fn holds(
         &self,

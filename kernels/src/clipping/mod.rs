@@ -39,7 +39,7 @@ const WORTH_GOING_ON: f64 = 0.6;
 const SPLIT: f64 = 0.484375;
 
 /// The search, with what it has found.
-pub struct Meeting<R> {
+pub struct ClippingSolver<R> {
     /// The whole curves.
     pub(crate) whole: [Piece<R>; 2],
     /// Closer than this is a contact: what rounding may have moved.
@@ -50,7 +50,7 @@ pub struct Meeting<R> {
     pub found: Vec<Contact>,
 }
 
-impl<R: Row> Meeting<R> {
+impl<R: Row> ClippingSolver<R> {
     /// Two curves whose coordinates are at most about 1, the distance that counts as none, and the
     /// most pairs of pieces that are looked at.
     pub fn new(whole: [Piece<R>; 2], slack: f64, limit: usize) -> Self {
@@ -128,7 +128,7 @@ impl<R: Row> Meeting<R> {
     }
 }
 
-/// [`Meeting::run`] for cubics.
-pub fn meet_cubics(meeting: &mut Meeting<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
+/// [`ClippingSolver::run`] for cubics.
+pub fn intersect_cubics(meeting: &mut ClippingSolver<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
     meeting.run(ts, us);
 }

@@ -1,7 +1,7 @@
 //! Two pieces that meet at most once, and where.
 
 use super::piece::{Piece, Row};
-use super::{Contact, Meeting};
+use super::{ClippingSolver, Contact};
 
 pub(super) enum Crossing {
     /// They meet once, here.
@@ -49,7 +49,7 @@ fn keeps_turning_one_way<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
     left != right
 }
 
-impl<R: Row> Meeting<R> {
+impl<R: Row> ClippingSolver<R> {
     #[inline(always)]
     pub(super) fn crossing(&self, a: &Piece<R>, b: &Piece<R>) -> Crossing {
         if !keeps_turning_one_way(a, b) {
@@ -70,7 +70,7 @@ impl<R: Row> Meeting<R> {
                 return None;
             }
             if step_s.abs() + step_r.abs() < NEARLY {
-                return self.settled(a, b, s, r);
+                return self.converged(a, b, s, r);
             }
         }
         None
@@ -78,7 +78,7 @@ impl<R: Row> Meeting<R> {
 
     /// A solution that Newton's method has found is one where it is in both pieces, but for rounding.
     #[inline(always)]
-    fn settled(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
+    fn converged(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
         let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
         let [whole_a, whole_b] = &self.whole;
         let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));

@@ -1,10 +1,10 @@
-//! Parallel curves: cubics within a tolerance of B(t) + d·N(t), N being the unit normal.
+//! OffsetCurve curves: cubics within a tolerance of B(t) + d·N(t), N being the unit normal.
 //!
 //! A piece is replaced by one cubic with its exact ends and end tangents, so two numbers are left to choose: the
 //! lengths of the handles. The first guess adds the handles of the source's piece to those of the circular arc that the
 //! normal describes; a few steps of least squares on the distances at three places improve it (`fit`). Then the
 //! distance is bounded, not sampled (`bound`). Where the bound fails the piece is cut, at cusps of the parallel first.
-//! Idea: Levien, "Parallel curves of cubic Béziers" (2022).
+//! Idea: Levien, "OffsetCurve curves of cubic Béziers" (2022).
 
 mod bound;
 mod breaks;
@@ -17,7 +17,7 @@ pub use source::Source;
 pub use vector::Plane;
 
 use crate::{WorkLimit, cos_sin};
-use source::Place;
+use source::OffsetSample;
 
 /// How often a piece may be cut in two.
 const MAX_CUTS: usize = 48;
@@ -38,13 +38,13 @@ const VANISHING_SPEED: f64 = 1e-14;
 /// 1 along the tangent, −1 against it (where it has passed its cusp).
 #[derive(Clone, Copy, Debug)]
 struct End {
-    place: Place,
+    place: OffsetSample,
     tangent: Plane,
     sign: f64,
 }
 
 /// A parallel of a curve.
-pub struct Parallel<'a> {
+pub struct OffsetCurve<'a> {
     source: &'a Source,
     distance: f64,
     tolerance: f64,
@@ -53,7 +53,7 @@ pub struct Parallel<'a> {
     fourth: f64,
 }
 
-impl<'a> Parallel<'a> {
+impl<'a> OffsetCurve<'a> {
     /// At a distance along the normal, which is the tangent turned by +90°.
     pub fn new(source: &'a Source, distance: f64, tolerance: f64) -> Self {
         Self {
@@ -82,7 +82,7 @@ impl<'a> Parallel<'a> {
 
     /// |B′|³(1 − κd): positive where the parallel goes along the tangent.
     #[inline]
-    fn forwardness(&self, at: &Place) -> f64 {
+    fn forwardness(&self, at: &OffsetSample) -> f64 {
         let square = at.v.square();
         square * square.sqrt() - self.distance * at.v.cross(at.a)
     }
@@ -171,7 +171,7 @@ impl<'a> Parallel<'a> {
     ///
     /// O′ = (1 − κd) B′ has the length |f| / |B′|² with f = |B′|³ − d (B′ × B″), and
     /// |f′| ≤ 3 |B′|² |B″| + |d| |B′| |B‴|. Near a cusp of the parallel this is far shorter than the piece of the source.
-    fn length_bound(&self, a: &Place, b: &Place) -> f64 {
+    fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
         let bend = a.a.length().max(b.a.length()) + h * third;
         let (u, v) = (a.v.length(), b.v.length());
@@ -226,7 +226,7 @@ impl<'a> Parallel<'a> {
     /// Where to cut: at an inflection, or where the tangent has turned half the way, or amid the parameters.
     fn cut(&self, from: &End, to: &End) -> End {
         let (t0, t1) = (from.place.t, to.place.t);
-        let bend = |place: &Place| place.v.cross(place.a);
+        let bend = |place: &OffsetSample| place.v.cross(place.a);
         let (b0, b1) = (bend(&from.place), bend(&to.place));
         let half = from.tangent + to.tangent;
         let side = from.tangent.cross(half);
@@ -244,7 +244,7 @@ impl<'a> Parallel<'a> {
 
     /// A zero strictly between two parameters of a function with the sign `sign` at the first and the other one at the second: bisection,
     /// sped up by regula falsi (Illinois).
-    fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&Place) -> f64) -> Option<f64> {
+    fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&OffsetSample) -> f64) -> Option<f64> {
         let (mut lo, mut hi) = (t0, t1);
         let value = |t: f64| sign * f(&self.source.at(t));
         let (mut f_lo, mut f_hi) = (value(lo).max(0.0), value(hi).min(0.0));

@@ -18,7 +18,7 @@ pub struct Cell {
 
 /// The vertices of one patch by their parameters, in two orders.
 #[derive(Debug, Default)]
-pub struct Lattice {
+pub struct CellTriangulator {
     /// v in the upper half, u in the lower: row by row. A vertex's number is its place here.
     rows: Vec<u64>,
     /// u in the upper half, v in the lower: column by column.
@@ -60,7 +60,7 @@ pub fn place(sorted: &[u64], number: u64) -> usize {
     sorted.partition_point(|&other| other < number)
 }
 
-impl Lattice {
+impl CellTriangulator {
     /// Starts anew with all corners of the cells, which fill the square from 0 to `full`, and more vertices (u, v).
     pub fn fill(&mut self, cells: &[Cell], full: u32, more: impl Iterator<Item = (u32, u32)>) {
         self.rows.clear();

@@ -20,7 +20,7 @@ const LEAST_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
 const TOO_LARGE_TO_STEP: f64 = 1e39;
 
 /// Evaluates patches on one grid; weights are kept while the degrees stay.
-pub(super) struct General {
+pub(super) struct GenericGridEvaluator {
     grid: Grid,
     method: GridMethod,
     /// Weights along u and along v, for the degree and for the derivative's.
@@ -44,7 +44,7 @@ struct Row {
     along_v: Vec<DVec3>,
 }
 
-impl General {
+impl GenericGridEvaluator {
     pub(super) fn new(grid: Grid, method: GridMethod) -> Self {
         Self {
             grid,

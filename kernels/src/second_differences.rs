@@ -13,14 +13,14 @@ pub type Sizes = [(usize, usize); 4];
 
 /// The vectors of a stack of pieces, all with nets of the same sizes.
 #[derive(Clone, Debug, Default)]
-pub struct Bends {
+pub struct SecondDifferences {
     sizes: Sizes,
     /// Vectors of one piece.
     count: usize,
     vectors: Vec<f32x4>,
 }
 
-impl Bends {
+impl SecondDifferences {
     /// Starts anew with one piece, whose vectors are given net by net.
     pub fn start(&mut self, sizes: Sizes, vectors: impl Iterator<Item = [f32; 3]>) {
         // A net without rows has no columns either.

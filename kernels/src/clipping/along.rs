@@ -9,13 +9,13 @@
 
 use super::cross::cross;
 use super::piece::{Piece, Row, range, time_at};
-use super::{Contact, Meeting, SPLIT};
+use super::{ClippingSolver, Contact, SPLIT};
 
 /// Heights up to so many times the slack count as contact where a piece cannot be thrown away. Above 1, so that halving
 /// ends.
 const CONTACT: f64 = 4.0;
 
-impl<R: Row> Meeting<R> {
+impl<R: Row> ClippingSolver<R> {
     /// Looks for contacts if the pieces run in about the same direction (or the opposite one), else returns false.
     pub(super) fn run_along(&mut self, a: &Piece<R>, b: &Piece<R>) -> bool {
         let Some((direction, forwards)) = common_direction(a, b, self.slack) else {

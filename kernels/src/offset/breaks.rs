@@ -2,7 +2,7 @@
 //! parallel.
 
 use super::vector::Plane;
-use super::{End, Parallel, Source};
+use super::{End, OffsetCurve, Source};
 use crate::WorkLimit;
 
 /// Halvings in the search for a zero of B′; what is left of the interval then is refined.
@@ -107,7 +107,7 @@ impl Source {
     }
 }
 
-impl Parallel<'_> {
+impl OffsetCurve<'_> {
     /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
     /// tangents are those seen from inside. The first point is there already. Once the work limit is exceeded the rest is
     /// missing.

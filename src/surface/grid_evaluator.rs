@@ -1,10 +1,10 @@
 //! Positions and normals of patches on a grid.
 //!
 //! Bicubic patches, the common ones, go through a crate of their own that is compiled for speed; all others, and other
-//! methods than the usual one, through [`General`]. Both leave a normal at zero where ∂u × ∂v vanishes; what is there
+//! methods than the usual one, through [`GenericGridEvaluator`]. Both leave a normal at zero where ∂u × ∂v vanishes; what is there
 //! comes from the normal net.
 
-use super::general::General;
+use super::generic_grid_evaluator::GenericGridEvaluator;
 use super::normal::NormalNet;
 use super::patch::directions;
 use super::tessellate::to_f32;
@@ -13,14 +13,14 @@ use casteljau_kernels::BicubicGrid;
 use glam::DVec3;
 
 /// Evaluates patches on one grid; weights and buffers are kept from patch to patch.
-pub(super) struct Kernel {
+pub(super) struct GridEvaluator {
     grid: Grid,
     method: GridMethod,
     bicubic: Option<BicubicGrid>,
-    general: Option<General>,
+    general: Option<GenericGridEvaluator>,
 }
 
-impl Kernel {
+impl GridEvaluator {
     pub(super) fn new(grid: Grid, method: GridMethod) -> Self {
         Self {
             grid,
@@ -47,7 +47,7 @@ impl Kernel {
                 .fill(net, positions, normals)
         } else {
             self.general
-                .get_or_insert_with(|| General::new(grid, method))
+                .get_or_insert_with(|| GenericGridEvaluator::new(grid, method))
                 .fill(net, degree_u, degree_v, positions, normals)
         };
         if missing {

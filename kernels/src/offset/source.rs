@@ -30,7 +30,7 @@ pub struct Source {
 
 /// A place on the curve: the parameter, the point, the first two derivatives.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Place {
+pub(crate) struct OffsetSample {
     pub(crate) t: f64,
     pub(crate) b: Plane,
     pub(crate) v: Plane,
@@ -134,7 +134,7 @@ impl Source {
 
     /// The place at t.
     #[inline]
-    pub(crate) fn at(&self, t: f64) -> Place {
+    pub(crate) fn at(&self, t: f64) -> OffsetSample {
         if self.count > 4 {
             return self.at_by_casteljau(t);
         }
@@ -145,7 +145,7 @@ impl Source {
         };
         let [c0, c1, c2, c3] = self.powers[side];
         let (d2, d3) = (c2 * 2.0, c3 * 3.0);
-        Place {
+        OffsetSample {
             t,
             b: c0 + (c1 + (c2 + c3 * s) * s) * s,
             v: (c1 + (d2 + d3 * s) * s) * sign,
@@ -155,7 +155,7 @@ impl Source {
 
     /// By de Casteljau's algorithm; derivatives from the differences, so that they keep their digits next to handles
     /// without a length.
-    fn at_by_casteljau(&self, t: f64) -> Place {
+    fn at_by_casteljau(&self, t: f64) -> OffsetSample {
         let mut row = [Plane::default(); MAX_POINTS];
         let mut slopes = row;
         row[..self.count].copy_from_slice(&self.many);
@@ -173,7 +173,7 @@ impl Source {
             }
         }
         let n = n as f64;
-        Place {
+        OffsetSample {
             t,
             b: row[0],
             v: (slopes[0] * s + slopes[1] * t) * n,

@@ -1,7 +1,7 @@
 //! The lengths of the handles.
 
 use super::vector::Plane;
-use super::{End, Parallel, Place};
+use super::{End, OffsetCurve, OffsetSample};
 use crate::WorkLimit;
 
 /// Where distances are measured.
@@ -28,10 +28,10 @@ pub(super) struct Pair {
     pub(super) s: f64,
     pub(super) q: Plane,
     pub(super) w: Plane,
-    pub(super) foot: Place,
+    pub(super) foot: OffsetSample,
 }
 
-impl Parallel<'_> {
+impl OffsetCurve<'_> {
     /// The cubic from one end to the other, if one keeps the tolerance.
     pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[Plane; 4]> {
         let (start, end) = (self.point(from), self.point(to));

@@ -3,12 +3,12 @@
 use std::cell::UnsafeCell;
 
 /// A static that one function at a time works on: `thread_local!` with a `RefCell`, without their code in every caller.
-pub(super) struct Alone<T>(UnsafeCell<T>);
+pub(super) struct SingleThreadCell<T>(UnsafeCell<T>);
 
 // SAFETY: wasm32 without atomics has one thread.
-unsafe impl<T> Sync for Alone<T> {}
+unsafe impl<T> Sync for SingleThreadCell<T> {}
 
-impl<T> Alone<T> {
+impl<T> SingleThreadCell<T> {
     pub(super) const fn new(value: T) -> Self {
         Self(UnsafeCell::new(value))
     }
