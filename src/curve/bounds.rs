@@ -23,13 +23,26 @@ impl<P: Point> Bounds<P> {
         }
     }
 
-    /// The smallest box around both.
+    /// The smallest box that contains both.
     #[must_use]
-    pub(crate) fn union(self, other: Self) -> Self {
+    pub fn union(self, other: Self) -> Self {
         Self {
             min: self.min.min(other.min),
             max: self.max.max(other.max),
         }
+    }
+
+    /// The box of the points that both contain; `None` if there are none. Boxes that touch share a box without a width.
+    pub fn intersection(self, other: Self) -> Option<Self> {
+        let (min, max) = (self.min.max(other.min), self.max.min(other.max));
+        (0..P::DIMENSION)
+            .all(|axis| min.coordinate(axis) <= max.coordinate(axis))
+            .then_some(Self { min, max })
+    }
+
+    /// Whether the point lies inside of the box or on its boundary.
+    pub fn contains(self, p: P) -> bool {
+        self.min.min(p) == self.min && self.max.max(p) == self.max
     }
 
     /// The length of the diagonal.

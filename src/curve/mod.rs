@@ -10,6 +10,7 @@ mod bernstein;
 mod bounds;
 mod casteljau;
 mod classify;
+mod convert;
 mod derivative;
 mod deviation;
 mod distance;

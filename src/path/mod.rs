@@ -6,6 +6,7 @@
 
 mod arc;
 mod bounds;
+mod convert;
 mod intersect;
 mod length;
 mod moments;
@@ -23,8 +24,6 @@ pub use nearest::PathPoint;
 pub use svg_error::SvgError;
 pub use winding::FillRule;
 
-use crate::curve::Curve;
-use crate::error::Error;
 use crate::point::Point;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
@@ -154,28 +153,9 @@ impl Path {
         self.subpaths.is_empty()
     }
 
-    /// Subpath k as a spline.
-    ///
-    /// # Errors
-    /// [`Error::Index`] past the last one; of an empty path, [`Error::Count`].
-    pub fn subpath(&self, k: usize) -> Result<Spline<DVec2>, Error> {
-        let count = self.subpath_count();
-        if k < count {
-            return Ok(spline(self.part(k)));
-        }
-        Err(match count {
-            0 => Error::Count {
-                what: "subpaths",
-                expected: "at least 1",
-                got: 0,
-            },
-            _ => Error::Index {
-                what: "subpath",
-                first: 0,
-                last: count - 1,
-                got: k,
-            },
-        })
+    /// Subpath k as a spline; `None` past the last one.
+    pub fn subpath(&self, k: usize) -> Option<Spline<DVec2>> {
+        (k < self.subpath_count()).then(|| spline(self.part(k)))
     }
 
     /// All subpaths as splines.
@@ -238,17 +218,4 @@ fn spline(part: Subpath<'_>) -> Spline<DVec2> {
     let degrees: Vec<usize> = part.degrees.iter().map(|&d| usize::from(d)).collect();
     let count = part.points.len() - usize::from(part.closed);
     Spline::from_parts(part.points[..count].to_vec(), &degrees, part.closed)
-}
-
-impl From<Spline<DVec2>> for Path {
-    fn from(spline: Spline<DVec2>) -> Self {
-        Self::new(&[spline])
-    }
-}
-
-impl From<Curve<DVec2>> for Path {
-    fn from(curve: Curve<DVec2>) -> Self {
-        let points = curve.control_points().to_vec();
-        Self::from(Spline::from_parts(points, &[curve.degree()], false))
-    }
 }

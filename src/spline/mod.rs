@@ -8,6 +8,7 @@ mod bspline;
 mod build;
 pub(crate) mod chains;
 mod continuity;
+mod convert;
 mod cubics;
 mod edit;
 mod fit;
@@ -152,21 +153,9 @@ impl<P: Point> Spline<P> {
             .collect()
     }
 
-    /// Segment k as a curve.
-    ///
-    /// # Errors
-    /// [`Error::Index`] for k past the last segment.
-    pub fn segment(&self, k: usize) -> Result<Curve<P>, Error> {
-        let last = self.segment_count() - 1;
-        if k > last {
-            return Err(Error::Index {
-                what: "segment",
-                first: 0,
-                last,
-                got: k,
-            });
-        }
-        Ok(self.curve(k))
+    /// Segment k as a curve; `None` past the last one.
+    pub fn segment(&self, k: usize) -> Option<Curve<P>> {
+        (k < self.segment_count()).then(|| self.curve(k))
     }
 
     /// All segments as curves.

@@ -4,6 +4,7 @@ mod angle;
 mod basis;
 #[path = "../common/mod.rs"]
 mod common;
+mod convert;
 mod eval;
 mod limits;
 mod pieces;

@@ -13,6 +13,9 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::control_points", both!(accessors)),
     ("Curve::start", both!(accessors)),
     ("Curve::end", both!(accessors)),
+    ("Curve::line", both!(low_degrees)),
+    ("Curve::quad", both!(low_degrees)),
+    ("Curve::cubic", both!(low_degrees)),
     ("Curve::approx_eq", both!(approx_eq)),
     ("Curve::from_basis", both!(from_basis)),
     ("Curve::to_basis", both!(to_basis)),
@@ -54,6 +57,24 @@ fn accessors<P: Space>(case: &Case) -> Checked {
         start == points[0] && end == points[degree],
         "the ends are no control points"
     );
+    Ok(())
+}
+
+fn low_degrees<P: Space>(case: &Case) -> Checked {
+    let curve = curve::<P>(case, "curve");
+    let points = curve.control_points();
+    let [p0, p1, p2, p3] = std::array::from_fn(|i| points[i % points.len()]);
+    let made = call(case, || {
+        [
+            Curve::line(p0, p1),
+            Curve::quad(p0, p1, p2),
+            Curve::cubic(p0, p1, p2, p3),
+        ]
+    })?;
+    for (n, curve) in (1..).zip(&made) {
+        let same = Curve::new(&[p0, p1, p2, p3][..=n]);
+        ensure!(same.as_ref() == Ok(curve), "another curve of degree {n}");
+    }
     Ok(())
 }
 

@@ -62,8 +62,11 @@ fn accessors(case: &Case) -> Checked {
 
 fn subpath(case: &Case) -> Checked {
     let (path, k) = (path(case, "path"), count(case, "k"));
-    let subpath = answer!(case, path.subpath(k), &["subpath", "k", "path", "subpaths"]);
-    ensure!(subpath == path.subpaths()[k], "not subpath {k}");
+    let subpath = call(case, || path.subpath(k))?;
+    ensure!(
+        subpath.as_ref() == path.subpaths().get(k),
+        "not subpath {k}"
+    );
     Ok(())
 }
 
@@ -136,9 +139,7 @@ fn time_at_length(case: &Case) -> Checked {
         "no place on a path, or one on none"
     );
     if let Some(place) = place {
-        let spline = path
-            .subpath(place.subpath)
-            .map_err(|error| error.to_string())?;
+        let spline = path.subpath(place.subpath).ok_or("no such subpath")?;
         ensure!(
             (0.0..=real(spline.segment_count())).contains(&place.t),
             "t = {}",

@@ -6,6 +6,7 @@ mod allocations;
 mod arcs;
 #[path = "../common/mod.rs"]
 mod common;
+mod convert;
 mod inside;
 mod sizes;
 mod svg;

@@ -1,0 +1,80 @@
+//! Curves from a fixed number of points, and affine maps as factors.
+
+use super::Curve;
+use crate::error::Error;
+use crate::list::points_of;
+use crate::point::Point;
+use glam::{DAffine2, DAffine3, DVec2, DVec3};
+use std::ops::Mul;
+
+impl<P: Point> Curve<P> {
+    /// The line segment from `p0` to `p1`: degree 1.
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let line = Curve::line(DVec2::ZERO, DVec2::new(4.0, 2.0));
+    /// assert_eq!(line.eval(0.5), DVec2::new(2.0, 1.0));
+    /// ```
+    ///
+    /// # Panics
+    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    pub fn line(p0: P, p1: P) -> Self {
+        Self::of_finite([p0, p1])
+    }
+
+    /// The quadratic curve with these three control points.
+    ///
+    /// # Panics
+    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    pub fn quad(p0: P, p1: P, p2: P) -> Self {
+        Self::of_finite([p0, p1, p2])
+    }
+
+    /// The cubic curve with these four control points.
+    ///
+    /// # Panics
+    /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
+    pub fn cubic(p0: P, p1: P, p2: P, p3: P) -> Self {
+        Self::of_finite([p0, p1, p2, p3])
+    }
+
+    fn of_finite<const N: usize>(points: [P; N]) -> Self {
+        for (index, point) in points.iter().enumerate() {
+            assert!(
+                point.is_finite(),
+                "p{index}: expected finite coordinates, got {point:?}"
+            );
+        }
+        Self {
+            points: points_of(&points),
+        }
+    }
+}
+
+impl<P: Point, const N: usize> TryFrom<[P; N]> for Curve<P> {
+    type Error = Error;
+
+    /// As [`Curve::new`].
+    fn try_from(points: [P; N]) -> Result<Self, Error> {
+        Self::new(&points)
+    }
+}
+
+impl Mul<&Curve<DVec2>> for DAffine2 {
+    type Output = Curve<DVec2>;
+
+    /// The image of the curve, as [`Curve::transform`] gives it.
+    fn mul(self, curve: &Curve<DVec2>) -> Curve<DVec2> {
+        curve.transform(&self)
+    }
+}
+
+impl Mul<&Curve<DVec3>> for DAffine3 {
+    type Output = Curve<DVec3>;
+
+    /// The image of the curve, as [`Curve::transform`] gives it.
+    fn mul(self, curve: &Curve<DVec3>) -> Curve<DVec3> {
+        curve.transform(&self)
+    }
+}

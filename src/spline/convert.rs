@@ -1,0 +1,32 @@
+//! Splines from curves, and affine maps as factors.
+
+use super::Spline;
+use crate::curve::Curve;
+use crate::point::Point;
+use glam::{DAffine2, DAffine3, DVec2, DVec3};
+use std::ops::Mul;
+
+impl<P: Point> From<Curve<P>> for Spline<P> {
+    /// The open spline with this one segment.
+    fn from(curve: Curve<P>) -> Self {
+        Self::from_parts(curve.control_points().to_vec(), &[curve.degree()], false)
+    }
+}
+
+impl Mul<&Spline<DVec2>> for DAffine2 {
+    type Output = Spline<DVec2>;
+
+    /// The image of the spline, as [`Spline::transform`] gives it.
+    fn mul(self, spline: &Spline<DVec2>) -> Spline<DVec2> {
+        spline.transform(&self)
+    }
+}
+
+impl Mul<&Spline<DVec3>> for DAffine3 {
+    type Output = Spline<DVec3>;
+
+    /// The image of the spline, as [`Spline::transform`] gives it.
+    fn mul(self, spline: &Spline<DVec3>) -> Spline<DVec3> {
+        spline.transform(&self)
+    }
+}
