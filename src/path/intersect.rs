@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::IntersectionKind;
-use crate::spline::{ChainIntersection, Chains};
+use crate::spline::{Chains, SplineIntersection};
 use glam::DVec2;
 
 /// A place that two paths share.
@@ -42,8 +42,8 @@ impl Path {
     }
 }
 
-fn places(found: Vec<ChainIntersection>) -> Vec<PathIntersection> {
-    let place = |m: ChainIntersection| PathIntersection {
+fn places(found: Vec<SplineIntersection>) -> Vec<PathIntersection> {
+    let place = |m: SplineIntersection| PathIntersection {
         subpath: m.a,
         t: m.at.t,
         other_subpath: m.b,

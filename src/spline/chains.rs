@@ -28,7 +28,7 @@ pub(crate) struct Chains {
 
 /// A place that two chains share.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ChainIntersection {
+pub(crate) struct SplineIntersection {
     /// The number of the chain in the first list.
     pub(crate) a: usize,
     /// The number of the chain in the second list.
@@ -97,7 +97,7 @@ impl Chains {
     }
 
     /// All places that chains of this list share with chains of another one: by chains, then by t, then by u.
-    pub(crate) fn meet(&self, other: &Self) -> Vec<ChainIntersection> {
+    pub(crate) fn meet(&self, other: &Self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         // All pairs of boxes may meet, and then all are looked at.
         let mut work = WorkLimit::new(usize::MAX);
@@ -114,7 +114,7 @@ impl Chains {
         other: &Self,
         (i, j): (usize, usize),
         place: Intersection,
-    ) -> ChainIntersection {
+    ) -> SplineIntersection {
         let mut at = place;
         if let IntersectionKind::Overlap { t_end, u_end } = &mut at.kind {
             (at.t, at.u) = (self.end_at(i, place.t), other.end_at(j, place.u));
@@ -122,7 +122,7 @@ impl Chains {
         } else {
             (at.t, at.u) = (self.at(i, place.t), other.at(j, place.u));
         }
-        ChainIntersection {
+        SplineIntersection {
             a: self.places[i].0,
             b: other.places[j].0,
             at,
@@ -160,7 +160,7 @@ impl Chains {
 
     /// The points that the chains of this list pass twice, each on its own or two of them; every pair once, its first
     /// place before the second. What runs along itself is left out.
-    pub(crate) fn meet_selves(&self) -> Vec<ChainIntersection> {
+    pub(crate) fn meet_selves(&self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
         self.walk(self, (1, 1), &mut work, &mut |i, j| {
@@ -204,15 +204,15 @@ impl Chains {
 }
 
 /// In order; shared pieces that continue across joints made one, and what was found on both sides of a joint once.
-fn joined(mut found: Vec<ChainIntersection>, a: &Chains, b: &Chains) -> Vec<ChainIntersection> {
-    let order = |p: &ChainIntersection, q: &ChainIntersection| {
+fn joined(mut found: Vec<SplineIntersection>, a: &Chains, b: &Chains) -> Vec<SplineIntersection> {
+    let order = |p: &SplineIntersection, q: &SplineIntersection| {
         (p.a, p.b)
             .cmp(&(q.a, q.b))
             .then(p.at.t.total_cmp(&q.at.t))
             .then(p.at.u.total_cmp(&q.at.u))
     };
     sort_by(&mut found, order);
-    let (pieces, points): (Vec<ChainIntersection>, Vec<ChainIntersection>) = found
+    let (pieces, points): (Vec<SplineIntersection>, Vec<SplineIntersection>) = found
         .into_iter()
         .partition(|m| matches!(m.at.kind, IntersectionKind::Overlap { .. }));
     let mut ends: Vec<(usize, usize, f64, f64)> = pieces
@@ -227,12 +227,12 @@ fn joined(mut found: Vec<ChainIntersection>, a: &Chains, b: &Chains) -> Vec<Chai
         (p.0, p.1).cmp(&(q.0, q.1)).then(p.2.total_cmp(&q.2))
     });
     let pieces = joined_pieces(pieces);
-    let mut all: Vec<ChainIntersection> = Vec::with_capacity(pieces.len() + points.len());
+    let mut all: Vec<SplineIntersection> = Vec::with_capacity(pieces.len() + points.len());
     for point in points {
         let near = |t: f64, u: f64| {
             (t - point.at.t).abs() <= ONE_JOINT && (u - point.at.u).abs() <= ONE_JOINT
         };
-        let same = |q: &ChainIntersection| (q.a, q.b) == (point.a, point.b);
+        let same = |q: &SplineIntersection| (q.a, q.b) == (point.a, point.b);
         let mut before = all
             .iter_mut()
             .rev()
@@ -261,7 +261,7 @@ fn joined(mut found: Vec<ChainIntersection>, a: &Chains, b: &Chains) -> Vec<Chai
 }
 
 /// The parameters of the end of a shared piece, or of a point.
-fn end_of(meeting: &ChainIntersection) -> (f64, f64) {
+fn end_of(meeting: &SplineIntersection) -> (f64, f64) {
     match meeting.at.kind {
         IntersectionKind::Overlap { t_end, u_end } => (t_end, u_end),
         _ => (meeting.at.t, meeting.at.u),
@@ -269,11 +269,11 @@ fn end_of(meeting: &ChainIntersection) -> (f64, f64) {
 }
 
 /// Shared pieces, sorted by t, that go on where another one ends, in the same direction, become one.
-fn joined_pieces(pieces: Vec<ChainIntersection>) -> Vec<ChainIntersection> {
-    let mut all: Vec<ChainIntersection> = Vec::new();
+fn joined_pieces(pieces: Vec<SplineIntersection>) -> Vec<SplineIntersection> {
+    let mut all: Vec<SplineIntersection> = Vec::new();
     for piece in pieces {
         let (t_end, u_end) = end_of(&piece);
-        let continues = |q: &&mut ChainIntersection| {
+        let continues = |q: &&mut SplineIntersection| {
             let (t, u) = end_of(q);
             (q.a, q.b) == (piece.a, piece.b)
                 && (t - piece.at.t).abs() <= ONE_JOINT

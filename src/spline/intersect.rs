@@ -1,7 +1,7 @@
 //! Where does a spline meet others, and itself?
 
 use super::Spline;
-use super::chains::{ChainIntersection, Chains};
+use super::chains::{Chains, SplineIntersection};
 use crate::curve::{Curve, Intersection, SelfIntersection};
 use glam::DVec2;
 
@@ -30,7 +30,7 @@ impl Spline<DVec2> {
     /// a closed spline, where it ends. An open spline that ends where it starts passes that point twice.
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
         let found = Chains::new([self]).meet_selves();
-        let place = |m: ChainIntersection| SelfIntersection {
+        let place = |m: SplineIntersection| SelfIntersection {
             t: m.at.t,
             u: m.at.u,
             point: m.at.point,
@@ -46,6 +46,6 @@ impl Curve<DVec2> {
     }
 }
 
-fn places(found: Vec<ChainIntersection>) -> Vec<Intersection> {
+fn places(found: Vec<SplineIntersection>) -> Vec<Intersection> {
     found.into_iter().map(|meeting| meeting.at).collect()
 }

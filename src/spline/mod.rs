@@ -25,7 +25,7 @@ mod repair;
 mod simplify;
 
 pub use bspline::BSpline;
-pub(crate) use chains::{ChainIntersection, Chains};
+pub(crate) use chains::{Chains, SplineIntersection};
 pub use continuity::Continuity;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;

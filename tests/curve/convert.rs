@@ -41,7 +41,7 @@ fn maps_multiply() {
 }
 
 #[test]
-fn boxes_meet_and_contain() {
+fn bounds_unite_intersect_and_contain() {
     let bounds = |x0: f64, y0: f64, x1: f64, y1: f64| Bounds {
         min: DVec2::new(x0, y0),
         max: DVec2::new(x1, y1),
