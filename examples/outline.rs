@@ -16,6 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let letter = Path::from_svg(LETTER)?;
     let bold: Vec<Spline<DVec2>> = letter
         .subpaths()
+        .collect::<Vec<_>>()
         .iter()
         .map(|outline| outline.offset(6.0, Some(0.01), OffsetJoin::Round))
         .collect::<Result<_, _>>()?;

@@ -36,5 +36,6 @@ function refusal(gate) {
     message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory(gate).buffer, value, length));
   }
   if (parts.length > LARGE_RESULT) trimArena(gate);
-  return new RangeError(message);
+  // The core names parameters as Rust does: degree_u is degreeU here.
+  return new RangeError(message.replace(/_([a-z])/g, (_, letter) => letter.toUpperCase()));
 }

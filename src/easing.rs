@@ -38,6 +38,9 @@ const MOST_STEPS: usize = 100;
 /// Source: CSS Easing Functions Level 1, "Cubic Bézier easing functions".
 #[derive(Clone, Debug, PartialEq)]
 pub struct Easing {
+    /// x1, y1, x2, y2.
+    #[cfg(feature = "serde")]
+    pub(crate) handles: [f64; 4],
     nodes: Vec<Node>,
     /// For each 32nd of the way in x, the piece of t in which it starts.
     starts: [u8; PIECES],
@@ -86,6 +89,8 @@ impl Easing {
         let unit = if huge { SHRUNK } else { 1.0 };
         let nodes = nodes([x1, x2], [y1 * unit, y2 * unit], unit);
         Ok(Self {
+            #[cfg(feature = "serde")]
+            handles: [x1, y1, x2, y2],
             starts: first_pieces(&nodes),
             nodes,
             slopes: [

@@ -48,6 +48,8 @@ mod point;
 pub mod spline;
 pub mod surface;
 
+#[cfg(feature = "kurbo")]
+mod kurbo;
 #[cfg(feature = "serde")]
 mod serde;
 #[cfg(feature = "wasm")]

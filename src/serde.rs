@@ -1,9 +1,10 @@
-//! Reading and writing with serde, behind the feature `serde`: the form that JavaScript's `toJSON` gives.
+//! Reading and writing with serde, behind the feature `serde`: the types whose values are checked by a constructor.
 //!
-//! What is read is checked as by the constructors.
+//! Curves and paths have the form that JavaScript's `toJSON` gives. What is read is checked as by the constructors. Results
+//! and options are plain values and derive their form from their fields.
 
 use crate::point::Point;
-use crate::{Curve, Patch, Path, Spline};
+use crate::{Curve, Easing, Patch, Path, Spline, Surface};
 use glam::{DVec2, DVec3};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Deserialize as Read, Serialize as Write, Serializer};
@@ -74,7 +75,7 @@ impl<'de, P: Point + Read<'de>> Deserialize<'de> for Spline<P> {
 
 impl Write for Path {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let subpaths = self.subpaths();
+        let subpaths = self.subpaths().collect();
         PathForm { subpaths }.serialize(serializer)
     }
 }
@@ -102,5 +103,66 @@ impl<'de> Deserialize<'de> for Patch {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let form = PatchForm::deserialize(deserializer)?;
         Self::new(&form.net, form.degree_u, form.degree_v).map_err(D::Error::custom)
+    }
+}
+
+/// `{ "vertices": [[x, y, z], …], "patches": [{ "vertices": [0, 1, …], "degreeU": 3, "degreeV": 3 }, …] }`
+#[derive(Read, Write)]
+struct SurfaceForm {
+    vertices: Vec<DVec3>,
+    patches: Vec<PatchOfVertices>,
+}
+
+#[derive(Read, Write)]
+#[serde(rename_all = "camelCase")]
+struct PatchOfVertices {
+    vertices: Vec<u32>,
+    degree_u: usize,
+    degree_v: usize,
+}
+
+impl Write for Surface {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let patches = (0..self.patch_count()).filter_map(|k| {
+            let [degree_u, degree_v] = self.degrees(k)?;
+            let vertices = self.patch_indices(k)?.to_vec();
+            Some(PatchOfVertices {
+                vertices,
+                degree_u,
+                degree_v,
+            })
+        });
+        SurfaceForm {
+            vertices: self.vertices().to_vec(),
+            patches: patches.collect(),
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Surface {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let form = SurfaceForm::deserialize(deserializer)?;
+        let degrees = form
+            .patches
+            .iter()
+            .map(|patch| [patch.degree_u, patch.degree_v]);
+        let degrees: Vec<[usize; 2]> = degrees.collect();
+        let indices = form.patches.into_iter().flat_map(|patch| patch.vertices);
+        Self::with_degrees(form.vertices, indices.collect(), &degrees).map_err(D::Error::custom)
+    }
+}
+
+/// `[x1, y1, x2, y2]`
+impl Write for Easing {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.handles.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Easing {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let [x1, y1, x2, y2] = Deserialize::deserialize(deserializer)?;
+        Self::new(x1, y1, x2, y2).map_err(D::Error::custom)
     }
 }

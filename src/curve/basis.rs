@@ -12,6 +12,11 @@ pub(crate) type Matrix = [f64; 16];
 
 /// A cubic basis. Source of the matrices: Foley et al., *Computer Graphics: Principles and Practice*, 2nd ed., §11.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Basis {
     /// Geometry P₀, P₁, P₂, P₃.
     Bezier,

@@ -6,6 +6,11 @@ use crate::point::Point;
 
 /// An axis-parallel box: all points p with min ≤ p ≤ max in each coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Bounds<P> {
     /// The least coordinates.
     pub min: P,

@@ -12,6 +12,11 @@ use glam::{DVec2, DVec3};
 
 /// The shape of a curve, as far as it does not change under affine maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum CurveKind {
     /// All control points coincide.
     Point,

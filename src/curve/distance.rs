@@ -14,6 +14,11 @@ use std::collections::BinaryHeap;
 
 /// Where two curves are nearest to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Distance {
     /// The distance in the unit of the points; 0 where the curves meet.
     pub distance: f64,

@@ -34,6 +34,11 @@ const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
 
 /// A polyline on a curve.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Polyline<P> {
     /// The vertices: the curve's start, points of the curve, its end.
     pub points: Vec<P>,

@@ -41,6 +41,11 @@ const MAX_HALVINGS_PER_FRAME: usize = 64;
 ///
 /// The binormal is tangent × normal. Of a curve that is a point the directions are zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Frame {
     /// The parameter.
     pub t: f64,

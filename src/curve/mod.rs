@@ -238,10 +238,16 @@ pub(crate) fn check_finite<P: Point>(what: &'static str, points: &[P]) -> Result
         Some(index) => Err(Error::NotFinite {
             what,
             index,
-            got: points[index].max_abs(),
+            got: first_not_finite(points[index]),
         }),
         None => Ok(()),
     }
+}
+
+/// The first coordinate of a point that is not finite.
+fn first_not_finite<P: Point>(point: P) -> f64 {
+    let mut coordinates = (0..P::DIMENSION).map(|axis| point.coordinate(axis));
+    coordinates.find(|x| !x.is_finite()).unwrap_or(f64::NAN)
 }
 
 /// Refuses a tolerance that is not positive or finer than the coordinates can resolve: 4 ulps of the largest.

@@ -11,6 +11,11 @@ use std::f64::consts::PI;
 ///
 /// Those of pieces that follow each other add up; over a closed outline the sum is the integral over its inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Moments {
     /// ∬ 1, the area.
     pub area: f64,

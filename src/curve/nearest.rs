@@ -14,6 +14,11 @@ use casteljau_kernels::{WorkLimit, nearest_in_plane, nearest_in_space};
 
 /// The point of a curve or of a spline that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Nearest<P> {
     /// The parameter; on a spline from 0 to the number of segments.
     pub t: f64,

@@ -11,6 +11,11 @@ use std::f64::consts::FRAC_PI_2;
 
 /// A curve of a lower degree in the place of another.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Reduced<P: Point> {
     /// The curve of degree n − 1, with the same ends.
     pub curve: Curve<P>,

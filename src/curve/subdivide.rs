@@ -9,6 +9,11 @@ const MAX_LEAVES: usize = 1 << 16;
 
 /// A piece of a curve in the tree of recursive halving.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Subdivision<P: Point> {
     /// The piece.
     pub curve: Curve<P>,

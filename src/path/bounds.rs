@@ -15,9 +15,9 @@ impl Path {
     /// box around all joints.
     pub fn bounds(&self) -> Option<Bounds<DVec2>> {
         let first = *self.points.first()?;
-        let joints = self.segments().map(|points| points[points.len() - 1]);
+        let joints = self.segment_points().map(|points| points[points.len() - 1]);
         let joined = joints.fold(corners(first, first), Bounds::including);
-        let segments = self.segments();
+        let segments = self.segment_points();
         Some(segments.fold(joined, |bounds, points| {
             let inside = |p: &DVec2| p.cmpge(bounds.min).all() && p.cmple(bounds.max).all();
             if points.iter().all(inside) {
@@ -42,7 +42,7 @@ impl Path {
     /// As [`Spline::flatten`](crate::Spline::flatten), with the limit of 2²⁴ vertices for all subpaths together.
     pub fn flatten(&self, tolerance: f64) -> Result<Vec<Polyline<DVec2>>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
-        check_vertices(|| self.segments().map(Curve::from_slice), tolerance)?;
+        check_vertices(|| self.segment_points().map(Curve::from_slice), tolerance)?;
         let mut left = MAX_VERTICES;
         self.parts()
             .map(|part| {
@@ -62,7 +62,7 @@ impl Path {
     }
 
     /// The control points of all segments.
-    pub(crate) fn segments(&self) -> impl Iterator<Item = &[DVec2]> {
+    pub(crate) fn segment_points(&self) -> impl Iterator<Item = &[DVec2]> + Clone {
         self.parts().flat_map(|part| part.segments())
     }
 

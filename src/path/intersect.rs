@@ -7,6 +7,11 @@ use glam::DVec2;
 
 /// A place that two paths share.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PathIntersection {
     /// The subpath of the first path.
     pub subpath: usize,
@@ -30,7 +35,7 @@ impl Path {
     /// paths take hardly more than their number of segments times its logarithm, and at worst, where all boxes meet, each
     /// segment is intersected with each, at the cost of [`Curve::intersections`](crate::Curve::intersections).
     pub fn intersections(&self, other: &Self) -> Vec<PathIntersection> {
-        places(Chains::new(&self.subpaths()).meet(&Chains::new(&other.subpaths())))
+        places(Chains::new(self.subpaths()).meet(&Chains::new(other.subpaths())))
     }
 
     /// The places that the path passes twice, on one subpath or on two: of each pair the earlier one first.
@@ -38,7 +43,7 @@ impl Path {
     /// As [`Spline::self_intersections`](crate::Spline::self_intersections); the kind is that of the contact. Pieces along
     /// which the path runs twice are left out.
     pub fn self_intersections(&self) -> Vec<PathIntersection> {
-        places(Chains::new(&self.subpaths()).meet_selves())
+        places(Chains::new(self.subpaths()).meet_selves())
     }
 }
 

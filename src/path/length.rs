@@ -23,7 +23,9 @@ impl Path {
             }
             None => f64::INFINITY,
         };
-        let lengths = self.segments().map(|points| segment_length(points, share));
+        let lengths = self
+            .segment_points()
+            .map(|points| segment_length(points, share));
         Ok(lengths.fold(0.0, |sum, length| sum + length))
     }
 

@@ -6,7 +6,9 @@
 
 mod arc;
 mod bounds;
+mod builder;
 mod convert;
+mod elements;
 mod intersect;
 mod length;
 mod moments;
@@ -19,6 +21,8 @@ mod trace;
 mod turn;
 mod winding;
 
+pub use builder::PathBuilder;
+pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
 pub use svg_error::SvgError;
@@ -30,6 +34,11 @@ use glam::{DAffine2, DVec2};
 
 /// A place on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PathTime {
     /// The index of the subpath.
     pub subpath: usize,
@@ -76,7 +85,7 @@ pub(crate) struct Subpath<'a> {
 
 impl<'a> Subpath<'a> {
     /// The control points of each segment.
-    pub(crate) fn segments(self) -> impl Iterator<Item = &'a [DVec2]> {
+    pub(crate) fn segments(self) -> impl Iterator<Item = &'a [DVec2]> + Clone {
         let mut from = 0;
         self.degrees.iter().map(move |&degree| {
             let to = from + usize::from(degree);
@@ -158,9 +167,11 @@ impl Path {
         (k < self.subpath_count()).then(|| spline(self.part(k)))
     }
 
-    /// All subpaths as splines.
-    pub fn subpaths(&self) -> Vec<Spline<DVec2>> {
-        self.parts().map(spline).collect()
+    /// The subpaths as splines, from the first to the last.
+    pub fn subpaths(
+        &self,
+    ) -> impl ExactSizeIterator<Item = Spline<DVec2>> + DoubleEndedIterator + Clone + '_ {
+        (0..self.subpath_count()).map(|k| spline(self.part(k)))
     }
 
     /// Subpath k, which exists.
@@ -177,7 +188,7 @@ impl Path {
         }
     }
 
-    pub(crate) fn parts(&self) -> impl Iterator<Item = Subpath<'_>> {
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Subpath<'_>> + Clone {
         (0..self.subpath_count()).map(|k| self.part(k))
     }
 

@@ -9,6 +9,11 @@ use glam::{DVec2, DVec3};
 
 /// A point of a path, and its distance from the point that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PathPoint {
     /// The index of the subpath.
     pub subpath: usize,
@@ -35,7 +40,7 @@ impl Path {
         check_finite("p", &[p])?;
         // No point is farther than the nearest joint.
         let ends = self
-            .segments()
+            .segment_points()
             .flat_map(|points| [points[0], points[points.len() - 1]]);
         let mut most = ends
             .map(|end| (end - p).length_squared())

@@ -1,6 +1,7 @@
 //! Paths from SVG path data.
 
-use super::arc::{Arc, arc};
+use super::PathBuilder;
+use super::arc::Arc;
 use super::svg_number::{Refusal, Scanner};
 use super::{Path, SvgError};
 use glam::DVec2;
@@ -36,22 +37,22 @@ impl Path {
     /// [`SvgError`] with the offset and what was read before, as SVG asks: the error ends the path.
     pub fn from_svg(d: &str) -> Result<Self, SvgError> {
         let mut scanner = Scanner::new(d);
-        let mut builder = Builder::default();
-        let result = read(&mut scanner, &mut builder);
-        builder.end_open();
+        let mut reader = Reader::default();
+        let result = read(&mut scanner, &mut reader);
+        let path = reader.builder.finished();
         match result {
-            Ok(()) => Ok(builder.path),
+            Ok(()) => Ok(path),
             Err(Refusal { offset, expected }) => Err(SvgError {
                 offset,
                 expected,
                 got: scanner.shown(offset),
-                path: builder.path,
+                path,
             }),
         }
     }
 }
 
-fn read(scanner: &mut Scanner<'_>, builder: &mut Builder) -> Result<(), Refusal> {
+fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
     scanner.skip_blanks();
     let mut expected = "\"M\" or \"m\"";
     while !scanner.at_end() {
@@ -69,9 +70,9 @@ fn read(scanner: &mut Scanner<'_>, builder: &mut Builder) -> Result<(), Refusal>
         scanner.at += 1;
         scanner.skip_blanks();
         if count == 0 {
-            builder.close();
+            reader.close();
         } else {
-            read_groups(scanner, builder, command, count)?;
+            read_groups(scanner, reader, command, count)?;
         }
     }
     Ok(())
@@ -80,7 +81,7 @@ fn read(scanner: &mut Scanner<'_>, builder: &mut Builder) -> Result<(), Refusal>
 /// The arguments of a command, once or more often.
 fn read_groups(
     scanner: &mut Scanner<'_>,
-    builder: &mut Builder,
+    reader: &mut Reader,
     mut command: u8,
     count: usize,
 ) -> Result<(), Refusal> {
@@ -98,7 +99,7 @@ fn read_groups(
                 scanner.number()?
             };
         }
-        if !builder.draw(command, &numbers) {
+        if !reader.draw(command, &numbers) {
             return Err(Refusal {
                 offset,
                 expected: "finite coordinates",
@@ -117,43 +118,36 @@ fn read_groups(
     }
 }
 
-/// A path that is being drawn.
+/// A path that is being read: what the commands relative to earlier ones refer to.
 #[derive(Default)]
-struct Builder {
-    path: Path,
-    /// Where the pen is, and where the subpath started.
-    at: DVec2,
-    start: DVec2,
-    /// Whether the subpath has a segment.
-    drawing: bool,
-    /// Whether the last command was Z.
-    closed: bool,
+struct Reader {
+    builder: PathBuilder,
     /// The last control point of a preceding cubic (for S) and quadratic (for T).
     cubic: Option<DVec2>,
     quadratic: Option<DVec2>,
 }
 
-impl Builder {
-    /// One command with its numbers; false where they lead out of what f64 holds, and then nothing was drawn.
+impl Reader {
+    /// Adds one command with its numbers; false, and nothing is added, where they lead out of what f64 holds.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
-        let from = self.at;
+        let from = self.builder.current_point();
         let base = if command.is_ascii_lowercase() {
             from
         } else {
             DVec2::splat(-0.0) // the number that changes no other, not even −0
         };
-        let place = |k: usize| base + DVec2::new(n[k], n[k + 1]);
+        let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
         let mirrored = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
         match command.to_ascii_uppercase() {
-            b'M' => self.move_to(place(0)),
-            b'L' => self.segment(&[place(0)]),
+            b'M' => self.move_to(point(0)),
+            b'L' => self.segment(&[point(0)]),
             b'H' => self.segment(&[DVec2::new(base.x + n[0], from.y)]),
             b'V' => self.segment(&[DVec2::new(from.x, base.y + n[0])]),
-            b'C' => self.segment(&[place(0), place(2), place(4)]),
-            b'S' => self.segment(&[mirrored(self.cubic), place(0), place(2)]),
-            b'Q' => self.segment(&[place(0), place(2)]),
-            b'T' => self.segment(&[mirrored(self.quadratic), place(0)]),
-            _ => self.arc(n, place(5)),
+            b'C' => self.segment(&[point(0), point(2), point(4)]),
+            b'S' => self.segment(&[mirrored(self.cubic), point(0), point(2)]),
+            b'Q' => self.segment(&[point(0), point(2)]),
+            b'T' => self.segment(&[mirrored(self.quadratic), point(0)]),
+            _ => self.arc(n, point(5)),
         }
     }
 
@@ -161,8 +155,7 @@ impl Builder {
         if !p.is_finite() {
             return false;
         }
-        self.end_open();
-        (self.at, self.start, self.closed) = (p, p, false);
+        self.builder.move_to(p);
         (self.cubic, self.quadratic) = (None, None);
         true
     }
@@ -172,23 +165,12 @@ impl Builder {
         if !points.iter().all(|p| p.is_finite()) {
             return false;
         }
-        if !self.drawing {
-            self.path.points.push(self.at);
-            self.drawing = true;
-        }
-        self.path.points.extend_from_slice(points);
-        self.path.degrees.push(match points.len() {
-            3 => 3,
-            2 => 2,
-            _ => 1,
-        });
-        self.closed = false;
+        self.builder.add_segment(points);
         (self.cubic, self.quadratic) = match *points {
             [_, control, _] => (Some(control), None),
             [control, _] => (None, Some(control)),
             _ => (None, None),
         };
-        self.at = points[points.len() - 1];
         true
     }
 
@@ -196,42 +178,20 @@ impl Builder {
         if !to.is_finite() {
             return false;
         }
-        let shape = Arc {
-            from: self.at,
+        self.builder.add_arc(&Arc {
+            from: self.builder.current_point(),
             to,
             radii: DVec2::new(n[0].abs(), n[1].abs()),
             degrees: n[2],
             large: n[3] != 0.0,
             sweep: n[4] != 0.0,
-        };
-        if shape.from != to && !arc(&shape, |points| _ = self.segment(points)) {
-            self.segment(&[to]);
-        }
-        (self.cubic, self.quadratic, self.closed) = (None, None, false);
+        });
+        (self.cubic, self.quadratic) = (None, None);
         true
     }
 
     fn close(&mut self) {
-        if self.closed {
-            return;
-        }
-        if !self.drawing || self.at != self.start {
-            self.segment(&[self.start]);
-        }
-        // −0 and 0 are one place: the first point stands for both.
-        if let Some(last) = self.path.points.last_mut() {
-            *last = self.start;
-        }
-        self.path.end_subpath(true);
-        (self.at, self.drawing, self.closed) = (self.start, false, true);
+        self.builder.close();
         (self.cubic, self.quadratic) = (None, None);
-    }
-
-    /// Ends a subpath that was not closed.
-    fn end_open(&mut self) {
-        if self.drawing {
-            self.path.end_subpath(false);
-            self.drawing = false;
-        }
     }
 }

@@ -16,6 +16,11 @@ use glam::DVec2;
 
 /// Which windings count as inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum FillRule {
     /// All but 0.
     #[default]

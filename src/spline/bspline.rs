@@ -14,6 +14,11 @@ const MAX_STEPS: usize = 1 << 28;
 /// Open: for n points of degree p there are n + p + 1 knots u₀ ≤ u₁ ≤ …, and the curve runs over [uₚ, uₙ]. Closed: there are
 /// n + 1 knots, the joints of one period, and the first segment belongs to the points 0 to p.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct BSpline<P: Point> {
     /// The control points, of de Boor.
     pub points: Vec<P>,

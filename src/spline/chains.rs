@@ -8,6 +8,7 @@ use crate::curve::{Curve, Intersection, IntersectionKind};
 use crate::order::sort_by;
 use casteljau_kernels::WorkLimit;
 use glam::DVec2;
+use std::borrow::Borrow;
 
 /// Boxes are widened by this part of their coordinates: curves that rounding keeps apart count as meeting.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
@@ -38,9 +39,10 @@ pub(crate) struct SplineIntersection {
 }
 
 impl Chains {
-    pub(crate) fn new<'a>(splines: impl IntoIterator<Item = &'a Spline<DVec2>>) -> Self {
+    pub(crate) fn new(splines: impl IntoIterator<Item: Borrow<Spline<DVec2>>>) -> Self {
         let (mut curves, mut places, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
         for (chain, spline) in splines.into_iter().enumerate() {
+            let spline = spline.borrow();
             let count = spline.segment_count();
             sizes.push((count, spline.is_closed()));
             places.extend((0..count).map(|k| (chain, k)));

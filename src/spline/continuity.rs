@@ -14,6 +14,11 @@ const DEFAULT_RATIO: f64 = 1e-9;
 /// tutorial text calls an aligned joint C1; alignment alone is G1, and C1 when the handles are as long as each other
 /// (for equal degrees).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Continuity {
     /// The segments meet.
     pub c0: bool,

@@ -8,6 +8,11 @@ use crate::point::Point;
 
 /// Which smooth curve goes through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Interpolation {
     /// The natural cubic spline: equal second derivatives at all joints, none at free ends. Each point has a say
     /// everywhere, a quarter as much from joint to joint.

@@ -8,6 +8,11 @@ use crate::point::Point;
 /// P₀ … P₆ are the control points of two cubic segments, P₃ the joint. On segments of degree 1 or 2, where P₁ or P₅ is a
 /// joint itself, C2 keeps what C1 keeps, G2 what G1 keeps, and automatic handles are not set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum JointMode {
     /// Nothing but the common point.
     #[default]

@@ -10,6 +10,7 @@ pub(crate) mod chains;
 mod continuity;
 mod convert;
 mod cubics;
+mod derivative;
 mod edit;
 mod fit;
 mod frames;
@@ -23,6 +24,7 @@ mod nearest;
 mod offset;
 mod repair;
 mod simplify;
+mod split;
 
 pub use bspline::BSpline;
 pub(crate) use chains::{Chains, SplineIntersection};
@@ -158,9 +160,23 @@ impl<P: Point> Spline<P> {
         (k < self.segment_count()).then(|| self.curve(k))
     }
 
-    /// All segments as curves.
-    pub fn segments(&self) -> Vec<Curve<P>> {
-        (0..self.segment_count()).map(|k| self.curve(k)).collect()
+    /// The segments as curves, from the first to the last.
+    ///
+    /// Curves up to degree 3 are made without an allocation.
+    ///
+    /// ```
+    /// use casteljau::{Spline, glam::DVec2};
+    ///
+    /// let points = [(0.0, 0.0), (3.0, 4.0), (3.0, 5.0)].map(DVec2::from);
+    /// let spline = Spline::new(&points, 1, false)?;
+    /// let longest = spline.segments().map(|line| line.end().distance(line.start())).fold(0.0, f64::max);
+    /// assert_eq!(longest, 5.0);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn segments(
+        &self,
+    ) -> impl ExactSizeIterator<Item = Curve<P>> + DoubleEndedIterator + Clone + '_ {
+        (0..self.segment_count()).map(|k| self.curve(k))
     }
 
     /// Segment k, which exists.

@@ -8,6 +8,11 @@ use glam::DVec2;
 
 /// How the parallels of two segments are joined at a corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum OffsetJoin {
     /// An arc about the corner: every point has the right distance from it.
     #[default]
@@ -41,7 +46,7 @@ impl Spline<DVec2> {
         tolerance: Option<f64>,
         join: OffsetJoin,
     ) -> Result<Self, Error> {
-        let curves = self.segments();
+        let curves: Vec<Curve<DVec2>> = self.segments().collect();
         parallel_of(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)
     }
 }

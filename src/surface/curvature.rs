@@ -11,6 +11,11 @@ use glam::DVec3;
 /// They are positive where the surface bends toward its normal ∂u × ∂v: a sphere of radius r has −1/r twice where the
 /// normal points outwards, 1/r where it points inwards.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Curvature {
     /// k1·k2, in 1/length²; it does not depend on the normal's side.
     pub gaussian: f64,

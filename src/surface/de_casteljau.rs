@@ -6,6 +6,11 @@ use glam::DVec3;
 
 /// Everything that de Casteljau's algorithm passes through on its way to S(u, v): rows, then a curve, then the point.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PatchDeCasteljau {
     /// For each row of the net all levels at u: the row itself first, its point last; see [`Curve::de_casteljau`].
     pub rows: Vec<Vec<Vec<DVec3>>>,

@@ -16,6 +16,11 @@ const MAX_STEPS: usize = 1 << 24;
 
 /// A piece of a patch that counts as flat.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct FlatPiece {
     /// The patch.
     pub patch: usize,

@@ -9,6 +9,11 @@ use crate::error::Error;
 /// iv·(segments_u + 1) + iu. Two triangles make a cell. Faces run counter-clockwise as seen from the side that
 /// ∂u × ∂v points to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Grid {
     /// Cells along u, at least 1.
     pub segments_u: usize,
@@ -18,6 +23,11 @@ pub struct Grid {
 
 /// How the samples of a grid are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum GridMethod {
     /// From the Bernstein polynomials: exact at corners, identical along shared sides.
     #[default]

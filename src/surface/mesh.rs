@@ -9,6 +9,11 @@ use glam::DVec3;
 /// 3t. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to. `uvs` and `patch_ids` are empty
 /// where patches share vertices. `T` is f32, or f64 where that was asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Mesh<T = f32> {
     /// x, y, z of each vertex.
     pub positions: Vec<T>,
@@ -28,6 +33,11 @@ pub struct Mesh<T = f32> {
 
 /// The part of a mesh that one patch has filled.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PatchRange {
     /// Its first vertex.
     pub first_vertex: u32,
@@ -41,6 +51,11 @@ pub struct PatchRange {
 
 /// Vertex numbers in the smallest type that fits: 16 bits up to 65,536 vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Indices {
     /// Of a mesh with at most 65,536 vertices.
     U16(Vec<u16>),

@@ -17,6 +17,11 @@ use glam::DVec3;
 
 /// A point of a patch, found by a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct PatchPoint {
     /// The parameters, from 0 to 1.
     pub u: f64,
@@ -30,6 +35,11 @@ pub struct PatchPoint {
 
 /// A point of a surface, found by a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct SurfacePoint {
     /// The number of the patch.
     pub patch: usize,

@@ -60,8 +60,8 @@ impl Surface {
         degree_u: usize,
         degree_v: usize,
     ) -> Result<Self, Error> {
-        check_degree("degreeU", degree_u)?;
-        check_degree("degreeV", degree_v)?;
+        check_degree("degree_u", degree_u)?;
+        check_degree("degree_v", degree_v)?;
         let count = indices.len() / ((degree_u + 1) * (degree_v + 1));
         Self::with_degrees(vertices, indices, &vec![[degree_u, degree_v]; count])
     }
@@ -93,8 +93,8 @@ impl Surface {
         let mut first = 0;
         let mut patches = Vec::with_capacity(degrees.len());
         for &[degree_u, degree_v] in degrees {
-            check_degree("degreeU", degree_u)?;
-            check_degree("degreeV", degree_v)?;
+            check_degree("degree_u", degree_u)?;
+            check_degree("degree_v", degree_v)?;
             let layout = Layout {
                 first,
                 degree_u,
@@ -106,7 +106,7 @@ impl Surface {
         if first != indices.len() {
             return Err(Error::Count {
                 what: "patches",
-                expected: "(degreeU + 1)·(degreeV + 1) vertex indices for each patch",
+                expected: "(degree_u + 1)·(degree_v + 1) vertex indices for each patch",
                 got: indices.len(),
             });
         }

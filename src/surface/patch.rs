@@ -31,6 +31,11 @@ pub struct Patch {
 
 /// The first and second partial derivatives of a patch at one point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Partials {
     /// ∂S/∂u.
     pub u: DVec3,
@@ -53,12 +58,12 @@ impl Patch {
     /// [`Error::Range`] unless both degrees are 1 to 64, [`Error::Count`] for another number of points,
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn new(net: &[DVec3], degree_u: usize, degree_v: usize) -> Result<Self, Error> {
-        check_degree("degreeU", degree_u)?;
-        check_degree("degreeV", degree_v)?;
+        check_degree("degree_u", degree_u)?;
+        check_degree("degree_v", degree_v)?;
         if net.len() != (degree_u + 1) * (degree_v + 1) {
             return Err(Error::Count {
                 what: "net",
-                expected: "(degreeU + 1)·(degreeV + 1) control points",
+                expected: "(degree_u + 1)·(degree_v + 1) control points",
                 got: net.len(),
             });
         }

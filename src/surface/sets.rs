@@ -12,6 +12,11 @@ use glam::DVec3;
 
 /// Which parts of the teapot, how tall, and which way up. By default: all parts, squashed, z up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct TeapotOptions {
     /// Patches 0–3 of the whole.
     pub rim: bool,
@@ -33,6 +38,11 @@ pub struct TeapotOptions {
 
 /// The height of the teapot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Height {
     /// 3.15, as the teapot is commonly distributed: Blinn's display had pixels that were not square.
     #[default]
@@ -43,6 +53,11 @@ pub enum Height {
 
 /// The axis that points up; the spout points along +x.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Up {
     /// +z, as in the listing.
     #[default]

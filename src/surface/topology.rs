@@ -12,6 +12,11 @@ pub(super) const SIDES: usize = 4;
 
 /// An edge of a patch, by the parameter that is constant along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum PatchEdge {
     /// u = 0; it runs along v.
     U0,
@@ -25,6 +30,11 @@ pub enum PatchEdge {
 
 /// One edge of one patch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct EdgeUse {
     /// The patch.
     pub patch: usize,
@@ -36,6 +46,11 @@ pub struct EdgeUse {
 
 /// How the patches of a surface are joined; every side of every patch is in exactly one of the first four lists.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Topology {
     /// Pairs of sides that are the same line.
     pub shared: Vec<Vec<EdgeUse>>,

@@ -15,6 +15,11 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 /// # assert_eq!(fine.weld, Weld::Position);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct TessellationOptions {
     /// How fine the mesh must be.
     pub detail: Detail,
@@ -24,6 +29,11 @@ pub struct TessellationOptions {
 
 /// How fine a mesh must be.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Detail {
     /// This many segments along u and v of every patch.
     Segments(Grid),
@@ -35,6 +45,11 @@ pub enum Detail {
 
 /// A tolerance as a camera sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct View {
     /// The greatest distance in pixels.
     pub pixels: f64,
@@ -112,7 +127,7 @@ impl View {
         positive("pixels", self.pixels)?;
         positive("viewport[0]", self.viewport.x)?;
         positive("viewport[1]", self.viewport.y)?;
-        Error::unless_finite("viewProjection", &self.view_projection.to_cols_array())
+        Error::unless_finite("view_projection", &self.view_projection.to_cols_array())
     }
 
     /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the

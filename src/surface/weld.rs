@@ -8,6 +8,11 @@ use glam::DVec3;
 
 /// What becomes one vertex of a mesh. Positions are bit-identical in all three.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 pub enum Weld {
     /// One vertex for each point; where patches meet in a crease its normal is the mean of theirs, each weighted by the
     /// angles of its triangles there.

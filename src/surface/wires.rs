@@ -12,6 +12,11 @@ const MAX_VERTICES: u32 = (1 << 30) / ((3 + 3 + 6) * 4);
 
 /// What a [`Surface::wireframe`] is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct WireframeOptions {
     /// Strips per patch each way, at least 1.
     pub lines: usize,
@@ -21,6 +26,11 @@ pub struct WireframeOptions {
 
 /// The body of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case")
+)]
 pub enum Wire {
     /// A tube with round ends.
     Tube {

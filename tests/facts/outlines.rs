@@ -9,8 +9,10 @@ use serde_json::Value;
 
 /// The points of all segments, with a letter for each degree.
 fn segments(path: &Path) -> Vec<(&'static str, Vec<DVec3>)> {
-    let splines = path.subpaths();
-    let curves = splines.iter().flat_map(|spline| spline.segments());
+    let splines = path.subpaths().collect::<Vec<_>>();
+    let curves = splines
+        .iter()
+        .flat_map(|spline| spline.segments().collect::<Vec<_>>());
     curves
         .map(|curve| {
             let points = curve.control_points().iter().map(|p| p.extend(0.0));
@@ -83,7 +85,9 @@ fn arc(fact: &Fact, path: &Path, expected: &Value) {
     let centre = numbers(&expected["center"]);
     let centre = DVec2::new(centre[0], centre[1]);
     let radius = number(&expected["radius"]);
-    let points: Vec<DVec2> = path.subpaths()[0].sample(64).expect("few");
+    let points: Vec<DVec2> = path.subpaths().collect::<Vec<_>>()[0]
+        .sample(64)
+        .expect("few");
     let mut swept = 0.0;
     for pair in points.windows(2) {
         let off = (pair[1].distance(centre) - radius).abs();
@@ -125,7 +129,10 @@ pub(crate) fn circle(fact: &Fact) {
     fact.number(most, &fact.expect["max_radial_error"]);
     fact.number(least, &fact.expect["min_radial_error"]);
     let quarter = Path::from_svg("M1 0A1 1 0 0 1 0 1").expect("an arc");
-    for p in quarter.subpaths()[0].sample(100).expect("few") {
+    for p in quarter.subpaths().collect::<Vec<_>>()[0]
+        .sample(100)
+        .expect("few")
+    {
         assert!((p.length() - 1.0).abs() <= 1e-9, "{p}");
     }
 }

@@ -153,7 +153,7 @@ impl<P: Point + Numbers> Numbers for Spline<P> {
 
 impl Numbers for Path {
     fn visit(&self, see: &mut dyn FnMut(f64)) {
-        self.subpaths().visit(see);
+        self.subpaths().collect::<Vec<_>>().visit(see);
     }
 }
 

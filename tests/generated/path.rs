@@ -36,7 +36,7 @@ pub(crate) const DEGREE: usize = 12;
 
 fn accessors(case: &Case) -> Checked {
     let path = call(case, || path(case, "path"))?;
-    let subpaths = call(case, || path.subpaths())?;
+    let subpaths = call(case, || path.subpaths().collect::<Vec<_>>())?;
     ensure!(
         path.subpath_count() == subpaths.len(),
         "{} subpaths",
@@ -64,7 +64,7 @@ fn subpath(case: &Case) -> Checked {
     let (path, k) = (path(case, "path"), count(case, "k"));
     let subpath = call(case, || path.subpath(k))?;
     ensure!(
-        subpath.as_ref() == path.subpaths().get(k),
+        subpath.as_ref() == path.subpaths().collect::<Vec<_>>().get(k),
         "not subpath {k}"
     );
     Ok(())
@@ -101,7 +101,7 @@ fn bounds(case: &Case) -> Checked {
 fn control_bounds(case: &Case) -> Checked {
     let path = path(case, "path");
     let bounds = call(case, || path.control_bounds())?;
-    let points = path.subpaths();
+    let points = path.subpaths().collect::<Vec<_>>();
     let mut points = points.iter().flat_map(|spline| spline.control_points());
     ensure!(
         points.all(|&p| bounds.is_some_and(|bounds| holds(&bounds, p, 0.0))),
@@ -115,6 +115,7 @@ fn length(case: &Case) -> Checked {
     let length = answer!(case, path.length(tolerance), &["tolerance"]);
     let lengths = path
         .subpaths()
+        .collect::<Vec<_>>()
         .iter()
         .map(|spline| spline.length(None))
         .sum::<Result<f64, _>>();
@@ -184,7 +185,7 @@ fn moments(case: &Case) -> Checked {
 fn flatten(case: &Case) -> Checked {
     let (path, tolerance) = (path(case, "path"), number(case, "tolerance"));
     let lines = answer!(case, path.flatten(tolerance), &["tolerance"]);
-    let subpaths = path.subpaths();
+    let subpaths = path.subpaths().collect::<Vec<_>>();
     ensure!(lines.len() == subpaths.len(), "{} polylines", lines.len());
     for (line, spline) in lines.iter().zip(&subpaths) {
         ensure!(
@@ -208,6 +209,7 @@ fn transform(case: &Case) -> Checked {
     let image = value!(case, path.transform(&map));
     let images: Vec<_> = path
         .subpaths()
+        .collect::<Vec<_>>()
         .iter()
         .map(|spline| spline.transform(&map))
         .collect();
@@ -251,6 +253,7 @@ fn to_svg(case: &Case) -> Checked {
     let back = Path::from_svg(&text).map_err(|error| error.to_string())?;
     let low = path
         .subpaths()
+        .collect::<Vec<_>>()
         .iter()
         .all(|spline| spline.degrees().iter().all(|&degree| degree <= 3));
     ensure!(

@@ -30,7 +30,7 @@ fn nearest(case: &Case) -> Checked {
         return Ok(());
     };
     let slack = 16.0 * slack(case.size(), DEGREE);
-    for (k, spline) in path.subpaths().iter().enumerate() {
+    for (k, spline) in path.subpaths().collect::<Vec<_>>().iter().enumerate() {
         let other = spline.nearest(p).map_err(|error| error.to_string())?;
         ensure!(
             nearest.distance <= other.distance + slack,
@@ -56,7 +56,11 @@ fn winding_number(case: &Case) -> Checked {
         .nearest(p)
         .map_err(|error| error.to_string())?
         .map_or(1.0, |nearest| nearest.distance);
-    let closed = path.subpaths().iter().all(|spline| spline.is_closed());
+    let closed = path
+        .subpaths()
+        .collect::<Vec<_>>()
+        .iter()
+        .all(|spline| spline.is_closed());
     let back = path.reverse().winding_number(p);
     ensure!(
         !closed || away <= slack(case.size(), DEGREE) || back == -winding,
@@ -87,7 +91,10 @@ fn contains(case: &Case) -> Checked {
 }
 
 fn contacts(case: &Case, found: &[PathIntersection], a: &Path, b: &Path) -> Checked {
-    let (a, b) = (a.subpaths(), b.subpaths());
+    let (a, b) = (
+        a.subpaths().collect::<Vec<_>>(),
+        b.subpaths().collect::<Vec<_>>(),
+    );
     let slack = 4.0 * slack(case.size(), DEGREE);
     for contact in found {
         let (a, b) = (&a[contact.subpath], &b[contact.other_subpath]);

@@ -165,7 +165,14 @@ fn offset(case: &Case) -> Checked {
     }
     // The tip of a miter at the joint of a closed spline is up to four distances away.
     let farthest = if spline.is_closed() { 4.0 } else { 1.0 } * d.abs();
-    is_offset(case, &spline.segments()[0], &offset, d, tolerance, farthest)
+    is_offset(
+        case,
+        &spline.segments().collect::<Vec<_>>()[0],
+        &offset,
+        d,
+        tolerance,
+        farthest,
+    )
 }
 
 fn trace(case: &Case) -> Checked {
@@ -185,6 +192,7 @@ fn trace(case: &Case) -> Checked {
     let tolerance = tolerance.unwrap_or(1e-4 * spline.control_bounds().diagonal());
     spline
         .segments()
+        .collect::<Vec<_>>()
         .iter()
         .try_for_each(|curve| near_drawn(case, curve, &pen.subpaths[0].0, Some(tolerance)))
 }

@@ -42,7 +42,10 @@ pub(crate) fn slack_at<P: Space>(case: &Case, spline: &Spline<P>, t: f64) -> f64
 fn by_segment<P: Space>(spline: &Spline<P>, t: f64) -> P {
     let last = spline.segment_count() - 1;
     let k = (0..last).find(|&k| t < real(k + 1)).unwrap_or(last);
-    de_casteljau(spline.segments()[k].control_points(), t - real(k))
+    de_casteljau(
+        spline.segments().collect::<Vec<_>>()[k].control_points(),
+        t - real(k),
+    )
 }
 
 fn eval<P: Space>(case: &Case) -> Checked {
@@ -122,6 +125,7 @@ fn length<P: Space>(case: &Case) -> Checked {
     let length = answer!(case, spline.length(tolerance), &["tolerance"]);
     let lengths = spline
         .segments()
+        .collect::<Vec<_>>()
         .iter()
         .map(|curve| curve.length(None))
         .sum::<Result<f64, _>>();
@@ -171,7 +175,12 @@ fn equidistant_times<P: Space>(case: &Case) -> Checked {
 fn area(case: &Case) -> Checked {
     let spline = spline::<DVec2>(case, "spline");
     let area = value!(case, spline.area());
-    let sum: f64 = spline.segments().iter().map(|curve| curve.area()).sum();
+    let sum: f64 = spline
+        .segments()
+        .collect::<Vec<_>>()
+        .iter()
+        .map(|curve| curve.area())
+        .sum();
     let slack = 64.0 * slack_at(case, &spline, 0.0) * case.size();
     ensure!(
         (area - sum).abs() <= slack,
@@ -192,6 +201,7 @@ fn bounds<P: Space>(case: &Case) -> Checked {
     }
     let boxes: Vec<_> = spline
         .segments()
+        .collect::<Vec<_>>()
         .iter()
         .map(|curve| curve.bounds())
         .collect();

@@ -55,6 +55,7 @@ fn ask(path: &Path, rng: &mut Rng, questions: usize) {
     let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
     let corners: Vec<DVec2> = path
         .subpaths()
+        .collect::<Vec<_>>()
         .iter()
         .flat_map(|s| s.control_points().to_vec())
         .collect();

@@ -4,10 +4,12 @@
 #[path = "../allocations/mod.rs"]
 mod allocations;
 mod arcs;
+mod builder;
 #[path = "../common/mod.rs"]
 mod common;
 mod convert;
 mod inside;
+mod kurbo;
 mod sizes;
 mod svg;
 mod table;

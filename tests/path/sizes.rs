@@ -186,6 +186,7 @@ fn boxes_hold_their_path_and_touch_it() {
         assert!(loose.min.cmple(exact.min).all() && loose.max.cmpge(exact.max).all());
         let points: Vec<DVec2> = path
             .subpaths()
+            .collect::<Vec<_>>()
             .iter()
             .flat_map(|s| s.sample(64).expect("few"))
             .collect();
@@ -213,7 +214,7 @@ fn splines_in_and_out() {
         let splines: Vec<Spline<DVec2>> =
             (0..rng.below(4)).map(|_| random_spline(&mut rng)).collect();
         let path = Path::new(&splines);
-        assert_eq!(path.subpaths(), splines);
+        assert_eq!(path.subpaths().collect::<Vec<_>>(), splines);
         assert_eq!(path.subpath_count(), splines.len());
         assert_eq!(
             path.segment_count(),
@@ -239,7 +240,7 @@ fn splines_in_and_out() {
 fn nothing_is_nearer_than_the_nearest_point() {
     let mut rng = Rng(35);
     for path in paths() {
-        let splines = path.subpaths();
+        let splines = path.subpaths().collect::<Vec<_>>();
         let samples: Vec<DVec2> = splines
             .iter()
             .flat_map(|s| s.sample(200).expect("few"))
@@ -277,7 +278,7 @@ fn places_by_length_have_that_length_behind_them() {
     let mut rng = Rng(36);
     for path in paths() {
         let whole = path.length(None).expect("no tolerance");
-        let splines = path.subpaths();
+        let splines = path.subpaths().collect::<Vec<_>>();
         let lengths: Vec<f64> = splines
             .iter()
             .map(|s| s.length(None).expect("no tolerance"))
@@ -288,7 +289,7 @@ fn places_by_length_have_that_length_behind_them() {
             let k = (0..own.segment_count())
                 .rfind(|&k| real(k) <= place.t)
                 .unwrap_or(0);
-            let curves = own.segments();
+            let curves = own.segments().collect::<Vec<_>>();
             let full: f64 = curves[..k]
                 .iter()
                 .map(|c| c.length(None).expect("no tolerance"))

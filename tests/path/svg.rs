@@ -101,7 +101,7 @@ fn bits(path: &Path) -> Vec<(bool, Vec<usize>, Vec<u64>)> {
             .flat_map(|p| [p.x.to_bits(), p.y.to_bits()])
             .collect()
     };
-    let splines = path.subpaths();
+    let splines = path.subpaths().collect::<Vec<_>>();
     let parts = splines.iter();
     parts
         .map(|spline| (spline.is_closed(), spline.degrees(), numbers(spline)))
@@ -134,7 +134,10 @@ fn rounding_moves_by_half_a_digit_at_most() {
         let path = Path::from(Spline::new(&points, 3, false).expect("seven points"));
         for digits in 0..12_u8 {
             let brief = path.to_svg(Some(digits), None).expect("no tolerance");
-            let rounded = Path::from_svg(&brief).expect("own text").subpaths();
+            let rounded = Path::from_svg(&brief)
+                .expect("own text")
+                .subpaths()
+                .collect::<Vec<_>>();
             for (p, q) in rounded[0].control_points().iter().zip(&points) {
                 let most = 0.5 * 10_f64.powi(-i32::from(digits)) + 2.0 * ulp(1e6);
                 assert!((*p - *q).abs().max_element() <= most, "{brief}");
@@ -239,7 +242,7 @@ fn higher_degrees_are_written_as_cubics() {
     let text = curve.to_svg(None, Some(1e-3)).expect("a tolerance");
     let path = Path::from_svg(&text).expect("own text");
     assert!(path.segment_count() > 1);
-    let spline = &path.subpaths()[0];
+    let spline = &path.subpaths().collect::<Vec<_>>()[0];
     assert!(spline.degrees().iter().all(|&degree| degree == 3));
     // Halved evenly: each cubic belongs to the same part of the parameter.
     let line = curve.flatten(1e-4).expect("a tolerance");

@@ -13,7 +13,7 @@ fn bits(points: &[DVec2]) -> Vec<u64> {
 
 /// One subpath of the table: `[closed, [degrees], [coordinates]]`.
 fn check_subpaths(name: &Value, path: &Path, expected: &Value) {
-    let subpaths = path.subpaths();
+    let subpaths = path.subpaths().collect::<Vec<_>>();
     let expected = expected.as_array().expect("subpaths");
     assert_eq!(subpaths.len(), expected.len(), "{name}: subpaths");
     for (spline, row) in subpaths.iter().zip(expected) {

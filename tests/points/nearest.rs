@@ -214,7 +214,7 @@ fn on_a_chain_the_nearest_of_all_segments() {
         let chain = Spline::new(&points, degree, closed).expect("fits");
         let q = rng.point(dimension) * rng.pick(&[0.5, 1.5, 100.0]);
         let found = chain.nearest(q).expect("finite");
-        let segments = chain.segments();
+        let segments = chain.segments().collect::<Vec<_>>();
         let of_all = segments
             .iter()
             .map(|s| s.nearest(q).expect("finite").distance);

@@ -94,7 +94,7 @@ fn segments_share_the_points_of_their_joints() {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             assert_eq!(spline.degrees(), degrees);
-            let segments = spline.segments();
+            let segments = spline.segments().collect::<Vec<_>>();
             for (k, segment) in segments.iter().enumerate() {
                 assert_eq!(
                     segment.control_points(),

@@ -42,7 +42,7 @@ fn natural<P: Space>(seed: u64) {
         for (k, &point) in p.iter().enumerate() {
             assert_eq!(spline.eval(real(k)), point);
         }
-        let segments = spline.segments();
+        let segments = spline.segments().collect::<Vec<_>>();
         for joint in usize::from(!closed)..n {
             let (left, right) = (&segments[(joint + n - 1) % n], &segments[joint]);
             for order in [1, 2] {

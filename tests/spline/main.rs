@@ -10,6 +10,7 @@ mod interpolate;
 mod joints;
 mod measure;
 mod move_point;
+mod queries;
 
 use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};

@@ -296,7 +296,7 @@ fn refusals() {
     let net = [DVec3::ZERO; 16];
     let count = |got| Error::Count {
         what: "net",
-        expected: "(degreeU + 1)·(degreeV + 1) control points",
+        expected: "(degree_u + 1)·(degree_v + 1) control points",
         got,
     };
     assert_eq!(Patch::new(&net[..15], 3, 3), Err(count(15)));
@@ -306,8 +306,8 @@ fn refusals() {
         expected: "a whole number from 1 to 64",
         got,
     };
-    assert_eq!(Patch::new(&net, 0, 3), Err(degree("degreeU", 0.0)));
-    assert_eq!(Patch::new(&net, 3, 65), Err(degree("degreeV", 65.0)));
+    assert_eq!(Patch::new(&net, 0, 3), Err(degree("degree_u", 0.0)));
+    assert_eq!(Patch::new(&net, 3, 65), Err(degree("degree_v", 65.0)));
     let huge = Patch::new(&net, usize::MAX, 3);
     assert!(matches!(huge, Err(Error::Range { .. })));
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -1,7 +1,12 @@
 //! Reading and writing with serde: the form of JavaScript's `toJSON`, checked as by the constructors.
 
+use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Patch, Path, Spline};
+use casteljau::path::FillRule;
+use casteljau::spline::{Interpolation, JointMode};
+use casteljau::surface::{TessellationOptions, Up};
+use casteljau::{Curve, Easing, Grid, Patch, Path, Spline, Surface, TeapotOptions};
+use std::fmt::Debug;
 
 const CURVE: &str = r#"{"points":[[0.0,0.5],[1.0,2.0],[2.0,0.1]]}"#;
 const SPLINE: &str =
@@ -54,4 +59,61 @@ fn what_is_read_is_checked() {
     assert!(read(r#"{"points":[[1,2]]}"#).contains("expected 2 to 65 control points"));
     let spline = SPLINE.replace("[2,1]", "[2,2]");
     assert!(serde_json::from_str::<Spline<DVec2>>(&spline).is_err());
+}
+
+#[test]
+fn a_surface_keeps_its_patches() {
+    let teacup = Surface::teacup(Up::Z);
+    let text = serde_json::to_string(&teacup).unwrap();
+    assert_eq!(serde_json::from_str::<Surface>(&text).unwrap(), teacup);
+    let wrong = text.replacen(r#""degreeU":3"#, r#""degreeU":2"#, 1);
+    let error = serde_json::from_str::<Surface>(&wrong).unwrap_err();
+    assert!(error.to_string().contains("vertex indices"), "{error}");
+}
+
+#[test]
+fn an_easing_is_its_four_numbers() {
+    let easing = Easing::new(0.25, 0.1, 0.25, 1.0).unwrap();
+    let text = serde_json::to_string(&easing).unwrap();
+    assert_eq!(text, "[0.25,0.1,0.25,1.0]");
+    assert_eq!(serde_json::from_str::<Easing>(&text).unwrap(), easing);
+    assert!(serde_json::from_str::<Easing>("[2,0,0,0]").is_err());
+}
+
+/// The text of a value, and the value that it is read as, which must be equal.
+fn both_ways<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug>(
+    value: T,
+) -> String {
+    let text = serde_json::to_string(&value).unwrap();
+    assert_eq!(serde_json::from_str::<T>(&text).unwrap(), value);
+    text
+}
+
+#[test]
+fn results_and_options_have_the_names_of_javascript() {
+    let curve = Curve::cubic(DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y);
+    assert_eq!(
+        both_ways(curve.bounds()),
+        r#"{"min":[0.0,0.0],"max":[0.75,1.0]}"#
+    );
+    both_ways(curve.nearest(DVec2::new(3.0, 0.5)).unwrap());
+    both_ways(curve.intersections(&Curve::line(DVec2::ZERO, DVec2::ONE)));
+    both_ways(curve.flatten(0.1).unwrap());
+    both_ways(curve.reduce());
+    let overlap = IntersectionKind::Overlap {
+        t_end: 0.5,
+        u_end: 1.0,
+    };
+    assert_eq!(both_ways(overlap), r#"{"overlap":{"tEnd":0.5,"uEnd":1.0}}"#);
+    assert_eq!(both_ways(IntersectionKind::Cross), r#""cross""#);
+    assert_eq!(both_ways(FillRule::EvenOdd), r#""evenodd""#);
+    assert_eq!(both_ways(JointMode::C2), r#""c2""#);
+    assert_eq!(
+        both_ways(Interpolation::CatmullRom { alpha: 0.5 }),
+        r#"{"catmull-rom":{"alpha":0.5}}"#
+    );
+    both_ways(TessellationOptions::tolerance(0.01));
+    both_ways(TeapotOptions::default());
+    both_ways(Surface::teacup(Up::Z).grid(Grid::from(2), true).unwrap());
+    both_ways(Surface::teacup(Up::Z).topology());
 }

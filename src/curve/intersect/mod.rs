@@ -19,6 +19,11 @@ use pair::NormalizedPair;
 
 /// A place that two curves share.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct Intersection {
     /// The parameter on the first curve; of an overlap that of its start.
     pub t: f64,
@@ -32,6 +37,11 @@ pub struct Intersection {
 
 /// How two curves meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "kebab-case", rename_all_fields = "camelCase")
+)]
 pub enum IntersectionKind {
     /// At an angle. An end that lies on the other curve is of this kind too, and a curve that is a point.
     Cross,
@@ -48,6 +58,11 @@ pub enum IntersectionKind {
 
 /// A point that a curve passes twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
 pub struct SelfIntersection {
     /// The parameter of the first time.
     pub t: f64,

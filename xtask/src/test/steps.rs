@@ -190,7 +190,13 @@ fn native(context: &Context) -> Result<Done> {
         .collect();
     let chosen = select::binaries(context.filters, &known);
     let tests = || {
-        let mut tests = shell::cargo(&["test", "--package", "casteljau", "--features", "serde"]);
+        let mut tests = shell::cargo(&[
+            "test",
+            "--package",
+            "casteljau",
+            "--features",
+            "serde,kurbo",
+        ]);
         tests.arg("--no-fail-fast");
         if chosen.targets.is_empty() {
             tests.args(["--lib", "--tests"]); // clippy compiles the examples
@@ -206,7 +212,7 @@ fn native(context: &Context) -> Result<Done> {
 
 fn doc(_: &Context) -> Result<Done> {
     // The features of the native tests, whose compiled crate serves here, too.
-    let package = ["--package", "casteljau", "--features", "serde"];
+    let package = ["--package", "casteljau", "--features", "serde,kurbo"];
     let mut examples = shell::cargo(&["test", "--doc"]);
     examples.args(package);
     let mut docs = shell::cargo(&["doc", "--quiet", "--no-deps"]);

@@ -1,0 +1,178 @@
+//! Conversions from and to the types of the crate kurbo, behind the feature `kurbo`.
+
+use crate::curve::{Curve, PathSink};
+use crate::error::Error;
+use crate::path::{Path, PathBuilder};
+use crate::spline::Spline;
+use glam::DVec2;
+use kurbo::{BezPath, CubicBez, Line, PathEl, PathSeg, Point, QuadBez, Shape};
+
+fn from_kurbo(p: Point) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}
+
+fn to_kurbo(p: DVec2) -> Point {
+    Point::new(p.x, p.y)
+}
+
+impl TryFrom<Line> for Curve<DVec2> {
+    type Error = Error;
+
+    /// The same line segment.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(line: Line) -> Result<Self, Error> {
+        Self::new(&[line.p0, line.p1].map(from_kurbo))
+    }
+}
+
+impl TryFrom<QuadBez> for Curve<DVec2> {
+    type Error = Error;
+
+    /// The same quadratic curve.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(quad: QuadBez) -> Result<Self, Error> {
+        Self::new(&[quad.p0, quad.p1, quad.p2].map(from_kurbo))
+    }
+}
+
+impl TryFrom<CubicBez> for Curve<DVec2> {
+    type Error = Error;
+
+    /// The same cubic curve.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(cubic: CubicBez) -> Result<Self, Error> {
+        Self::new(&[cubic.p0, cubic.p1, cubic.p2, cubic.p3].map(from_kurbo))
+    }
+}
+
+impl TryFrom<PathSeg> for Curve<DVec2> {
+    type Error = Error;
+
+    /// The same line, quadratic or cubic.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(segment: PathSeg) -> Result<Self, Error> {
+        match segment {
+            PathSeg::Line(line) => line.try_into(),
+            PathSeg::Quad(quad) => quad.try_into(),
+            PathSeg::Cubic(cubic) => cubic.try_into(),
+        }
+    }
+}
+
+impl TryFrom<&Curve<DVec2>> for PathSeg {
+    type Error = Error;
+
+    /// The same line, quadratic or cubic.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a degree above 3, which kurbo has not.
+    fn try_from(curve: &Curve<DVec2>) -> Result<Self, Error> {
+        match *curve.control_points() {
+            [p0, p1] => Ok(Line::new(to_kurbo(p0), to_kurbo(p1)).into()),
+            [p0, p1, p2] => Ok(QuadBez::new(to_kurbo(p0), to_kurbo(p1), to_kurbo(p2)).into()),
+            [p0, p1, p2, p3] => {
+                let [p0, p1, p2, p3] = [p0, p1, p2, p3].map(to_kurbo);
+                Ok(CubicBez::new(p0, p1, p2, p3).into())
+            }
+            ref points => Err(Error::Range {
+                what: "degree",
+                expected: "1 to 3",
+                got: (points.len() - 1) as f64,
+            }),
+        }
+    }
+}
+
+impl TryFrom<&BezPath> for Path {
+    type Error = Error;
+
+    /// The path with the same subpaths. A `MoveTo` without a segment is left out, as by [`PathBuilder`].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    fn try_from(path: &BezPath) -> Result<Self, Error> {
+        let mut builder = PathBuilder::new();
+        for element in path.elements() {
+            match *element {
+                PathEl::MoveTo(p) => builder.move_to(from_kurbo(p)),
+                PathEl::LineTo(p) => builder.line_to(from_kurbo(p)),
+                PathEl::QuadTo(p1, p) => builder.quad_to(from_kurbo(p1), from_kurbo(p)),
+                PathEl::CurveTo(p1, p2, p) => {
+                    builder.cubic_to(from_kurbo(p1), from_kurbo(p2), from_kurbo(p));
+                }
+                PathEl::ClosePath => builder.close(),
+            }
+        }
+        builder.build()
+    }
+}
+
+/// Adds commands to a `BezPath`.
+struct BezPathSink(BezPath);
+
+impl PathSink for BezPathSink {
+    fn move_to(&mut self, p: DVec2) {
+        self.0.move_to(to_kurbo(p));
+    }
+    fn line_to(&mut self, p: DVec2) {
+        self.0.line_to(to_kurbo(p));
+    }
+    fn quad_to(&mut self, p1: DVec2, p: DVec2) {
+        self.0.quad_to(to_kurbo(p1), to_kurbo(p));
+    }
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+        self.0.curve_to(to_kurbo(p1), to_kurbo(p2), to_kurbo(p));
+    }
+    fn close(&mut self) {
+        self.0.close_path();
+    }
+}
+
+/// What `trace` sends, which refuses nothing without a tolerance.
+fn bez_path(trace: impl FnOnce(&mut BezPathSink) -> Result<(), Error>) -> BezPath {
+    let mut sink = BezPathSink(BezPath::new());
+    let result = trace(&mut sink);
+    debug_assert!(result.is_ok(), "tracing without a tolerance");
+    sink.0
+}
+
+impl From<&Curve<DVec2>> for BezPath {
+    /// The curve as an open subpath. A degree above 3 becomes cubics, as by [`Curve::trace`] without a tolerance.
+    fn from(curve: &Curve<DVec2>) -> Self {
+        bez_path(|sink| curve.trace(sink, None))
+    }
+}
+
+impl From<&Spline<DVec2>> for BezPath {
+    /// The spline as a subpath. A degree above 3 becomes cubics, as by [`Spline::trace`] without a tolerance.
+    fn from(spline: &Spline<DVec2>) -> Self {
+        bez_path(|sink| spline.trace(sink, None))
+    }
+}
+
+impl From<&Path> for BezPath {
+    /// The same path. A degree above 3 becomes cubics, as by [`Path::trace`] without a tolerance.
+    fn from(path: &Path) -> Self {
+        bez_path(|sink| path.trace(sink, None))
+    }
+}
+
+impl Path {
+    /// The outline of any shape of kurbo: a rectangle, a circle, a rounded rectangle …
+    ///
+    /// `tolerance` is kurbo's: the largest distance between its shape and the outline.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    pub fn from_kurbo(shape: &impl Shape, tolerance: f64) -> Result<Self, Error> {
+        Self::try_from(&shape.to_path(tolerance))
+    }
+}

@@ -1,0 +1,90 @@
+//! A path as a sequence of drawing commands.
+
+use super::Path;
+use crate::curve::{Curve, PathSink};
+use crate::error::Error;
+use glam::DVec2;
+use smallvec::SmallVec;
+
+/// A drawing command with absolute coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum PathElement {
+    /// Starts a subpath.
+    MoveTo(DVec2),
+    /// A line to a point.
+    LineTo(DVec2),
+    /// A quadratic Bézier curve: its control point and its end.
+    QuadTo(DVec2, DVec2),
+    /// A cubic Bézier curve: its two control points and its end.
+    CubicTo(DVec2, DVec2, DVec2),
+    /// Closes the subpath.
+    Close,
+}
+
+/// The commands of one segment: a single one up to degree 3.
+#[derive(Default)]
+struct Elements(SmallVec<[PathElement; 1]>);
+
+impl PathSink for Elements {
+    fn move_to(&mut self, p: DVec2) {
+        self.0.push(PathElement::MoveTo(p));
+    }
+    fn line_to(&mut self, p: DVec2) {
+        self.0.push(PathElement::LineTo(p));
+    }
+    fn quad_to(&mut self, p1: DVec2, p: DVec2) {
+        self.0.push(PathElement::QuadTo(p1, p));
+    }
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+        self.0.push(PathElement::CubicTo(p1, p2, p));
+    }
+    fn close(&mut self) {
+        self.0.push(PathElement::Close);
+    }
+}
+
+impl Path {
+    /// The segments of all subpaths as curves, from the first to the last.
+    ///
+    /// Curves up to degree 3 are made without an allocation.
+    pub fn segments(&self) -> impl Iterator<Item = Curve<DVec2>> + Clone + '_ {
+        self.segment_points().map(Curve::from_slice)
+    }
+
+    /// The drawing commands of the path: what [`trace`](Self::trace) sends to a [`PathSink`], as an iterator.
+    ///
+    /// Segments above degree 3 become cubics within `tolerance` of them; without one, within 10⁻⁴ of the diagonal of the
+    /// box of their control points. A closing line is a `LineTo` before the `Close`.
+    ///
+    /// ```
+    /// use casteljau::{Path, glam::DVec2, path::PathElement};
+    ///
+    /// let path: Path = "M0 0L2 0L2 1".parse().expect("path data");
+    /// let elements: Vec<_> = path.elements(None)?.collect();
+    /// assert_eq!(elements[1], PathElement::LineTo(DVec2::new(2.0, 0.0)));
+    /// assert_eq!(elements.len(), 3);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Curve::trace`].
+    pub fn elements(
+        &self,
+        tolerance: Option<f64>,
+    ) -> Result<impl Iterator<Item = PathElement> + '_, Error> {
+        self.check_trace(tolerance)?;
+        Ok(self.parts().flat_map(move |part| {
+            let segments = part.segments().flat_map(move |points| {
+                let mut elements = Elements::default();
+                Curve::from_slice(points).trace_on(&mut elements, tolerance);
+                elements.0
+            });
+            let close = part.closed.then_some(PathElement::Close);
+            [PathElement::MoveTo(part.points[0])]
+                .into_iter()
+                .chain(segments)
+                .chain(close)
+        }))
+    }
+}

@@ -1,0 +1,81 @@
+//! Splitting a spline, and parts of it.
+
+use super::Spline;
+use crate::curve::Curve;
+use crate::point::Point;
+
+impl<P: Point> Spline<P> {
+    /// The two parts before and after t, as open splines.
+    ///
+    /// The segment of t is split by [`Curve::split`]; all other control points stay as they are. At a joint no segment is
+    /// split. At the start and at the end one part is a single segment that is a point. A closed spline is divided at its
+    /// start as well: the first part begins there, the second ends there. t outside of 0 to the number of segments
+    /// extrapolates the first or the last segment, as [`eval`](Self::eval) does.
+    ///
+    /// ```
+    /// use casteljau::{Spline, glam::DVec2};
+    ///
+    /// let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0)].map(DVec2::from);
+    /// let (left, right) = Spline::new(&points, 1, false)?.split(1.5);
+    /// assert_eq!(left.segment_count(), 2);
+    /// assert_eq!(right.control_points(), [DVec2::new(2.0, 1.0), DVec2::new(2.0, 2.0)]);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn split(&self, t: f64) -> (Self, Self) {
+        let (segment, rest) = self.locate(t);
+        let curves = |from: usize, to: usize| (from..to).map(|k| self.curve(k));
+        let count = self.segment_count();
+        if rest == 0.0 && segment > 0 {
+            return (
+                Self::from_joined(curves(0, segment)),
+                Self::from_joined(curves(segment, count)),
+            );
+        }
+        let (left, right) = self.curve(segment).split(rest);
+        (
+            Self::from_joined(curves(0, segment).chain([left])),
+            Self::from_joined([right].into_iter().chain(curves(segment + 1, count))),
+        )
+    }
+
+    /// The part from t₀ to t₁, as an open spline; t₀ > t₁ gives it backwards.
+    ///
+    /// Its ends are the points of [`eval`](Self::eval) at t₀ and t₁; segments that lie between come back with the same
+    /// control points. With t₀ = t₁ the part is a point. Values outside of 0 to the number of segments extrapolate the
+    /// first and the last segment; a part does not run across the start of a closed spline.
+    #[must_use]
+    pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
+        if t0 > t1 {
+            return self.subsegment(t1, t0).reverse();
+        }
+        let (first, from) = self.locate(t0);
+        let (mut last, mut to) = self.locate(t1);
+        if to == 0.0 && last > first {
+            (last, to) = (last - 1, 1.0);
+        }
+        if first == last {
+            return Self::from(self.curve(first).subsegment(from, to));
+        }
+        let start = match from {
+            0.0 => self.curve(first),
+            _ => self.curve(first).subsegment(from, 1.0),
+        };
+        let end = match to {
+            1.0 => self.curve(last),
+            _ => self.curve(last).subsegment(0.0, to),
+        };
+        let between = (first + 1..last).map(|k| self.curve(k));
+        Self::from_joined([start].into_iter().chain(between).chain([end]))
+    }
+
+    /// An open spline of curves each of which starts where the one before it ends.
+    fn from_joined(curves: impl Iterator<Item = Curve<P>>) -> Self {
+        let (mut points, mut degrees) = (Vec::new(), Vec::new());
+        for curve in curves {
+            points.pop(); // the joint comes with the next curve
+            points.extend_from_slice(curve.control_points());
+            degrees.push(curve.degree());
+        }
+        Self::from_parts(points, &degrees, false)
+    }
+}

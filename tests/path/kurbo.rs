@@ -1,0 +1,60 @@
+//! Conversions from and to kurbo.
+#![cfg(feature = "kurbo")]
+
+use casteljau::glam::DVec2;
+use casteljau::path::FillRule;
+use casteljau::{Curve, Error, Path, Spline};
+use kurbo::{BezPath, Circle, ParamCurve, PathSeg, Shape};
+
+const TEXT: &str = "M0,0 L1,0.5 Q2,3 4,4 C5,4 6,3 6,2 Z M8,8 L9,8";
+
+#[test]
+fn a_path_comes_back_from_kurbo() {
+    let path: Path = TEXT.parse().expect("path data");
+    let there = BezPath::from(&path);
+    assert_eq!(there.segments().count(), path.segment_count());
+    assert_eq!(Path::try_from(&there), Ok(path));
+}
+
+#[test]
+fn segments_have_the_same_points() {
+    let path: Path = TEXT.parse().expect("path data");
+    for curve in path.segments() {
+        let segment = PathSeg::try_from(&curve).expect("a degree up to 3");
+        let (ours, theirs) = (curve.eval(0.3), segment.eval(0.3));
+        assert!((ours - DVec2::new(theirs.x, theirs.y)).length() < 1e-14);
+        assert_eq!(Curve::try_from(segment), Ok(curve.clone()));
+        assert_eq!(BezPath::from(&curve), BezPath::from(&Spline::from(curve)));
+    }
+}
+
+#[test]
+fn what_kurbo_cannot_hold_is_refused_or_approximated() {
+    let quartic = Curve::new(&[DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y, DVec2::ZERO]);
+    let quartic = quartic.expect("a curve");
+    assert!(matches!(
+        PathSeg::try_from(&quartic),
+        Err(Error::Range {
+            what: "degree",
+            got: 4.0,
+            ..
+        })
+    ));
+    let cubics = BezPath::from(&quartic);
+    assert!(cubics.segments().count() > 1);
+    let mut wrong = BezPath::new();
+    wrong.move_to((0.0, 0.0));
+    wrong.line_to((f64::INFINITY, 0.0));
+    assert!(matches!(
+        Path::try_from(&wrong),
+        Err(Error::NotFinite { .. })
+    ));
+}
+
+#[test]
+fn shapes_become_outlines() {
+    let circle = Circle::new((1.0, 2.0), 3.0);
+    let path = Path::from_kurbo(&circle, 1e-9).expect("finite");
+    assert!((path.area() - circle.area()).abs() < 1e-6);
+    assert!(path.contains(DVec2::new(1.0, 2.0), FillRule::NonZero));
+}
