@@ -31,14 +31,18 @@ fn of_bounds_along_short_axes() {
         let bounds = patch.bounds();
         let points = (0..=1000).map(|k| patch.eval(f64::from(k) / 1000.0, 0.5).y);
         let [min, max] = [bounds.min, bounds.max].map(|corner| corner.y);
-        let (least, most) = points.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
-            (low.min(y), high.max(y))
-        });
+        let (lowest, highest) = points
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+                (low.min(y), high.max(y))
+            });
         assert!(
-            min <= least + 1e-14 && least - min < 1e-4,
-            "{min} for {least}"
+            min <= lowest + 1e-14 && lowest - min < 1e-4,
+            "{min} for {lowest}"
         );
-        assert!(max >= most - 1e-14 && max - most < 1e-4, "{max} for {most}");
+        assert!(
+            max >= highest - 1e-14 && max - highest < 1e-4,
+            "{max} for {highest}"
+        );
     }
 }
 
