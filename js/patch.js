@@ -278,9 +278,10 @@ export class Patch {
   /**
    * The point of the patch that is nearest to p, of all of it, sides and corners included.
    *
-   * Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size, by the distance itself, take at
-   * most 2²³ steps each (2²⁶ above degree 24), about one for each multiplication. Where that is not enough, as where a
-   * whole curve of the patch is nearest, the point is the nearest one found by then, at a local minimum of the distance.
+   * Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size (2⁻⁴ if the first search reaches
+   * its limit), by the distance itself, take at most 2²³ steps each (2²⁶ above degree 24), about one for each
+   * multiplication. Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest
+   * one found by then, at a local minimum of the distance.
    *
    * @param {PointLike} p
    * @returns {PatchPoint}

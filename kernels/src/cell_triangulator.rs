@@ -26,7 +26,12 @@ pub struct CellTriangulator {
     /// The two ways round a cell, both from its corner (u₁, v₀) to (u₀, v₁): by (u₀, v₀), and by (u₁, v₁).
     below: Vec<u32>,
     above: Vec<u32>,
+    /// What the left-out triangles of the last cell are: segments.
+    omitted: Vec<Segment>,
 }
+
+/// The two ends of a triangle that has no area.
+type Segment = [[f64; 3]; 2];
 
 /// Two numbers in one that sorts by the first.
 pub fn pair(first: u32, second: u32) -> u64 {
@@ -133,7 +138,8 @@ impl CellTriangulator {
     /// Appends the triangles of a cell, counter-clockwise over (u, v), with vertices numbered from `base` on; those with
     /// two corners at one place are left out. `points` tells where each vertex is.
     ///
-    /// A cell without further vertices gives the two triangles of a grid's cell.
+    /// A cell without further vertices gives the two triangles of a grid's cell. Returns whether the triangles cover the
+    /// cell: each left-out triangle is a segment, which has to be an edge of another triangle.
     #[inline(never)]
     pub fn triangulate(
         &mut self,
@@ -141,14 +147,32 @@ impl CellTriangulator {
         points: &[[f64; 3]],
         base: u32,
         triangles: &mut Vec<[u32; 3]>,
-    ) {
+    ) -> bool {
+        let from = triangles.len();
         self.chain(cell);
+        self.zip(points, base, triangles);
+        let point = |vertex: u32| points[(vertex - base) as usize];
+        let edges = triangles[from..].iter().flat_map(|triangle| {
+            let [a, b, c] = triangle.map(point);
+            [[a, b], [b, c], [c, a]]
+        });
+        let is_edge =
+            |&[p, q]: &Segment| edges.clone().any(|edge| edge == [p, q] || edge == [q, p]);
+        self.omitted.iter().all(is_edge)
+    }
+
+    /// Zips the two chains of the cell.
+    fn zip(&mut self, points: &[[f64; 3]], base: u32, triangles: &mut Vec<[u32; 3]>) {
         let (below, above) = (&self.below[..], &self.above[..]);
+        let omitted = &mut self.omitted;
+        omitted.clear();
         let point = |vertex: u32| points[vertex as usize];
         let mut emit = |triangle: [u32; 3]| {
             let [a, b, c] = triangle.map(point);
             if a != b && b != c && c != a {
                 triangles.push(triangle.map(|vertex| vertex + base));
+            } else if a != b || b != c {
+                omitted.push([a, if a == b { c } else { b }]);
             }
         };
         if let (&[a, b, c], &[_, d, _]) = (below, above)
@@ -174,6 +198,23 @@ impl CellTriangulator {
             }
         }
         emit([below[i], above[j], below[i + 1]]);
+    }
+
+    /// The vertices around the last cell that was triangulated, counter-clockwise over (u, v).
+    pub fn outline(&self) -> impl Iterator<Item = u32> + Clone {
+        let back = &self.below[1..self.below.len() - 1];
+        self.above.iter().chain(back.iter().rev()).copied()
+    }
+
+    /// Appends triangles from a vertex inside of that cell to all edges around it, as [`triangulate`](Self::triangulate)
+    /// does. They cover the cell unless the vertex is where one of the outline is, or all of these are at one point.
+    pub fn fan(&self, center: u32, points: &[[f64; 3]], base: u32, triangles: &mut Vec<[u32; 3]>) {
+        let next = self.outline().cycle().skip(1);
+        for (from, to) in self.outline().zip(next) {
+            if points[from as usize] != points[to as usize] {
+                triangles.push([center, from, to].map(|vertex| vertex + base));
+            }
+        }
     }
 }
 

@@ -23,6 +23,10 @@ const MAX_REFINEMENTS: usize = 16;
 const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
 pub(super) const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
 
+/// Where the search by squares reaches its limit, the search by distances follows below this share of the size. It bounds
+/// distances to first order only, so that farther away it would rule out few pieces.
+pub(super) const SMALL_AT_THE_LIMIT: f64 = 1.0 / 16.0;
+
 /// The damping of steps, as shares of the sum of the squared derivatives.
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
 

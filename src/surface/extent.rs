@@ -8,10 +8,14 @@ use crate::curve::Bounds;
 use crate::point::Point;
 use glam::DVec3;
 
+/// A search tells values apart that differ by 64 roundings of its frame's size: with a frame of this share of a
+/// coordinate, by one rounding of the coordinate.
+const ROUNDING_SHARE: f64 = 1.0 / 64.0;
+
 impl Patch {
     /// The smallest box that contains the patch.
     ///
-    /// Exact to rounding, some 1e-15 of the size: each of its six faces is where one coordinate, a polynomial, is least or
+    /// Exact to rounding, some 1e-15 of the size along each axis: each of its six faces is where one coordinate, a polynomial, is least or
     /// greatest over the unit square, found by branch and bound on its Bernstein coefficients. The box of
     /// [`control_bounds`](Self::control_bounds) is cheaper and larger. Of a patch that is a point, that point twice.
     ///
@@ -32,9 +36,9 @@ impl Surface {
 
 fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     let control = box_of(patches)?;
-    let frame = Frame::around(control);
     let mut bounds = control;
     for axis in 0..3 {
+        let frame = frame_along(axis, control);
         let face = |sign: f64| {
             let roots: Vec<Piece> = (0..)
                 .zip(patches)
@@ -45,7 +49,7 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
                 axis,
                 sign,
             };
-            minimise(&roots, &coordinate).map(|least| sign * least.value)
+            minimise(&roots, &coordinate).map(|(least, _)| sign * least.value)
         };
         bounds.min = bounds.min.with_coordinate(axis, face(1.0)?);
         bounds.max = bounds.max.with_coordinate(axis, face(-1.0)?);
@@ -55,6 +59,19 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
         min: Point::max(bounds.min, control.min),
         max: Point::min(bounds.max, control.max),
     })
+}
+
+/// The frame for one coordinate: as large as the box is along this axis, however long it is along the others, unless the
+/// coordinates round by more than the digits of such a frame do.
+fn frame_along(axis: usize, control: Bounds<DVec3>) -> Frame {
+    let frame = Frame::around(control);
+    let [min, max, center] = [control.min, control.max, frame.centre].map(|p| p.coordinate(axis));
+    let size = (max * 0.5 - min * 0.5).max(center.abs() * ROUNDING_SHARE);
+    // Below the lower limit the reciprocal is not finite.
+    Frame {
+        size: size.max(f64::MIN_POSITIVE * 8.0).min(frame.size),
+        ..frame
+    }
 }
 
 /// One coordinate of patches, up or down.

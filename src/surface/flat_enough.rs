@@ -66,7 +66,9 @@ impl Surface {
         let mut work = WorkLimit::new(MAX_STEPS);
         for (number, patch) in self.patches().enumerate() {
             let all = [0.0, 1.0, 0.0, 1.0];
-            split(number, &patch, all, tolerance, &mut leaves, &mut work);
+            if !split(number, &patch, all, tolerance, &mut leaves, &mut work) {
+                break;
+            }
         }
         let refusal = |what, limit| Error::TooMany {
             what,
@@ -83,8 +85,8 @@ impl Surface {
     }
 }
 
-/// The leaves of one piece, none once there are too many. The depth is that of the parameters: some 52 halvings, after
-/// which a piece is a point.
+/// Adds the leaves of one piece; false at once when there are too many or the limit on the work is passed. The depth is
+/// that of the parameters: some 52 halvings, after which a piece is a point.
 fn split(
     patch: usize,
     piece: &Patch,
@@ -92,9 +94,9 @@ fn split(
     tolerance: f64,
     leaves: &mut Vec<FlatPiece>,
     work: &mut WorkLimit,
-) {
+) -> bool {
     if !work.spend(piece.points.len()) || leaves.len() > MAX_LEAVES {
-        return;
+        return false;
     }
     let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
     let inside = u0 < u && u < u1 && v0 < v && v < v1;
@@ -108,7 +110,7 @@ fn split(
             v1,
             corners,
         });
-        return;
+        return true;
     }
     let places = [
         [u0, u, v0, v],
@@ -116,9 +118,9 @@ fn split(
         [u0, u, v, v1],
         [u, u1, v, v1],
     ];
-    for (quarter, place) in piece.split(0.5, 0.5).iter().zip(places) {
-        split(patch, quarter, place, tolerance, leaves, work);
-    }
+    let quarters = piece.split(0.5, 0.5);
+    let mut quarters = quarters.iter().zip(places);
+    quarters.all(|(quarter, place)| split(patch, quarter, place, tolerance, leaves, work))
 }
 
 /// The corners of a net, around it.

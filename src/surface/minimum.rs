@@ -67,8 +67,9 @@ pub(super) trait Objective {
 /// The least of polynomials over the unit square with coefficients of the size 1 to 8 or less.
 ///
 /// Where not points but whole curves are least, one of their points. When the search has taken the most steps for
-/// each polynomial, the best place found: a local minimum from the least corner of all pieces so far.
-pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Minimum> {
+/// each polynomial, the best place found: a local minimum from the least corner of all pieces so far. Also whether the
+/// search came to its end.
+pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
     let limits = roots
         .iter()
         .map(|root| root.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
@@ -91,8 +92,8 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<Min
             least.keep_better(root, at, &mut work);
         }
     }
-    least.search(&mut work);
-    least.best
+    let is_complete = least.search(&mut work);
+    least.best.map(|best| (best, is_complete))
 }
 
 /// The least value so far.
@@ -109,8 +110,9 @@ struct Least<'a> {
 }
 
 impl Least<'_> {
-    /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value.
-    fn search(&mut self, work: &mut WorkLimit) {
+    /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value. False when
+    /// the limits end the search.
+    fn search(&mut self, work: &mut WorkLimit) -> bool {
         let mut waiting: BinaryHeap<Waiting> = self
             .roots
             .iter()
@@ -123,17 +125,21 @@ impl Least<'_> {
             let count = piece.plane(0).len();
             coefficients = usize::saturating_sub(coefficients, count);
             // The least coefficients of all others are no less.
-            if self.is_done || low >= self.floor + SLACK || !work.spend(piece.steps()) {
-                return;
+            if self.is_done || low >= self.floor + SLACK {
+                return true;
+            }
+            if !work.spend(piece.steps()) {
+                return false;
             }
             if self.look(&piece, low, work) {
                 coefficients += 2 * count;
                 if coefficients > MAX_WAITING {
-                    return;
+                    return false;
                 }
                 waiting.extend(piece.halves(1).map(by_least_coefficient));
             }
         }
+        true
     }
 
     /// Whether a piece may hold a lesser value and has to be seen closer.

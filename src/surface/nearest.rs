@@ -5,7 +5,7 @@
 //! Source of the search by bounds: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA
 //! 1998; of products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
-use super::distance::{Distance, ROUGH_IN_SQUARES, squared_distance};
+use super::distance::{Distance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
 use super::frame::{Frame, box_of};
 use super::minimum::minimise;
 use super::piece::Piece;
@@ -84,9 +84,9 @@ impl Patch {
     /// of all, not of a neighbourhood; distances that differ by rounding (some 1e-7 of the size where both are about zero)
     /// count as equal, and of equally near points any one is given. On a patch that is a point, that point.
     ///
-    /// Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size, by the distance itself, take at
-    /// most 2²³ steps each, about one for each multiplication: some milliseconds (2²⁶ above degree 24). Where that is not
-    /// enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum
+    /// Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size (2⁻⁴ if the first search reaches
+    /// its limit), by the distance itself, take at most 2²³ steps each, about one for each multiplication: some
+    /// milliseconds (2²⁶ above degree 24). Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum
     /// of the distance that no point found before is nearer than.
     ///
     /// # Errors
@@ -148,9 +148,14 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
         .map(|(root, image)| squared_distance(root, image, &frame, p))
         .collect();
     let distance = Distance::new(patches, &near, &images, &frame, p);
-    let least = minimise(&roots, &distance)?;
+    let (least, is_complete) = minimise(&roots, &distance)?;
     let mut place = distance.place(least.root, [least.u, least.v]);
-    if place.distance <= ROUGH_IN_SQUARES * distance.size {
+    let small = if is_complete {
+        ROUGH_IN_SQUARES
+    } else {
+        SMALL_AT_THE_LIMIT
+    };
+    if place.distance <= small * distance.size {
         let (nearer, _) = distance.search_small(Some(place), f64::INFINITY);
         place = nearer.unwrap_or(place);
     }

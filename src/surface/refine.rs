@@ -158,6 +158,7 @@ impl Surface {
             cells: subdivider.cells,
             ends,
             full: DYADIC,
+            has_tolerance: true,
         })
     }
 
@@ -243,6 +244,7 @@ impl Surface {
             cells,
             ends: (1..=self.patch_count()).map(|k| k * per_patch).collect(),
             full,
+            has_tolerance: false,
         })
     }
 

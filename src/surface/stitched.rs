@@ -14,6 +14,10 @@ use glam::DVec3;
 /// No node yet.
 const NONE: u32 = u32::MAX;
 
+/// Where inside of a folded cell a corner is added, in parts of its lengths: at the first of these that works.
+const INNER_CORNERS: [[u32; 2]; 3] = [[4, 4], [3, 4], [4, 3]];
+const INNER_PARTS: u32 = 8;
+
 /// A node as one patch sees it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
@@ -48,6 +52,8 @@ pub(super) struct SurfaceCells {
     pub(super) ends: Vec<usize>,
     /// The whole number that stands for the parameter 1.
     pub(super) full: u32,
+    /// Whether the mesh may have more vertices than the cells, to stay within a tolerance.
+    pub(super) has_tolerance: bool,
 }
 
 /// Work in progress.
@@ -93,7 +99,7 @@ pub(super) fn stitch(
             lattice.fill(cut.of_patch(k), cut.full, stitcher.side_vertices(k));
             let base = stitcher.out.corners.len();
             stitcher.add_corners(k, &lattice, &mut sampler);
-            stitcher.add_triangles(k, &mut lattice, base);
+            stitcher.add_triangles(k, &mut lattice, &mut sampler, base);
         }
         let (corners, triangles) = (stitcher.out.corners.len(), stitcher.out.triangles.len());
         stitcher.out.ends.push(PatchEnd { corners, triangles });
@@ -223,15 +229,61 @@ impl Stitcher<'_> {
     }
 
     /// The triangles of a patch, without those that have two corners at one place.
-    fn add_triangles(&mut self, patch: usize, lattice: &mut CellTriangulator, base: usize) {
-        let out = &mut self.out;
-        let corners = out.corners[base..].iter();
-        let points: Vec<_> = corners
-            .map(|c| out.nodes[c.node as usize].to_array())
+    fn add_triangles(
+        &mut self,
+        patch: usize,
+        lattice: &mut CellTriangulator,
+        sampler: &mut Sampler,
+        base: usize,
+    ) {
+        let corners = self.out.corners[base..].iter();
+        let mut points: Vec<_> = corners
+            .map(|c| self.out.nodes[c.node as usize].to_array())
             .collect();
         for cell in self.cut.of_patch(patch) {
-            lattice.triangulate(cell, &points, number(base), &mut out.triangles);
+            let (from, base) = (self.out.triangles.len(), number(base));
+            let covers = lattice.triangulate(cell, &points, base, &mut self.out.triangles);
+            if !covers
+                && self.cut.has_tolerance
+                && let Some(corner) = self.inner_corner(cell, lattice, sampler, &points)
+            {
+                let center = number(points.len());
+                points.push(self.out.nodes[corner.node as usize].to_array());
+                self.out.corners.push(corner);
+                self.out.triangles.truncate(from);
+                lattice.fan(center, &points, base, &mut self.out.triangles);
+            }
         }
+    }
+
+    /// A corner inside of a cell that is not where a vertex of its outline is; none if this is rounding.
+    ///
+    /// The outline of a folded cell may visit a point twice. Triangles between these visits have no area, and where the
+    /// surface is near such a triangle, it need not be near another one. The bound on the distance holds for all
+    /// triangles with corners in the cell, so also for those from a corner inside to the edges of the outline.
+    fn inner_corner(
+        &mut self,
+        cell: &Cell,
+        lattice: &CellTriangulator,
+        sampler: &mut Sampler,
+        points: &[[f64; 3]],
+    ) -> Option<Corner> {
+        if cell.du.min(cell.dv) < INNER_PARTS {
+            return None;
+        }
+        INNER_CORNERS.iter().find_map(|[i, j]| {
+            let u = self.parameter(cell.u + cell.du / INNER_PARTS * i);
+            let v = self.parameter(cell.v + cell.dv / INNER_PARTS * j);
+            let (point, normal) = sampler.point_and_normal(u, v);
+            let rounded = (self.round)(point).to_array();
+            let is_new = lattice.outline().all(|k| points[k as usize] != rounded);
+            is_new.then(|| Corner {
+                node: self.add_node(point),
+                u,
+                v,
+                normal,
+            })
+        })
     }
 
     fn parameter(&self, k: u32) -> f64 {

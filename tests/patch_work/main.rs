@@ -1,5 +1,6 @@
 //! The work of questions to patches, counted in steps and never in time: no call takes more than its documentation says.
 
+mod beyond;
 mod generate;
 #[path = "../nets/mod.rs"]
 mod nets;
@@ -29,13 +30,19 @@ fn calls() -> u64 {
     }
 }
 
+/// A patch of degrees up to 3 or up to 24, and the generator after it.
+fn generated(seed: u64) -> (Random, Patch) {
+    let mut random = Random(seed);
+    let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
+    let patch = any_patch(&mut random, max_degree);
+    (random, patch)
+}
+
 /// Asks so many generated patches, and checks the steps of each call.
 #[track_caller]
 fn never_takes_more(limit: usize, ask: impl Fn(&mut Random, &Patch)) {
     for seed in 0..calls() {
-        let mut random = Random(seed);
-        let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
-        let patch = any_patch(&mut random, max_degree);
+        let (mut random, patch) = generated(seed);
         take_steps();
         ask(&mut random, &patch);
         let steps = take_steps();
@@ -99,7 +106,10 @@ fn of_bounds() {
     never_takes_more(6 * (SEARCH + ONE_MORE), |random, patch| {
         let bounds = patch.bounds();
         let p = patch.eval(random.unit(), random.unit());
-        let slack = 1e-14 * (bounds.max - bounds.min).max_element() + 1e-15 * p.abs().max_element();
+        // Along each axis: the search tells apart what differs by 64 roundings of half the control box, and the sums that
+        // make a point round by some more.
+        let control = patch.control_bounds();
+        let slack = 1e-14 * (control.max - control.min) + 1e-15 * p.abs();
         assert!(p.cmpge(bounds.min - slack).all() && p.cmple(bounds.max + slack).all());
     });
 }
@@ -150,15 +160,30 @@ fn of_points_of_needles() {
 }
 
 /// No point of a patch is farther away from it than documented, however different the sizes of its coordinates are.
+///
+/// Where the search by distances reaches its limit, what remains is what that by squares tells apart, 2⁻²⁰ of the size;
+/// where both do, the documentation allows any local minimum.
 #[test]
 fn of_points_of_patches() {
-    never_takes_more(2 * (SEARCH + ONE_MORE), |random, patch| {
-        let p = patch.eval(random.unit(), random.unit());
-        let nearest = patch.nearest(p).unwrap();
-        let size = patch.control_points().iter().map(|q| q.abs().max_element());
-        let size = size.fold(0.0, f64::max);
-        assert!(nearest.distance <= 4e-7 * size, "{}", nearest.distance);
+    never_takes_more(0, |random, patch| {
+        let (distance, steps) = distance_of_own_point(random, patch);
+        assert!(steps <= 2 * (SEARCH + ONE_MORE), "{steps} steps");
+        let allowed = match steps / SEARCH {
+            0 => 4e-7,
+            1 => 1.0 / f64::from(1 << 20),
+            _ => f64::INFINITY,
+        };
+        assert!(distance <= allowed, "{distance} after {steps} steps");
     });
+}
+
+/// How far a point of a patch is from it, as a share of the size; and the steps of asking.
+fn distance_of_own_point(random: &mut Random, patch: &Patch) -> (f64, usize) {
+    let p = patch.eval(random.unit(), random.unit());
+    let nearest = patch.nearest(p).unwrap();
+    let size = patch.control_points().iter().map(|q| q.abs().max_element());
+    let size = size.fold(f64::MIN_POSITIVE, f64::max);
+    (nearest.distance / size, take_steps())
 }
 
 /// The height of this graph over its plane is 1e13: squares of distances of some 0.1 are rounding.

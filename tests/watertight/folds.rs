@@ -49,6 +49,24 @@ fn a_square_folded_along_its_diagonal() {
     }
 }
 
+/// Few cells, so that the outline of one visits a point of the sides that lie on each other twice. Triangles between
+/// these visits have no area, and the corner beyond them belongs to no other triangle.
+#[test]
+fn a_square_folded_along_its_diagonal_in_few_cells() {
+    let nets = [
+        [[-1, 2, -1], [0, -2, -2], [-1, -2, -1], [-1, 2, -1]],
+        [[-1, 2, -1], [-1, -2, -1], [0, -2, -2], [-1, 2, -1]],
+        [[0, 0, 0], [1, 1, 1], [2, 2, 1], [0, 0, 0]],
+    ];
+    for net in nets {
+        let net = net.map(|p| DVec3::from(p.map(f64::from)));
+        let patch = Patch::new(&net, 1, 1).unwrap();
+        for eighths in 1..24 {
+            assert_within(&patch, f64::from(eighths) / 8.0);
+        }
+    }
+}
+
 /// S(u, v) = S(1 − u, v).
 #[test]
 fn a_strip_folded_in_the_middle() {
@@ -84,6 +102,24 @@ fn tubes_thinner_than_the_tolerance() {
     let rows = [0.0, 1.0, 2.0, 0.0].map(|z| ring.map(|p| DVec3::new(p.x + z, p.y, z * 3.0 - p.x)));
     let patch = Patch::new(rows.as_flattened(), 3, 3).unwrap();
     for tolerance in [20.0, 1.0, 0.2, 0.01] {
+        assert_within(&patch, tolerance);
+    }
+}
+
+/// Halves of a tube that are closed themselves: a figure of eight, thinner than the tolerance.
+#[test]
+fn tubes_whose_halves_are_tubes() {
+    let eight = [
+        (0.0, 0.0),
+        (0.1, -0.1),
+        (0.1, 0.1),
+        (-0.1, -0.1),
+        (-0.1, 0.1),
+        (0.0, 0.0),
+    ];
+    let ring = |z: f64| eight.map(|(x, y)| DVec3::new(x, y, z));
+    let patch = Patch::new([ring(0.0), ring(10.0)].as_flattened(), 5, 1).unwrap();
+    for tolerance in [0.5, 0.2, 0.02, 0.001] {
         assert_within(&patch, tolerance);
     }
 }
