@@ -1,7 +1,7 @@
 //! How different are two curves, as sets of points?
 
 use super::distance::{Apart, Heap};
-use super::nearest::{counted_parameter, unit_for};
+use super::nearest::{counted_parameter, nearest_parameter, unit_for};
 use super::{Curve, Points, evaluate, ulp};
 use crate::point::Point;
 use casteljau_kernels::WorkLimit;
@@ -115,7 +115,7 @@ struct Piece<P: Point> {
 /// The greatest distance of a point of A from B, if it is above `greatest`. Both come twice: as they are, and with the
 /// degree of the higher one.
 fn farthest<P: Point>(
-    [_, a]: [&Points<P>; 2],
+    [original, a]: [&Points<P>; 2],
     [b, high]: [&Points<P>; 2],
     rounding: f64,
     mut greatest: f64,
@@ -128,6 +128,7 @@ fn farthest<P: Point>(
         (u, within)
     };
     let b_curve = Curve::from_slice(high);
+    let straight = [original.len() == 2, b.len() == 2];
     let (from, _) = look(a[0], &mut greatest);
     let (to, _) = look(a[a.len() - 1], &mut greatest);
     let whole = Piece {
@@ -137,7 +138,7 @@ fn farthest<P: Point>(
     };
     let mut pieces = Heap::new();
     pieces.push(Apart {
-        least: -whole.most(&b_curve),
+        least: -whole.most(&b_curve, straight),
         of: whole,
     });
     for _ in 0..MOST_PLACES {
@@ -166,7 +167,7 @@ fn farthest<P: Point>(
             },
         ] {
             pieces.push(Apart {
-                least: -half.most(&b_curve),
+                least: -half.most(&b_curve, straight),
                 of: half,
             });
         }
@@ -176,9 +177,14 @@ fn farthest<P: Point>(
 
 impl<P: Point> Piece<P> {
     /// A distance that no point of the piece is above from B: run through side by side with the piece of B between the
-    /// nearest points, or seen from one of those.
-    fn most(&self, b: &Curve<P>) -> f64 {
+    /// nearest points, or seen from one of those. Straight pieces need no equal pace.
+    fn most(&self, b: &Curve<P>, straight: [bool; 2]) -> f64 {
         let along = b.subsegment(self.from, self.to);
+        let beside = match straight {
+            [_, true] => self.distance_from_segment(b),
+            [true, _] => self.straight_distance_from(&along),
+            _ => f64::INFINITY,
+        };
         let far = |to: &dyn Fn(usize) -> P| {
             let away = self
                 .points
@@ -190,5 +196,25 @@ impl<P: Point> Piece<P> {
         far(&|i| along.points[i])
             .min(far(&|_| along.start()))
             .min(far(&|_| along.end()))
+            .min(beside)
+    }
+
+    /// The greatest distance of a control point from a segment: the distance from a convex set is a convex function.
+    fn distance_from_segment(&self, b: &Curve<P>) -> f64 {
+        let segment = [b.start(), b.end()];
+        let away = |&p: &P| (p - evaluate(&segment, nearest_parameter(&segment, p))).length();
+        self.points.iter().map(away).fold(0.0, f64::max)
+    }
+
+    /// The same for a straight piece: the other one passes beside each of its points, no farther from the line than its
+    /// control points are, or ends before.
+    fn straight_distance_from(&self, along: &Curve<P>) -> f64 {
+        let (start, end) = (self.points[0], self.points[self.points.len() - 1]);
+        let direction = (end - start).normalize_or_zero();
+        let x = |p: P| (p - start).dot(direction);
+        let off = |&p: &P| (p - start - direction * x(p)).length();
+        let beside = along.points.iter().map(off).fold(0.0, f64::max);
+        let missing = x(along.start()).max(x(end) - x(along.end())).max(0.0);
+        beside.hypot(missing)
     }
 }

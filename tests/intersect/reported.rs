@@ -133,6 +133,39 @@ fn the_tip_of_a_turn_back_is_one_place() {
     );
 }
 
+/// On one line both curves turn back, and only their tips overlap: each of the two ways to a tip overlaps with both of the
+/// other curve.
+#[test]
+fn tips_that_overlap_on_a_line() {
+    let a = curve(&[[0.0, 0.0], [7.0, 14.0], [1.0, 2.0], [3.0, 6.0]]);
+    let b = curve(&[[6.0, 12.0], [1.0, 2.0], [6.0, 12.0]]);
+    // x(t) = 21t(1 − t)² + 3t²(1 − t) + 3t³ = 21t³ − 39t² + 21t, largest where 63t² − 78t + 21 = 0.
+    let t = (13.0 - 22.0_f64.sqrt()) / 21.0;
+    let tip = ((21.0 * t - 39.0) * t + 21.0) * t;
+    for (first, second) in [(&a, &b), (&b, &a), (&a.reverse(), &b)] {
+        let found = first.intersections(second);
+        assert_eq!(found.len(), 4, "{found:?}");
+        for place in found {
+            let IntersectionKind::Overlap { t_end, u_end } = place.kind else {
+                panic!("{place:?}")
+            };
+            let ends = [
+                first.eval(place.t),
+                second.eval(place.u),
+                first.eval(t_end),
+                second.eval(u_end),
+            ];
+            let mut xs = ends.map(|p| p.x);
+            xs.sort_by(f64::total_cmp);
+            let expected = [3.5, 3.5, tip, tip];
+            assert!(
+                xs.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-12),
+                "{xs:?}"
+            );
+        }
+    }
+}
+
 /// Next to the curve's stops there are two places that are too far apart on the other curve to be one; this did not end.
 #[test]
 fn places_next_to_a_stop_end() {

@@ -5,6 +5,7 @@ mod chains;
 #[path = "../common/mod.rs"]
 mod common;
 mod lower;
+mod narrow;
 mod strokes;
 mod truth;
 mod work;

@@ -182,6 +182,23 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
     }
 }
 
+/// A curve that runs back and forth on a line, and one that does so at another pace, 10⁻⁹ beside.
+#[test]
+fn hausdorff_distance_of_nearly_straight_curves() {
+    let (p, q) = (DVec3::new(0.35, 0.97, 0.96), DVec3::new(-0.79, 0.69, 0.19));
+    let a: Curve<DVec3> = curve(&[p, p, q, p]);
+    let beside = DVec3::new(0.3, -0.9, 0.2).cross(q - p).normalize() * 1e-9;
+    let b: Curve<DVec3> = curve(&[p, q, p + beside * 1.5, p]);
+    let off = |t: f64| {
+        let (x, along) = (b.eval(t), (q - p).normalize());
+        (x - p - along * (x - p).dot(along)).length()
+    };
+    let sampled = steps(3000).map(off).fold(0.0, f64::max);
+    for found in [a.hausdorff(&b), b.hausdorff(&a)] {
+        assert!((found - sampled).abs() < 1e-14, "{found}, but {sampled}");
+    }
+}
+
 #[test]
 fn known_hausdorff_distances() {
     let arch = plane(&[(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)]);

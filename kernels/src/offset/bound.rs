@@ -7,7 +7,9 @@
 //!
 //!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
 //!
-//! bounds the distance from Q(u) to the parallel. The foot moves along with u from one end to the other, so every point
+//! bounds the distance from Q(u) to the parallel, if E points to the side of the parallel. |E| is the same on the other
+//! side, and tolerances of more than d accept single points there, so the side is checked at the first pair: E cannot
+//! change sides without passing B′. The foot moves along with u from one end to the other, so every point
 //! of the parallel is as near to the cubic. Pieces that are not near enough by these bounds are halved: δ falls by four.
 
 use super::fit::Pair;
@@ -97,7 +99,8 @@ impl OffsetCurve<'_> {
         if high + distance <= self.tolerance {
             return high + distance;
         }
-        if off > self.tolerance {
+        let is_beyond_source = e0.dot(from.n) * self.distance <= 0.0;
+        if off > self.tolerance || is_beyond_source {
             return f64::INFINITY;
         }
         let d = Self::direction([v0, v1, v2]);

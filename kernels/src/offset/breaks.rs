@@ -153,7 +153,8 @@ impl OffsetCurve<'_> {
         let mut end = self.end(t);
         if self.source.is_still(&end.place) {
             end.place.v = Plane::default();
-            end.sign = self.end(t + inwards).sign;
+            end.sign_t = t + inwards;
+            end.sign = self.end(end.sign_t).sign;
         }
         End { tangent, ..end }
     }

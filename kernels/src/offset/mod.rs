@@ -35,12 +35,13 @@ const MAX_EXCESS: f64 = 0.1;
 const VANISHING_SPEED: f64 = 1e-14;
 
 /// An end of a piece: the place, the unit tangent as seen from inside the piece, and the way the parallel goes there:
-/// 1 along the tangent, −1 against it (where it has passed its cusp).
+/// 1 along the tangent, −1 against it (where it has passed its cusp), as found at the parameter `sign_t`.
 #[derive(Clone, Copy, Debug)]
 struct End {
     place: OffsetSample,
     tangent: Plane,
     sign: f64,
+    sign_t: f64,
 }
 
 /// A parallel of a curve.
@@ -77,6 +78,7 @@ impl<'a> OffsetCurve<'a> {
             place,
             tangent: place.v.unit(),
             sign,
+            sign_t: t,
         }
     }
 
@@ -208,9 +210,10 @@ impl<'a> OffsetCurve<'a> {
         }
     }
 
-    /// The cusp of the parallel between two ends that differ in their signs.
+    /// The cusp of the parallel between two ends that differ in their signs. Next to a cusp of the source, where the sign
+    /// is found some way inside, the sign between is only rounding.
     fn cusp(&self, from: &End, to: &End) -> Option<(End, End)> {
-        let (t0, t1) = (from.place.t, to.place.t);
+        let (t0, t1) = (from.sign_t, to.sign_t);
         let t = self.zero(t0, t1, from.sign, |place| self.forwardness(place))?;
         let before = End {
             sign: from.sign,

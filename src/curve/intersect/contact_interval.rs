@@ -1,7 +1,9 @@
 //! Contacts that belong together.
 
+use super::super::evaluate;
 use super::pair::NormalizedPair;
 use crate::order::sort_by;
+use crate::point::Point;
 use casteljau_kernels::Contact;
 
 /// Gaps between contacts that are looked into; what is farther apart in either parameter is another place.
@@ -9,6 +11,10 @@ const LARGEST_GAP: f64 = 0.05;
 
 /// Parameters so close are one for sure: some roundings.
 const SAME: f64 = 1e-13;
+
+/// A curve that turns back farther from both ends of a gap than this, in slacks, leaves the other curve there: shared
+/// pieces longer than this are told from points.
+const TURN_BACK: f64 = 64.0;
 
 /// A crossing that two pieces share is found by both, with some roundings between.
 const ONE_CROSSING: f64 = 1e-12;
@@ -95,6 +101,8 @@ impl ContactInterval {
         let from = if gap_u > 0.0 { end[1] } else { end[0] };
         gap_t < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
+            && !pair.turns_back(0, self.t[1], t)
+            && !pair.turns_back(1, from, from + gap_u)
             && [0.25, 0.5, 0.75].iter().all(|&part| {
                 pair.height(self.t[1] + part * gap_t, from + part * gap_u) <= 4.0 * pair.slack
             })
@@ -111,6 +119,22 @@ impl ContactInterval {
         if next.t[1] > self.last.t[1] {
             self.last = next.last;
         }
+    }
+}
+
+impl NormalizedPair {
+    /// Whether a curve moves away between two parameters and turns back. Heights do not show that where both curves run
+    /// along one line: the height is measured from the tangent.
+    fn turns_back(&self, curve: usize, from: f64, to: f64) -> bool {
+        let points = &self.curves[curve];
+        let away = |stop: f64, t: f64| {
+            let gap = evaluate(points, stop) - evaluate(points, t);
+            gap.max_abs() > TURN_BACK * self.slack
+        };
+        self.stops[curve].iter().any(|&stop| {
+            let is_between = stop > from.min(to) && stop < from.max(to);
+            is_between && away(stop, from) && away(stop, to)
+        })
     }
 }
 
