@@ -495,8 +495,8 @@ export class Curve {
    * At most 4096 pairs of pieces are compared, and 256 more for each degree above 3. Only curves that rounding makes hard
    * to tell apart on long stretches need more; each pair of pieces that is undecided then counts as one place at most.
    *
-   * Both curves have the point at their parameters but for rounding, some 1e-15 of the largest coordinate; 1e-11 of it where
-   * one curve has coordinates that differ by many powers of ten.
+   * Both curves have the point at their parameters but for rounding: 64 (n + 2) ulps of the largest coordinate, n being the
+   * higher degree.
    *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}

@@ -1,6 +1,6 @@
 //! The arc of a curve of any degree: its length up to t, and the t of a length.
 
-use super::{Points, evaluate, max_abs};
+use super::{Points, blossom_piece, evaluate, max_abs};
 use crate::point::Point;
 use casteljau_kernels::{WorkLimit, binomial, speed_integral};
 use glam::DVec3;
@@ -145,7 +145,8 @@ impl ArcLengthTable {
         let good = depth >= self.least_depth()
             && off <= self.tolerance.max(self.noise * (hi - lo))
             && !self.turns_near(lo, cut)
-            && !self.turns_near(hi, cut);
+            && !self.turns_near(hi, cut)
+            && !self.turns_back(lo, hi);
         if !self.work.spend(1) || good || depth >= MOST_CUTS {
             self.push(cut, left);
             self.push(hi, right);
@@ -160,15 +161,39 @@ impl ArcLengthTable {
         (self.slopes.len() / 4).min(MAX_LEAST_DEPTH)
     }
 
-    /// Whether the curve turns so sharply near an end that neither rule has seen it.
+    /// Whether the curve may turn back between the nodes of a rule, which then does not see it.
+    fn turns_back(&self, lo: f64, hi: f64) -> bool {
+        let slopes = self.piece(lo, hi);
+        let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
+        self.deviates(&slopes, chord, 0.0, hi - lo)
+    }
+
+    /// Whether the curve turns so sharply near an end that neither rule has seen it. At the end itself the derivative may be
+    /// zero.
     fn turns_near(&self, end: f64, cut: f64) -> bool {
-        let way = BEFORE_FIRST_NODE * (cut - end);
-        let (at, inside) = (
-            evaluate(&self.slopes, end),
-            evaluate(&self.slopes, end + way),
-        );
-        at.dot(inside) < SHARP_COSINE * Point::length(at) * Point::length(inside)
-            && Point::length(at) * way.abs() > self.tolerance
+        let node = end + BEFORE_FIRST_NODE * (cut - end);
+        let (lo, hi) = (end.min(node), end.max(node));
+        let slopes = self.piece(lo, hi);
+        let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
+        self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
+    }
+
+    /// Whether one of the derivative's control points on a piece, in whose convex hull the derivative lies, deviates from a
+    /// direction by an angle with a smaller cosine, by more than the tolerance on the width of the piece.
+    fn deviates(&self, slopes: &[DVec3], direction: DVec3, cosine: f64, width: f64) -> bool {
+        let hidden = self.tolerance.max(self.noise * width);
+        let size = cosine * Point::length(direction);
+        slopes.iter().any(|&slope| {
+            let length = Point::length(slope);
+            slope.dot(direction) <= size * length && length * width > hidden
+        })
+    }
+
+    /// The control points of the derivative on a piece.
+    fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
+        let mut slopes = self.slopes.clone();
+        blossom_piece(&mut slopes, lo, hi);
+        slopes
     }
 
     fn push(&mut self, t: f64, length: f64) {

@@ -111,6 +111,12 @@ fn lower<P: Point>(p: &[P]) -> Points<P> {
     q
 }
 
+/// What the arithmetic of `in_its_plane` adds to the rounding of the points, as a part of the longest vector. With
+/// u = ε/2, a normalized vector is off by 4.5 u; a distance from the line by that, 7.5 u from the scalar product and u from
+/// the last product: 13 u. A distance from the plane is off by 13 u because of the direction `across`, 4.5 u because of
+/// `along`, 2.5 u by the cross product and 3 u by the scalar product: 23 u in total.
+const FLATNESS_ROUNDING: f64 = 12.0 * f64::EPSILON;
+
 /// What a control polygon spans.
 enum Flat {
     Line,
@@ -119,11 +125,13 @@ enum Flat {
     Not,
 }
 
-/// `ways` begin at the origin.
+/// `ways` begin at the origin; `slack` is what rounding of the points may move them.
 fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
     let ways: Points<DVec3> = ways.iter().map(|way| way.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
-    let along = Point::normalize_or_zero(ways.iter().copied().fold(DVec3::ZERO, longest));
+    let farthest = ways.iter().copied().fold(DVec3::ZERO, longest);
+    let slack = slack + FLATNESS_ROUNDING * Point::length(farthest);
+    let along = Point::normalize_or_zero(farthest);
     let across = ways.iter().map(|&way| way - along * way.dot(along));
     let across = across.fold(DVec3::ZERO, longest);
     if Point::length(across) <= slack {

@@ -77,7 +77,8 @@ impl<P: Point> Curve<P> {
     ///
     /// In the plane it is positive when turning counter-clockwise (x right, y up), in space never negative. Where B′
     /// vanishes it is the limit, which may be infinite (a cusp, a zero-length handle); of a straight curve, a point
-    /// included, it is 0. Source: Farin, *Curves and Surfaces for CAGD*, §11.2.
+    /// included, it is 0. In space a curve counts as straight where B″ is parallel to B′ to an angle of 10⁻¹³. Source:
+    /// Farin, *Curves and Surfaces for CAGD*, §11.2.
     pub fn curvature(&self, t: f64) -> f64 {
         let Some(local) = self.taylor(t) else {
             return 0.0;

@@ -72,7 +72,8 @@ impl<P: Point> Curve<P> {
         // What a difference of two points may be off by, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
         let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
-        if !search.meet() {
+        search.meet();
+        if search.distance > search.rounding {
             search.run();
         }
         let (t, u) = (search.t, search.u);
@@ -225,18 +226,17 @@ impl<'a, P: Point> Search<'a, P> {
     }
 
     /// In the plane the intersections tell whether there is a distance; close crossings of curves that run along each
-    /// other are their business.
-    fn meet(&mut self) -> bool {
+    /// other are their business. The points of an intersection may be farther apart than rounding, so the search goes on
+    /// where no intersection is exact.
+    fn meet(&mut self) {
         let flat = |points: &[P]| points.iter().all(|p| p.to_3d().z == 0.0);
         if !(flat(self.a.points) && flat(self.b.points)) {
-            return false;
+            return;
         }
         let plane = |points: &[P]| Curve::from_points(points.iter().map(|p| p.to_2d()).collect());
-        let places = plane(self.a.points).intersections(&plane(self.b.points));
-        if let Some(place) = places.first() {
+        for place in plane(self.a.points).intersections(&plane(self.b.points)) {
             self.consider(place.t, place.u);
         }
-        !places.is_empty()
     }
 
     fn run(&mut self) {

@@ -233,3 +233,22 @@ fn the_same_at_any_size() {
         }
     }
 }
+
+/// The curve turns back next to its start, where the derivative is almost zero.
+#[test]
+fn a_hook_at_the_start_counts() {
+    let points = [
+        (0.0, 0.0),
+        (-9.958911800110698e-9, 1.0),
+        (-2378.321009626822, -954636660740.4569),
+        (-2.8042010993724994e-7, 1000000000000000.0),
+    ];
+    let curve = Curve::new(&points.map(DVec2::from)).expect("a curve");
+    let whole = curve.length(None).expect("a length");
+    let ts = curve.equidistant_times(10).expect("steps");
+    let half = curve.split(ts[5]).0.length(None).expect("a length");
+    assert!(
+        (half - 0.5 * whole).abs() <= 1e-12 * whole,
+        "{half:e} of {whole:e}"
+    );
+}

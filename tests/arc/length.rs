@@ -157,3 +157,48 @@ fn huge_and_tiny() {
     let least = plane(&[(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324), (5e-324, 5e-324)]);
     assert!(length(&least) <= 2e-323);
 }
+
+/// A nearly straight curve turns back on an interval that is so short that no rule had a node on it: at the start, where
+/// the derivative is almost zero, or between two nodes.
+#[test]
+fn short_hooks_count() {
+    let at_the_start = [
+        (
+            0.005283409476472238,
+            3.4415596864721716e-6,
+            2.981413666217073e-11,
+        ),
+        (0.0, 1.9945282932347007e-6, 0.0),
+        (2.288882504181101e-6, -131228288205.83002, 0.0),
+        (0.0, 163344568710855.28, 1495662883.3251665),
+    ];
+    let points = at_the_start.map(DVec3::from);
+    let (start, end) = Curve::new(&points).expect("a curve").split(0.01);
+    agree(
+        length(&Curve::new(&points).expect("a curve")),
+        length(&start) + length(&end),
+        1e-12,
+        "a hook at the start",
+    );
+    // x on a line, turning back at t = 0.1859 and 0.2.
+    let slopes = [
+        0.0638464425235657,
+        -0.147838538438109,
+        0.117486481885397,
+        1.60023974077283,
+    ];
+    let mut points = vec![DVec3::ZERO];
+    for slope in slopes {
+        points.push(points[points.len() - 1] + DVec3::new(slope, 0.0, 0.0));
+    }
+    let line: Curve<DVec3> = curve(&points);
+    let turns = line.extrema(0).expect("an axis");
+    assert_eq!(turns.len(), 2);
+    let [a, b, c, d] = [0.0, turns[0], turns[1], 1.0].map(|t| line.eval(t).x);
+    agree(
+        length(&line),
+        (b - a) + (b - c) + (d - c),
+        1e-12,
+        "a hook between nodes",
+    );
+}

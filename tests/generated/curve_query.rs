@@ -6,7 +6,7 @@ use crate::runner::Row;
 use casteljau::curve::{Intersection, IntersectionKind, SelfIntersection};
 use casteljau::glam::DVec2;
 use casteljau::{Curve, Point};
-use casteljau_generator::{Case, Mode};
+use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
     ("Curve::intersections", intersections),
@@ -20,14 +20,9 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::hausdorff", both!(hausdorff)),
 ];
 
-/// How far two curves may be apart where they meet: more where coordinates differ by many powers of ten.
+/// How far two curves may be apart where they meet: the documented 64 (n + 2) ulps.
 pub(crate) fn contact_slack(case: &Case, degree: usize) -> f64 {
-    let mixed = if case.mode == Mode::MixedScale {
-        64.0
-    } else {
-        1.0
-    };
-    4.0 * mixed * slack(case.size(), degree)
+    4.0 * slack(case.size(), degree)
 }
 
 /// Both curves are at the stated point at the stated parameters, and the list is sorted.

@@ -190,3 +190,91 @@ fn places_next_to_a_stop_end() {
         assert!(gap < 1.0, "{place:?} {gap}"); // the ulp of 7.5e14 is 0.125
     }
 }
+
+/// Whether both curves are at each place, at both ends of a shared piece, and the list is sorted.
+fn hold(a: &Curve<DVec2>, b: &Curve<DVec2>) {
+    let found = a.intersections(b);
+    let size = [a, b].map(|c| {
+        c.control_points()
+            .iter()
+            .fold(0.0, |m: f64, p| m.max(p.abs().max_element()))
+    });
+    let degree = u32::try_from(a.degree().max(b.degree())).expect("a degree");
+    let slack = 64.0 * f64::from(degree + 2) * f64::EPSILON * size[0].max(size[1]);
+    let gap = |t: f64, u: f64| (a.eval(t) - b.eval(u)).length();
+    for place in &found {
+        assert!(gap(place.t, place.u) <= slack, "{place:?}");
+        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
+            assert!(gap(t_end, u_end) <= slack && t_end > place.t, "{place:?}");
+        }
+    }
+    assert!(
+        found.is_sorted_by_key(|place| (place.t, place.u)),
+        "{found:?}"
+    );
+}
+
+/// A curve of 1e10 and a curve that is a point compared with it are no shared piece.
+#[test]
+fn a_tiny_curve_shares_no_piece() {
+    let large = curve(&[
+        [3.614879838328824e-9, 56898630290.12825],
+        [0.004645787551213872, 0.0],
+        [-3.013641919243123e-7, 0.00013455582954796723],
+    ]);
+    let tiny = curve(&[
+        [0.0, 2.3155809067085324e-17],
+        [1.69016478000671e-7, -3.12582499109741e-13],
+        [1.69016478000671e-7, -3.12582499109741e-13],
+        [0.0, 2.3155809067085324e-17],
+    ]);
+    hold(&large, &tiny);
+    hold(&tiny, &large);
+}
+
+/// Both curves lie on a line; the first one comes back to the second after it has left it.
+#[test]
+fn straight_pieces_end_where_both_curves_are() {
+    let far = curve(&[
+        [47.12282246102807, 0.0],
+        [-18348638793.224117, 0.0],
+        [222394810574064.8, 188420.29177297564],
+        [0.0, 1.4537361518087484e-6],
+        [1.0, 0.0],
+    ]);
+    let near = curve(&[
+        [810.8427241087977, 0.0],
+        [-525.9991845424469, 0.0],
+        [3.5337534507966977, 0.0],
+        [280.1567951943553, 0.0],
+    ]);
+    hold(&far, &near);
+    for place in far.intersections(&near) {
+        let IntersectionKind::Overlap { t_end, .. } = place.kind else {
+            continue;
+        };
+        // Not a place of the piece between, which is 1e9 away.
+        let middle = far.eval(0.5 * (place.t + t_end));
+        assert!(middle.x.abs() <= 1e3, "{place:?} passes {middle}");
+    }
+}
+
+/// A straight cubic that turns back twice, next to its ends, and its elevation: each hook overlaps the other one backwards.
+#[test]
+fn shared_pieces_of_short_hooks_keep_their_ends() {
+    let hooks = curve(&[
+        [0.0, 0.0],
+        [-5.0320271562933225e-5, 3.4738443846101553e-5],
+        [0.0, 0.0],
+        [-1.6053392612117122e-9, 1.108240994085257e-9],
+    ]);
+    let elevated = curve(&[
+        [0.0, 0.0],
+        [-3.7740203672199916e-5, 2.6053832884576163e-5],
+        [-2.5160135781466613e-5, 1.7369221923050777e-5],
+        [-4.0133481530292806e-10, 2.7706024852131426e-10],
+        [-1.6053392612117122e-9, 1.108240994085257e-9],
+    ]);
+    hold(&hooks, &elevated);
+    hold(&elevated, &hooks);
+}

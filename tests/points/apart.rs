@@ -226,3 +226,16 @@ fn known_hausdorff_distances() {
             < 1e-9
     );
 }
+
+/// The first of the intersections that are found is not exact, but another place is.
+#[test]
+fn a_curve_meets_its_reverse() {
+    let points = [
+        (0.0002543344871933788, 10989.3293293552),
+        (-20355.57064578817, 16056.545368093748),
+        (700211776.1813443, -174296297.85941),
+        (0.00013144108736206755, 10989.32935994768),
+    ];
+    let curve = Curve::new(&points.map(DVec2::from)).expect("a curve");
+    assert_eq!(curve.distance_to(&curve.reverse()).distance, 0.0);
+}

@@ -151,3 +151,15 @@ fn features_count_only_inside() {
         (CurveKind::Line, 1)
     );
 }
+
+#[test]
+fn lines_in_oblique_directions_are_lines() {
+    let ends = [
+        [(1.0, 2.0, -2.0), (-2.0, -2.0, 1.0)],
+        [(2.0, 2.0, -2.0), (-2.0, -1.0, 1.0)],
+    ];
+    for ends in ends {
+        let points = ends.map(DVec3::from);
+        assert_eq!(curve::<DVec3>(&points).classify(), CurveKind::Line);
+    }
+}

@@ -14,6 +14,10 @@ const NEAR_END: f64 = 1e-5;
 /// A shared piece is longer than this many times what rounding may move; a shorter one is a point.
 const LEAST_OVERLAP: f64 = 64.0;
 
+/// The ends of a shared piece are closer together than this many times the slack. Heights up to four times the slack count
+/// as contact, in an axis that may be oblique to the coordinates (√2); rounding of the parameters adds up to two.
+const SHARED_END: f64 = 8.0;
+
 /// Two crossings in one interval are two if they are farther apart than this.
 const TWO_CROSSINGS: f64 = 1e-10;
 
@@ -86,36 +90,57 @@ impl NormalizedPair {
 
     /// A interval that has a length and ends where a curve does is a shared piece.
     fn overlap(&self, interval: &ContactInterval) -> Option<ClassifiedPoint> {
-        let start = evaluate(&self.curves[0], interval.t[0]);
-        let long = [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
-            let t = interval.t[0] + part * (interval.t[1] - interval.t[0]);
-            (evaluate(&self.curves[0], t) - start).max_abs() > LEAST_OVERLAP * self.slack
-        });
-        if !long {
+        if !(self.is_long(0, interval.t) && self.is_long(1, interval.u)) {
             return None;
         }
         let [start, end] = self
             .paired(interval)
-            .map(|place| self.at_end(self.snapped(place)));
+            .map(|place| self.at_end(interval, self.snapped(place)));
         let ((t, u), (t_end, u_end)) = (start?, end?);
-        Some((t, u, IntersectionKind::Overlap { t_end, u_end }))
+        let shared = self.is_long(0, [t, t_end])
+            && self.is_long(1, [u, u_end])
+            && self.have_equal_boxes([t, t_end], [u, u_end], |_| 0.0);
+        shared.then_some((t, u, IntersectionKind::Overlap { t_end, u_end }))
     }
 
-    /// A place where a curve ends, made exact on the other; `None` where none does.
-    fn at_end(&self, (t, u): (f64, f64)) -> Option<(f64, f64)> {
-        let better = |place: (f64, f64)| {
-            if self.apart(place.0, place.1) < self.apart(t, u) {
-                place
-            } else {
-                (t, u)
-            }
-        };
-        match (self.ends(0).contains(&t), self.ends(1).contains(&u)) {
-            (true, true) => Some((t, u)),
-            (true, false) => Some(better(self.opposite(t, u))),
-            (false, true) => Some(better(self.across(t, u))),
-            (false, false) => None,
+    /// Whether a piece of a curve is longer than what rounding moves.
+    fn is_long(&self, curve: usize, [from, to]: [f64; 2]) -> bool {
+        let points = &self.curves[curve];
+        let start = evaluate(points, from);
+        [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
+            let t = from + part * (to - from);
+            (evaluate(points, t) - start).max_abs() > LEAST_OVERLAP * self.slack
+        })
+    }
+
+    /// A place where a curve ends, made exact on the other; `None` where no end of a curve lies on the other curve.
+    fn at_end(&self, interval: &ContactInterval, place: (f64, f64)) -> Option<(f64, f64)> {
+        let both = |&(t, u): &(f64, f64)| self.ends(0).contains(&t) && self.ends(1).contains(&u);
+        let met = |&(t, u): &(f64, f64)| self.apart(t, u) <= SHARED_END * self.slack;
+        let first = Some(place).filter(both);
+        let mut all = first.into_iter().chain(self.opposite_ends(interval, place));
+        all.find(met)
+    }
+
+    /// Candidates for the place that corresponds to an end of a curve, which is at `t` or at `u`.
+    ///
+    /// The interval may be longer than the shared piece: where both curves are straight, gaps between contacts are not
+    /// seen. So the search for the nearest place on the other curve starts also at both ends of the interval.
+    fn opposite_ends(&self, interval: &ContactInterval, (t, u): (f64, f64)) -> Vec<(f64, f64)> {
+        let (t_ends, u_ends) = (self.ends(0), self.ends(1));
+        let inside = |x: &f64, [from, to]: [f64; 2]| *x >= from && *x <= to;
+        let mut places = Vec::new();
+        if t_ends.contains(&t) {
+            places.extend([u, interval.u[0], interval.u[1]].map(|u| self.opposite(t, u)));
+            let stops = u_ends.iter().filter(|u| inside(u, interval.u));
+            places.extend(stops.map(|&u| (t, u)));
         }
+        if u_ends.contains(&u) {
+            places.extend([t, interval.t[0], interval.t[1]].map(|t| self.across(t, u)));
+            let stops = t_ends.iter().filter(|t| inside(t, interval.t));
+            places.extend(stops.map(|&t| (t, u)));
+        }
+        places
     }
 
     /// Where a curve starts, ends or stops.

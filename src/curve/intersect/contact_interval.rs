@@ -19,6 +19,9 @@ const TURN_BACK: f64 = 64.0;
 /// A crossing that two pieces share is found by both, with some roundings between.
 const ONE_CROSSING: f64 = 1e-12;
 
+/// The ends of contacts correspond only roughly, so the boxes of the pieces between them are widened by their size and this.
+const BOX_MARGIN: f64 = 1e-6;
+
 /// A stretch on which two curves cannot be told apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ContactInterval {
@@ -105,6 +108,9 @@ impl ContactInterval {
             && !pair.turns_back(1, from, from + gap_u)
             && [0.25, 0.5, 0.75].iter().all(|&part| {
                 pair.height(self.t[1] + part * gap_t, from + part * gap_u) <= 4.0 * pair.slack
+            })
+            && pair.have_equal_boxes([self.t[1], t], [from, from + gap_u], |size| {
+                size + BOX_MARGIN
             })
     }
 

@@ -4,7 +4,7 @@
 use super::super::evaluate;
 use super::IntersectionKind;
 use super::near::taylor;
-use super::pair::{ClassifiedPoint, NormalizedPair};
+use super::pair::{ClassifiedPoint, NormalizedPair, sort};
 use crate::point::Point;
 use glam::DVec2;
 
@@ -108,6 +108,7 @@ impl NormalizedPair {
                 self.gather_at_stop(&mut places, curve, stop);
             }
         }
+        sort(&mut places, |p, q| (p.0, p.1) < (q.0, q.1));
         self.one_crossing_each(&mut places);
         places
     }
@@ -154,9 +155,10 @@ impl NormalizedPair {
             let IntersectionKind::Overlap { t_end, u_end } = &mut place.2 else {
                 continue;
             };
-            if near(place.0, place.1) {
+            // A shared piece that is as short as that keeps its two ends.
+            if near(place.0, place.1) && *t_end > t && *u_end != u {
                 (place.0, place.1, ends_piece) = (t, u, true);
-            } else if near(*t_end, *u_end) {
+            } else if near(*t_end, *u_end) && place.0 < t && place.1 != u {
                 (*t_end, *u_end, ends_piece) = (t, u, true);
             }
         }

@@ -79,8 +79,9 @@ impl Curve<DVec2> {
     /// passes a point twice, two. A shared piece is one [`IntersectionKind::Overlap`] with its two ends.
     ///
     /// Curves count as meeting where they are closer than rounding can tell: some (n + 2)·1e-15 of the largest coordinate,
-    /// n being the higher degree, also where the curves are small and far from the origin. So two crossings closer together than about 1e-8 of the curves' size come back as one tangency. Where one curve has
-    /// coordinates that differ by many powers of ten, A(t) and B(u) may be some 1e-11 of the largest coordinate apart.
+    /// n being the higher degree, also where the curves are small and far from the origin. So two crossings closer
+    /// together than about 1e-8 of the curves' size come back as one tangency. A(t) and B(u) are at most 64 (n + 2) ulps of
+    /// the largest coordinate apart.
     ///
     /// At most 4096 pairs of pieces are looked at, and 256 more for each degree above 3, at a cost of the square of the
     /// degree each. Only curves that rounding makes hard to tell apart on long stretches need more: what is undecided then

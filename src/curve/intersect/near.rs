@@ -1,6 +1,6 @@
 //! Distances between two curves, and the places where they are least.
 
-use super::super::{Points, evaluate};
+use super::super::{Bounds, Curve, Points, blossom_piece, evaluate, ratio};
 use super::pair::NormalizedPair;
 use crate::point::Point;
 use glam::DVec2;
@@ -11,11 +11,21 @@ const TANGENCY_STEPS: usize = 60;
 /// From a place nearby it ends much sooner.
 const CROSSING_STEPS: usize = 20;
 
+/// The search for a nearest point may halve its steps.
+const NEAREST_STEPS: usize = 40;
+
 /// A step below this changes nothing: some roundings of a parameter.
 const LAST_STEP: f64 = 1e-15;
 
 /// Directions closer than this are equal but for rounding.
 const PARALLEL: f64 = 4.0 * f64::EPSILON;
+
+/// Points of a shared piece are outside of its box by no more than this many times the slack: four times as a contact,
+/// twice that for an end.
+const SAME_BOX: f64 = 8.0;
+
+/// A piece is divided into so many parts to compare it with a box.
+const BOX_SAMPLES: usize = 8;
 
 /// What is left of the angle where a contact of higher order is met as well as it can be.
 const NEARLY_PARALLEL: f64 = 1e-7;
@@ -59,16 +69,50 @@ impl NormalizedPair {
         }
     }
 
-    /// The parameter on one curve that is nearest to a point, from a parameter nearby.
+    /// Whether points of each piece lie in the box of the other one's control points, as they do if the pieces are the same.
+    /// `margin` says by how much the boxes are widened, given their size.
+    pub(super) fn have_equal_boxes(
+        &self,
+        t: [f64; 2],
+        u: [f64; 2],
+        margin: impl Fn(f64) -> f64,
+    ) -> bool {
+        let inside = |first: usize, [from, to]: [f64; 2], second: usize, ends: [f64; 2]| {
+            let bounds = self.bounds_of(second, ends);
+            let margin = SAME_BOX * self.slack + margin((bounds.max - bounds.min).max_element());
+            (1..BOX_SAMPLES).all(|k| {
+                let point = evaluate(
+                    &self.curves[first],
+                    from + ratio(k, BOX_SAMPLES) * (to - from),
+                );
+                (bounds.min - point).max(point - bounds.max).max_element() <= margin
+            })
+        };
+        inside(0, t, 1, u) && inside(1, u, 0, t)
+    }
+
+    /// The box of the control points of a piece; its ends may be in any order.
+    fn bounds_of(&self, curve: usize, [from, to]: [f64; 2]) -> Bounds<DVec2> {
+        let mut piece = Points::from(&self.curves[curve][..]);
+        blossom_piece(&mut piece, from.min(to), from.max(to));
+        Curve::from_points(piece).control_bounds()
+    }
+
+    /// The parameter on one curve that is nearest to a point, from a parameter nearby. Steps that lead farther away are
+    /// halved.
     pub(super) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
         let (mut best, mut least) = (near, f64::INFINITY);
         let mut t = near;
-        for _ in 0..CROSSING_STEPS {
+        for _ in 0..NEAREST_STEPS {
             let [p, d, dd] = taylor(&self.curves[curve], t);
             let gap = p - point;
             let distance = gap.length_squared();
             if distance >= least {
-                break;
+                if (t - best).abs() <= LAST_STEP {
+                    break;
+                }
+                t = 0.5 * (t + best);
+                continue;
             }
             (best, least) = (t, distance);
             // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, else a step along the tangent.

@@ -176,7 +176,7 @@ fn tidied(mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
 }
 
 /// By insertion: the lists are short, or nearly in order.
-fn sort(
+pub(super) fn sort(
     places: &mut [ClassifiedPoint],
     before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
 ) {
