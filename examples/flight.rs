@@ -19,16 +19,16 @@ fn main() -> Result<(), Error> {
         [-1.0, 4.0, 1.0],
     ]
     .map(DVec3::from);
-    let way = Spline::interpolate(&stops, Interpolation::Natural, false)?;
-    let length = way.length(None)?;
+    let path = Spline::interpolate(&stops, Interpolation::Natural, false)?;
+    let length = path.length(None)?;
     println!("{length:.3} long, through {} points", stops.len());
 
     // It sets off and lands gently: the part of the way that is behind it, by the part of the time.
     let gently = Easing::new(0.42, 0.0, 0.58, 1.0)?;
     let times = (0..=STEPS)
-        .map(|k| way.time_at_length(length * gently.eval(k as f64 / STEPS as f64), None))
+        .map(|k| path.time_at_length(length * gently.eval(k as f64 / STEPS as f64), None))
         .collect::<Result<Vec<f64>, Error>>()?;
-    for frame in way.frames_at(&times, Some(DVec3::Z))? {
+    for frame in path.frames_at(&times, Some(DVec3::Z))? {
         println!(
             "at {:6.3}  toward {:6.3}  up {:6.3}",
             frame.point, frame.tangent, frame.normal

@@ -19,7 +19,7 @@ const HUGE: f64 = f64::from_bits((1023 + 900) << 52);
 /// The part of their size at which huge handles are computed.
 const SHRUNK: f64 = f64::from_bits((1023 - 100) << 52);
 /// A bound, not a plan: four times what Newton's method ever took.
-const MOST_STEPS: usize = 100;
+const MAX_STEPS: usize = 100;
 
 /// The timing function of CSS `cubic-bezier(x1, y1, x2, y2)`.
 ///
@@ -298,8 +298,8 @@ fn size_at_start(start: &Expansion, x: f64) -> f64 {
 fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
     let [a, b, c] = along.by;
     let sought = x - along.value - along.low;
-    let (mut least, mut most) = (-origin * STEP, STEP);
-    for _ in 0..MOST_STEPS {
+    let (mut min, mut max) = (-origin * STEP, STEP);
+    for _ in 0..MAX_STEPS {
         let off = sought - d * (a + d * (b + d * c));
         if off == 0.0 {
             break;
@@ -307,9 +307,9 @@ fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
         let speed = a + d * (2.0 * b + 3.0 * d * c);
         let step = off / speed;
         if off > 0.0 {
-            least = d;
+            min = d;
         } else {
-            most = d;
+            max = d;
         }
         let left = step * step * (b + 3.0 * d * c).abs();
         let negligible = left <= NEGLIGIBLE * speed * (origin + d);
@@ -317,8 +317,8 @@ fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
         if negligible {
             break;
         }
-        if !(least..=most).contains(&d) {
-            d = 0.5 * (least + most);
+        if !(min..=max).contains(&d) {
+            d = 0.5 * (min + max);
         }
     }
     d

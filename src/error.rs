@@ -73,7 +73,7 @@ pub enum Error {
     /// A tolerance below what the coordinates can resolve.
     Tolerance {
         /// The least tolerance for this input, in the input's unit.
-        least: f64,
+        min: f64,
         /// The tolerance that came.
         got: f64,
     },
@@ -82,7 +82,7 @@ pub enum Error {
         /// The argument.
         what: &'static str,
         /// The least value for this input, in the input's unit.
-        least: f64,
+        min: f64,
         /// The value that came.
         got: f64,
     },
@@ -205,19 +205,19 @@ impl Error {
                 Text(", got "),
                 Number(got),
             ],
-            Self::Tolerance { least, got } => [
+            Self::Tolerance { min, got } => [
                 Text("tolerance: expected at least "),
-                Number(least),
+                Number(min),
                 Text(" (4 ulps of the largest coordinate)"),
                 Text(", got "),
                 Number(got),
                 none,
                 none,
             ],
-            Self::TooSmall { what, least, got } => [
+            Self::TooSmall { what, min, got } => [
                 Text(what),
                 Text(": expected at least "),
-                Number(least),
+                Number(min),
                 Text(" (f32 shows nothing smaller here)"),
                 Text(", got "),
                 Number(got),

@@ -27,12 +27,12 @@ pub(crate) fn sort_by<T: Copy>(items: &mut [T], order: impl Fn(&T, &T) -> Orderi
 fn insert_each<T: Copy>(run: &mut [T], order: &impl Fn(&T, &T) -> Ordering) {
     for sorted in 1..run.len() {
         let item = run[sorted];
-        let mut place = sorted;
-        while place > 0 && order(&run[place - 1], &item).is_gt() {
-            run[place] = run[place - 1];
-            place -= 1;
+        let mut hole = sorted;
+        while hole > 0 && order(&run[hole - 1], &item).is_gt() {
+            run[hole] = run[hole - 1];
+            hole -= 1;
         }
-        run[place] = item;
+        run[hole] = item;
     }
 }
 

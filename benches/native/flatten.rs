@@ -143,11 +143,11 @@ fn distance(curve: &Curve<DVec2>, line: &[DVec2]) -> f64 {
 
 fn distance_squared(p: DVec2, from: DVec2, to: DVec2) -> f64 {
     let along = to - from;
-    let place = (p - from).dot(along) / along.length_squared();
-    let foot = if place.is_nan() {
+    let location = (p - from).dot(along) / along.length_squared();
+    let foot = if location.is_nan() {
         from
     } else {
-        from + along * place.clamp(0.0, 1.0)
+        from + along * location.clamp(0.0, 1.0)
     };
     (p - foot).length_squared()
 }

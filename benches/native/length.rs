@@ -75,6 +75,6 @@ fn each<C, R>(curves: &[C], act: impl Fn(&C) -> R) {
     }
 }
 
-fn assert_near(theirs: f64, ours: f64, most: f64) {
-    assert!((theirs - ours).abs() <= most, "{theirs}, ours {ours}");
+fn assert_near(theirs: f64, ours: f64, max: f64) {
+    assert!((theirs - ours).abs() <= max, "{theirs}, ours {ours}");
 }

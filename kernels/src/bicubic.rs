@@ -71,7 +71,7 @@ impl BicubicGrid {
     /// Whether f32 holds the coordinates and their sums.
     pub fn fits(net: &[[f64; 3]; 16]) -> bool {
         let numbers = net.as_flattened().iter();
-        numbers.fold(0.0, |most, n| larger(most, n.abs())) < f64::from(f32::MAX / 16.0)
+        numbers.fold(0.0, |max, n| larger(max, n.abs())) < f64::from(f32::MAX / 16.0)
     }
 
     /// Positions and unit normals of the patch with this net, u along the fast index. True if normals are missing:

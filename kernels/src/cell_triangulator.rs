@@ -61,7 +61,7 @@ pub fn sort_distinct(numbers: &mut Vec<u64>) {
 
 /// The place of a number among sorted ones, or where it would be.
 #[inline(never)]
-pub fn place(sorted: &[u64], number: u64) -> usize {
+pub fn index_of(sorted: &[u64], number: u64) -> usize {
     sorted.partition_point(|&other| other < number)
 }
 
@@ -96,7 +96,7 @@ impl CellTriangulator {
 
     /// The number of the vertex of this key in the rows.
     fn of_row(&self, key: u64) -> u32 {
-        number(place(&self.rows, key))
+        number(index_of(&self.rows, key))
     }
 
     /// The numbers of the vertices in a row before the one of the key `to`, from number `from` on.
@@ -107,7 +107,7 @@ impl CellTriangulator {
 
     /// Appends the numbers of the vertices in a column between two keys, without these.
     fn along_column(&self, from: u64, to: u64, chain: &mut Vec<u32>) {
-        let after = &self.columns[place(&self.columns, from) + 1..];
+        let after = &self.columns[index_of(&self.columns, from) + 1..];
         for key in after.iter().take_while(|&&key| key < to) {
             chain.push(self.of_row(key.rotate_right(32)));
         }
@@ -223,6 +223,6 @@ fn gap_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
     x * x + y * y + z * z
 }
 
-fn number(place: usize) -> u32 {
-    u32::try_from(place).unwrap_or(u32::MAX)
+fn number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

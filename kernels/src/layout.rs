@@ -62,7 +62,7 @@ fill_indices!(fill_indices_u16, u16);
 fill_indices!(fill_indices_u32, u32);
 
 /// The vertices with these indices, one after the other; an index past the end leaves its place alone.
-pub fn gather_points(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3]]) {
+pub fn collect_points(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3]]) {
     for (out, &index) in out.iter_mut().zip(indices) {
         if let Some(vertex) = vertices.get(index as usize) {
             *out = *vertex;

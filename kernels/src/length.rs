@@ -13,7 +13,7 @@ const AT_THE_END: f64 = 1e-8;
 /// [−1, 1], each errs by less than 5·10⁻¹³ of the integral, and mostly much less: half the axis of the ellipse through z about ±1, inside of
 /// which the speed is analytic. Found by integrating |z − root|, whose integral has a closed form, for roots all around
 /// each ellipse.
-const LEAST_AXIS: [f64; 6] = [2.45, 1.29, 1.12, 1.0655, 1.0275, 1.0156];
+const MIN_AXIS: [f64; 6] = [2.45, 1.29, 1.12, 1.0655, 1.0275, 1.0156];
 
 /// A root off the middle has the interval cut so many times as far from its end as the root is: on either side of the
 /// cut a rule of 24 or 32 points suffices for this root.
@@ -106,15 +106,15 @@ impl Speed {
     fn integral(&self, roots: &Roots, lo: f64, hi: f64, depth: usize) -> f64 {
         let half = 0.5 * (hi - lo);
         let axes = roots.axes(lo, hi);
-        if axes.least() >= LEAST_AXIS[5] * half {
-            return self.by_rule(lo, half, axes.least());
+        if axes.min() >= MIN_AXIS[5] * half {
+            return self.by_rule(lo, half, axes.min());
         }
         // One is near, or at an end.
         let (axis, root) = roots.nearest(axes, lo, hi);
-        if axis >= LEAST_AXIS[5] * half || depth >= MOST_CUTS {
+        if axis >= MIN_AXIS[5] * half || depth >= MAX_CUTS {
             return self.by_rule(lo, half, axis);
         }
-        let cut = place_of_cut(root, lo, hi);
+        let cut = location_of_cut(root, lo, hi);
         self.integral(roots, lo, cut, depth + 1) + self.integral(roots, cut, hi, depth + 1)
     }
 
@@ -133,17 +133,17 @@ impl Speed {
     #[inline]
     fn by_rule(&self, lo: f64, half: f64, axis: f64) -> f64 {
         let here = self.about(lo + half, half);
-        let sum = if axis >= LEAST_AXIS[2] * half {
-            if axis >= LEAST_AXIS[0] * half {
+        let sum = if axis >= MIN_AXIS[2] * half {
+            if axis >= MIN_AXIS[0] * half {
                 here.sum(&GAUSS_8)
-            } else if axis >= LEAST_AXIS[1] * half {
+            } else if axis >= MIN_AXIS[1] * half {
                 here.sum(&GAUSS_16)
             } else {
                 here.sum(&GAUSS_24)
             }
-        } else if axis >= LEAST_AXIS[3] * half {
+        } else if axis >= MIN_AXIS[3] * half {
             here.sum(&GAUSS_32)
-        } else if axis >= LEAST_AXIS[4] * half {
+        } else if axis >= MIN_AXIS[4] * half {
             here.sum(&GAUSS_48)
         } else {
             here.sum(&GAUSS_64)
@@ -231,17 +231,17 @@ struct Axes(f64x2);
 
 impl Axes {
     #[inline(always)]
-    fn least(self) -> f64 {
+    fn min(self) -> f64 {
         let [a, b] = self.0.to_array();
         self.0.fast_min(f64x2::new([b, a])).to_array()[0]
     }
 }
 
 /// Twice what any curve of f64 needs; no endless recursion, whatever rounding does.
-const MOST_CUTS: usize = 48;
+const MAX_CUTS: usize = 48;
 
 /// Where an interval is cut for a root near it.
-fn place_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
+fn location_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let off = x - middle;
     if off.abs() <= INNER * half {

@@ -24,12 +24,12 @@ mod work;
 pub use angle::cos_sin;
 pub use bernstein::halve_coefficients;
 pub use bicubic::BicubicGrid;
-pub use cell_triangulator::{Cell, CellTriangulator, first, pair, place, second, sort_distinct};
+pub use cell_triangulator::{Cell, CellTriangulator, first, index_of, pair, second, sort_distinct};
 pub use clipping::{ClippingSolver, Contact, Piece, Row, intersect_cubics};
 pub use curve::sample_plane_cubic;
 pub use gauss::{GAUSS_8, GAUSS_16, GAUSS_32, Rule};
 pub use layout::{
-    Repeats, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs, gather_points,
+    Repeats, collect_points, fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs,
     whole_numbers,
 };
 pub use length::plane_cubic_length;

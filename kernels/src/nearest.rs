@@ -6,14 +6,14 @@ use crate::work::WorkLimit;
 const ROUGH_HALVINGS: u32 = 5;
 
 /// Further halvings, after which several roots count as one: squared distances differ by the square of the width there.
-const MOST_HALVINGS: u32 = 24;
+const MAX_HALVINGS: u32 = 24;
 
 /// Pieces that are looked at. In exact arithmetic at most two pieces of each width have more than one change of sign, which
 /// makes about 120 pieces; where the distance is constant but for rounding, every piece has changes of sign.
 const MAX_PIECES: usize = 256;
 
 /// Steps that even a root of multiplicity 5, where Newton's method converges slowest, does not need.
-const MOST_STEPS: usize = 80;
+const MAX_STEPS: usize = 80;
 
 /// Between these sizes, fourth powers stay in range with room for factors.
 const PLAIN_SIZES: std::ops::Range<f64> = 1e-60..1e60;
@@ -163,7 +163,7 @@ impl<const D: usize> Cubic<D> {
             // A root at its ends may, by rounding, be on neither side.
             let piece = self.piece(lo, hi);
             best.take(lo, dot(&piece[0], &piece[0]));
-            search_closely(piece, [lo, hi], MOST_HALVINGS, best);
+            search_closely(piece, [lo, hi], MAX_HALVINGS, best);
             best.take(hi, dot(&piece[3], &piece[3]));
             return;
         }
@@ -213,10 +213,11 @@ impl<const D: usize> Cubic<D> {
     /// The root of B·B′ at which it rises through zero, by Newton's method kept between lo and hi, and |B|² there. It ends with the step that shortens the distance by less than rounding.
     #[inline(always)]
     fn close_in(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
-        let bends = [0, 1].map(|i| each(|k| 2.0 * (self.slopes[i + 1][k] - self.slopes[i][k])));
+        let second_derivatives =
+            [0, 1].map(|i| each(|k| 2.0 * (self.slopes[i + 1][k] - self.slopes[i][k])));
         let mut t = guess;
-        for _ in 0..MOST_STEPS {
-            let (square, value, slope) = self.about(&bends, t);
+        for _ in 0..MAX_STEPS {
+            let (square, value, slope) = self.about(&second_derivatives, t);
             if value < 0.0 {
                 lo = t;
             } else {
@@ -233,7 +234,7 @@ impl<const D: usize> Cubic<D> {
                 0.5 * (lo + hi)
             };
         }
-        (t, self.about(&bends, t).0)
+        (t, self.about(&second_derivatives, t).0)
     }
 
     /// |B|² at t and half its first and second derivatives.

@@ -40,7 +40,7 @@ struct NormalNet {
 #[inline(never)]
 pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> bool {
     let columns = grid.segments_u + 1;
-    let Some(facing) = NormalNet::new(net) else {
+    let Some(net_of_normals) = NormalNet::new(net) else {
         out.fill([0.0; 3]);
         return true;
     };
@@ -52,12 +52,12 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     {
         let complete = fill_line(
             &grid.lanes,
-            facing.curve(weights),
-            facing.used_columns,
+            net_of_normals.curve(weights),
+            net_of_normals.used_columns,
             line,
         );
         if !complete {
-            missing |= facing.repair(grid, iv, line);
+            missing |= net_of_normals.repair(grid, iv, line);
         }
     }
     missing
@@ -68,21 +68,23 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let numbers: [f32; 20] = bytemuck::cast(curve);
     let enough = MOSTLY_CANCELLED * numbers[LONGEST];
-    let least = if enough > LEAST { enough } else { LEAST };
-    let least_square = least * least;
-    let mut complete = with_room(line, |line| fill_lanes(lanes, &numbers, least_square, line));
+    let min = if enough > LEAST { enough } else { LEAST };
+    let min_square = min * min;
+    let mut complete = with_room(line, |line| fill_lanes(lanes, &numbers, min_square, line));
     let end = |column: usize| -> [f32; 3] {
-        let (place, sign) = if column < 3 {
+        let (location, sign) = if column < 3 {
             (column, 1.0)
         } else {
             (5 - column, -1.0)
         };
-        std::array::from_fn(|axis| numbers[3 * place + axis] + sign * numbers[9 + 3 * place + axis])
+        std::array::from_fn(|axis| {
+            numbers[3 * location + axis] + sign * numbers[9 + 3 * location + axis]
+        })
     };
     if let [first, .., last] = line {
         for (normal, column) in [(first, used[0]), (last, used[1])] {
             // The sums are those of twice the vectors.
-            *normal = unit(end(column), 4.0 * least_square);
+            *normal = unit(end(column), 4.0 * min_square);
             complete &= *normal != [0.0; 3];
         }
     }
@@ -91,8 +93,8 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
 
 /// All but the ends.
 #[inline(never)]
-fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], least: f32, line: &mut [[f32; 3]]) -> bool {
-    let least = f32x4::splat(least);
+fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 3]]) -> bool {
+    let min = f32x4::splat(min);
     let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
     let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
     for (k, lanes) in lanes.iter().enumerate() {
@@ -101,28 +103,28 @@ fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], least: f32, line: &mut [[f32
         let odd =
             |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
         let (even, odd) = ([0, 1, 2].map(even), [0, 1, 2].map(odd));
-        let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), least);
-        let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), least);
+        let near = units([0, 1, 2].map(|axis| even[axis] + odd[axis]), min);
+        let far = units([0, 1, 2].map(|axis| even[axis] - odd[axis]), min);
         known &= near.1 & far.1;
         store(near.0, far.0, 1 + k * LANES, line);
     }
     known.all()
 }
 
-/// Four unit vectors, zero where their squares are not greater than `least`, and where they are.
+/// Four unit vectors, zero where their squares are not greater than `min`, and where they are.
 #[inline(always)]
-fn units([x, y, z]: [f32x4; 3], least: f32x4) -> ([f32x4; 3], f32x4) {
+fn units([x, y, z]: [f32x4; 3], min: f32x4) -> ([f32x4; 3], f32x4) {
     let square = x * x + y * y + z * z;
-    let known = square.simd_gt(least);
+    let known = square.simd_gt(min);
     let factor = known & (f32x4::splat(1.0) / square.sqrt());
     ([x * factor, y * factor, z * factor], known)
 }
 
-/// The unit vector, or zero if its square is not greater than `least`.
+/// The unit vector, or zero if its square is not greater than `min`.
 #[inline(always)]
-fn unit([x, y, z]: [f32; 3], least: f32) -> [f32; 3] {
+fn unit([x, y, z]: [f32; 3], min: f32) -> [f32; 3] {
     let square = x * x + y * y + z * z;
-    let factor = if square > least {
+    let factor = if square > min {
         1.0 / square.sqrt()
     } else {
         0.0
@@ -139,7 +141,7 @@ impl NormalNet {
         let mut columns = [f64x2::ZERO; 3];
         for (l, row) in net.iter().enumerate() {
             let mut numbers = [0.0; 20];
-            let mut most = f64x2::ZERO;
+            let mut max = f64x2::ZERO;
             for (k, &[x, y, z]) in row.iter().enumerate() {
                 for (axis, pair) in [x, y, z].into_iter().enumerate() {
                     let [a, b] = pair.to_array();
@@ -147,19 +149,19 @@ impl NormalNet {
                     numbers[9 + 3 * k + axis] = round(a - b);
                 }
                 let square = x * x + y * y + z * z;
-                most = most.fast_max(square);
+                max = max.fast_max(square);
                 columns[k] += square;
             }
-            let [a, b] = most.to_array();
+            let [a, b] = max.to_array();
             greatest[l] = larger(a, b);
             numbers[LONGEST] = round(greatest[l].sqrt());
             rows[l] = bytemuck::cast(numbers);
         }
-        let most = greatest
+        let max = greatest
             .iter()
-            .fold(0.0, |most, &square| larger(most, square));
+            .fold(0.0, |max, &square| larger(max, square));
         let [[a, f], [b, e], [c, d]] = columns.map(f64x2::to_array);
-        (most > REGULAR * REGULAR).then(|| Self {
+        (max > REGULAR * REGULAR).then(|| Self {
             net,
             rows,
             used_rows: used(greatest),
@@ -319,7 +321,7 @@ fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 
 fn reciprocal_size<const N: usize>(differences: &[[[f64x2; 3]; 3]; N]) -> f64 {
     let pairs = differences.as_flattened().as_flattened().iter();
     let [a, b] = pairs
-        .fold(f64x2::ZERO, |most, pair| most.fast_max(pair.abs()))
+        .fold(f64x2::ZERO, |max, pair| max.fast_max(pair.abs()))
         .to_array();
     let size = larger(a, b);
     if size < f64::MIN_POSITIVE * 8.0 {

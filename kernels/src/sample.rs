@@ -56,12 +56,12 @@ impl Sampler {
         let Weights { values, slopes } = &self.along;
         let [points, along_u, along_v] = &self.row;
         let (a, b) = (blend(along_u, slopes), blend(along_v, values));
-        let facing = [
+        let cross_product = [
             a[1] * b[2] - b[1] * a[2],
             a[2] * b[0] - b[2] * a[0],
             a[0] * b[1] - b[0] * a[1],
         ];
-        (blend(points, values), facing)
+        (blend(points, values), cross_product)
     }
 }
 

@@ -65,19 +65,19 @@ impl SecondDifferences {
         [uu, uv, vv].map(|(columns, rows)| {
             let (net, others) = rest.split_at(columns * rows);
             rest = others;
-            let mut most = f32x4::ZERO;
+            let mut max = f32x4::ZERO;
             let (fours, others) = net.as_chunks();
             for &four in fours {
                 let [x, y, z, _] = f32x4::transpose(four);
-                most = most.fast_max(x * x + y * y + z * z);
+                max = max.fast_max(x * x + y * y + z * z);
             }
             for &v in others {
-                most = most.fast_max(f32x4::splat((v * v).reduce_add()));
+                max = max.fast_max(f32x4::splat((v * v).reduce_add()));
             }
-            let [a, b, c, d] = most.to_array();
+            let [a, b, c, d] = max.to_array();
             let larger = |a: f32, b: f32| if a > b { a } else { b };
-            let most = larger(larger(a, b), larger(c, d));
-            f32::sqrt(most)
+            let max = larger(larger(a, b), larger(c, d));
+            f32::sqrt(max)
         })
     }
 

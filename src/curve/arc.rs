@@ -9,13 +9,13 @@ use glam::DVec3;
 const USUAL_PART: f64 = 1e-14;
 
 /// More halvings than f64 can tell apart.
-const MOST_CUTS: usize = 56;
+const MAX_CUTS: usize = 56;
 
 /// Of the search for a t; bisection alone takes as many.
-const MOST_STEPS: usize = 64;
+const MAX_STEPS: usize = 64;
 
 /// Every interval is halved at least this often at degrees of 25 and more.
-const MAX_LEAST_DEPTH: usize = 6;
+const MAX_MIN_DEPTH: usize = 6;
 
 /// Intervals that are looked at, more than ten times what curves of moderate numbers need; past them the rest is taken as
 /// it is.
@@ -98,7 +98,7 @@ impl ArcLengthTable {
         let (rest, whole) = (s - start.length, length - start.length);
         let (mut lo, mut hi) = (start.t, end);
         let mut t = self.first_guess(lo, hi, rest / whole, whole);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let off = self.between(start.t, t) - rest;
             if off.abs() <= slack {
                 break;
@@ -139,15 +139,15 @@ impl ArcLengthTable {
 
     /// Cuts an interval until both parts together agree with the whole: then each of them is good.
     fn refine(&mut self, lo: f64, hi: f64, whole: f64, depth: usize) {
-        let cut = self.place_of_cut(lo, hi, depth);
+        let cut = self.location_of_cut(lo, hi, depth);
         let (left, right) = (self.between(lo, cut), self.between(cut, hi));
         let off = (left + right - whole).abs();
-        let good = depth >= self.least_depth()
+        let good = depth >= self.min_depth()
             && off <= self.tolerance.max(self.noise * (hi - lo))
             && !self.turns_near(lo, cut)
             && !self.turns_near(hi, cut)
             && !self.turns_back(lo, hi);
-        if !self.work.spend(1) || good || depth >= MOST_CUTS {
+        if !self.work.spend(1) || good || depth >= MAX_CUTS {
             self.push(cut, left);
             self.push(hi, right);
         } else {
@@ -157,8 +157,8 @@ impl ArcLengthTable {
     }
 
     /// High degrees may hide a wave between the nodes of the first rules.
-    fn least_depth(&self) -> usize {
-        (self.slopes.len() / 4).min(MAX_LEAST_DEPTH)
+    fn min_depth(&self) -> usize {
+        (self.slopes.len() / 4).min(MAX_MIN_DEPTH)
     }
 
     /// Whether the curve may turn back between the nodes of a rule, which then does not see it.
@@ -205,22 +205,22 @@ impl ArcLengthTable {
     }
 
     /// The middle; once that did not help, the least speed inside.
-    fn place_of_cut(&self, lo: f64, hi: f64, depth: usize) -> f64 {
+    fn location_of_cut(&self, lo: f64, hi: f64, depth: usize) -> f64 {
         let middle = 0.5 * (lo + hi);
         if depth < 2 {
             return middle;
         }
-        let least = self.least_speed(lo, hi);
+        let min = self.min_speed(lo, hi);
         let margin = OFF_THE_ENDS * (hi - lo);
-        if least > lo + margin && least < hi - margin {
-            least
+        if min > lo + margin && min < hi - margin {
+            min
         } else {
             middle
         }
     }
 
     /// Where the speed has a minimum inside, by regula falsi (Illinois) on B′·B″; else an end.
-    fn least_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
+    fn min_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
         let bend: Points<DVec3> = self
             .slopes
             .windows(2)

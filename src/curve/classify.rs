@@ -66,13 +66,13 @@ impl<P: Point> Curve<P> {
         // From the start and about 1: an affine map, after which no power leaves the range.
         let unit = unit_for(unit);
         let start = self.start();
-        let ways: Points<P> = self
+        let vectors: Points<P> = self
             .points
             .iter()
             .map(|&p| p * unit - start * unit)
             .collect();
         let rounding = rounding * unit;
-        match in_its_plane(&ways, 4.0 * ways.len() as f64 * rounding) {
+        match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
             Flat::Line => CurveKind::Line,
             Flat::Not => CurveKind::Twisted,
             Flat::Plane(points) => class_in_plane(&lowered(points, rounding), rounding),
@@ -125,33 +125,38 @@ enum Flat {
     Not,
 }
 
-/// `ways` begin at the origin; `slack` is what rounding of the points may move them.
-fn in_its_plane<P: Point>(ways: &[P], slack: f64) -> Flat {
-    let ways: Points<DVec3> = ways.iter().map(|way| way.to_3d()).collect();
+/// `vectors` begin at the origin; `slack` is what rounding of the points may move them.
+fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
+    let vectors: Points<DVec3> = vectors.iter().map(|vector| vector.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
-    let farthest = ways.iter().copied().fold(DVec3::ZERO, longest);
+    let farthest = vectors.iter().copied().fold(DVec3::ZERO, longest);
     let slack = slack + FLATNESS_ROUNDING * Point::length(farthest);
     let along = Point::normalize_or_zero(farthest);
-    let across = ways.iter().map(|&way| way - along * way.dot(along));
+    let across = vectors
+        .iter()
+        .map(|&vector| vector - along * vector.dot(along));
     let across = across.fold(DVec3::ZERO, longest);
     if Point::length(across) <= slack {
         return Flat::Line;
     }
     let normal = along.cross(Point::normalize_or_zero(across));
-    if ways.iter().any(|way| way.dot(normal).abs() > slack) {
+    if vectors
+        .iter()
+        .any(|vector| vector.dot(normal).abs() > slack)
+    {
         return Flat::Not;
     }
     let size = normal.abs();
-    let flat = |way: &DVec3| {
+    let flat = |vector: &DVec3| {
         if size.z >= size.x.max(size.y) {
-            DVec3::new(way.x, way.y, 0.0)
+            DVec3::new(vector.x, vector.y, 0.0)
         } else if size.x >= size.y {
-            DVec3::new(way.y, way.z, 0.0)
+            DVec3::new(vector.y, vector.z, 0.0)
         } else {
-            DVec3::new(way.z, way.x, 0.0)
+            DVec3::new(vector.z, vector.x, 0.0)
         }
     };
-    Flat::Plane(ways.iter().map(flat).collect())
+    Flat::Plane(vectors.iter().map(flat).collect())
 }
 
 /// The class of a plane curve of its lowest degree; z = 0.

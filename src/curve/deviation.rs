@@ -156,7 +156,7 @@ impl<P: Point> Deviation for CubicDeviation<P> {
 
     #[inline]
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
-        if guess >= rest || (guess * FEW_CHORDS >= rest && self.squared(rest).at_most(1.0)) {
+        if guess >= rest || (guess * FEW_CHORDS >= rest && self.squared(rest).bounded_by(1.0)) {
             rest
         } else {
             guess
@@ -191,8 +191,8 @@ fn greatest_squared_of_opposed<C: CrossProduct>(first: C, last: C) -> f64 {
     let square = large.size_squared();
     let along = small.dot(large) / square;
     let sideways = (small + large * -along).size_squared() / square;
-    let parallel = lobe(along);
-    square * (parallel * parallel + sideways * LOBE_OF_ONE_END * LOBE_OF_ONE_END)
+    let along_chord = lobe(along);
+    square * (along_chord * along_chord + sideways * LOBE_OF_ONE_END * LOBE_OF_ONE_END)
 }
 
 /// The maximum of s(1−s)·s, at s = ⅔.

@@ -29,7 +29,7 @@ pub struct Distance {
 }
 
 /// Pairs of pieces that are looked at, at most. Only curves that all but keep their distance along a bend need more.
-const MOST_PAIRS: usize = 1536;
+const MAX_PAIRS: usize = 1536;
 
 /// Pairs, steps of Newton's method and pieces of searches for nearest points, together at most.
 const MAX_STEPS: usize = 16_384;
@@ -41,7 +41,7 @@ const ALONG: usize = 64;
 const ACCURACY: f64 = 1e-12;
 
 /// Steps of Newton's method; where the curves touch it gains one bit a step.
-const MOST_STEPS: usize = 60;
+const MAX_TOTAL_STEPS: usize = 60;
 
 impl<P: Point> Curve<P> {
     /// The least distance between the points of two curves, and where: |A(t) − B(u)| for t and u in \[0, 1\], ends included.
@@ -72,7 +72,7 @@ impl<P: Point> Curve<P> {
         // What a difference of two points may be off by, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
         let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
-        search.meet();
+        search.find_intersection();
         if search.distance > search.rounding {
             search.run();
         }
@@ -125,28 +125,28 @@ impl<P: Point> Piece<P> {
 
     /// The least and the greatest place along a direction.
     fn along(&self, direction: P) -> (f64, f64) {
-        let places = self.points.iter().map(|&p| p.dot(direction));
-        places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+        let projections = self.points.iter().map(|&p| p.dot(direction));
+        projections.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
             (low.min(x), high.max(x))
         })
     }
 
     /// The part of a vector that is perpendicular to the chord.
-    fn across(&self, way: P) -> P {
+    fn across(&self, vector: P) -> P {
         let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
-        way - chord * way.dot(chord)
+        vector - chord * vector.dot(chord)
     }
 
     /// A distance that no two points of the two pieces are below.
     fn apart(&self, other: &Self) -> f64 {
-        let way = self.middle - other.middle;
-        let bound = |way: P| {
-            let direction = way.normalize_or_zero();
+        let vector = self.middle - other.middle;
+        let bound = |vector: P| {
+            let direction = vector.normalize_or_zero();
             self.along(direction).0 - other.along(direction).1
         };
-        bound(way)
-            .max(bound(self.across(way)))
-            .max(bound(other.across(way)))
+        bound(vector)
+            .max(bound(self.across(vector)))
+            .max(bound(other.across(vector)))
     }
 }
 
@@ -171,7 +171,7 @@ impl<P: Point> Pieces<P> {
 
 /// Something with a bound; the least bound comes first in a heap.
 pub(super) struct Apart<T> {
-    pub(super) least: f64,
+    pub(super) min: f64,
     pub(super) of: T,
 }
 
@@ -179,7 +179,7 @@ pub(super) type Heap<T> = BinaryHeap<Apart<T>>;
 
 impl<T> PartialEq for Apart<T> {
     fn eq(&self, other: &Self) -> bool {
-        self.least == other.least
+        self.min == other.min
     }
 }
 
@@ -187,7 +187,7 @@ impl<T> Eq for Apart<T> {}
 
 impl<T> Ord for Apart<T> {
     fn cmp(&self, other: &Self) -> Ordering {
-        other.least.total_cmp(&self.least)
+        other.min.total_cmp(&self.min)
     }
 }
 
@@ -228,14 +228,14 @@ impl<'a, P: Point> Search<'a, P> {
     /// In the plane the intersections tell whether there is a distance; close crossings of curves that run along each
     /// other are their business. The points of an intersection may be farther apart than rounding, so the search goes on
     /// where no intersection is exact.
-    fn meet(&mut self) {
+    fn find_intersection(&mut self) {
         let flat = |points: &[P]| points.iter().all(|p| p.to_3d().z == 0.0);
         if !(flat(self.a.points) && flat(self.b.points)) {
             return;
         }
         let plane = |points: &[P]| Curve::from_points(points.iter().map(|p| p.to_2d()).collect());
-        for place in plane(self.a.points).intersections(&plane(self.b.points)) {
-            self.consider(place.t, place.u);
+        for location in plane(self.a.points).intersections(&plane(self.b.points)) {
+            self.consider(location.t, location.u);
         }
     }
 
@@ -249,21 +249,21 @@ impl<'a, P: Point> Search<'a, P> {
         }
         let (mut left, mut right) = (Pieces::new(self.a.points), Pieces::new(self.b.points));
         let mut pairs = Heap::from([Apart {
-            least: 0.0,
+            min: 0.0,
             of: (0, 0),
         }]);
-        for _ in 0..MOST_PAIRS {
+        for _ in 0..MAX_PAIRS {
             self.within &= self.work.spend(1);
             if !self.within {
                 return;
             }
             // The pair that may be nearest; when it is not near enough, none is.
-            let Some(Apart { least, of: (i, j) }) = pairs.pop() else {
+            let Some(Apart { min, of: (i, j) }) = pairs.pop() else {
                 return;
             };
             let (p, q) = (&left.0[i], &right.0[j]);
             let (first, second) = (p.size, q.size);
-            if !self.may_improve(least) || first.max(second) <= self.rounding {
+            if !self.may_improve(min) || first.max(second) <= self.rounding {
                 continue;
             }
             let halves = if first >= second {
@@ -276,9 +276,9 @@ impl<'a, P: Point> Search<'a, P> {
                 if (p.middle - q.middle).length() + self.rounding < self.distance {
                     self.descend(p.mid(), q.mid());
                 }
-                let least = p.apart(q);
-                if self.may_improve(least) {
-                    pairs.push(Apart { least, of: (i, j) });
+                let min = p.apart(q);
+                if self.may_improve(min) {
+                    pairs.push(Apart { min, of: (i, j) });
                 }
             }
         }
@@ -293,8 +293,8 @@ impl<'a, P: Point> Search<'a, P> {
     }
 
     /// Whether a distance that is possible yet is worth a look.
-    fn may_improve(&self, least: f64) -> bool {
-        least < self.distance * (1.0 - ACCURACY) - self.rounding
+    fn may_improve(&self, min: f64) -> bool {
+        min < self.distance * (1.0 - ACCURACY) - self.rounding
     }
 
     /// What is left for curves that run along each other: the places that are nearest to some of the one, then thirds
@@ -337,16 +337,16 @@ impl<'a, P: Point> Search<'a, P> {
 
     /// Newton's method for the least |A(t) − B(u)|², kept within the ranges and to steps that make it smaller.
     fn descend(&mut self, mut t: f64, mut u: f64) {
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_TOTAL_STEPS {
             self.consider(t, u);
             self.within &= self.work.spend(1);
             if !self.within {
                 return;
             }
-            let way = self.a.at(t) - self.b.at(u);
-            let (step_t, step_u) = self.newton(way, t, u);
+            let vector = self.a.at(t) - self.b.at(u);
+            let (step_t, step_u) = self.newton(vector, t, u);
             let mut share = 1.0;
-            let old = way.length();
+            let old = vector.length();
             loop {
                 let (v, w) = (
                     (t + share * step_t).clamp(0.0, 1.0),
@@ -365,23 +365,23 @@ impl<'a, P: Point> Search<'a, P> {
         self.consider(t, u);
     }
 
-    /// The step from t and u, `way` being A(t) − B(u): that of Newton where the second derivatives allow it, else without
+    /// The step from t and u, `vector` being A(t) − B(u): that of Newton where the second derivatives allow it, else without
     /// them (Gauss).
-    fn newton(&self, way: P, t: f64, u: f64) -> (f64, f64) {
+    fn newton(&self, vector: P, t: f64, u: f64) -> (f64, f64) {
         let ([a1, a2], [b1, b2]) = (self.a.derivatives(t), self.b.derivatives(u));
-        let (g, h) = (way.dot(a1), -way.dot(b1));
+        let (g, h) = (vector.dot(a1), -vector.dot(b1));
         let (aa, bb, ab) = (a1.dot(a1), b1.dot(b1), -a1.dot(b1));
         // At an end that the step would leave, only the other moves.
         let fixed = |x: f64, slope: f64| x <= 0.0 && slope >= 0.0 || x >= 1.0 && slope <= 0.0;
-        let (p, q) = (aa + way.dot(a2), bb - way.dot(b2));
-        let alone = |slope: f64, full: f64, half: f64| {
+        let (p, q) = (aa + vector.dot(a2), bb - vector.dot(b2));
+        let root_of_one = |slope: f64, full: f64, half: f64| {
             let bend = if full > 0.0 { full } else { half };
             if bend > 0.0 { -slope / bend } else { 0.0 }
         };
         match (fixed(t, g), fixed(u, h)) {
             (true, true) => (0.0, 0.0),
-            (true, false) => (0.0, alone(h, q, bb)),
-            (false, true) => (alone(g, p, aa), 0.0),
+            (true, false) => (0.0, root_of_one(h, q, bb)),
+            (false, true) => (root_of_one(g, p, aa), 0.0),
             (false, false) => {
                 let convex = p > 0.0 && q > 0.0 && p * q - ab * ab > 1e-14 * p * q;
                 let damped = 1e-12 * (aa + bb) + f64::MIN_POSITIVE;

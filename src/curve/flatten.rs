@@ -24,7 +24,7 @@ const KEPT_FROM: f64 = 0.72;
 const AIMED_AT: f64 = 0.92;
 
 /// Corrections of one chord before the best safe one is taken.
-const MOST_CORRECTIONS: usize = 8;
+const MAX_CORRECTIONS: usize = 8;
 
 /// Steps of the rule that forecasts the number of chords.
 const FORECAST_STEPS: usize = 1024;
@@ -68,7 +68,7 @@ pub(crate) struct Fraction {
 
 impl Fraction {
     #[inline]
-    pub(crate) fn at_most(self, bound: f64) -> bool {
+    pub(crate) fn bounded_by(self, bound: f64) -> bool {
         self.over <= bound * self.under
     }
 }
@@ -181,10 +181,10 @@ impl<P: Point> Curve<P> {
     fn bends_by(&self, distance: f64) -> bool {
         let start = self.start();
         let chord = self.end() - start;
-        let least = distance * distance * chord.dot(chord);
+        let min = distance * distance * chord.dot(chord);
         self.points
             .iter()
-            .any(|&p| chord.cross(p - start).size_squared() > least)
+            .any(|&p| chord.cross(p - start).size_squared() > min)
     }
 
     /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
@@ -246,9 +246,9 @@ fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
 ) -> Result<(), Error> {
     // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size: often far too many.
     let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
-    let most = limit as f64;
-    if curves().map(enough).sum::<f64>() <= most
-        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < most
+    let max = limit as f64;
+    if curves().map(enough).sum::<f64>() <= max
+        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < max
     {
         return Ok(());
     }
@@ -333,7 +333,7 @@ fn walk_chords(
 fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
     let h = deviation.first_try(guess, rest);
     let squared = deviation.squared(h);
-    if squared.at_most(1.0) && (h >= rest || !squared.at_most(KEPT_FROM)) {
+    if squared.bounded_by(1.0) && (h >= rest || !squared.bounded_by(KEPT_FROM)) {
         return h;
     }
     corrected_step(deviation, h, squared, rest)
@@ -348,15 +348,15 @@ fn corrected_step(
 ) -> f64 {
     let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
     for correction in 0.. {
-        if squared.at_most(1.0) {
-            if h >= rest || !squared.at_most(KEPT_FROM) {
+        if squared.bounded_by(1.0) {
+            if h >= rest || !squared.bounded_by(KEPT_FROM) {
                 return h;
             }
             safe = h;
         } else {
             unsafe_from = h;
         }
-        if (correction >= MOST_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
+        if (correction >= MAX_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
             break;
         }
         let next = h * fourth_root(AIMED_AT * squared.under, squared.over);

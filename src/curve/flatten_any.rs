@@ -13,7 +13,7 @@ use crate::point::Point;
 use glam::DVec3;
 
 /// After four, the bound of a parabola is 0.4 % above its height.
-const MOST_HALVINGS: usize = 4;
+const MAX_HALVINGS: usize = 4;
 
 /// [`Deviation`] of a curve of degree 2 to 64.
 pub(crate) struct PieceDeviation {
@@ -45,7 +45,7 @@ impl PieceDeviation {
         let undecided =
             bound > self.tolerance && Point::length(evaluate(&distances, 0.5)) <= self.tolerance;
         if undecided {
-            bound.min(halved_bound(&distances, MOST_HALVINGS))
+            bound.min(halved_bound(&distances, MAX_HALVINGS))
         } else {
             bound
         }
@@ -141,7 +141,7 @@ impl Deviation for PieceDeviation {
     /// A curve of a high degree may come back more than once: from the whole rest down.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
         let mut h = rest;
-        while h > 2.0 * guess && (self.leaves_chord(h) || !self.squared(h).at_most(1.0)) {
+        while h > 2.0 * guess && (self.leaves_chord(h) || !self.squared(h).bounded_by(1.0)) {
             h *= 0.5;
         }
         h

@@ -96,8 +96,8 @@ impl Piece {
     /// A bound on the distance from the cubic, point by point.
     fn error(&self) -> f64 {
         let length = |p: &DVec3| Point::length(*p);
-        let most = self.fourth.control_points().iter().map(length);
-        most.fold(0.0, f64::max) * self.length().powi(4) / 384.0
+        let max = self.fourth.control_points().iter().map(length);
+        max.fold(0.0, f64::max) * self.length().powi(4) / 384.0
     }
 
     /// The cubic with the same ends and derivatives there.

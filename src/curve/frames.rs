@@ -28,10 +28,10 @@ const BACK_COSINE: f64 = -0.9;
 const CLEAR_SPEED: f64 = 1e-6;
 
 /// A chord below this is rounding; over so short a way the tangent all but goes straight to its new direction.
-const CLEAR_WAY: f64 = 1e-10;
+const MIN_DISPLACEMENT: f64 = 1e-10;
 
 /// Derivatives count as parallel when the sine of their angle is below this.
-const PARALLEL_SINE: f64 = 1e-9;
+const PARALLELISM_SINE: f64 = 1e-9;
 
 /// Halvings of all ways together, and so many more for each frame: more than ten times what moderate curves need.
 const MAX_HALVINGS: usize = 1 << 12;
@@ -107,13 +107,13 @@ pub(crate) const FRAME_NUMBERS: usize = 13;
 /// Curves one after the other.
 pub(crate) trait FrameSequence {
     /// The curve of a t and the parameter on it.
-    fn place(&self, t: f64) -> (usize, f64);
+    fn segment_at(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
     fn link(&self, k: usize) -> Curve<DVec3>;
 }
 
 impl FrameSequence for Curve<DVec3> {
-    fn place(&self, t: f64) -> (usize, f64) {
+    fn segment_at(&self, t: f64) -> (usize, f64) {
         (0, t)
     }
     fn link(&self, _: usize) -> Curve<DVec3> {
@@ -123,7 +123,7 @@ impl FrameSequence for Curve<DVec3> {
 
 /// Frames along a chain; see [`Curve::frames_at`].
 pub(crate) fn frames_along(
-    chain: &dyn FrameSequence,
+    sequence: &dyn FrameSequence,
     ts: &[f64],
     normal: Option<DVec3>,
 ) -> Result<Vec<Frame>, Error> {
@@ -132,16 +132,16 @@ pub(crate) fn frames_along(
     let Some(&first) = ts.first() else {
         return Ok(frames);
     };
-    let (mut k, mut at) = chain.place(first);
-    let mut rail = FrameCurve::new(chain.link(k));
+    let (mut k, mut at) = sequence.segment_at(first);
+    let mut frame_curve = FrameCurve::new(sequence.link(k));
     // The last direction: a curve of a chain that is a point has none of its own.
-    let mut direction = rail.tangent(at);
-    let mut carried = rail.first_normal(at, normal);
+    let mut direction = frame_curve.tangent(at);
+    let mut carried = frame_curve.first_normal(at, normal);
     let mut work = WorkLimit::new(
         MAX_HALVINGS.saturating_add(MAX_HALVINGS_PER_FRAME.saturating_mul(ts.len())),
     );
     for &t in ts {
-        let (to, rest) = chain.place(t);
+        let (to, rest) = sequence.segment_at(t);
         while k != to {
             // To the end of this curve, and round the corner.
             let (end, start, next) = if k < to {
@@ -149,22 +149,22 @@ pub(crate) fn frames_along(
             } else {
                 (0.0, 1.0, k - 1)
             };
-            carried = rail.carried(carried, at, end, &mut work);
-            direction = rail.direction(end, direction);
-            rail = FrameCurve::new(chain.link(next));
-            let after = rail.direction(start, direction);
+            carried = frame_curve.carried(carried, at, end, &mut work);
+            direction = frame_curve.direction(end, direction);
+            frame_curve = FrameCurve::new(sequence.link(next));
+            let after = frame_curve.direction(start, direction);
             carried = if carried == DVec3::ZERO {
-                rail.first_normal(start, normal)
+                frame_curve.first_normal(start, normal)
             } else {
                 turned(direction, carried, after, DVec3::ZERO)
             };
             (k, at, direction) = (next, start, after);
         }
-        carried = rail.carried(carried, at, rest, &mut work);
-        (at, direction) = (rest, rail.direction(rest, direction));
+        carried = frame_curve.carried(carried, at, rest, &mut work);
+        (at, direction) = (rest, frame_curve.direction(rest, direction));
         frames.push(Frame {
             t,
-            point: rail.curve.eval(at),
+            point: frame_curve.curve.eval(at),
             tangent: direction,
             normal: carried,
             binormal: direction.cross(carried),
@@ -219,7 +219,7 @@ impl FrameCurve {
         }
     }
 
-    fn place(&self, t: f64) -> FrameSample {
+    fn segment_at(&self, t: f64) -> FrameSample {
         FrameSample {
             t,
             point: self.unit.eval(t),
@@ -248,8 +248,9 @@ impl FrameCurve {
             .min_by(|a, b| a.dot(tangent).abs().total_cmp(&b.dot(tangent).abs()));
         let all = [wanted, Some(self.unit.normal(t)), farthest];
         // What is along the tangent but for rounding is no wish.
-        let clear =
-            |v: &DVec3| Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLEL_SINE;
+        let clear = |v: &DVec3| {
+            Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLELISM_SINE
+        };
         all.into_iter()
             .flatten()
             .find(clear)
@@ -261,7 +262,7 @@ impl FrameCurve {
         if t0 == t1 || self.slopes.iter().all(|&slope| slope == DVec3::ZERO) {
             return normal;
         }
-        self.in_steps(&self.place(t0), normal, &self.place(t1), work)
+        self.in_steps(&self.segment_at(t0), normal, &self.segment_at(t1), work)
     }
 
     fn in_steps(
@@ -271,7 +272,7 @@ impl FrameCurve {
         to: &FrameSample,
         work: &mut WorkLimit,
     ) -> DVec3 {
-        let middle = self.place(0.5 * (from.t + to.t));
+        let middle = self.segment_at(0.5 * (from.t + to.t));
         let at_once = reflected(from, normal, to);
         let in_two = reflected(&middle, reflected(from, normal, &middle), to);
         let cosine = from
@@ -298,18 +299,18 @@ impl FrameCurve {
         let second = derivative(2);
         (3..=self.unit.degree())
             .map(|k| second.cross(derivative(k)))
-            .find(|axis| Point::length(*axis) > PARALLEL_SINE)
+            .find(|axis| Point::length(*axis) > PARALLELISM_SINE)
             .map_or(DVec3::ZERO, Point::normalize_or_zero)
     }
 }
 
 /// The double reflection: in the plane amid both points, then in that which takes the reflected tangent to the new one.
 fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
-    let way = to.point - from.point;
-    if way.max_abs() < CLEAR_WAY && from.tangent.dot(to.tangent) > GENTLE_COSINE {
+    let displacement = to.point - from.point;
+    if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
         return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
-    let chord = Point::normalize_or_zero(way);
+    let chord = Point::normalize_or_zero(displacement);
     let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
     let (normal, tangent) = (mirror(normal, chord), mirror(from.tangent, chord));
     let second = Point::normalize_or_zero(to.tangent - tangent);

@@ -7,7 +7,7 @@ use crate::point::Point;
 use casteljau_kernels::WorkLimit;
 
 /// Nearest points that are looked for, at most. Only curves that run along each other at another pace need more.
-const MOST_PLACES: usize = 600;
+const MAX_LOCATIONS: usize = 600;
 
 /// Pieces that the searches for nearest points may look at together, in each direction.
 const MAX_STEPS: usize = 6000;
@@ -62,31 +62,36 @@ impl<P: Point> Curve<P> {
 /// A straight curve is the segment between its farthest points, at whatever pace it is run through.
 fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     let start = points[0];
-    let longest = |way: P, &p: &P| {
-        if (p - start).length() > way.length() {
+    let longest = |longest_so_far: P, &p: &P| {
+        if (p - start).length() > longest_so_far.length() {
             p - start
         } else {
-            way
+            longest_so_far
         }
     };
     let along = points
         .iter()
         .fold(P::default(), longest)
         .normalize_or_zero();
-    let place = |p: P| (p - start).dot(along);
-    let off = |&p: &P| (p - start - along * place(p)).length();
+    let project = |p: P| (p - start).dot(along);
+    let off = |&p: &P| (p - start - along * project(p)).length();
     if points.len() == 2 || points.iter().map(off).fold(0.0, f64::max) > 8.0 * rounding {
         return points;
     }
     let curve = Curve::from_points(points);
-    let turns =
-        super::extrema::extrema_of(&curve.points.iter().map(|&p| place(p)).collect::<Vec<f64>>());
+    let turns = super::extrema::extrema_of(
+        &curve
+            .points
+            .iter()
+            .map(|&p| project(p))
+            .collect::<Vec<f64>>(),
+    );
     let (mut low, mut high) = (start, start);
     for t in turns.into_iter().chain([1.0]) {
         let p = curve.eval(t);
-        if place(p) < place(low) {
+        if project(p) < project(low) {
             low = p;
-        } else if place(p) > place(high) {
+        } else if project(p) > project(high) {
             high = p;
         }
     }
@@ -138,15 +143,15 @@ fn farthest<P: Point>(
     };
     let mut pieces = Heap::new();
     pieces.push(Apart {
-        least: -whole.most(&b_curve, straight),
+        min: -whole.max(&b_curve, straight),
         of: whole,
     });
-    for _ in 0..MOST_PLACES {
+    for _ in 0..MAX_LOCATIONS {
         // The piece that may be farthest; when it is not far enough, none is.
-        let Some(Apart { least, of: piece }) = pieces.pop() else {
+        let Some(Apart { min, of: piece }) = pieces.pop() else {
             break;
         };
-        if -least <= greatest * (1.0 + ACCURACY) + rounding {
+        if -min <= greatest * (1.0 + ACCURACY) + rounding {
             break;
         }
         let (left, right) = Curve::from_points(piece.points).halve();
@@ -167,7 +172,7 @@ fn farthest<P: Point>(
             },
         ] {
             pieces.push(Apart {
-                least: -half.most(&b_curve, straight),
+                min: -half.max(&b_curve, straight),
                 of: half,
             });
         }
@@ -178,7 +183,7 @@ fn farthest<P: Point>(
 impl<P: Point> Piece<P> {
     /// A distance that no point of the piece is above from B: run through side by side with the piece of B between the
     /// nearest points, or seen from one of those. Straight pieces need no equal pace.
-    fn most(&self, b: &Curve<P>, straight: [bool; 2]) -> f64 {
+    fn max(&self, b: &Curve<P>, straight: [bool; 2]) -> f64 {
         let along = b.subsegment(self.from, self.to);
         let beside = match straight {
             [_, true] => self.distance_from_segment(b),

@@ -92,8 +92,8 @@ impl<P: Point> Curve<P> {
         let (slopes, _) = hodograph(&self.points);
         let goes = |t: f64| evaluate(&slopes, t).length() > HALF_THE_DIGITS;
         let passes = |t: f64| {
-            let (way, tangent) = (evaluate(&about, t).to_2d(), self.tangent(t).to_2d());
-            way.perp_dot(tangent).abs() <= HALF_THE_DIGITS * max_abs(&about)
+            let (direction, tangent) = (evaluate(&about, t).to_2d(), self.tangent(t).to_2d());
+            direction.perp_dot(tangent).abs() <= HALF_THE_DIGITS * max_abs(&about)
         };
         ts.into_iter().filter(|&t| goes(t) || passes(t)).collect()
     }

@@ -105,13 +105,13 @@ fn power_of_two(x: f64) -> f64 {
 /// neither a nearly even speed nor a turn-back (h = 0) does harm.
 fn line_integral<P: Point>(d: P, e: P) -> f64 {
     let (r0, r1) = (d.length(), e.length());
-    let way = e - d;
-    let a = way.length();
+    let chord = e - d;
+    let a = chord.length();
     // The speed is even but for the square of a.
     if a <= 1e-9 * (r0 + r1) {
         return r0 + r1;
     }
-    let along = way / a;
+    let along = chord / a;
     let (mut s0, mut s1) = (d.dot(along), e.dot(along));
     if s0 + s1 < 0.0 {
         (s0, s1) = (-s1, -s0);

@@ -261,10 +261,10 @@ pub(crate) fn check_tolerance(tolerance: f64, largest_coordinate: f64) -> Result
             got: tolerance,
         });
     }
-    let least = 4.0 * ulp(largest_coordinate);
-    if tolerance < least {
+    let min = 4.0 * ulp(largest_coordinate);
+    if tolerance < min {
         Err(Error::Tolerance {
-            least,
+            min,
             got: tolerance,
         })
     } else {

@@ -29,7 +29,7 @@ pub struct Nearest<P> {
 }
 
 /// Halvings after which several roots count as one: squared distances differ by the square of the width there.
-const MOST_HALVINGS: usize = 26;
+const MAX_HALVINGS: usize = 26;
 
 /// Pieces that are looked at, and so many more for each degree: more than ten times what curves of moderate numbers need.
 const MAX_PIECES: usize = 64;
@@ -39,7 +39,7 @@ const MAX_PIECES_PER_DEGREE: usize = 16;
 const STEPS_OF_CUBIC: usize = 8;
 
 /// Steps of Newton's method after a root was found; one or two at most places.
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 
 impl<P: Point> Curve<P> {
     /// The point of the curve that is nearest to p: the least |B(t) − p| for t in \[0, 1\], ends included.
@@ -110,8 +110,8 @@ pub(crate) fn unit_for(size: f64) -> f64 {
 
 /// The parameter of the point from a to b that is nearest to the origin.
 fn on_segment<P: Point>(a: P, b: P) -> f64 {
-    let way = b - a;
-    let t = -a.dot(way) / way.dot(way);
+    let chord = b - a;
+    let t = -a.dot(chord) / chord.dot(chord);
     // Of two points in one place: 0/0.
     if t > 0.0 { t.min(1.0) } else { 0.0 }
 }
@@ -142,28 +142,28 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
 fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
     let n = points.len() - 1;
     let mut search = Search {
-        way: CurveWithDerivatives::new(points),
+        chord: CurveWithDerivatives::new(points),
         binomials: Binomials::new(n, n - 1),
         slack: 4.0 * f64::EPSILON * max_abs(points),
         t: 0.0,
-        least: points[0].length(),
+        min: points[0].length(),
         end: points[n].length(),
         work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
     };
-    search.run(points, [0.0, 1.0], MOST_HALVINGS);
+    search.run(points, [0.0, 1.0], MAX_HALVINGS);
     search.consider(1.0);
     (search.t, search.work.used())
 }
 
 /// The search for the point of a curve that is nearest to the origin.
 struct Search<'a, P: Point> {
-    way: CurveWithDerivatives<'a, P>,
+    chord: CurveWithDerivatives<'a, P>,
     binomials: Binomials,
     /// Distances that differ by less are equal.
     slack: f64,
     t: f64,
     /// The distance at t.
-    least: f64,
+    min: f64,
     /// The distance of the curve's end.
     end: f64,
     work: WorkLimit,
@@ -171,9 +171,9 @@ struct Search<'a, P: Point> {
 
 impl<P: Point> Search<'_, P> {
     fn consider(&mut self, t: f64) {
-        let (t, distance) = closer(&self.way, t);
-        if distance < self.least - self.slack {
-            (self.t, self.least) = (t, distance);
+        let (t, distance) = closer(&self.chord, t);
+        if distance < self.min - self.slack {
+            (self.t, self.min) = (t, distance);
         }
     }
 
@@ -182,7 +182,7 @@ impl<P: Point> Search<'_, P> {
     fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
         let within = self.work.spend(1);
         let bound = distance_of_box(points);
-        if bound > self.least.min(self.end) + self.slack {
+        if bound > self.min.min(self.end) + self.slack {
             return;
         }
         let rate = self
@@ -224,15 +224,15 @@ fn max_of(numbers: &[f64]) -> f64 {
 
 /// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve
 /// hardly moves the roots of B·B′ are not known well. The parameter and the distance.
-fn closer<P: Point>(way: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
-    let mut p = way.at(t);
-    for _ in 0..MOST_STEPS {
-        let [first, second] = way.derivatives(t);
+fn closer<P: Point>(chord: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
+    let mut p = chord.at(t);
+    for _ in 0..MAX_STEPS {
+        let [first, second] = chord.derivatives(t);
         let next = t - p.dot(first) / (first.dot(first) + p.dot(second));
         if !(next > 0.0 && next < 1.0) {
             break;
         }
-        let q = way.at(next);
+        let q = chord.at(next);
         if q.dot(q) >= p.dot(p) {
             break;
         }

@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 const DEFAULT_RATIO: f64 = 1e-4;
 
 /// And at least this part of the largest coordinate and the distance.
-const LEAST_DEFAULT: f64 = 1e-12;
+const MIN_DEFAULT: f64 = 1e-12;
 
 /// What rounding leaves of a distance, as a part of it and the curve's size.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -54,28 +54,28 @@ impl Curve<DVec2> {
     ///
     /// Source: Levien, "OffsetCurve curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
     pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
-        self.parallel(distance, tolerance)
+        self.offset_builder(distance, tolerance)
             .map(SplineBuilder::spline)
     }
 
     /// As [`offset`](Self::offset), not yet a spline.
-    pub(crate) fn parallel(
+    pub(crate) fn offset_builder(
         &self,
         distance: f64,
         tolerance: Option<f64>,
     ) -> Result<SplineBuilder, Error> {
         let diagonal = || self.control_bounds().diagonal();
         let tolerance = offset_tolerance(distance, tolerance, self.max_abs(), diagonal)?;
-        let mut chain = SplineBuilder::default();
-        chain.add_parallel(self, distance, tolerance)?;
-        Ok(chain)
+        let mut builder = SplineBuilder::default();
+        builder.add_offset(self, distance, tolerance)?;
+        Ok(builder)
     }
 }
 
 /// Refuses what cannot be done; the tolerance that was given or that of a size.
 pub(crate) fn offset_tolerance(
     distance: f64,
-    given: Option<f64>,
+    requested: Option<f64>,
     largest: f64,
     diagonal: impl FnOnce() -> f64,
 ) -> Result<f64, Error> {
@@ -87,10 +87,10 @@ pub(crate) fn offset_tolerance(
             got: distance,
         });
     }
-    match given {
+    match requested {
         Some(tolerance) => check_tolerance(tolerance, reach).map(|()| tolerance),
         None => Ok((DEFAULT_RATIO * diagonal())
-            .max(LEAST_DEFAULT * reach)
+            .max(MIN_DEFAULT * reach)
             .max(4.0 * ulp(reach))),
     }
 }
@@ -121,7 +121,7 @@ impl SplineBuilder {
     }
 
     /// Appends the parallel of a curve; a chain that is not empty ends at its start.
-    pub(crate) fn add_parallel(
+    pub(crate) fn add_offset(
         &mut self,
         curve: &Curve<DVec2>,
         distance: f64,
@@ -132,8 +132,8 @@ impl SplineBuilder {
             self.start(curve.start());
             self.points.extend(&curve.points[1..]);
             self.degrees.push(curve.degree());
-        } else if let Some(way) = curve.straight_way() {
-            self.add_parallel_of_straight(curve, way, distance, tolerance);
+        } else if let Some(direction) = curve.straight_direction() {
+            self.add_offset_of_straight(curve, direction, distance, tolerance);
         } else {
             NormalizedCurve::new(curve, reach, distance, tolerance).add_to(self)?;
         }
@@ -141,14 +141,14 @@ impl SplineBuilder {
     }
 
     /// Lines there and back, and half circles about the points where the curve turns.
-    fn add_parallel_of_straight(
+    fn add_offset_of_straight(
         &mut self,
         curve: &Curve<DVec2>,
-        way: DVec2,
+        direction: DVec2,
         distance: f64,
         tolerance: f64,
     ) {
-        let mut turns = curve.turns_along(way);
+        let mut turns = curve.turns_along(direction);
         turns.push(1.0);
         // Signs are those of the derivative: points that differ may be equal when rounded.
         let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
@@ -159,7 +159,7 @@ impl SplineBuilder {
             } else {
                 curve.end()
             };
-            let sign = curve.sign_along(way, 0.5 * (t + next));
+            let sign = curve.sign_along(direction, 0.5 * (t + next));
             match runs.last_mut() {
                 _ if sign == 0.0 => {}
                 Some((_, end, last)) if *last == sign => *end = to,
@@ -168,9 +168,15 @@ impl SplineBuilder {
             (t, from) = (next, to);
         }
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
-            let normal = way.perp() * sign;
+            let normal = direction.perp() * sign;
             if k > 0 {
-                self.turn(from, -way * sign, way * sign, distance, tolerance);
+                self.turn(
+                    from,
+                    -direction * sign,
+                    direction * sign,
+                    distance,
+                    tolerance,
+                );
             }
             self.start(from + normal * distance);
             self.line_to(to + normal * distance);
@@ -256,15 +262,15 @@ impl<'a> NormalizedCurve<'a> {
         }
     }
 
-    fn add_to(&self, chain: &mut SplineBuilder) -> Result<(), Error> {
+    fn add_to(&self, builder: &mut SplineBuilder) -> Result<(), Error> {
         let mut work = WorkLimit::new(MAX_STEPS);
         let [first, last] = self.source.end_tangents();
         let (mut t, mut tangent) = (0.0, first);
         for cusp in self.source.cusps() {
             let (before, after) = self.source.cusp_tangents(cusp);
             let about = self.curve.eval(cusp);
-            self.add_run(chain, (t, cusp), [tangent, before], about, &mut work);
-            chain.turn(
+            self.add_run(builder, (t, cusp), [tangent, before], about, &mut work);
+            builder.turn(
                 about,
                 vector(before),
                 vector(after),
@@ -274,7 +280,7 @@ impl<'a> NormalizedCurve<'a> {
             (t, tangent) = (cusp, after);
         }
         self.add_run(
-            chain,
+            builder,
             (t, 1.0),
             [tangent, last],
             self.curve.end(),
@@ -293,7 +299,7 @@ impl<'a> NormalizedCurve<'a> {
     /// A piece between two cusps of the curve.
     fn add_run(
         &self,
-        chain: &mut SplineBuilder,
+        builder: &mut SplineBuilder,
         ts: (f64, f64),
         tangents: [Plane; 2],
         end: DVec2,
@@ -301,17 +307,19 @@ impl<'a> NormalizedCurve<'a> {
     ) {
         let normal = |tangent: Plane| vector(tangent).perp() * self.distance;
         if ts.0 == 0.0 {
-            chain.start(self.curve.start() + normal(tangents[0]));
+            builder.start(self.curve.start() + normal(tangents[0]));
         }
         let mut out = Vec::with_capacity(12);
         OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1)
             .run(ts, tangents, &mut out, work);
         let origin = self.curve.start();
-        let place = |p: &Plane| vector(*p) * self.unit + origin;
-        chain.points.extend(out.iter().map(place));
-        chain.degrees.extend(std::iter::repeat_n(3, out.len() / 3));
+        let position = |p: &Plane| vector(*p) * self.unit + origin;
+        builder.points.extend(out.iter().map(position));
+        builder
+            .degrees
+            .extend(std::iter::repeat_n(3, out.len() / 3));
         // Not what scaling has left of it.
-        if let Some(p) = chain.points.last_mut() {
+        if let Some(p) = builder.points.last_mut() {
             *p = end + normal(tangents[1]);
         }
     }

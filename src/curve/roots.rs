@@ -45,9 +45,9 @@ fn scaled(coefficients: &[f64]) -> Option<(Scalars, f64)> {
 /// The parameters inside (0, 1) where the sign changes from beyond ±`slack` to beyond the other, sorted.
 pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     let mut roots = Scalars::new();
-    walk(coefficients, slack, |meeting| {
+    walk(coefficients, slack, |crossing| {
         // A root next to an end may round to it.
-        if let ZeroCrossing::Cross(t) = meeting
+        if let ZeroCrossing::Cross(t) = crossing
             && t > 0.0
             && t < 1.0
         {
@@ -62,7 +62,7 @@ pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
 pub(crate) fn contacts(coefficients: &[f64], slack: f64) -> Option<Scalars> {
     let mut roots = Scalars::new();
     let mut everywhere = false;
-    walk(coefficients, slack, |meeting| match meeting {
+    walk(coefficients, slack, |crossing| match crossing {
         ZeroCrossing::Cross(t) | ZeroCrossing::Touch(t) => roots.push(t),
         ZeroCrossing::Everywhere => everywhere = true,
     });

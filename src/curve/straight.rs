@@ -16,7 +16,7 @@ const NO_SLOPE: f64 = 1e-15;
 impl Curve<DVec2> {
     /// The unit vector along a straight curve, from its start to its farthest control point; `None` if it bends or is a
     /// point.
-    pub(crate) fn straight_way(&self) -> Option<DVec2> {
+    pub(crate) fn straight_direction(&self) -> Option<DVec2> {
         let start = self.start() * 0.5;
         let from_start = |p: &DVec2| *p * 0.5 - start;
         let far = self
@@ -30,21 +30,21 @@ impl Curve<DVec2> {
                     far
                 }
             });
-        let way = Point::normalize_or_zero(far);
+        let direction = Point::normalize_or_zero(far);
         let noise = (ULPS * ulp(0.5 * self.max_abs())).min(LARGEST_PART * Point::length(far));
-        let across = |p: &DVec2| way.perp_dot(from_start(p)).abs();
-        let straight = way != DVec2::ZERO && self.points.iter().all(|p| across(p) <= noise);
-        straight.then_some(way)
+        let across = |p: &DVec2| direction.perp_dot(from_start(p)).abs();
+        let straight = direction != DVec2::ZERO && self.points.iter().all(|p| across(p) <= noise);
+        straight.then_some(direction)
     }
 
     /// The parameters inside (0, 1) at which the curve stops along a direction, sorted.
-    pub(crate) fn turns_along(&self, way: DVec2) -> Scalars {
-        roots_inside(&self.slopes_along(way))
+    pub(crate) fn turns_along(&self, direction: DVec2) -> Scalars {
+        roots_inside(&self.slopes_along(direction))
     }
 
     /// The sign of the derivative along a direction; 0 for none.
-    pub(crate) fn sign_along(&self, way: DVec2, t: f64) -> f64 {
-        let mut row = self.slopes_along(way);
+    pub(crate) fn sign_along(&self, direction: DVec2, t: f64) -> f64 {
+        let mut row = self.slopes_along(direction);
         for last in (1..row.len()).rev() {
             for i in 0..last {
                 row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
@@ -54,13 +54,13 @@ impl Curve<DVec2> {
     }
 
     /// The differences of neighbours along a direction; those that rounding makes are none.
-    fn slopes_along(&self, way: DVec2) -> Scalars {
-        let slope = |pair: &[DVec2]| (pair[1] * 0.5 - pair[0] * 0.5).dot(way);
+    fn slopes_along(&self, direction: DVec2) -> Scalars {
+        let slope = |pair: &[DVec2]| (pair[1] * 0.5 - pair[0] * 0.5).dot(direction);
         let mut slopes: Scalars = self.points.windows(2).map(slope).collect();
         let longest = slopes.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
-        let least = NO_SLOPE * longest * self.degree() as f64;
+        let min = NO_SLOPE * longest * self.degree() as f64;
         for s in &mut slopes {
-            *s = if s.abs() <= least { 0.0 } else { *s };
+            *s = if s.abs() <= min { 0.0 } else { *s };
         }
         slopes
     }

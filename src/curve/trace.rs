@@ -52,7 +52,7 @@ impl<P: Point> Curve<P> {
             [_, p1, p2, p3] => sink.cubic_to(p1.to_2d(), p2.to_2d(), p3.to_2d()),
             _ => {
                 let default = || 1e-4 * self.control_bounds().diagonal();
-                self.trace_cubics(sink, tolerance.unwrap_or_else(default), MOST_HALVINGS);
+                self.trace_cubics(sink, tolerance.unwrap_or_else(default), MAX_HALVINGS);
             }
         }
     }
@@ -104,4 +104,4 @@ impl<P: Point> Curve<P> {
 }
 
 /// The cubic's error falls by 16 with each halving: 13 exhaust the 52 bits of f64.
-const MOST_HALVINGS: usize = 13;
+const MAX_HALVINGS: usize = 13;

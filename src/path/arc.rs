@@ -41,7 +41,7 @@ pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let reach = 4.0 / 3.0 * step.y / (1.0 + step.x);
     // The arc has come to the angle 2β.
     let mut beta = DVec2::X;
-    let mut place = shape.from;
+    let mut point = shape.from;
     let mut handle = ellipse.normal_at(turned(beta, beta)) * reach;
     let mut left = pieces;
     while left > 0.0 {
@@ -53,8 +53,8 @@ pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
             shape.from + ellipse.chord(beta)
         };
         let next_handle = ellipse.normal_at(turned(beta, beta)) * reach;
-        cubic(&[place + handle, next - next_handle, next]);
-        (place, handle) = (next, next_handle);
+        cubic(&[point + handle, next - next_handle, next]);
+        (point, handle) = (next, next_handle);
     }
     true
 }

@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::IntersectionKind;
-use crate::spline::{Chains, SplineIntersection};
+use crate::spline::{SplineIntersection, SplineSet};
 use glam::DVec2;
 
 /// A place that two paths share.
@@ -35,7 +35,9 @@ impl Path {
     /// paths take hardly more than their number of segments times its logarithm, and at worst, where all boxes meet, each
     /// segment is intersected with each, at the cost of [`Curve::intersections`](crate::Curve::intersections).
     pub fn intersections(&self, other: &Self) -> Vec<PathIntersection> {
-        places(Chains::new(self.subpaths()).meet(&Chains::new(other.subpaths())))
+        path_intersections(
+            SplineSet::new(self.subpaths()).intersections_with(&SplineSet::new(other.subpaths())),
+        )
     }
 
     /// The places that the path passes twice, on one subpath or on two: of each pair the earlier one first.
@@ -43,12 +45,12 @@ impl Path {
     /// As [`Spline::self_intersections`](crate::Spline::self_intersections); the kind is that of the contact. Pieces along
     /// which the path runs twice are left out.
     pub fn self_intersections(&self) -> Vec<PathIntersection> {
-        places(Chains::new(self.subpaths()).meet_selves())
+        path_intersections(SplineSet::new(self.subpaths()).intersections_within())
     }
 }
 
-fn places(found: Vec<SplineIntersection>) -> Vec<PathIntersection> {
-    let place = |m: SplineIntersection| PathIntersection {
+fn path_intersections(found: Vec<SplineIntersection>) -> Vec<PathIntersection> {
+    let intersection = |m: SplineIntersection| PathIntersection {
         subpath: m.a,
         t: m.at.t,
         other_subpath: m.b,
@@ -56,5 +58,5 @@ fn places(found: Vec<SplineIntersection>) -> Vec<PathIntersection> {
         point: m.at.point,
         kind: m.at.kind,
     };
-    found.into_iter().map(place).collect()
+    found.into_iter().map(intersection).collect()
 }

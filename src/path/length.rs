@@ -48,13 +48,13 @@ impl Path {
         if self.is_empty() {
             return Ok(None);
         }
-        let ruler = ArcLengthIndex::new(self);
-        if s > 0.0 && s >= ruler.whole() {
-            return Ok(Some(ruler.end()));
+        let index = ArcLengthIndex::new(self);
+        if s > 0.0 && s >= index.whole() {
+            return Ok(Some(index.end()));
         }
-        let (k, rest) = ruler.segment_at(s);
-        let t = ArcLengthInverse::new(&ruler.curve(k), tolerance).time(rest);
-        Ok(Some(ruler.place(k, t)))
+        let (k, rest) = index.segment_at(s);
+        let t = ArcLengthInverse::new(&index.curve(k), tolerance).time(rest);
+        Ok(Some(index.path_time(k, t)))
     }
 
     /// `segments` + 1 places that divide the whole path into parts of one length; of the empty path none.
@@ -69,26 +69,26 @@ impl Path {
         if self.is_empty() {
             return Ok(Vec::new());
         }
-        let ruler = ArcLengthIndex::new(self);
-        let mut places = Vec::with_capacity(segments + 1);
+        let index = ArcLengthIndex::new(self);
+        let mut times = Vec::with_capacity(segments + 1);
         let mut table: Option<(usize, ArcLengthInverse)> = None;
         for i in 0..segments {
             let part = i as f64 / segments as f64;
-            let (k, rest) = ruler.segment_of(part);
+            let (k, rest) = index.segment_of(part);
             let (_, curve) = match table.take().filter(|&(of, _)| of == k) {
                 Some(table) => table,
-                None => (k, ArcLengthInverse::new(&ruler.curve(k), None)),
+                None => (k, ArcLengthInverse::new(&index.curve(k), None)),
             };
-            let t = if ruler.whole() > 0.0 {
+            let t = if index.whole() > 0.0 {
                 curve.time(rest)
             } else {
                 rest
             };
-            places.push(ruler.place(k, t));
+            times.push(index.path_time(k, t));
             table = Some((k, curve));
         }
-        places.push(ruler.end());
-        Ok(places)
+        times.push(index.end());
+        Ok(times)
     }
 }
 
@@ -101,8 +101,8 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
     match *points {
         [a, b, c, d] if plain => plane_cubic_length(&[a, b, c, d].map(|p| p.to_array())),
         [a, b, c] if plain && points.iter().all(|p| p.max_abs() < FAR) => {
-            let (first, way) = ((b - a) * (2.0 / 3.0), c - a);
-            let raised = [DVec2::ZERO, first, first + way / 3.0, way];
+            let (first, chord) = ((b - a) * (2.0 / 3.0), c - a);
+            let raised = [DVec2::ZERO, first, first + chord / 3.0, chord];
             plane_cubic_length(&raised.map(|p| p.to_array()))
         }
         [a, b] if (b - a).is_finite() => Point::length(b - a),
@@ -177,10 +177,10 @@ impl<'a> ArcLengthIndex<'a> {
     }
 
     fn end(&self) -> PathTime {
-        self.place(self.segments.len() - 1, 1.0)
+        self.path_time(self.segments.len() - 1, 1.0)
     }
 
-    fn place(&self, k: usize, t: f64) -> PathTime {
+    fn path_time(&self, k: usize, t: f64) -> PathTime {
         let (subpath, before, _) = self.segments[k];
         PathTime {
             subpath,

@@ -42,18 +42,18 @@ impl Path {
         let ends = self
             .segment_points()
             .flat_map(|points| [points[0], points[points.len() - 1]]);
-        let mut most = ends
+        let mut max = ends
             .map(|end| (end - p).length_squared())
             .fold(f64::INFINITY, f64::min);
         let mut best: Option<PathPoint> = None;
         for (subpath, part) in self.parts().enumerate() {
             for (k, points) in part.segments().enumerate() {
-                if distance_of_box(points, p) * ROUNDING > most {
+                if distance_of_box(points, p) * ROUNDING > max {
                     continue;
                 }
                 let Nearest { t, point, distance } = nearest_of(points, p);
                 if best.is_none_or(|best| distance < best.distance) {
-                    most = most.min(distance * distance);
+                    max = max.min(distance * distance);
                     let t = k as f64 + t;
                     best = Some(PathPoint {
                         subpath,

@@ -8,7 +8,7 @@ use crate::surface::written_number;
 use glam::DVec2;
 
 /// More digits than this are not counted: JavaScript's `toFixed` knows no more.
-const MOST_DIGITS: u8 = 100;
+const MAX_DIGITS: u8 = 100;
 /// From here on a number has no digits after the point, and JavaScript writes it with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
 
@@ -114,7 +114,7 @@ impl Writer {
     }
 
     fn draw_briefly(&mut self, command: char, points: &[DVec2], digits: u8) {
-        let digits = digits.min(MOST_DIGITS);
+        let digits = digits.min(MAX_DIGITS);
         let words = points
             .iter()
             .map(|p| [fixed(p.x, digits), fixed(p.y, digits)]);
@@ -123,9 +123,9 @@ impl Writer {
             return;
         };
         match command {
-            'L' if to[1] == self.at[1] => self.put('H', &words[0][..1]),
-            'L' if to[0] == self.at[0] => self.put('V', &words[0][1..]),
-            _ => self.put(command, words.as_flattened()),
+            'L' if to[1] == self.at[1] => self.write('H', &words[0][..1]),
+            'L' if to[0] == self.at[0] => self.write('V', &words[0][1..]),
+            _ => self.write(command, words.as_flattened()),
         }
         if command == 'M' {
             self.start.clone_from(&to);
@@ -137,13 +137,13 @@ impl Writer {
     fn close_subpath(&mut self, line: bool) {
         if line && self.precision.is_some() && self.at == self.start {
             let x = [self.start[0].clone()];
-            self.put('H', &x);
+            self.write('H', &x);
         }
         self.close();
     }
 
     /// A command and its words, with no more between them than it needs to tell them apart.
-    fn put(&mut self, command: char, words: &[String]) {
+    fn write(&mut self, command: char, words: &[String]) {
         if command != self.implied {
             self.text.push(command);
             self.last.clear();

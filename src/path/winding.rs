@@ -32,9 +32,9 @@ pub enum FillRule {
 /// Pieces of so many ulps of the segment's largest coordinate are lines: halving them moves points by as much.
 const SMALLEST_ULPS: f64 = 4.0;
 /// After so many halvings a piece has 2⁻⁶⁴ of the segment's parameters.
-const MOST_HALVINGS: u32 = 64;
+const MAX_HALVINGS: u32 = 64;
 /// So many halvings of one segment find every crossing that f64 can tell apart: 64 for each of the 64 at most.
-const MOST_PIECES: u32 = 4096;
+const MAX_PIECES: u32 = 4096;
 /// The determinant of two differences each is certain to so many times ε of its terms. Source: Shewchuk, "Adaptive
 /// precision floating-point arithmetic", 1997, (3 + 16ε)ε.
 const CERTAIN: f64 = 4.0 * f64::EPSILON;
@@ -73,10 +73,10 @@ fn crossings(points: &[DVec2], p: DVec2) -> i32 {
         Some(count) => count,
         None => Search {
             p,
-            least: SMALLEST_ULPS * ulp(max_abs(points)),
-            pieces: MOST_PIECES,
+            min: SMALLEST_ULPS * ulp(max_abs(points)),
+            pieces: MAX_PIECES,
         }
-        .crossings(points, MOST_HALVINGS),
+        .crossings(points, MAX_HALVINGS),
     }
 }
 
@@ -104,7 +104,7 @@ fn across(points: &[DVec2], p: DVec2) -> i32 {
 struct Search {
     p: DVec2,
     /// Pieces of this size are lines.
-    least: f64,
+    min: f64,
     /// How many more may be halved.
     pieces: u32,
 }
@@ -115,7 +115,7 @@ impl Search {
             return count;
         }
         let side = self.side(points);
-        let small = |q: &DVec2| (*q - self.p).abs().max_element() <= self.least;
+        let small = |q: &DVec2| (*q - self.p).abs().max_element() <= self.min;
         let decided = points.len() == 2 && side.is_some();
         if decided || halvings == 0 || self.pieces == 0 || points.iter().all(small) {
             let across = across(points, self.p);
@@ -136,8 +136,8 @@ impl Search {
         // Always from the same end, so that the two directions of a segment are never judged differently.
         let swapped = (b.y, b.x) < (a.y, a.x);
         let (a, b) = if swapped { (b, a) } else { (a, b) };
-        let (chord, way) = (b - a, self.p - a);
-        let (one, other) = (chord.x * way.y, chord.y * way.x);
+        let (chord, to_point) = (b - a, self.p - a);
+        let (one, other) = (chord.x * to_point.y, chord.y * to_point.x);
         let side = one - other;
         let certain = side.abs() > CERTAIN * (one.abs() + other.abs());
         certain.then_some(if (side > 0.0) == swapped { -1 } else { 1 })

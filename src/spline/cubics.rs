@@ -23,14 +23,14 @@ pub(crate) struct FitSamples<P> {
     pub(crate) points: Vec<P>,
     pub(crate) tangents: Vec<P>,
     pub(crate) lengths: Vec<f64>,
-    pub(crate) promise: FitCriteria,
+    pub(crate) criteria: FitCriteria,
 }
 
 /// The most points that least squares look at; all are checked.
-const MOST_SAMPLES: usize = 48;
+const MAX_SAMPLES: usize = 48;
 
 /// Rounds of least squares, and of Newton's method for a foot.
-const MOST_ROUNDS: usize = 6;
+const MAX_ROUNDS: usize = 6;
 const FOOT_ROUNDS: usize = 2;
 
 /// A first error above this many tolerances is not worth improving.
@@ -46,7 +46,7 @@ const DAMPING: f64 = 1e-6;
 const LONGEST_HANDLE: f64 = 1.5;
 
 /// The way from the first point to each.
-pub(crate) fn ways<P: Point>(points: &[P]) -> Vec<f64> {
+pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut lengths = vec![0.0];
     lengths.extend(points.windows(2).map(|p| {
@@ -103,13 +103,13 @@ impl<P: Point> FitSamples<P> {
 
     /// The handles of a cubic that keeps the promise along a run, if one was found.
     fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
-        let way = self.lengths[to] - self.lengths[from];
+        let chord_length = self.lengths[to] - self.lengths[from];
         let (start, end) = (self.points[from], self.points[to]);
         let (t0, t1) = (self.tangents[from], self.tangents[to]);
         let mut samples = self.samples(from, to);
-        let (mut a, mut b) = (way / 3.0, way / 3.0);
+        let (mut a, mut b) = (chord_length / 3.0, chord_length / 3.0);
         let mut previous = f64::INFINITY;
-        for round in 0..MOST_ROUNDS {
+        for round in 0..MAX_ROUNDS {
             let cubic = [start, start + t0 * a, end + t1 * -b, end];
             let mut equations = Equations::default();
             let mut worst: f64 = 0.0;
@@ -127,24 +127,24 @@ impl<P: Point> FitSamples<P> {
                 };
                 equations.add(q - p, along, (t0, t1), *u);
             }
-            if worst <= self.promise.tolerance && self.keeps(&cubic, from, to, &samples) {
+            if worst <= self.criteria.tolerance && self.keeps(&cubic, from, to, &samples) {
                 return Some([cubic[1], cubic[2]]);
             }
-            let limit = HOPELESS * self.promise.tolerance;
+            let limit = HOPELESS * self.criteria.tolerance;
             if round > 1 && !(worst < 0.8 * previous && worst < limit) {
                 return None;
             }
             previous = worst;
             let (da, db) = equations.solved();
-            let most = LONGEST_HANDLE * way;
-            (a, b) = ((a + da).clamp(0.0, most), (b + db).clamp(0.0, most));
+            let max = LONGEST_HANDLE * chord_length;
+            (a, b) = ((a + da).clamp(0.0, max), (b + db).clamp(0.0, max));
         }
         None
     }
 
     /// Inner points of a run, evenly by index, and their parameters by the way.
     fn samples(&self, from: usize, to: usize) -> Vec<(usize, f64)> {
-        let count = (to - from - 1).min(MOST_SAMPLES);
+        let count = (to - from - 1).min(MAX_SAMPLES);
         (1..=count)
             .map(|k| {
                 let index = from + k * (to - from) / (count + 1);
@@ -181,12 +181,12 @@ impl<P: Point> FitSamples<P> {
                 foot(cubic, p, guess).max(last.0)
             };
             let off = (at(cubic, u).0 - p).length();
-            let share = if self.promise.between {
+            let share = if self.criteria.between {
                 sag(cubic, last.0, u)
             } else {
                 0.0
             };
-            if off.max(last.1) + share > self.promise.tolerance {
+            if off.max(last.1) + share > self.criteria.tolerance {
                 return false;
             }
             last = (u, off);

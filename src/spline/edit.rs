@@ -53,7 +53,7 @@ impl<P: Point> Spline<P> {
             return Ok(self.clone());
         }
         let mut edit = Edit::new(self.clone(), &mode);
-        edit.put(index, to);
+        edit.set_point(index, to);
         let dragged = self.joint_at(index).filter(|&k| mode(k) != JointMode::Free);
         if let Some(k) = dragged {
             edit.drag(k, self.points[index]);

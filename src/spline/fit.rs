@@ -1,7 +1,7 @@
 //! Which spline runs along a stroke?
 
 use super::Spline;
-use super::cubics::{FitCriteria, FitSamples, ways};
+use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use crate::curve::{check_finite, check_tolerance, max_abs};
 use crate::error::Error;
 use crate::point::Point;
@@ -10,7 +10,7 @@ use crate::point::Point;
 const SURE_CORNER: f64 = 1.3;
 
 /// A turn by more than this is one if it stands out: more than twice those next to it.
-const LEAST_CORNER: f64 = 0.6;
+const MIN_CORNER: f64 = 0.6;
 
 /// Directions are taken over this many tolerances, so that noise within the tolerance does not turn them.
 const REACH: f64 = 4.0;
@@ -56,74 +56,74 @@ impl<P: Point> Spline<P> {
 
 /// Points moved to the origin and scaled to about 1.
 struct CurveFitter<'a, P: Point> {
-    given: &'a [P],
+    input: &'a [P],
     scale: f64,
-    trail: FitSamples<P>,
+    samples: FitSamples<P>,
     closed: bool,
 }
 
 impl<'a, P: Point> CurveFitter<'a, P> {
-    fn new(given: &'a [P], tolerance: f64, closed: bool) -> Self {
-        let scale = scale_of(given);
-        let points = scaled(given, scale);
+    fn new(input: &'a [P], tolerance: f64, closed: bool) -> Self {
+        let scale = scale_of(input);
+        let points = scaled(input, scale);
         let tolerance = tolerance * scale;
-        let trail = FitSamples {
-            lengths: ways(&points),
+        let samples = FitSamples {
+            lengths: chord_lengths(&points),
             tangents: Vec::new(),
             points,
-            promise: FitCriteria {
+            criteria: FitCriteria {
                 // Rounding of the result takes its share.
                 tolerance: tolerance * (1.0 - ROUNDING_SHARE),
                 between: false,
             },
         };
         Self {
-            given,
+            input,
             scale,
-            trail,
+            samples,
             closed,
         }
     }
 
     fn fitted(mut self) -> Spline<P> {
         let corners = self.corners();
-        self.trail.tangents = vec![P::default(); self.given.len()];
+        self.samples.tangents = vec![P::default(); self.input.len()];
         let mut cubics = Vec::new();
         let smooth = self.closed && corners.first() != Some(&0);
         let mut stops = corners;
-        let last = self.given.len() - 1;
+        let last = self.input.len() - 1;
         stops.retain(|&k| k > 0 && k < last);
         stops.insert(0, 0);
         stops.push(last);
         for pair in stops.windows(2) {
             for k in pair[0]..=pair[1] {
-                self.trail.tangents[k] = self.tangent(k, pair[0], pair[1]);
+                self.samples.tangents[k] = self.tangent(k, pair[0], pair[1]);
             }
             if smooth {
                 let both = self.tangent_around();
                 if pair[0] == 0 {
-                    self.trail.tangents[0] = both;
+                    self.samples.tangents[0] = both;
                 }
                 if pair[1] == last {
-                    self.trail.tangents[last] = both;
+                    self.samples.tangents[last] = both;
                 }
             }
-            self.trail.cover(pair[0], pair[1], &mut cubics);
+            self.samples.cover(pair[0], pair[1], &mut cubics);
         }
-        assemble(self.given, self.scale, &cubics, self.closed)
+        assemble(self.input, self.scale, &cubics, self.closed)
     }
 
     /// The point about REACH tolerances after another one; at least one step. `None` past the end, and where a closed
     /// stroke is shorter.
     fn after(&self, k: usize) -> Option<usize> {
-        let lengths = &self.trail.lengths;
+        let lengths = &self.samples.lengths;
         let last = lengths.len() - 1;
-        let to = lengths[k] + REACH * self.trail.promise.tolerance;
-        let at = lengths.partition_point(|&way| way < to).max(k + 1);
+        let to = lengths[k] + REACH * self.samples.criteria.tolerance;
+        let at = lengths.partition_point(|&arc| arc < to).max(k + 1);
         if at <= last {
             Some(at)
         } else if self.closed {
-            let round = lengths.partition_point(|&way| way < to - lengths[last]);
+            let round = lengths.partition_point(|&arc| arc < to - lengths[last]);
             Some(round.max(1)).filter(|&at| at < k)
         } else {
             (k < last).then_some(last)
@@ -132,15 +132,15 @@ impl<'a, P: Point> CurveFitter<'a, P> {
 
     /// The same before a point.
     fn before(&self, k: usize) -> Option<usize> {
-        let lengths = &self.trail.lengths;
+        let lengths = &self.samples.lengths;
         let last = lengths.len() - 1;
-        let to = lengths[k] - REACH * self.trail.promise.tolerance;
-        let at = lengths.partition_point(|&way| way <= to).checked_sub(1);
+        let to = lengths[k] - REACH * self.samples.criteria.tolerance;
+        let at = lengths.partition_point(|&arc| arc <= to).checked_sub(1);
         if let Some(at) = at.filter(|_| k > 0) {
             return Some(at.min(k - 1));
         }
         if self.closed {
-            let round = lengths.partition_point(|&way| way <= to + lengths[last]);
+            let round = lengths.partition_point(|&arc| arc <= to + lengths[last]);
             round
                 .checked_sub(1)
                 .map(|at| at.min(last - 1))
@@ -153,7 +153,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
     /// The angle by which the points turn at one of them, and its neighbours there.
     fn turn(&self, k: usize) -> Option<(f64, usize, usize)> {
         let (before, after) = (self.before(k)?, self.after(k)?);
-        let points = &self.trail.points;
+        let points = &self.samples.points;
         let (u, v) = (
             (points[k] - points[before]).normalize_or_zero(),
             (points[after] - points[k]).normalize_or_zero(),
@@ -165,7 +165,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
 
     /// The indices of corners; 0 only on a closed stroke.
     fn corners(&self) -> Vec<usize> {
-        let last = self.given.len() - 1;
+        let last = self.input.len() - 1;
         let turns: Vec<Option<(f64, usize, usize)>> = (0..last)
             .map(|k| {
                 if k > 0 || self.closed {
@@ -180,7 +180,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             let Some((here, before, after)) = turns[k] else {
                 return false;
             };
-            if here < LEAST_CORNER {
+            if here < MIN_CORNER {
                 return false;
             }
             let stands_out = here > 2.0 * angle(before).max(angle(after));
@@ -197,15 +197,15 @@ impl<'a, P: Point> CurveFitter<'a, P> {
 
     /// The unit tangent at a point of a run: that of a parabola through it, along its neighbours.
     fn tangent(&self, k: usize, first: usize, last: usize) -> P {
-        let trail = &self.trail;
+        let samples = &self.samples;
         let here = |index: usize| {
             (
-                trail.points[index] - trail.points[k],
-                trail.lengths[index] - trail.lengths[k],
+                samples.points[index] - samples.points[k],
+                samples.lengths[index] - samples.lengths[k],
             )
         };
-        let reach = REACH * trail.promise.tolerance;
-        let far = |index: usize| (trail.lengths[index] - trail.lengths[k]).abs() >= reach;
+        let reach = REACH * samples.criteria.tolerance;
+        let far = |index: usize| (samples.lengths[index] - samples.lengths[k]).abs() >= reach;
         let before = steps_to(k - first, |n| far(k - n)).map(|n| here(k - n));
         let after = steps_to(last - k, |n| far(k + n)).map(|n| here(k + n));
         parabola(before.chain(after))
@@ -213,15 +213,15 @@ impl<'a, P: Point> CurveFitter<'a, P> {
 
     /// The tangent at the start of a closed stroke without a corner there.
     fn tangent_around(&self) -> P {
-        let trail = &self.trail;
-        let last = trail.points.len() - 1;
+        let samples = &self.samples;
+        let last = samples.points.len() - 1;
         let count = NEIGHBOURS.min(last / 2).max(1);
         let ends = (1..=count).flat_map(|n| {
             [
-                (trail.points[n] - trail.points[0], trail.lengths[n]),
+                (samples.points[n] - samples.points[0], samples.lengths[n]),
                 (
-                    trail.points[last - n] - trail.points[last],
-                    trail.lengths[last - n] - trail.lengths[last],
+                    samples.points[last - n] - samples.points[last],
+                    samples.lengths[last - n] - samples.lengths[last],
                 ),
             ]
         });
@@ -279,15 +279,15 @@ pub(crate) fn scaled<P: Point>(points: &[P], scale: f64) -> Vec<P> {
 
 /// The spline of some cubics; their ends are given points.
 pub(crate) fn assemble<P: Point>(
-    given: &[P],
+    input: &[P],
     scale: f64,
     cubics: &[(usize, [P; 2])],
     closed: bool,
 ) -> Spline<P> {
-    let back = |p: P| p / scale + given[0];
-    let mut points = vec![given[0]];
+    let back = |p: P| p / scale + input[0];
+    let mut points = vec![input[0]];
     for &(to, [p1, p2]) in cubics {
-        points.extend([back(p1), back(p2), given[to]]);
+        points.extend([back(p1), back(p2), input[to]]);
     }
     if closed {
         points.pop();

@@ -6,7 +6,7 @@ use crate::error::Error;
 use glam::DVec3;
 
 impl FrameSequence for Spline<DVec3> {
-    fn place(&self, t: f64) -> (usize, f64) {
+    fn segment_at(&self, t: f64) -> (usize, f64) {
         self.locate(t)
     }
     fn link(&self, k: usize) -> Curve<DVec3> {

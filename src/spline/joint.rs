@@ -76,7 +76,7 @@ impl<P: Point> Sides<P> {
                 joint + (joint - near) * ratio(self.near_degree, self.far_degree)
             }
             JointMode::G1 | JointMode::G2 if near == joint => far,
-            JointMode::G2 => self.bent().unwrap_or_else(aligned),
+            JointMode::G2 => self.with_equal_curvature().unwrap_or_else(aligned),
             JointMode::G1 if far == joint => far,
             JointMode::G1 => aligned(),
         }
@@ -97,7 +97,7 @@ impl<P: Point> Sides<P> {
     }
 
     /// The far handle that makes the curvatures equal; none where that is no question of its length.
-    fn bent(&self) -> Option<P> {
+    fn with_equal_curvature(&self) -> Option<P> {
         let along = (self.joint - self.near[0]).normalize_or_zero();
         // From the joint: the parts across the tangent.
         let across = |p: P| (p - self.joint) - along * (p - self.joint).dot(along);
@@ -117,8 +117,8 @@ impl<P: Point> Sides<P> {
         }
         // Curvatures are (n − 1)/n · h/length².
         let (n, m) = (self.near_degree, self.far_degree);
-        let bends = ratio((m - 1) * n, m * (n - 1)).sqrt() * (h5.sqrt() / h1.sqrt());
-        Some(self.joint + along * ((self.joint - self.near[0]).length() * bends))
+        let curvature_ratio = ratio((m - 1) * n, m * (n - 1)).sqrt() * (h5.sqrt() / h1.sqrt());
+        Some(self.joint + along * ((self.joint - self.near[0]).length() * curvature_ratio))
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) struct Knots {
 impl Knots {
     /// The knots for so many control points; without given ones 0, 1, 2, …
     pub(super) fn new(
-        given: Option<&[f64]>,
+        explicit: Option<&[f64]>,
         count: usize,
         degree: usize,
         closed: bool,
@@ -28,9 +28,9 @@ impl Knots {
         } else {
             count + degree + 1
         };
-        let mut values = match given {
+        let mut values = match explicit {
             None => (0..needed).map(|i| i as f64).collect(),
-            Some(given) => given.to_vec(),
+            Some(explicit) => explicit.to_vec(),
         };
         if values.len() != needed {
             return Err(Error::Count {
@@ -60,7 +60,7 @@ impl Knots {
                 what: "knots",
                 index,
                 expected,
-                got: given.map_or(0.0, |given| given[index]),
+                got: explicit.map_or(0.0, |explicit| explicit[index]),
             }),
         }
     }

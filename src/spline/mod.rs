@@ -6,7 +6,6 @@
 mod area;
 mod bspline;
 mod build;
-pub(crate) mod chains;
 mod continuity;
 mod convert;
 mod cubics;
@@ -24,16 +23,17 @@ mod nearest;
 mod offset;
 mod repair;
 mod simplify;
+pub(crate) mod spline_set;
 mod split;
 
 pub use bspline::BSpline;
-pub(crate) use chains::{Chains, SplineIntersection};
 pub use continuity::Continuity;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;
 pub use offset::OffsetJoin;
 #[cfg(feature = "wasm")]
-pub(crate) use offset::parallel_of;
+pub(crate) use offset::offset_of_curves;
+pub(crate) use spline_set::{SplineIntersection, SplineSet};
 
 use crate::curve::{Curve, check_finite, max_abs};
 use crate::error::{Error, MAX_DEGREE};

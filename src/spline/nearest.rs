@@ -33,7 +33,7 @@ impl<P: Point> Spline<P> {
     /// [`nearest`](Self::nearest) to a point that is finite.
     pub(crate) fn nearest_to(&self, p: P) -> Nearest<P> {
         let bounds: Vec<f64> = (0..self.segment_count())
-            .map(|k| self.at_least(k, p))
+            .map(|k| self.lower_bound(k, p))
             .collect();
         // The most promising first, so that most others can be left out; then in order, so that of equal ones the first
         // is found.
@@ -65,7 +65,7 @@ impl<P: Point> Spline<P> {
     }
 
     /// The distance of p from the box of a segment's control points.
-    fn at_least(&self, k: usize, p: P) -> f64 {
+    fn lower_bound(&self, k: usize, p: P) -> f64 {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
         let last = self.points[to % self.points.len()];
         let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));

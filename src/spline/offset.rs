@@ -47,12 +47,12 @@ impl Spline<DVec2> {
         join: OffsetJoin,
     ) -> Result<Self, Error> {
         let curves: Vec<Curve<DVec2>> = self.segments().collect();
-        parallel_of(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)
+        offset_of_curves(&curves, self.closed, distance, tolerance, join).map(SplineBuilder::spline)
     }
 }
 
 /// The parallel of curves that follow each other.
-pub(crate) fn parallel_of(
+pub(crate) fn offset_of_curves(
     curves: &[Curve<DVec2>],
     closed: bool,
     distance: f64,
@@ -68,34 +68,34 @@ pub(crate) fn parallel_of(
     };
     let tolerance = offset_tolerance(distance, tolerance, largest, box_of)?;
     let own = tolerance * (1.0 - SMOOTH_PART);
-    let mut chain = SplineBuilder::default();
+    let mut builder = SplineBuilder::default();
     let moves = |curve: &&Curve<DVec2>| {
         let points = curve.control_points();
         distance == 0.0 || points.iter().any(|&p| p != points[0])
     };
-    let mut bent: Vec<&Curve<DVec2>> = curves.iter().filter(moves).collect();
-    if bent.is_empty() {
-        bent.extend(&curves[..1]);
+    let mut moving: Vec<&Curve<DVec2>> = curves.iter().filter(moves).collect();
+    if moving.is_empty() {
+        moving.extend(&curves[..1]);
     }
-    let corner = |chain: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
+    let corner = |builder: &mut SplineBuilder, before: &Curve<DVec2>, after: &Curve<DVec2>| {
         let (from, to) = (end_tangent(before), start_tangent(after));
         if Point::length(to - from) * distance.abs() > SMOOTH_PART * tolerance {
-            chain.join(after.start(), from, to, distance, own, join);
+            builder.join(after.start(), from, to, distance, own, join);
         }
     };
-    for (k, curve) in bent.iter().enumerate() {
+    for (k, curve) in moving.iter().enumerate() {
         if k > 0 {
-            corner(&mut chain, bent[k - 1], curve);
+            corner(&mut builder, moving[k - 1], curve);
         }
-        chain.add_parallel(curve, distance, own)?;
+        builder.add_offset(curve, distance, own)?;
     }
     if closed {
-        corner(&mut chain, bent[bent.len() - 1], bent[0]);
+        corner(&mut builder, moving[moving.len() - 1], moving[0]);
         // The end is the start, which the list has once.
-        chain.points.pop();
-        chain.closed = true;
+        builder.points.pop();
+        builder.closed = true;
     }
-    Ok(chain)
+    Ok(builder)
 }
 
 impl SplineBuilder {
@@ -125,16 +125,16 @@ impl SplineBuilder {
 /// The tangent at the start: toward the first control point that is not the start itself.
 fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
     let points = curve.control_points();
-    way(points[0], points.iter())
+    first_direction(points[0], points.iter())
 }
 
 fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
     let points = curve.control_points();
-    -way(points[points.len() - 1], points.iter().rev())
+    -first_direction(points[points.len() - 1], points.iter().rev())
 }
 
 /// From a point toward the first of others that is not next to nothing away.
-fn way<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
+fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
     let step = |p: &DVec2| *p * 0.5 - from * 0.5;
     let far = others
         .clone()

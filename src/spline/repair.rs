@@ -50,16 +50,16 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Moves a point that is free to follow; whether it is there now.
-    pub(super) fn put(&mut self, index: usize, to: P) -> bool {
-        let place = &mut self.spline.points[index];
+    pub(super) fn set_point(&mut self, index: usize, to: P) -> bool {
+        let target = &mut self.spline.points[index];
         let free = self.states[index] == State::Free;
-        if free && to.is_finite() && *place != to {
-            *place = to;
+        if free && to.is_finite() && *target != to {
+            *target = to;
             self.states[index] = State::Changed;
         } else if free {
             self.states[index] = State::Kept;
         }
-        *place == to
+        *target == to
     }
 
     fn around(&self, joint: usize, forward: bool) -> Around {
@@ -125,10 +125,10 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         if second {
             self.keep(near[1]);
         }
-        let held = self.put(far[0], handle);
+        let held = self.set_point(far[0], handle);
         if held && mode == JointMode::C2 {
             sides.far[0] = handle;
-            self.put(far[1], sides.second());
+            self.set_point(far[1], sides.second());
         }
     }
 
@@ -151,7 +151,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         ] {
             let degree = self.spline.degree_of(segment);
             if degree > 2 {
-                self.put(handle, here + derivative * ratio(1, degree));
+                self.set_point(handle, here + derivative * ratio(1, degree));
             }
         }
     }
@@ -188,7 +188,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         let handle = self.spline.points[far];
         // On lines the neighbour is a joint itself and stays.
         if self.spline.degree_of(left) > 1 {
-            self.put(near, along(self.spline.points[near]));
+            self.set_point(near, along(self.spline.points[near]));
         }
         if self.spline.degree_of(right) > 1 && near != far && along(handle).is_finite() {
             self.spline.points[far] = along(handle);
@@ -278,7 +278,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
             let moved = self.states[from] == State::Changed || self.states[to] == State::Changed;
             if moved && degree > 2 && (self.mode)(joint) == JointMode::Auto {
                 let (from, to) = (self.spline.points[from], self.spline.points[to]);
-                self.put(handle, from + (to - from) * ratio(1, degree));
+                self.set_point(handle, from + (to - from) * ratio(1, degree));
             }
         }
     }

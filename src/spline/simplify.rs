@@ -1,7 +1,7 @@
 //! Which spline of fewer segments is close enough?
 
 use super::Spline;
-use super::cubics::{FitCriteria, FitSamples, ways};
+use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
 use crate::curve::{check_tolerance, ulp};
 use crate::error::Error;
@@ -39,45 +39,45 @@ impl<P: Point> Spline<P> {
         check_tolerance(tolerance, self.max_abs())?;
         let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
         let plain = self.degrees().iter().all(|&degree| degree <= 3);
-        let (given, tangents, corners) = match self.vertices(share) {
+        let (kept, tangents, corners) = match self.vertices(share) {
             Err(Error::TooMany { .. }) if plain => return Ok(self.clone()),
             Err(Error::TooMany { .. }) => return self.in_cubics(tolerance),
             vertices => vertices?,
         };
-        if given.len() < 2 {
+        if kept.len() < 2 {
             return Ok(self.clone());
         }
-        let scale = scale_of(&given);
-        let points = scaled(&given, scale);
-        let trail = FitSamples {
-            lengths: ways(&points),
+        let scale = scale_of(&kept);
+        let points = scaled(&kept, scale);
+        let fit_samples = FitSamples {
+            lengths: chord_lengths(&points),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
             points,
-            promise: FitCriteria {
+            criteria: FitCriteria {
                 tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * scale,
                 between: true,
             },
         };
-        let cubics = covered(trail, &tangents, &corners);
+        let cubics = covered(fit_samples, &tangents, &corners);
         if plain && cubics.len() >= self.segment_count() {
             return Ok(self.clone());
         }
-        Ok(assemble(&given, scale, &cubics, self.closed))
+        Ok(assemble(&kept, scale, &cubics, self.closed))
     }
 
     /// The vertices of a polyline, each once, the tangents before and after each, and the indices of corners and ends.
     #[allow(clippy::type_complexity, reason = "three lists that go together")]
     fn vertices(&self, share: f64) -> Result<(Vec<P>, Vec<[P; 2]>, Vec<usize>), Error> {
-        let mut given: Vec<P> = Vec::new();
+        let mut kept: Vec<P> = Vec::new();
         let mut tangents: Vec<[P; 2]> = Vec::new();
         let mut corners = vec![0];
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
         for curve in self.segments() {
-            let line = curve.flatten_within(share, limit.saturating_sub(given.len()))?;
+            let line = curve.flatten_within(share, limit.saturating_sub(kept.len()))?;
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
-                if given.last() != Some(&p) {
-                    given.push(p);
+                if kept.last() != Some(&p) {
+                    kept.push(p);
                     tangents.push([tangent; 2]);
                 } else if k == 0 && tangent != P::default() {
                     let index = tangents.len() - 1;
@@ -88,9 +88,9 @@ impl<P: Point> Spline<P> {
                 }
             }
         }
-        corners.push(given.len() - 1);
+        corners.push(kept.len() - 1);
         corners.dedup();
-        Ok((given, tangents, corners))
+        Ok((kept, tangents, corners))
     }
 }
 
@@ -131,15 +131,15 @@ impl<P: Point> Spline<P> {
 
 /// The cubics between corners, each with the tangents of its own side.
 fn covered<P: Point>(
-    mut trail: FitSamples<P>,
+    mut fit_samples: FitSamples<P>,
     tangents: &[[P; 2]],
     corners: &[usize],
 ) -> Vec<(usize, [P; 2])> {
     let mut cubics = Vec::new();
     for pair in corners.windows(2) {
-        trail.tangents[pair[0]] = tangents[pair[0]][1];
-        trail.tangents[pair[1]] = tangents[pair[1]][0];
-        trail.cover(pair[0], pair[1], &mut cubics);
+        fit_samples.tangents[pair[0]] = tangents[pair[0]][1];
+        fit_samples.tangents[pair[1]] = tangents[pair[1]][0];
+        fit_samples.cover(pair[0], pair[1], &mut cubics);
     }
     cubics
 }

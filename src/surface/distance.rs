@@ -45,7 +45,7 @@ pub(super) struct Distance<'a> {
 
 impl Objective for Distance<'_> {
     fn value(&self, root: usize, at: [f64; 2]) -> f64 {
-        self.place(root, at).distance
+        self.surface_point(root, at).distance
     }
 
     fn degree_factor(&self) -> usize {
@@ -54,20 +54,20 @@ impl Objective for Distance<'_> {
 
     /// The square of a small distance has lost the digits that the difference S − p still has.
     fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
-        let place = self.descend(self.place(root, at));
-        [place.u, place.v]
+        let surface_point = self.descend(self.surface_point(root, at));
+        [surface_point.u, surface_point.v]
     }
 
     /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
     /// behind the plane through the place at right angles to the way from the point to it: so does the convex hull of the
     /// net, and with it the patch.
-    fn is_least(&self, minimum: &Minimum) -> bool {
+    fn is_min(&self, minimum: &Minimum) -> bool {
         if minimum.value <= LOST_IN_SQUARES * self.size {
             return true;
         }
-        let place = self.images[minimum.root].eval(minimum.u, minimum.v);
-        let normal = Point::normalize_or_zero(place - self.image_of_p);
-        let is_behind = |point: &DVec3| (*point - place).dot(normal) >= -ROUNDING;
+        let surface_point = self.images[minimum.root].eval(minimum.u, minimum.v);
+        let normal = Point::normalize_or_zero(surface_point - self.image_of_p);
+        let is_behind = |point: &DVec3| (*point - surface_point).dot(normal) >= -ROUNDING;
         self.images
             .iter()
             .all(|image| image.points.iter().all(is_behind))
@@ -86,7 +86,7 @@ impl<'a> Distance<'a> {
             patches,
             near,
             images,
-            image_of_p: frame.place(p),
+            image_of_p: frame.to_local(p),
             p,
             size: frame.as_coarse_as_its_coordinates().size,
         }
@@ -106,35 +106,35 @@ impl<'a> Distance<'a> {
             let planes = (0..3).flat_map(axis).collect();
             Piece::whole(root, patch.columns, patch.rows(), planes)
         });
-        let least = best.map_or(f64::INFINITY, |best| best.distance / self.size);
+        let min = best.map_or(f64::INFINITY, |best| best.distance / self.size);
         let mut descend = |root: usize, at: [f64; 2]| {
-            let place = self.descend(self.place(root, at));
-            if best.is_none_or(|best| place.distance < best.distance) {
-                best = Some(place);
+            let surface_point = self.descend(self.surface_point(root, at));
+            if best.is_none_or(|best| surface_point.distance < best.distance) {
+                best = Some(surface_point);
             }
-            place.distance / self.size
+            surface_point.distance / self.size
         };
         let limits = [ROUNDING, cutoff / self.size];
-        let is_complete = search_small(roots.collect(), least, limits, &mut descend);
+        let is_complete = search_small(roots.collect(), min, limits, &mut descend);
         (best, is_complete)
     }
 
     /// A place that Gauss–Newton steps lead to where the distance is small.
-    fn descend(&self, mut place: SurfacePoint) -> SurfacePoint {
+    fn descend(&self, mut surface_point: SurfacePoint) -> SurfacePoint {
         for _ in 0..MAX_REFINEMENTS {
-            if place.distance > SMALL_DISTANCE * self.size {
+            if surface_point.distance > SMALL_DISTANCE * self.size {
                 break;
             }
-            let next = self.refined(&place);
-            if next.distance == place.distance {
+            let next = self.refined(&surface_point);
+            if next.distance == surface_point.distance {
                 break;
             }
-            place = next;
+            surface_point = next;
         }
-        place
+        surface_point
     }
 
-    pub(super) fn place(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+    pub(super) fn surface_point(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
         let patch = self.near[root];
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
@@ -142,10 +142,10 @@ impl<'a> Distance<'a> {
     /// The nearest of the places after a Gauss–Newton step, more or less damped (Levenberg and Marquardt's method), along
     /// both parameters or along one; the place itself if none is nearer. Undamped steps fail where the derivative is
     /// singular, as on a patch that is a curve; steps along both may fail at the sides.
-    pub(super) fn refined(&self, place: &SurfacePoint) -> SurfacePoint {
-        let patch = &self.patches[place.patch];
-        let d = patch.partials(place.u, place.v);
-        let off = place.point - self.p;
+    pub(super) fn refined(&self, surface_point: &SurfacePoint) -> SurfacePoint {
+        let patch = &self.patches[surface_point.patch];
+        let d = patch.partials(surface_point.u, surface_point.v);
+        let off = surface_point.point - self.p;
         let (uu, uv, vv) = (d.u.dot(d.u), d.u.dot(d.v), d.v.dot(d.v));
         let (u, v) = (d.u.dot(off), d.v.dot(off));
         let damped = |share: f64| {
@@ -161,10 +161,10 @@ impl<'a> Distance<'a> {
             d.u.cross(off).dot(normal) / square,
         ];
         let others = [undamped, [u / uu, 0.0], [0.0, v / vv]];
-        let mut nearest = *place;
+        let mut nearest = *surface_point;
         for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
-            let [u, v] = [place.u - u, place.v - v].map(|t| t.clamp(0.0, 1.0));
-            let next = SurfacePoint::at(patch, place.patch, u, v, self.p);
+            let [u, v] = [surface_point.u - u, surface_point.v - v].map(|t| t.clamp(0.0, 1.0));
+            let next = SurfacePoint::at(patch, surface_point.patch, u, v, self.p);
             // A step that is not finite leads nowhere.
             if next.distance < nearest.distance {
                 nearest = next;

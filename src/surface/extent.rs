@@ -49,7 +49,7 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
                 axis,
                 sign,
             };
-            minimise(&roots, &coordinate).map(|(least, _)| sign * least.value)
+            minimise(&roots, &coordinate).map(|(min, _)| sign * min.value)
         };
         bounds.min = bounds.min.with_coordinate(axis, face(1.0)?);
         bounds.max = bounds.max.with_coordinate(axis, face(-1.0)?);
@@ -92,7 +92,7 @@ fn coordinate(root: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64)
     let coefficients = patch
         .points
         .iter()
-        .map(|&p| sign * frame.place(p).coordinate(axis))
+        .map(|&p| sign * frame.to_local(p).coordinate(axis))
         .collect();
     Piece::whole(root, patch.columns, patch.rows(), coefficients)
 }

@@ -22,16 +22,16 @@ impl FirstOf {
     pub(super) fn find(&mut self, thing: u32, hash: u64, same: impl Fn(u32) -> bool) -> u32 {
         let mask = self.slots.len() - 1;
         // The upper half: multiplication has mixed it best.
-        let mut place = (hash >> 32) as usize & mask;
+        let mut slot = (hash >> 32) as usize & mask;
         loop {
-            let found = &mut self.slots[place];
+            let found = &mut self.slots[slot];
             if *found == EMPTY {
                 *found = thing;
             }
             if *found == thing || same(*found) {
                 return *found;
             }
-            place = (place + 1) & mask;
+            slot = (slot + 1) & mask;
         }
     }
 }

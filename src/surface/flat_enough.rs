@@ -112,21 +112,21 @@ fn split(
         });
         return true;
     }
-    let places = [
+    let corner_indices = [
         [u0, u, v0, v],
         [u, u1, v0, v],
         [u0, u, v, v1],
         [u, u1, v, v1],
     ];
     let quarters = piece.split(0.5, 0.5);
-    let mut quarters = quarters.iter().zip(places);
-    quarters.all(|(quarter, place)| split(patch, quarter, place, tolerance, leaves, work))
+    let mut quarters = quarters.iter().zip(corner_indices);
+    quarters.all(|(quarter, index)| split(patch, quarter, index, tolerance, leaves, work))
 }
 
 /// The corners of a net, around it.
 fn corners(net: &[DVec3], columns: usize) -> [DVec3; 4] {
     let last = net.len() - columns;
-    [0, columns - 1, net.len() - 1, last].map(|place| net[place])
+    [0, columns - 1, net.len() - 1, last].map(|index| net[index])
 }
 
 /// Whether all points are within the tolerance of the plane of three corners (of a line, of a point).
@@ -140,7 +140,7 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
     }
     around.iter_mut().for_each(|p| *p /= scale);
     let corners = corners.map(|p| (p * 0.5 - origin) / scale);
-    let most = 0.5 * tolerance / scale;
+    let max = 0.5 * tolerance / scale;
     let (mut plane, mut line) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
     for (k, &corner) in corners.iter().enumerate() {
         let [before, next] = [3, 1].map(|step| corners[(k + step) % 4] - corner);
@@ -157,13 +157,13 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
         } else {
             Point::length(p)
         };
-        off <= most
+        off <= max
     })
 }
 
 /// Keeps the place of the longer vector, and it.
-fn keep_longer(kept: &mut [DVec3; 2], place: [DVec3; 2]) {
-    if Point::length(place[1]) > Point::length(kept[1]) {
-        *kept = place;
+fn keep_longer(kept: &mut [DVec3; 2], index: [DVec3; 2]) {
+    if Point::length(index[1]) > Point::length(kept[1]) {
+        *kept = index;
     }
 }

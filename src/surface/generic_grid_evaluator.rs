@@ -14,7 +14,7 @@ use casteljau_kernels::weights;
 use glam::DVec3;
 
 /// The square of the length below which a normal is not regular.
-const LEAST_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
+const MIN_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
 
 /// From here on differences might overflow, and f32 cannot tell the difference.
 const TOO_LARGE_TO_STEP: f64 = 1e39;
@@ -94,11 +94,11 @@ impl GenericGridEvaluator {
         let row = &self.row;
         let weights = self.u[0].values.chunks_exact(row.points.len());
         let weights = weights.zip(self.u[1].values.chunks_exact(row.along_u.len()));
-        let places = positions.iter_mut().zip(facings);
-        for ((values, slopes), (position, facing)) in weights.zip(places) {
+        let samples = positions.iter_mut().zip(facings);
+        for ((values, slopes), (position, cross_product)) in weights.zip(samples) {
             let along_u = blend(slopes, &row.along_u);
             *position = round(blend(values, &row.points));
-            *facing = round(along_u.cross(blend(values, &row.along_v)));
+            *cross_product = round(along_u.cross(blend(values, &row.along_v)));
         }
     }
 
@@ -106,25 +106,25 @@ impl GenericGridEvaluator {
     fn step_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
         let curves = [&self.row.points, &self.row.along_u, &self.row.along_v];
         let mut steppers = curves.map(|points| Stepper::new(points, self.grid.segments_u));
-        let mut put = |at: usize, [point, along_u, along_v]: [DVec3; 3]| {
+        let mut write = |at: usize, [point, along_u, along_v]: [DVec3; 3]| {
             positions[at] = round(point);
             facings[at] = round(along_u.cross(along_v));
         };
         for at in 0..self.grid.segments_u {
-            put(at, steppers.each_mut().map(Stepper::next));
+            write(at, steppers.each_mut().map(Stepper::next));
         }
         let ends = curves.map(|points| points.last().copied().unwrap_or_default());
-        put(self.grid.segments_u, ends);
+        write(self.grid.segments_u, ends);
     }
 }
 
 /// Makes the vectors ∂u × ∂v unit normals. True if one is not regular, which becomes zero.
 fn make_unit(facings: &mut [[f32; 3]]) -> bool {
     let mut missing = false;
-    for facing in facings {
-        let normal = unit(*facing);
+    for cross_product in facings {
+        let normal = unit(*cross_product);
         missing |= normal.is_none();
-        *facing = normal.unwrap_or_default();
+        *cross_product = normal.unwrap_or_default();
     }
     missing
 }
@@ -138,7 +138,7 @@ fn round(p: DVec3) -> [f32; 3] {
 fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
     let square = x * x + y * y + z * z;
     let factor = 1.0 / square.sqrt();
-    (square > LEAST_SQUARE).then_some([x * factor, y * factor, z * factor])
+    (square > MIN_SQUARE).then_some([x * factor, y * factor, z * factor])
 }
 
 /// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same.

@@ -105,12 +105,12 @@ impl Grid {
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above the limit.
     pub fn check(&self, patches: usize) -> Result<(), Error> {
-        let (least, most) = if self.segments_u < self.segments_v {
+        let (min, max) = if self.segments_u < self.segments_v {
             (self.segments_u, self.segments_v)
         } else {
             (self.segments_v, self.segments_u)
         };
-        if least == 0 {
+        if min == 0 {
             return Err(Error::Range {
                 what: "segments",
                 expected: "a whole number from 1",
@@ -118,17 +118,17 @@ impl Grid {
             });
         }
         let vertices = MAX_MESH_BYTES / (VERTEX_BYTES + CELL_BYTES) / (patches.max(1) as u64);
-        let per_line = if least == most {
+        let per_line = if min == max {
             vertices.isqrt()
         } else {
-            vertices / (least as u64).saturating_add(1)
+            vertices / (min as u64).saturating_add(1)
         };
         let limit = usize::try_from(per_line.saturating_sub(1)).unwrap_or(usize::MAX);
-        if most > limit {
+        if max > limit {
             Err(Error::TooMany {
                 what: "segments",
                 limit,
-                needed: most,
+                needed: max,
             })
         } else {
             Ok(())

@@ -3,7 +3,7 @@
 use super::tessellate::GridMeshBuilder;
 use super::{Grid, GridMethod, Mesh, Patch, Surface};
 use crate::error::Error;
-use casteljau_kernels::gather_points;
+use casteljau_kernels::collect_points;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -45,15 +45,15 @@ impl Surface {
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
         let all = 0..self.patch_count();
-        let mut filler = GridMeshBuilder::new(all.len(), grid, method, quads)?;
-        self.fill_part(&mut filler, all, false, mesh);
+        let mut evaluator = GridMeshBuilder::new(all.len(), grid, method, quads)?;
+        self.fill_part(&mut evaluator, all, false, mesh);
         Ok(())
     }
 
     /// Fills a mesh with the grids of some patches; see [`GridMeshBuilder::fill`].
     pub(crate) fn fill_part(
         &self,
-        filler: &mut GridMeshBuilder,
+        evaluator: &mut GridMeshBuilder,
         part: Range<usize>,
         has_layout: bool,
         mesh: &mut Mesh,
@@ -62,11 +62,11 @@ impl Surface {
             let indices = self.patch_indices(patch).unwrap_or_default();
             net.resize(indices.len(), DVec3::ZERO);
             let vertices = bytemuck::cast_slice(self.vertices());
-            gather_points(vertices, indices, bytemuck::cast_slice_mut(net));
+            collect_points(vertices, indices, bytemuck::cast_slice_mut(net));
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };
-        filler.fill(part, net_of, has_layout, mesh);
+        evaluator.fill(part, net_of, has_layout, mesh);
     }
 }
 

@@ -138,15 +138,15 @@ impl Indices {
     }
 
     /// The number at a place; `None` past the end.
-    pub fn get(&self, place: usize) -> Option<usize> {
+    pub fn get(&self, index: usize) -> Option<usize> {
         match self {
-            Self::U16(list) => list.get(place).map(|&i| usize::from(i)),
-            Self::U32(list) => list.get(place).map(|&i| i as usize),
+            Self::U16(list) => list.get(index).map(|&i| usize::from(i)),
+            Self::U32(list) => list.get(index).map(|&i| i as usize),
         }
     }
 
     /// All numbers in turn.
     pub fn iter(&self) -> impl Iterator<Item = usize> {
-        (0..self.len()).map_while(|place| self.get(place))
+        (0..self.len()).map_while(|index| self.get(index))
     }
 }

@@ -59,7 +59,7 @@ pub(super) trait Objective {
     }
 
     /// Whether the search can end: no place is better by more than rounding, or a more exact search follows.
-    fn is_least(&self, _minimum: &Minimum) -> bool {
+    fn is_min(&self, _minimum: &Minimum) -> bool {
         false
     }
 }
@@ -74,7 +74,7 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Mi
         .iter()
         .map(|root| root.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
     let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
-    let mut least = Least {
+    let mut min = Min {
         roots,
         objective,
         is_done: false,
@@ -82,22 +82,22 @@ pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Mi
         best: None,
         ties: 0,
     };
-    let corner = |root: &Piece| least_corner(root).1;
+    let corner = |root: &Piece| min_corner(root).1;
     let first = roots
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
-    least.improve(first, &UNIT_SQUARE, true, &mut work);
+    min.improve(first, &UNIT_SQUARE, true, &mut work);
     for root in roots {
         for (at, _) in root.corners(0) {
-            least.keep_better(root, at, &mut work);
+            min.keep_better(root, at, &mut work);
         }
     }
-    let is_complete = least.search(&mut work);
-    least.best.map(|best| (best, is_complete))
+    let is_complete = min.search(&mut work);
+    min.best.map(|best| (best, is_complete))
 }
 
 /// The least value so far.
-struct Least<'a> {
+struct Min<'a> {
     roots: &'a [Piece],
     objective: &'a dyn Objective,
     /// Whether no place is better than the best one.
@@ -109,16 +109,12 @@ struct Least<'a> {
     ties: usize,
 }
 
-impl Least<'_> {
+impl Min<'_> {
     /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value. False when
     /// the limits end the search.
     fn search(&mut self, work: &mut WorkLimit) -> bool {
-        let mut waiting: BinaryHeap<Waiting> = self
-            .roots
-            .iter()
-            .cloned()
-            .map(by_least_coefficient)
-            .collect();
+        let mut waiting: BinaryHeap<Waiting> =
+            self.roots.iter().cloned().map(by_min_coefficient).collect();
         // Of halves only: all whole polynomials are there before.
         let mut coefficients = 0;
         while let Some(Waiting { low, piece }) = waiting.pop() {
@@ -136,7 +132,7 @@ impl Least<'_> {
                 if coefficients > MAX_WAITING {
                     return false;
                 }
-                waiting.extend(piece.halves(1).map(by_least_coefficient));
+                waiting.extend(piece.halves(1).map(by_min_coefficient));
             }
         }
         true
@@ -160,7 +156,7 @@ impl Least<'_> {
         always: bool,
         work: &mut WorkLimit,
     ) -> bool {
-        let (start, corner) = least_corner(piece);
+        let (start, corner) = min_corner(piece);
         let root = &self.roots[piece.root];
         if !always && corner > self.floor - SLACK {
             if corner > self.floor + SLACK
@@ -194,7 +190,7 @@ impl Least<'_> {
         let value = self.objective.value(root, [u, v]);
         if self.is_better(value) {
             let best = Minimum { root, u, v, value };
-            self.is_done = self.objective.is_least(&best);
+            self.is_done = self.objective.is_min(&best);
             self.best = Some(best);
         }
     }
@@ -207,13 +203,13 @@ impl Least<'_> {
     }
 }
 
-fn by_least_coefficient(piece: Piece) -> Waiting {
+fn by_min_coefficient(piece: Piece) -> Waiting {
     let [low, _] = piece.range(0);
     Waiting { low, piece }
 }
 
 /// The least corner of a piece and its value.
-fn least_corner(piece: &Piece) -> ([f64; 2], f64) {
+fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
     let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
@@ -287,6 +283,6 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
 
 /// Whether the second derivatives' coefficients prove that the polynomial has one minimum in the piece.
 fn is_convex(piece: &Piece) -> bool {
-    let [uu, uv, vv] = piece.bends();
+    let [uu, uv, vv] = piece.second_derivatives();
     uu[0] > 0.0 && vv[0] > 0.0 && uu[0] * vv[0] > uv[0].abs().max(uv[1].abs()).powi(2)
 }

@@ -40,7 +40,7 @@ mod refine;
 mod sampler;
 mod sets;
 mod small_distance;
-mod stitched;
+mod stitched_mesh;
 mod subdivider;
 mod sweep;
 mod taylor;

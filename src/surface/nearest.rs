@@ -109,7 +109,7 @@ impl Patch {
         let distance = Distance::new(patches, &[0], &images, &frame, p);
         // Farther away, since the bounds round.
         let (found, is_complete) = distance.search_small(None, 4.0 * reach);
-        let is_near = |place: &SurfacePoint| place.distance <= reach;
+        let is_near = |candidate: &SurfacePoint| candidate.distance <= reach;
         let found = found.filter(is_near).or_else(|| {
             let other = || nearest(patches, p).filter(is_near);
             if is_complete { None } else { other() }
@@ -148,18 +148,18 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
         .map(|(root, image)| squared_distance(root, image, &frame, p))
         .collect();
     let distance = Distance::new(patches, &near, &images, &frame, p);
-    let (least, is_complete) = minimise(&roots, &distance)?;
-    let mut place = distance.place(least.root, [least.u, least.v]);
+    let (min, is_complete) = minimise(&roots, &distance)?;
+    let mut candidate = distance.surface_point(min.root, [min.u, min.v]);
     let small = if is_complete {
         ROUGH_IN_SQUARES
     } else {
         SMALL_AT_THE_LIMIT
     };
-    if place.distance <= small * distance.size {
-        let (nearer, _) = distance.search_small(Some(place), f64::INFINITY);
-        place = nearer.unwrap_or(place);
+    if candidate.distance <= small * distance.size {
+        let (nearer, _) = distance.search_small(Some(candidate), f64::INFINITY);
+        candidate = nearer.unwrap_or(candidate);
     }
-    Some(distance.refined(&place))
+    Some(distance.refined(&candidate))
 }
 
 /// Half the distance of a point from a box.

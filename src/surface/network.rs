@@ -243,9 +243,9 @@ impl Surface {
         }
         let mut moved = self.clone();
         checked_point(&mut moved.vertices, index, to)?;
-        let place = self.joined[index];
+        let joint = self.joined[index];
         for (vertex, &joined) in moved.vertices.iter_mut().zip(&self.joined) {
-            if joined == place {
+            if joined == joint {
                 *vertex = to;
             }
         }

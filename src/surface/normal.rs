@@ -17,7 +17,7 @@ const VANISHING: f64 = 1e-13;
 
 /// Limits are taken on the way to the middle of the patch. Where N vanishes on all of that way, as along a fold in the
 /// middle, the two sides disagree, and this other way chooses one.
-const WAYS: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
+const INWARD: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
 
 /// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
 pub(super) struct NormalNet {
@@ -69,9 +69,9 @@ impl NormalNet {
         } else {
             None
         };
-        let toward = |way| self.toward(u, v, way);
+        let toward = |toward_direction| self.toward(u, v, toward_direction);
         on_side
-            .or_else(|| WAYS.into_iter().find_map(toward))
+            .or_else(|| INWARD.into_iter().find_map(toward))
             .unwrap_or(DVec3::ZERO)
     }
 
@@ -83,8 +83,8 @@ impl NormalNet {
         let narrow = piece_toward(&self.net, columns, u, to_u);
         let piece = piece_toward(&transpose(&narrow, columns), rows, v, to_v);
         (0..columns + rows - 1).find_map(|order| {
-            let least = order.saturating_sub(self.degree_v);
-            let sum: DVec3 = (least..=order.min(self.degree_u))
+            let min = order.saturating_sub(self.degree_v);
+            let sum: DVec3 = (min..=order.min(self.degree_u))
                 .map(|k| {
                     let share = binomial(self.degree_u, k) * binomial(self.degree_v, order - k);
                     piece[k * rows + order - k] * share

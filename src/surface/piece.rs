@@ -144,7 +144,7 @@ impl Piece {
 
     /// The ranges of the second derivatives' coefficients of plane 0, uu, uv and vv, for this rectangle as the unit
     /// square.
-    pub(super) fn bends(&self) -> [[f64; 2]; 3] {
+    pub(super) fn second_derivatives(&self) -> [[f64; 2]; 3] {
         let bend = |du: usize, dv: usize| {
             let (m, n) = (self.columns - 1, self.rows - 1);
             let step = |first: bool| if first { 1 } else { self.columns };
@@ -177,7 +177,7 @@ impl Piece {
     fn steepest(&self, along_u: bool, planes: usize) -> f64 {
         (0..planes)
             .flat_map(|k| self.slopes(k, along_u))
-            .fold(0.0, |most: f64, slope| most.max(slope.abs()))
+            .fold(0.0, |max: f64, slope| max.max(slope.abs()))
     }
 
     /// The two halves, cut across the direction in which the first planes, as many as are said, change most.
@@ -262,7 +262,7 @@ impl Piece {
 /// and when the limit on the work is reached.
 pub(super) fn search(
     mut pieces: Vec<Piece>,
-    most: usize,
+    max: usize,
     work: &mut WorkLimit,
     look: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
 ) -> bool {
@@ -275,7 +275,7 @@ pub(super) fn search(
         if pieces.is_empty() {
             return true;
         }
-        if pieces.len() > most || coefficients > MAX_COEFFICIENTS {
+        if pieces.len() > max || coefficients > MAX_COEFFICIENTS {
             return false;
         }
         pieces = pieces

@@ -13,7 +13,7 @@ use glam::{DMat4, DVec3, DVec4};
 const NEAR_RATIO: f64 = 1e-3;
 
 /// A curve is halved no more often than this: into pieces of 1/4096.
-const MOST_HALVINGS: usize = 12;
+const MAX_HALVINGS: usize = 12;
 
 /// A map to a canvas, with what to leave out.
 pub(super) struct Projection {
@@ -47,7 +47,7 @@ impl Projection {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
         let mut stroke = ProjectedSubpath { sink, down: false };
-        self.draw_piece(&Curve::from_points(image), &mut stroke, MOST_HALVINGS);
+        self.draw_piece(&Curve::from_points(image), &mut stroke, MAX_HALVINGS);
     }
 
     /// Draws a piece of a curve (X, Y, W), or its halves.
@@ -97,8 +97,8 @@ impl<T: PathSink> ProjectedSubpath<'_, T> {
             self.sink.move_to(flat.start().to_2d());
         }
         // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
-        let least = 4.0 * ulp(flat.max_abs());
-        flat.trace_on(self.sink, Some(tolerance.max(least)));
+        let min = 4.0 * ulp(flat.max_abs());
+        flat.trace_on(self.sink, Some(tolerance.max(min)));
         self.down = true;
     }
 }
@@ -132,6 +132,6 @@ fn error_bound(points: &[DVec3], cubic: &[DVec3; 4]) -> f64 {
         }
         largest = largest.max(Point::length(sum.with_z(0.0)) / of_product[k]);
     }
-    let least = points.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
-    largest / least
+    let min = points.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
+    largest / min
 }

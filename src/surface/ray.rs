@@ -78,7 +78,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         let frame = Frame::around(bounds.including(origin)).as_coarse_as_its_coordinates();
         let (e1, e2) = along.any_orthonormal_pair();
         let ray = Ray {
-            start: frame.place(origin),
+            start: frame.to_local(origin),
             along,
             across: [e1, e2],
         };
@@ -95,9 +95,9 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
             };
             for hit in hits_of(patch, k, &ray, &frame, origin)? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
-                    let place = found
+                    let location = found
                         .partition_point(|other: &SurfacePoint| other.distance <= hit.distance);
-                    found.insert(place, hit);
+                    found.insert(location, hit);
                 }
             }
         }
@@ -124,13 +124,13 @@ fn hits_of(
         });
     };
     let mut hits: Vec<SurfacePoint> = zeros
-        .places
+        .points
         .iter()
         .map(|&[u, v]| SurfacePoint::at(patch, number, u, v, origin))
         .collect();
     // A place that Newton's method did not bring onto the ray is no hit.
     hits.retain(|hit| {
-        let from_start = frame.place(hit.point) - ray.start;
+        let from_start = frame.to_local(hit.point) - ray.start;
         from_start.dot(ray.along) >= -NEAR
             && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
@@ -151,7 +151,7 @@ fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     let from_start: Vec<DVec3> = patch
         .points
         .iter()
-        .map(|&p| frame.place(p) - ray.start)
+        .map(|&p| frame.to_local(p) - ray.start)
         .collect();
     let is_all =
         |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));

@@ -1,8 +1,8 @@
 //! Meshes without cracks, as fine as asked for.
 
-use super::stitched::{SurfaceCells, stitch};
+use super::stitched_mesh::{SurfaceCells, stitch};
 use super::subdivider::{
-    AdaptiveSubdivider, CLOSE_FORECAST_DEPTHS, DYADIC, FORECAST_DEPTHS, most_cells,
+    AdaptiveSubdivider, CLOSE_FORECAST_DEPTHS, DYADIC, FORECAST_DEPTHS, cell_limit,
 };
 use super::tessellate::to_f32;
 use super::view::{Detail, TessellationOptions};
@@ -34,7 +34,7 @@ const MAX_CUT_CELLS: usize = if cfg!(target_pointer_width = "32") {
 const CLOSE_SHARE: f64 = 7.0 / 8.0;
 
 /// The least tolerance is four ulps of the largest coordinate.
-const LEAST_ULPS: f64 = 4.0;
+const MIN_ULPS: f64 = 4.0;
 
 /// A mesh's type of numbers.
 #[derive(Clone, Copy)]
@@ -129,7 +129,7 @@ impl Surface {
         let ulp = (precision.ulp * size).max(precision.tiny);
         match detail {
             Detail::Segments(grid) => return self.cut_evenly(*grid),
-            Detail::Tolerance(tolerance) => check_least(*tolerance, LEAST_ULPS * ulp)?,
+            Detail::Tolerance(tolerance) => check_min(*tolerance, MIN_ULPS * ulp)?,
             Detail::Pixels(view) => view.check()?,
         }
         self.cut_finely(detail, ulp)
@@ -138,14 +138,14 @@ impl Surface {
     fn cut_finely(&self, detail: &Detail, ulp: f64) -> Result<SurfaceCells, Error> {
         let mut subdivider = AdaptiveSubdivider {
             detail,
-            least: LEAST_ULPS * ulp,
+            min: MIN_ULPS * ulp,
             rounding: ulp,
             limit: self.max_cells(),
             forecast: None,
             expected: 0.0,
-            expected_at_most: 0.0,
+            expected_max: 0.0,
             cells: Vec::new(),
-            bends: SecondDifferences::default(),
+            second_differences: SecondDifferences::default(),
             size: 0.0,
         };
         self.foresee(&mut subdivider)?;
@@ -177,16 +177,15 @@ impl Surface {
         // Halvings do not end exactly at the tolerance, so there will be more cells than are needed at least.
         let mut before = f64::INFINITY;
         for depth in CLOSE_FORECAST_DEPTHS {
-            if subdivider.expected_at_most <= limit {
+            if subdivider.expected_max <= limit {
                 break;
             }
-            before = subdivider.expected_at_most;
+            before = subdivider.expected_max;
             self.forecast(subdivider, depth)?;
         }
-        let [cells, before] =
-            [subdivider.expected_at_most, before].map(|cells| cells * CLOSE_SHARE);
+        let [cells, before] = [subdivider.expected_max, before].map(|cells| cells * CLOSE_SHARE);
         if cells > limit && cells >= before * CLOSE_SHARE {
-            subdivider.expected = subdivider.expected_at_most;
+            subdivider.expected = subdivider.expected_max;
             return Err(subdivider.too_many());
         }
         subdivider.forecast = None;
@@ -196,7 +195,7 @@ impl Surface {
     /// Counts the cells that pieces of this depth let expect.
     fn forecast(&self, subdivider: &mut AdaptiveSubdivider, depth: u32) -> Result<(), Error> {
         subdivider.forecast = Some(depth);
-        (subdivider.expected, subdivider.expected_at_most) = (0.0, 0.0);
+        (subdivider.expected, subdivider.expected_max) = (0.0, 0.0);
         for patch in self.patches() {
             subdivider.cut(&patch.points, patch.columns)?;
         }
@@ -207,7 +206,7 @@ impl Surface {
     fn max_cells(&self) -> usize {
         (0..self.patch_count())
             .filter_map(|patch| self.degrees(patch))
-            .map(|[m, n]| most_cells(m, n))
+            .map(|[m, n]| cell_limit(m, n))
             .fold(MAX_CUT_CELLS, usize::min)
     }
 
@@ -274,11 +273,11 @@ impl Patch {
 }
 
 /// Refuses a tolerance that is not above 0, or that the mesh's numbers cannot keep.
-fn check_least(tolerance: f64, least: f64) -> Result<(), Error> {
+fn check_min(tolerance: f64, min: f64) -> Result<(), Error> {
     check_tolerance(tolerance, 0.0)?;
-    if tolerance < least {
+    if tolerance < min {
         return Err(Error::Tolerance {
-            least,
+            min,
             got: tolerance,
         });
     }

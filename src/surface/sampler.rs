@@ -40,10 +40,10 @@ impl Sampler {
     /// The point and the unit normal at (u, v), its limit where the patch is not regular. Calls with the same v in a row
     /// are cheaper.
     pub(super) fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
-        let (point, facing) = self.samples.sample(u, v);
-        let facing = DVec3::from(facing);
-        let normal = if is_regular(facing) {
-            Point::normalize_or_zero(facing)
+        let (point, cross_product) = self.samples.sample(u, v);
+        let cross_product = DVec3::from(cross_product);
+        let normal = if is_regular(cross_product) {
+            Point::normalize_or_zero(cross_product)
         } else {
             self.limits().limit(u, v)
         };
@@ -57,6 +57,6 @@ impl Sampler {
     }
 }
 
-fn is_regular(facing: DVec3) -> bool {
-    facing.length_squared() > REGULAR_RATIO * REGULAR_RATIO
+fn is_regular(cross_product: DVec3) -> bool {
+    cross_product.length_squared() > REGULAR_RATIO * REGULAR_RATIO
 }

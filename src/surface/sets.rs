@@ -106,7 +106,7 @@ pub(super) fn teapot(options: TeapotOptions) -> Surface {
         turn(&BOTTOM, -1, &mut points);
     }
     let (vertices, indices) = share(&points);
-    let vertices = vertices.iter().map(|&p| place(p, options)).collect();
+    let vertices = vertices.iter().map(|&p| position(p, options)).collect();
     Surface::bicubic(vertices, indices)
 }
 
@@ -161,7 +161,7 @@ pub(super) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
 }
 
 /// The point in the teapot's unit. Whole numbers are divided once, so every coordinate is the nearest f64.
-fn place([x, y, z]: Whole, options: TeapotOptions) -> DVec3 {
+fn position([x, y, z]: Whole, options: TeapotOptions) -> DVec3 {
     let height_units = match options.height {
         Height::Squashed => UNITS,
         Height::Original => UNITS * 0.75,

@@ -24,12 +24,12 @@ const MAX_WAITING: usize = 1 << 21;
 
 /// Searches pieces whose planes are the coordinates of S − p for the least distance.
 ///
-/// `least` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
+/// `min` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
 /// farther away than `cutoff` are dropped. The search ends at a distance of `goal`, when no piece can be nearer, and when
 /// it has taken the most steps for each root: then it returns `false`.
 pub(super) fn search_small(
     roots: Vec<Piece>,
-    mut least: f64,
+    mut min: f64,
     [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
 ) -> bool {
@@ -41,22 +41,22 @@ pub(super) fn search_small(
     let mut coefficients = 0;
     while let Some(Waiting { low, piece }) = waiting.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
-        let is_far = |low: f64, least: f64| low > cutoff.min(worthwhile(least));
-        if least <= goal || is_far(low, least) {
+        let is_far = |low: f64, min: f64| low > cutoff.min(worthwhile(min));
+        if min <= goal || is_far(low, min) {
             return true;
         }
         let (start, corner) = nearest_corner(&piece);
-        let descends = corner < worthwhile(least);
+        let descends = corner < worthwhile(min);
         let jets = if descends { DESCENT_JETS } else { 0 };
         if !work.spend(piece.steps() + jets * piece.jet_steps()) {
             return false;
         }
         if descends {
-            least = least.min(descend(piece.root, start));
+            min = min.min(descend(piece.root, start));
         }
         if piece.is_divisible() {
             let halves = piece.halves(3).map(by_box);
-            let near = halves.into_iter().filter(|half| !is_far(half.low, least));
+            let near = halves.into_iter().filter(|half| !is_far(half.low, min));
             for half in near {
                 coefficients += half.piece.plane(0).len();
                 waiting.push(half);
@@ -70,8 +70,8 @@ pub(super) fn search_small(
 }
 
 /// The distance from which on a place is not enough of an improvement.
-fn worthwhile(least: f64) -> f64 {
-    least - (SHARE * least).min(SHARE_OF_SIZE)
+fn worthwhile(min: f64) -> f64 {
+    min - (SHARE * min).min(SHARE_OF_SIZE)
 }
 
 /// A piece with the distance of the box around its control points.

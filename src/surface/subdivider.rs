@@ -43,7 +43,7 @@ struct Piece {
 pub(super) struct AdaptiveSubdivider<'a> {
     pub(super) detail: &'a Detail,
     /// The least tolerance that the mesh's numbers can keep, and the part of it that rounding takes.
-    pub(super) least: f64,
+    pub(super) min: f64,
     pub(super) rounding: f64,
     /// The greatest number of cells in all.
     pub(super) limit: usize,
@@ -51,10 +51,10 @@ pub(super) struct AdaptiveSubdivider<'a> {
     pub(super) forecast: Option<u32>,
     pub(super) expected: f64,
     /// … and how many if each piece is halved as if it bent everywhere as it does most: no fewer than there will be.
-    pub(super) expected_at_most: f64,
+    pub(super) expected_max: f64,
     pub(super) cells: Vec<Cell>,
     /// The vectors of the pieces that wait, in units of `size`.
-    pub(super) bends: SecondDifferences,
+    pub(super) second_differences: SecondDifferences,
     pub(super) size: f64,
 }
 
@@ -79,14 +79,14 @@ impl AdaptiveSubdivider<'_> {
         let closed = closed(net, columns);
         let mut tolerance = self.tolerance();
         while let Some(piece) = pieces.pop() {
-            if self.detail.depends_on_place() {
+            if self.detail.depends_on_position() {
                 tolerance = self.tolerance();
             }
             let distance = bound(piece.lengths, piece.bend);
             if self.forecast == Some(piece.depth) {
-                self.expected += piece.least_cells(tolerance);
-                self.expected_at_most += piece.halved_cells(tolerance);
-                self.bends.pop();
+                self.expected += piece.min_cells(tolerance);
+                self.expected_max += piece.halved_cells(tolerance);
+                self.second_differences.pop();
                 continue;
             }
             if self.cells.len() >= self.limit {
@@ -100,18 +100,19 @@ impl AdaptiveSubdivider<'_> {
             };
             let Some(along_u) = along_u else {
                 self.add(piece.cell);
-                self.bends.pop();
+                self.second_differences.pop();
                 continue;
             };
-            self.bends.halve(along_u);
-            let bends = [self.bend(1), self.bend(0)];
-            let closer = [0, 1, 2].map(|k| larger(bends[0][k], bends[1][k]));
+            self.second_differences.halve(along_u);
+            let second_differences = [self.bend(1), self.bend(0)];
+            let closer =
+                [0, 1, 2].map(|k| larger(second_differences[0][k], second_differences[1][k]));
             if must.is_none() && bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
-                self.bends.pop();
-                self.bends.pop();
+                self.second_differences.pop();
+                self.second_differences.pop();
             } else {
-                pieces.extend(piece.halves(along_u, bends));
+                pieces.extend(piece.halves(along_u, second_differences));
             }
         }
         Ok(())
@@ -136,7 +137,7 @@ impl AdaptiveSubdivider<'_> {
             Net::new()
         };
         let uv = differences_v(&du, m);
-        let place = if self.detail.depends_on_place() {
+        let position = if self.detail.depends_on_position() {
             &net[..]
         } else {
             &[]
@@ -145,25 +146,25 @@ impl AdaptiveSubdivider<'_> {
             (m - 1, n + 1),
             (m, n),
             (m + 1, n - 1),
-            (columns, place.len() / columns),
+            (columns, position.len() / columns),
         ];
         let nets = [
             (&uu[..], a * (a - 1.0)),
             (&uv, a * b),
             (&vv, b * (b - 1.0)),
-            (place, 1.0),
+            (position, 1.0),
         ];
         let vectors = nets.into_iter().flat_map(|(net, factor)| {
             net.iter()
                 .map(move |&p| (p * factor).to_array().map(to_f32))
         });
-        self.bends.start(sizes, vectors);
+        self.second_differences.start(sizes, vectors);
     }
 
     /// How much the last piece but `before` bends.
     fn bend(&self, before: usize) -> [f64; 3] {
         let scale = self.size * (1.0 + BEND_SLACK);
-        self.bends
+        self.second_differences
             .longest(before)
             .map(|length| f64::from(length) * scale)
     }
@@ -171,17 +172,17 @@ impl AdaptiveSubdivider<'_> {
     /// The tolerance for the last piece.
     fn tolerance(&self) -> f64 {
         let wanted = self.detail.tolerance_for(|| {
-            self.bends
+            self.second_differences
                 .control_box()
                 .map(|corner| DVec3::from(corner.map(f64::from)) * self.size)
         });
-        wanted.max(self.least) - self.rounding
+        wanted.max(self.min) - self.rounding
     }
 
     fn add(&mut self, cell: Cell) {
         if self.forecast.is_some() {
             self.expected += 1.0;
-            self.expected_at_most += 1.0;
+            self.expected_max += 1.0;
         } else {
             self.cells.push(cell);
         }
@@ -220,7 +221,7 @@ impl Piece {
 
     /// How many cells it needs at least, if it bends alike everywhere: with i × j equal cells a/i² + b/(i·j) + c/j² must
     /// be within the tolerance, so i·j is no less than any of these.
-    fn least_cells(&self, tolerance: f64) -> f64 {
+    fn min_cells(&self, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
         let [uu, uv, vv] = self.bend;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
@@ -252,7 +253,7 @@ impl Piece {
         }
     }
 
-    fn halves(&self, along_u: bool, bends: [[f64; 3]; 2]) -> [Self; 2] {
+    fn halves(&self, along_u: bool, second_differences: [[f64; 3]; 2]) -> [Self; 2] {
         let (mut near, [mut h, mut k]) = (self.cell, self.lengths);
         let mut far;
         if along_u {
@@ -271,14 +272,14 @@ impl Piece {
             cell: cells[k],
             lengths,
             depth: self.depth + 1,
-            bend: bends[k],
+            bend: second_differences[k],
         })
     }
 }
 
 /// The most cells whose pieces together have no more vectors than [`MAX_VECTORS`]: there are about twice as many pieces as
 /// cells.
-pub(super) fn most_cells(degree_u: usize, degree_v: usize) -> usize {
+pub(super) fn cell_limit(degree_u: usize, degree_v: usize) -> usize {
     let (m, n) = (degree_u, degree_v);
     MAX_VECTORS / (2 * ((m - 1) * (n + 1) + m * n + (m + 1) * (n - 1)))
 }

@@ -57,7 +57,7 @@ impl Section {
     }
 
     /// The vertices of a line with one place.
-    pub(super) fn least(&self) -> usize {
+    pub(super) fn min(&self) -> usize {
         let rings = 1 + 2 * self.rings.len();
         self.columns() * rings + 2
     }
@@ -150,11 +150,11 @@ impl<'a> Sweep<'a> {
                 self.ring(frame, [c, -s]);
             }
         }
-        self.place(frame);
+        self.add_ring(frame);
     }
 
     /// The next place on the line.
-    pub(super) fn place(&mut self, frame: &Frame) {
+    pub(super) fn add_ring(&mut self, frame: &Frame) {
         self.ring(frame, [1.0, 0.0]);
     }
 

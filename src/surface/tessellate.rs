@@ -77,11 +77,11 @@ impl GridMeshBuilder {
         let numbers = 3 * self.grid.vertex_count();
         mesh.positions.resize(part.len() * numbers, 0.0);
         mesh.normals.resize(part.len() * numbers, 0.0);
-        let places = mesh
+        let vertex_range = mesh
             .positions
             .chunks_exact_mut(numbers)
             .zip(mesh.normals.chunks_exact_mut(numbers));
-        for (patch, (positions, normals)) in part.zip(places) {
+        for (patch, (positions, normals)) in part.zip(vertex_range) {
             self.net.clear();
             let (degree_u, degree_v) = net_of(patch, &mut self.net);
             self.kernel
@@ -131,8 +131,8 @@ impl GridMeshBuilder {
                 Indices::U32(list) => list,
             };
             list.resize(total, 0);
-            for (place, &vertex) in list.iter_mut().zip(cell) {
-                *place = to_u32(vertex);
+            for (location, &vertex) in list.iter_mut().zip(cell) {
+                *location = to_u32(vertex);
             }
             fill_indices_u32(&mut list, cell.len(), repeats);
             *indices = Indices::U32(list);
@@ -142,8 +142,8 @@ impl GridMeshBuilder {
                 Indices::U32(_) => Vec::new(),
             };
             list.resize(total, 0);
-            for (place, &vertex) in list.iter_mut().zip(cell) {
-                *place = to_u16(vertex);
+            for (location, &vertex) in list.iter_mut().zip(cell) {
+                *location = to_u16(vertex);
             }
             fill_indices_u16(&mut list, cell.len(), repeats);
             *indices = Indices::U16(list);

@@ -140,11 +140,11 @@ impl Parser<'_> {
             if patch > 0 {
                 self.reader.words(LISTED, "vertex numbers")?;
             }
-            for place in self.read_indices(1, usize::MAX)? {
-                let index = self.indices[self.indices.len() - LISTED + place];
+            for word_index in self.read_indices(1, usize::MAX)? {
+                let index = self.indices[self.indices.len() - LISTED + word_index];
                 if index >= largest {
                     (largest, line) = (index, self.reader.line());
-                    word = self.reader.last_words()[place];
+                    word = self.reader.last_words()[word_index];
                 }
             }
             self.degrees.push([3, 3]);
@@ -160,13 +160,13 @@ impl Parser<'_> {
     }
 
     /// The count in the next row, behind its name.
-    fn named_count(&mut self, name: &str, least: usize) -> Result<usize, ParseError> {
+    fn named_count(&mut self, name: &str, min: usize) -> Result<usize, ParseError> {
         let expected = format!("\"{name}\" and their number");
         if self.reader.row(2) != 2 || self.reader.last_words().first() != Some(&name) {
             return Err(self.refuse(0, expected));
         }
         let count = self.whole(1, expected)?;
-        self.check_count(count, name, 1, least)?;
+        self.check_count(count, name, 1, min)?;
         Ok(count)
     }
 
@@ -175,15 +175,15 @@ impl Parser<'_> {
         &self,
         count: usize,
         name: &str,
-        place: usize,
-        least: usize,
+        word_index: usize,
+        min: usize,
     ) -> Result<(), ParseError> {
-        let (characters, most) = (self.characters, self.characters / least);
-        if count <= most {
+        let (characters, max) = (self.characters, self.characters / min);
+        if count <= max {
             return Ok(());
         }
-        let expected = format!("at most {most} {name} in a text of {characters} characters");
-        Err(self.refuse(place, expected))
+        let expected = format!("at most {max} {name} in a text of {characters} characters");
+        Err(self.refuse(word_index, expected))
     }
 
     fn read_vertices(&mut self, count: usize) -> Result<(), ParseError> {
@@ -211,11 +211,11 @@ impl Parser<'_> {
     /// The degrees in the row that was read last.
     fn read_degrees(&mut self) -> Result<[usize; 2], ParseError> {
         let mut degrees = [0; 2];
-        for (place, degree) in degrees.iter_mut().enumerate() {
+        for (word_index, degree) in degrees.iter_mut().enumerate() {
             let expected = "a degree from 1 to 64";
-            *degree = self.whole(place, expected)?;
+            *degree = self.whole(word_index, expected)?;
             if !(1..=MAX_DEGREE).contains(degree) {
-                return Err(self.refuse(place, expected));
+                return Err(self.refuse(word_index, expected));
             }
         }
         self.degrees.push(degrees);
@@ -224,30 +224,30 @@ impl Parser<'_> {
 
     /// The vertex numbers in the row that was read last; `count` of them are allowed, from `first` on.
     fn read_indices(&mut self, first: usize, count: usize) -> Result<Range<usize>, ParseError> {
-        let places = 0..self.reader.last_words().len();
-        for place in places.clone() {
-            let number = self.whole(place, "a vertex number")?;
+        let word_range = 0..self.reader.last_words().len();
+        for word_index in word_range.clone() {
+            let number = self.whole(word_index, "a vertex number")?;
             match number.checked_sub(first) {
                 // More vertices than u32 can number are more than memory holds.
                 Some(index) if index < count => {
                     self.indices.push(u32::try_from(index).unwrap_or(u32::MAX));
                 }
-                _ => return Err(self.refuse(place, vertex_range(first, count))),
+                _ => return Err(self.refuse(word_index, vertex_range(first, count))),
             }
         }
-        Ok(places)
+        Ok(word_range)
     }
 
     /// The whole number at a place of the row that was read last.
-    fn whole(&self, place: usize, expected: impl Into<String>) -> Result<usize, ParseError> {
-        let word = self.reader.last_words().get(place);
+    fn whole(&self, word_index: usize, expected: impl Into<String>) -> Result<usize, ParseError> {
+        let word = self.reader.last_words().get(word_index);
         let number = word.and_then(|word| whole(word));
-        number.ok_or_else(|| self.refuse(place, expected))
+        number.ok_or_else(|| self.refuse(word_index, expected))
     }
 
     /// A refusal of the word at a place of the row that was read last, or of the text's end.
-    fn refuse(&self, place: usize, expected: impl Into<String>) -> ParseError {
-        let word = self.reader.last_words().get(place);
+    fn refuse(&self, word_index: usize, expected: impl Into<String>) -> ParseError {
+        let word = self.reader.last_words().get(word_index);
         let got = word.map_or(END.into(), |word| shown(word));
         self.reader.refuse(expected, got)
     }

@@ -36,8 +36,8 @@ impl Surface {
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             push(&mut text, format_args!("{degree_u} {degree_v}\n"));
             let indices = self.patch_indices(patch).unwrap_or_default();
-            for (place, index) in indices.iter().enumerate() {
-                let last = place % (degree_u + 1) == degree_u;
+            for (last_digit, index) in indices.iter().enumerate() {
+                let last = last_digit % (degree_u + 1) == degree_u;
                 push(
                     &mut text,
                     format_args!("{index}{}", if last { '\n' } else { ' ' }),
@@ -67,13 +67,13 @@ pub(super) fn written(x: impl Display + LowerExp) -> String {
 
 /// Where one more digit than the shortest would be needed to decide how to round it, that digit is among so many binary
 /// places: 17 decimal ones have as many.
-const PLACES_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
+const DIGITS_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
 
 /// [`written`] for all f64: where two shortest forms are equally close, JavaScript takes the even one, Rust the upper.
 pub(crate) fn written_number(x: f64) -> String {
     let plain = written(x);
     let whole = x.abs() >= 1.0 / f64::EPSILON;
-    if x.abs() < 1.0 || !(whole || (x * PLACES_OF_A_TIE).fract() == 0.0) {
+    if x.abs() < 1.0 || !(whole || (x * DIGITS_OF_A_TIE).fract() == 0.0) {
         return plain;
     }
     even(&plain, x).unwrap_or(plain)
@@ -93,7 +93,7 @@ fn even(plain: &str, x: f64) -> Option<String> {
         return None;
     }
     let mut lower = plain.to_owned();
-    let place = significant.len() - 1..significant.len();
-    lower.replace_range(place, char::from(last - 1).encode_utf8(&mut [0; 4]));
+    let last_digit = significant.len() - 1..significant.len();
+    lower.replace_range(last_digit, char::from(last - 1).encode_utf8(&mut [0; 4]));
     (lower.parse() == Ok(x)).then_some(lower)
 }

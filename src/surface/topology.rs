@@ -188,8 +188,8 @@ fn root(parent: &mut [usize], mut patch: usize) -> usize {
 
 /// A hash of a line's vertices, the same for both directions.
 fn line_hash(line: impl DoubleEndedIterator<Item = u32> + Clone, count: usize) -> u64 {
-    let one_way = |hash, vertex| mix(hash, u64::from(vertex));
-    let forwards = line.clone().fold(count as u64, one_way);
-    let backwards = line.rev().fold(count as u64, one_way);
+    let direction = |hash, vertex| mix(hash, u64::from(vertex));
+    let forwards = line.clone().fold(count as u64, direction);
+    let backwards = line.rev().fold(count as u64, direction);
     mix(0, forwards.wrapping_add(backwards))
 }

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 const RIBBON_SIDES: usize = 8;
 
 /// The least tolerance is four ulps of the largest coordinate.
-const LEAST_ULPS: f64 = 4.0;
+const MIN_ULPS: f64 = 4.0;
 
 /// Walks along lines.
 pub(super) struct Tracer {
@@ -53,9 +53,9 @@ impl Tracer {
         // 1 − cos 2α = 2 sin² α, without cancellation.
         let [_, sine] = turned(0.5 * PI / ratio(sides, 1));
         let share = radii * 2.0 * sine * sine;
-        let least = LEAST_ULPS * f64::from(f32::EPSILON) * size / share;
-        if got < least {
-            return Err(Error::TooSmall { what, least, got });
+        let min = MIN_ULPS * f64::from(f32::EPSILON) * size / share;
+        if got < min {
+            return Err(Error::TooSmall { what, min, got });
         }
         Ok(Self {
             tolerance: got * share,
@@ -72,10 +72,10 @@ impl Tracer {
         let polyline = line.curve.flatten(self.tolerance)?;
         let mut before: Option<(LineSample, Frame)> = None;
         for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
-            let place = self.look(line, t, point);
+            let sample = self.look(line, t, point);
             before = Some(match before {
-                None => self.start(place, sweep),
-                Some(from) => self.advance(line, from, place, sweep),
+                None => self.start(sample, sweep),
+                Some(from) => self.advance(line, from, sample, sweep),
             });
         }
         if let Some((_, frame)) = before {
@@ -102,10 +102,10 @@ impl Tracer {
         }
     }
 
-    fn start(&self, place: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, Frame) {
-        let frame = frame(&place, place.normal);
+    fn start(&self, sample: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, Frame) {
+        let frame = frame(&sample, sample.normal);
         sweep.begin(&frame);
-        (place, frame)
+        (sample, frame)
     }
 
     /// Goes on to the next place, over as many between as the turn asks for.
@@ -125,7 +125,7 @@ impl Tracer {
                 to.normal
             };
             let frame = frame(&to, side);
-            sweep.place(&frame);
+            sweep.add_ring(&frame);
             return (to, frame);
         }
         let middle = 0.5 * (from.t + to.t);
@@ -142,8 +142,8 @@ impl Tracer {
 }
 
 /// The frame at a place, its side as near to the given direction as may be.
-fn frame(place: &LineSample, side: DVec3) -> Frame {
-    let LineSample { point, along, .. } = *place;
+fn frame(sample: &LineSample, side: DVec3) -> Frame {
+    let LineSample { point, along, .. } = *sample;
     let axis = if along.x.abs() < 0.5 {
         DVec3::X
     } else {

@@ -97,7 +97,7 @@ impl From<Detail> for TessellationOptions {
 
 impl Detail {
     /// Whether [`tolerance_for`](Self::tolerance_for) looks at the piece.
-    pub(super) fn depends_on_place(&self) -> bool {
+    pub(super) fn depends_on_position(&self) -> bool {
         matches!(self, Self::Pixels(_))
     }
 
@@ -148,8 +148,8 @@ impl View {
         let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
         let slope = |row: DVec4, half: f64| {
             // ∂(X/W) = (∂X − X/W·∂W)/W; what is outside of the picture counts as on its rim.
-            let place = row.dot(middle.extend(1.0)) / depth.max(near);
-            (row - w * place.clamp(-1.0, 1.0)).truncate() * (half / near)
+            let projected = row.dot(middle.extend(1.0)) / depth.max(near);
+            (row - w * projected.clamp(-1.0, 1.0)).truncate() * (half / near)
         };
         let stretch = longest(
             slope(x, self.viewport.x / 2.0),

@@ -1,6 +1,6 @@
 //! Which corners of triangles become one vertex?
 
-use super::stitched::{StitchedMesh, number};
+use super::stitched_mesh::{StitchedMesh, number};
 use super::tessellate::to_f32;
 use super::{Indices, Mesh, PatchRange};
 use crate::point::Point;
@@ -29,7 +29,7 @@ const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;
 
 /// How many normals at one node are compared, the latest first: where thousands of patches meet in a point, comparing
 /// each with all would take for ever. Some that agree may then stay apart.
-const MOST_COMPARED: usize = 256;
+const MAX_COMPARED: usize = 256;
 
 /// No vertex yet.
 const NONE: u32 = u32::MAX;
@@ -44,7 +44,7 @@ struct Vertex {
 
 /// Numbers vertices as triangles use them.
 struct Welder<'a> {
-    stitched: &'a StitchedMesh,
+    stitched_mesh: &'a StitchedMesh,
     vertices: Vec<Vertex>,
     /// The last vertex of each node.
     last: Vec<u32>,
@@ -59,7 +59,7 @@ impl StitchedMesh {
             return;
         }
         let mut welder = Welder {
-            stitched: self,
+            stitched_mesh: self,
             vertices: Vec::new(),
             last: vec![NONE; self.nodes.len()],
         };
@@ -74,7 +74,7 @@ impl StitchedMesh {
             mesh.push(self.nodes[vertex.node as usize], vertex.normal);
         }
         mesh.indices = Indices::smallest(numbers, welder.vertices.len());
-        self.put_ranges(mesh, false);
+        self.fill_ranges(mesh, false);
     }
 
     /// Every corner is a vertex.
@@ -91,11 +91,11 @@ impl StitchedMesh {
         }
         let numbers = self.triangles.as_flattened().to_vec();
         mesh.indices = Indices::smallest(numbers, self.corners.len());
-        self.put_ranges(mesh, true);
+        self.fill_ranges(mesh, true);
     }
 
     /// The triangles of each patch are in a row in any case, its vertices only where they are its own.
-    fn put_ranges(&self, mesh: &mut Mesh<f64>, own_vertices: bool) {
+    fn fill_ranges(&self, mesh: &mut Mesh<f64>, own_vertices: bool) {
         let (mut corners, mut triangles) = (0, 0);
         for end in &self.ends {
             let mut range = PatchRange {
@@ -116,10 +116,10 @@ impl StitchedMesh {
 impl Welder<'_> {
     /// The vertex of a corner.
     fn vertex(&mut self, corner: u32, weld: Weld) -> u32 {
-        let corner = &self.stitched.corners[corner as usize];
+        let corner = &self.stitched_mesh.corners[corner as usize];
         let last = self.last[corner.node as usize];
         let mut found = last;
-        for _ in 0..MOST_COMPARED {
+        for _ in 0..MAX_COMPARED {
             let Some(vertex) = self.vertices.get(found as usize) else {
                 break;
             };
@@ -142,15 +142,15 @@ impl Welder<'_> {
     /// Replaces normals by the means of their corners' normals, weighted by the angles of the triangles.
     fn average_normals(&mut self, numbers: &[u32]) {
         let mut sums = vec![DVec3::ZERO; self.vertices.len()];
-        let corners = self.stitched.triangles.as_flattened();
+        let corners = self.stitched_mesh.triangles.as_flattened();
         for (triangle, corners) in numbers.chunks_exact(3).zip(corners.chunks_exact(3)) {
             let point = |k: usize| {
                 let vertex = &self.vertices[triangle[k % 3] as usize];
-                self.stitched.nodes[vertex.node as usize]
+                self.stitched_mesh.nodes[vertex.node as usize]
             };
             for (k, &corner) in corners.iter().enumerate() {
                 let (a, b) = (point(k + 1) - point(k), point(k + 2) - point(k));
-                let normal = self.stitched.corners[corner as usize].normal;
+                let normal = self.stitched_mesh.corners[corner as usize].normal;
                 sums[triangle[k] as usize] +=
                     normal * angle(Point::normalize_or_zero(a), Point::normalize_or_zero(b));
             }

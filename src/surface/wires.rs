@@ -90,7 +90,7 @@ impl Surface {
     pub fn wireframe(&self, options: &WireframeOptions) -> Result<Mesh, Error> {
         let section = options.wire.section()?;
         let tracer = Tracer::new(self, &options.wire)?;
-        self.check_least_count(options.lines, &section)?;
+        self.check_min_count(options.lines, &section)?;
         // Counted first, so that nothing is allocated in vain.
         let mut sweep = Sweep::new(&section);
         let mut patch_ranges = vec![PatchRange::default(); self.patch_count()];
@@ -135,11 +135,11 @@ impl Surface {
     }
 
     /// Refuses lines that must be too many, without looking at one of them.
-    fn check_least_count(&self, lines: usize, section: &Section) -> Result<(), Error> {
+    fn check_min_count(&self, lines: usize, section: &Section) -> Result<(), Error> {
         let inside = lines
             .saturating_sub(1)
             .saturating_mul(2 * self.patch_count());
-        let needed = inside.saturating_mul(section.least());
+        let needed = inside.saturating_mul(section.min());
         if needed > MAX_VERTICES as usize {
             Err(too_many(needed))
         } else {

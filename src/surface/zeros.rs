@@ -32,7 +32,7 @@ pub(super) const MAX_RAY_STEPS: usize = 1 << 27;
 /// The zeros that were found.
 pub(super) struct Zeros {
     /// Where they are.
-    pub(super) places: Vec<[f64; 2]>,
+    pub(super) points: Vec<[f64; 2]>,
     /// Whether there are finitely many and these are all.
     pub(super) complete: bool,
 }
@@ -54,8 +54,8 @@ pub(super) fn common_zeros(whole: &Piece) -> Option<Zeros> {
     let mut zeros = Vec::new();
     let mut work = WorkLimit::new(MAX_RAY_STEPS);
     let complete = collect(whole.clone(), whole, &mut zeros, &mut work);
-    let places = zeros.iter().map(|zero| zero.at).collect();
-    (!work.is_exceeded()).then_some(Zeros { places, complete })
+    let points = zeros.iter().map(|zero| zero.at).collect();
+    (!work.is_exceeded()).then_some(Zeros { points, complete })
 }
 
 /// Adds the zeros of a piece: the whole one, a side of it, or a corner.
@@ -64,7 +64,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
     let mut finder = Finder {
         whole,
         on_face: sides.len() == 4,
-        least_curve: CURVE_SHARE * length(whole.range(2)),
+        min_curve: CURVE_SHARE * length(whole.range(2)),
         zeros,
         curve: None,
     };
@@ -91,7 +91,7 @@ struct Finder<'a> {
     /// Not on a side or at a corner, where the pair's derivative means nothing.
     on_face: bool,
     /// By how much plane 2 changes along what counts as a curve.
-    least_curve: f64,
+    min_curve: f64,
     zeros: &'a mut Vec<Zero>,
     /// A place on a curve of zeros.
     curve: Option<Zero>,
@@ -136,7 +136,7 @@ impl Finder<'_> {
 
     /// Whether plane 2 changes as much as along a curve of zeros.
     fn is_along(&self, piece: &Piece) -> bool {
-        length(piece.range(2)) > self.least_curve
+        length(piece.range(2)) > self.min_curve
     }
 
     /// Adds the zero of a piece in which rounding decides.
@@ -205,8 +205,8 @@ impl Zero {
     }
 
     fn touches(&self, other: &Self) -> bool {
-        let meet = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME && b[0] <= a[1] + SAME;
-        meet(self.u, other.u) && meet(self.v, other.v)
+        let overlap = |a: [f64; 2], b: [f64; 2]| a[0] <= b[1] + SAME && b[0] <= a[1] + SAME;
+        overlap(self.u, other.u) && overlap(self.v, other.v)
     }
 
     fn union(&self, other: &Self) -> Self {

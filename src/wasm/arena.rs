@@ -10,7 +10,7 @@ use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
-const LEAST_LENGTH: usize = 8192;
+const MIN_LENGTH: usize = 8192;
 
 static ARENA: SingleThreadCell<Arena> = SingleThreadCell::new(Arena(Vec::new()));
 
@@ -36,7 +36,7 @@ pub(super) fn encode_result(result: Result<usize, Error>) -> isize {
     match result {
         Ok(count) => count.cast_signed(),
         Err(error) => {
-            with(|arena| arena.put_message(&error));
+            with(|arena| arena.write_message(&error));
             -1
         }
     }
@@ -46,7 +46,7 @@ pub(super) fn encode_result(result: Result<usize, Error>) -> isize {
 #[wasm_bindgen]
 pub fn arena_reserve(length: usize) -> *const f64 {
     with(|arena| {
-        arena.grow(length.max(LEAST_LENGTH));
+        arena.grow(length.max(MIN_LENGTH));
         arena.0.as_ptr()
     })
 }
@@ -61,7 +61,7 @@ pub fn arena_length() -> usize {
 #[wasm_bindgen]
 pub fn arena_trim() {
     with(|arena| {
-        arena.0.truncate(LEAST_LENGTH);
+        arena.0.truncate(MIN_LENGTH);
         arena.0.shrink_to_fit();
     });
 }
@@ -107,7 +107,7 @@ impl Arena {
     }
 
     /// Writes points of space, in `dimension` numbers each, from number `at` on and returns where they end.
-    pub(super) fn put_from_space(
+    pub(super) fn write_from_space(
         &mut self,
         at: usize,
         points: &[DVec3],
@@ -115,10 +115,10 @@ impl Arena {
     ) -> usize {
         let end = at + points.len() * dimension;
         self.grow(end);
-        for (place, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
+        for (reserve, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
             // Written out: a copy of a length that is not known is a call.
-            (place[0], place[1]) = (point.x, point.y);
-            if let Some(z) = place.get_mut(2) {
+            (reserve[0], reserve[1]) = (point.x, point.y);
+            if let Some(z) = reserve.get_mut(2) {
                 *z = point.z;
             }
         }
@@ -150,19 +150,19 @@ impl Arena {
 
     /// Writes one point at the start.
     #[inline]
-    pub(super) fn put_point<P: Point>(&mut self, point: P) {
+    pub(super) fn write_point<P: Point>(&mut self, point: P) {
         self.0[..P::DIMENSION].copy_from_slice(bytemuck::cast_slice(&[point]));
     }
 
     /// Writes points from number `at` on and returns where they end.
     #[inline]
-    pub(super) fn put<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
-        self.put_numbers(at, bytemuck::cast_slice(points))
+    pub(super) fn write<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
+        self.write_numbers(at, bytemuck::cast_slice(points))
     }
 
     /// Writes numbers from number `at` on and returns where they end.
     #[inline]
-    pub(super) fn put_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
+    pub(super) fn write_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
         let end = at + numbers.len();
         self.grow(end);
         self.0[at..end].copy_from_slice(numbers);
@@ -170,33 +170,33 @@ impl Arena {
     }
 
     /// Writes counts from number `at` on and returns where they end.
-    pub(super) fn put_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
+    pub(super) fn write_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
         let numbers: Vec<f64> = counts.map(|count| count as f64).collect();
-        self.put_numbers(at, &numbers)
+        self.write_numbers(at, &numbers)
     }
 
     /// Leaves the pieces of a message: address and length of words, or a number and −1. JavaScript joins them.
     #[inline(never)]
-    fn put_message(&mut self, error: &Error) {
+    fn write_message(&mut self, error: &Error) {
         let mut at = 0;
         for part in error.parts() {
             let pair = match part {
                 Part::Text(text) => [text.as_ptr().addr() as f64, text.len() as f64],
                 Part::Number(number) => [number, -1.0],
             };
-            at = self.put_numbers(at, &pair);
+            at = self.write_numbers(at, &pair);
         }
     }
 
     /// The first `length` numbers and as many behind them, which are equal.
-    pub(super) fn two_places(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
+    pub(super) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
         self.grow(2 * length);
         self.0.copy_within(..length, length);
         self.0[..2 * length].split_at_mut(length)
     }
 
     /// A place for `count` points at the start, to be written in place.
-    pub(super) fn place<P: Point>(&mut self, count: usize) -> &mut [P] {
+    pub(super) fn reserve<P: Point>(&mut self, count: usize) -> &mut [P] {
         self.grow(count * P::DIMENSION);
         bytemuck::cast_slice_mut(&mut self.0[..count * P::DIMENSION])
     }

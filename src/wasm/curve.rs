@@ -16,9 +16,9 @@ fn curve_in_space(arena: &Arena, dimension: usize, count: usize) -> Curve<DVec3>
     Curve::from_points(arena.points_in_space(0, count, dimension))
 }
 
-fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> usize {
+fn write_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> usize {
     curves.iter().fold(0, |at, curve| {
-        arena.put_from_space(at, curve.control_points(), dimension)
+        arena.write_from_space(at, curve.control_points(), dimension)
     })
 }
 
@@ -26,7 +26,7 @@ fn put_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -> 
 #[wasm_bindgen]
 pub fn curve_eval(dimension: usize, count: usize, t: f64) {
     arena::with(
-        |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.put_point(p) }),
+        |a| by_dimension!(dimension, P => { let p: P = evaluate(a.points(0, count), t); a.write_point(p) }),
     );
 }
 
@@ -42,7 +42,7 @@ pub extern "C" fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
 pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
         crate::curve::check_segments(segments, dimension)?;
-        by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.place(segments + 1)));
+        by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.reserve(segments + 1)));
         Ok((segments + 1) * dimension)
     })
 }
@@ -53,7 +53,7 @@ pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     arena::with(|a| {
         let points =
             curve_in_space(a, dimension, count).eval_at(a.numbers(count * dimension, number));
-        a.put_from_space(0, &points, dimension)
+        a.write_from_space(0, &points, dimension)
     })
 }
 
@@ -62,20 +62,20 @@ pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
 pub fn curve_derivative(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
         let derivative = curve_in_space(a, dimension, count).derivative();
-        put_curves(a, dimension, &[&derivative])
+        write_curves(a, dimension, &[&derivative])
     })
 }
 
 /// Leaves the k-th derivative at t.
 #[wasm_bindgen]
 pub fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
-    arena::with(|a| a.put_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
+    arena::with(|a| a.write_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
 }
 
 /// Leaves the unit tangent at t.
 #[wasm_bindgen]
 pub fn curve_tangent(dimension: usize, count: usize, t: f64) {
-    arena::with(|a| a.put_point(curve_in_space(a, dimension, count).tangent(t)));
+    arena::with(|a| a.write_point(curve_in_space(a, dimension, count).tangent(t)));
 }
 
 /// Leaves the unit normal at t.
@@ -84,7 +84,7 @@ pub fn curve_normal(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let curve = curve_in_space(a, dimension, count);
         let turned = || DVec2::normal_of(curve.tangent(t).truncate(), DVec2::ZERO).extend(0.0);
-        a.put_point(if dimension == 2 {
+        a.write_point(if dimension == 2 {
             turned()
         } else {
             curve.normal(t)
@@ -110,7 +110,7 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 #[wasm_bindgen]
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
-        let (left, right) = a.two_places(count * dimension);
+        let (left, right) = a.two_outputs(count * dimension);
         split_numbers(left, right, dimension, t);
     });
 }
@@ -120,7 +120,7 @@ pub fn curve_split(dimension: usize, count: usize, t: f64) {
 pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
         let piece = curve_in_space(a, dimension, count).subsegment(t0, t1);
-        put_curves(a, dimension, &[&piece]);
+        write_curves(a, dimension, &[&piece]);
     });
 }
 
@@ -129,7 +129,7 @@ pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
 pub fn curve_elevate(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
         let raised = curve_in_space(a, dimension, count).elevate()?;
-        Ok(put_curves(a, dimension, &[&raised]))
+        Ok(write_curves(a, dimension, &[&raised]))
     })
 }
 
@@ -140,14 +140,14 @@ pub fn curve_de_casteljau(dimension: usize, count: usize, t: f64) -> usize {
         let levels = curve_in_space(a, dimension, count).de_casteljau(t);
         levels
             .iter()
-            .fold(0, |at, level| a.put_from_space(at, level, dimension))
+            .fold(0, |at, level| a.write_from_space(at, level, dimension))
     })
 }
 
 /// Leaves the Bernstein weights.
 #[wasm_bindgen]
 pub fn bernstein_weights(degree: usize, t: f64) -> isize {
-    arena::answer(|a| Ok(a.put_numbers(0, &bernstein(degree, t)?)))
+    arena::answer(|a| Ok(a.write_numbers(0, &bernstein(degree, t)?)))
 }
 
 /// Leaves the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
@@ -159,7 +159,7 @@ pub fn basis_matrix(kind: usize) -> usize {
         Basis::BSpline,
         Basis::CatmullRom,
     ][kind.min(3)];
-    arena::with(|a| a.put_numbers(0, &basis.matrix()))
+    arena::with(|a| a.write_numbers(0, &basis.matrix()))
 }
 
 fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
@@ -174,7 +174,7 @@ pub fn curve_from_basis(dimension: usize) -> isize {
     arena::answer(|a| {
         let points = [0, 1, 2, 3].map(|k| a.point_in_space(k * dimension, dimension));
         let curve = Curve::from_basis(matrix_behind(a, dimension, 4), points)?;
-        Ok(put_curves(a, dimension, &[&curve]))
+        Ok(write_curves(a, dimension, &[&curve]))
     })
 }
 
@@ -184,7 +184,7 @@ pub fn curve_to_basis(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
         let basis = matrix_behind(a, dimension, count);
         let points = curve_in_space(a, dimension, count).to_basis(basis)?;
-        Ok(a.put_from_space(0, &points, dimension))
+        Ok(a.write_from_space(0, &points, dimension))
     })
 }
 
@@ -193,8 +193,8 @@ pub fn curve_to_basis(dimension: usize, count: usize) -> isize {
 pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let line = curve_in_space(a, dimension, count).flatten(tolerance)?;
-        let end = a.put_from_space(0, &line.points, dimension);
-        a.put_numbers(end, &line.ts);
+        let end = a.write_from_space(0, &line.points, dimension);
+        a.write_numbers(end, &line.ts);
         Ok(line.ts.len())
     })
 }
@@ -203,7 +203,7 @@ pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> isize {
 /// halved (else 0), control points; their number of f64.
 #[wasm_bindgen]
 pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> isize {
-    fn put(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
+    fn write(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
         let halved = if node.halves.is_some() { 1.0 } else { 0.0 };
         let head = [
             node.t0,
@@ -213,16 +213,16 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> isize 
             node.deviation_bound(),
             halved,
         ];
-        let at = a.put_numbers(at, &head);
-        let at = a.put_from_space(at, node.curve.control_points(), dimension);
+        let at = a.write_numbers(at, &head);
+        let at = a.write_from_space(at, node.curve.control_points(), dimension);
         node.halves
             .iter()
             .flat_map(|halves| halves.iter())
-            .fold(at, |at, half| put(a, dimension, at, half))
+            .fold(at, |at, half| write(a, dimension, at, half))
     }
     arena::answer(|a| {
         let tree = curve_in_space(a, dimension, count).subdivide(tolerance)?;
-        Ok(put(a, dimension, 0, &tree))
+        Ok(write(a, dimension, 0, &tree))
     })
 }
 
@@ -236,7 +236,7 @@ pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
         } else {
             curve.control_bounds()
         };
-        a.put_from_space(0, &[bounds.min, bounds.max], dimension);
+        a.write_from_space(0, &[bounds.min, bounds.max], dimension);
     });
 }
 
@@ -245,7 +245,7 @@ pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
 pub fn curve_hull(count: usize) -> usize {
     arena::with(|a| {
         let hull = curve::<DVec2>(a, count).hull();
-        a.put(0, &hull)
+        a.write(0, &hull)
     })
 }
 
@@ -256,7 +256,7 @@ pub fn points_transform(dimension: usize, count: usize) {
         let map = DAffine3::from_cols_slice(a.numbers(count * dimension, 12));
         for at in (0..count).map(|k| k * dimension) {
             let image = a.point_in_space(at, dimension).transform(&map);
-            a.put_from_space(at, &[image], dimension);
+            a.write_from_space(at, &[image], dimension);
         }
     });
 }

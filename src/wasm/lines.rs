@@ -13,8 +13,8 @@ pub fn surface_isocurves(lines: usize) -> isize {
         let curves = surface(a)?.0.isocurves(lines)?;
         Ok(curves.iter().fold(0, |at, curve| {
             let points = curve.control_points();
-            let at = a.put_numbers(at, &[points.len() as f64]);
-            a.put(at, points)
+            let at = a.write_numbers(at, &[points.len() as f64]);
+            a.write(at, points)
         }))
     })
 }
@@ -42,9 +42,9 @@ pub fn surface_subdivide(tolerance: f64) -> isize {
     arena::answer(|a| {
         let pieces = surface(a)?.0.subdivide(tolerance)?;
         Ok(pieces.iter().fold(0, |at, piece| {
-            let place = [piece.patch as f64, piece.u0, piece.u1, piece.v0, piece.v1];
-            let at = a.put_numbers(at, &place);
-            a.put(at, &piece.corners)
+            let numbers = [piece.patch as f64, piece.u0, piece.u1, piece.v0, piece.v1];
+            let at = a.write_numbers(at, &numbers);
+            a.write(at, &piece.corners)
         }))
     })
 }

@@ -2,7 +2,7 @@
 //! `spline`.
 
 use super::arena::{self, Arena};
-use super::given;
+use super::optional;
 use super::spline::spline;
 use crate::curve::{Curve, Frame};
 use crate::error::Error;
@@ -24,20 +24,20 @@ pub fn cubic_length(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64, dx: f6
 fn number(f: impl FnOnce(&mut Arena) -> Result<f64, Error>) -> isize {
     arena::answer(|a| {
         let number = f(a)?;
-        Ok(a.put_numbers(0, &[number]))
+        Ok(a.write_numbers(0, &[number]))
     })
 }
 
 /// Leaves the length; a tolerance of 0 stands for none.
 #[wasm_bindgen]
 pub fn curve_length(dimension: usize, count: usize, tolerance: f64) -> isize {
-    number(|a| curve(a, dimension, count).length(given(tolerance)))
+    number(|a| curve(a, dimension, count).length(optional(tolerance)))
 }
 
 /// Leaves the t of a length.
 #[wasm_bindgen]
 pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f64) -> isize {
-    number(|a| curve(a, dimension, count).time_at_length(s, given(tolerance)))
+    number(|a| curve(a, dimension, count).time_at_length(s, optional(tolerance)))
 }
 
 /// Leaves `segments` + 1 parameters.
@@ -45,7 +45,7 @@ pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f
 pub fn curve_equidistant_times(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
         let ts = curve(a, dimension, count).equidistant_times(segments)?;
-        Ok(a.put_numbers(0, &ts))
+        Ok(a.write_numbers(0, &ts))
     })
 }
 
@@ -58,13 +58,17 @@ pub fn curve_area(count: usize) -> f64 {
 /// Leaves the length; a tolerance of 0 stands for none.
 #[wasm_bindgen]
 pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
-    number(|a| spline(a, dimension).0.length(given(tolerance)))
+    number(|a| spline(a, dimension).0.length(optional(tolerance)))
 }
 
 /// Leaves the t of a length.
 #[wasm_bindgen]
 pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize {
-    number(|a| spline(a, dimension).0.time_at_length(s, given(tolerance)))
+    number(|a| {
+        spline(a, dimension)
+            .0
+            .time_at_length(s, optional(tolerance))
+    })
 }
 
 /// Leaves `segments` + 1 parameters.
@@ -72,7 +76,7 @@ pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize 
 pub fn spline_equidistant_times(dimension: usize, segments: usize) -> isize {
     arena::answer(|a| {
         let ts = spline(a, dimension).0.equidistant_times(segments)?;
-        Ok(a.put_numbers(0, &ts))
+        Ok(a.write_numbers(0, &ts))
     })
 }
 
@@ -95,7 +99,7 @@ pub fn curve_frames(count: usize, number: usize, wanted: bool) -> isize {
     arena::answer(|a| {
         let (ts, normal) = wishes(a, 3 * count, number, wanted);
         let frames = curve(a, 3, count).frames_at(&ts, normal)?;
-        Ok(put_frames(a, &frames))
+        Ok(write_frames(a, &frames))
     })
 }
 
@@ -106,7 +110,7 @@ pub fn spline_frames(number: usize, wanted: bool) -> isize {
         let (spline, end) = spline(a, 3);
         let (ts, normal) = wishes(a, end, number, wanted);
         let frames = spline.frames_at(&ts, normal)?;
-        Ok(put_frames(a, &frames))
+        Ok(write_frames(a, &frames))
     })
 }
 
@@ -115,13 +119,13 @@ fn wishes(a: &Arena, at: usize, number: usize, wanted: bool) -> (Vec<f64>, Optio
     (a.numbers(at, number).to_vec(), normal)
 }
 
-fn put_frames(a: &mut Arena, frames: &[Frame]) -> usize {
+fn write_frames(a: &mut Arena, frames: &[Frame]) -> usize {
     let kinds: [fn(&Frame) -> DVec3; 4] =
         [|f| f.point, |f| f.tangent, |f| f.normal, |f| f.binormal];
     let mut at = 0;
     for kind in kinds {
         let vectors: Vec<DVec3> = frames.iter().map(kind).collect();
-        at = a.put_from_space(at, &vectors, 3);
+        at = a.write_from_space(at, &vectors, 3);
     }
     frames.len()
 }

@@ -79,8 +79,8 @@ pub(super) fn begin_grid(
     } else {
         GridMethod::Bernstein
     };
-    let filler = GridMeshBuilder::new(surface.patch_count(), grid, method, quads)?;
-    GRID.with(|kept| *kept = Some((surface, filler)));
+    let builder = GridMeshBuilder::new(surface.patch_count(), grid, method, quads)?;
+    GRID.with(|kept| *kept = Some((surface, builder)));
     Ok(0)
 }
 
@@ -88,15 +88,15 @@ pub(super) fn begin_grid(
 /// only stays, if the last mesh was such a part. After the last patch the grid is forgotten.
 #[wasm_bindgen]
 pub fn grid_part(first: usize) -> usize {
-    let Some((surface, mut filler)) = GRID.with(Option::take) else {
+    let Some((surface, mut builder)) = GRID.with(Option::take) else {
         return 0;
     };
-    let part = filler.part(first);
-    let layout = Some(filler.layout(part.clone()));
+    let part = builder.part(first);
+    let layout = Some(builder.layout(part.clone()));
     let has_layout = LAYOUT.with(|last| std::mem::replace(last, layout.clone()) == layout);
-    MESH.with(|mesh| surface.fill_part(&mut filler, part.clone(), has_layout, mesh));
+    MESH.with(|mesh| surface.fill_part(&mut builder, part.clone(), has_layout, mesh));
     if part.end < surface.patch_count() {
-        GRID.with(|kept| *kept = Some((surface, filler)));
+        GRID.with(|kept| *kept = Some((surface, builder)));
     }
     part.len()
 }
@@ -159,17 +159,17 @@ pub fn surface_topology() -> isize {
         let code = |s: &EdgeUse| s.patch * 8 + s.edge as usize * 2 + usize::from(s.reversed);
         let mut numbers = Vec::new();
         for groups in [&topology.shared, &topology.non_manifold] {
-            put_groups(&mut numbers, groups, code);
+            write_groups(&mut numbers, groups, code);
         }
         for sides in [topology.open, topology.collapsed] {
-            put_groups(&mut numbers, &[sides], code);
+            write_groups(&mut numbers, &[sides], code);
         }
-        put_groups(&mut numbers, &topology.components, |&patch| patch);
-        Ok(a.put_counts(0, numbers.into_iter()))
+        write_groups(&mut numbers, &topology.components, |&patch| patch);
+        Ok(a.write_counts(0, numbers.into_iter()))
     })
 }
 
-fn put_groups<T>(numbers: &mut Vec<usize>, groups: &[Vec<T>], code: impl Fn(&T) -> usize) {
+fn write_groups<T>(numbers: &mut Vec<usize>, groups: &[Vec<T>], code: impl Fn(&T) -> usize) {
     numbers.push(groups.len());
     for group in groups {
         numbers.push(group.len());

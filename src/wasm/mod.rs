@@ -16,18 +16,18 @@
 
 mod arena;
 mod canvas;
-mod chains;
 mod curve;
+mod intersections;
 mod lines;
 mod measure;
-mod meetings;
 mod mesh;
+mod nearest;
 mod offset;
 mod path;
-mod places;
 mod queries;
 mod single_thread_cell;
 mod spline;
+mod spline_forms;
 mod surface;
 
 /// Small before fast: results are few and large, and the allocator of std would be a sixteenth of the module.
@@ -50,6 +50,6 @@ macro_rules! by_dimension {
 use by_dimension;
 
 /// An optional tolerance: 0 stands for the default.
-fn given(tolerance: f64) -> Option<f64> {
+fn optional(tolerance: f64) -> Option<f64> {
     (tolerance > 0.0).then_some(tolerance)
 }

@@ -1,20 +1,20 @@
 //! Bindings of parallel curves. Splines lie in the arena as in `spline`.
 
 use super::arena::{self, Arena};
-use super::given;
+use super::optional;
 use crate::curve::{Curve, SplineBuilder};
-use crate::spline::{OffsetJoin, Spline, parallel_of};
+use crate::spline::{OffsetJoin, Spline, offset_of_curves};
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Leaves a chain as a spline; its number of f64.
-fn put(a: &mut Arena, chain: &SplineBuilder) -> usize {
-    let closed = f64::from(u8::from(chain.closed));
-    let mut at = a.put_numbers(0, &[chain.degrees.len() as f64, closed]);
-    for &degree in &chain.degrees {
-        at = a.put_numbers(at, &[degree as f64]);
+fn write(a: &mut Arena, builder: &SplineBuilder) -> usize {
+    let closed = f64::from(u8::from(builder.closed));
+    let mut at = a.write_numbers(0, &[builder.degrees.len() as f64, closed]);
+    for &degree in &builder.degrees {
+        at = a.write_numbers(at, &[degree as f64]);
     }
-    a.put_numbers(at, bytemuck::cast_slice(&chain.points))
+    a.write_numbers(at, bytemuck::cast_slice(&builder.points))
 }
 
 /// Leaves the parallel of a curve of the plane as a spline; a tolerance of 0 stands for the default.
@@ -22,8 +22,8 @@ fn put(a: &mut Arena, chain: &SplineBuilder) -> usize {
 pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
         let curve = Curve::<DVec2>::from_slice(a.points(0, count));
-        let chain = curve.parallel(distance, given(tolerance))?;
-        Ok(put(a, &chain))
+        let builder = curve.offset_builder(distance, optional(tolerance))?;
+        Ok(write(a, &builder))
     })
 }
 
@@ -50,8 +50,8 @@ pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
             2 => OffsetJoin::Bevel,
             _ => OffsetJoin::Round,
         };
-        let chain = parallel_of(&curves, closed, distance, given(tolerance), join)?;
-        Ok(put(a, &chain))
+        let builder = offset_of_curves(&curves, closed, distance, optional(tolerance), join)?;
+        Ok(write(a, &builder))
     })
 }
 
@@ -61,8 +61,8 @@ pub fn curve_reduce(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
         let curve: Curve<DVec3> = Curve::from_points(a.points_in_space(0, count, dimension));
         let reduced = curve.reduce();
-        let at = a.put_numbers(0, &[reduced.error]);
-        a.put_from_space(at, reduced.curve.control_points(), dimension)
+        let at = a.write_numbers(0, &[reduced.error]);
+        a.write_from_space(at, reduced.curve.control_points(), dimension)
     })
 }
 
@@ -73,7 +73,7 @@ pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let ts = (number > 0).then(|| a.numbers(count * dimension, number));
         let curve = Curve::interpolate(&points, ts)?;
-        Ok(a.put_from_space(0, curve.control_points(), dimension))
+        Ok(a.write_from_space(0, curve.control_points(), dimension))
     })
 }
 
@@ -83,7 +83,7 @@ pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) 
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let spline = Spline::fit(&points, tolerance, closed)?;
-        Ok(super::spline::put(a, &spline, dimension))
+        Ok(super::spline::write(a, &spline, dimension))
     })
 }
 

@@ -1,8 +1,8 @@
 //! Bindings of paths. In: the number of subpaths, each as a spline of the plane; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::given;
-use super::meetings::put_place;
+use super::meetings::write_intersection;
+use super::optional;
 use super::spline::spline_at;
 use crate::curve::{Curve, Intersection, MAX_VERTICES, PathSink, check_tolerance};
 use crate::error::Error;
@@ -50,7 +50,7 @@ pub fn path_bounds(exact: bool) -> usize {
         } else {
             path.control_bounds()
         };
-        bounds.map_or(0, |bounds| a.put(0, &[bounds.min, bounds.max]))
+        bounds.map_or(0, |bounds| a.write(0, &[bounds.min, bounds.max]))
     })
 }
 
@@ -65,7 +65,7 @@ pub fn path_area() -> f64 {
 pub fn path_moments() -> usize {
     arena::with(|a| {
         let m = path(a).0.moments();
-        a.put_numbers(0, &[m.area, m.x, m.y, m.xx, m.xy, m.yy])
+        a.write_numbers(0, &[m.area, m.x, m.y, m.xx, m.xy, m.yy])
     })
 }
 
@@ -73,8 +73,8 @@ pub fn path_moments() -> usize {
 #[wasm_bindgen]
 pub fn path_length(tolerance: f64) -> isize {
     arena::answer(|a| {
-        let length = path(a).0.length(given(tolerance))?;
-        Ok(a.put_numbers(0, &[length]))
+        let length = path(a).0.length(optional(tolerance))?;
+        Ok(a.write_numbers(0, &[length]))
     })
 }
 
@@ -85,7 +85,7 @@ pub fn path_nearest() -> isize {
         let (path, end) = path(a);
         let nearest = path.nearest(DVec2::new(a.number(end), a.number(end + 1)))?;
         Ok(nearest.map_or(0, |n| {
-            a.put_numbers(
+            a.write_numbers(
                 0,
                 &[n.subpath as f64, n.t, n.point.x, n.point.y, n.distance],
             )
@@ -97,8 +97,8 @@ pub fn path_nearest() -> isize {
 #[wasm_bindgen]
 pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
-        let time = path(a).0.time_at_length(s, given(tolerance))?;
-        Ok(put_times(a, time.as_slice()))
+        let time = path(a).0.time_at_length(s, optional(tolerance))?;
+        Ok(write_times(a, time.as_slice()))
     })
 }
 
@@ -107,13 +107,13 @@ pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
 pub fn path_equidistant_times(segments: usize) -> isize {
     arena::answer(|a| {
         let times = path(a).0.equidistant_times(segments)?;
-        Ok(put_times(a, &times))
+        Ok(write_times(a, &times))
     })
 }
 
-fn put_times(a: &mut Arena, times: &[PathTime]) -> usize {
+fn write_times(a: &mut Arena, times: &[PathTime]) -> usize {
     times.iter().fold(0, |at, time| {
-        a.put_numbers(at, &[time.subpath as f64, time.t])
+        a.write_numbers(at, &[time.subpath as f64, time.t])
     })
 }
 
@@ -123,17 +123,20 @@ fn put_times(a: &mut Arena, times: &[PathTime]) -> usize {
 pub fn path_intersect(two: bool) -> usize {
     arena::with(|a| {
         let (first, end) = path_at(a, 0);
-        let places = if two {
+        let found = if two {
             first.intersections(&path_at(a, end).0)
         } else {
             first.self_intersections()
         };
-        places.iter().fold(0, |at, place| {
+        found.iter().fold(0, |at, location| {
             let PathIntersection {
                 t, u, point, kind, ..
-            } = *place;
-            let at = put_place(a, at, Intersection { t, u, point, kind });
-            a.put_numbers(at, &[place.subpath as f64, place.other_subpath as f64])
+            } = *location;
+            let at = write_intersection(a, at, Intersection { t, u, point, kind });
+            a.write_numbers(
+                at,
+                &[location.subpath as f64, location.other_subpath as f64],
+            )
         })
     })
 }
@@ -161,9 +164,9 @@ pub fn path_flatten(tolerance: f64) -> isize {
                     needed: vertices,
                 });
             }
-            at = a.put_numbers(at, &[line.ts.len() as f64]);
-            at = a.put_from_space(at, &line.points, 2);
-            at = a.put_numbers(at, &line.ts);
+            at = a.write_numbers(at, &[line.ts.len() as f64]);
+            at = a.write_from_space(at, &line.points, 2);
+            at = a.write_numbers(at, &line.ts);
         }
         Ok(at)
     })
@@ -191,7 +194,7 @@ pub fn curve_cubics(count: usize, tolerance: f64) -> usize {
     arena::with(|a| {
         let curve = Curve::<DVec3>::from_points(a.points_in_space(0, count, 2));
         let mut cubics = Cubics(Vec::new());
-        curve.trace_on(&mut cubics, given(tolerance));
-        a.put(0, &cubics.0)
+        curve.trace_on(&mut cubics, optional(tolerance));
+        a.write(0, &cubics.0)
     })
 }

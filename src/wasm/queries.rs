@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub fn patch_curvature(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
         let c = patch(a, degree_u, degree_v).curvature(u, v);
-        a.put_numbers(0, &[c.gaussian, c.mean, c.k1, c.k2]);
+        a.write_numbers(0, &[c.gaussian, c.mean, c.k1, c.k2]);
     });
 }
 
@@ -30,7 +30,7 @@ pub fn patch_flatness(degree_u: usize, degree_v: usize) -> f64 {
 pub fn patch_elevate(degree_u: usize, degree_v: usize) -> isize {
     arena::answer(|a| {
         let high = patch(a, degree_u, degree_v).elevate()?;
-        Ok(a.put(0, high.control_points()))
+        Ok(a.write(0, high.control_points()))
     })
 }
 
@@ -42,7 +42,7 @@ pub fn patch_from_basis() -> isize {
         net.copy_from_slice(a.points(0, 16));
         matrix.copy_from_slice(a.numbers(48, 16));
         let patch = Patch::from_basis(Basis::Matrix(matrix), &net)?;
-        Ok(a.put(0, patch.control_points()))
+        Ok(a.write(0, patch.control_points()))
     })
 }
 
@@ -53,7 +53,7 @@ pub fn surface_bounds() -> isize {
         let (surface, _) = surface(a)?;
         Ok(surface
             .bounds()
-            .map_or(0, |Bounds { min, max }| a.put(0, &[min, max])))
+            .map_or(0, |Bounds { min, max }| a.write(0, &[min, max])))
     })
 }
 
@@ -62,7 +62,7 @@ pub fn surface_bounds() -> isize {
 pub fn surface_area() -> isize {
     arena::answer(|a| {
         let (surface, _) = surface(a)?;
-        Ok(a.put_numbers(0, &[surface.area()]))
+        Ok(a.write_numbers(0, &[surface.area()]))
     })
 }
 
@@ -73,41 +73,41 @@ pub fn surface_volume() -> isize {
         let (surface, _) = surface(a)?;
         Ok(surface
             .volume()
-            .map_or(0, |volume| a.put_numbers(0, &[volume])))
+            .map_or(0, |volume| a.write_numbers(0, &[volume])))
     })
 }
 
-/// In: a point behind the surface. Leaves the nearest point, as `put_places` does.
+/// In: a point behind the surface. Leaves the nearest point, as `write_points` does.
 #[wasm_bindgen]
 pub fn surface_nearest() -> isize {
     arena::answer(|a| {
         let (surface, end) = surface(a)?;
         let nearest = surface.nearest(a.point_in_space(end, 3))?;
-        Ok(put_places(a, nearest.as_slice()))
+        Ok(write_points(a, nearest.as_slice()))
     })
 }
 
-/// In: a ray's origin and direction behind the surface. Leaves the hits, as `put_places` does.
+/// In: a ray's origin and direction behind the surface. Leaves the hits, as `write_points` does.
 #[wasm_bindgen]
 pub fn surface_ray() -> isize {
     arena::answer(|a| {
         let (surface, end) = surface(a)?;
         let [origin, direction] = [end, end + 3].map(|at| a.point_in_space(at, 3));
         let hits = surface.intersect_ray(origin, direction)?;
-        Ok(put_places(a, &hits))
+        Ok(write_points(a, &hits))
     })
 }
 
 /// Leaves seven numbers for each place: patch, u, v, the point, the distance.
-fn put_places(a: &mut Arena, places: &[SurfacePoint]) -> usize {
-    places.iter().fold(0, |at, place| {
+fn write_points(a: &mut Arena, surface_points: &[SurfacePoint]) -> usize {
+    surface_points.iter().fold(0, |at, location| {
         let SurfacePoint {
             patch,
             u,
             v,
             point: p,
             distance,
-        } = *place;
-        a.put_numbers(at, &[patch as f64, u, v, p.x, p.y, p.z, distance])
+        } = *location;
+        a.write_numbers(at, &[patch as f64, u, v, p.x, p.y, p.z, distance])
     })
 }

@@ -2,7 +2,7 @@
 //! control points; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::given;
+use super::optional;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::spline::{JointMode, Spline};
@@ -28,12 +28,12 @@ pub(super) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3
 }
 
 /// Leaves a spline; its number of f64.
-pub(super) fn put(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
+pub(super) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
     let closed = if spline.is_closed() { 1.0 } else { 0.0 };
     let mut head = vec![spline.segment_count() as f64, closed];
     head.extend(spline.degrees().iter().map(|&degree| degree as f64));
-    let at = a.put_numbers(0, &head);
-    a.put_from_space(at, spline.control_points(), dimension)
+    let at = a.write_numbers(0, &head);
+    a.write_from_space(at, spline.control_points(), dimension)
 }
 
 /// Leaves a changed spline; its number of f64.
@@ -44,7 +44,7 @@ pub(super) fn changed(
     arena::answer(|a| {
         let (spline, end) = spline(a, dimension);
         let result = change(a, spline, end)?;
-        Ok(put(a, &result, dimension))
+        Ok(write(a, &result, dimension))
     })
 }
 
@@ -74,14 +74,14 @@ pub fn spline_from_curves(dimension: usize) -> isize {
         };
         let curves: Vec<_> = (0..count).map(curve).collect();
         let spline = Spline::from_curves(&curves, closed)?;
-        Ok(put(a, &spline, dimension))
+        Ok(write(a, &spline, dimension))
     })
 }
 
 /// Leaves the point at t.
 #[wasm_bindgen]
 pub fn spline_eval(dimension: usize, t: f64) {
-    arena::with(|a| a.put_point(spline(a, dimension).0.eval(t)));
+    arena::with(|a| a.write_point(spline(a, dimension).0.eval(t)));
 }
 
 /// Leaves the points at even steps; their number of f64.
@@ -89,7 +89,7 @@ pub fn spline_eval(dimension: usize, t: f64) {
 pub fn spline_sample(dimension: usize, per_curve: usize) -> isize {
     arena::answer(|a| {
         let points = spline(a, dimension).0.sample(per_curve)?;
-        Ok(a.put_from_space(0, &points, dimension))
+        Ok(a.write_from_space(0, &points, dimension))
     })
 }
 
@@ -99,7 +99,7 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
     arena::with(|a| {
         let (spline, end) = spline(a, dimension);
         let points = spline.eval_at(a.numbers(end, number));
-        a.put_from_space(0, &points, dimension)
+        a.write_from_space(0, &points, dimension)
     })
 }
 
@@ -108,8 +108,8 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
 pub fn spline_flatten(dimension: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let line = spline(a, dimension).0.flatten(tolerance)?;
-        let end = a.put_from_space(0, &line.points, dimension);
-        a.put_numbers(end, &line.ts);
+        let end = a.write_from_space(0, &line.points, dimension);
+        a.write_numbers(end, &line.ts);
         Ok(line.ts.len())
     })
 }
@@ -124,7 +124,7 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
         } else {
             spline.control_bounds()
         };
-        a.put_from_space(0, &[bounds.min, bounds.max], dimension);
+        a.write_from_space(0, &[bounds.min, bounds.max], dimension);
     });
 }
 
@@ -133,10 +133,10 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
 pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
         let (spline, _) = spline(a, dimension);
-        let c = spline.continuity(joint, given(tolerance))?;
+        let c = spline.continuity(joint, optional(tolerance))?;
         let flags = [c.c0, c.g1, c.c1, c.g2, c.c2].map(|flag| f64::from(u8::from(flag)));
-        let at = a.put_numbers(0, &flags);
-        Ok(a.put_numbers(at, &[c.gap, c.angle]))
+        let at = a.write_numbers(0, &flags);
+        Ok(a.write_numbers(at, &[c.gap, c.angle]))
     })
 }
 

@@ -6,8 +6,8 @@
 
 use super::arena::{self, Arena};
 use super::canvas::CanvasSink;
-use super::given;
 use super::mesh::begin_grid;
+use super::optional;
 use crate::error::Error;
 use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
 use glam::DMat4;
@@ -21,7 +21,7 @@ pub(super) fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
 /// Leaves the point at (u, v).
 #[wasm_bindgen]
 pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
-    arena::with(|a| a.put_point(patch(a, degree_u, degree_v).eval(u, v)));
+    arena::with(|a| a.write_point(patch(a, degree_u, degree_v).eval(u, v)));
 }
 
 /// Leaves ∂u, ∂v, ∂uu, ∂uv, ∂vv.
@@ -29,14 +29,14 @@ pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
 pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
         let p = patch(a, degree_u, degree_v).partials(u, v);
-        a.put(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
+        a.write(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
     });
 }
 
 /// Leaves the unit normal at (u, v).
 #[wasm_bindgen]
 pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
-    arena::with(|a| a.put_point(patch(a, degree_u, degree_v).normal(u, v)));
+    arena::with(|a| a.write_point(patch(a, degree_u, degree_v).normal(u, v)));
 }
 
 /// Leaves the control points of the curve of constant u (or v); their number of f64.
@@ -49,7 +49,7 @@ pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f6
         } else {
             patch.isocurve_at_v(at)
         };
-        a.put(0, curve.control_points())
+        a.write(0, curve.control_points())
     })
 }
 
@@ -63,8 +63,8 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
         } else {
             patch.split_v(at)
         };
-        let end = a.put(0, before.control_points());
-        a.put(end, after.control_points());
+        let end = a.write(0, before.control_points());
+        a.write(end, after.control_points());
     });
 }
 
@@ -112,7 +112,7 @@ pub(super) fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
 pub fn points_joined(count: usize) -> usize {
     arena::with(|a| {
         let joined = joined(a.points(0, count));
-        a.put_counts(0, joined.into_iter().map(|first| first as usize))
+        a.write_counts(0, joined.into_iter().map(|first| first as usize))
     })
 }
 
@@ -134,7 +134,7 @@ pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
         },
         up: if y_up { Up::Y } else { Up::Z },
     });
-    arena::with(|a| put(a, &teapot))
+    arena::with(|a| write(a, &teapot))
 }
 
 /// Leaves the teacup, or the teaspoon.
@@ -146,18 +146,18 @@ pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
     } else {
         Surface::teacup(up)
     };
-    arena::with(|a| put(a, &surface))
+    arena::with(|a| write(a, &surface))
 }
 
 /// Leaves a surface, in the form in which it comes in.
-pub(super) fn put(a: &mut Arena, surface: &Surface) -> usize {
+pub(super) fn write(a: &mut Arena, surface: &Surface) -> usize {
     let (vertices, patches) = (surface.vertices(), surface.patch_count());
-    a.put_counts(0, [vertices.len(), patches, vertices.len()].into_iter());
+    a.write_counts(0, [vertices.len(), patches, vertices.len()].into_iter());
     let degrees = (0..patches).filter_map(|k| surface.degrees(k)).flatten();
-    let at = a.put_counts(3, degrees);
-    let at = a.put(at, vertices);
-    let at = a.put_counts(at, surface.indices().iter().map(|&i| i as usize));
-    a.put_counts(at, surface.joined_all().iter().map(|&i| i as usize))
+    let at = a.write_counts(3, degrees);
+    let at = a.write(at, vertices);
+    let at = a.write_counts(at, surface.indices().iter().map(|&i| i as usize));
+    a.write_counts(at, surface.joined_all().iter().map(|&i| i as usize))
 }
 
 /// As `patch_grid`, of a surface.
@@ -182,7 +182,7 @@ pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
     });
     let mut pen = CanvasSink::new(target);
     let draw = |(surface, matrix): (Surface, DMat4)| {
-        surface.trace_projected(&mut pen, &matrix, lines, given(tolerance))
+        surface.trace_projected(&mut pen, &matrix, lines, optional(tolerance))
     };
     arena::encode_result(read.and_then(draw).map(|()| 0))
 }

@@ -1,6 +1,6 @@
 //! Areas and moments, against closed forms, polygons and an integral in twice the precision.
 
-use crate::common::wild::{self, ALL, ORDINARY};
+use crate::common::adversarial::{self, ALL, ORDINARY};
 use crate::common::{Rng, curve, exact, largest, plane, real};
 use crate::thorough;
 use casteljau::curve::Moments;
@@ -106,7 +106,7 @@ fn area_is_the_integral() {
         } else {
             1 + rng.below(6)
         };
-        let points = wild::points(&mut rng, kind, degree, 2);
+        let points = adversarial::points(&mut rng, kind, degree, 2);
         let curve: Curve<DVec2> = curve(&points);
         let size = largest(&points);
         let slack = 1e-15 * real(degree + 3) * size * size;
@@ -147,7 +147,12 @@ fn all_close(got: [f64; 6], expected: [f64; 6], slack: f64) {
 fn moments_are_the_limit_of_polygons() {
     let mut rng = Rng(1828);
     for degree in [1, 2, 3, 4, 5, 8, 9, 16, 17, 33, 64] {
-        let curve: Curve<DVec2> = curve(&wild::points(&mut rng, wild::Kind::Random, degree, 2));
+        let curve: Curve<DVec2> = curve(&adversarial::points(
+            &mut rng,
+            adversarial::Kind::Random,
+            degree,
+            2,
+        ));
         let [coarse, fine] = [2000, 4000].map(|n| of_polygon(&curve.sample(n).expect("samples")));
         // Richardson: the polygon's error falls with the square of the step.
         let limit = [0, 1, 2, 3, 4, 5].map(|k| (4.0 * fine[k] - coarse[k]) / 3.0);
@@ -168,7 +173,7 @@ fn no_nan_for_any_size() {
     let mut rng = Rng(1830);
     for kind in ALL {
         for degree in [1, 2, 3, 5, 64] {
-            let curve: Curve<DVec2> = curve(&wild::points(&mut rng, kind, degree, 2));
+            let curve: Curve<DVec2> = curve(&adversarial::points(&mut rng, kind, degree, 2));
             let all = numbers(curve.moments());
             assert!(
                 !curve.area().is_nan() && all.iter().all(|v| !v.is_nan()),

@@ -1,6 +1,6 @@
 //! The t of lengths, and even steps: measured with the tests' own integral.
 
-use crate::common::wild::{ALL, Kind, ORDINARY};
+use crate::common::adversarial::{ALL, Kind, ORDINARY};
 use crate::common::{Rng, curve, integral, plane, real};
 use crate::length::hostile;
 use crate::thorough;
@@ -44,7 +44,7 @@ fn the_ends() {
     let mut rng = Rng(1687);
     for kind in ALL {
         for degree in [1, 2, 3, 4, 7, 64] {
-            let points = crate::common::wild::points(&mut rng, kind, degree, 2 + degree % 2);
+            let points = crate::common::adversarial::points(&mut rng, kind, degree, 2 + degree % 2);
             let curve: Curve<DVec3> = curve(&points);
             let whole = curve.length(None).expect("a length");
             assert_eq!(time(&curve, 0.0), 0.0);

@@ -1,6 +1,6 @@
 //! Torsion and frames, against closed forms and the differential equation of a frame without twist.
 
-use crate::common::wild::{self, ALL, ORDINARY};
+use crate::common::adversarial::{self, ALL, ORDINARY};
 use crate::common::{Rng, curve, plane, real};
 use crate::thorough;
 use casteljau::curve::Frame;
@@ -109,7 +109,7 @@ fn torsion_where_it_has_no_value_or_a_limit() {
     let mut rng = Rng(1847);
     for kind in ALL {
         for degree in [1, 2, 3, 4, 6, 64] {
-            let curve: Curve<DVec3> = curve(&wild::points(&mut rng, kind, degree, 3));
+            let curve: Curve<DVec3> = curve(&adversarial::points(&mut rng, kind, degree, 3));
             for t in [0.0, 0.3, 1.0] {
                 assert!(!curve.torsion(t).is_nan());
             }
@@ -159,9 +159,9 @@ fn frames_do_not_twist() {
     let mut rng = Rng(2008);
     let mut curves = vec![twisted(), helix(0.5)];
     for degree in [2, 3, 3, 3, 4, 5, 9] {
-        curves.push(curve(&wild::points(
+        curves.push(curve(&adversarial::points(
             &mut rng,
-            wild::Kind::Random,
+            adversarial::Kind::Random,
             degree,
             3,
         )));
@@ -264,7 +264,7 @@ fn frames_of_hostile_curves() {
         } else {
             rng.pick(&ORDINARY)
         };
-        let curve: Curve<DVec3> = curve(&wild::points(&mut rng, kind, degree, 3));
+        let curve: Curve<DVec3> = curve(&adversarial::points(&mut rng, kind, degree, 3));
         let frames = curve.frames(1 + rng.below(4)).expect("frames");
         if frames[0].tangent != DVec3::ZERO {
             frames.iter().for_each(orthonormal);

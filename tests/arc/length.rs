@@ -1,6 +1,6 @@
 //! Lengths, against closed forms and an integral of the tests' own.
 
-use crate::common::wild::{self, Kind, ORDINARY};
+use crate::common::adversarial::{self, Kind, ORDINARY};
 use crate::common::{Rng, curve, integral, plane};
 use crate::thorough;
 use casteljau::glam::{DVec2, DVec3};
@@ -66,7 +66,7 @@ pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
         1 + rng.below(6)
     };
     let dimension = 2 + rng.below(2);
-    wild::points(rng, kind, degree, dimension)
+    adversarial::points(rng, kind, degree, dimension)
 }
 
 #[test]
@@ -131,7 +131,7 @@ fn huge_and_tiny() {
     for kind in [Kind::Huge, Kind::Tiny] {
         for degree in [1, 2, 3, 4, 9, 64] {
             for dimension in [2, 3] {
-                let points = wild::points(&mut rng, kind, degree, dimension);
+                let points = adversarial::points(&mut rng, kind, degree, dimension);
                 let size = if kind == Kind::Huge { 1e-300 } else { 1e300 };
                 let unit: Vec<DVec3> = points.iter().map(|&p| p * size).collect();
                 let got = length::<DVec3>(&curve(&points)) * size;
@@ -154,8 +154,8 @@ fn huge_and_tiny() {
         (0.0, 1.0),
     ]);
     assert_eq!(length(&far), f64::INFINITY);
-    let least = plane(&[(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324), (5e-324, 5e-324)]);
-    assert!(length(&least) <= 2e-323);
+    let min = plane(&[(0.0, 0.0), (5e-324, 0.0), (0.0, 5e-324), (5e-324, 5e-324)]);
+    assert!(length(&min) <= 2e-323);
 }
 
 /// A nearly straight curve turns back on an interval that is so short that no rule had a node on it: at the start, where

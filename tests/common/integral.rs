@@ -9,7 +9,7 @@ pub(crate) struct Along<'a> {
     rule: Vec<(f64, f64)>,
     times: &'a dyn Fn(f64) -> f64,
     /// Differences of integrals below this are rounding.
-    least: f64,
+    min: f64,
 }
 
 /// The length between two parameters.
@@ -30,13 +30,13 @@ pub(crate) fn integral(points: &[DVec3], (lo, hi): (f64, f64), times: &dyn Fn(f6
         slopes,
         rule: rule(10),
         times,
-        least: 0.0,
+        min: 0.0,
     };
     // A sum over even steps says how small is small.
     let rough: f64 = (0..64)
         .map(|i| along.speed((super::real(i) + 0.5) / 64.0))
         .sum();
-    along.least = rough / 64.0 * 1e-17;
+    along.min = rough / 64.0 * 1e-17;
     let whole = along.once(lo, hi);
     along.halved(lo, hi, whole, 0) * n * size
 }
@@ -73,7 +73,7 @@ impl Along<'_> {
         let middle = 0.5 * (lo + hi);
         let (left, right) = (self.once(lo, middle), self.once(middle, hi));
         let off = (left + right - whole).abs();
-        let unseen = off <= self.least + if depth >= 8 { 1e-15 * whole.abs() } else { 0.0 };
+        let unseen = off <= self.min + if depth >= 8 { 1e-15 * whole.abs() } else { 0.0 };
         if depth >= 3 && (unseen && self.straight_enough(lo, hi) || depth >= 50) {
             return left + right;
         }
@@ -83,13 +83,12 @@ impl Along<'_> {
     /// Whether no cusp is inside: two directions side by side differ by less than a right angle. Near to the ends a
     /// rule sees little, so looks are closer there.
     fn straight_enough(&self, lo: f64, hi: f64) -> bool {
-        let places = [
+        let locations = [
             0.0, 0.002, 0.01, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.99, 0.998, 1.0,
         ];
-        let slopes = places.map(|place| self.slope(lo + (hi - lo) * place));
+        let slopes = locations.map(|location| self.slope(lo + (hi - lo) * location));
         let largest = slopes.iter().map(|s| s.length()).fold(0.0, f64::max);
-        largest * (hi - lo) <= self.least
-            || slopes.windows(2).all(|pair| pair[0].dot(pair[1]) > 0.0)
+        largest * (hi - lo) <= self.min || slopes.windows(2).all(|pair| pair[0].dot(pair[1]) > 0.0)
     }
 }
 

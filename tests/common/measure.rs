@@ -8,13 +8,13 @@ const SAMPLES: usize = 24;
 
 /// A curve as it is measured: from its start, scaled by a power of two to about 1. Far from the origin that loses
 /// nothing, and squares stay in range.
-pub(crate) struct Ruler {
+pub(crate) struct Reference {
     points: Vec<DVec3>,
     start: DVec3,
     scale: f64,
 }
 
-impl Ruler {
+impl Reference {
     pub(crate) fn new(points: &[DVec3]) -> Self {
         let size = largest(points);
         let scale = if size > 0.0 {
@@ -32,7 +32,7 @@ impl Ruler {
     }
 
     /// A place of the caller's as it is measured.
-    pub(crate) fn place(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn location(&self, p: DVec3) -> DVec3 {
         p * self.scale - self.start
     }
 
@@ -64,24 +64,24 @@ impl Ruler {
     ) -> f64 {
         let distance = |s: f64| from_segment(self.at(t0 + (t1 - t0) * s), a, b);
         let mut samples = [0.0; SAMPLES + 1];
-        let mut most: f64 = 0.0;
+        let mut max: f64 = 0.0;
         for k in 1..SAMPLES {
             // 7 and 24 have no common factor: strides over the whole piece.
             let i = (k * 7) % SAMPLES;
             samples[i] = distance(real(i) / real(SAMPLES));
-            most = most.max(samples[i]);
-            if most > enough {
-                return most;
+            max = max.max(samples[i]);
+            if max > enough {
+                return max;
             }
         }
         for i in 1..SAMPLES {
             let peak = samples[i] >= samples[i - 1] && samples[i] >= samples[i + 1];
-            if peak && samples[i] > 0.7 * most && most > 0.6 * enough {
+            if peak && samples[i] > 0.7 * max && max > 0.6 * enough {
                 let around = (real(i - 1) / real(SAMPLES), real(i + 1) / real(SAMPLES));
-                most = most.max(highest(distance, around));
+                max = max.max(highest(distance, around));
             }
         }
-        most
+        max
     }
 }
 
@@ -139,34 +139,34 @@ fn nearest_share(along: f64, square: f64) -> f64 {
 
 /// The greatest distance from the curve to a polyline: each piece from its own chord, and where that is more than
 /// `enough`, its samples from all chords.
-pub(crate) fn farthest(ruler: &Ruler, ts: &[f64], vertices: &[DVec3], enough: f64) -> f64 {
-    let mut most: f64 = 0.0;
+pub(crate) fn farthest(reference: &Reference, ts: &[f64], vertices: &[DVec3], enough: f64) -> f64 {
+    let mut max: f64 = 0.0;
     for (t, v) in ts.windows(2).zip(vertices.windows(2)) {
-        let own = ruler.deviation((t[0], t[1]), (v[0], v[1]), enough);
-        most = most.max(if own > enough {
-            from_all(ruler, (t[0], t[1]), vertices)
+        let own = reference.deviation((t[0], t[1]), (v[0], v[1]), enough);
+        max = max.max(if own > enough {
+            from_all(reference, (t[0], t[1]), vertices)
         } else {
             own
         });
     }
-    most
+    max
 }
 
-fn from_all(ruler: &Ruler, (t0, t1): (f64, f64), vertices: &[DVec3]) -> f64 {
+fn from_all(reference: &Reference, (t0, t1): (f64, f64), vertices: &[DVec3]) -> f64 {
     let nearest = |p: DVec3| {
         let chords = vertices.windows(2).map(|v| from_segment(p, v[0], v[1]));
         chords.fold(f64::INFINITY, f64::min)
     };
     let steps = 400;
-    let at = |i: usize| ruler.at(t0 + (t1 - t0) * (real(i) / real(steps)));
+    let at = |i: usize| reference.at(t0 + (t1 - t0) * (real(i) / real(steps)));
     (0..=steps).map(|i| nearest(at(i))).fold(0.0, f64::max)
 }
 
 /// Greedy longest-chord search: from each vertex the farthest chord that keeps the tolerance (scaled).
-pub(crate) fn fewest(ruler: &Ruler, tolerance: f64) -> usize {
+pub(crate) fn fewest(reference: &Reference, tolerance: f64) -> usize {
     const CELLS: usize = 64;
     let fits = |t0: f64, t1: f64| {
-        ruler.deviation((t0, t1), (ruler.at(t0), ruler.at(t1)), tolerance) <= tolerance
+        reference.deviation((t0, t1), (reference.at(t0), reference.at(t1)), tolerance) <= tolerance
     };
     let (mut t, mut count) = (0.0, 0);
     while t < 1.0 && count < 1_000_000 {

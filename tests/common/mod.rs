@@ -9,7 +9,7 @@ pub(crate) mod threads;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Point};
 #[allow(unused_imports, reason = "each test binary uses a part of it")]
-pub(crate) use casteljau_generator::{Rng, adversarial as wild};
+pub(crate) use casteljau_generator::{Rng, adversarial};
 
 /// The plane or space, made from three coordinates.
 pub(crate) trait Space: Point {

@@ -236,17 +236,17 @@ fn matrices_that_do_not_work_are_refused() {
             ),
             "{refused:?}"
         );
-        let made = Curve::from_basis(Basis::Matrix(matrix), [DVec3::ZERO; 4]);
+        let result = Curve::from_basis(Basis::Matrix(matrix), [DVec3::ZERO; 4]);
         assert!(
             matches!(
-                made,
+                result,
                 Err(Error::NotFinite {
                     what: "basis",
                     index: 7,
                     ..
                 })
             ),
-            "{made:?}"
+            "{result:?}"
         );
     }
 }

@@ -1,9 +1,9 @@
 //! Points, weights, samples.
 
+use crate::common::adversarial::ALL;
 use crate::common::exact::{self, exactly};
-use crate::common::wild::ALL;
 use crate::common::{Rng, Space, curve, largest, parameters, plane, real, to_3d, ulp};
-use crate::{assert_close, steps, wild_points};
+use crate::{adversarial_points, assert_close, steps};
 use casteljau::Curve;
 use casteljau::curve::bernstein;
 use casteljau::glam::{DVec2, DVec3};
@@ -20,7 +20,7 @@ fn end_points_are_exact() {
             (curve.eval(0.0), curve.eval(1.0))
         );
     }
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         check::<DVec2>(points);
         check::<DVec3>(points);
     });
@@ -52,7 +52,7 @@ fn closed_forms_are_as_exact_as_de_casteljau() {
         compared.1 += usize::from(difference > 2.0 * ulp(size));
     }
     let mut compared = (0, 0);
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let low = &points[..points.len().min(4)];
         for t in parameters(64) {
             check::<DVec2>(low, t, &mut compared);
@@ -68,7 +68,7 @@ fn closed_forms_are_as_exact_as_de_casteljau() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         for t in parameters(16) {
             let got = curve::<DVec3>(points).eval(t);
             assert_close(got, exact::eval(points, t), steps(points), largest(points));
@@ -174,7 +174,7 @@ fn samples_are_points_at_even_steps() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_level_of_the_triangle() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
         for t in [0.0, 0.25, 0.625, 1.0] {
             let levels = curve.de_casteljau(t);

@@ -1,8 +1,8 @@
 //! Tangents, normals and curvature where the derivative vanishes: limits.
 
-use crate::common::wild::ALL;
+use crate::adversarial_points;
+use crate::common::adversarial::ALL;
 use crate::common::{Space, curve, largest, parameters, plane, real, to_3d};
-use crate::wild_points;
 use casteljau::Point;
 use casteljau::glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -40,7 +40,7 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
             }
         }
     }
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         check::<DVec2>(points);
         check::<DVec3>(points);
     });
@@ -104,7 +104,7 @@ fn curvature_as_a_finite_limit() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_cusp_has_the_tangent_of_its_way_out() {
+fn a_cusp_has_the_tangent_of_the_piece_after_it() {
     // B′(½) = 0, B″(½) = (0, −6): it comes up and goes down again.
     let cusp = plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]);
     assert_eq!(cusp.derivative_at(0.5, 1), DVec2::ZERO);
@@ -117,7 +117,7 @@ fn a_cusp_has_the_tangent_of_its_way_out() {
 
 /// Where the derivative is next to nothing, just before and after a place where it vanishes, the way is still forward.
 #[wasm_bindgen_test(unsupported = test)]
-fn tangents_beside_a_place_where_the_derivative_vanishes() {
+fn tangents_next_to_a_vanishing_derivative() {
     let slowing = [(0.0, 0.0), (3.0, 4.0), (3.0, 4.0), (3.0, 4.0)];
     let stopping = [(0.0, 0.0), (0.0, 0.0), (3.0, 4.0), (3.0, 4.0)];
     let cusp = [(0.0, 0.0), (3.0, 4.0), (-3.0, -4.0), (0.0, 0.0)];

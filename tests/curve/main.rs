@@ -17,18 +17,18 @@ mod subdivide;
 mod trace;
 
 use casteljau::glam::DVec3;
-use common::wild::{self, Kind};
+use common::adversarial::{self, Kind};
 use common::{Rng, real, ulp};
 
 /// Hostile control points of each of the kinds, in the plane and in space, at low degrees and some high ones.
-fn wild_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
+fn adversarial_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
     let mut rng = Rng(1963);
     for &kind in kinds {
         for degree in [1, 2, 3, 4, 5, 8, 13, 33, 64] {
             let low = if cfg!(target_family = "wasm") { 2 } else { 6 };
             let rounds = if degree <= 8 { low } else { 1 };
             for round in 0..rounds {
-                check(&wild::points(&mut rng, kind, degree, 2 + round % 2));
+                check(&adversarial::points(&mut rng, kind, degree, 2 + round % 2));
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Cutting, reversing, elevating, mapping: the curve stays the same.
 
+use crate::common::adversarial::ALL;
 use crate::common::exact;
-use crate::common::wild::ALL;
 use crate::common::{Rng, Space, curve, largest, plane, real, to_3d};
-use crate::{assert_close, steps, wild_points};
+use crate::{adversarial_points, assert_close, steps};
 use casteljau::glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -42,7 +42,7 @@ fn the_two_sides_of_a_split_are_the_curve() {
             assert_is_piece(&right, points, t, 1.0);
         }
     }
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         check::<DVec2>(points);
         check::<DVec3>(points);
     });
@@ -50,7 +50,7 @@ fn the_two_sides_of_a_split_are_the_curve() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn halves_join_to_the_curve_and_equal_the_split_at_a_half() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let whole = curve::<DVec3>(points);
         let (left, right) = whole.halve();
         assert_eq!((left.start(), right.end()), (whole.start(), whole.end()));
@@ -116,7 +116,7 @@ fn subsegments_are_pieces() {
         );
         assert_eq!(whole.subsegment(0.0, 1.0), whole);
     }
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         check::<DVec2>(points);
         check::<DVec3>(points);
     });
@@ -152,7 +152,7 @@ fn subsegments_reach_outside() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn reversing_keeps_the_curve_and_twice_is_the_curve_itself() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let whole = curve::<DVec3>(points);
         let back = whole.reverse();
         assert_eq!((back.start(), back.end()), (whole.end(), whole.start()));
@@ -163,7 +163,7 @@ fn reversing_keeps_the_curve_and_twice_is_the_curve_itself() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn elevation_keeps_the_curve() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let whole = curve::<DVec3>(points);
         if whole.degree() == 64 {
             let refused = Err(Error::Range {

@@ -128,7 +128,7 @@ proptest! {
     }
 
     #[test]
-    fn the_tangent_is_the_direction_of_the_way(points in points(), t in 1..16_u32) {
+    fn the_tangent_is_the_direction_of_the_derivative(points in points(), t in 1..16_u32) {
         let t = f64::from(t) / 16.0;
         let curve = plane(&points);
         let flat = to_3d(curve.control_points());

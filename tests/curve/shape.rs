@@ -1,9 +1,9 @@
 //! Boxes and hulls: they contain the curve, and no smaller ones do.
 
+use crate::common::adversarial::{ALL, Kind};
 use crate::common::exact;
-use crate::common::wild::{ALL, Kind};
 use crate::common::{Rng, curve, largest, plane, real, to_3d, ulp};
-use crate::{steps, wild_points};
+use crate::{adversarial_points, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -14,16 +14,16 @@ fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
     let coordinates: Vec<f64> = points.iter().map(|p| sign * p[axis]).collect();
     let at = |t: f64| exact::eval_scalar(&coordinates, t).hi;
     let values: Vec<f64> = (0..=SAMPLES).map(|i| at(real(i) / real(SAMPLES))).collect();
-    let most = values.iter().copied().fold(f64::MIN, f64::max);
-    let least = values.iter().copied().fold(f64::MAX, f64::min);
+    let max = values.iter().copied().fold(f64::MIN, f64::max);
+    let min = values.iter().copied().fold(f64::MAX, f64::min);
     // About each of the samples that may lie beside the greatest value, those at the ends too.
-    let near = |&i: &usize| values[i] >= most - 0.05 * (most - least);
+    let near = |&i: &usize| values[i] >= max - 0.05 * (max - min);
     let before = |i: usize| real(i.max(1) - 1) / real(SAMPLES);
     let after = |i: usize| real((i + 1).min(SAMPLES)) / real(SAMPLES);
     let peaks = (0..=SAMPLES)
         .filter(near)
         .map(|i| peak(at, before(i), after(i)));
-    peaks.fold(most, f64::max)
+    peaks.fold(max, f64::max)
 }
 
 fn peak(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
@@ -41,7 +41,7 @@ fn peak(f: impl Fn(f64) -> f64, mut lo: f64, mut hi: f64) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_box_contains_the_curve_and_is_touched() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         if points.len() > 14 {
             return;
         }
@@ -91,7 +91,7 @@ fn boxes_by_closed_forms() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_control_box_contains_the_box() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
         let (exact, control) = (curve.bounds(), curve.control_bounds());
         let corner =
@@ -127,7 +127,7 @@ fn turn(a: DVec2, b: DVec2, c: DVec2, size: f64) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_hull_is_convex_and_contains_the_curve() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let curve: Curve<DVec2> = curve(points);
         let (hull, control) = (curve.hull(), curve.control_points());
         let size = largest(control).max(f64::MIN_POSITIVE);
@@ -191,13 +191,13 @@ fn known_hulls() {
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_stay_among_their_control_points() {
     let mut rng = Rng(11);
-    wild_points(&[Kind::Loop, Kind::Cusp, Kind::Mixed], |points| {
+    adversarial_points(&[Kind::Loop, Kind::Cusp, Kind::Mixed], |points| {
         let curve = curve::<DVec3>(points);
         let direction = rng.point(3);
         let along = |p: &DVec3| p.dot(direction);
-        let most = points.iter().map(along).fold(f64::MIN, f64::max);
+        let max = points.iter().map(along).fold(f64::MIN, f64::max);
         let samples = to_3d(&curve.sample(50).expect("samples"));
         let rounding = 4.0 * steps(points) * ulp(largest(points));
-        assert!(samples.iter().all(|p| along(p) <= most + rounding));
+        assert!(samples.iter().all(|p| along(p) <= max + rounding));
     });
 }

@@ -1,16 +1,16 @@
 //! Derivatives, tangents, normals, curvature: closed forms.
 
+use crate::common::adversarial::ALL;
 use crate::common::exact;
-use crate::common::wild::ALL;
 use crate::common::{curve, largest, parameters, plane, real, ulp};
-use crate::{assert_close, steps, wild_points};
+use crate::{adversarial_points, assert_close, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn derivatives_of_any_order_and_degree() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let curve = curve::<DVec3>(points);
         let size = largest(points);
         let mut factor = 1.0;
@@ -38,7 +38,7 @@ fn derivatives_of_any_order_and_degree() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_derivative_as_a_curve() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let derivative = curve::<DVec3>(points).derivative();
         assert_eq!(derivative.degree(), (points.len() - 2).max(1));
         for t in parameters(4) {
@@ -137,7 +137,7 @@ fn straight_curves_have_no_principal_normal_and_no_curvature() {
 /// Unit vectors, right angles, the same in the plane and in space, no NaN: on every curve, at every t.
 #[wasm_bindgen_test(unsupported = test)]
 fn directions_are_unit_vectors_at_right_angles() {
-    wild_points(&ALL, |points| {
+    adversarial_points(&ALL, |points| {
         let space = curve::<DVec3>(points);
         let flat: Curve<DVec2> = curve(points);
         for t in parameters(8) {

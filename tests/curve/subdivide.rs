@@ -1,9 +1,9 @@
 //! The tree of halvings by the D1 − D2 test.
 
-use crate::common::measure::Ruler;
-use crate::common::wild::ORDINARY;
+use crate::adversarial_points;
+use crate::common::adversarial::ORDINARY;
+use crate::common::measure::Reference;
 use crate::common::{Space, curve, largest, plane, to_3d, ulp};
-use crate::wild_points;
 use casteljau::curve::Subdivision;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Point};
@@ -45,16 +45,16 @@ fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
 
 /// The piece is nowhere farther from its chord than the bound.
 fn assert_bound_holds<P: Point>(node: &Subdivision<P>, points: &[DVec3], rounding: f64) {
-    let ruler = Ruler::new(points);
+    let reference = Reference::new(points);
     let chord = (
-        ruler.place(points[0]),
-        ruler.place(points[points.len() - 1]),
+        reference.location(points[0]),
+        reference.location(points[points.len() - 1]),
     );
-    let distance = ruler.deviation((0.0, 1.0), chord, f64::INFINITY);
+    let distance = reference.deviation((0.0, 1.0), chord, f64::INFINITY);
     // The bound is a root: rounding of D1 and D2 counts with the root of the length.
     let slack = rounding + (rounding * node.polygon_length).sqrt();
     assert!(
-        distance <= ruler.length(node.deviation_bound() + slack),
+        distance <= reference.length(node.deviation_bound() + slack),
         "{distance} in {points:?}"
     );
 }
@@ -79,7 +79,7 @@ fn the_tree_of_every_curve() {
             assert_eq!((leaves[0].t0, leaves[leaves.len() - 1].t1), (0.0, 1.0));
         }
     }
-    wild_points(&ORDINARY, |points| {
+    adversarial_points(&ORDINARY, |points| {
         if points.len() <= 9 {
             all::<DVec2>(points);
             all::<DVec3>(points);
@@ -127,11 +127,11 @@ fn refusals() {
             })
         ));
     }
-    let least = 4.0 * ulp(1.5);
-    let got = least * 0.99;
+    let min = 4.0 * ulp(1.5);
+    let got = min * 0.99;
     assert_eq!(
         plane(&[(0.0, 0.0), (1.5, 0.0)]).subdivide(got).err(),
-        Some(Error::Tolerance { least, got })
+        Some(Error::Tolerance { min, got })
     );
     let wide = plane(&[(0.0, 0.0), (1e9, 1e9), (-1e9, 1e9), (0.0, 0.0)]).subdivide(1e-6);
     assert!(matches!(

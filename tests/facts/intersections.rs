@@ -12,7 +12,7 @@ fn named(fact: &Fact, name: &str) -> Curve<DVec2> {
 }
 
 /// `intersect` and `line_intersect`: the same places, kinds included; nothing else, nothing twice.
-pub(crate) fn meetings(fact: &Fact) {
+pub(crate) fn check_intersections(fact: &Fact) {
     let (a, b) = (named(fact, "a"), named(fact, "b"));
     let found = a.intersections(&b);
     if fact.expect.get("overlap").is_some() {
@@ -35,11 +35,11 @@ pub(crate) fn meetings(fact: &Fact) {
     };
     let (t, s) = (numbers(t), numbers(&fact.expect["s"]));
     assert_eq!(found.len(), t.len(), "{}: {found:?}", fact.id);
-    for (k, place) in found.iter().enumerate() {
-        let wrong = (place.t - t[k]).abs().max((place.u - s[k]).abs());
+    for (k, location) in found.iter().enumerate() {
+        let wrong = (location.t - t[k]).abs().max((location.u - s[k]).abs());
         assert!(
             wrong <= fact.tolerance,
-            "{}: {place:?}, expected {} {}",
+            "{}: {location:?}, expected {} {}",
             fact.id,
             t[k],
             s[k]
@@ -47,8 +47,8 @@ pub(crate) fn meetings(fact: &Fact) {
         let at = point(&fact.expect["points"][k]).truncate();
         let size = largest(a.control_points());
         assert!(
-            (place.point - at).length() <= fact.tolerance * size.max(1.0),
-            "{}: {place:?}",
+            (location.point - at).length() <= fact.tolerance * size.max(1.0),
+            "{}: {location:?}",
             fact.id
         );
         let tangent = fact
@@ -56,9 +56,9 @@ pub(crate) fn meetings(fact: &Fact) {
             .get("tangent")
             .is_some_and(|list| list[k] == Value::Bool(true));
         assert_eq!(
-            place.kind == IntersectionKind::Tangent,
+            location.kind == IntersectionKind::Tangent,
             tangent,
-            "{}: {place:?}",
+            "{}: {location:?}",
             fact.id
         );
     }
@@ -69,17 +69,19 @@ pub(crate) fn double_points(fact: &Fact) {
     let found = named(fact, "points").self_intersections();
     let expected = numbers(&fact.expect["t"]);
     assert_eq!(2 * found.len(), expected.len(), "{}: {found:?}", fact.id);
-    for (place, pair) in found.iter().zip(expected.chunks_exact(2)) {
-        let wrong = (place.t - pair[0]).abs().max((place.u - pair[1]).abs());
+    for (location, pair) in found.iter().zip(expected.chunks_exact(2)) {
+        let wrong = (location.t - pair[0])
+            .abs()
+            .max((location.u - pair[1]).abs());
         assert!(
             wrong <= fact.tolerance,
-            "{}: {place:?}, expected {pair:?}",
+            "{}: {location:?}, expected {pair:?}",
             fact.id
         );
         let at = point(&fact.expect["point"]).truncate();
         assert!(
-            (place.point - at).length() <= fact.tolerance,
-            "{}: {place:?}",
+            (location.point - at).length() <= fact.tolerance,
+            "{}: {location:?}",
             fact.id
         );
     }

@@ -1,4 +1,4 @@
-//! Facts on curves from closed forms (`tests/data/curve-facts.json`) and from other libraries (`../shared/data/curve-facts.json`).
+//! Facts on curves from closed forms (`tests/data/curve-records.json`) and from other libraries (`../shared/data/curve-records.json`).
 #![cfg(not(target_family = "wasm"))]
 
 mod along;
@@ -9,34 +9,34 @@ mod fact;
 mod golden;
 mod intersections;
 mod joined;
+mod locations;
+mod offsets;
 mod outlines;
-mod parallel;
-mod places;
 
 use casteljau::Curve;
 use casteljau::curve::Basis;
 use casteljau::glam::{DVec2, DVec3};
-use common::measure::{Ruler, farthest, from_segment};
+use common::measure::{Reference, farthest, from_segment};
 use common::{curve, real};
 use fact::{Fact, number, numbers, points};
 use serde_json::Value;
 
 #[test]
-fn facts_hold() {
-    let facts = golden::golden("curve-facts");
-    let facts = facts.as_array().expect("a list of facts");
-    facts.iter().for_each(check);
-    assert_eq!(facts.len(), 116);
+fn golden_values_hold() {
+    let records = golden::golden("curve-facts");
+    let records = records.as_array().expect("a list of facts");
+    records.iter().for_each(check);
+    assert_eq!(records.len(), 116);
 }
 
 /// The figures of other libraries, which the repository does not hold.
 #[test]
-fn facts_of_other_libraries_hold() {
-    let Some(facts) = golden::shared("curve-facts") else {
+fn golden_values_of_other_libraries_hold() {
+    let Some(records) = golden::shared("curve-facts") else {
         return;
     };
-    let facts = facts.as_array().expect("a list of facts").iter();
-    let theirs: Vec<&Value> = facts.filter(|fact| fact["truth"] == "library").collect();
+    let records = records.as_array().expect("a list of facts").iter();
+    let theirs: Vec<&Value> = records.filter(|fact| fact["truth"] == "library").collect();
     assert_eq!(theirs.len(), 5);
     theirs.into_iter().for_each(check);
 }
@@ -81,21 +81,21 @@ fn check(fact: &Value) {
         "flatten" => flatten(fact),
         "continuity" => joined::continuity(fact),
         "bspline" => joined::bspline(fact),
-        "offset" => parallel::offset(fact),
-        "reduce" => parallel::reduce(fact),
+        "offset" => offsets::offset(fact),
+        "reduce" => offsets::reduce(fact),
         "easing" => joined::easing(fact),
-        "extrema" => places::extrema(fact),
-        "inflection" => places::inflections(fact),
+        "extrema" => locations::extrema(fact),
+        "inflection" => locations::inflections(fact),
         "circle" => outlines::circle(fact),
         "svgpath" => outlines::path_data(fact),
         "contains" => outlines::contains(fact),
-        "intersect" | "line_intersect" => intersections::meetings(fact),
+        "intersect" | "line_intersect" => intersections::check_intersections(fact),
         "selfintersect" => intersections::double_points(fact),
-        "nearest" => places::nearest(fact),
-        "roots" => places::roots(fact),
-        "classify" => places::classify(fact),
-        "min_distance" => places::min_distance(fact),
-        "solve_t" => places::solve(fact),
+        "nearest" => locations::nearest(fact),
+        "roots" => locations::roots(fact),
+        "classify" => locations::classify(fact),
+        "min_distance" => locations::min_distance(fact),
+        "solve_t" => locations::solve(fact),
         _ => panic!("{}: no check for facts of the kind {kind}", fact.id),
     }
 }
@@ -124,11 +124,11 @@ fn convert(fact: &Fact) {
 fn flatten(fact: &Fact) {
     let tolerance = number(&fact.input["tolerance"]);
     let line = fact.curve().flatten(tolerance).expect("flat");
-    let ruler = Ruler::new(&fact.points("points"));
-    let vertices: Vec<DVec3> = line.points.iter().map(|&p| ruler.place(p)).collect();
-    let most = ruler.length(tolerance) * (1.0 + 1e-12);
+    let reference = Reference::new(&fact.points("points"));
+    let vertices: Vec<DVec3> = line.points.iter().map(|&p| reference.location(p)).collect();
+    let max = reference.length(tolerance) * (1.0 + 1e-12);
     assert!(
-        farthest(&ruler, &line.ts, &vertices, most) <= most,
+        farthest(&reference, &line.ts, &vertices, max) <= max,
         "{}",
         fact.id
     );
@@ -142,11 +142,11 @@ fn flatten(fact: &Fact) {
         "{}: {ours} chords, fewest {few}",
         fact.id
     );
-    for place in fact.expect.get("must_reach").into_iter().flat_map(points) {
+    for location in fact.expect.get("must_reach").into_iter().flat_map(points) {
         let reached = line
             .points
             .iter()
-            .any(|&p| from_segment(p, place, place) <= tolerance);
-        assert!(reached, "{}: no vertex at {place}", fact.id);
+            .any(|&p| from_segment(p, location, location) <= tolerance);
+        assert!(reached, "{}: no vertex at {location}", fact.id);
     }
 }

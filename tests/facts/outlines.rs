@@ -120,14 +120,14 @@ pub(crate) fn contains(fact: &Fact) {
 pub(crate) fn circle(fact: &Fact) {
     let k = number(&fact.input["k"]);
     let points = [DVec2::X, DVec2::new(1.0, k), DVec2::new(k, 1.0), DVec2::Y];
-    let (mut most, mut least) = (0.0_f64, 0.0_f64);
+    let (mut max, mut min) = (0.0_f64, 0.0_f64);
     for i in 0..=100_000_u32 {
         let weights = bernstein(3, f64::from(i) / 1e5).expect("degree 3");
         let p: DVec2 = points.iter().zip(&weights).map(|(&p, &w)| p * w).sum();
-        (most, least) = (most.max(p.length() - 1.0), least.min(p.length() - 1.0));
+        (max, min) = (max.max(p.length() - 1.0), min.min(p.length() - 1.0));
     }
-    fact.number(most, &fact.expect["max_radial_error"]);
-    fact.number(least, &fact.expect["min_radial_error"]);
+    fact.number(max, &fact.expect["max_radial_error"]);
+    fact.number(min, &fact.expect["min_radial_error"]);
     let quarter = Path::from_svg("M1 0A1 1 0 0 1 0 1").expect("an arc");
     for p in quarter.subpaths().collect::<Vec<_>>()[0]
         .sample(100)

@@ -1,7 +1,7 @@
 //! Hostile curves with a tolerance each, and what is measured on them.
 
-use crate::common::measure::{Ruler, farthest};
-use crate::common::wild::{self, Kind};
+use crate::common::adversarial::{self, Kind};
+use crate::common::measure::{Reference, farthest};
 use crate::common::{Rng, Space, curve, largest, real, to_3d, ulp};
 use casteljau::curve::Polyline;
 use casteljau::glam::{DVec2, DVec3};
@@ -19,11 +19,11 @@ impl Case {
     pub(crate) fn new(i: usize) -> Self {
         let mut rng = Rng(i as u64);
         let dimension = 2 + i % 2;
-        let kind = wild::ALL[(i / 2) % wild::ALL.len()];
+        let kind = adversarial::ALL[(i / 2) % adversarial::ALL.len()];
         let degree = degree(&mut rng);
-        let points = wild::points(&mut rng, kind, degree, dimension);
-        let least = 4.0 * ulp(largest(&points)).max(f64::MIN_POSITIVE);
-        let tolerance = (size(&points) * rng.magnitude(-6.0, 0.0)).max(least);
+        let points = adversarial::points(&mut rng, kind, degree, dimension);
+        let min = 4.0 * ulp(largest(&points)).max(f64::MIN_POSITIVE);
+        let tolerance = (size(&points) * rng.magnitude(-6.0, 0.0)).max(min);
         Self {
             kind,
             points,
@@ -65,15 +65,15 @@ impl Case {
     /// Fails where the curve is farther from the polyline than the tolerance.
     pub(crate) fn check(&self) {
         let (ts, vertices) = self.flatten();
-        let ruler = Ruler::new(&self.points);
-        let vertices: Vec<DVec3> = vertices.iter().map(|&v| ruler.place(v)).collect();
-        let allowed = ruler.length(self.tolerance + self.rounding()) + ruler.noise();
-        let distance = farthest(&ruler, &ts, &vertices, allowed);
+        let reference = Reference::new(&self.points);
+        let vertices: Vec<DVec3> = vertices.iter().map(|&v| reference.location(v)).collect();
+        let allowed = reference.length(self.tolerance + self.rounding()) + reference.noise();
+        let distance = farthest(&reference, &ts, &vertices, allowed);
         let chords = ts.len() - 1;
         assert!(
             distance <= allowed,
             "{} of the tolerance with {chords} chords: {self:?}",
-            distance / ruler.length(self.tolerance)
+            distance / reference.length(self.tolerance)
         );
     }
 }

@@ -8,8 +8,8 @@ mod refused;
 mod straight;
 
 use cases::Case;
-use common::measure::{self, Ruler, fewest};
-use common::wild::Kind;
+use common::adversarial::Kind;
+use common::measure::{self, Reference, fewest};
 use common::{apart, plane, real};
 use std::ops::Range;
 
@@ -65,11 +65,11 @@ fn takes_few_chords() {
         if ours <= 2 {
             return 0;
         }
-        let ruler = Ruler::new(&case.points);
-        let few = fewest(&ruler, ruler.length(case.tolerance));
-        let most = real(few + 4).max(1.2 * real(few));
+        let reference = Reference::new(&case.points);
+        let few = fewest(&reference, reference.length(case.tolerance));
+        let max = real(few + 4).max(1.2 * real(few));
         assert!(
-            real(ours) <= most,
+            real(ours) <= max,
             "{ours} chords instead of {few}: {case:?}"
         );
         usize::from(real(ours) > real(few + 1).max(1.1 * real(few)))
@@ -93,15 +93,15 @@ fn closed_curves_at_large_tolerances() {
     for tolerance in [0.9053, 0.8, 0.5, 0.1] {
         let line = curve.flatten(tolerance).expect("flat");
         let (points, ts) = (curve.control_points(), &line.ts);
-        let ruler = Ruler::new(&common::to_3d(points));
+        let reference = Reference::new(&common::to_3d(points));
         let vertices: Vec<_> = line
             .points
             .iter()
-            .map(|&p| ruler.place(p.extend(0.0)))
+            .map(|&p| reference.location(p.extend(0.0)))
             .collect();
-        let most = ruler.length(tolerance) * (1.0 + 1e-12);
+        let max = reference.length(tolerance) * (1.0 + 1e-12);
         assert!(
-            measure::farthest(&ruler, ts, &vertices, most) <= most,
+            measure::farthest(&reference, ts, &vertices, max) <= max,
             "{tolerance}"
         );
     }
@@ -142,7 +142,7 @@ fn scaled_reversed_and_turned_curves_get_the_same_polyline() {
 }
 
 #[test]
-fn flatten_with_hands_out_the_same_vertices() {
+fn flatten_with_gives_the_same_vertices() {
     for i in 0..200 {
         let case = Case::new(i);
         let points: Vec<(f64, f64)> = case.points.iter().map(|p| (p.x, p.y)).collect();

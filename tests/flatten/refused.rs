@@ -30,20 +30,16 @@ fn a_tolerance_is_a_finite_number_above_zero() {
 fn a_tolerance_below_4_ulps_of_the_largest_coordinate_is_refused_with_that_figure() {
     for size in [1.1, 1.5, 1e-300, 1e300, 12345.678] {
         let curve = plane(&[(0.0, 0.0), (size, 0.1 * size), (-0.3 * size, 0.0)]);
-        let least = 4.0 * ulp(size);
-        let got = least.next_down();
+        let min = 4.0 * ulp(size);
+        let got = min.next_down();
         assert_eq!(
             curve.flatten(got),
-            Err(Error::Tolerance { least, got }),
+            Err(Error::Tolerance { min, got }),
             "{size}"
         );
         // A straight curve is flat at any tolerance that is not refused.
         let line = plane(&[(0.0, 0.0), (size, 0.0)]);
-        assert_eq!(
-            line.flatten(least).map(|line| line.ts.len()),
-            Ok(2),
-            "{size}"
-        );
+        assert_eq!(line.flatten(min).map(|line| line.ts.len()), Ok(2), "{size}");
     }
 }
 

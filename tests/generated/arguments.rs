@@ -229,6 +229,6 @@ pub(crate) fn parameters(steps: usize, end: f64) -> impl Iterator<Item = f64> {
 }
 
 /// Whether numbers ascend strictly within [least, most].
-pub(crate) fn ascends(ts: &[f64], least: f64, most: f64) -> bool {
-    ts.windows(2).all(|w| w[0] < w[1]) && ts.iter().all(|t| (least..=most).contains(t))
+pub(crate) fn ascends(ts: &[f64], min: f64, max: f64) -> bool {
+    ts.windows(2).all(|w| w[0] < w[1]) && ts.iter().all(|t| (min..=max).contains(t))
 }

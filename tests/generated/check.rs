@@ -139,8 +139,8 @@ pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
     );
     let allows = |what: &str| allowed.contains(&what);
     let fits = match *error {
-        Error::Tolerance { least, got } => allows("tolerance") && got < least && least.is_finite(),
-        Error::TooSmall { what, least, got } => allows(what) && got < least,
+        Error::Tolerance { min, got } => allows("tolerance") && got < min && min.is_finite(),
+        Error::TooSmall { what, min, got } => allows(what) && got < min,
         Error::TooMany { limit, needed, .. } => {
             needed > limit && (allows("tolerance") || allows("too many"))
         }

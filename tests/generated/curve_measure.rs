@@ -178,12 +178,12 @@ fn bounds<P: Space>(case: &Case) -> Checked {
             .into_iter()
             .chain([0.0, 1.0])
             .map(|t| curve.eval(t).coordinate(axis));
-        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+        let (smallest, largest) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
             (a.min(x), b.max(x))
         });
         let (min, max) = (bounds.min.coordinate(axis), bounds.max.coordinate(axis));
         ensure!(
-            (min - least).abs() <= slack && (max - most).abs() <= slack,
+            (min - smallest).abs() <= slack && (max - largest).abs() <= slack,
             "a side of axis {axis} is not touched"
         );
     }

@@ -133,12 +133,12 @@ pub(crate) fn is_nearest<P: Point>(
 ) -> Checked {
     let off = (distance(point, p) - got).abs();
     ensure!(off <= slack, "the distance is {off:e} off");
-    let least = samples
+    let min = samples
         .map(|q| distance(q, p))
         .fold(f64::INFINITY, f64::min);
     ensure!(
-        got <= least + slack,
-        "{got:e}, but a sample is {least:e} away; the slack is {slack:e}"
+        got <= min + slack,
+        "{got:e}, but a sample is {min:e} away; the slack is {slack:e}"
     );
     Ok(())
 }
@@ -184,10 +184,10 @@ fn distance_to<P: Space>(case: &Case) -> Checked {
     let pairs = a
         .iter()
         .flat_map(|&p| b.iter().map(move |&q| distance(p, q)));
-    let least = pairs.fold(f64::INFINITY, f64::min);
+    let min = pairs.fold(f64::INFINITY, f64::min);
     ensure!(
-        found.distance <= least + slack,
-        "{:e}, but samples are {least:e} apart",
+        found.distance <= min + slack,
+        "{:e}, but samples are {min:e} apart",
         found.distance
     );
     Ok(())

@@ -64,14 +64,14 @@ fn low_degrees<P: Space>(case: &Case) -> Checked {
     let curve = curve::<P>(case, "curve");
     let points = curve.control_points();
     let [p0, p1, p2, p3] = std::array::from_fn(|i| points[i % points.len()]);
-    let made = call(case, || {
+    let result = call(case, || {
         [
             Curve::line(p0, p1),
             Curve::quad(p0, p1, p2),
             Curve::cubic(p0, p1, p2, p3),
         ]
     })?;
-    for (n, curve) in (1..).zip(&made) {
+    for (n, curve) in (1..).zip(&result) {
         let same = Curve::new(&[p0, p1, p2, p3][..=n]);
         ensure!(same.as_ref() == Ok(curve), "another curve of degree {n}");
     }

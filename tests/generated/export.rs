@@ -50,10 +50,10 @@ fn counts(case: &Case) -> Checked {
 
 fn to_f32(case: &Case) -> Checked {
     let surface = surface(case);
-    let made = surface.tessellate_f64(
+    let result = surface.tessellate_f64(
         &TessellationOptions::segments(Grid::from(count(case, "segments_u"))).weld(Weld::None),
     );
-    let Ok(precise) = made else {
+    let Ok(precise) = result else {
         return Ok(());
     };
     let indices = precise.indices.clone();
@@ -63,8 +63,8 @@ fn to_f32(case: &Case) -> Checked {
 }
 
 fn to_obj(case: &Case) -> Checked {
-    let made = surface(case).grid(Grid::from(count(case, "segments_u")), flag(case, "quads"));
-    let Ok(mesh) = made else {
+    let result = surface(case).grid(Grid::from(count(case, "segments_u")), flag(case, "quads"));
+    let Ok(mesh) = result else {
         return Ok(());
     };
     let text = answer!(case, mesh.to_obj(), positions(case));

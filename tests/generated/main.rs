@@ -9,8 +9,8 @@ mod check;
 mod coverage;
 mod curve_drawing;
 mod curve_edit;
+mod curve_locations;
 mod curve_measure;
-mod curve_places;
 mod curve_query;
 mod curve_shape;
 mod export;
@@ -38,7 +38,10 @@ const GROUPS: [(&str, &[&[Row]]); 10] = [
     ("curves: evaluation", &[curve_shape::ROWS]),
     ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),
     ("curves: measures", &[curve_measure::ROWS]),
-    ("curves: queries", &[curve_query::ROWS, curve_places::ROWS]),
+    (
+        "curves: queries",
+        &[curve_query::ROWS, curve_locations::ROWS],
+    ),
     (
         "splines",
         &[

@@ -127,13 +127,13 @@ fn easing_eval(case: &Case) -> Checked {
     };
     let (below, above) = (parameter_at(x - 4e-15), parameter_at(x + 4e-15));
     let values = parameters(8, 1.0).map(|s| weights(below + (above - below) * s, y1, y2));
-    let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| {
+    let (min, max) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), y| {
         (a.min(y), b.max(y))
     });
     let slack = 1e-9 * y1.abs().max(y2.abs()).max(1.0);
     ensure!(
-        y >= least - slack && y <= most + slack,
-        "{y} at {x}, between {least} and {most} were expected"
+        y >= min - slack && y <= max + slack,
+        "{y} at {x}, between {min} and {max} were expected"
     );
     Ok(())
 }

@@ -46,7 +46,7 @@ fn expected(patch: &Patch, u: f64, v: f64) -> DVec3 {
 }
 
 /// Places on a patch: a grid of them.
-pub(crate) fn places(steps: usize) -> impl Iterator<Item = (f64, f64)> {
+pub(crate) fn locations(steps: usize) -> impl Iterator<Item = (f64, f64)> {
     parameters(steps, 1.0).flat_map(move |v| parameters(steps, 1.0).map(move |u| (u, v)))
 }
 

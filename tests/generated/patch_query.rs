@@ -3,7 +3,7 @@
 use crate::arguments::*;
 use crate::check::*;
 use crate::curve_measure::holds;
-use crate::patch::{places, slack_at};
+use crate::patch::{locations, slack_at};
 use crate::runner::Row;
 use casteljau::Patch;
 use casteljau::glam::DVec3;
@@ -32,7 +32,7 @@ fn is_piece(
     let worst = |a: f64, b: f64, n: usize| growth(a, n).max(growth(b, n));
     let (m, n) = (patch.degree_u(), patch.degree_v());
     let slack = 8.0 * slack(case.size(), m + n) * worst(u0, u1, m) * worst(v0, v1, n);
-    for (s, t) in places(3) {
+    for (s, t) in locations(3) {
         let (u, v) = (u0 * (1.0 - s) + u1 * s, v0 * (1.0 - t) + v1 * t);
         let gap = distance(piece.eval(s, t), patch.eval(u, v));
         ensure!(
@@ -81,7 +81,7 @@ fn bounds(case: &Case) -> Checked {
     let patch = patch(case);
     let bounds = value!(case, patch.bounds());
     let slack = 4.0 * slack_at(case, &patch, 0.0, 0.0);
-    for (u, v) in places(8) {
+    for (u, v) in locations(8) {
         ensure!(
             holds(&bounds, patch.eval(u, v), slack),
             "S({u}, {v}) lies outside"
@@ -101,7 +101,7 @@ fn flatness(case: &Case) -> Checked {
     let [a, b, c, d] =
         [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(u, v)| patch.eval(u, v));
     let slack = 8.0 * slack_at(case, &patch, 0.0, 0.0);
-    for (u, v) in places(6) {
+    for (u, v) in locations(6) {
         // The point of the triangles at (u, v), with the diagonal from b to c.
         let flat = if u + v <= 1.0 {
             a + (b - a) * u + (c - a) * v
@@ -159,14 +159,14 @@ fn nearest(case: &Case) -> Checked {
     );
     let off = (distance(nearest.point, p) - nearest.distance).abs();
     ensure!(off <= slack, "the distance is {off:e} off");
-    let least = places(12)
+    let min = locations(12)
         .map(|(u, v)| distance(patch.eval(u, v), p))
         .fold(f64::INFINITY, f64::min);
     // Squares of distances are compared, so roundings count for √ε where both are about zero.
     let square = slack * case.size();
     ensure!(
-        nearest.distance.powi(2) <= least * least + square,
-        "{:e}, but a sample is {least:e} away",
+        nearest.distance.powi(2) <= min * min + square,
+        "{:e}, but a sample is {min:e} away",
         nearest.distance
     );
     Ok(())

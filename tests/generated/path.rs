@@ -134,17 +134,17 @@ fn time_at_length(case: &Case) -> Checked {
         number(case, "s"),
         optional(case, "tolerance"),
     );
-    let place = answer!(case, path.time_at_length(s, tolerance), &["tolerance", "s"]);
+    let location = answer!(case, path.time_at_length(s, tolerance), &["tolerance", "s"]);
     ensure!(
-        place.is_some() != path.is_empty(),
+        location.is_some() != path.is_empty(),
         "no place on a path, or one on none"
     );
-    if let Some(place) = place {
-        let spline = path.subpath(place.subpath).ok_or("no such subpath")?;
+    if let Some(location) = location {
+        let spline = path.subpath(location.subpath).ok_or("no such subpath")?;
         ensure!(
-            (0.0..=real(spline.segment_count())).contains(&place.t),
+            (0.0..=real(spline.segment_count())).contains(&location.t),
             "t = {}",
-            place.t
+            location.t
         );
     }
     Ok(())
@@ -152,10 +152,10 @@ fn time_at_length(case: &Case) -> Checked {
 
 fn equidistant_times(case: &Case) -> Checked {
     let (path, segments) = (path(case, "path"), count(case, "segments"));
-    let places = answer!(case, path.equidistant_times(segments), &["segments"]);
+    let locations = answer!(case, path.equidistant_times(segments), &["segments"]);
     let expected = if path.is_empty() { 0 } else { segments + 1 };
-    ensure!(places.len() == expected, "{} places", places.len());
-    let ascend = places
+    ensure!(locations.len() == expected, "{} places", locations.len());
+    let ascend = locations
         .windows(2)
         .all(|w| (w[0].subpath, w[0].t) <= (w[1].subpath, w[1].t));
     ensure!(ascend, "the places do not ascend");

@@ -206,17 +206,17 @@ fn bounds<P: Space>(case: &Case) -> Checked {
         .map(|curve| curve.bounds())
         .collect();
     for axis in 0..P::DIMENSION {
-        let least = boxes
+        let min = boxes
             .iter()
             .map(|b| b.min.coordinate(axis))
             .fold(f64::INFINITY, f64::min);
-        let most = boxes
+        let max = boxes
             .iter()
             .map(|b| b.max.coordinate(axis))
             .fold(f64::NEG_INFINITY, f64::max);
-        let off = (bounds.min.coordinate(axis) - least)
+        let off = (bounds.min.coordinate(axis) - min)
             .abs()
-            .max((bounds.max.coordinate(axis) - most).abs());
+            .max((bounds.max.coordinate(axis) - max).abs());
         ensure!(
             off <= slack,
             "a side of axis {axis} is {off:e} off those of the segments"

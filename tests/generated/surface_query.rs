@@ -5,7 +5,7 @@ use crate::check::*;
 use crate::curve_drawing::Recorder;
 use crate::curve_measure::holds;
 use crate::mesh;
-use crate::patch::places;
+use crate::patch::locations;
 use crate::patch_query::is_hit;
 use crate::runner::Row;
 use crate::surface::slack_of;
@@ -34,7 +34,7 @@ fn bounds(case: &Case) -> Checked {
         "a box of nothing, or none"
     );
     for patch in surface.patches() {
-        let outside = places(4)
+        let outside = locations(4)
             .find(|&(u, v)| !bounds.is_some_and(|b| holds(&b, patch.eval(u, v), slack_of(case))));
         ensure!(outside.is_none(), "the point at {outside:?} lies outside");
     }
@@ -98,15 +98,11 @@ fn nearest(case: &Case) -> Checked {
         "the point is not that at (u, v)"
     );
     for patch in surface.patches() {
-        let least = places(6)
+        let min = locations(6)
             .map(|(u, v)| distance(patch.eval(u, v), p))
             .fold(f64::INFINITY, f64::min);
-        let far = nearest.distance.powi(2) > least * least + slack * case.size();
-        ensure!(
-            !far,
-            "{:e}, but a sample is {least:e} away",
-            nearest.distance
-        );
+        let far = nearest.distance.powi(2) > min * min + slack * case.size();
+        ensure!(!far, "{:e}, but a sample is {min:e} away", nearest.distance);
     }
     Ok(())
 }
@@ -140,10 +136,10 @@ fn intersect_ray(case: &Case) -> Checked {
 fn isocurves(case: &Case) -> Checked {
     let (surface, lines) = (surface(case), count(case, "lines"));
     let curves = answer!(case, surface.isocurves(lines), &["lines"]);
-    let most = 2 * (lines + 1) * surface.patch_count();
+    let max = 2 * (lines + 1) * surface.patch_count();
     ensure!(
-        curves.len() <= most,
-        "{} curves, at most {most} are possible",
+        curves.len() <= max,
+        "{} curves, at most {max} are possible",
         curves.len()
     );
     Ok(())

@@ -49,17 +49,17 @@ fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
 
 /// Every call returns, and at each reported place both curves are at the reported point.
 #[test]
-fn every_reported_place_lies_on_both() {
+fn every_reported_point_lies_on_both() {
     for a in shapes() {
         for b in neighbours(&a).into_iter().chain(shapes()) {
             let all = [a.control_points(), b.control_points()];
-            for place in a.intersections(&b) {
-                let mut off = (a.eval(place.t) - b.eval(place.u)).length();
-                if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
+            for location in a.intersections(&b) {
+                let mut off = (a.eval(location.t) - b.eval(location.u)).length();
+                if let IntersectionKind::Overlap { t_end, u_end } = location.kind {
                     off = off.max((a.eval(t_end) - b.eval(u_end)).length());
                 }
-                off = off.max((a.eval(place.t) - place.point).length());
-                assert!(off <= SLACK, "{place:?} is off by {off:e}: {all:?}");
+                off = off.max((a.eval(location.t) - location.point).length());
+                assert!(off <= SLACK, "{location:?} is off by {off:e}: {all:?}");
             }
         }
     }

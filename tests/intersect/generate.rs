@@ -175,7 +175,7 @@ pub(crate) fn case(rng: &mut Rng) -> Case {
         2 => (1.0, DVec2::new(1e6, -3e6)),
         _ => (1.0, DVec2::ZERO),
     };
-    let place = |c: &Curve<DVec2>| {
+    let location = |c: &Curve<DVec2>| {
         let points: Vec<DVec2> = c
             .control_points()
             .iter()
@@ -184,9 +184,9 @@ pub(crate) fn case(rng: &mut Rng) -> Case {
         new(&points)
     };
     let (a, b) = if rng.chance(0.5) {
-        (place(&a), place(&b))
+        (location(&a), location(&b))
     } else {
-        (place(&b), place(&a))
+        (location(&b), location(&a))
     };
     Case { name, a, b }
 }

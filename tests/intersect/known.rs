@@ -60,7 +60,7 @@ fn lines() {
 }
 
 #[test]
-fn graphs_meet_at_the_roots_of_their_difference() {
+fn graphs_cross_at_the_roots_of_their_difference() {
     // y = 0 against products of (x − k/16): up to five crossings, exactly where the roots are.
     let mut rng = Rng(5);
     for _ in 0..2000 {
@@ -82,14 +82,14 @@ fn graphs_meet_at_the_roots_of_their_difference() {
         let mut distinct = roots.clone();
         distinct.dedup();
         assert_eq!(found.len(), distinct.len(), "{roots:?}: {found:?}");
-        for (place, root) in found.iter().zip(distinct) {
+        for (location, root) in found.iter().zip(distinct) {
             let times = roots.iter().filter(|&&r| r == root).count();
             let near = [1e-12, 1e-9, 1e-4, 1e-3, 1e-2][times - 1];
-            assert!((place.t - root).abs() <= near, "{roots:?}: {place:?}");
+            assert!((location.t - root).abs() <= near, "{roots:?}: {location:?}");
             assert_eq!(
-                place.kind == IntersectionKind::Tangent,
+                location.kind == IntersectionKind::Tangent,
                 times > 1,
-                "{roots:?}: {place:?}"
+                "{roots:?}: {location:?}"
             );
         }
     }
@@ -131,7 +131,7 @@ fn close_crossings_are_two_and_close_misses_none() {
 }
 
 #[test]
-fn a_curve_that_traces_another_in_its_own_way() {
+fn a_curve_that_traces_another_at_its_own_pace() {
     // y = x² run through by a cubic in t: an improper sextic.
     let x = [0.0, 0.6, 0.1, 1.0];
     let mut rows = vec![0.0; 7];

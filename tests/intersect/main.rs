@@ -4,7 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod chains;
+mod adversarial;
 mod covering;
 mod generate;
 mod known;
@@ -13,4 +13,4 @@ mod random;
 mod reference;
 mod reported;
 mod selves;
-mod wild;
+mod splines;

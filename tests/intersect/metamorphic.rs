@@ -30,7 +30,7 @@ fn same(all: &[(f64, f64)], some: &[(f64, f64)]) -> bool {
     })
 }
 
-fn places(found: &[Intersection]) -> Vec<(f64, f64)> {
+fn locations(found: &[Intersection]) -> Vec<(f64, f64)> {
     found.iter().map(|p| (p.t, p.u)).collect()
 }
 
@@ -46,10 +46,10 @@ fn the_results_follow() {
             continue;
         }
         let fixed = firm(&found, &a, &b);
-        let told = |how: &str| format!("{} (seed {seed}), {how}: {found:?}", case.name);
+        let known = |how: &str| format!("{} (seed {seed}), {how}: {found:?}", case.name);
 
         let swapped: Vec<(f64, f64)> = b.intersections(&a).iter().map(|p| (p.u, p.t)).collect();
-        assert!(same(&swapped, &fixed), "{}", told("swapped"));
+        assert!(same(&swapped, &fixed), "{}", known("swapped"));
 
         let reversed: Vec<(f64, f64)> = a
             .reverse()
@@ -57,11 +57,11 @@ fn the_results_follow() {
             .iter()
             .map(|p| (1.0 - p.t, p.u))
             .collect();
-        assert!(same(&reversed, &fixed), "{}", told("reversed"));
+        assert!(same(&reversed, &fixed), "{}", known("reversed"));
 
         let turn = DAffine2::from_angle(0.7);
-        let turned = places(&a.transform(&turn).intersections(&b.transform(&turn)));
-        assert!(same(&turned, &fixed), "{}", told("turned"));
+        let turned = locations(&a.transform(&turn).intersections(&b.transform(&turn)));
+        assert!(same(&turned, &fixed), "{}", known("turned"));
     }
 }
 

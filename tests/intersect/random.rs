@@ -55,18 +55,18 @@ pub(crate) fn judged(case: &Case) -> Result<(), String> {
     let (a, b) = (&case.a, &case.b);
     let found = a.intersections(b);
     let slack = rounding(a, b);
-    for place in &found {
-        let gap = (a.eval(place.t) - b.eval(place.u)).length();
-        let off = (a.eval(place.t) - place.point).length();
+    for location in &found {
+        let gap = (a.eval(location.t) - b.eval(location.u)).length();
+        let off = (a.eval(location.t) - location.point).length();
         if !(gap <= slack && off <= slack) {
             return Err(format!(
-                "not on both, by {gap:e} and {off:e} (allowed {slack:e}): {place:?}"
+                "not on both, by {gap:e} and {off:e} (allowed {slack:e}): {location:?}"
             ));
         }
-        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
+        if let IntersectionKind::Overlap { t_end, u_end } = location.kind {
             let gap = (a.eval(t_end) - b.eval(u_end)).length();
-            if gap > slack || t_end <= place.t {
-                return Err(format!("the overlap ends {gap:e} apart: {place:?}"));
+            if gap > slack || t_end <= location.t {
+                return Err(format!("the overlap ends {gap:e} apart: {location:?}"));
             }
         }
     }
@@ -91,20 +91,20 @@ fn covered(
     slack: f64,
 ) -> Result<(), String> {
     let mut counts = vec![Vec::new(); reference.clusters.len()];
-    for place in found {
-        let mut spots = vec![(place.t, place.u)];
-        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
+    for location in found {
+        let mut spots = vec![(location.t, location.u)];
+        if let IntersectionKind::Overlap { t_end, u_end } = location.kind {
             spots.push((t_end, u_end));
         }
         for (t, u) in spots {
             let Some(k) = reference.cluster_at(t, u) else {
-                return Err(format!("outside of all clusters: {place:?}"));
+                return Err(format!("outside of all clusters: {location:?}"));
             };
-            counts[k].push(*place);
+            counts[k].push(*location);
         }
     }
-    for (cluster, places) in reference.clusters.iter().zip(&counts) {
-        if places.is_empty() {
+    for (cluster, locations) in reference.clusters.iter().zip(&counts) {
+        if locations.is_empty() {
             let nearest = nearest(a, b, cluster, reference.side);
             let (nearest, at) = nearest;
             if nearest <= slack / 40.0 && !found.iter().any(|p| hidden(a, b, p, at, slack)) {
@@ -127,7 +127,7 @@ fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> 
     for &(t, u) in cluster.boxes.iter().step_by(skip) {
         let (mut t, mut u, mut step) = (t + 0.5 * side, u + 0.5 * side, side);
         let distance = |t: f64, u: f64| (a.eval(t) - b.eval(u)).length();
-        let mut least = distance(t, u);
+        let mut min = distance(t, u);
         // Gauss–Newton, kept in the square, then pattern search.
         for _ in 0..200 {
             let mut better = None;
@@ -146,21 +146,21 @@ fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> 
                     (u + du * step).clamp(0.0, 1.0),
                 );
                 let d = distance(t, u);
-                if d < least {
-                    least = d;
+                if d < min {
+                    min = d;
                     better = Some((t, u));
                 }
             }
             match better {
-                Some(place) => (t, u) = place,
+                Some(location) => (t, u) = location,
                 None => step *= 0.5,
             }
             if step < 1e-18 {
                 break;
             }
         }
-        if least < best.0 {
-            best = (least, (t, u));
+        if min < best.0 {
+            best = (min, (t, u));
         }
     }
     best

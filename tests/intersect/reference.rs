@@ -8,7 +8,7 @@ use casteljau::glam::DVec2;
 const DEPTH: usize = 20;
 
 /// A search that has more boxes than this ends sooner: the curves run along each other.
-const MOST_BOXES: usize = 1500;
+const MAX_BOXES: usize = 1500;
 
 #[derive(Clone)]
 struct Cell {
@@ -43,7 +43,7 @@ impl Reference {
         }];
         let mut side = 1.0;
         for _ in 0..DEPTH {
-            if cells.len() > MOST_BOXES {
+            if cells.len() > MAX_BOXES {
                 break;
             }
             side *= 0.5;

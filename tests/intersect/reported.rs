@@ -14,7 +14,7 @@ fn kinds(found: &[Intersection]) -> Vec<(f64, f64, IntersectionKind)> {
 }
 
 #[test]
-fn halves_of_a_line_meet_in_the_middle() {
+fn halves_of_a_line_touch_in_the_middle() {
     for k in 0..2000 {
         let x = |m: u32| f64::from((k * m) % 97) / 10.0;
         let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
@@ -31,14 +31,14 @@ fn a_part_of_a_line_lies_on_it() {
         let line = curve(&[[x(3), x(5)], [x(7) + 0.1, x(11)]]);
         let (from, to) = (0.05 + x(13) / 40.0, 0.55 + x(17) / 40.0);
         let found = line.intersections(&line.subsegment(from, to));
-        let [place] = found[..] else {
+        let [location] = found[..] else {
             panic!("{line:?} from {from} to {to}: {found:?}")
         };
-        let IntersectionKind::Overlap { t_end, u_end } = place.kind else {
-            panic!("{line:?}: {place:?}")
+        let IntersectionKind::Overlap { t_end, u_end } = location.kind else {
+            panic!("{line:?}: {location:?}")
         };
-        assert!((place.t - from).abs() < 1e-12 && (t_end - to).abs() < 1e-12);
-        assert_eq!((place.u, u_end), (0.0, 1.0));
+        assert!((location.t - from).abs() < 1e-12 && (t_end - to).abs() < 1e-12);
+        assert_eq!((location.u, u_end), (0.0, 1.0));
     }
 }
 
@@ -114,7 +114,7 @@ fn one_crossing_of_curves_that_nearly_coincide_comes_once() {
 }
 
 #[test]
-fn the_tip_of_a_turn_back_is_one_place() {
+fn the_tip_of_a_turn_back_is_one_intersection() {
     let there_and_back = curve(&[[0.0, 2.0], [0.0, 0.0], [0.0, 2.0]]);
     let across = curve(&[[-1.0, 1.0], [2.0, 1.0]]);
     let found = there_and_back.intersections(&across);
@@ -123,13 +123,13 @@ fn the_tip_of_a_turn_back_is_one_place() {
     let from = curve(&[[0.0, 1.0], [2.0, 1.0]]);
     assert_eq!(there_and_back.intersections(&from).len(), 1);
     assert_eq!(from.intersections(&there_and_back).len(), 1);
-    let (loop_, bent) = (
+    let (loop_, curved) = (
         curve(&[[1.0, 2.0], [2.0, 0.0], [0.0, 0.0], [1.0, 2.0]]),
         curve(&[[0.0, 2.0], [2.0, 2.0], [0.0, 2.0]]),
     );
     assert_eq!(
-        loop_.intersections(&bent).len(),
-        bent.intersections(&loop_).len()
+        loop_.intersections(&curved).len(),
+        curved.intersections(&loop_).len()
     );
 }
 
@@ -145,13 +145,13 @@ fn tips_that_overlap_on_a_line() {
     for (first, second) in [(&a, &b), (&b, &a), (&a.reverse(), &b)] {
         let found = first.intersections(second);
         assert_eq!(found.len(), 4, "{found:?}");
-        for place in found {
-            let IntersectionKind::Overlap { t_end, u_end } = place.kind else {
-                panic!("{place:?}")
+        for location in found {
+            let IntersectionKind::Overlap { t_end, u_end } = location.kind else {
+                panic!("{location:?}")
             };
             let ends = [
-                first.eval(place.t),
-                second.eval(place.u),
+                first.eval(location.t),
+                second.eval(location.u),
                 first.eval(t_end),
                 second.eval(u_end),
             ];
@@ -168,7 +168,7 @@ fn tips_that_overlap_on_a_line() {
 
 /// Next to the curve's stops there are two places that are too far apart on the other curve to be one; this did not end.
 #[test]
-fn places_next_to_a_stop_end() {
+fn intersections_next_to_a_stop_are_merged() {
     let curve = curve(&[
         [0.0, 3.15226451847719e-6],
         [-2.7154260618674997e-6, 3.7056504482343374e-6],
@@ -185,9 +185,9 @@ fn places_next_to_a_stop_end() {
         .map(DVec2::from),
     )
     .expect("finite");
-    for place in curve.intersections(&other) {
-        let gap = (curve.eval(place.t) - other.eval(place.u)).length();
-        assert!(gap < 1.0, "{place:?} {gap}"); // the ulp of 7.5e14 is 0.125
+    for location in curve.intersections(&other) {
+        let gap = (curve.eval(location.t) - other.eval(location.u)).length();
+        assert!(gap < 1.0, "{location:?} {gap}"); // the ulp of 7.5e14 is 0.125
     }
 }
 
@@ -202,14 +202,17 @@ fn hold(a: &Curve<DVec2>, b: &Curve<DVec2>) {
     let degree = u32::try_from(a.degree().max(b.degree())).expect("a degree");
     let slack = 64.0 * f64::from(degree + 2) * f64::EPSILON * size[0].max(size[1]);
     let gap = |t: f64, u: f64| (a.eval(t) - b.eval(u)).length();
-    for place in &found {
-        assert!(gap(place.t, place.u) <= slack, "{place:?}");
-        if let IntersectionKind::Overlap { t_end, u_end } = place.kind {
-            assert!(gap(t_end, u_end) <= slack && t_end > place.t, "{place:?}");
+    for location in &found {
+        assert!(gap(location.t, location.u) <= slack, "{location:?}");
+        if let IntersectionKind::Overlap { t_end, u_end } = location.kind {
+            assert!(
+                gap(t_end, u_end) <= slack && t_end > location.t,
+                "{location:?}"
+            );
         }
     }
     assert!(
-        found.is_sorted_by_key(|place| (place.t, place.u)),
+        found.is_sorted_by_key(|location| (location.t, location.u)),
         "{found:?}"
     );
 }
@@ -249,13 +252,13 @@ fn straight_pieces_end_where_both_curves_are() {
         [280.1567951943553, 0.0],
     ]);
     hold(&far, &near);
-    for place in far.intersections(&near) {
-        let IntersectionKind::Overlap { t_end, .. } = place.kind else {
+    for location in far.intersections(&near) {
+        let IntersectionKind::Overlap { t_end, .. } = location.kind else {
             continue;
         };
         // Not a place of the piece between, which is 1e9 away.
-        let middle = far.eval(0.5 * (place.t + t_end));
-        assert!(middle.x.abs() <= 1e3, "{place:?} passes {middle}");
+        let middle = far.eval(0.5 * (location.t + t_end));
+        assert!(middle.x.abs() <= 1e3, "{location:?} passes {middle}");
     }
 }
 

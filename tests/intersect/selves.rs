@@ -70,7 +70,7 @@ fn elevated_cubics() {
 
 /// A curve meets itself where its two halves meet, and where each half does.
 #[test]
-fn halves_meet_where_the_whole_meets_itself() {
+fn halves_cross_where_the_whole_crosses_itself() {
     let mut rng = Rng(11);
     for case in 0..1000 {
         let degree = 4 + case % 5;

@@ -1,7 +1,7 @@
 //! Curves of a lower degree, and curves through points.
 
 use crate::common::{Rng, largest, real, ulp};
-use crate::truth::at;
+use crate::reference::at;
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 
@@ -27,11 +27,11 @@ fn the_error_is_the_greatest_distance() {
                 let t = real(k) / real(steps);
                 (at(curve.control_points(), t) - at(reduced.curve.control_points(), t)).length()
             };
-            let most = (0..=steps).map(apart).fold(0.0, f64::max);
+            let max = (0..=steps).map(apart).fold(0.0, f64::max);
             let noise = 1e-13 * largest(reduced.curve.control_points());
             assert!(
-                (most - reduced.error).abs() <= 1e-3 * reduced.error + noise,
-                "degree {degree}: {most}, {}",
+                (max - reduced.error).abs() <= 1e-3 * reduced.error + noise,
+                "degree {degree}: {max}, {}",
                 reduced.error
             );
         }
@@ -65,14 +65,14 @@ fn through_points() {
         for ts in [None, Some(&crowded[..])] {
             let curve = Curve::interpolate(&points, ts).expect("different");
             assert_eq!((curve.start(), curve.end()), (points[0], points[count - 1]));
-            let given = ts.map_or_else(|| chords(&points), <[f64]>::to_vec);
+            let chosen = ts.map_or_else(|| chords(&points), <[f64]>::to_vec);
             let size = largest(curve.control_points());
             if count > 16 {
                 // Control points are larger than the points by many powers of ten.
                 assert!(size.is_finite());
                 continue;
             }
-            for (&t, &p) in given.iter().zip(&points) {
+            for (&t, &p) in chosen.iter().zip(&points) {
                 let missed = (at(curve.control_points(), t) - p).length();
                 assert!(
                     missed <= real(count) * 8.0 * ulp(size),

@@ -1,21 +1,21 @@
 //! Parallel curves: as far as was asked from the curve, everywhere, without gaps.
 #![cfg(not(target_family = "wasm"))]
 
-mod chains;
 #[path = "../common/mod.rs"]
 mod common;
 mod lower;
 mod narrow;
+mod reference;
+mod splines;
 mod strokes;
-mod truth;
 mod work;
 
 use casteljau::Curve;
 use casteljau::glam::DVec2;
+use common::adversarial;
 use common::threads::on_all;
-use common::wild;
 use common::{Rng, largest, ulp};
-use truth::{Truth, dense};
+use reference::{DenseReference, dense};
 
 /// How far chords are from their curves, in tolerances: at first, and where that leaves a doubt.
 const SAGS: [f64; 2] = [0.04, 0.002];
@@ -30,12 +30,12 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
     let measure = |sag: f64| {
         let ours = dense(&offset, sag * tolerance);
         let enough = (1.0 - sag) * tolerance;
-        let apart = |truth: &Truth| {
-            let there = truth.farthest(&ours, enough);
-            let back = truth::farthest(&ours, &truth.vertices, enough);
+        let apart = |reference: &DenseReference| {
+            let there = reference.farthest(&ours, enough);
+            let back = reference::farthest(&ours, &reference.vertices, enough);
             there.max(back) / tolerance
         };
-        Truth::all(curve.control_points(), distance, sag * tolerance)
+        DenseReference::all(curve.control_points(), distance, sag * tolerance)
             .iter()
             .map(apart)
             .fold(f64::INFINITY, f64::min)
@@ -58,17 +58,17 @@ fn cases() -> usize {
 }
 
 #[test]
-fn wild_curves() {
+fn adversarial_curves() {
     let mut rng = Rng(1986);
     let cases = (0..cases()).map(|case| {
-        let kind = rng.pick(&wild::ORDINARY);
+        let kind = rng.pick(&adversarial::ORDINARY);
         let degree = match rng.below(20) {
             0..14 => 3,
             14..17 => 1 + rng.below(3),
             17 => 1 + rng.below(7),
             _ => 1 + rng.below(20),
         };
-        let points: Vec<DVec2> = wild::points(&mut rng, kind, degree, 2)
+        let points: Vec<DVec2> = adversarial::points(&mut rng, kind, degree, 2)
             .iter()
             .map(|p| p.truncate())
             .collect();
@@ -96,16 +96,16 @@ fn wild_curves() {
 
 /// Huge, tiny, of any degree: an answer of finite numbers in time.
 #[test]
-fn any_curve_has_a_parallel() {
+fn any_curve_has_an_offset() {
     let mut rng = Rng(1999);
     for _ in 0..500 {
-        let kind = rng.pick(&wild::ALL);
+        let kind = rng.pick(&adversarial::ALL);
         let degree = if rng.chance(0.8) {
             3
         } else {
             1 + rng.below(12)
         };
-        let points: Vec<DVec2> = wild::points(&mut rng, kind, degree, 2)
+        let points: Vec<DVec2> = adversarial::points(&mut rng, kind, degree, 2)
             .iter()
             .map(|p| p.truncate())
             .collect();

@@ -1,25 +1,26 @@
 //! Splines along points, and splines of fewer segments.
 
 use crate::common::{Rng, real};
-use crate::truth::{dense, farthest};
+use crate::reference::{dense, farthest};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Point, Spline};
 
 /// A smooth spline of random cubics, with a corner here and there.
 fn known(rng: &mut Rng, segments: usize, corners: bool) -> (Spline<DVec2>, Vec<DVec2>) {
     let mut points = vec![rng.point(2).truncate()];
-    let mut way = DVec2::from_angle(6.0 * rng.unit());
+    let mut direction = DVec2::from_angle(6.0 * rng.unit());
     let mut sharp = Vec::new();
     for k in 0..segments {
         let start = points[points.len() - 1];
         let turn = DVec2::from_angle(rng.signed());
-        let end = start + turn.rotate(way) * (1.0 + rng.unit());
-        let leave = turn.rotate(turn.rotate(way));
-        points.extend([start + way * 0.4, end - leave * 0.4, end]);
-        way = leave;
+        let end = start + turn.rotate(direction) * (1.0 + rng.unit());
+        let leave = turn.rotate(turn.rotate(direction));
+        points.extend([start + direction * 0.4, end - leave * 0.4, end]);
+        direction = leave;
         if corners && k + 1 < segments && rng.chance(0.3) {
             sharp.push(end);
-            way = DVec2::from_angle(if rng.chance(0.5) { 1.8 } else { -1.8 }).rotate(way);
+            direction =
+                DVec2::from_angle(if rng.chance(0.5) { 1.8 } else { -1.8 }).rotate(direction);
         }
     }
     (Spline::new(&points, 3, false).expect("finite"), sharp)
@@ -161,7 +162,7 @@ fn many_points() {
 }
 
 #[test]
-fn simplified_splines_are_close_both_ways() {
+fn simplified_splines_are_close_in_both_directions() {
     let mut rng = Rng(47);
     for case in 0..300 {
         let count = 1 + rng.below(6);

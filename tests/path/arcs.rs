@@ -117,8 +117,8 @@ fn arcs_lie_on_their_ellipse() {
     let mut checked = 0;
     for _ in 0..20_000 {
         let scale = rng.magnitude(-6.0, 6.0);
-        let mut place = || rng.point(2).truncate() * scale;
-        let (from, to) = (place(), place());
+        let mut location = || rng.point(2).truncate() * scale;
+        let (from, to) = (location(), location());
         let arc = Arc {
             from,
             to,
@@ -197,7 +197,7 @@ fn radii_that_are_too_small_grow_until_they_reach() {
 }
 
 #[test]
-fn wild_arcs_stay_finite_and_end_where_they_should() {
+fn adversarial_arcs_stay_finite_and_end_where_they_should() {
     let mut rng = Rng(14);
     let mut number = || {
         let size = rng.magnitude(-320.0, 308.0);

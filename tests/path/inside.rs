@@ -1,6 +1,6 @@
 //! What is inside: against the sum of the angles under which a fine polygon is seen, and as parts of the plane.
 
-use crate::common::{Rng, real, wild};
+use crate::common::{Rng, adversarial, real};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 use casteljau::{Curve, Path, Spline};
@@ -135,9 +135,9 @@ pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
         .collect();
     let mut points = Vec::new();
     for &degree in &degrees {
-        let kind = rng.pick(&wild::ORDINARY);
+        let kind = rng.pick(&adversarial::ORDINARY);
         points.extend(
-            wild::points(rng, kind, degree, 2)
+            adversarial::points(rng, kind, degree, 2)
                 .iter()
                 .skip(1)
                 .map(|p| p.truncate()),
@@ -159,20 +159,20 @@ fn parts_of_the_plane_share_no_point_and_leave_none() {
     const N: usize = 4;
     let mut rng = Rng(23);
     for case in 0..150 {
-        let lattice = case % 2 == 0;
-        let mut place = |i: usize, j: usize| {
-            let jitter = rng.point(2).truncate() * if lattice { 0.0 } else { 0.3 };
+        let on_grid = case % 2 == 0;
+        let mut location = |i: usize, j: usize| {
+            let jitter = rng.point(2).truncate() * if on_grid { 0.0 } else { 0.3 };
             DVec2::new(real(i), real(j)) + jitter
         };
         let nodes: Vec<Vec<DVec2>> = (0..=N)
-            .map(|j| (0..=N).map(|i| place(i, j)).collect())
+            .map(|j| (0..=N).map(|i| location(i, j)).collect())
             .collect();
         let mut side = |a: DVec2, b: DVec2| {
             let degree = rng.pick(&[1, 1, 2, 3, 5]);
-            let bent = if lattice { 0.25 } else { 0.4 };
+            let curved = if on_grid { 0.25 } else { 0.4 };
             let inner = (1..degree).map(|k| {
                 a.lerp(b, real(k) / real(degree))
-                    + (rng.point(2).truncate() * bent * 8.0).round() / 8.0
+                    + (rng.point(2).truncate() * curved * 8.0).round() / 8.0
             });
             let points: Vec<DVec2> = std::iter::once(a).chain(inner).chain([b]).collect();
             Curve::new(&points).expect("finite")
@@ -249,7 +249,7 @@ fn on_the_boundary_left_and_lower_sides_belong_to_the_inside() {
 }
 
 #[test]
-fn points_without_a_place_are_outside() {
+fn points_not_finite_are_outside() {
     let square = Path::from_svg("M0 0H4V4H0Z").expect("a square");
     for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
         assert_eq!(square.winding_number(DVec2::new(x, 2.0)), 0);
@@ -260,12 +260,12 @@ fn points_without_a_place_are_outside() {
 }
 
 #[test]
-fn winding_numbers_of_wild_curves_are_at_most_their_degree() {
+fn winding_numbers_of_adversarial_curves_do_not_pass_their_degree() {
     let mut rng = Rng(24);
     for _ in 0..20_000 {
-        let kind = rng.pick(&wild::ALL);
+        let kind = rng.pick(&adversarial::ALL);
         let degree = rng.pick(&[1, 2, 3, 3, 5, 16, 64]);
-        let points: Vec<DVec2> = wild::points(&mut rng, kind, degree, 2)
+        let points: Vec<DVec2> = adversarial::points(&mut rng, kind, degree, 2)
             .iter()
             .map(|p| p.truncate())
             .collect();

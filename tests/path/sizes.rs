@@ -34,10 +34,10 @@ fn numbers(m: Moments) -> [f64; 6] {
     [m.area, m.x, m.y, m.xx, m.xy, m.yy]
 }
 
-fn near(got: f64, expected: f64, most: f64, what: &str) {
+fn near(got: f64, expected: f64, max: f64, what: &str) {
     assert!(
-        (got - expected).abs() <= most,
-        "{what}: {got}, not {expected} within {most}"
+        (got - expected).abs() <= max,
+        "{what}: {got}, not {expected} within {max}"
     );
 }
 
@@ -253,11 +253,11 @@ fn nothing_is_nearer_than_the_nearest_point() {
                 _ => rng.point(2).truncate() * size * 2.0,
             };
             let nearest = path.nearest(p).expect("finite").expect("not empty");
-            let least = samples
+            let min = samples
                 .iter()
                 .map(|q| q.distance(p))
                 .fold(f64::INFINITY, f64::min);
-            let off = nearest.distance - least;
+            let off = nearest.distance - min;
             assert!(off <= 1e-12 * size, "{p}: {off}");
             let there = splines[nearest.subpath].eval(nearest.t);
             assert!(there.distance(nearest.point) <= 1e-14 * size, "{p}");
@@ -274,7 +274,7 @@ fn nothing_is_nearer_than_the_nearest_point() {
 }
 
 #[test]
-fn places_by_length_have_that_length_behind_them() {
+fn times_by_length_have_that_length_behind_them() {
     let mut rng = Rng(36);
     for path in paths() {
         let whole = path.length(None).expect("no tolerance");
@@ -284,10 +284,10 @@ fn places_by_length_have_that_length_behind_them() {
             .map(|s| s.length(None).expect("no tolerance"))
             .collect();
         // By the splines: what lies before, and their own.
-        let behind = |place: PathTime| -> f64 {
-            let own = &splines[place.subpath];
+        let behind = |time: PathTime| -> f64 {
+            let own = &splines[time.subpath];
             let k = (0..own.segment_count())
-                .rfind(|&k| real(k) <= place.t)
+                .rfind(|&k| real(k) <= time.t)
                 .unwrap_or(0);
             let curves = own.segments().collect::<Vec<_>>();
             let full: f64 = curves[..k]
@@ -295,39 +295,39 @@ fn places_by_length_have_that_length_behind_them() {
                 .map(|c| c.length(None).expect("no tolerance"))
                 .sum();
             let rest = curves[k]
-                .subsegment(0.0, place.t - real(k))
+                .subsegment(0.0, time.t - real(k))
                 .length(None)
                 .expect("no tolerance");
-            lengths[..place.subpath].iter().sum::<f64>() + full + rest
+            lengths[..time.subpath].iter().sum::<f64>() + full + rest
         };
         for _ in 0..10 {
             let s = rng.unit() * whole;
-            let place = path
+            let time = path
                 .time_at_length(s, None)
                 .expect("finite")
                 .expect("not empty");
             near(
-                behind(place),
+                behind(time),
                 s,
                 1e-9 * whole + 1e-14 * path.max(),
                 "length behind",
             );
         }
         let count = 1 + rng.below(20);
-        let places = path.equidistant_times(count).expect("few");
-        assert_eq!(places.len(), count + 1);
-        assert_eq!(places[0], PathTime { subpath: 0, t: 0.0 });
+        let times = path.equidistant_times(count).expect("few");
+        assert_eq!(times.len(), count + 1);
+        assert_eq!(times[0], PathTime { subpath: 0, t: 0.0 });
         let last = splines.len() - 1;
         assert_eq!(
-            places[count],
+            times[count],
             PathTime {
                 subpath: last,
                 t: real(splines[last].segment_count())
             }
         );
-        for (i, &place) in places.iter().enumerate() {
+        for (i, &time) in times.iter().enumerate() {
             near(
-                behind(place),
+                behind(time),
                 whole * real(i) / real(count),
                 1e-9 * whole + 1e-14 * path.max(),
                 "even",
@@ -348,7 +348,7 @@ fn places_by_length_have_that_length_behind_them() {
 }
 
 #[test]
-fn paths_meet_where_their_splines_do() {
+fn paths_intersect_where_their_splines_do() {
     let mut rng = Rng(37);
     for _ in 0..200 {
         let mut some = || -> Vec<Spline<DVec2>> {
@@ -362,28 +362,20 @@ fn paths_meet_where_their_splines_do() {
                 expected.extend(
                     one.intersections(other)
                         .into_iter()
-                        .map(|place| (i, j, place.t, place.u, place.point)),
+                        .map(|time| (i, j, time.t, time.u, time.point)),
                 );
             }
         }
         let got: Vec<_> = a
             .intersections(&b)
             .into_iter()
-            .map(|place| {
-                (
-                    place.subpath,
-                    place.other_subpath,
-                    place.t,
-                    place.u,
-                    place.point,
-                )
-            })
+            .map(|time| (time.subpath, time.other_subpath, time.t, time.u, time.point))
             .collect();
         assert_eq!(got, expected);
         let own: Vec<_> = ours
             .iter()
             .flat_map(Spline::self_intersections)
-            .map(|place| place.point)
+            .map(|time| time.point)
             .collect();
         let selves = a.self_intersections();
         let same: Vec<_> = selves

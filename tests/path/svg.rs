@@ -28,7 +28,7 @@ fn print(path: &Path) -> String {
 const HASH_OF_ALL: u32 = 2_100_080_138;
 
 #[test]
-fn both_doors_read_and_write_the_same() {
+fn rust_and_javascript_read_and_write_the_same() {
     let mut rng = Rng::new(1);
     let (mut state, mut wrong) = (0x811c_9dc5, 0);
     for case in 0..20_000_u32 {
@@ -56,7 +56,7 @@ fn both_doors_read_and_write_the_same() {
 }
 
 /// Numbers of every size, with a preference for those that meet.
-fn wild_number(rng: &mut Numbers) -> f64 {
+fn adversarial_number(rng: &mut Numbers) -> f64 {
     match rng.below(8) {
         0 => 0.0,
         1 => -0.0,
@@ -70,21 +70,21 @@ fn wild_number(rng: &mut Numbers) -> f64 {
     }
 }
 
-fn wild_path(rng: &mut Numbers) -> Path {
+fn adversarial_path(rng: &mut Numbers) -> Path {
     let splines: Vec<Spline<DVec2>> = (0..rng.below(4))
         .map(|_| {
             let closed = rng.chance(0.5);
             let degrees: Vec<usize> = (0..=rng.below(4)).map(|_| 1 + rng.below(3)).collect();
             let count = degrees.iter().sum::<usize>() + usize::from(!closed);
             let few: Vec<DVec2> = (0..4)
-                .map(|_| DVec2::new(wild_number(rng), wild_number(rng)))
+                .map(|_| DVec2::new(adversarial_number(rng), adversarial_number(rng)))
                 .collect();
             let points = (0..count)
                 .map(|_| {
                     if rng.chance(0.4) {
                         rng.pick(&few)
                     } else {
-                        DVec2::new(wild_number(rng), wild_number(rng))
+                        DVec2::new(adversarial_number(rng), adversarial_number(rng))
                     }
                 })
                 .collect();
@@ -112,7 +112,7 @@ fn bits(path: &Path) -> Vec<(bool, Vec<usize>, Vec<u64>)> {
 fn all_paths_come_back_to_the_bit() {
     let mut rng = Numbers(2);
     for _ in 0..cases(20_000) {
-        let path = wild_path(&mut rng);
+        let path = adversarial_path(&mut rng);
         let text = print(&path);
         let again = Path::from_svg(&text).unwrap_or_else(|error| panic!("{text}: {error}"));
         assert_eq!(bits(&again), bits(&path), "{text}");
@@ -126,7 +126,7 @@ fn all_paths_come_back_to_the_bit() {
 }
 
 #[test]
-fn rounding_moves_by_half_a_digit_at_most() {
+fn rounding_moves_by_no_more_than_half_a_digit() {
     let mut rng = Numbers(3);
     for _ in 0..cases(5_000) {
         let mut number = || rng.signed() * 10_f64.powi(i32::try_from(rng.below(7)).expect("small"));
@@ -139,8 +139,8 @@ fn rounding_moves_by_half_a_digit_at_most() {
                 .subpaths()
                 .collect::<Vec<_>>();
             for (p, q) in rounded[0].control_points().iter().zip(&points) {
-                let most = 0.5 * 10_f64.powi(-i32::from(digits)) + 2.0 * ulp(1e6);
-                assert!((*p - *q).abs().max_element() <= most, "{brief}");
+                let max = 0.5 * 10_f64.powi(-i32::from(digits)) + 2.0 * ulp(1e6);
+                assert!((*p - *q).abs().max_element() <= max, "{brief}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The distance between curves, least and greatest, judged by grids of samples.
 
-use crate::common::wild::ORDINARY;
+use crate::common::adversarial::ORDINARY;
 use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, hostile, steps};
 use casteljau::Curve;
@@ -16,8 +16,8 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
         0 => a.clone(),
         1 => on.subsegment(s, t).control_points().to_vec(),
         2 => {
-            let way = rng.point(dimension) * rng.magnitude(-12.0, 1.0);
-            a.iter().map(|&p| p + way).collect()
+            let direction = rng.point(dimension) * rng.magnitude(-12.0, 1.0);
+            a.iter().map(|&p| p + direction).collect()
         }
         3 => a
             .iter()
@@ -30,10 +30,10 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
             b
         }
         _ => {
-            let way = rng.point(dimension) * rng.pick(&[0.0, 1.0, 3.0]);
+            let direction = rng.point(dimension) * rng.pick(&[0.0, 1.0, 3.0]);
             hostile(rng, &ORDINARY, dimension)
                 .iter()
-                .map(|&p| p + way)
+                .map(|&p| p + direction)
                 .collect()
         }
     };
@@ -53,11 +53,11 @@ fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let there = (p.eval(found.t) - q.eval(found.u)).length();
     assert!((there - found.distance).abs() <= slack, "{found:?} {there}");
     // From samples of the one to the nearest point of the other, which is tested elsewhere.
-    let least = |p: &Curve<P>, q: &Curve<P>| {
+    let min = |p: &Curve<P>, q: &Curve<P>| {
         let of = |t: f64| q.nearest(p.eval(t)).expect("finite").distance;
         steps(60).map(of).fold(f64::INFINITY, f64::min)
     };
-    let sampled = least(&p, &q).min(least(&q, &p));
+    let sampled = min(&p, &q).min(min(&q, &p));
     let side_by_side = 1e-5 * size;
     assert!(
         found.distance <= sampled + side_by_side,
@@ -165,7 +165,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
             "{found}, but {sampled}: {a:?} {b:?}"
         );
         // The ends of the finest of samples are within a step of the farthest point.
-        let most = sampled
+        let max = sampled
             + (p.derivative()
                 .control_points()
                 .iter()
@@ -173,7 +173,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
             .map(|d| d.length())
             .fold(0.0, f64::max)
                 / 120.0;
-        assert!(found <= most + slack, "{found} above {most}: {a:?} {b:?}");
+        assert!(found <= max + slack, "{found} above {max}: {a:?} {b:?}");
         let back = q.hausdorff(&p);
         assert!(
             (back - found).abs() <= 4e-9 * found + slack,

@@ -1,14 +1,14 @@
 //! The class of a curve: made of each class, then moved, stretched, elevated and put into space.
 
 use crate::cases;
-use crate::common::wild::{self, elevated};
+use crate::common::adversarial::{self, elevated};
 use crate::common::{Rng, curve, plane};
 use casteljau::Curve;
 use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};
 
 /// A cubic of a class. Those with crossed handles (0,0) (k,1) (1−k,1) (1,0) have the discriminant (1 − k)(3k − 1).
-fn made(rng: &mut Rng, class: CurveKind) -> Vec<DVec3> {
+fn result(rng: &mut Rng, class: CurveKind) -> Vec<DVec3> {
     let between = |rng: &mut Rng, low: f64, high: f64| low + (high - low) * rng.unit();
     let crossed = |k: f64| [(0.0, 0.0), (k, 1.0), (1.0 - k, 1.0), (1.0, 0.0)];
     let points = match class {
@@ -54,7 +54,7 @@ fn the_class_stays_under_affine_maps() {
     let mut rng = Rng(110);
     for case in 0..cases() {
         let class = CLASSES[case % CLASSES.len()];
-        let mut points = made(&mut rng, class);
+        let mut points = result(&mut rng, class);
         // Loops and inflections of higher degrees are another matter; so few steps of it.
         for _ in 0..rng.below(3) {
             points = elevated(&points);
@@ -100,10 +100,10 @@ fn the_class_stays_under_affine_maps() {
 #[test]
 fn every_curve_has_a_class() {
     let mut rng = Rng(111);
-    for &kind in &wild::ALL {
+    for &kind in &adversarial::ALL {
         for degree in [1, 2, 3, 4, 5, 9, 33, 64] {
             for dimension in [2, 3] {
-                let points = wild::points(&mut rng, kind, degree, dimension);
+                let points = adversarial::points(&mut rng, kind, degree, dimension);
                 let class = curve::<DVec3>(&points).classify();
                 if dimension == 2 {
                     assert_eq!(curve::<DVec2>(&points).classify(), class, "{points:?}");

@@ -9,7 +9,7 @@ mod turns;
 mod work;
 
 use casteljau::glam::DVec3;
-use common::wild::{self, Kind};
+use common::adversarial::{self, Kind};
 use common::{Rng, real};
 
 /// How many random cases a property is tried on.
@@ -29,7 +29,7 @@ fn hostile(rng: &mut Rng, kinds: &[Kind], dimension: usize) -> Vec<DVec3> {
     } else {
         rng.pick(&[1, 2, 2, 3, 3, 3, 3, 4])
     };
-    wild::points(rng, kind, degree, dimension)
+    adversarial::points(rng, kind, degree, dimension)
 }
 
 /// The greatest distance of a point from the first one, at least a denormal.

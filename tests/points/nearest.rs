@@ -1,6 +1,6 @@
 //! The nearest point: judged by sampling with refinement, on curves and queries where it is hard.
 
-use crate::common::wild::{self, ORDINARY};
+use crate::common::adversarial::{self, ORDINARY};
 use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, extent, hostile, steps};
 use casteljau::glam::{DVec2, DVec3};
@@ -10,19 +10,19 @@ use casteljau::{Curve, Error, Point, Spline};
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
     let distance = |t: f64| (curve.eval(t) - q).length();
     let all: Vec<f64> = steps(samples).map(distance).collect();
-    let mut least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut min = all.iter().copied().fold(f64::INFINITY, f64::min);
     for i in 0..=samples {
         let valley = all[i] <= all[i.saturating_sub(1)] && all[i] <= all[(i + 1).min(samples)];
         if valley {
             let (lo, hi) = (i.saturating_sub(1), (i + 1).min(samples));
-            least = least.min(golden(
+            min = min.min(golden(
                 real(lo) / real(samples),
                 real(hi) / real(samples),
                 distance,
             ));
         }
     }
-    least
+    min
 }
 
 fn golden(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
@@ -78,18 +78,18 @@ fn query(rng: &mut Rng, points: &[DVec3], dimension: usize) -> DVec3 {
 }
 
 fn check<P: Space>(points: &[DVec3], q: DVec3, samples: usize) {
-    let (on, place): (Curve<P>, P) = (curve(points), P::of(q));
-    let found = on.nearest(place).expect("finite");
+    let (on, location): (Curve<P>, P) = (curve(points), P::of(q));
+    let found = on.nearest(location).expect("finite");
     let size = largest(points).max(q.abs().max_element());
     let slack = 8.0 * (2.0 + real(points.len())) * ulp(size);
     assert!((0.0..=1.0).contains(&found.t), "{found:?}");
     assert_eq!(found.point, on.eval(found.t));
-    assert!((found.distance - (found.point - place).length()).abs() <= slack);
-    let least = sampled(&on, place, samples);
+    assert!((found.distance - (found.point - location).length()).abs() <= slack);
+    let min = sampled(&on, location, samples);
     assert!(
-        found.distance <= least + slack,
-        "{found:?}, but {least} is nearer ({:e}): {points:?} from {q:?}",
-        found.distance - least
+        found.distance <= min + slack,
+        "{found:?}, but {min} is nearer ({:e}): {points:?} from {q:?}",
+        found.distance - min
     );
 }
 
@@ -112,10 +112,10 @@ fn nothing_sampled_is_nearer() {
 #[test]
 fn high_degrees_and_every_size() {
     let mut rng = Rng(91);
-    for &kind in &wild::ALL {
+    for &kind in &adversarial::ALL {
         for degree in [1, 2, 3, 4, 7, 20, 33, 64] {
             for dimension in [2, 3] {
-                let points = wild::points(&mut rng, kind, degree, dimension);
+                let points = adversarial::points(&mut rng, kind, degree, dimension);
                 let q = query(&mut rng, &points, dimension);
                 let found = curve::<DVec3>(&points).nearest(q).expect("finite");
                 assert!(found.point.is_finite() && found.distance.is_finite());
@@ -181,7 +181,7 @@ fn of_equally_near_points_the_first() {
 fn a_query_on_the_curve_is_found() {
     let mut rng = Rng(93);
     for _ in 0..2000 {
-        let points = hostile(&mut rng, &[wild::Kind::Random], 3);
+        let points = hostile(&mut rng, &[adversarial::Kind::Random], 3);
         let (on, t): (Curve<DVec3>, f64) = (curve(&points), rng.unit());
         let found = on.nearest(on.eval(t)).expect("finite");
         assert!(
@@ -204,7 +204,7 @@ fn a_query_that_is_not_finite_is_refused() {
 }
 
 #[test]
-fn on_a_chain_the_nearest_of_all_segments() {
+fn on_a_spline_the_nearest_of_all_segments() {
     let mut rng = Rng(94);
     for case in 0..cases() / 20 {
         let dimension = 2 + case % 2;

@@ -1,6 +1,6 @@
 //! Extrema, times at a coordinate, inflections and tangents: complete against samples, and nothing that is none.
 
-use crate::common::wild::{Kind, ORDINARY};
+use crate::common::adversarial::{Kind, ORDINARY};
 use crate::common::{Rng, curve, largest, plane, real, ulp};
 use crate::{cases, hostile, steps};
 use casteljau::Curve;
@@ -13,7 +13,7 @@ fn slack(points: &[DVec3]) -> f64 {
 
 /// From one turn to the next a coordinate runs one way, and then the other.
 #[test]
-fn coordinates_run_one_way_between_extrema() {
+fn coordinates_are_monotone_between_extrema() {
     let mut rng = Rng(100);
     for case in 0..cases() {
         let points = hostile(&mut rng, &ORDINARY, 2);
@@ -26,18 +26,18 @@ fn coordinates_run_one_way_between_extrema() {
         let slack = slack(&points);
         let mut last = 0.0_f64;
         for pair in stops.windows(2) {
-            let way = at(pair[1]) - at(pair[0]);
+            let direction = at(pair[1]) - at(pair[0]);
             assert!(
-                way.abs() <= slack || last.abs() <= slack || way * last < 0.0,
+                direction.abs() <= slack || last.abs() <= slack || direction * last < 0.0,
                 "{points:?}: no turn at {}",
                 pair[0]
             );
-            last = way;
+            last = direction;
             let mut before = at(pair[0]);
             for s in steps(20) {
                 let now = at(pair[0] + (pair[1] - pair[0]) * s);
                 assert!(
-                    (now - before) * way.signum() >= -slack,
+                    (now - before) * direction.signum() >= -slack,
                     "{points:?}: back at {s} of {pair:?}"
                 );
                 before = now;

@@ -54,20 +54,20 @@ fn contain_and_touch_the_patch() {
     patches.extend([(3, 3), (2, 2), (6, 4), (1, 3)].map(|(m, n)| random.patch(m, n)));
     for patch in patches {
         let bounds = patch.bounds();
-        let (mut least, mut most) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for (u, v) in samples(200) {
             let p = patch.eval(u, v);
-            (least, most) = (least.min(p), most.max(p));
+            (min, max) = (min.min(p), max.max(p));
         }
         let size = bounds.diagonal();
-        let over = (bounds.min - least).max(most - bounds.max).max_element();
+        let over = (bounds.min - min).max(max - bounds.max).max_element();
         assert!(
             over <= 1e-14 * size.max(1.0),
             "{over} of {size} outside of {bounds:?}: {patch:?}"
         );
         // The samples are 1/200 apart, and a face touches where the slope is zero.
         let step = DVec3::splat(1e-3 * size);
-        assert!((least - bounds.min).cmple(step).all() && (bounds.max - most).cmple(step).all());
+        assert!((min - bounds.min).cmple(step).all() && (bounds.max - max).cmple(step).all());
     }
 }
 

@@ -3,6 +3,8 @@
 #[path = "../nets/mod.rs"]
 mod nets;
 
+#[cfg(not(target_family = "wasm"))]
+mod adversarial;
 mod against_triangles;
 mod bend;
 mod bounds;
@@ -15,5 +17,3 @@ mod nearest;
 mod rays;
 mod shapes;
 mod touches;
-#[cfg(not(target_family = "wasm"))]
-mod wild;

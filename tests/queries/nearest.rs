@@ -53,16 +53,16 @@ fn check(patch: &Patch, p: DVec3, count: u32) {
     let nearest = patch.nearest(p).unwrap();
     assert_eq!(nearest.point, patch.eval(nearest.u, nearest.v));
     assert!((nearest.point.distance(p) - nearest.distance).abs() <= 1e-15 * nearest.distance);
-    let least = samples(count)
+    let min = samples(count)
         .map(|(u, v)| patch.eval(u, v).distance(p))
         .fold(f64::INFINITY, f64::min);
     let size = patch.control_bounds().diagonal();
     assert!(
-        nearest.distance <= least + 1e-15 * (size + least),
-        "{} > {least} at {p}",
+        nearest.distance <= min + 1e-15 * (size + min),
+        "{} > {min} at {p}",
         nearest.distance
     );
-    assert!(least - nearest.distance <= 0.1 * size);
+    assert!(min - nearest.distance <= 0.1 * size);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -112,8 +112,8 @@ fn of_the_teapot() {
         let each = patches
             .iter()
             .map(|patch| patch.nearest(p).unwrap().distance);
-        let least = each.fold(f64::INFINITY, f64::min);
-        assert!((nearest.distance - least).abs() < 1e-14);
+        let min = each.fold(f64::INFINITY, f64::min);
+        assert!((nearest.distance - min).abs() < 1e-14);
         let sampled = patches
             .iter()
             .flat_map(|patch| samples(20).map(|(u, v)| patch.eval(u, v).distance(p)))

@@ -124,13 +124,13 @@ fn what_is_aimed_at_is_hit() {
             let (origin, aim) = (random.point() * 5.0, patch.eval(u, v));
             let direction = (aim - origin) * (0.1 + random.unit());
             let hits = patch.intersect_ray(origin, direction).unwrap();
-            let least = hits
+            let min = hits
                 .iter()
                 .map(|hit| hit.point.distance(aim))
                 .fold(f64::INFINITY, f64::min);
             assert!(
-                least < 1e-6,
-                "{least} {u} {v} {hits:?} {origin:?} {direction:?} {patch:?}"
+                min < 1e-6,
+                "{min} {u} {v} {hits:?} {origin:?} {direction:?} {patch:?}"
             );
             for hit in &hits {
                 let off = (hit.point - origin).cross(direction.normalize()).length();
@@ -173,8 +173,12 @@ fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
         .iter()
         .map(|p| p - DVec3::Z * 0.5)
         .collect();
-    let lens = graph(2, 2, &[]);
-    let all: Vec<DVec3> = down.iter().chain(lens.control_points()).copied().collect();
+    let ellipsoid = graph(2, 2, &[]);
+    let all: Vec<DVec3> = down
+        .iter()
+        .chain(ellipsoid.control_points())
+        .copied()
+        .collect();
     let surface = Surface::new(all, (0..18).collect(), 2, 2).unwrap();
     let hits = surface
         .intersect_ray(DVec3::new(0.5, 0.5, 3.0), -DVec3::Z)
@@ -236,14 +240,11 @@ fn odd_patches_give_few_finite_hits() {
                 );
             }
             let aimed = patch.intersect_ray(origin, target - origin).unwrap();
-            let least = aimed
+            let min = aimed
                 .iter()
                 .map(|hit| hit.point.distance(target))
                 .fold(f64::INFINITY, f64::min);
-            assert!(
-                least < 1e-5,
-                "{least} from {origin} to {target} on {patch:?}"
-            );
+            assert!(min < 1e-5, "{min} from {origin} to {target} on {patch:?}");
             // Starting on it.
             assert!(
                 !patch.intersect_ray(target, DVec3::X).unwrap().is_empty(),

@@ -64,14 +64,14 @@ fn a_touch_beside_a_crossing() {
         [1.0, 1.0, 1.0],
     ];
     let patch = Patch::new(&net.map(DVec3::from), 2, 2).unwrap();
-    let way = [-1.0, -0.125, 0.09375];
-    let hits = |z: f64| shoot(&patch, [1.0, 0.5, z], way).len();
+    let direction = [-1.0, -0.125, 0.09375];
+    let hits = |z: f64| shoot(&patch, [1.0, 0.5, z], direction).len();
     assert_eq!((hits(0.5 - 1e-3), hits(0.5 + 1e-3)), (3, 1));
-    let found = shoot(&patch, [1.0, 0.5, 0.5], way);
+    let found = shoot(&patch, [1.0, 0.5, 0.5], direction);
     println!("{found:?}");
     assert_eq!(found.len(), 2);
-    let place = patch.eval(0.75, 0.5);
-    assert!(found.iter().any(|hit| hit.point.distance(place) < 1e-7));
+    let location = patch.eval(0.75, 0.5);
+    assert!(found.iter().any(|hit| hit.point.distance(location) < 1e-7));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

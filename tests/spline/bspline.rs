@@ -91,8 +91,8 @@ fn matches<P: Space>(seed: u64) {
         for (k, &(a, b)) in spans.iter().enumerate() {
             for s in [0.0, 0.3, 0.5, 0.9, 1.0] {
                 let x = if s == 1.0 { b } else { a + s * (b - a) };
-                let truth = slow(&points, &u, p, x, u[count]);
-                let off = apart(spline.eval(real(k) + s), truth);
+                let reference = slow(&points, &u, p, x, u[count]);
+                let off = apart(spline.eval(real(k) + s), reference);
                 assert!(
                     off < 1e-12 * real(p * p),
                     "degree {p}, {u:?}, span {k} at {s}: {off:e}"
@@ -130,8 +130,8 @@ fn closed_ones_go_around() {
         }
         // Whole numbers: all sums are exact.
         u = u.iter().map(|x| ((x - u[0]) * 1024.0).round()).collect();
-        let given = (!uniform).then_some(&u[..]);
-        let Ok(closed) = Spline::from_bspline(&points, p, given, true) else {
+        let chosen = (!uniform).then_some(&u[..]);
+        let Ok(closed) = Spline::from_bspline(&points, p, chosen, true) else {
             assert!(!uniform);
             continue;
         };

@@ -1,7 +1,7 @@
 //! What makes a spline, and what does not.
 
 use crate::common::{Rng, real};
-use crate::{CHAINS, control, plane, random};
+use crate::{STRUCTURES, control, plane, random};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -90,7 +90,7 @@ fn refused_degrees_and_values() {
 #[wasm_bindgen_test(unsupported = test)]
 fn segments_share_the_points_of_their_joints() {
     let mut rng = Rng(1);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             assert_eq!(spline.degrees(), degrees);

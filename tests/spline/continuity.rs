@@ -31,7 +31,7 @@ fn joint(p1: (f64, f64), p2: (f64, f64), p4: (f64, f64), p5: (f64, f64)) -> Spli
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_truth_table() {
+fn the_table_of_continuity() {
     let (p1, p2) = ((-3.0, 1.0), (-1.0, 0.0));
     // κ = ⅔ h / a² with h the signed distance of the second point: −… on both sides of a straight way.
     let table = [
@@ -80,7 +80,7 @@ fn the_truth_table() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn the_truth_does_not_depend_on_the_scale() {
+fn continuity_does_not_depend_on_the_scale() {
     for scale in [1e-300, 1e-9, 1e9, 1e300] {
         let at = |x: f64, y: f64| (x * scale, y * scale);
         let c2 = plane(

@@ -1,7 +1,7 @@
 //! Joints put in and taken out.
 
 use crate::common::{Rng, exact, real};
-use crate::{CHAINS, control, plane, random};
+use crate::{STRUCTURES, control, plane, random};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -16,7 +16,7 @@ fn difference(a: &Spline<DVec3>, b: &Spline<DVec3>) -> f64 {
 #[wasm_bindgen_test(unsupported = test)]
 fn inserting_keeps_the_curve() {
     let mut rng = Rng(31);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             for k in 0..degrees.len() {

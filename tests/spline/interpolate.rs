@@ -161,7 +161,7 @@ fn a_point_that_comes_twice_is_a_corner() {
 }
 
 /// Points as they break things: finite, through all points, the same after scaling and backwards.
-fn wild<P: Space>(seed: u64) {
+fn adversarial<P: Space>(seed: u64) {
     let mut rng = Rng(seed);
     for case in 0..cases() / 4 {
         let mut p = points::<P>(&mut rng, 2 + case % 7);
@@ -213,8 +213,8 @@ fn wild<P: Space>(seed: u64) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn any_points() {
-    wild::<DVec2>(105);
-    wild::<DVec3>(106);
+    adversarial::<DVec2>(105);
+    adversarial::<DVec3>(106);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -62,7 +62,7 @@ fn cubic_beside<P: Point>(spline: &Spline<P>, joint: usize) -> bool {
 }
 
 /// Every mode on every joint, in the plane and in space: obeys, stays finite, changes nothing when nothing changes.
-fn wild<P: Space>(seed: u64, modes: &[JointMode]) {
+fn adversarial<P: Space>(seed: u64, modes: &[JointMode]) {
     let mut rng = Rng(seed);
     for case in 0..cases() {
         let degrees = some_degrees(&mut rng, false);
@@ -97,13 +97,13 @@ fn wild<P: Space>(seed: u64, modes: &[JointMode]) {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn any_chain_in_the_plane() {
-    wild::<DVec2>(71, &ALL);
+fn any_spline_in_the_plane() {
+    adversarial::<DVec2>(71, &ALL);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn any_chain_in_space() {
-    wild::<DVec3>(72, &[Free, G1, C1, C2, Auto]);
+fn any_spline_in_space() {
+    adversarial::<DVec3>(72, &[Free, G1, C1, C2, Auto]);
 }
 
 /// Makes all joints hold, one after the other; those of second order need the chain to be open.
@@ -121,9 +121,9 @@ fn smooth<P: Space>(rng: &mut Rng, degrees: &[usize], closed: bool, mode: JointM
 #[wasm_bindgen_test(unsupported = test)]
 fn equal_second_derivatives_are_passed_on() {
     let mut rng = Rng(73);
-    let chains: [&[usize]; 5] = [&[3; 2], &[3; 6], &[4, 3, 5], &[3, 6, 3, 4], &[5; 3]];
+    let structures: [&[usize]; 5] = [&[3; 2], &[3; 6], &[4, 3, 5], &[3, 6, 3, 4], &[5; 3]];
     for round in 0..40 {
-        let degrees = chains[round % 5];
+        let degrees = structures[round % 5];
         let spline = smooth::<DVec3>(&mut rng, degrees, false, C2);
         for index in 0..spline.control_points().len() {
             let to = spline.control_points()[index] + rng.point(3);
@@ -189,14 +189,14 @@ fn the_formulas_of_two_cubics() {
     let same = spline
         .move_point(5, at(-6.0, -2.0), |_| Free)
         .expect("a point");
-    let bent = same.move_point(2, at(2.0, 1.0), |_| G2).expect("a point");
-    assert_eq!(bent.control_points()[4], at(2.0, -2.0));
-    assert!(bent.continuity(1, None).expect("a joint").g2);
+    let curved = same.move_point(2, at(2.0, 1.0), |_| G2).expect("a point");
+    assert_eq!(curved.control_points()[4], at(2.0, -2.0));
+    assert!(curved.continuity(1, None).expect("a joint").g2);
     // The second point moved: its distance counts.
-    let bent = same.move_point(1, at(-6.0, 2.0), |_| G2).expect("a point");
-    assert_eq!(bent.control_points()[4], at(2.0, -2.0));
-    let bent = same.move_point(1, at(0.0, 7.0), |_| G2).expect("a point");
-    assert_eq!(bent.control_points()[4], at(2.0, -4.0));
+    let curved = same.move_point(1, at(-6.0, 2.0), |_| G2).expect("a point");
+    assert_eq!(curved.control_points()[4], at(2.0, -2.0));
+    let curved = same.move_point(1, at(0.0, 7.0), |_| G2).expect("a point");
+    assert_eq!(curved.control_points()[4], at(2.0, -4.0));
 }
 
 /// G2 on open chains holds wherever the second points lie on the same side, and is aligned in any case.
@@ -344,7 +344,7 @@ fn free_joints_stop_the_fronts() {
 
 /// Around a ring each point is placed once: where the fronts meet one joint gives way, and no other.
 #[wasm_bindgen_test(unsupported = test)]
-fn rings_give_way_at_one_joint() {
+fn rings_break_at_one_joint() {
     let mut rng = Rng(79);
     for count in [2, 3, 4, 5, 6, 9] {
         // A ring that is C2 everywhere: a uniform B-spline.
@@ -385,7 +385,7 @@ fn rings_give_way_at_one_joint() {
 
 /// The growth of a long chain ends where numbers do.
 #[wasm_bindgen_test(unsupported = test)]
-fn long_chains_stay_finite() {
+fn long_splines_stay_finite() {
     let points: Vec<DVec2> = (0..=9000)
         .map(|i| DVec2::new(real(i), real(i % 3)))
         .collect();

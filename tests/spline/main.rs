@@ -36,7 +36,7 @@ fn control(points: &[DVec3], degrees: &[usize], k: usize) -> Vec<DVec3> {
     (0..=degrees[k]).map(at).collect()
 }
 
-const CHAINS: [&[usize]; 7] = [
+const STRUCTURES: [&[usize]; 7] = [
     &[3],
     &[1, 1],
     &[2, 2, 2],

@@ -1,8 +1,8 @@
 //! Points, samples, polylines, boxes, drawings of splines.
 
-use crate::common::measure::{Ruler, farthest};
+use crate::common::measure::{Reference, farthest};
 use crate::common::{Rng, exact, real};
-use crate::{CHAINS, control, plane, random};
+use crate::{STRUCTURES, control, plane, random};
 use casteljau::Error;
 use casteljau::curve::PathSink;
 use casteljau::glam::{DAffine3, DMat3, DVec2, DVec3};
@@ -11,7 +11,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[wasm_bindgen_test(unsupported = test)]
 fn t_counts_the_segments() {
     let mut rng = Rng(4);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             let points = spline.control_points();
@@ -45,7 +45,7 @@ fn values_outside_extrapolate_the_first_and_the_last_segment() {
 #[wasm_bindgen_test(unsupported = test)]
 fn samples_take_even_steps_on_each_segment() {
     let mut rng = Rng(5);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         let spline = random(&mut rng, degrees, true);
         for steps in [1, 3, 10] {
             let samples = spline.sample(steps).expect("samples");
@@ -101,14 +101,14 @@ fn polylines_keep_the_tolerance_and_have_a_vertex_at_each_joint() {
                 };
                 let (from, to) = (at(k), at(k + 1));
                 let ts: Vec<f64> = line.ts[from..=to].iter().map(|t| t - real(k)).collect();
-                let ruler = Ruler::new(&control(spline.control_points(), degrees, k));
+                let reference = Reference::new(&control(spline.control_points(), degrees, k));
                 let vertices: Vec<DVec3> = line.points[from..=to]
                     .iter()
-                    .map(|&p| ruler.place(p))
+                    .map(|&p| reference.location(p))
                     .collect();
-                let most = ruler.length(tolerance) * (1.0 + 1e-9);
+                let max = reference.length(tolerance) * (1.0 + 1e-9);
                 assert!(
-                    farthest(&ruler, &ts, &vertices, most) <= most,
+                    farthest(&reference, &ts, &vertices, max) <= max,
                     "{degrees:?}, {tolerance}"
                 );
             }
@@ -150,7 +150,7 @@ fn boxes_are_those_of_all_segments() {
 #[wasm_bindgen_test(unsupported = test)]
 fn reversed_and_mapped_splines() {
     let mut rng = Rng(7);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             let back = spline.reverse();

@@ -76,8 +76,8 @@ fn drag(
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn all_joints_of_open_chains_hold() {
-    let chains: [&[usize]; 7] = [
+fn all_joints_of_open_splines_hold() {
+    let structures: [&[usize]; 7] = [
         &[3; 12],
         &[2; 12],
         &[4, 3, 5, 3, 8],
@@ -86,7 +86,7 @@ fn all_joints_of_open_chains_hold() {
         &[3, 1, 3],
         &[2, 3, 1, 2, 1, 3],
     ];
-    for degrees in chains {
+    for degrees in structures {
         drag(degrees, false, |before, after, index, mode| {
             for joint in joints(before) {
                 assert!(
@@ -99,9 +99,9 @@ fn all_joints_of_open_chains_hold() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn all_joints_of_closed_chains_with_free_handles_hold() {
-    let chains: [&[usize]; 5] = [&[3; 9], &[3, 4, 5, 3], &[3], &[3, 3], &[7, 2, 3, 2]];
-    for degrees in chains {
+fn all_joints_of_closed_splines_with_free_handles_hold() {
+    let structures: [&[usize]; 5] = [&[3; 9], &[3, 4, 5, 3], &[3], &[3, 3], &[7, 2, 3, 2]];
+    for degrees in structures {
         drag(degrees, true, |before, after, index, mode| {
             for joint in joints(before) {
                 assert!(
@@ -115,7 +115,7 @@ fn all_joints_of_closed_chains_with_free_handles_hold() {
 
 /// On a ring of quadratics each handle serves two joints: one joint, where the two runs meet, may give way.
 #[wasm_bindgen_test(unsupported = test)]
-fn a_ring_of_quadratics_gives_way_at_one_joint_at_most() {
+fn a_ring_of_quadratics_breaks_no_more_than_one_joint() {
     for count in [3, 4, 7, 12] {
         drag(&vec![2; count], true, |before, after, index, mode| {
             let lost = |&joint: &usize| holds(before, joint, mode) && !holds(after, joint, mode);
@@ -214,7 +214,7 @@ fn the_joint_of_the_applet() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn a_handle_of_length_zero_leaves_the_other_alone() {
+fn a_handle_of_length_zero_does_not_move_the_other() {
     assert_eq!(
         moved(2, (2.0, 0.0), JointMode::G1)[4],
         DVec2::new(2.0, -4.0)

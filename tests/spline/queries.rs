@@ -1,7 +1,7 @@
 //! Derivatives, tangents and curvature of splines, and their parts.
 
 use crate::common::{Rng, real};
-use crate::{CHAINS, plane, random};
+use crate::{STRUCTURES, plane, random};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -9,7 +9,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 /// Calls `check` with splines of several structures, and all their segments.
 fn each_spline(mut check: impl FnMut(&Spline<DVec3>, &[Curve<DVec3>])) {
     let mut rng = Rng(77);
-    for degrees in CHAINS {
+    for degrees in STRUCTURES {
         for closed in [false, true] {
             let spline = random(&mut rng, degrees, closed);
             let segments: Vec<_> = spline.segments().collect();
@@ -120,7 +120,7 @@ fn a_part_between_joints_has_no_empty_segment() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn segments_run_both_ways() {
+fn segments_run_forward_and_backward() {
     each_spline(|spline, segments| {
         assert_eq!(spline.segments().len(), segments.len());
         let back: Vec<_> = spline.segments().rev().collect();

@@ -6,7 +6,7 @@ use casteljau::{Grid, Mesh, Patch};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// 0.001° in radians.
-const LEAST_ANGLE: f64 = 1.745e-5;
+const MIN_ANGLE: f64 = 1.745e-5;
 
 fn position(mesh: &Mesh, vertex: usize) -> DVec3 {
     Vec3::from_slice(&mesh.positions[3 * vertex..]).as_dvec3()
@@ -20,9 +20,7 @@ fn normal(mesh: &Mesh, vertex: usize) -> DVec3 {
 fn assert_positions(patch: &Patch, grid: Grid) {
     let mesh = patch.grid(grid, false).unwrap();
     let points = patch.control_points().iter();
-    let largest = points.fold(0.0, |most: f32, p| {
-        most.max(p.abs().as_vec3().max_element())
-    });
+    let largest = points.fold(0.0, |max: f32, p| max.max(p.abs().as_vec3().max_element()));
     let slack = 4.0 * (f64::from(largest) - f64::from(largest.next_down()));
     for iv in 0..=grid.segments_v {
         for iu in 0..=grid.segments_u {
@@ -129,15 +127,15 @@ fn collapsed(random: &mut Random, sides: &[usize]) -> Patch {
         .map(|k| DVec3::new(f64::from(k % 4), f64::from(k / 4), 0.0) + 0.2 * random.point())
         .collect();
     for side in sides {
-        let places = [
+        let locations = [
             [0, 1, 2, 3],
             [12, 13, 14, 15],
             [0, 4, 8, 12],
             [3, 7, 11, 15],
         ][*side];
-        let point = net[places[0]];
-        for place in places {
-            net[place] = point;
+        let point = net[locations[0]];
+        for location in locations {
+            net[location] = point;
         }
     }
     Patch::new(&net, 3, 3).unwrap()
@@ -150,7 +148,7 @@ fn normals_near_collapsed_sides() {
         for segments in [1, 2, 3, 4, 7, 16, 200] {
             let patch = collapsed(&mut random, sides);
             let angle = worst_angle(&patch, Grid::from(segments));
-            assert!(angle < LEAST_ANGLE, "{sides:?}, {segments}: {angle:e}");
+            assert!(angle < MIN_ANGLE, "{sides:?}, {segments}: {angle:e}");
         }
     }
 }
@@ -167,7 +165,7 @@ fn normals_of_slanted_patches() {
             })
             .collect();
         let angle = worst_angle(&Patch::new(&net, 3, 3).unwrap(), Grid::from(24));
-        assert!(angle < LEAST_ANGLE, "{slant}: {angle:e}");
+        assert!(angle < MIN_ANGLE, "{slant}: {angle:e}");
     }
 }
 
@@ -187,7 +185,7 @@ fn normals_where_little_is_left_of_the_product() {
             .map(|k| DVec3::new(square[k % 4], (k / 4) as f64, 1e-6 * random.coordinate()))
             .collect();
         let angle = worst_angle(&Patch::new(&net, 3, 3).unwrap(), Grid::from(64));
-        assert!(angle < LEAST_ANGLE, "{angle:e}");
+        assert!(angle < MIN_ANGLE, "{angle:e}");
     }
 }
 

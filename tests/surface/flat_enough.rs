@@ -31,8 +31,8 @@ fn pieces_cover_the_patch() {
     for piece in &pieces {
         let patch = surface.patch(piece.patch).unwrap();
         let &FlatPiece { u0, u1, v0, v1, .. } = piece;
-        let places = [(u0, v0), (u1, v0), (u1, v1), (u0, v1)];
-        for ((u, v), corner) in places.into_iter().zip(piece.corners) {
+        let locations = [(u0, v0), (u1, v0), (u1, v1), (u0, v1)];
+        for ((u, v), corner) in locations.into_iter().zip(piece.corners) {
             assert_near(patch.eval(u, v), corner, 1e-14);
         }
         let [a, b, c, d] = piece.corners;

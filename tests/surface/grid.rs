@@ -39,8 +39,8 @@ fn layout_of_the_buffers() {
             assert_eq!(mesh.uvs[2 * vertex], iu as f32 / 3.0);
             assert_eq!(mesh.uvs[2 * vertex + 1], iv as f32 / 2.0);
         }
-        for place in range.first_index..range.first_index + range.indices {
-            let vertex = mesh.indices.get(place as usize).unwrap();
+        for location in range.first_index..range.first_index + range.indices {
+            let vertex = mesh.indices.get(location as usize).unwrap();
             assert_eq!(vertex / 12, id as usize);
         }
     }
@@ -124,8 +124,8 @@ fn samples_are_points_and_normals_of_the_patch() {
                     let vertex = grid.vertex(iu, iv);
                     let (p, q) = (position(&mesh, vertex).as_dvec3(), patch.eval(u, v));
                     assert!((p - q).abs().max_element() <= slack, "{p} {q}");
-                    let facing = normal(&mesh, vertex).as_dvec3();
-                    assert_near(facing, patch.normal(u, v), 1e-6);
+                    let vertex_normal = normal(&mesh, vertex).as_dvec3();
+                    assert_near(vertex_normal, patch.normal(u, v), 1e-6);
                 }
             }
         }
@@ -294,10 +294,10 @@ fn patches_of_different_degrees_in_one_surface() {
         assert_eq!(surface.patch(k).as_ref(), Some(patch));
         assert_eq!(surface.degrees(k), Some(degrees[k]));
         let numbers = 3 * grid.vertex_count();
-        let alone = patch.grid(grid, false).unwrap();
+        let single = patch.grid(grid, false).unwrap();
         let range = k * numbers..(k + 1) * numbers;
-        assert_eq!(mesh.positions[range.clone()], alone.positions);
-        assert_eq!(mesh.normals[range], alone.normals);
+        assert_eq!(mesh.positions[range.clone()], single.positions);
+        assert_eq!(mesh.normals[range], single.normals);
     }
     assert_eq!(surface.patch(4), None);
 }

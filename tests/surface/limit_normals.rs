@@ -15,7 +15,7 @@ fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
 }
 
 /// Compares all degenerate points of a 16 × 16 grid; returns how many there are.
-fn compare(surface: &Surface, most_degrees: f64) -> usize {
+fn compare(surface: &Surface, max_degrees: f64) -> usize {
     let mut degenerate = 0;
     for (index, patch) in surface.patches().enumerate() {
         let size = patch.control_bounds().diagonal();
@@ -28,7 +28,7 @@ fn compare(surface: &Surface, most_degrees: f64) -> usize {
             degenerate += 1;
             let expected = limit_by_extrapolation(&patch, u, v);
             let angle = patch.normal(u, v).angle_between(expected).to_degrees();
-            assert!(angle < most_degrees, "patch {index} ({u}, {v}): {angle}°");
+            assert!(angle < max_degrees, "patch {index} ({u}, {v}): {angle}°");
         }
     }
     degenerate

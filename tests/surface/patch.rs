@@ -222,7 +222,7 @@ fn normal_at_a_degenerate_corner_is_the_limit() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn normals_do_not_see_size_or_place() {
+fn normals_do_not_depend_on_size_or_position() {
     let mut random = Random(7);
     for (m, n) in DEGREES {
         let net = random.net(m, n);

@@ -81,7 +81,7 @@ fn an_easing_is_its_four_numbers() {
 }
 
 /// The text of a value, and the value that it is read as, which must be equal.
-fn both_ways<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug>(
+fn there_and_back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug>(
     value: T,
 ) -> String {
     let text = serde_json::to_string(&value).unwrap();
@@ -93,27 +93,30 @@ fn both_ways<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Deb
 fn results_and_options_have_the_names_of_javascript() {
     let curve = Curve::cubic(DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y);
     assert_eq!(
-        both_ways(curve.bounds()),
+        there_and_back(curve.bounds()),
         r#"{"min":[0.0,0.0],"max":[0.75,1.0]}"#
     );
-    both_ways(curve.nearest(DVec2::new(3.0, 0.5)).unwrap());
-    both_ways(curve.intersections(&Curve::line(DVec2::ZERO, DVec2::ONE)));
-    both_ways(curve.flatten(0.1).unwrap());
-    both_ways(curve.reduce());
+    there_and_back(curve.nearest(DVec2::new(3.0, 0.5)).unwrap());
+    there_and_back(curve.intersections(&Curve::line(DVec2::ZERO, DVec2::ONE)));
+    there_and_back(curve.flatten(0.1).unwrap());
+    there_and_back(curve.reduce());
     let overlap = IntersectionKind::Overlap {
         t_end: 0.5,
         u_end: 1.0,
     };
-    assert_eq!(both_ways(overlap), r#"{"overlap":{"tEnd":0.5,"uEnd":1.0}}"#);
-    assert_eq!(both_ways(IntersectionKind::Cross), r#""cross""#);
-    assert_eq!(both_ways(FillRule::EvenOdd), r#""evenodd""#);
-    assert_eq!(both_ways(JointMode::C2), r#""c2""#);
     assert_eq!(
-        both_ways(Interpolation::CatmullRom { alpha: 0.5 }),
+        there_and_back(overlap),
+        r#"{"overlap":{"tEnd":0.5,"uEnd":1.0}}"#
+    );
+    assert_eq!(there_and_back(IntersectionKind::Cross), r#""cross""#);
+    assert_eq!(there_and_back(FillRule::EvenOdd), r#""evenodd""#);
+    assert_eq!(there_and_back(JointMode::C2), r#""c2""#);
+    assert_eq!(
+        there_and_back(Interpolation::CatmullRom { alpha: 0.5 }),
         r#"{"catmull-rom":{"alpha":0.5}}"#
     );
-    both_ways(TessellationOptions::tolerance(0.01));
-    both_ways(TeapotOptions::default());
-    both_ways(Surface::teacup(Up::Z).grid(Grid::from(2), true).unwrap());
-    both_ways(Surface::teacup(Up::Z).topology());
+    there_and_back(TessellationOptions::tolerance(0.01));
+    there_and_back(TeapotOptions::default());
+    there_and_back(Surface::teacup(Up::Z).grid(Grid::from(2), true).unwrap());
+    there_and_back(Surface::teacup(Up::Z).topology());
 }

@@ -59,7 +59,7 @@ fn text_of_known_surfaces_reads_back() {
 }
 
 #[test]
-fn text_of_wild_numbers_reads_back() {
+fn text_of_adversarial_numbers_reads_back() {
     let mut random = Random(5);
     let edges = [
         0.0,
@@ -79,12 +79,12 @@ fn text_of_wild_numbers_reads_back() {
     for case in 0..2000 {
         let (m, n) = (1 + case % 4, 1 + case % 3);
         let mut number = || {
-            let wild = f64::from_bits(random.bits());
+            let adversarial = f64::from_bits(random.bits());
             let edge = edges[usize::try_from(random.bits() % 13).unwrap()];
-            if random.bits().is_multiple_of(3) || !wild.is_finite() {
+            if random.bits().is_multiple_of(3) || !adversarial.is_finite() {
                 edge
             } else {
-                wild
+                adversarial
             }
         };
         let count = (m + 1) * (n + 1);

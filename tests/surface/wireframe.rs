@@ -152,7 +152,7 @@ fn perspective_keeps_the_tolerance() {
 /// Asserts that every drawn point is near the true projection, measured against a dense polyline, and the reverse.
 fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, tolerance: f64) {
     const DENSE: usize = 2000;
-    let truth: Vec<DVec2> = (0..=DENSE)
+    let reference: Vec<DVec2> = (0..=DENSE)
         .map(|k| project(matrix, curve.eval(k as f64 / DENSE as f64)))
         .collect();
     let per_piece = DENSE / stroke.len();
@@ -162,21 +162,21 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
         .collect();
     // How far a polyline of samples is from its curve: a quarter of what leaving out every other sample would cost.
     let sag = |line: &[DVec2]| {
-        let bends = line
+        let curvatures = line
             .windows(3)
             .map(|p| distance_to_line(p[1], &[p[0], p[2]]));
-        bends.fold(0.0, f64::max)
+        curvatures.fold(0.0, f64::max)
     };
-    let slack = 1e-9 + 0.5 * sag(&truth).max(sag(&drawn));
+    let slack = 1e-9 + 0.5 * sag(&reference).max(sag(&drawn));
     assert!(slack < 0.5 * tolerance, "too few samples: {slack}");
-    for (line, other) in [(&truth, &drawn), (&drawn, &truth)] {
+    for (line, other) in [(&reference, &drawn), (&drawn, &reference)] {
         for &p in line.iter().step_by(97) {
             let distance = distance_to_line(p, other);
             assert!(distance <= tolerance + slack, "{distance} > {tolerance}");
         }
     }
-    assert!((truth[0] - drawn[0]).length() < 1e-9);
-    assert!((truth[DENSE] - drawn[drawn.len() - 1]).length() < 1e-9);
+    assert!((reference[0] - drawn[0]).length() < 1e-9);
+    assert!((reference[DENSE] - drawn[drawn.len() - 1]).length() < 1e-9);
 }
 
 fn distance_to_line(p: DVec2, line: &[DVec2]) -> f64 {

@@ -1,6 +1,6 @@
 //! What must hold for every mesh of a surface.
 
-use super::limits::{MOST_DEGREES, limit};
+use super::limits::{MAX_DEGREES, limit};
 use super::shapes::{SIDES, along, diagonal, largest};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
@@ -134,23 +134,23 @@ fn assert_ranges<T>(mesh: &Mesh<T>, patches: usize, own: bool) {
 pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl Fn(f32) -> f64) {
     let patches: Vec<Patch> = surface.patches().collect();
     let slack = largest(surface) * 1e-14;
-    let places = vectors(&mesh.positions).zip(vectors(&mesh.normals));
-    for ((k, uv), (p, normal)) in mesh.uvs.as_chunks().0.iter().enumerate().zip(places) {
+    let locations = vectors(&mesh.positions).zip(vectors(&mesh.normals));
+    for ((k, uv), (p, normal)) in mesh.uvs.as_chunks().0.iter().enumerate().zip(locations) {
         let patch = &patches[mesh.patch_ids[k] as usize];
         let [u, v] = uv.map(&parameter);
         let exact = patch.eval(u, v);
         for axis in 0..3 {
             // Half an ulp of f32, the larger one of numbers just above a power of two.
-            let most = exact[axis].abs() * f64::from(f32::EPSILON) / 2.0 + slack;
+            let max = exact[axis].abs() * f64::from(f32::EPSILON) / 2.0 + slack;
             assert!(
-                (p[axis] - exact[axis]).abs() <= most,
+                (p[axis] - exact[axis]).abs() <= max,
                 "a vertex off its patch at {uv:?}: {p} for {exact}"
             );
         }
         let expected = limit(patch, u, v).expect("patches that are curves have no vertices");
         let degrees = degrees_between(normal, expected);
         assert!(
-            degrees < MOST_DEGREES,
+            degrees < MAX_DEGREES,
             "patch {} {uv:?}: a normal off by {degrees}°",
             mesh.patch_ids[k]
         );
@@ -160,17 +160,17 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
 /// Every normal of weld "normal" is that of a patch at its place.
 pub(crate) fn assert_normals_of_patches(three: &Three) {
     let soup = Soup::new(&three.own);
-    let key = |place: DVec3, normal: DVec3| {
+    let key = |location: DVec3, normal: DVec3| {
         (
-            place.to_array().map(f64::to_bits),
+            location.to_array().map(f64::to_bits),
             normal.to_array().map(f64::to_bits),
         )
     };
-    let places = soup
-        .place_of
+    let locations = soup
+        .position_of
         .iter()
-        .map(|&place| soup.points[place as usize]);
-    let known: HashSet<_> = places
+        .map(|&location| soup.points[location as usize]);
+    let known: HashSet<_> = locations
         .zip(vectors(&three.own.normals))
         .map(|(p, n)| key(p, n))
         .collect();
@@ -195,9 +195,9 @@ pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> 
         .collect();
     let boundary: HashSet<(u32, u32)> = soup.boundary(sheets).into_iter().collect();
     let mut on_open_sides = 0;
-    for (places, corners) in soup.triangles.iter().zip(&soup.corners) {
+    for (locations, corners) in soup.triangles.iter().zip(&soup.corners) {
         for k in 0..3 {
-            let (a, b) = (places[k], places[(k + 1) % 3]);
+            let (a, b) = (locations[k], locations[(k + 1) % 3]);
             if boundary.contains(&(a, b)) {
                 let ends = [corners[k], corners[(k + 1) % 3]];
                 assert!(

@@ -90,13 +90,13 @@ impl Tree {
         let first = self.triangles.get(*hint)?;
         let mut best = (p - nearest(p, first)).length_squared();
         let mut pending = vec![0];
-        while let Some(place) = pending.pop() {
-            let node = &self.nodes[place];
+        while let Some(location) = pending.pop() {
+            let node = &self.nodes[location];
             if node.span.distance_squared(p) >= best {
                 continue;
             }
             if node.second != 0 {
-                let both = [place + 1, node.second];
+                let both = [location + 1, node.second];
                 let [a, b] = both.map(|child| self.nodes[child].span.distance_squared(p));
                 pending.extend(if a < b { [both[1], both[0]] } else { both });
                 continue;
@@ -151,7 +151,7 @@ pub(crate) fn greatest(surface: &Surface, soup: &Soup, samples: usize) -> (f64, 
     let of_patches = patches.map(|(k, patch)| (of_patch(&tree, &patch, per_line), k));
     of_patches.fold(
         (0.0, 0),
-        |most, this| if this.0 > most.0 { this } else { most },
+        |max, this| if this.0 > max.0 { this } else { max },
     )
 }
 
@@ -159,7 +159,7 @@ fn of_patch(tree: &Tree, patch: &Patch, per_line: usize) -> f64 {
     let mut hint = 0;
     // Irrational steps: no even grid that could miss all that lies between the vertices of another one.
     let wander = |i: usize, j: usize| ((i * 7 + j * 3) as f64 * 0.618_033_988_749_894_8).fract();
-    let mut most: f64 = 0.0;
+    let mut max: f64 = 0.0;
     for j in 0..per_line {
         for step in 0..per_line {
             let i = if j % 2 == 0 {
@@ -169,14 +169,14 @@ fn of_patch(tree: &Tree, patch: &Patch, per_line: usize) -> f64 {
             };
             let u = (i as f64 + wander(i, j)) / per_line as f64;
             let v = (j as f64 + wander(j, i)) / per_line as f64;
-            most = most.max(tree.distance(patch.eval(u, v), &mut hint));
+            max = max.max(tree.distance(patch.eval(u, v), &mut hint));
         }
     }
     for k in 0..=per_line {
         let t = k as f64 / per_line as f64;
         for (u, v) in [(t, 0.0), (1.0, t), (t, 1.0), (0.0, t)] {
-            most = most.max(tree.distance(patch.eval(u, v), &mut hint));
+            max = max.max(tree.distance(patch.eval(u, v), &mut hint));
         }
     }
-    most
+    max
 }

@@ -109,10 +109,10 @@ fn distance_of_even_segments() {
             .unwrap();
         let soup = Soup::new(&mesh);
         let (_, patch) = greatest(&teapot(), &soup, 32 * 64 * 64);
-        let (most, _) = greatest(&part(&teapot(), &[patch]), &soup, 600 * 600);
+        let (max, _) = greatest(&part(&teapot(), &[patch]), &soup, 600 * 600);
         assert!(
-            most > 0.98 * expected && most < 1.004 * expected,
-            "{n}: {most} for {expected}"
+            max > 0.98 * expected && max < 1.004 * expected,
+            "{n}: {max} for {expected}"
         );
     }
 }

@@ -23,8 +23,8 @@ fn assert_within(patch: &Patch, tolerance: f64) {
         patch.degree_v(),
     )
     .unwrap();
-    let (most, _) = greatest(&surface, &Soup::new(&mesh), 2_000);
-    assert!(most <= tolerance, "{most} for {tolerance}");
+    let (max, _) = greatest(&surface, &Soup::new(&mesh), 2_000);
+    assert!(max <= tolerance, "{max} for {tolerance}");
 }
 
 /// Opposite corners at one place: half of the square lies on the other half.

@@ -30,15 +30,15 @@ fn within_every_tolerance() {
             check(name, &surface, &three, sheets, f64::from);
             let soup = Soup::new(&three.position);
             let samples = thorough(20_000, 4 * soup.triangles.len());
-            let (most, patch) = greatest(&surface, &soup, samples);
+            let (max, patch) = greatest(&surface, &soup, samples);
             println!(
                 "{name} {relative:.1e}: {} triangles, {:.2} of the tolerance",
                 soup.triangles.len(),
-                most / tolerance
+                max / tolerance
             );
             assert!(
-                most <= tolerance,
-                "{name}, patch {patch}: {most} for {tolerance}"
+                max <= tolerance,
+                "{name}, patch {patch}: {max} for {tolerance}"
             );
         }
     }

@@ -5,7 +5,7 @@ use casteljau::Patch;
 use casteljau::glam::DVec3;
 
 /// In degrees: what a normal may be off.
-pub(crate) const MOST_DEGREES: f64 = 0.001;
+pub(crate) const MAX_DEGREES: f64 = 0.001;
 
 type Vector = [Double; 3];
 

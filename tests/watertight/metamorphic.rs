@@ -106,7 +106,7 @@ fn diagonal_of_sphere(surface: &Surface) -> f64 {
     surface
         .vertices()
         .iter()
-        .fold(0.0, |most, p| f64::max(most, p.distance(first)))
+        .fold(0.0, |max, p| f64::max(max, p.distance(first)))
 }
 
 #[test]

@@ -93,8 +93,10 @@ impl Quilt {
         let mut nets = Vec::new();
         for (column, m) in steps(&self.degrees_u) {
             for (row, n) in steps(&self.degrees_v) {
-                let places = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
-                let vertices = places.map(|(i, j)| vertex(column + i, row + j)).collect();
+                let locations = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
+                let vertices = locations
+                    .map(|(i, j)| vertex(column + i, row + j))
+                    .collect();
                 nets.push(Net {
                     vertices,
                     columns: m + 1,
@@ -103,7 +105,7 @@ impl Quilt {
         }
         let count = (width + 1) * (height + 1);
         Draft {
-            vertices: places(rng, count, width + 1),
+            vertices: locations(rng, count, width + 1),
             nets,
         }
     }
@@ -119,7 +121,7 @@ fn steps(lengths: &[usize]) -> Vec<(usize, usize)> {
 }
 
 /// Places of vertices: anywhere, near a plane sheet, on a coarse lattice (many coincide), or in a plane.
-fn places(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
+fn locations(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
     let kind = rng.below(5);
     let scale = rng.magnitude(-6.0, 6.0);
     let shift = if rng.chance(0.2) {
@@ -127,13 +129,13 @@ fn places(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
     } else {
         DVec3::ZERO
     };
-    let mut place = |k: usize| match kind {
+    let mut location = |k: usize| match kind {
         0 | 1 => rng.point(3) * 2.0,
         2 => DVec3::new((k % columns) as f64, (k / columns) as f64, 0.0) + rng.point(3) * 0.4,
         3 => (rng.point(3) * 2.5).round(),
         _ => rng.point(2),
     };
-    (0..count).map(|k| place(k) * scale + shift).collect()
+    (0..count).map(|k| location(k) * scale + shift).collect()
 }
 
 impl Net {

@@ -36,8 +36,8 @@ fn view(view_projection: DMat4, pixels: f64) -> TessellationOptions {
 /// Where a point is seen, in pixels; none if it is not.
 fn seen(matrix: &DMat4, p: DVec3) -> Option<DVec2> {
     let clip = *matrix * p.extend(1.0);
-    let place = DVec2::new(clip.x, clip.y) / clip.w;
-    (clip.w > 0.0 && place.abs().max_element() <= 1.0).then(|| place * VIEWPORT / 2.0)
+    let location = DVec2::new(clip.x, clip.y) / clip.w;
+    (clip.w > 0.0 && location.abs().max_element() <= 1.0).then(|| location * VIEWPORT / 2.0)
 }
 
 /// The greatest distance on the screen between points of the surface and the nearest of the mesh.
@@ -47,22 +47,22 @@ fn greatest(surface: &Surface, matrix: &DMat4, pixels: f64) -> (f64, usize) {
         .unwrap();
     assert_watertight(surface, &mesh, 2);
     let tree = Tree::new(&Soup::new(&mesh));
-    let (mut most, mut hint, mut count): (f64, usize, usize) = (0.0, 0, 0);
+    let (mut max, mut hint, mut count): (f64, usize, usize) = (0.0, 0, 0);
     for patch in surface.patches() {
         for k in 0..60 * 60 {
             let p = patch.eval(f64::from(k % 60) / 59.0, f64::from(k / 60) / 59.0);
-            let Some(place) = seen(matrix, p) else {
+            let Some(location) = seen(matrix, p) else {
                 continue;
             };
             count += 1;
             let q = tree.nearest(p, &mut hint).unwrap();
             let clip = *matrix * q.extend(1.0);
             let near = DVec2::new(clip.x, clip.y) / clip.w * VIEWPORT / 2.0;
-            most = most.max((place - near).length());
+            max = max.max((location - near).length());
         }
     }
     assert!(count > 1_000, "only {count} samples are seen");
-    (most, mesh.triangle_count())
+    (max, mesh.triangle_count())
 }
 
 #[test]
@@ -78,9 +78,9 @@ fn no_farther_than_asked_for() {
     for matrix in &cameras {
         let mut fewest = usize::MAX;
         for pixels in [0.5, 2.0, 10.0] {
-            let (most, triangles) = greatest(&surface, matrix, pixels);
-            println!("{pixels} px: {triangles} triangles, {most:.3} px at most");
-            assert!(most <= pixels, "{most} for {pixels} px");
+            let (max, triangles) = greatest(&surface, matrix, pixels);
+            println!("{pixels} px: {triangles} triangles, {max:.3} px at most");
+            assert!(max <= pixels, "{max} for {pixels} px");
             assert!(triangles < fewest);
             fewest = triangles;
         }
@@ -103,9 +103,9 @@ fn a_plain_with_waves() {
     let plain = Surface::new(net, (0..16).collect(), 3, 3).unwrap();
     let matrix = camera(DVec3::new(0.0, -1.0, 1.2), DVec3::new(0.0, 9.0, 0.0), 90.0);
     for pixels in [1.0, 5.0, 10.0, 20.0, 40.0] {
-        let (most, triangles) = greatest(&plain, &matrix, pixels);
-        println!("{pixels} px: {triangles} triangles, {most:.3} px at most");
-        assert!(most <= pixels, "{most} for {pixels} px");
+        let (max, triangles) = greatest(&plain, &matrix, pixels);
+        println!("{pixels} px: {triangles} triangles, {max:.3} px at most");
+        assert!(max <= pixels, "{max} for {pixels} px");
     }
 }
 

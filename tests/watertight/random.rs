@@ -6,7 +6,7 @@ use super::common::threads::on_all;
 use super::distance::greatest;
 use super::networks;
 use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, side_points};
-use super::soup::{Chain, Soup, add, vectors};
+use super::soup::{Corners, Soup, add, vectors};
 use super::thorough;
 use casteljau::glam::DVec3;
 use casteljau::surface::{Detail, EdgeUse, PatchEdge, TessellationOptions, Weld};
@@ -47,10 +47,10 @@ pub(crate) fn check(surface: &Surface, joined: &Surface, options: &TessellationO
     assert_inside_is_closed(surface, mesh, &soup);
     assert_lines_agree(surface, joined, mesh);
     assert_covers(mesh);
-    assert_places(surface, options);
+    assert_locations(surface, options);
     if let Detail::Tolerance(tolerance) = options.detail {
-        let most = distance_of_sheets(surface, mesh, &soup);
-        assert!(most <= tolerance, "{most} for {tolerance}");
+        let max = distance_of_sheets(surface, mesh, &soup);
+        assert!(max <= tolerance, "{max} for {tolerance}");
     }
 }
 
@@ -58,8 +58,8 @@ pub(crate) fn check(surface: &Surface, joined: &Surface, options: &TessellationO
 fn polyline(mesh: &Mesh, patch: usize, side: PatchEdge) -> Vec<usize> {
     let range = mesh.patch_ranges[patch];
     let own = range.first_vertex as usize..(range.first_vertex + range.vertices) as usize;
-    let place = |k: usize| along(side, [mesh.uvs[2 * k].into(), mesh.uvs[2 * k + 1].into()]);
-    let mut line: Vec<(f64, usize)> = own.filter_map(|k| Some((place(k)?, k))).collect();
+    let location = |k: usize| along(side, [mesh.uvs[2 * k].into(), mesh.uvs[2 * k + 1].into()]);
+    let mut line: Vec<(f64, usize)> = own.filter_map(|k| Some((location(k)?, k))).collect();
     line.sort_by(|a, b| a.0.total_cmp(&b.0));
     line.into_iter().map(|(_, k)| k).collect()
 }
@@ -71,11 +71,11 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
             continue;
         }
         let (from, count) = (range.first_index as usize / 3, range.indices as usize / 3);
-        let mut expected = Chain::new();
+        let mut expected = Corners::new();
         for side in SIDES {
             let line = polyline(mesh, patch, side);
             for pair in line.windows(2) {
-                let [a, b] = [pair[0], pair[1]].map(|k| soup.place_of[k]);
+                let [a, b] = [pair[0], pair[1]].map(|k| soup.position_of[k]);
                 // Counter-clockwise: v = 0 and u = 1 run along, the others back.
                 match side {
                     PatchEdge::V0 | PatchEdge::U1 => add(&mut expected, a, b),
@@ -141,8 +141,8 @@ fn assert_covers(mesh: &Mesh) {
         }
         assert!(sum < 1.0 + 1e-6);
         let first = range.first_vertex as usize;
-        let places = first..first + range.vertices as usize;
-        let distinct: std::collections::HashSet<_> = places
+        let locations = first..first + range.vertices as usize;
+        let distinct: std::collections::HashSet<_> = locations
             .map(|k| [0, 1, 2].map(|axis| mesh.positions[3 * k + axis].to_bits()))
             .collect();
         assert!(
@@ -153,7 +153,7 @@ fn assert_covers(mesh: &Mesh) {
 }
 
 /// In f64 every vertex is on its patch; patches without vertices are curves.
-fn assert_places(surface: &Surface, options: &TessellationOptions) {
+fn assert_locations(surface: &Surface, options: &TessellationOptions) {
     let mesh = surface.tessellate_f64(&options.weld(Weld::None)).unwrap();
     let full = match options.detail {
         Detail::Segments(grid) => (grid.segments_u * grid.segments_v) as f64,
@@ -169,9 +169,9 @@ fn assert_places(surface: &Surface, options: &TessellationOptions) {
     for (patch, range) in patches.iter().zip(&mesh.patch_ranges) {
         let partials = patch.partials(0.371, 0.618);
         let size = patch.control_bounds().diagonal();
-        let facing = partials.u.cross(partials.v).length();
+        let normal = partials.u.cross(partials.v).length();
         assert!(
-            range.vertices > 0 || facing <= 1e-9 * size * size,
+            range.vertices > 0 || normal <= 1e-9 * size * size,
             "a patch with an inside has no vertices"
         );
     }

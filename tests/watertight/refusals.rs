@@ -85,36 +85,36 @@ fn tolerances() {
                 .is_err()
         );
     }
-    let least = largest(&teapot()) * (-21.0_f64).exp2();
-    let error = refused(&teapot(), TessellationOptions::tolerance(least * 0.999));
+    let min = largest(&teapot()) * (-21.0_f64).exp2();
+    let error = refused(&teapot(), TessellationOptions::tolerance(min * 0.999));
     assert!(
-        matches!(error, Error::Tolerance { least: named, .. } if named == least),
+        matches!(error, Error::Tolerance { min: named, .. } if named == min),
         "{error}"
     );
-    assert!(error.to_string().contains(&format!("{least:?}")));
+    assert!(error.to_string().contains(&format!("{min:?}")));
     // A smaller part of the same picture, so that the mesh stays small.
     let flat = Patch::new(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE], 1, 1).unwrap();
-    let least = (-21.0_f64).exp2();
+    let min = (-21.0_f64).exp2();
     assert!(
-        flat.tessellate(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
+        flat.tessellate(&TessellationOptions::tolerance(min * 0.9).weld(Weld::None))
             .is_err()
     );
     let fine = flat
-        .tessellate_f64(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
+        .tessellate_f64(&TessellationOptions::tolerance(min * 0.9).weld(Weld::None))
         .unwrap();
     assert_layout(&fine, 1);
-    let least = 4.0 * f64::EPSILON;
+    let min = 4.0 * f64::EPSILON;
     let error = flat
-        .tessellate_f64(&TessellationOptions::tolerance(least * 0.9).weld(Weld::None))
+        .tessellate_f64(&TessellationOptions::tolerance(min * 0.9).weld(Weld::None))
         .unwrap_err();
     assert!(
-        matches!(error, Error::Tolerance { least: named, .. } if named == least),
+        matches!(error, Error::Tolerance { min: named, .. } if named == min),
         "{error}"
     );
 }
 
 #[test]
-fn far_too_fine_is_refused_before_the_mesh_is_made() {
+fn far_too_fine_is_refused_before_tessellation() {
     let surface = teapot();
     for relative in [1e-9, 1e-12, 1e-15] {
         let options = TessellationOptions::tolerance(diagonal(&surface) * relative);
@@ -129,8 +129,8 @@ fn far_too_fine_is_refused_before_the_mesh_is_made() {
         assert!(needed > limit);
     }
     // The least that f32 can keep is too much for a whole teapot, if only just.
-    let least = largest(&surface) * (-21.0_f64).exp2();
-    let error = refused(&surface, TessellationOptions::tolerance(least));
+    let min = largest(&surface) * (-21.0_f64).exp2();
+    let error = refused(&surface, TessellationOptions::tolerance(min));
     assert!(matches!(error, Error::TooMany { .. }), "{error}");
 }
 

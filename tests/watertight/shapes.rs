@@ -27,7 +27,7 @@ pub(crate) fn diagonal(surface: &Surface) -> f64 {
 /// The largest absolute coordinate.
 pub(crate) fn largest(surface: &Surface) -> f64 {
     let numbers = surface.vertices().iter().flat_map(|p| p.to_array());
-    numbers.fold(0.0, |most: f64, x| most.max(x.abs()))
+    numbers.fold(0.0, |max: f64, x| max.max(x.abs()))
 }
 
 pub(crate) fn segments(u: usize, v: usize) -> TessellationOptions {

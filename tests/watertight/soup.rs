@@ -9,7 +9,7 @@ pub(crate) struct Soup {
     /// Where the places are.
     pub(crate) points: Vec<DVec3>,
     /// The place of each vertex of the mesh.
-    pub(crate) place_of: Vec<u32>,
+    pub(crate) position_of: Vec<u32>,
     /// Three places each.
     pub(crate) triangles: Vec<[u32; 3]>,
     /// The same by vertices of the mesh.
@@ -17,39 +17,39 @@ pub(crate) struct Soup {
 }
 
 /// Directed edges with a count: +1 for each triangle that runs along, −1 for each that runs against it.
-pub(crate) type Chain = HashMap<(u32, u32), i32>;
+pub(crate) type Corners = HashMap<(u32, u32), i32>;
 
 impl Soup {
     pub(crate) fn new<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Self {
-        let mut places = HashMap::new();
+        let mut locations = HashMap::new();
         let mut points = Vec::new();
-        let mut place_of = Vec::new();
+        let mut position_of = Vec::new();
         for p in vectors(&mesh.positions) {
             // −0 + 0 is 0: both zeros are one place.
             let key = p.to_array().map(|x| (x + 0.0).to_bits());
-            let place = *places.entry(key).or_insert_with(|| {
+            let location = *locations.entry(key).or_insert_with(|| {
                 points.push(p);
                 u32::try_from(points.len() - 1).unwrap()
             });
-            place_of.push(place);
+            position_of.push(location);
         }
         let indices: Vec<usize> = mesh.indices.iter().collect();
         assert!(
-            indices.iter().all(|&index| index < place_of.len()),
+            indices.iter().all(|&index| index < position_of.len()),
             "an index past the vertices"
         );
         let corners: Vec<[usize; 3]> = indices.as_chunks().0.to_vec();
         Self {
             points,
-            triangles: corners.iter().map(|t| t.map(|v| place_of[v])).collect(),
-            place_of,
+            triangles: corners.iter().map(|t| t.map(|v| position_of[v])).collect(),
+            position_of,
             corners,
         }
     }
 
     /// Where the corners of a triangle are.
     pub(crate) fn corners_at(&self, triangle: usize) -> [DVec3; 3] {
-        self.triangles[triangle].map(|place| self.points[place as usize])
+        self.triangles[triangle].map(|location| self.points[location as usize])
     }
 
     /// No triangle has two corners at one place.
@@ -91,8 +91,8 @@ impl Soup {
     }
 
     /// What is left of all edges of some triangles when opposite ones cancel.
-    pub(crate) fn rim(triangles: &[[u32; 3]]) -> Chain {
-        let mut chain = Chain::new();
+    pub(crate) fn rim(triangles: &[[u32; 3]]) -> Corners {
+        let mut chain = Corners::new();
         for &triangle in triangles {
             for (from, to) in edges_of(triangle) {
                 add(&mut chain, from, to);
@@ -120,7 +120,7 @@ impl Soup {
 }
 
 /// One more edge; opposite ones cancel, an edge from a place to itself is none.
-pub(crate) fn add(chain: &mut Chain, from: u32, to: u32) {
+pub(crate) fn add(chain: &mut Corners, from: u32, to: u32) {
     if from == to {
         return;
     }

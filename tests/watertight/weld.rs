@@ -21,11 +21,11 @@ fn meshes(surface: &Surface, options: &TessellationOptions) -> [Mesh; 3] {
 fn means(own: &Mesh, soup: &Soup) -> Vec<DVec3> {
     let normals: Vec<DVec3> = vectors(&own.normals).collect();
     let mut sums = vec![DVec3::ZERO; soup.points.len()];
-    for (k, (places, corners)) in soup.triangles.iter().zip(&soup.corners).enumerate() {
+    for (k, (locations, corners)) in soup.triangles.iter().zip(&soup.corners).enumerate() {
         let p = soup.corners_at(k);
         for i in 0..3 {
             let angle = (p[(i + 1) % 3] - p[i]).angle_between(p[(i + 2) % 3] - p[i]);
-            sums[places[i] as usize] += normals[corners[i]] * angle;
+            sums[locations[i] as usize] += normals[corners[i]] * angle;
         }
     }
     sums
@@ -50,9 +50,9 @@ fn normals_of_shared_vertices() {
             );
             let mut vertices = vec![0; welded.points.len()];
             welded
-                .place_of
+                .position_of
                 .iter()
-                .for_each(|&place| vertices[place as usize] += 1);
+                .for_each(|&location| vertices[location as usize] += 1);
             let normals: Vec<DVec3> = vectors(&position.normals).collect();
             for (ours, theirs) in welded
                 .corners
@@ -61,11 +61,11 @@ fn normals_of_shared_vertices() {
                 .zip(soup.triangles.as_flattened())
             {
                 let mean = expected[*theirs as usize];
-                let alone = vertices[welded.place_of[*ours] as usize] == 1;
+                let single = vertices[welded.position_of[*ours] as usize] == 1;
                 // Normals that all but cancel have no mean to speak of.
                 let off = degrees_between(normals[*ours], mean.normalize_or_zero());
                 assert!(
-                    off < 0.01 || mean.length() < 0.01 || !alone,
+                    off < 0.01 || mean.length() < 0.01 || !single,
                     "{name}: a mean normal off by {off}°"
                 );
             }
@@ -79,12 +79,12 @@ fn assert_creases(name: &str, mesh: &Mesh) {
     let soup = Soup::new(mesh);
     let mut at: Vec<Vec<DVec3>> = vec![Vec::new(); soup.points.len()];
     let mut alike = 0;
-    for (place, normal) in soup.place_of.iter().zip(vectors(&mesh.normals)) {
-        for &other in &at[*place as usize] {
+    for (location, normal) in soup.position_of.iter().zip(vectors(&mesh.normals)) {
+        for &other in &at[*location as usize] {
             let apart = degrees_between(other, normal);
             alike += usize::from(apart < 0.999 * CREASE_DEGREES);
         }
-        at[*place as usize].push(normal);
+        at[*location as usize].push(normal);
     }
     assert!(
         alike <= usize::from(name == "teaspoon"),
@@ -107,8 +107,8 @@ fn rounding_has_its_share() {
     let mesh = surface
         .tessellate(&TessellationOptions::tolerance(tolerance).weld(Weld::Position))
         .unwrap();
-    let (most, _) = greatest(&surface, &Soup::new(&mesh), 10_000);
-    assert!(most <= tolerance, "{most} for {tolerance}");
+    let (max, _) = greatest(&surface, &Soup::new(&mesh), 10_000);
+    assert!(max <= tolerance, "{max} for {tolerance}");
     assert!(mesh.triangle_count() < 16);
 }
 

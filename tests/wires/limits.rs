@@ -100,7 +100,7 @@ fn check_ribbons(mesh: &Mesh) {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn wild_nets() {
+fn adversarial_nets() {
     let mut random = Random(11);
     for case in 0..300 {
         let (m, n) = (1 + case % 5, 1 + case / 5 % 4);

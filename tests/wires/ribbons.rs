@@ -22,10 +22,16 @@ fn ribbons_lie_in_the_tangent_planes() {
         assert!(normal.dot(right - left).abs() < 1e-7);
         // The middle is a point of a side, and the normal is the patch's there.
         let middle = 0.5 * (left + right);
-        let places = (0..4).flat_map(|side| (0..=4000).map(move |k| (side, f64::from(k) / 4000.0)));
+        let locations =
+            (0..4).flat_map(|side| (0..=4000).map(move |k| (side, f64::from(k) / 4000.0)));
         let uv = |(side, t): (usize, f64)| [(0.0, t), (1.0, t), (t, 0.0), (t, 1.0)][side];
-        let nearest = places
-            .map(|place| (patch.eval(uv(place).0, uv(place).1).distance(middle), place))
+        let nearest = locations
+            .map(|location| {
+                (
+                    patch.eval(uv(location).0, uv(location).1).distance(middle),
+                    location,
+                )
+            })
             .fold((1.0, (0, 0.0)), |a, b| if b.0 < a.0 { b } else { a });
         assert!(nearest.0 < 2e-3);
         let (u, v) = uv(nearest.1);

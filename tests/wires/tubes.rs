@@ -25,7 +25,7 @@ fn straight_tubes_are_capsules() {
         );
         for vertex in 0..mesh.vertex_count() {
             let p = vector(&mesh.positions, vertex);
-            let beyond = |x: f64, most: f64| (x - x.clamp(0.0, most)).abs();
+            let beyond = |x: f64, max: f64| (x - x.clamp(0.0, max)).abs();
             // On the capsule about one of the sides.
             let along_x = |y: f64| DVec3::new(beyond(p.x, 3.0), p.y - y, p.z - 1.0).length();
             let along_y = |x: f64| DVec3::new(p.x - x, beyond(p.y, 2.0), p.z - 1.0).length();

@@ -61,9 +61,9 @@ pub(crate) fn find_with_driver() -> Result<Browser> {
 }
 
 fn found() -> Option<Browser> {
-    let given = env::var_os("CHROME_PATH").map(PathBuf::from);
+    let chosen = env::var_os("CHROME_PATH").map(PathBuf::from);
     let mac = Some(PathBuf::from(MAC_CHROME)).filter(|path| path.exists());
-    let chrome = given.or_else(|| on_path(&BROWSERS)).or(mac)?;
+    let chrome = chosen.or_else(|| on_path(&BROWSERS)).or(mac)?;
     Some(Browser {
         chrome,
         driver: driver(),
@@ -115,10 +115,10 @@ fn install(packages: &[&str]) -> Option<()> {
 
 /// Firefox, installed from apt if need be.
 pub(crate) fn firefox() -> Option<PathBuf> {
-    let given = || env::var_os("FIREFOX_PATH").map(PathBuf::from);
+    let chosen = || env::var_os("FIREFOX_PATH").map(PathBuf::from);
     let mac = || Some(PathBuf::from(MAC_FIREFOX)).filter(|path| path.exists());
     let found = || {
-        given()
+        chosen()
             .or_else(|| on_path(&FIREFOXES))
             .or_else(mac)
             .filter(|_| has_screen())
@@ -128,9 +128,9 @@ pub(crate) fn firefox() -> Option<PathBuf> {
 
 /// The driver of WebKitGTK, which brings a browser, installed from apt if need be.
 pub(crate) fn webkit() -> Option<PathBuf> {
-    let given = || env::var_os("WEBKIT_DRIVER").map(PathBuf::from);
+    let chosen = || env::var_os("WEBKIT_DRIVER").map(PathBuf::from);
     let found = || {
-        given()
+        chosen()
             .or_else(|| on_path(&["WebKitWebDriver"]))
             .filter(|_| has_screen())
     };

@@ -11,7 +11,7 @@ use std::{env, fs};
 pub(crate) fn build() -> Result<()> {
     setup::wasm_target()?;
     setup::node_modules()?;
-    let _alone = stamp::lock()?;
+    let _single = stamp::lock()?;
     bindings()?;
     bundles()?;
     types()
@@ -157,7 +157,7 @@ pub(crate) fn site() -> Result<()> {
         inputs: &inputs,
         outputs: &[root.join("site/index.html")],
     };
-    let _alone = stamp::lock()?;
+    let _single = stamp::lock()?;
     stamp::unless_current(&work, || {
         shell::run(&mut shell::node(&[
             "node_modules/vite/bin/vite.js",

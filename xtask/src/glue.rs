@@ -1,7 +1,7 @@
 //! From the compiler's wasm to the files of js/glue: bindings, optimised module, its bytes as text.
 
-use crate::reach::Linked;
-use crate::{encode, shell, snip};
+use crate::liveness::Linked;
+use crate::{encode, shell, strip_panics};
 use anyhow::{Context, Result, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -126,10 +126,10 @@ fn bound(
     fs::create_dir_all(folder)?;
     let bound = folder.join("casteljau_bg.wasm");
     let reduced = folder.join("reduced.wasm");
-    snip::reduced(compiled, linked, &wanted)?.emit_wasm_file(&reduced)?;
+    strip_panics::reduced(compiled, linked, &wanted)?.emit_wasm_file(&reduced)?;
     bindings(&reduced, folder)?;
     fs::remove_file(reduced)?;
-    snip::without(&bound, |export| !wanted(export))?.emit_wasm_file(&bound)?;
+    strip_panics::without(&bound, |export| !wanted(export))?.emit_wasm_file(&bound)?;
     Ok(bound)
 }
 
@@ -149,14 +149,14 @@ fn bindings(reduced: &Path, folder: &Path) -> Result<()> {
 /// The glue's decoder of error messages is made and warmed up on import, which no bundler may leave out. It is not warmed
 /// up, and where nothing needs it not made.
 fn without_side_effects(glue: &str) -> Result<String> {
-    const MADE: &str = "let cachedTextDecoder = new ";
+    const CONSTRUCTED: &str = "let cachedTextDecoder = new ";
     const WARMED: &str = "\ncachedTextDecoder.decode();\n";
     ensure!(
-        glue.contains(MADE) && glue.contains(WARMED),
+        glue.contains(CONSTRUCTED) && glue.contains(WARMED),
         "wasm-bindgen's glue has another form than expected"
     );
     Ok(glue
-        .replace(MADE, "let cachedTextDecoder = /* @__PURE__ */ new ")
+        .replace(CONSTRUCTED, "let cachedTextDecoder = /* @__PURE__ */ new ")
         .replace(WARMED, "\n"))
 }
 

@@ -5,13 +5,13 @@ mod browser;
 mod build;
 mod encode;
 mod glue;
-mod reach;
+mod liveness;
 mod serve;
 mod setup;
 mod shell;
 mod size;
-mod snip;
 mod stamp;
+mod strip_panics;
 mod test;
 #[cfg(test)]
 mod vocabulary;

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 const WASM_TARGET: &str = "wasm32-unknown-unknown";
 /// `require()` of an ES module works from here on.
-const LEAST_NODE: (u32, u32) = (20, 19);
+const MIN_NODE: (u32, u32) = (20, 19);
 
 /// rust-toolchain.toml names the target, but with rustup's auto-install switched off that adds nothing.
 pub(crate) fn wasm_target() -> Result<()> {
@@ -44,7 +44,7 @@ pub(crate) fn components() -> Result<()> {
 /// `npm ci`, unless node_modules was installed from this very package-lock.json.
 pub(crate) fn node_modules() -> Result<()> {
     node_version()?;
-    let _alone = stamp::lock()?;
+    let _single = stamp::lock()?;
     let lockfile = fs::read(shell::root().join("package-lock.json"))?;
     let mut hasher = DefaultHasher::new();
     lockfile.hash(&mut hasher);
@@ -72,7 +72,7 @@ fn node_version() -> Result<()> {
         .split('.')
         .map_while(|part| part.parse::<u32>().ok());
     let found = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0));
-    if found < LEAST_NODE {
+    if found < MIN_NODE {
         bail!("Node {version} is too old: 20.19 or newer is needed");
     }
     Ok(())

@@ -35,7 +35,7 @@ const LONGEST_FUNCTION: usize = 60;
 
 /// What was counted last. A change may lower a count; then it lowers the number here, too.
 const LIMITS: Counts = Counts {
-    private_words: 633,
+    private_words: 12,
     long_functions: 8,
     modules_in_cycles: 49,
 };

@@ -42,12 +42,12 @@ impl<R: Row> ClippingSolver<R> {
         }
         let (slopes_a, slopes_b) = (slopes(a), slopes(b));
         let heights = heights(a, b, slopes_a, slopes_b);
-        let (least, most) = (heights.least, heights.most);
-        if least > self.slack || most < -self.slack {
+        let (min, max) = (heights.min, heights.max);
+        if min > self.slack || max < -self.slack {
             return;
         }
         let contact = CONTACT * self.slack;
-        if most <= contact && least >= -contact {
+        if max <= contact && min >= -contact {
             return self.note(a, b);
         }
         let one_crossing = slopes_a.0 > slopes_b.1 || slopes_a.1 < slopes_b.0;
@@ -112,19 +112,15 @@ fn unit([x, y]: [f64; 2]) -> Option<[f64; 2]> {
 #[inline(always)]
 fn slopes<R: Row>(p: &Piece<R>) -> (f64, f64) {
     let edges = (0..p.last()).map(|i| p.edge(i));
-    let (least, most) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
+    let (min, max) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
     // All edges without an extent: as good as level.
-    if least > most {
-        (0.0, 0.0)
-    } else {
-        (least, most)
-    }
+    if min > max { (0.0, 0.0) } else { (min, max) }
 }
 
 /// The height of one piece over the other: bounds, and the values at the two ends.
 struct Heights {
-    least: f64,
-    most: f64,
+    min: f64,
+    max: f64,
     start: f64,
     end: f64,
 }
@@ -146,11 +142,11 @@ fn heights<R: Row>(a: &Piece<R>, b: &Piece<R>, sa: (f64, f64), sb: (f64, f64)) -
             ahead = difference;
         }
     }
-    let (least, most) = range((0..=n).map(height));
+    let (min, max) = range((0..=n).map(height));
     let margin = spread * ahead;
     Heights {
-        least: least - margin,
-        most: most + margin,
+        min: min - margin,
+        max: max + margin,
         start: height(0),
         end: height(n),
     }

@@ -17,15 +17,15 @@ pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option
         }
     }
     let side = |[x, y]: [f64; 2]| dx * (y - y0) - dy * (x - x0);
-    let (least, most) = range((1..n + 1).map(|i| side(a.point(i))));
-    let (least, most) = (least.min(0.0), most.max(0.0));
+    let (min, max) = range((1..n + 1).map(|i| side(a.point(i))));
+    let (min, max) = (min.min(0.0), max.max(0.0));
     let margin = slack * (dx.abs() + dy.abs());
     let mut sides = b.x.clone();
     let (bx, by) = (b.x.get(), b.y.get());
     for (i, s) in sides.get_mut().iter_mut().enumerate() {
         *s = side([bx[i], by[i]]);
     }
-    let (lo, hi) = inside(sides.get(), least - margin, most + margin)?;
+    let (lo, hi) = inside(sides.get(), min - margin, max + margin)?;
     let left = hi - lo;
     if left <= super::WORTH_CLIPPING {
         *b = b.between(lo, hi);
@@ -36,8 +36,8 @@ pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option
 /// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights.
 #[inline(always)]
 fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
-    let (least, most) = range(row.iter().copied());
-    if most < low || least > high {
+    let (min, max) = range(row.iter().copied());
+    if max < low || min > high {
         return None;
     }
     let n = row.len() - 1;

@@ -36,7 +36,7 @@ pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
 /// control edges. Then A(t) − B(u) = 0 has at most one solution, for between two of them A and B would have to
 /// advance by the same vector.
 #[inline(always)]
-fn keeps_turning_one_way<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
+fn turns_to_one_side<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
     let (mut left, mut right) = (false, false);
     for i in 0..a.last() {
         let edge = a.edge(i);
@@ -52,7 +52,7 @@ fn keeps_turning_one_way<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
 impl<R: Row> ClippingSolver<R> {
     #[inline(always)]
     pub(super) fn crossing(&self, a: &Piece<R>, b: &Piece<R>) -> Crossing {
-        if !keeps_turning_one_way(a, b) {
+        if !turns_to_one_side(a, b) {
             return Crossing::Many;
         }
         self.newton(a, b, 0.5, 0.5)

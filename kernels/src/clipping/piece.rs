@@ -81,8 +81,8 @@ impl<R: Row> Piece<R> {
     /// The larger side of the box of the control points.
     pub(super) fn extent(&self) -> f64 {
         let spread = |row: &[f64]| {
-            let (least, most) = range(row.iter().copied());
-            most - least
+            let (min, max) = range(row.iter().copied());
+            max - min
         };
         spread(self.x.get()).max(spread(self.y.get()))
     }
@@ -159,12 +159,9 @@ impl<R: Row> Piece<R> {
 #[inline(always)]
 pub(super) fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
     let start = (f64::INFINITY, f64::NEG_INFINITY);
-    numbers.fold(start, |(least, most), v| {
+    numbers.fold(start, |(min, max), v| {
         // Comparisons, not `min`, which would look for NaN.
-        (
-            if v < least { v } else { least },
-            if v > most { v } else { most },
-        )
+        (if v < min { v } else { min }, if v > max { v } else { max })
     })
 }
 

@@ -93,8 +93,8 @@ impl OffsetCurve<'_> {
             e3 - (to.w * ds - v2) * (1.0 / 3.0),
             e3,
         ];
-        let (least, most) = range(&squares(&e));
-        let (low, high) = (least.max(0.0).sqrt() - rest, most.sqrt() + rest);
+        let (min, max) = range(&squares(&e));
+        let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
         let off = (high - distance).max(distance - low);
         if high + distance <= self.tolerance {
             return high + distance;
@@ -117,33 +117,33 @@ impl OffsetCurve<'_> {
         rest: f64,
     ) -> f64 {
         let distance = self.distance.abs();
-        let (least, most) = range(&products2(d, d));
-        let (lean_least, lean_most) = range(&products3(e, d));
+        let (min, max) = range(&products2(d, d));
+        let (lean_min, lean_max) = range(&products3(e, d));
         let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
         let ahead = products2(&v, d);
         let bend = products31(e, &turn);
-        let (f_least, f_most) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
-        let mut lean = lean_most.max(-lean_least);
-        let mut forward = f_least.max(-f_most);
+        let (f_min, f_max) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
+        let mut lean = lean_max.max(-lean_min);
+        let mut forward = f_min.max(-f_max);
         if rest > 0.0 {
             // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
             // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
-            let fastest = most.sqrt();
+            let fastest = max.sqrt();
             lean += rest * (fastest + 20.0 * high);
             forward -= rest * (40.0 * fastest + 160.0 * high);
         }
         let squares = lean * lean;
-        if forward > lean && squares < 0.25 * low * low * least {
+        if forward > lean && squares < 0.25 * low * low * min {
             let off = (high - distance).max(distance - low);
             let found = off + FOOT_SAFETY * squares / (2.0 * low * forward);
             if found <= self.tolerance {
                 return found;
             }
         }
-        if least <= 0.0 || squares >= low * low * least {
+        if min <= 0.0 || squares >= low * low * min {
             return f64::INFINITY;
         }
-        let delta_squared = squares / least;
+        let delta_squared = squares / min;
         let up = (low * low - delta_squared).max(0.0).sqrt();
         let across = (high - distance).max(distance - up);
         (across * across + delta_squared).sqrt()
@@ -152,8 +152,8 @@ impl OffsetCurve<'_> {
     /// A quadratic field with the directions of B′dt: B′dt itself, or, where it vanishes at an end, divided by u or 1 − u.
     fn direction(v: [Plane; 3]) -> [Plane; 3] {
         let [v0, v1, v2] = v;
-        let most = v0.square().max(v1.square()).max(v2.square());
-        let still = |p: Plane| p.square() <= VANISHING_SPEED * VANISHING_SPEED * most;
+        let max = v0.square().max(v1.square()).max(v2.square());
+        let still = |p: Plane| p.square() <= VANISHING_SPEED * VANISHING_SPEED * max;
         if still(v0) {
             if still(v1) {
                 return [v2; 3];
@@ -174,13 +174,13 @@ impl OffsetCurve<'_> {
 const REMAINDER_SHARE: f64 = 0.02;
 
 fn range(coefficients: &[f64]) -> (f64, f64) {
-    let mut least = f64::INFINITY;
-    let mut most = -f64::INFINITY;
+    let mut min = f64::INFINITY;
+    let mut max = -f64::INFINITY;
     for &c in coefficients {
-        least = if c < least { c } else { least };
-        most = if c > most { c } else { most };
+        min = if c < min { c } else { min };
+        max = if c > max { c } else { max };
     }
-    (least, most)
+    (min, max)
 }
 
 /// |E|², degree 6.

@@ -6,7 +6,7 @@ use super::{End, OffsetCurve, Source};
 use crate::WorkLimit;
 
 /// Halvings in the search for a zero of B′; what is left of the interval then is refined.
-const MOST_HALVINGS: usize = 30;
+const MAX_HALVINGS: usize = 30;
 
 /// Below this part of the largest speed a second derivative gives no direction.
 const VANISHING_BEND: f64 = 1e-9;
@@ -27,13 +27,13 @@ impl Source {
                 &self.first_vectors(),
                 3,
                 (0.0, 1.0),
-                MOST_HALVINGS,
+                MAX_HALVINGS,
                 &mut found,
             );
         } else {
             let mut vectors = [Plane::default(); 64];
             vectors[..n].copy_from_slice(self.differences());
-            self.search::<64>(&vectors, n, (0.0, 1.0), MOST_HALVINGS, &mut found);
+            self.search::<64>(&vectors, n, (0.0, 1.0), MAX_HALVINGS, &mut found);
         }
         found.dedup_by(|b, a| *b - *a < 2.0 * BESIDE * BESIDE);
         found
@@ -48,9 +48,9 @@ impl Source {
         halvings: usize,
         found: &mut Vec<f64>,
     ) {
-        let way = vectors[0] + vectors[n - 1];
-        let agree = vectors[..n].iter().all(|v| v.dot(way) >= 0.0);
-        if agree && vectors[..n].iter().any(|v| v.dot(way) > 0.0) {
+        let direction = vectors[0] + vectors[n - 1];
+        let agree = vectors[..n].iter().all(|v| v.dot(direction) >= 0.0);
+        if agree && vectors[..n].iter().any(|v| v.dot(direction) > 0.0) {
             return;
         }
         if halvings == 0 {
@@ -75,10 +75,10 @@ impl Source {
     /// The zero of B′ next to t, if there is one: Gauss and Newton's step for the least |B′|².
     fn refined(&self, mut t: f64) -> Option<f64> {
         for _ in 0..4 {
-            let place = self.at(t);
-            let square = place.a.square();
+            let sample = self.at(t);
+            let square = sample.a.square();
             if square > 0.0 {
-                t -= place.v.dot(place.a) / square;
+                t -= sample.v.dot(sample.a) / square;
             }
         }
         if t <= BESIDE || t >= 1.0 - BESIDE {
@@ -93,9 +93,9 @@ impl Source {
 
     /// The tangents before and after a cusp.
     pub fn cusp_tangents(&self, t: f64) -> (Plane, Plane) {
-        let place = self.at(t);
-        if place.a.length() > VANISHING_BEND * self.speed() {
-            return (-place.a.unit(), place.a.unit());
+        let sample = self.at(t);
+        if sample.a.length() > VANISHING_BEND * self.speed() {
+            return (-sample.a.unit(), sample.a.unit());
         }
         let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
         (self.at(t - beside).v.unit(), self.at(t + beside).v.unit())
@@ -151,8 +151,8 @@ impl OffsetCurve<'_> {
 
     fn outer_end(&self, t: f64, tangent: Plane, inwards: f64) -> End {
         let mut end = self.end(t);
-        if self.source.is_still(&end.place) {
-            end.place.v = Plane::default();
+        if self.source.is_still(&end.sample) {
+            end.sample.v = Plane::default();
             end.sign_t = t + inwards;
             end.sign = self.end(end.sign_t).sign;
         }
@@ -165,11 +165,11 @@ impl OffsetCurve<'_> {
             return false;
         }
         let [v0, v1, v2] = self.source.first_vectors();
-        let most_bend = (self.distance * v0.cross(v1))
+        let max_bend = (self.distance * v0.cross(v1))
             .max(self.distance * v0.cross(v2) * 0.5)
             .max(self.distance * v1.cross(v2))
             * 2.0;
-        if most_bend <= 0.0 {
+        if max_bend <= 0.0 {
             return true;
         }
         let squares = [
@@ -179,7 +179,7 @@ impl OffsetCurve<'_> {
             v1.dot(v2),
             v2.square(),
         ];
-        let least = squares.into_iter().fold(f64::INFINITY, f64::min).max(0.0);
-        least * least.sqrt() > most_bend
+        let min = squares.into_iter().fold(f64::INFINITY, f64::min).max(0.0);
+        min * min.sqrt() > max_bend
     }
 }

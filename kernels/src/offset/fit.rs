@@ -44,7 +44,7 @@ impl OffsetCurve<'_> {
             let mut worst: f64 = 0.0;
             for pair in &mut pairs[1..4] {
                 let steps = if round == 0 { 2 } else { 1 };
-                self.see(&cubic, pair, (from.place.t, to.place.t), steps);
+                self.see(&cubic, pair, (from.sample.t, to.sample.t), steps);
                 let n = pair.n;
                 let error = self.error(pair);
                 worst = worst.max(error.abs());
@@ -86,13 +86,13 @@ impl OffsetCurve<'_> {
 
     /// Those of the source's piece, and of the arc of the normal: 4/3 tan(θ/4).
     fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
-        let third = (to.place.t - from.place.t) / 3.0;
+        let third = (to.sample.t - from.sample.t) / 3.0;
         let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
         let half_cos = (0.5 + 0.5 * cos).max(0.0).sqrt();
         let half_sin = (0.5 - 0.5 * cos).max(0.0).sqrt().copysign(sin);
         let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
         let handle = |end: &End| {
-            let length = third * end.place.v.length() - arc;
+            let length = third * end.sample.v.length() - arc;
             end.sign * (end.sign * length).max(0.0)
         };
         (handle(from), handle(to))
@@ -100,11 +100,11 @@ impl OffsetCurve<'_> {
 
     fn pairs(&self, from: &End, to: &End) -> [Pair; 5] {
         let mut pairs = [Pair::default(); 5];
-        (pairs[0].foot, pairs[0].n) = (from.place, from.tangent.turned());
-        (pairs[4].s, pairs[4].foot, pairs[4].n) = (1.0, to.place, to.tangent.turned());
+        (pairs[0].foot, pairs[0].n) = (from.sample, from.tangent.turned());
+        (pairs[4].s, pairs[4].foot, pairs[4].n) = (1.0, to.sample, to.tangent.turned());
         for (pair, s) in pairs[1..4].iter_mut().zip(SAMPLES) {
             pair.s = s;
-            pair.foot.t = from.place.t + (to.place.t - from.place.t) * s;
+            pair.foot.t = from.sample.t + (to.sample.t - from.sample.t) * s;
         }
         pairs
     }
@@ -113,14 +113,14 @@ impl OffsetCurve<'_> {
     pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
         (pair.q, pair.w) = at(cubic, pair.s);
         for _ in 0..steps {
-            let place = if pair.n == Plane::default() {
+            let sample = if pair.n == Plane::default() {
                 self.source.at(pair.foot.t)
             } else {
                 pair.foot
             };
-            let gap = pair.q - place.b;
-            let t = place.t + gap.dot(place.v) / (place.v.square() - gap.dot(place.a));
-            let t = if t > t0 && t < t1 { t } else { place.t };
+            let gap = pair.q - sample.b;
+            let t = sample.t + gap.dot(sample.v) / (sample.v.square() - gap.dot(sample.a));
+            let t = if t > t0 && t < t1 { t } else { sample.t };
             pair.foot = self.source.at(t);
             pair.n = Plane { x: 1.0, y: 0.0 };
         }

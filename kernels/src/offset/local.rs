@@ -26,15 +26,15 @@ impl OffsetCurve<'_> {
             source: self.source,
             ..*self
         };
-        let (t0, t1) = (from.place.t, to.place.t);
+        let (t0, t1) = (from.sample.t, to.sample.t);
         if self.source.degree() > 3 && t1 - t0 <= SHORT_PIECE {
             local.third = self.source.derivative_bound(3, t0, t1).min(self.third);
             local.fourth = self.source.derivative_bound(4, t0, t1).min(self.fourth);
         }
         if t1 - t0 <= NOISY_PIECE {
-            let noise = self.noise(&from.place).min(self.noise(&to.place));
-            let most = MAX_NOISE * self.distance.abs();
-            local.tolerance = self.tolerance.max(noise.min(most));
+            let noise = self.noise(&from.sample).min(self.noise(&to.sample));
+            let max = MAX_NOISE * self.distance.abs();
+            local.tolerance = self.tolerance.max(noise.min(max));
         }
         local
     }
@@ -100,8 +100,8 @@ impl Source {
             count -= 1;
         }
         restrict(&mut row[..count], t0, t1);
-        let most = row[..count].iter().fold(0.0, |m: f64, v| m.max(v.square()));
-        factor * most.sqrt()
+        let max = row[..count].iter().fold(0.0, |m: f64, v| m.max(v.square()));
+        factor * max.sqrt()
     }
 }
 

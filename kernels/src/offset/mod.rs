@@ -38,7 +38,7 @@ const VANISHING_SPEED: f64 = 1e-14;
 /// 1 along the tangent, −1 against it (where it has passed its cusp), as found at the parameter `sign_t`.
 #[derive(Clone, Copy, Debug)]
 struct End {
-    place: OffsetSample,
+    sample: OffsetSample,
     tangent: Plane,
     sign: f64,
     sign_t: f64,
@@ -68,15 +68,15 @@ impl<'a> OffsetCurve<'a> {
 
     /// The end of a piece at t.
     fn end(&self, t: f64) -> End {
-        let place = self.source.at(t);
-        let sign = if self.forwardness(&place) < 0.0 {
+        let sample = self.source.at(t);
+        let sign = if self.forwardness(&sample) < 0.0 {
             -1.0
         } else {
             1.0
         };
         End {
-            place,
-            tangent: place.v.unit(),
+            sample,
+            tangent: sample.v.unit(),
             sign,
             sign_t: t,
         }
@@ -92,7 +92,7 @@ impl<'a> OffsetCurve<'a> {
     /// The point of the parallel at an end.
     #[inline]
     fn point(&self, end: &End) -> Plane {
-        end.place.b + end.tangent.turned() * self.distance
+        end.sample.b + end.tangent.turned() * self.distance
     }
 
     /// Appends three control points for each cubic from one end to the other, without looking for cusps before. Appends
@@ -124,13 +124,13 @@ impl<'a> OffsetCurve<'a> {
             out.extend_from_slice(&cubic[1..]);
             return;
         }
-        let shortest = cuts == 0 || to.place.t - from.place.t <= SHORTEST;
+        let shortest = cuts == 0 || to.sample.t - from.sample.t <= SHORTEST;
         if shortest || local.tiny(from, to) || local.pivots(from, to) {
             self.arc(from, to, out);
             return;
         }
         let mut middle = self.cut(from, to);
-        if self.source.is_still(&middle.place) {
+        if self.source.is_still(&middle.sample) {
             middle.tangent = (from.tangent + to.tangent).unit();
         }
         self.cover_deep(from, &middle, cuts - 1, out, work);
@@ -139,15 +139,15 @@ impl<'a> OffsetCurve<'a> {
 
     /// Whether the parallel of a piece is shorter than a part of the tolerance.
     fn tiny(&self, from: &End, to: &End) -> bool {
-        self.length_bound(&from.place, &to.place) <= TINY_PART * self.tolerance
+        self.length_bound(&from.sample, &to.sample) <= TINY_PART * self.tolerance
     }
 
     /// Whether the source is a point as far as the tolerance tells, and the normal turns about it without leaving the
     /// angle between its ends; where the normal is only rounding, no angle is left.
     fn pivots(&self, from: &End, to: &End) -> bool {
-        let (a, b) = (&from.place, &to.place);
-        let way = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
-        if way > TINY_PART * self.tolerance {
+        let (a, b) = (&from.sample, &to.sample);
+        let distance_along = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
+        if distance_along > TINY_PART * self.tolerance {
             return false;
         }
         if self.noise(a).min(self.noise(b)) >= self.tolerance {
@@ -162,9 +162,9 @@ impl<'a> OffsetCurve<'a> {
             0.0
         };
         self.source.slopes_between(a.t, b.t, |v| {
-            let least = excess * v.length();
-            from.tangent.cross(v) * sign >= least
-                && v.cross(to.tangent) * sign >= least
+            let min = excess * v.length();
+            from.tangent.cross(v) * sign >= min
+                && v.cross(to.tangent) * sign >= min
                 && v.dot(from.tangent + to.tangent) >= 0.0
         })
     }
@@ -214,7 +214,7 @@ impl<'a> OffsetCurve<'a> {
     /// is found some way inside, the sign between is only rounding.
     fn cusp(&self, from: &End, to: &End) -> Option<(End, End)> {
         let (t0, t1) = (from.sign_t, to.sign_t);
-        let t = self.zero(t0, t1, from.sign, |place| self.forwardness(place))?;
+        let t = self.zero(t0, t1, from.sign, |sample| self.forwardness(sample))?;
         let before = End {
             sign: from.sign,
             ..self.end(t)
@@ -228,19 +228,19 @@ impl<'a> OffsetCurve<'a> {
 
     /// Where to cut: at an inflection, or where the tangent has turned half the way, or amid the parameters.
     fn cut(&self, from: &End, to: &End) -> End {
-        let (t0, t1) = (from.place.t, to.place.t);
-        let bend = |place: &OffsetSample| place.v.cross(place.a);
-        let (b0, b1) = (bend(&from.place), bend(&to.place));
+        let (t0, t1) = (from.sample.t, to.sample.t);
+        let bend = |sample: &OffsetSample| sample.v.cross(sample.a);
+        let (b0, b1) = (bend(&from.sample), bend(&to.sample));
         let half = from.tangent + to.tangent;
         let side = from.tangent.cross(half);
         let t = if b0 * b1 < 0.0 {
             self.zero(t0, t1, b0.signum(), bend)
-        } else if side.abs() > LEAST_TURN {
-            self.zero(t0, t1, 1.0, |place| half.cross(place.v) * -side.signum())
+        } else if side.abs() > MIN_TURN {
+            self.zero(t0, t1, 1.0, |sample| half.cross(sample.v) * -side.signum())
         } else {
             None
         };
-        let inside = |t: &f64| (*t - t0).min(t1 - *t) > LEAST_PART * (t1 - t0);
+        let inside = |t: &f64| (*t - t0).min(t1 - *t) > MIN_PART * (t1 - t0);
         let t = t.filter(inside);
         self.end(t.unwrap_or(0.5 * (t0 + t1)))
     }
@@ -280,10 +280,10 @@ impl<'a> OffsetCurve<'a> {
 }
 
 /// Turns below this (as a sine) are too small to halve by direction.
-const LEAST_TURN: f64 = 0.05;
+const MIN_TURN: f64 = 0.05;
 
 /// A cut this near to an end, as a part of the piece, would not be one.
-const LEAST_PART: f64 = 1e-3;
+const MIN_PART: f64 = 1e-3;
 
 /// A root is known when its interval is this part of it.
 const ROOT_WIDTH: f64 = 1e-13;

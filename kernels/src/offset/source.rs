@@ -39,10 +39,10 @@ pub(crate) struct OffsetSample {
 
 impl Source {
     /// From 2 to 65 control points, of a size of about 1.
-    pub fn new(given: &[[f64; 2]]) -> Self {
-        let count = given.len().clamp(1, MAX_POINTS);
+    pub fn new(control_points: &[[f64; 2]]) -> Self {
+        let count = control_points.len().clamp(1, MAX_POINTS);
         let mut all = [Plane::default(); MAX_POINTS];
-        for (p, &[x, y]) in all.iter_mut().zip(given) {
+        for (p, &[x, y]) in all.iter_mut().zip(control_points) {
             *p = Plane { x, y };
         }
         let all = &all[..count];
@@ -86,10 +86,10 @@ impl Source {
 
     /// The tangents at both ends: toward the first control point that is not the end itself.
     fn tangents_of(&self, points: &[Plane]) -> [Plane; 2] {
-        let least = NO_HANDLE * self.speed;
+        let min = NO_HANDLE * self.speed;
         let toward = |end: Plane, p: &Plane| {
-            let way = *p - end;
-            (way.length() > least).then(|| way.unit())
+            let chord = *p - end;
+            (chord.length() > min).then(|| chord.unit())
         };
         let (first, last) = (points[0], points[self.count - 1]);
         let start = points.iter().find_map(|p| toward(first, p));
@@ -201,10 +201,10 @@ fn fourth_bound(points: &[Plane]) -> f64 {
         return 0.0;
     }
     let n = (points.len() - 1) as f64;
-    let most = points.windows(5).fold(0.0, |m: f64, p| {
+    let max = points.windows(5).fold(0.0, |m: f64, p| {
         m.max((p[0] + p[4] - (p[1] + p[3]) * 4.0 + p[2] * 6.0).square())
     });
-    n * (n - 1.0) * (n - 2.0) * (n - 3.0) * most.sqrt()
+    n * (n - 1.0) * (n - 2.0) * (n - 3.0) * max.sqrt()
 }
 
 /// n(n−1)(n−2) times the longest third difference.
@@ -213,8 +213,8 @@ fn third_bound(points: &[Plane]) -> f64 {
         return 0.0;
     }
     let n = (points.len() - 1) as f64;
-    let most = points.windows(4).fold(0.0, |m: f64, p| {
+    let max = points.windows(4).fold(0.0, |m: f64, p| {
         m.max(((p[3] - p[0]) + (p[1] - p[2]) * 3.0).square())
     });
-    n * (n - 1.0) * (n - 2.0) * most.sqrt()
+    n * (n - 1.0) * (n - 2.0) * max.sqrt()
 }

@@ -12,7 +12,7 @@ use glam::DVec2;
 const NEAR_END: f64 = 1e-5;
 
 /// A shared piece is longer than this many times what rounding may move; a shorter one is a point.
-const LEAST_OVERLAP: f64 = 64.0;
+const MIN_OVERLAP: f64 = 64.0;
 
 /// The ends of a shared piece are closer together than this many times the slack. Heights up to four times the slack count
 /// as contact, in an axis that may be oblique to the coordinates (√2); rounding of the parameters adds up to two.
@@ -26,35 +26,45 @@ const HIDDEN_TURN: f64 = 1e-6;
 
 impl NormalizedPair {
     /// Says what an interval is.
-    pub(super) fn classify(&self, interval: &ContactInterval, places: &mut Vec<ClassifiedPoint>) {
+    pub(super) fn classify(
+        &self,
+        interval: &ContactInterval,
+        locations: &mut Vec<ClassifiedPoint>,
+    ) {
         if interval.crossing {
             let (t, u) = self.snapped(interval.ends()[0]);
-            return places.push((t, u, IntersectionKind::Cross));
+            return locations.push((t, u, IntersectionKind::Cross));
         }
         if let Some(overlap) = self.overlap(interval) {
-            return places.push(overlap);
+            return locations.push(overlap);
         }
         if let Some((t, u)) = self.end_in(interval) {
-            return places.push((t, u, self.kind(t, u)));
+            return locations.push((t, u, self.kind(t, u)));
         }
         let middle = (
             0.5 * (interval.t[0] + interval.t[1]),
             0.5 * (interval.u[0] + interval.u[1]),
         );
-        if let Some((t, u)) = self.tangency(middle).filter(|&place| interval.holds(place)) {
-            return places.push((t, u, IntersectionKind::Tangent));
+        if let Some((t, u)) = self
+            .tangency(middle)
+            .filter(|&location| interval.holds(location))
+        {
+            return locations.push((t, u, IntersectionKind::Tangent));
         }
-        let crossing = |place| self.crossing(place).filter(|&place| interval.holds(place));
+        let crossing = |location| {
+            self.crossing(location)
+                .filter(|&location| interval.holds(location))
+        };
         match self.paired(interval).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
-                places.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
+                locations.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
             }
-            [Some((t, u)), _] | [None, Some((t, u))] => places.push((t, u, self.kind(t, u))),
+            [Some((t, u)), _] | [None, Some((t, u))] => locations.push((t, u, self.kind(t, u))),
             // A contact of higher order, or a cusp, that Newton's method does not sharpen.
             [None, None] => {
                 let (t, u) = self.opposite(middle.0, middle.1);
                 if self.one((t, u)) {
-                    places.push((t, u, self.kind(t, u)));
+                    locations.push((t, u, self.kind(t, u)));
                 }
             }
         }
@@ -95,7 +105,7 @@ impl NormalizedPair {
         }
         let [start, end] = self
             .paired(interval)
-            .map(|place| self.at_end(interval, self.snapped(place)));
+            .map(|location| self.at_end(interval, self.snapped(location)));
         let ((t, u), (t_end, u_end)) = (start?, end?);
         let shared = self.is_long(0, [t, t_end])
             && self.is_long(1, [u, u_end])
@@ -109,16 +119,18 @@ impl NormalizedPair {
         let start = evaluate(points, from);
         [0.25, 0.5, 0.75, 1.0].iter().any(|&part| {
             let t = from + part * (to - from);
-            (evaluate(points, t) - start).max_abs() > LEAST_OVERLAP * self.slack
+            (evaluate(points, t) - start).max_abs() > MIN_OVERLAP * self.slack
         })
     }
 
     /// A place where a curve ends, made exact on the other; `None` where no end of a curve lies on the other curve.
-    fn at_end(&self, interval: &ContactInterval, place: (f64, f64)) -> Option<(f64, f64)> {
+    fn at_end(&self, interval: &ContactInterval, location: (f64, f64)) -> Option<(f64, f64)> {
         let both = |&(t, u): &(f64, f64)| self.ends(0).contains(&t) && self.ends(1).contains(&u);
         let met = |&(t, u): &(f64, f64)| self.apart(t, u) <= SHARED_END * self.slack;
-        let first = Some(place).filter(both);
-        let mut all = first.into_iter().chain(self.opposite_ends(interval, place));
+        let first = Some(location).filter(both);
+        let mut all = first
+            .into_iter()
+            .chain(self.opposite_ends(interval, location));
         all.find(met)
     }
 
@@ -129,18 +141,18 @@ impl NormalizedPair {
     fn opposite_ends(&self, interval: &ContactInterval, (t, u): (f64, f64)) -> Vec<(f64, f64)> {
         let (t_ends, u_ends) = (self.ends(0), self.ends(1));
         let inside = |x: &f64, [from, to]: [f64; 2]| *x >= from && *x <= to;
-        let mut places = Vec::new();
+        let mut locations = Vec::new();
         if t_ends.contains(&t) {
-            places.extend([u, interval.u[0], interval.u[1]].map(|u| self.opposite(t, u)));
+            locations.extend([u, interval.u[0], interval.u[1]].map(|u| self.opposite(t, u)));
             let stops = u_ends.iter().filter(|u| inside(u, interval.u));
-            places.extend(stops.map(|&u| (t, u)));
+            locations.extend(stops.map(|&u| (t, u)));
         }
         if u_ends.contains(&u) {
-            places.extend([t, interval.t[0], interval.t[1]].map(|t| self.across(t, u)));
+            locations.extend([t, interval.t[0], interval.t[1]].map(|t| self.across(t, u)));
             let stops = t_ends.iter().filter(|t| inside(t, interval.t));
-            places.extend(stops.map(|&t| (t, u)));
+            locations.extend(stops.map(|&t| (t, u)));
         }
-        places
+        locations
     }
 
     /// Where a curve starts, ends or stops.
@@ -166,7 +178,9 @@ impl NormalizedPair {
         let both = ts.iter().flat_map(|&t| us.iter().map(move |&u| (t, u)));
         let on_b = ts.iter().map(|&t| self.opposite(t, middle.1));
         let on_a = us.iter().map(|&u| self.across(middle.0, u));
-        both.chain(on_b).chain(on_a).find(|&place| self.one(place))
+        both.chain(on_b)
+            .chain(on_a)
+            .find(|&location| self.one(location))
     }
 
     /// Tangent where the directions differ by no more than rounding can turn them.

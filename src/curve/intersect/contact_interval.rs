@@ -93,8 +93,8 @@ impl ContactInterval {
         if t < last_t[1] - SAME {
             // Within it: at the place that corresponds?
             let width = last_u[1] - last_u[0];
-            let place = last_u[0] + width * (t - last_t[0]) / (last_t[1] - last_t[0]);
-            return distance([place, place], start).abs() <= 0.01 * width * width + 1e-7;
+            let expected_u = last_u[0] + width * (t - last_t[0]) / (last_t[1] - last_t[0]);
+            return distance([expected_u, expected_u], start).abs() <= 0.01 * width * width + 1e-7;
         }
         let end = self.edges()[1];
         let (gap_t, gap_u) = (t - self.t[1], distance(end, start));
@@ -154,16 +154,16 @@ pub(super) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<C
     sort_by(&mut contacts, |p, q| {
         p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))
     });
-    let mut zones: Vec<ContactInterval> = Vec::with_capacity(contacts.len());
+    let mut intervals: Vec<ContactInterval> = Vec::with_capacity(contacts.len());
     for contact in contacts {
         let next = ContactInterval::new(contact);
-        let near = zones.iter().rposition(|interval| {
+        let near = intervals.iter().rposition(|interval| {
             next.t[0] - interval.t[1] < LARGEST_GAP && interval.takes(pair, &next)
         });
         match near {
-            Some(k) => zones[k].join(&next),
-            None => zones.push(next),
+            Some(k) => intervals[k].join(&next),
+            None => intervals.push(next),
         }
     }
-    zones
+    intervals
 }

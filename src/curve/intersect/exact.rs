@@ -9,7 +9,7 @@ use crate::point::Point;
 use glam::DVec2;
 
 /// Places closer than this, at size 1, are one where an end or a stop lies between them.
-const ONE_PLACE: f64 = 1e-8;
+const SAME_POINT: f64 = 1e-8;
 
 /// And no farther apart than this in the parameter.
 const NEARBY: f64 = 1e-4;
@@ -21,7 +21,7 @@ const LARGEST_GAP: f64 = 0.05;
 const NO_HEIGHT: f64 = 4.0;
 
 /// A shared piece of two lines is longer than this many times the slack.
-const LEAST_OVERLAP: f64 = 64.0;
+const MIN_OVERLAP: f64 = 64.0;
 
 impl NormalizedPair {
     /// Whether both are lines with a length.
@@ -33,9 +33,9 @@ impl NormalizedPair {
     pub(super) fn lines(&self) -> Vec<ClassifiedPoint> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
-            for place in [self.foot(1, end), self.foot(0, end)] {
-                if self.one(place) {
-                    ends.push(place);
+            for location in [self.foot(1, end), self.foot(0, end)] {
+                if self.one(location) {
+                    ends.push(location);
                 }
             }
         }
@@ -49,7 +49,7 @@ impl NormalizedPair {
             let long = (evaluate(a, last.0) - evaluate(a, first.0))
                 .abs()
                 .max_element();
-            if long > LEAST_OVERLAP * self.slack {
+            if long > MIN_OVERLAP * self.slack {
                 let (t_end, u_end) = last;
                 return vec![(first.0, first.1, IntersectionKind::Overlap { t_end, u_end })];
             }
@@ -75,7 +75,9 @@ impl NormalizedPair {
         };
         let (t, u) = (part(0)?, part(1)?);
         let beside = self.opposite(t, u);
-        [(t, u), beside].into_iter().find(|&place| self.one(place))
+        [(t, u), beside]
+            .into_iter()
+            .find(|&location| self.one(location))
     }
 
     /// The place where an end of the other line is nearest to a line, `curve`.
@@ -92,48 +94,49 @@ impl NormalizedPair {
     }
 
     /// The same places with those at ends and stops exact, and each once.
-    pub(super) fn exact(&self, mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+    pub(super) fn exact(&self, mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
-            return places; // a point has no ends of its own
+            return locations; // a point has no ends of its own
         }
         for t in [0.0, 1.0] {
             for u in [0.0, 1.0] {
                 if evaluate(&self.curves[0], t) == evaluate(&self.curves[1], u) {
-                    self.merge(&mut places, (t, u), true);
+                    self.merge(&mut locations, (t, u), true);
                 }
             }
         }
         for curve in [0, 1] {
             for &stop in &self.stops[curve] {
-                self.gather_at_stop(&mut places, curve, stop);
+                self.merge_at_stop(&mut locations, curve, stop);
             }
         }
-        sort(&mut places, |p, q| (p.0, p.1) < (q.0, q.1));
-        self.one_crossing_each(&mut places);
-        places
+        sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
+        self.one_crossing_each(&mut locations);
+        locations
     }
 
     /// Moves the places next to a stop to the stop. Each of them is looked at once: the place that replaces it may lie too
     /// far from it on the other curve to take it away.
-    fn gather_at_stop(&self, places: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
-        let near =
-            |place: &&ClassifiedPoint| is_point(place) && self.is_next_to(curve, place, stop);
-        let all: Vec<ClassifiedPoint> = places.iter().filter(near).copied().collect();
-        for place in all {
+    fn merge_at_stop(&self, locations: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
+        let near = |location: &&ClassifiedPoint| {
+            is_point(location) && self.is_next_to(curve, location, stop)
+        };
+        let all: Vec<ClassifiedPoint> = locations.iter().filter(near).copied().collect();
+        for location in all {
             let tip = if curve == 0 {
-                self.opposite(stop, place.1)
+                self.opposite(stop, location.1)
             } else {
-                self.across(place.0, stop)
+                self.across(location.0, stop)
             };
-            if places.contains(&place) && self.one(tip) {
-                self.merge(places, tip, false);
+            if locations.contains(&location) && self.one(tip) {
+                self.merge(locations, tip, false);
             }
         }
     }
 
     /// Whether a place is not at a parameter of a curve, but next to it.
-    fn is_next_to(&self, curve: usize, place: &ClassifiedPoint, at: f64) -> bool {
-        let t = if curve == 0 { place.0 } else { place.1 };
+    fn is_next_to(&self, curve: usize, location: &ClassifiedPoint, at: f64) -> bool {
+        let t = if curve == 0 { location.0 } else { location.1 };
         t != at && self.is_near(curve, t, at)
     }
 
@@ -143,48 +146,53 @@ impl NormalizedPair {
             && (evaluate(points, t) - evaluate(points, at))
                 .abs()
                 .max_element()
-                <= ONE_PLACE
+                <= SAME_POINT
     }
 
     /// Puts one place where others are next to it; with `always` also where none is, unless a shared piece ends there.
     /// Whether it replaced any.
-    fn merge(&self, places: &mut Vec<ClassifiedPoint>, (t, u): (f64, f64), always: bool) -> bool {
+    fn merge(
+        &self,
+        locations: &mut Vec<ClassifiedPoint>,
+        (t, u): (f64, f64),
+        always: bool,
+    ) -> bool {
         let near = |p: f64, q: f64| self.is_near(0, p, t) && self.is_near(1, q, u);
         let mut ends_piece = false;
-        for place in places.iter_mut() {
-            let IntersectionKind::Overlap { t_end, u_end } = &mut place.2 else {
+        for location in locations.iter_mut() {
+            let IntersectionKind::Overlap { t_end, u_end } = &mut location.2 else {
                 continue;
             };
             // A shared piece that is as short as that keeps its two ends.
-            if near(place.0, place.1) && *t_end > t && *u_end != u {
-                (place.0, place.1, ends_piece) = (t, u, true);
-            } else if near(*t_end, *u_end) && place.0 < t && place.1 != u {
+            if near(location.0, location.1) && *t_end > t && *u_end != u {
+                (location.0, location.1, ends_piece) = (t, u, true);
+            } else if near(*t_end, *u_end) && location.0 < t && location.1 != u {
                 (*t_end, *u_end, ends_piece) = (t, u, true);
             }
         }
-        let before = places.len();
-        places.retain(|place| !(is_point(place) && near(place.0, place.1)));
-        let replaced = places.len() < before;
+        let before = locations.len();
+        locations.retain(|location| !(is_point(location) && near(location.0, location.1)));
+        let replaced = locations.len() < before;
         if !ends_piece && (replaced || always) {
-            let k = places.partition_point(|place| (place.0, place.1) < (t, u));
-            places.insert(k, (t, u, self.kind(t, u)));
+            let k = locations.partition_point(|location| (location.0, location.1) < (t, u));
+            locations.insert(k, (t, u, self.kind(t, u)));
         }
         replaced
     }
 
     /// Crossings between which nothing but rounding keeps the curves apart are one, or a touch if both sides are the same.
-    fn one_crossing_each(&self, places: &mut Vec<ClassifiedPoint>) {
+    fn one_crossing_each(&self, locations: &mut Vec<ClassifiedPoint>) {
         let mut k = 1;
         let mut first = 0;
-        while k < places.len() {
-            if self.is_continued(places[k - 1], places[k]) {
-                let (p, q) = (places[first], places[k]);
+        while k < locations.len() {
+            if self.is_continued(locations[k - 1], locations[k]) {
+                let (p, q) = (locations[first], locations[k]);
                 let run_ends =
-                    k + 1 == places.len() || !self.is_continued(places[k], places[k + 1]);
+                    k + 1 == locations.len() || !self.is_continued(locations[k], locations[k + 1]);
                 if run_ends {
                     let (t, u) = self.between(p, q);
-                    places[first] = (t, u, self.kind_between(p, q));
-                    places.drain(first + 1..=k);
+                    locations[first] = (t, u, self.kind_between(p, q));
+                    locations.drain(first + 1..=k);
                     k = first + 1;
                     first = k;
                     k += 1;
@@ -209,7 +217,7 @@ impl NormalizedPair {
             self.across(middle.0, middle.1),
         ]
         .into_iter()
-        .find(|&place| self.one(place))
+        .find(|&location| self.one(location))
         .unwrap_or((p.0, p.1))
     }
 
@@ -220,7 +228,7 @@ impl NormalizedPair {
         let same = (evaluate(a, p.0) - evaluate(a, q.0)).abs().max_element() <= self.slack;
         is_crossing(&p)
             && is_crossing(&q)
-            && !(same && gap_t.abs().max(gap_u.abs()) > ONE_PLACE)
+            && !(same && gap_t.abs().max(gap_u.abs()) > SAME_POINT)
             && gap_t.abs() < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
             && [0.25, 0.5, 0.75].iter().all(|&part| {
@@ -239,11 +247,11 @@ impl NormalizedPair {
     }
 
     /// On which side of the second curve the first one is, some way from a place; 0 where it ends before that shows.
-    fn side(&self, (t, u, _): ClassifiedPoint, mut way: f64) -> f64 {
+    fn side(&self, (t, u, _): ClassifiedPoint, mut step: f64) -> f64 {
         loop {
-            way *= 2.0;
-            let at = t + way;
-            if !(0.0..=1.0).contains(&at) || way.abs() > LARGEST_GAP || way == 0.0 {
+            step *= 2.0;
+            let at = t + step;
+            if !(0.0..=1.0).contains(&at) || step.abs() > LARGEST_GAP || step == 0.0 {
                 return 0.0;
             }
             let (_, u) = self.opposite(at, u);
@@ -257,10 +265,10 @@ impl NormalizedPair {
     }
 }
 
-fn is_point(place: &ClassifiedPoint) -> bool {
-    !matches!(place.2, IntersectionKind::Overlap { .. })
+fn is_point(location: &ClassifiedPoint) -> bool {
+    !matches!(location.2, IntersectionKind::Overlap { .. })
 }
 
-fn is_crossing(place: &ClassifiedPoint) -> bool {
-    place.2 == IntersectionKind::Cross
+fn is_crossing(location: &ClassifiedPoint) -> bool {
+    location.2 == IntersectionKind::Cross
 }

@@ -34,10 +34,10 @@ const NEARLY_PARALLEL: f64 = 1e-7;
 pub(super) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
     let n = (points.len() - 1) as f64;
     let slopes = differences(points);
-    let bends = differences(&slopes);
-    let bend = match bends.len() {
+    let second_derivatives = differences(&slopes);
+    let bend = match second_derivatives.len() {
         0 => DVec2::ZERO,
-        _ => evaluate(&bends, t),
+        _ => evaluate(&second_derivatives, t),
     };
     let slope = evaluate(&slopes, t);
     [evaluate(points, t), slope * n, bend * (n * (n - 1.0))]
@@ -101,20 +101,20 @@ impl NormalizedPair {
     /// The parameter on one curve that is nearest to a point, from a parameter nearby. Steps that lead farther away are
     /// halved.
     pub(super) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
-        let (mut best, mut least) = (near, f64::INFINITY);
+        let (mut best, mut min) = (near, f64::INFINITY);
         let mut t = near;
         for _ in 0..NEAREST_STEPS {
             let [p, d, dd] = taylor(&self.curves[curve], t);
             let gap = p - point;
             let distance = gap.length_squared();
-            if distance >= least {
+            if distance >= min {
                 if (t - best).abs() <= LAST_STEP {
                     break;
                 }
                 t = 0.5 * (t + best);
                 continue;
             }
-            (best, least) = (t, distance);
+            (best, min) = (t, distance);
             // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, else a step along the tangent.
             let bend = d.length_squared() + gap.dot(dd);
             let slope = if bend > 0.5 * d.length_squared() {
@@ -156,7 +156,7 @@ impl NormalizedPair {
                 break;
             }
         }
-        Some((t, u)).filter(|&place| self.one(place))
+        Some((t, u)).filter(|&location| self.one(location))
     }
 
     /// Where both have the same direction and are nearest to each other: A′ × B′ = 0 and (A − B) · A′ = 0.
@@ -186,8 +186,8 @@ impl NormalizedPair {
         }
         let inside = (0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u);
         let (da, db) = (taylor(&self.curves[0], t)[1], taylor(&self.curves[1], u)[1]);
-        let parallel =
+        let is_parallel =
             da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::length(da) * Point::length(db);
-        (inside && parallel && self.one((t, u))).then_some((t, u))
+        (inside && is_parallel && self.one((t, u))).then_some((t, u))
     }
 }

@@ -23,7 +23,7 @@ const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
 
 /// A crossing that two pieces share is found by both, with some roundings between.
-const ONE_PLACE: f64 = 1e-10;
+const SAME_POINT: f64 = 1e-10;
 
 /// A contact so near to an end of a shared piece is that end.
 const ONE_END: f64 = 1e-7;
@@ -59,10 +59,12 @@ impl NormalizedPair {
             .max((min * unit - origin).abs())
             .max_element();
         let scale = power_of_two(spread);
-        let place = |p: &DVec2| (*p * unit - origin) * scale;
+        let normalized = |p: &DVec2| (*p * unit - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
-        let (a, b): (Points<DVec2>, Points<DVec2>) =
-            (a.iter().map(place).collect(), b.iter().map(place).collect());
+        let (a, b): (Points<DVec2>, Points<DVec2>) = (
+            a.iter().map(normalized).collect(),
+            b.iter().map(normalized).collect(),
+        );
         Some(Self {
             stops: [stops(&a), stops(&b)],
             curves: [a, b],
@@ -72,12 +74,12 @@ impl NormalizedPair {
 
     /// Everything that the curves share, in order.
     pub(super) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
-        let places = if self.is_of_lines() {
+        let locations = if self.is_of_lines() {
             self.lines()
         } else {
-            self.exact(self.places(self.contacts()))
+            self.exact(self.locations(self.contacts()))
         };
-        places
+        locations
             .into_iter()
             .map(|(t, u, kind)| Intersection {
                 t,
@@ -101,22 +103,23 @@ impl NormalizedPair {
     }
 
     /// What the contacts are, in order.
-    pub(super) fn places(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
-        let mut places = Vec::with_capacity(found.len());
+    pub(super) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
+        let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
-            let place = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
-            places.extend(
+            let normalized =
+                |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            locations.extend(
                 found
                     .iter()
-                    .map(place)
+                    .map(normalized)
                     .map(|(t, u)| (t, u, IntersectionKind::Cross)),
             );
         } else {
             for interval in joined(self, found) {
-                self.classify(&interval, &mut places);
+                self.classify(&interval, &mut locations);
             }
         }
-        tidied(places)
+        tidied(locations)
     }
 
     /// The contacts of some pieces with some others, in no order; the pieces lie between cuts.
@@ -130,46 +133,46 @@ impl NormalizedPair {
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
             let whole = [cubic(a), cubic(b)];
-            let mut meeting = ClippingSolver::new(whole, self.slack, MAX_PAIRS);
+            let mut solver = ClippingSolver::new(whole, self.slack, MAX_PAIRS);
             for (i, j) in pairs {
                 intersect_cubics(
-                    &mut meeting,
+                    &mut solver,
                     [cuts_a[i], cuts_a[i + 1]],
                     [cuts_b[j], cuts_b[j + 1]],
                 );
             }
-            return meeting.found;
+            return solver.found;
         }
         let whole = [piece(a, degree), piece(b, degree)];
-        let mut meeting = ClippingSolver::new(
+        let mut solver = ClippingSolver::new(
             whole,
             self.slack,
             MAX_PAIRS + MAX_PAIRS_PER_DEGREE * (degree - 3),
         );
         for (i, j) in pairs {
-            meeting.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
+            solver.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
         }
-        meeting.found
+        solver.found
     }
 }
 
 /// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
-fn tidied(mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
-    sort(&mut places, |p, q| p.0 < q.0);
-    for k in 1..places.len() {
-        if places[k].0 - places[k - 1].0 <= ONE_PARAMETER {
-            places[k].0 = places[k - 1].0;
+fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+    sort(&mut locations, |p, q| p.0 < q.0);
+    for k in 1..locations.len() {
+        if locations[k].0 - locations[k - 1].0 <= ONE_PARAMETER {
+            locations[k].0 = locations[k - 1].0;
         }
     }
-    sort(&mut places, |p, q| (p.0, p.1) < (q.0, q.1));
-    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(places.len());
-    for &place in &places {
+    sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
+    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
+    for &normalized in &locations {
         let again = kept
             .iter()
             .rev()
-            .any(|q| near(place, (q.0, q.1), ONE_PLACE) && is_point(q));
-        if !(is_point(&place) && (again || ends_piece(place, &places))) {
-            kept.push(place);
+            .any(|q| near(normalized, (q.0, q.1), SAME_POINT) && is_point(q));
+        if !(is_point(&normalized) && (again || ends_piece(normalized, &locations))) {
+            kept.push(normalized);
         }
     }
     kept
@@ -177,20 +180,20 @@ fn tidied(mut places: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
 
 /// By insertion: the lists are short, or nearly in order.
 pub(super) fn sort(
-    places: &mut [ClassifiedPoint],
+    locations: &mut [ClassifiedPoint],
     before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
 ) {
-    for k in 1..places.len() {
+    for k in 1..locations.len() {
         let mut i = k;
-        while i > 0 && before(&places[i], &places[i - 1]) {
-            places.swap(i, i - 1);
+        while i > 0 && before(&locations[i], &locations[i - 1]) {
+            locations.swap(i, i - 1);
             i -= 1;
         }
     }
 }
 
-fn is_point(place: &ClassifiedPoint) -> bool {
-    !matches!(place.2, IntersectionKind::Overlap { .. })
+fn is_point(normalized: &ClassifiedPoint) -> bool {
+    !matches!(normalized.2, IntersectionKind::Overlap { .. })
 }
 
 fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
@@ -198,12 +201,12 @@ fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
 }
 
 /// Whether a place is an end of a shared piece.
-fn ends_piece(place: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
+fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
             return false;
         };
-        near(place, (q.0, q.1), ONE_END) || near(place, (t_end, u_end), ONE_END)
+        near(normalized, (q.0, q.1), ONE_END) || near(normalized, (t_end, u_end), ONE_END)
     })
 }
 

@@ -22,10 +22,10 @@ pub(super) fn stops(points: &[DVec2]) -> Scalars {
         return found;
     }
     let slopes: Points<DVec2> = points.windows(2).map(|p| p[1] - p[0]).collect();
-    let most = VANISHING_RATIO * slopes.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    let max = VANISHING_RATIO * slopes.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
     for axis in 0..2 {
         let row: Scalars = slopes.iter().map(|p| p.coordinate(axis)).collect();
-        let still = |&t: &f64| evaluate(&slopes, t).max_abs() <= most;
+        let still = |&t: &f64| evaluate(&slopes, t).max_abs() <= max;
         found.extend(roots_inside(&row).into_iter().filter(still));
     }
     sort_by(&mut found, f64::total_cmp);
@@ -43,8 +43,8 @@ fn never_stops(points: &[DVec2]) -> bool {
             let (e, f, g) = (edge(0), edge(1), edge(2));
             let (ef, eg, fg) = (e.perp_dot(f), e.perp_dot(g), f.perp_dot(g));
             let product = 4.0 * ef * fg;
-            let most = e.max_abs().max(f.max_abs()).max(g.max_abs());
-            (eg * eg - product, most * most * most * most)
+            let max = e.max_abs().max(f.max_abs()).max(g.max_abs());
+            (eg * eg - product, max * max * max * max)
         }
         _ => return false,
     };

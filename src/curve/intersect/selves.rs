@@ -9,7 +9,7 @@ use glam::DVec2;
 
 /// A loop shorter than this, in parameters, is a cusp but for rounding, from whose root the branches part with the third
 /// power.
-const LEAST_LOOP: f64 = 2e-5;
+const MIN_LOOP: f64 = 2e-5;
 
 /// Halvings after which a piece that still turns back is left alone: a cusp is smaller than rounding then.
 const HALVINGS: usize = 30;
@@ -34,13 +34,13 @@ impl Curve<DVec2> {
         if is_straight(&pair) {
             return Vec::new();
         }
-        let mut places: Vec<_> = if self.degree() == 3 {
+        let mut locations: Vec<_> = if self.degree() == 3 {
             double_point(&pair).into_iter().collect()
         } else {
             crossings(&pair)
         };
-        places.retain(|&(t, u)| u - t > LEAST_LOOP);
-        places
+        locations.retain(|&(t, u)| u - t > MIN_LOOP);
+        locations
             .into_iter()
             .map(|(t, u)| SelfIntersection {
                 t,
@@ -74,10 +74,10 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
     let middle = -0.5 * ac / ab;
     let (t, u) = (middle - 0.5 * spread, middle + 0.5 * spread);
     // An end that rounding has moved out is still an end.
-    let near = |t: f64| t > -LEAST_LOOP && t < 1.0 + LEAST_LOOP;
-    (spread > LEAST_LOOP && near(t) && near(u))
+    let near = |t: f64| t > -MIN_LOOP && t < 1.0 + MIN_LOOP;
+    (spread > MIN_LOOP && near(t) && near(u))
         .then(|| pair.crossing((t.clamp(0.0, 1.0), u.clamp(0.0, 1.0))))?
-        .map(|place| pair.snapped(place))
+        .map(|location| pair.snapped(location))
 }
 
 /// The same for any degree.
@@ -105,9 +105,9 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     let pairs = pairs.filter(touch);
     let found = pair.search(&cuts, &cuts, pairs);
     // The pieces before and after a cut meet there, which is no news; the caller leaves it out.
-    pair.places(found)
+    pair.locations(found)
         .into_iter()
-        .filter(|place| !matches!(place.2, IntersectionKind::Overlap { .. }))
+        .filter(|location| !matches!(location.2, IntersectionKind::Overlap { .. }))
         .map(|(t, u, _)| (t, u))
         .collect()
 }

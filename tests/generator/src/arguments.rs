@@ -37,7 +37,7 @@ pub fn case(seed: u64, function: &str, number: u64) -> Case {
         number if number % 2 == 1 => Mode::MixedScale,
         _ => Mode::Moderate,
     };
-    let mut made = Case {
+    let mut result = Case {
         seed,
         function: signature.name,
         number,
@@ -48,19 +48,19 @@ pub fn case(seed: u64, function: &str, number: u64) -> Case {
         let value = Maker {
             rng: &mut rng,
             mode,
-            made: &made,
+            result: &result,
         }
         .value(kind);
-        made.arguments.push((name, value));
+        result.arguments.push((name, value));
     }
-    made
+    result
 }
 
 /// Makes one argument; the earlier ones are known.
 pub(crate) struct Maker<'a> {
     pub(crate) rng: &'a mut Rng,
     pub(crate) mode: Mode,
-    pub(crate) made: &'a Case,
+    pub(crate) result: &'a Case,
 }
 
 impl Maker<'_> {
@@ -95,7 +95,7 @@ impl Maker<'_> {
             "curve3" => curve(rng, 3, 24),
             "cubic" => curve(rng, any, 3),
             "other" => {
-                let Value::Curve(dimension, first) = &self.made.arguments[0].1 else {
+                let Value::Curve(dimension, first) = &self.result.arguments[0].1 else {
                     panic!("another curve needs a first one");
                 };
                 Value::Curve(*dimension, geometry::related(rng, mode, *dimension, first))
@@ -124,7 +124,7 @@ impl Maker<'_> {
 
     /// Near the geometry, on one of its control points, or far away.
     fn point(&mut self) -> Value {
-        let (dimension, size) = (self.made.dimension(), self.size());
+        let (dimension, size) = (self.result.dimension(), self.size());
         let flat = |p: DVec3| {
             if dimension == 2 {
                 DVec3::new(p.x, p.y, 0.0)
@@ -132,7 +132,7 @@ impl Maker<'_> {
                 p
             }
         };
-        let known = control_points(&self.made.arguments[0].1);
+        let known = control_points(&self.result.arguments[0].1);
         let random = self.rng.point(3) * size;
         Value::Point(
             dimension,
@@ -148,13 +148,13 @@ impl Maker<'_> {
 
     /// The size of the earlier arguments, 1 where there is none.
     pub(crate) fn size(&self) -> f64 {
-        let size = self.made.size();
+        let size = self.result.size();
         if size > 0.0 { size } else { 1.0 }
     }
 
     fn number(&mut self, kind: &str) -> Option<Value> {
         let (size, mode) = (self.size(), self.mode);
-        let least = if mode == Mode::MixedScale {
+        let min = if mode == Mode::MixedScale {
             -12.0
         } else {
             -6.0
@@ -175,21 +175,21 @@ impl Maker<'_> {
             "handle" => self.handle(),
             "length" => self.length(size),
             "coordinate" => self.rng.signed() * size,
-            "tolerance" => self.tolerance(size, least, -1.0),
-            "coarse tolerance" => self.tolerance(size, least.max(-5.0), -1.0),
+            "tolerance" => self.tolerance(size, min, -1.0),
+            "coarse tolerance" => self.tolerance(size, min.max(-5.0), -1.0),
             // Large answers take long to make and to check: few cases ask for them.
-            "flatten tolerance" => self.seldom_fine(0.01, size, least.max(-10.0), -7.0),
-            "piece tolerance" => self.seldom_fine(0.02, size, least.max(-5.0), -2.0),
-            "mesh tolerance" => self.seldom_fine(0.004, size, least, -3.0),
+            "flatten tolerance" => self.seldom_fine(0.01, size, min.max(-10.0), -7.0),
+            "piece tolerance" => self.seldom_fine(0.02, size, min.max(-5.0), -2.0),
+            "mesh tolerance" => self.seldom_fine(0.004, size, min, -3.0),
             "wire width" => self.tolerance(size, -4.0, -1.0),
             // Any number above 0 is allowed here.
             "pixels" if self.rng.chance(0.02) => self.rng.pick(&[0.0, -1.0]),
             "pixels" => {
-                let (size, least) = self
+                let (size, min) = self
                     .pixels_across()
                     .map_or((1.0, -1.0), |size| (size, -3.0));
-                let least = if self.rng.chance(0.004) { -4.0 } else { least };
-                size * self.rng.magnitude(least, 0.0)
+                let min = if self.rng.chance(0.004) { -4.0 } else { min };
+                size * self.rng.magnitude(min, 0.0)
             }
             _ => return None,
         };
@@ -197,37 +197,37 @@ impl Maker<'_> {
     }
 
     /// A part of the size; one in thirty is out of range.
-    fn tolerance(&mut self, size: f64, least: f64, most: f64) -> f64 {
+    fn tolerance(&mut self, size: f64, min: f64, max: f64) -> f64 {
         match self.rng.below(60) {
             0 => self.rng.pick(&[0.0, -1.0, 1e-300]),
             1 => size * self.rng.magnitude(-20.0, -14.0),
-            _ => size * self.rng.magnitude(least, most),
+            _ => size * self.rng.magnitude(min, max),
         }
     }
 
     /// A part of the size between 10^usual and 10^−1, or with a probability between 10^least and 10^−1.
-    fn seldom_fine(&mut self, probability: f64, size: f64, least: f64, usual: f64) -> f64 {
-        let least = if self.rng.chance(probability) {
-            least
+    fn seldom_fine(&mut self, probability: f64, size: f64, min: f64, usual: f64) -> f64 {
+        let min = if self.rng.chance(probability) {
+            min
         } else {
-            least.max(usual)
+            min.max(usual)
         };
-        self.tolerance(size, least, -1.0)
+        self.tolerance(size, min, -1.0)
     }
 
     /// How far the control points reach on a screen 640 pixels wide, if a projection was made already.
     fn pixels_across(&self) -> Option<f64> {
-        let (_, Value::Numbers(m)) = self.made.arguments.last()? else {
+        let (_, Value::Numbers(m)) = self.result.arguments.last()? else {
             return None;
         };
-        let points = control_points(&self.made.arguments[0].1);
+        let points = control_points(&self.result.arguments[0].1);
         let row = |k: usize, p: DVec3| m[k] * p.x + m[4 + k] * p.y + m[8 + k] * p.z + m[12 + k];
         let depth = points.iter().map(|&p| row(3, p).abs()).fold(0.0, f64::max);
-        let places = points.iter().map(|&p| {
+        let locations = points.iter().map(|&p| {
             let largest = row(0, p).abs().max(row(1, p).abs());
             320.0 * largest / row(3, p).max(1e-2 * depth)
         });
-        let across = places.fold(0.0, f64::max);
+        let across = locations.fold(0.0, f64::max);
         Some(if across > 0.0 && across.is_finite() {
             across
         } else {
@@ -254,7 +254,7 @@ impl Maker<'_> {
     }
 
     fn count(&mut self, kind: &str) -> Option<Value> {
-        let first = &self.made.arguments.first();
+        let first = &self.result.arguments.first();
         let known = first.map_or(0, |(_, value)| control_points(value).len());
         let joints = if first.is_some() {
             self.whole_segments().max(1)
@@ -272,7 +272,7 @@ impl Maker<'_> {
             "sides" => rng.pick(&[3, 4, 6, 8, 2]),
             "order" => rng.below(26),
             "axis" if outside => 3,
-            "axis" => rng.below(self.made.dimension()),
+            "axis" => rng.below(self.result.dimension()),
             "any degree" | "any dimension" | "any count" => return self.whole(kind),
             "low degree" => rng.pick(&[1, 2, 3, 3, 3, 4, 7]),
             "joint" => rng.below(if outside { 8 } else { joints }),
@@ -293,7 +293,7 @@ impl Maker<'_> {
     }
 
     pub(crate) fn whole_segments(&self) -> usize {
-        match &self.made.arguments[0].1 {
+        match &self.result.arguments[0].1 {
             Value::Spline(spline) => spline.degrees.len(),
             _ => 1,
         }

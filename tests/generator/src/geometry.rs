@@ -212,8 +212,8 @@ fn patch_degree(rng: &mut Rng, max: usize) -> usize {
 fn graph(rng: &mut Rng, m: usize, n: usize) -> Vec<DVec3> {
     let noise = rng.pick(&[0.0, 0.1, 1.0]);
     let count = |n: usize| f64::from(u32::try_from(n).expect("a degree"));
-    let places = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
-    let points = places.map(|(i, j)| DVec3::new(count(i), count(j), 0.0) + rng.point(3) * noise);
+    let locations = (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
+    let points = locations.map(|(i, j)| DVec3::new(count(i), count(j), 0.0) + rng.point(3) * noise);
     points.collect()
 }
 

@@ -59,8 +59,8 @@ impl Maker<'_> {
         points
     }
 
-    fn some_points(&mut self, dimension: usize, least: usize, most: usize) -> Value {
-        let count = least + self.rng.below(most + 1 - least);
+    fn some_points(&mut self, dimension: usize, min: usize, max: usize) -> Value {
+        let count = min + self.rng.below(max + 1 - min);
         Value::Points(dimension, self.points(dimension, count))
     }
 
@@ -71,10 +71,10 @@ impl Maker<'_> {
 
     /// As many as the points, in order and not close together; in some cases shuffled, and in a few equal.
     fn distinct_parameters(&mut self) -> Value {
-        let count = control_points(&self.made.arguments[0].1).len();
-        let place = |k: usize| f64::from(u32::try_from(k).expect("few points"));
+        let count = control_points(&self.result.arguments[0].1).len();
+        let location = |k: usize| f64::from(u32::try_from(k).expect("few points"));
         let mut ts: Vec<f64> = (0..count)
-            .map(|k| (place(k) + 0.5 * self.rng.unit()) / place(count))
+            .map(|k| (location(k) + 0.5 * self.rng.unit()) / location(count))
             .collect();
         match self.rng.below(10) {
             0 => ts.reverse(),
@@ -87,8 +87,8 @@ impl Maker<'_> {
 
     /// Knots for the points and the degree before: ascending, some repeated.
     fn knots(&mut self) -> Value {
-        let points = control_points(&self.made.arguments[0].1).len();
-        let degree = match self.made.arguments[1].1 {
+        let points = control_points(&self.result.arguments[0].1).len();
+        let degree = match self.result.arguments[1].1 {
             Value::Count(degree) => degree,
             _ => 3,
         };
@@ -123,7 +123,7 @@ impl Maker<'_> {
 
     /// An affine map, column-major: the 2 × 2 or 3 × 3 matrix, then the translation.
     fn map(&mut self) -> Value {
-        let dimension = self.made.dimension();
+        let dimension = self.result.dimension();
         let mut numbers: Vec<f64> = (0..dimension * (dimension + 1))
             .map(|_| 2.0 * self.rng.signed())
             .collect();

@@ -114,22 +114,22 @@ pub(crate) fn mutated(rng: &mut Rng, text: String) -> String {
 impl Mutation {
     fn apply(self, text: &mut Vec<char>) {
         let length = text.len();
-        let place = |at: u16| usize::from(at) * (length + 1) / 65_536;
+        let location = |at: u16| usize::from(at) * (length + 1) / 65_536;
         let end = |at: usize, count: u8| (at + 1 + usize::from(count % 16)).min(length);
         match self {
             Self::Delete { at, count } => {
-                let at = place(at).min(length);
+                let at = location(at).min(length);
                 text.drain(at..end(at, count).max(at));
             }
             Self::Repeat { at, count, times } => {
-                let at = place(at).min(length);
+                let at = location(at).min(length);
                 let piece = text[at..end(at, count).max(at)].to_vec();
                 insert(text, at, piece.repeat(usize::from(times % 32)));
             }
             Self::Token { at, token } => {
                 insert(
                     text,
-                    place(at),
+                    location(at),
                     TOKENS[usize::from(token) % TOKENS.len()].chars().collect(),
                 );
             }
@@ -140,22 +140,25 @@ impl Mutation {
             } => {
                 insert(
                     text,
-                    place(at),
+                    location(at),
                     format!("{mantissa}e{}", exponent % 400).chars().collect(),
                 );
             }
             Self::Replace { at, byte } if length > 0 => {
-                text[place(at).min(length - 1)] = char::from(byte % 128);
+                text[location(at).min(length - 1)] = char::from(byte % 128);
             }
-            Self::Character { at, character } => text.insert(place(at), character),
-            Self::Truncate { at } => text.truncate(place(at)),
+            Self::Character { at, character } => text.insert(location(at), character),
+            Self::Truncate { at } => text.truncate(location(at)),
             Self::Swap {
                 first,
                 second,
                 count,
             } if length > 0 => {
                 for k in 0..usize::from(count % 8) {
-                    text.swap((place(first) + k) % length, (place(second) + k) % length);
+                    text.swap(
+                        (location(first) + k) % length,
+                        (location(second) + k) % length,
+                    );
                 }
             }
             _ => {}

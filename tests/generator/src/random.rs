@@ -64,8 +64,8 @@ impl Rng {
     }
 
     /// 10 to a power between these, evenly distributed by the power.
-    pub fn magnitude(&mut self, least: f64, most: f64) -> f64 {
-        10_f64.powf(least + self.unit() * (most - least))
+    pub fn magnitude(&mut self, min: f64, max: f64) -> f64 {
+        10_f64.powf(min + self.unit() * (max - min))
     }
 
     /// A point of the cube [−1, 1]³, or of the square where `dimension` is 2.

@@ -98,9 +98,9 @@ impl<'a> Parser<'a> {
     }
 
     /// Only one of the three ways to choose steps can be used.
-    fn claim(&mut self, way: &'a str) -> Result<()> {
-        match self.selected_by.replace(way) {
-            Some(other) if other != way => bail!("{other} and {way} cannot be combined"),
+    fn claim(&mut self, form: &'a str) -> Result<()> {
+        match self.selected_by.replace(form) {
+            Some(other) if other != form => bail!("{other} and {form} cannot be combined"),
             _ => Ok(()),
         }
     }
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_and_filters_are_told_apart() {
+    fn steps_and_filters_are_distinguished() {
         for (line, expected) in [
             ("", "fmt native build page"),
             ("fmt", "fmt"),

@@ -90,7 +90,7 @@ fn spawn(step: &Step, choice: &Choice) -> Result<Child> {
     Ok(command.spawn()?)
 }
 
-/// How a step in another process ended: by its exit code, the file of [`run_alone`], and its last words.
+/// How a step in another process ended: by its exit code, the file of [`run_by_itself`], and its last words.
 fn ended(step: &Step, passed: bool, output: &str) -> Outcome {
     if !passed {
         let mut errors = output
@@ -108,7 +108,7 @@ fn ended(step: &Step, passed: bool, output: &str) -> Outcome {
 }
 
 /// Runs a single step without a summary. Why it is skipped, if it is, stands in a file.
-pub(crate) fn run_alone(steps: &[Step], request: &Request) -> Result<()> {
+pub(crate) fn run_by_itself(steps: &[Step], request: &Request) -> Result<()> {
     let [choice] = request.choices.as_slice() else {
         bail!("expected the name of one step");
     };

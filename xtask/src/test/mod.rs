@@ -34,7 +34,7 @@ pub(crate) fn deep(args: &[String]) -> Result<()> {
 /// The other end of a step that runs beside another; only `test` has such steps.
 pub(crate) fn run_step(args: &[String]) -> Result<()> {
     let request = args::parse(args, &names(&steps::STEPS))?;
-    beside::run_alone(&steps::STEPS, &request)
+    beside::run_by_itself(&steps::STEPS, &request)
 }
 
 fn run(name: &'static str, steps: &[Step], request: &Request) -> Result<()> {

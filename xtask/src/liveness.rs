@@ -104,12 +104,12 @@ impl Linked {
                 self.symbols.push(match symbol? {
                     SymbolInfo::Func { index, .. } => Some(Item::Function(index as usize)),
                     SymbolInfo::Data {
-                        symbol: Some(place),
+                        symbol: Some(position),
                         ..
                     } => {
-                        let from = place.offset as usize;
-                        let bytes = from..from + place.size as usize;
-                        Some(Item::Bytes(place.index as usize, bytes))
+                        let from = position.offset as usize;
+                        let bytes = from..from + position.size as usize;
+                        Some(Item::Bytes(position.index as usize, bytes))
                     }
                     _ => None,
                 });
@@ -154,11 +154,14 @@ impl Linked {
             if matches!(&item, Item::Function(index) if empty.contains(index)) {
                 continue;
             }
-            let Some(place) = self.place(&item) else {
+            let Some(position) = self.position(&item) else {
                 continue; // imported
             };
-            let from = names.partition_point(|&(at, _)| at < place.start);
-            for &(_, symbol) in names[from..].iter().take_while(|&&(at, _)| at < place.end) {
+            let from = names.partition_point(|&(at, _)| at < position.start);
+            for &(_, symbol) in names[from..]
+                .iter()
+                .take_while(|&&(at, _)| at < position.end)
+            {
                 let named = self
                     .symbols
                     .get(symbol)
@@ -174,7 +177,7 @@ impl Linked {
     }
 
     /// Where an item's bytes lie in the file.
-    fn place(&self, item: &Item) -> Option<Range<usize>> {
+    fn position(&self, item: &Item) -> Option<Range<usize>> {
         match item {
             Item::Function(index) => {
                 let local = index.checked_sub(self.imported)?;

@@ -26,29 +26,31 @@ fn spline(a: &Arena, at: usize) -> (Spline<DVec2>, usize) {
     )
 }
 
-fn put(a: &mut Arena, places: &[Intersection]) -> usize {
-    places.iter().fold(0, |at, &place| put_place(a, at, place))
+fn write(a: &mut Arena, found: &[Intersection]) -> usize {
+    found.iter().fold(0, |at, &intersection| {
+        write_intersection(a, at, intersection)
+    })
 }
 
 /// Writes one place and returns where it ends.
-pub(super) fn put_place(a: &mut Arena, at: usize, place: Intersection) -> usize {
-    let Intersection { t, u, point, kind } = place;
+pub(super) fn write_intersection(a: &mut Arena, at: usize, intersection: Intersection) -> usize {
+    let Intersection { t, u, point, kind } = intersection;
     let (code, t_end, u_end) = match kind {
         IntersectionKind::Cross => (0.0, t, u),
         IntersectionKind::Tangent => (1.0, t, u),
         IntersectionKind::Overlap { t_end, u_end } => (2.0, t_end, u_end),
     };
-    a.put_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
+    a.write_numbers(at, &[t, u, point.x, point.y, code, t_end, u_end])
 }
 
-fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {
-    let crossing = |place: &SelfIntersection| {
-        let SelfIntersection { t, u, point } = *place;
+fn write_selves(a: &mut Arena, found: &[SelfIntersection]) -> usize {
+    let crossing = |intersection: &SelfIntersection| {
+        let SelfIntersection { t, u, point } = *intersection;
         let kind = IntersectionKind::Cross;
         Intersection { t, u, point, kind }
     };
-    let places: Vec<Intersection> = places.iter().map(crossing).collect();
-    put(a, &places)
+    let found: Vec<Intersection> = found.iter().map(crossing).collect();
+    write(a, &found)
 }
 
 /// Leaves the places that two curves share.
@@ -56,8 +58,8 @@ fn put_selves(a: &mut Arena, places: &[SelfIntersection]) -> usize {
 pub fn curve_intersect(count: usize, other_count: usize) -> usize {
     arena::with(|a| {
         let other = curve(a, 2 * count, other_count);
-        let places = curve(a, 0, count).intersections(&other);
-        put(a, &places)
+        let found = curve(a, 0, count).intersections(&other);
+        write(a, &found)
     })
 }
 
@@ -65,8 +67,8 @@ pub fn curve_intersect(count: usize, other_count: usize) -> usize {
 #[wasm_bindgen]
 pub fn curve_self_intersections(count: usize) -> usize {
     arena::with(|a| {
-        let places = curve(a, 0, count).self_intersections();
-        put_selves(a, &places)
+        let found = curve(a, 0, count).self_intersections();
+        write_selves(a, &found)
     })
 }
 
@@ -75,8 +77,8 @@ pub fn curve_self_intersections(count: usize) -> usize {
 pub fn spline_intersect() -> usize {
     arena::with(|a| {
         let (first, end) = spline(a, 0);
-        let places = first.intersections(&spline(a, end).0);
-        put(a, &places)
+        let found = first.intersections(&spline(a, end).0);
+        write(a, &found)
     })
 }
 
@@ -84,7 +86,7 @@ pub fn spline_intersect() -> usize {
 #[wasm_bindgen]
 pub fn spline_self_intersections() -> usize {
     arena::with(|a| {
-        let places = spline(a, 0).0.self_intersections();
-        put_selves(a, &places)
+        let found = spline(a, 0).0.self_intersections();
+        write_selves(a, &found)
     })
 }

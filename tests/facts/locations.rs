@@ -124,7 +124,7 @@ pub(crate) fn nearest(fact: &Fact) {
         fact: &Fact,
         on: &Curve<P>,
         query: P,
-        place: impl Fn(P) -> DVec3,
+        location: impl Fn(P) -> DVec3,
     ) {
         let found = on.nearest(query).expect("finite");
         fact.number(found.distance, &fact.expect["distance"]);
@@ -140,7 +140,7 @@ pub(crate) fn nearest(fact: &Fact) {
             fact.id,
             found.t
         );
-        let apart = (place(found.point) - point(&fact.expect["point"])).length();
+        let apart = (location(found.point) - point(&fact.expect["point"])).length();
         assert!(apart <= reach, "{}: {apart}", fact.id);
     }
     check(fact, &fact.curve(), query, |p| p);

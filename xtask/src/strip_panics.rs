@@ -5,7 +5,7 @@
 //! message becomes a bare trap here, and so does every function that formats one: nothing else in the module formats
 //! anything. What only these functions need goes with them (a quarter of the module). Bounds are checked as before.
 
-use crate::reach::{Linked, Unreached};
+use crate::liveness::{Linked, Unreached};
 use anyhow::{Context, Result};
 use std::collections::HashSet;
 use std::path::Path;
@@ -48,8 +48,10 @@ fn erase(module: &mut Module, unreached: &Unreached) -> Result<()> {
         let id = *segments
             .get(*segment)
             .context("an index of no data segment")?;
-        let place = module.data.get_mut(id).value.get_mut(bytes.clone());
-        place.context("a constant outside of its segment")?.fill(0);
+        let position = module.data.get_mut(id).value.get_mut(bytes.clone());
+        position
+            .context("a constant outside of its segment")?
+            .fill(0);
     }
     for name in ["linking", "reloc.CODE", "reloc.DATA"] {
         module.customs.remove_raw(name);

@@ -25,7 +25,7 @@ fn coordinate(rng: &mut Rng) -> f64 {
     }
 }
 
-fn wild(rng: &mut Rng) -> Curve<DVec2> {
+fn adversarial(rng: &mut Rng) -> Curve<DVec2> {
     let degree = if rng.chance(0.95) {
         1 + rng.below(6)
     } else {
@@ -45,27 +45,30 @@ fn wild(rng: &mut Rng) -> Curve<DVec2> {
 fn any_numbers() {
     for seed in 0..2_000 {
         let mut rng = Rng(seed);
-        let a = wild(&mut rng);
+        let a = adversarial(&mut rng);
         let b = if rng.chance(0.2) {
             a.reverse()
         } else {
-            wild(&mut rng)
+            adversarial(&mut rng)
         };
-        for place in a.intersections(&b) {
+        for location in a.intersections(&b) {
             let inside = |t: f64| (0.0..=1.0).contains(&t);
-            let ends = match place.kind {
+            let ends = match location.kind {
                 IntersectionKind::Overlap { t_end, u_end } => inside(t_end) && inside(u_end),
                 _ => true,
             };
             assert!(
-                inside(place.t) && inside(place.u) && ends && place.point.is_finite(),
-                "seed {seed}: {place:?}"
+                inside(location.t) && inside(location.u) && ends && location.point.is_finite(),
+                "seed {seed}: {location:?}"
             );
         }
-        for place in a.self_intersections() {
+        for location in a.self_intersections() {
             assert!(
-                0.0 <= place.t && place.t < place.u && place.u <= 1.0 && place.point.is_finite(),
-                "seed {seed}: {place:?}"
+                0.0 <= location.t
+                    && location.t < location.u
+                    && location.u <= 1.0
+                    && location.point.is_finite(),
+                "seed {seed}: {location:?}"
             );
         }
     }

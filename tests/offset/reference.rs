@@ -6,7 +6,7 @@ use casteljau::glam::DVec2;
 use std::f64::consts::PI;
 
 /// A polyline and where its vertices come from.
-pub(crate) struct Truth {
+pub(crate) struct DenseReference {
     pub(crate) vertices: Vec<DVec2>,
 }
 
@@ -66,10 +66,10 @@ impl Walker<'_> {
             .iter()
             .map(|v| v.length())
             .fold(0.0, f64::max);
-        let least = NO_HANDLE * real(self.hodograph.len()) * longest;
+        let min = NO_HANDLE * real(self.hodograph.len()) * longest;
         let toward = |p: DVec2, q: &DVec2| {
-            let way = *q - p;
-            (way.length() > least).then(|| way.normalize())
+            let direction = *q - p;
+            (direction.length() > min).then(|| direction.normalize())
         };
         let (p, q) = (self.points[0], self.points[self.points.len() - 1]);
         let first = self.points.iter().find_map(|r| toward(p, r));
@@ -145,7 +145,7 @@ pub(crate) fn slowest(points: &[DVec2]) -> Vec<(f64, f64)> {
     found
 }
 
-impl Truth {
+impl DenseReference {
     /// Vertices of the parallel, its chords within about `step` of it; the bits of `around` tell which stops are
     /// passed around their inside: a curve that only just does not stop may turn either way.
     pub(crate) fn new(
@@ -207,13 +207,13 @@ impl Truth {
 
 /// Each point is looked for next to where the one before it was found; only if that fails, everywhere.
 pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
-    let mut place: usize = 0;
-    let mut most: f64 = 0.0;
+    let mut location: usize = 0;
+    let mut max: f64 = 0.0;
     let last = line.len() - 2;
     for &p in points {
         let mut best = f64::INFINITY;
-        let mut here = place;
-        let mut k = place.saturating_sub(8);
+        let mut here = location;
+        let mut k = location.saturating_sub(8);
         while k <= last && k <= here + 24 {
             let distance = from_plane_segment(p, line[k], line[k + 1]);
             if distance < best {
@@ -229,10 +229,10 @@ pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
                 }
             }
         }
-        place = here;
-        most = most.max(best);
+        location = here;
+        max = max.max(best);
     }
-    most
+    max
 }
 
 /// Points of each segment, chords between them within `sag`.

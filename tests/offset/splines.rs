@@ -1,7 +1,7 @@
 //! Parallels of splines: corners, closed ones.
 
 use crate::common::{Rng, real};
-use crate::truth::dense;
+use crate::reference::dense;
 use casteljau::Spline;
 use casteljau::glam::DVec2;
 use casteljau::spline::OffsetJoin;

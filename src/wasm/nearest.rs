@@ -27,7 +27,7 @@ pub fn curve_nearest(dimension: usize, count: usize) {
             let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
             nearest_on(&points, p)
         };
-        put_nearest(a, nearest);
+        write_nearest(a, nearest);
     });
 }
 
@@ -64,25 +64,25 @@ pub fn spline_nearest(dimension: usize) {
     arena::with(|a| {
         let (spline, end) = spline(a, dimension);
         let nearest = spline.nearest_to(a.point_in_space(end, dimension));
-        put_nearest(a, nearest);
+        write_nearest(a, nearest);
     });
 }
 
-fn put_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
+fn write_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
     let Nearest { t, point, distance } = nearest;
-    a.put_numbers(0, &[t, distance, point.x, point.y, point.z]);
+    a.write_numbers(0, &[t, distance, point.x, point.y, point.z]);
 }
 
 /// Leaves the parameters of the extrema of a coordinate.
 #[wasm_bindgen]
 pub fn curve_extrema(dimension: usize, count: usize, axis: usize) -> usize {
-    arena::with(|a| a.put_numbers(0, &extrema_of(&coordinates(a, dimension, count, axis))))
+    arena::with(|a| a.write_numbers(0, &extrema_of(&coordinates(a, dimension, count, axis))))
 }
 
 /// Leaves the parameters where a coordinate has a value.
 #[wasm_bindgen]
 pub fn curve_times_at_coordinate(dimension: usize, count: usize, axis: usize, value: f64) -> usize {
-    arena::with(|a| a.put_numbers(0, &times_of(&coordinates(a, dimension, count, axis), value)))
+    arena::with(|a| a.write_numbers(0, &times_of(&coordinates(a, dimension, count, axis), value)))
 }
 
 fn coordinates(a: &Arena, dimension: usize, count: usize, axis: usize) -> Vec<f64> {
@@ -95,7 +95,7 @@ pub fn curve_inflections(count: usize) -> usize {
     arena::with(|a| {
         let curve = space_curve(a, 2, count);
         let ts = inflections_of(curve.control_points(), ulp(curve.max_abs()));
-        a.put_numbers(0, &ts)
+        a.write_numbers(0, &ts)
     })
 }
 
@@ -104,7 +104,7 @@ pub fn curve_inflections(count: usize) -> usize {
 pub fn curve_cusps(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
         let ts = space_curve(a, dimension, count).cusps();
-        a.put_numbers(0, &ts)
+        a.write_numbers(0, &ts)
     })
 }
 
@@ -113,7 +113,7 @@ pub fn curve_cusps(dimension: usize, count: usize) -> usize {
 pub fn curve_tangents_from(count: usize) -> usize {
     arena::with(|a| {
         let ts = space_curve(a, 2, count).tangents_through(a.point_in_space(2 * count, 2));
-        a.put_numbers(0, &ts)
+        a.write_numbers(0, &ts)
     })
 }
 
@@ -129,7 +129,7 @@ pub fn curve_distance(dimension: usize, count: usize, other_count: usize) {
     arena::with(|a| {
         let [first, other] = two(a, dimension, count, other_count);
         let Distance { distance, t, u } = first.distance_to(&other);
-        a.put_numbers(0, &[distance, t, u]);
+        a.write_numbers(0, &[distance, t, u]);
     });
 }
 

@@ -18,10 +18,10 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const ONE_JOINT: f64 = 1e-7;
 
 /// Some chains in one list of curves.
-pub(crate) struct Chains {
+pub(crate) struct SplineSet {
     curves: Vec<Curve<DVec2>>,
     /// For each curve the number of its chain and its own number there.
-    places: Vec<(usize, usize)>,
+    segment_keys: Vec<(usize, usize)>,
     /// For each chain how many curves it has, and whether it is closed.
     sizes: Vec<(usize, bool)>,
     boxes: Vec<[DVec2; 2]>,
@@ -38,17 +38,17 @@ pub(crate) struct SplineIntersection {
     pub(crate) at: Intersection,
 }
 
-impl Chains {
+impl SplineSet {
     pub(crate) fn new(splines: impl IntoIterator<Item: Borrow<Spline<DVec2>>>) -> Self {
-        let (mut curves, mut places, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut curves, mut segment_keys, mut sizes) = (Vec::new(), Vec::new(), Vec::new());
         for (chain, spline) in splines.into_iter().enumerate() {
             let spline = spline.borrow();
             let count = spline.segment_count();
             sizes.push((count, spline.is_closed()));
-            places.extend((0..count).map(|k| (chain, k)));
+            segment_keys.extend((0..count).map(|k| (chain, k)));
             curves.extend(spline.segments());
         }
-        Self::with(curves, places, sizes)
+        Self::with(curves, segment_keys, sizes)
     }
 
     /// One curve as a chain.
@@ -58,17 +58,17 @@ impl Chains {
 
     fn with(
         curves: Vec<Curve<DVec2>>,
-        places: Vec<(usize, usize)>,
+        segment_keys: Vec<(usize, usize)>,
         sizes: Vec<(usize, bool)>,
     ) -> Self {
         // A binary tree in an array: node k has the children 2k and 2k + 1, the leaves are the curves.
         let leaves = curves.len().next_power_of_two();
         let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
         let mut boxes = vec![nothing; 2 * leaves];
-        for (place, curve) in boxes[leaves..].iter_mut().zip(&curves) {
+        for (intersection, curve) in boxes[leaves..].iter_mut().zip(&curves) {
             let bounds = curve.control_bounds();
             let margin = bounds.min.abs().max(bounds.max.abs()) * ROUNDING;
-            *place = [bounds.min - margin, bounds.max + margin];
+            *intersection = [bounds.min - margin, bounds.max + margin];
         }
         for k in (1..leaves).rev() {
             let [left, right] = [boxes[2 * k], boxes[2 * k + 1]];
@@ -76,7 +76,7 @@ impl Chains {
         }
         Self {
             curves,
-            places,
+            segment_keys,
             sizes,
             boxes,
         }
@@ -84,7 +84,7 @@ impl Chains {
 
     /// The parameter on the chain; the end of a closed one is its start.
     fn at(&self, curve: usize, t: f64) -> f64 {
-        let (chain, k) = self.places[curve];
+        let (chain, k) = self.segment_keys[curve];
         self.start_at(chain, k as f64 + t)
     }
 
@@ -95,38 +95,41 @@ impl Chains {
 
     /// The same, for the end of a shared piece, which may be the end of a closed chain.
     fn end_at(&self, curve: usize, t: f64) -> f64 {
-        self.places[curve].1 as f64 + t
+        self.segment_keys[curve].1 as f64 + t
     }
 
     /// All places that chains of this list share with chains of another one: by chains, then by t, then by u.
-    pub(crate) fn meet(&self, other: &Self) -> Vec<SplineIntersection> {
+    pub(crate) fn intersections_with(&self, other: &Self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         // All pairs of boxes may meet, and then all are looked at.
         let mut work = WorkLimit::new(usize::MAX);
         self.walk(other, (1, 1), &mut work, &mut |i, j| {
-            for place in self.curves[i].intersections(&other.curves[j]) {
-                found.push(self.meeting(other, (i, j), place));
+            for intersection in self.curves[i].intersections(&other.curves[j]) {
+                found.push(self.intersection_of(other, (i, j), intersection));
             }
         });
         joined(found, self, other)
     }
 
-    fn meeting(
+    fn intersection_of(
         &self,
         other: &Self,
         (i, j): (usize, usize),
-        place: Intersection,
+        intersection: Intersection,
     ) -> SplineIntersection {
-        let mut at = place;
+        let mut at = intersection;
         if let IntersectionKind::Overlap { t_end, u_end } = &mut at.kind {
-            (at.t, at.u) = (self.end_at(i, place.t), other.end_at(j, place.u));
+            (at.t, at.u) = (
+                self.end_at(i, intersection.t),
+                other.end_at(j, intersection.u),
+            );
             (*t_end, *u_end) = (self.end_at(i, *t_end), other.end_at(j, *u_end));
         } else {
-            (at.t, at.u) = (self.at(i, place.t), other.at(j, place.u));
+            (at.t, at.u) = (self.at(i, intersection.t), other.at(j, intersection.u));
         }
         SplineIntersection {
-            a: self.places[i].0,
-            b: other.places[j].0,
+            a: self.segment_keys[i].0,
+            b: other.segment_keys[j].0,
             at,
         }
     }
@@ -162,27 +165,27 @@ impl Chains {
 
     /// The points that the chains of this list pass twice, each on its own or two of them; every pair once, its first
     /// place before the second. What runs along itself is left out.
-    pub(crate) fn meet_selves(&self) -> Vec<SplineIntersection> {
+    pub(crate) fn intersections_within(&self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
         self.walk(self, (1, 1), &mut work, &mut |i, j| {
             if i == j {
-                for place in self.curves[i].self_intersections() {
+                for intersection in self.curves[i].self_intersections() {
                     let kind = IntersectionKind::Cross;
-                    let place = Intersection {
-                        t: place.t,
-                        u: place.u,
-                        point: place.point,
+                    let intersection = Intersection {
+                        t: intersection.t,
+                        u: intersection.u,
+                        point: intersection.point,
                         kind,
                     };
-                    found.push(self.meeting(self, (i, i), place));
+                    found.push(self.intersection_of(self, (i, i), intersection));
                 }
             } else if i < j {
-                let places = self.curves[i].intersections(&self.curves[j]);
+                let segment_keys = self.curves[i].intersections(&self.curves[j]);
                 found.extend(
-                    places
+                    segment_keys
                         .into_iter()
-                        .map(|place| self.meeting(self, (i, j), place)),
+                        .map(|intersection| self.intersection_of(self, (i, j), intersection)),
                 );
             }
         });
@@ -206,7 +209,11 @@ impl Chains {
 }
 
 /// In order; shared pieces that continue across joints made one, and what was found on both sides of a joint once.
-fn joined(mut found: Vec<SplineIntersection>, a: &Chains, b: &Chains) -> Vec<SplineIntersection> {
+fn joined(
+    mut found: Vec<SplineIntersection>,
+    a: &SplineSet,
+    b: &SplineSet,
+) -> Vec<SplineIntersection> {
     let order = |p: &SplineIntersection, q: &SplineIntersection| {
         (p.a, p.b)
             .cmp(&(q.a, q.b))
@@ -263,10 +270,10 @@ fn joined(mut found: Vec<SplineIntersection>, a: &Chains, b: &Chains) -> Vec<Spl
 }
 
 /// The parameters of the end of a shared piece, or of a point.
-fn end_of(meeting: &SplineIntersection) -> (f64, f64) {
-    match meeting.at.kind {
+fn end_of(intersection_of: &SplineIntersection) -> (f64, f64) {
+    match intersection_of.at.kind {
         IntersectionKind::Overlap { t_end, u_end } => (t_end, u_end),
-        _ => (meeting.at.t, meeting.at.u),
+        _ => (intersection_of.at.t, intersection_of.at.u),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bindings that make splines from other points than their control points. Out: a spline, as in `spline`.
 
 use super::arena;
-use super::spline::put;
+use super::spline::write;
 use crate::spline::Spline;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -15,7 +15,7 @@ pub fn spline_interpolate(dimension: usize, count: usize, closed: bool, alpha: f
         let power = |length| js_sys::Math::pow(length, alpha);
         let step: Option<&dyn Fn(f64) -> f64> = if alpha < 0.0 { None } else { Some(&power) };
         let spline = Spline::interpolate_with(&points, closed, step)?;
-        Ok(put(a, &spline, dimension))
+        Ok(write(a, &spline, dimension))
     })
 }
 
@@ -31,8 +31,8 @@ pub fn spline_from_bspline(
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let knots = a.numbers(count * dimension, knots).to_vec();
-        let given = (!knots.is_empty()).then_some(&knots[..]);
-        let spline = Spline::from_bspline(&points, degree, given, closed)?;
-        Ok(put(a, &spline, dimension))
+        let knots_or_none = (!knots.is_empty()).then_some(&knots[..]);
+        let spline = Spline::from_bspline(&points, degree, knots_or_none, closed)?;
+        Ok(write(a, &spline, dimension))
     })
 }

@@ -16,7 +16,7 @@ fn kinds(found: &[Intersection]) -> Vec<(f64, f64, IntersectionKind)> {
 }
 
 #[test]
-fn joints_are_one_place() {
+fn joints_are_one_intersection() {
     let square = polygon(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)], true);
     let diagonal = plane(&[(-1.0, -1.0), (3.0, 3.0)]);
     let expected = [
@@ -126,7 +126,7 @@ fn wave(segments: usize, height: f64) -> Spline<DVec2> {
 /// The waves cross between and at their joints, and a wave does not cross itself. The steps (pairs of boxes and of pieces)
 /// grow hardly faster than the number of segments.
 #[test]
-fn long_chains() {
+fn long_splines() {
     for segments in [1, 2, 300, 30_000] {
         let (a, b) = (wave(segments, 1.0), wave(segments, -1.0));
         take_steps();

@@ -8,7 +8,7 @@ use super::Surface;
 use super::sampler::Sampler;
 use super::topology::{SIDES, SideUse};
 use crate::curve::{Points, evaluate};
-use casteljau_kernels::{Cell, CellTriangulator, first, pair, place, second, sort_distinct};
+use casteljau_kernels::{Cell, CellTriangulator, first, index_of, pair, second, sort_distinct};
 use glam::DVec3;
 
 /// No node yet.
@@ -92,14 +92,14 @@ pub(super) fn stitch(
         out: StitchedMesh::default(),
     };
     stitcher.sample_sides();
-    let mut lattice = CellTriangulator::default();
+    let mut triangulator = CellTriangulator::default();
     for (k, patch) in surface.patches().enumerate() {
         let mut sampler = Sampler::new(&patch.points, patch.columns);
         if sampler.has_area() {
-            lattice.fill(cut.of_patch(k), cut.full, stitcher.side_vertices(k));
+            triangulator.fill(cut.of_patch(k), cut.full, stitcher.side_vertices(k));
             let base = stitcher.out.corners.len();
-            stitcher.add_corners(k, &lattice, &mut sampler);
-            stitcher.add_triangles(k, &mut lattice, &mut sampler, base);
+            stitcher.add_corners(k, &triangulator, &mut sampler);
+            stitcher.add_triangles(k, &mut triangulator, &mut sampler, base);
         }
         let (corners, triangles) = (stitcher.out.corners.len(), stitcher.out.triangles.len());
         stitcher.out.ends.push(PatchEnd { corners, triangles });
@@ -163,8 +163,8 @@ impl Stitcher<'_> {
         (0..SIDES).flat_map(move |side| {
             let used = self.uses[SIDES * patch + side];
             let line = number(used.first);
-            let from = place(&self.samples, pair(line, 0));
-            let to = place(&self.samples, pair(line + 1, 0));
+            let from = index_of(&self.samples, pair(line, 0));
+            let to = index_of(&self.samples, pair(line + 1, 0));
             // The list of a side that is a point is empty: it is the first of none.
             self.samples[from..to].iter().map(move |&sample| {
                 let along = second(sample);
@@ -179,8 +179,13 @@ impl Stitcher<'_> {
         })
     }
 
-    fn add_corners(&mut self, patch: usize, lattice: &CellTriangulator, sampler: &mut Sampler) {
-        for (u, v) in lattice.vertices() {
+    fn add_corners(
+        &mut self,
+        patch: usize,
+        triangulator: &CellTriangulator,
+        sampler: &mut Sampler,
+    ) {
+        for (u, v) in triangulator.vertices() {
             let (at_u, at_v) = (self.parameter(u), self.parameter(v));
             let (point, normal) = sampler.point_and_normal(at_u, at_v);
             let node = match self.shared_node(patch, u, v) {
@@ -212,7 +217,7 @@ impl Stitcher<'_> {
         };
         let side = SIDES * patch + side;
         if let Some(sample) = self.sample(side, k) {
-            return Some(number(place(&self.samples, sample)));
+            return Some(number(index_of(&self.samples, sample)));
         }
         let mut ends = self.surface.side(side);
         let vertex = if k == full {
@@ -220,19 +225,19 @@ impl Stitcher<'_> {
         } else {
             ends.next()
         }?;
-        let place = vertex as usize;
-        if self.node_of_vertex[place] == NONE {
-            let point = self.surface.vertices()[place];
-            self.node_of_vertex[place] = self.add_node(point);
+        let index = vertex as usize;
+        if self.node_of_vertex[index] == NONE {
+            let point = self.surface.vertices()[index];
+            self.node_of_vertex[index] = self.add_node(point);
         }
-        Some(self.node_of_vertex[place])
+        Some(self.node_of_vertex[index])
     }
 
     /// The triangles of a patch, without those that have two corners at one place.
     fn add_triangles(
         &mut self,
         patch: usize,
-        lattice: &mut CellTriangulator,
+        triangulator: &mut CellTriangulator,
         sampler: &mut Sampler,
         base: usize,
     ) {
@@ -242,16 +247,16 @@ impl Stitcher<'_> {
             .collect();
         for cell in self.cut.of_patch(patch) {
             let (from, base) = (self.out.triangles.len(), number(base));
-            let covers = lattice.triangulate(cell, &points, base, &mut self.out.triangles);
+            let covers = triangulator.triangulate(cell, &points, base, &mut self.out.triangles);
             if !covers
                 && self.cut.has_tolerance
-                && let Some(corner) = self.inner_corner(cell, lattice, sampler, &points)
+                && let Some(corner) = self.inner_corner(cell, triangulator, sampler, &points)
             {
                 let center = number(points.len());
                 points.push(self.out.nodes[corner.node as usize].to_array());
                 self.out.corners.push(corner);
                 self.out.triangles.truncate(from);
-                lattice.fan(center, &points, base, &mut self.out.triangles);
+                triangulator.fan(center, &points, base, &mut self.out.triangles);
             }
         }
     }
@@ -264,7 +269,7 @@ impl Stitcher<'_> {
     fn inner_corner(
         &mut self,
         cell: &Cell,
-        lattice: &CellTriangulator,
+        triangulator: &CellTriangulator,
         sampler: &mut Sampler,
         points: &[[f64; 3]],
     ) -> Option<Corner> {
@@ -276,7 +281,9 @@ impl Stitcher<'_> {
             let v = self.parameter(cell.v + cell.dv / INNER_PARTS * j);
             let (point, normal) = sampler.point_and_normal(u, v);
             let rounded = (self.round)(point).to_array();
-            let is_new = lattice.outline().all(|k| points[k as usize] != rounded);
+            let is_new = triangulator
+                .outline()
+                .all(|k| points[k as usize] != rounded);
             is_new.then(|| Corner {
                 node: self.add_node(point),
                 u,

@@ -41,10 +41,10 @@ pub(crate) fn offset(fact: &Fact) {
             .map(|&q| (q - p).length())
             .fold(f64::INFINITY, f64::min)
     };
-    let bends: Vec<f64> = (0..=100)
+    let curvatures: Vec<f64> = (0..=100)
         .map(|k| plane.curvature(f64::from(k) / 100.0) * distance)
         .collect();
-    let passes_cusp = bends.iter().any(|&bend| bend > 1.0);
+    let passes_cusp = curvatures.iter().any(|&bend| bend > 1.0);
     for &p in &line.points {
         let off = nearest(p) - distance.abs();
         assert!(
