@@ -97,7 +97,10 @@ impl Patch {
             }
         }
         let close = |(a, b): (&f64, &f64)| (a - b).abs() <= LIMIT_SHARE * a.abs() + LIMIT_NOISE;
-        limit.iter().zip(&nearest).all(close).then_some(limit)
+        // Each of the two is extrapolated, and where both are nearly equal rounding may exchange them.
+        let [k1, k2] = limit;
+        let ordered = [k1.max(k2), k1.min(k2)];
+        limit.iter().zip(&nearest).all(close).then_some(ordered)
     }
 
     /// Whether ∂u × ∂v is more than noise.

@@ -268,3 +268,17 @@ fn a_patch_from_another_basis() {
         }
     ));
 }
+
+/// At a collapsed side of a patch that is almost plane both limits are rounding; k1 is still the greater one.
+#[test]
+fn limits_are_in_order() {
+    let net = [
+        (0.0, -0.0, 0.0),
+        (0.2920033780980358, -1.844527328117076, -4.262232210652634),
+        (0.0, -0.0, 0.0),
+        (-88.064692672998, -13.413362281043772, -62.29897639388664),
+    ];
+    let patch = Patch::new(&net.map(DVec3::from), 1, 1).expect("a patch");
+    let Curvature { k1, k2, .. } = patch.curvature(0.0, 1.0);
+    assert!(k1 >= k2, "{k1:e} is less than {k2:e}");
+}
