@@ -4,8 +4,8 @@ import { memory } from "./init.js";
 
 /** @import { Gate } from "./gate.js" */
 
-/** The most pieces of a message, two numbers each; see `Error::parts` in src/error.rs. */
-const PARTS = 7;
+/** The number of parts of a message, two numbers each; see `Error::parts` in src/error.rs. */
+const PARTS = 11;
 
 /**
  * What a call to the core returned; a count of −1 says that it refused and left a message.

@@ -1,5 +1,6 @@
 //! What can be refused, always with the offending value.
 
+use Part::{Number, Text};
 use std::fmt;
 
 /// The highest degree of a curve, and of a patch in either direction.
@@ -104,7 +105,7 @@ pub enum Error {
     },
 }
 
-/// A piece of a message: the words are ours, the numbers are written by whoever shows it.
+/// A part of a message. Whoever shows the message formats the numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Part {
     /// Words.
@@ -126,127 +127,89 @@ impl Error {
         }
     }
 
-    /// The message in pieces. One wording serves `Display` and JavaScript, which writes its own numbers (the code that
-    /// prints an f64 would be a tenth of the wasm module).
-    pub(crate) fn parts(&self) -> [Part; 7] {
-        use Part::{Number, Text};
-        let count = |n: usize| Number(n as f64);
-        let none = Text("");
+    /// The message in parts: subject, ": expected ", expectation, ", got ", value. One wording serves `Display` and
+    /// JavaScript, which formats its own numbers (code that prints an f64 would be a tenth of the wasm module).
+    pub(crate) fn parts(&self) -> [Part; 11] {
+        let [s0, s1, s2, s3] = self.subject();
+        let [e0, e1, e2, e3] = self.expectation();
+        let (separator, value) = self.value();
+        let expected = Text(": expected ");
+        [
+            s0,
+            s1,
+            s2,
+            s3,
+            expected,
+            e0,
+            e1,
+            e2,
+            e3,
+            Text(separator),
+            value,
+        ]
+    }
+
+    /// What does not fit.
+    fn subject(&self) -> [Part; 4] {
+        let item = |what, index: usize| [Text(what), Text("["), count(index), Text("]")];
         match *self {
-            Self::Count {
-                what,
-                expected,
-                got,
-            } => [
-                Text(what),
-                Text(": expected "),
-                Text(expected),
-                Text(", got "),
-                count(got),
-                none,
-                none,
-            ],
-            Self::NotFinite { what, index, got } => [
-                Text(what),
-                Text("["),
-                count(index),
-                Text("]: expected a finite number, got "),
-                Number(got),
-                none,
-                none,
-            ],
-            Self::Index {
-                what,
-                first,
-                last,
-                got,
-            } => [
-                Text(what),
-                Text(": expected an index from "),
-                count(first),
-                Text(" to "),
-                count(last),
-                Text(", got "),
-                count(got),
-            ],
-            Self::Vertex { patch, count, got } => [
-                Text("patches["),
-                Number(patch as f64),
-                Text("]: expected vertex indices below "),
-                Number(count as f64),
-                Text(", got "),
-                Number(got as f64),
-                none,
-            ],
-            Self::Range {
-                what,
-                expected,
-                got,
-            } => [
-                Text(what),
-                Text(": expected "),
-                Text(expected),
-                Text(", got "),
-                Number(got),
-                none,
-                none,
-            ],
-            Self::Item {
-                what,
-                index,
-                expected,
-                got,
-            } => [
-                Text(what),
-                Text("["),
-                count(index),
-                Text("]: expected "),
-                Text(expected),
-                Text(", got "),
-                Number(got),
-            ],
-            Self::Tolerance { min, got } => [
-                Text("tolerance: expected at least "),
-                Number(min),
-                Text(" (4 ulps of the largest coordinate)"),
-                Text(", got "),
-                Number(got),
-                none,
-                none,
-            ],
-            Self::TooSmall { what, min, got } => [
-                Text(what),
-                Text(": expected at least "),
-                Number(min),
-                Text(" (f32 shows nothing smaller here)"),
-                Text(", got "),
-                Number(got),
-                none,
-            ],
-            Self::TooMany {
-                what,
-                limit,
-                needed,
-            } => [
-                Text(what),
-                Text(": expected at most "),
-                count(limit),
-                Text(", this needs "),
-                count(needed),
-                none,
-                none,
-            ],
-            Self::Gap { index, got } => [
-                Text("curves["),
-                count(index),
-                Text("]: expected to start where the curve before it ends"),
-                Text(", got a gap of "),
-                Number(got),
-                none,
-                none,
-            ],
+            Self::Count { what, .. }
+            | Self::Index { what, .. }
+            | Self::Range { what, .. }
+            | Self::TooSmall { what, .. }
+            | Self::TooMany { what, .. } => [Text(what), NONE, NONE, NONE],
+            Self::NotFinite { what, index, .. } | Self::Item { what, index, .. } => {
+                item(what, index)
+            }
+            Self::Vertex { patch, .. } => item("patches", patch),
+            Self::Tolerance { .. } => [Text("tolerance"), NONE, NONE, NONE],
+            Self::Gap { index, .. } => item("curves", index),
         }
     }
+
+    /// What would fit.
+    fn expectation(&self) -> [Part; 4] {
+        let text = |text| [Text(text), NONE, NONE, NONE];
+        let at_least = |min, why| [Text("at least "), Number(min), Text(why), NONE];
+        match *self {
+            Self::Count { expected, .. }
+            | Self::Range { expected, .. }
+            | Self::Item { expected, .. } => text(expected),
+            Self::NotFinite { .. } => text("a finite number"),
+            Self::Index { first, last, .. } => {
+                let words = [Text("an index from "), Text(" to ")];
+                [words[0], count(first), words[1], count(last)]
+            }
+            Self::Vertex { count: n, .. } => [Text("vertex indices below "), count(n), NONE, NONE],
+            Self::Tolerance { min, .. } => at_least(min, " (4 ulps of the largest coordinate)"),
+            Self::TooSmall { min, .. } => at_least(min, " (f32 shows nothing smaller here)"),
+            Self::TooMany { limit, .. } => [Text("at most "), count(limit), NONE, NONE],
+            Self::Gap { .. } => text("to start where the curve before it ends"),
+        }
+    }
+
+    /// The value that came, and the words before it.
+    fn value(&self) -> (&'static str, Part) {
+        match *self {
+            Self::Count { got, .. } | Self::Index { got, .. } | Self::Vertex { got, .. } => {
+                (", got ", count(got))
+            }
+            Self::NotFinite { got, .. }
+            | Self::Range { got, .. }
+            | Self::Item { got, .. }
+            | Self::Tolerance { got, .. }
+            | Self::TooSmall { got, .. } => (", got ", Number(got)),
+            Self::TooMany { needed, .. } => (", this needs ", count(needed)),
+            Self::Gap { got, .. } => (", got a gap of ", Number(got)),
+        }
+    }
+}
+
+/// A part without words.
+const NONE: Part = Text("");
+
+fn count(n: usize) -> Part {
+    Number(n as f64)
 }
 
 impl fmt::Display for Error {

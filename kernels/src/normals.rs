@@ -12,7 +12,7 @@ use wide::{f32x4, f64x2};
 const REGULAR: f64 = 1e-10;
 
 /// The same in f32.
-const LEAST: f32 = 1e-10;
+const MIN_SIZE: f32 = 1e-10;
 
 /// Where |N| is below this part of what its terms may add up to, f32 is not enough: the terms and their sums are off by
 /// up to 10·2⁻²⁴ of that, which leaves 1e-5 rad.
@@ -68,7 +68,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let numbers: [f32; 20] = bytemuck::cast(curve);
     let enough = MOSTLY_CANCELLED * numbers[LONGEST];
-    let min = if enough > LEAST { enough } else { LEAST };
+    let min = if enough > MIN_SIZE { enough } else { MIN_SIZE };
     let min_square = min * min;
     let mut complete = with_room(line, |line| fill_lanes(lanes, &numbers, min_square, line));
     let end = |column: usize| -> [f32; 3] {

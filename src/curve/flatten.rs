@@ -158,7 +158,7 @@ impl<P: Point> Curve<P> {
         let size = self.max_abs();
         let plain = PLAIN_RANGE.contains(&size);
         vertex(0.0, self.start());
-        if !(plain && self.bends_by(16.0 * ulp(size)))
+        if !(plain && self.deviates_by(16.0 * ulp(size)))
             && let Some(ts) = self.turns_of_straight(tolerance)
         {
             ts.iter().for_each(|&t| vertex(t, self.eval(t)));
@@ -178,7 +178,7 @@ impl<P: Point> Curve<P> {
 
     /// Whether some control point is farther than a distance from the line through the ends: a quick answer to whether a
     /// curve is straight, which may be no where the ends are close.
-    fn bends_by(&self, distance: f64) -> bool {
+    fn deviates_by(&self, distance: f64) -> bool {
         let start = self.start();
         let chord = self.end() - start;
         let min = distance * distance * chord.dot(chord);

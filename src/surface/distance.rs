@@ -86,7 +86,7 @@ impl<'a> Distance<'a> {
             patches,
             near,
             images,
-            image_of_p: frame.to_local(p),
+            image_of_p: frame.local_point(p),
             p,
             size: frame.as_coarse_as_its_coordinates().size,
         }

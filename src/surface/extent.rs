@@ -92,7 +92,7 @@ fn coordinate(root: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64)
     let coefficients = patch
         .points
         .iter()
-        .map(|&p| sign * frame.to_local(p).coordinate(axis))
+        .map(|&p| sign * frame.local_point(p).coordinate(axis))
         .collect();
     Piece::whole(root, patch.columns, patch.rows(), coefficients)
 }

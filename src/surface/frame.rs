@@ -40,13 +40,13 @@ impl Frame {
     }
 
     /// Where a point lies in this frame.
-    pub(super) fn to_local(&self, p: DVec3) -> DVec3 {
+    pub(super) fn local_point(&self, p: DVec3) -> DVec3 {
         (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
     }
 
     /// The patch in this frame.
     pub(super) fn image(&self, patch: &Patch) -> Patch {
-        let points = patch.points.iter().map(|&p| self.to_local(p)).collect();
+        let points = patch.points.iter().map(|&p| self.local_point(p)).collect();
         Patch::from_net(points, patch.columns)
     }
 }

@@ -137,8 +137,10 @@ impl Patch {
     /// The unit normal at (u, v): the direction of ∂S/∂u × ∂S/∂v.
     ///
     /// Where that product vanishes, as at a collapsed side, the normal is the limit, from the side of the patch's
-    /// middle. Zero where there is none: for a patch that is a point or a curve. Source of the limit: the normal net,
-    /// see `normal.rs`.
+    /// middle. Zero where there is none: for a patch that is a point or a curve. The product counts as vanishing below
+    /// 10⁻¹³ m n |Δu| |Δv|, where Δu and Δv are the largest differences of neighbouring control points along u and v, and m
+    /// and n the degrees: rounding decides the direction of a shorter one. Source of the limit: the normal net, see
+    /// `normal.rs`.
     pub fn normal(&self, u: f64, v: f64) -> DVec3 {
         let (du, dv) = directions(&self.points, self.columns);
         let along_u = evaluate_net(&du, self.columns - 1, u, v);

@@ -78,7 +78,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         let frame = Frame::around(bounds.including(origin)).as_coarse_as_its_coordinates();
         let (e1, e2) = along.any_orthonormal_pair();
         let ray = Ray {
-            start: frame.to_local(origin),
+            start: frame.local_point(origin),
             along,
             across: [e1, e2],
         };
@@ -130,7 +130,7 @@ fn hits_of(
         .collect();
     // A place that Newton's method did not bring onto the ray is no hit.
     hits.retain(|hit| {
-        let from_start = frame.to_local(hit.point) - ray.start;
+        let from_start = frame.local_point(hit.point) - ray.start;
         from_start.dot(ray.along) >= -NEAR
             && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
@@ -151,7 +151,7 @@ fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     let from_start: Vec<DVec3> = patch
         .points
         .iter()
-        .map(|&p| frame.to_local(p) - ray.start)
+        .map(|&p| frame.local_point(p) - ray.start)
         .collect();
     let is_all =
         |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));

@@ -57,7 +57,7 @@ impl Section {
     }
 
     /// The vertices of a line with one place.
-    pub(super) fn min(&self) -> usize {
+    pub(super) fn min_vertices(&self) -> usize {
         let rings = 1 + 2 * self.rings.len();
         self.columns() * rings + 2
     }

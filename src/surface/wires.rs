@@ -139,7 +139,7 @@ impl Surface {
         let inside = lines
             .saturating_sub(1)
             .saturating_mul(2 * self.patch_count());
-        let needed = inside.saturating_mul(section.min());
+        let needed = inside.saturating_mul(section.min_vertices());
         if needed > MAX_VERTICES as usize {
             Err(too_many(needed))
         } else {

@@ -1,7 +1,7 @@
 //! Bindings of paths. In: the number of subpaths, each as a spline of the plane; further arguments behind them.
 
 use super::arena::{self, Arena};
-use super::meetings::write_intersection;
+use super::intersections::write_intersection;
 use super::optional;
 use super::spline::spline_at;
 use crate::curve::{Curve, Intersection, MAX_VERTICES, PathSink, check_tolerance};

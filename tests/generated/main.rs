@@ -26,6 +26,7 @@ mod percentiles;
 mod runner;
 mod spline_edit;
 mod spline_forms;
+mod spline_local;
 mod spline_measure;
 mod spline_query;
 mod surface;
@@ -47,6 +48,7 @@ const GROUPS: [(&str, &[&[Row]]); 10] = [
         &[
             spline_edit::ROWS,
             spline_forms::ROWS,
+            spline_local::ROWS,
             spline_measure::ROWS,
             spline_query::ROWS,
         ],

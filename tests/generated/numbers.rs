@@ -2,6 +2,7 @@
 
 use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::path::PathElement;
 use casteljau::path::{PathIntersection, PathPoint, PathTime};
 use casteljau::spline::*;
 use casteljau::surface::*;
@@ -148,6 +149,17 @@ impl<P: Point + Numbers> Numbers for Curve<P> {
 impl<P: Point + Numbers> Numbers for Spline<P> {
     fn visit(&self, see: &mut dyn FnMut(f64)) {
         self.control_points().visit(see);
+    }
+}
+
+impl Numbers for PathElement {
+    fn visit(&self, see: &mut dyn FnMut(f64)) {
+        match *self {
+            Self::MoveTo(p) | Self::LineTo(p) => p.visit(see),
+            Self::QuadTo(p1, p) => [p1, p].visit(see),
+            Self::CubicTo(p1, p2, p) => [p1, p2, p].visit(see),
+            Self::Close => {}
+        }
     }
 }
 

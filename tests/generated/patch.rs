@@ -150,10 +150,23 @@ fn normal(case: &Case) -> Checked {
         * (partials.u.length() + partials.v.length());
     let across = distance(cross, normal * cross.length());
     ensure!(
-        cross.length() <= 1e3 * rounding || across <= rounding,
+        cross.length() <= (1e3 * rounding).max(vanishing(&patch)) || across <= rounding,
         "{across:e} off ∂u × ∂v, more than {rounding:e}"
     );
     Ok(())
+}
+
+/// The length of ∂u × ∂v below which it counts as vanishing (see `Patch::normal`); differences are scaled by their largest
+/// coordinate, which is up to √3 times shorter than the largest difference, along u and along v.
+fn vanishing(patch: &Patch) -> f64 {
+    let (net, columns) = (patch.control_points(), patch.degree_u() + 1);
+    let largest = |pairs: &mut dyn Iterator<Item = (DVec3, DVec3)>| {
+        pairs.map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
+    };
+    let along_u = net.chunks(columns).flat_map(|row| row.windows(2));
+    let along_u = largest(&mut along_u.map(|pair| (pair[0], pair[1])));
+    let along_v = largest(&mut net.iter().copied().zip(net[columns..].iter().copied()));
+    1e-13 * real(patch.degree_u() * patch.degree_v()) * along_u * along_v
 }
 
 fn curvature(case: &Case) -> Checked {

@@ -7,6 +7,7 @@ use crate::curve_measure::holds;
 use crate::runner::Row;
 use casteljau::Path;
 use casteljau::glam::DVec2;
+use casteljau::path::{PathBuilder, PathElement};
 use casteljau_generator::Case;
 
 pub(crate) const ROWS: &[Row] = &[
@@ -15,6 +16,8 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::segment_count", accessors),
     ("Path::is_empty", accessors),
     ("Path::subpaths", accessors),
+    ("Path::segments", accessors),
+    ("Path::elements", elements),
     ("Path::subpath", subpath),
     ("Path::approx_eq", approx_eq),
     ("Path::bounds", bounds),
@@ -47,6 +50,14 @@ fn accessors(case: &Case) -> Checked {
         path.segment_count() == segments,
         "{} segments",
         path.segment_count()
+    );
+    let curves = call(case, || path.segments().collect::<Vec<_>>())?;
+    ensure!(
+        subpaths
+            .iter()
+            .flat_map(|spline| spline.segments())
+            .eq(curves),
+        "not the segments of the subpaths"
     );
     ensure!(
         path.is_empty() == subpaths.is_empty(),
@@ -237,6 +248,30 @@ fn trace(case: &Case) -> Checked {
     ensure!(
         pen.is_fine() && pen.subpaths.len() == path.subpath_count(),
         "not a subpath for each of the path's"
+    );
+    Ok(())
+}
+
+/// What `trace` sends, read back, is what `elements` yields.
+fn elements(case: &Case) -> Checked {
+    let (path, tolerance) = (path(case, "path"), optional(case, "tolerance"));
+    let elements = || path.elements(tolerance).map(Iterator::collect::<Vec<_>>);
+    let elements: Vec<PathElement> = answer!(case, elements(), &["tolerance"]);
+    let mut traced = PathBuilder::new();
+    _ = path.trace(&mut traced, tolerance);
+    let mut built = PathBuilder::new();
+    for element in elements {
+        match element {
+            PathElement::MoveTo(p) => built.move_to(p),
+            PathElement::LineTo(p) => built.line_to(p),
+            PathElement::QuadTo(p1, p) => built.quad_to(p1, p),
+            PathElement::CubicTo(p1, p2, p) => built.cubic_to(p1, p2, p),
+            PathElement::Close => built.close(),
+        }
+    }
+    ensure!(
+        built.build() == traced.build(),
+        "other commands than those of trace"
     );
     Ok(())
 }

@@ -144,6 +144,18 @@ fn shapes(rng: &mut Rng) -> (&'static str, Curve<DVec2>, Curve<DVec2>) {
             let b = a.subsegment(rng.pick(&[0.0, 0.25]), rng.pick(&[0.5, 1.0]));
             ("elevated", a, b.elevate().expect("low").reverse())
         }
+        kind => special_shapes(rng, kind, a, m),
+    }
+}
+
+fn special_shapes(
+    rng: &mut Rng,
+    kind: usize,
+    a: Curve<DVec2>,
+    m: usize,
+) -> (&'static str, Curve<DVec2>, Curve<DVec2>) {
+    let dyadic = [0.0, 0.25, 0.5, 0.75, 1.0];
+    match kind {
         9 => ("straight", new(&straight(rng)), new(&straight(rng))),
         10 => ("straight", new(&straight(rng)), a),
         11 => {

@@ -20,7 +20,7 @@ fn text_is_read_and_written() {
 #[test]
 fn splines_are_collected() {
     let path: Path = TEXT.parse().expect("path data");
-    assert_eq!(path.subpaths().into_iter().collect::<Path>(), path);
+    assert_eq!(path.subpaths().collect::<Path>(), path);
     let mut longer = path.clone();
     longer.extend(path.subpath(1));
     assert_eq!(

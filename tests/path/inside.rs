@@ -152,72 +152,76 @@ pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
     Spline::with_degrees(points, &degrees, closed).expect("matching counts")
 }
 
+/// A grid of N × N cells whose sides are curves: the cells as paths, the outline, and all sides.
+fn curved_cells(rng: &mut Rng, on_grid: bool) -> (Vec<Path>, Path, Vec<Curve<DVec2>>) {
+    let mut node = |i: usize, j: usize| {
+        let jitter = rng.point(2).truncate() * if on_grid { 0.0 } else { 0.3 };
+        DVec2::new(real(i), real(j)) + jitter
+    };
+    let nodes: [[DVec2; N + 1]; N + 1] =
+        std::array::from_fn(|j| std::array::from_fn(|i| node(i, j)));
+    let rows: [[_; N]; N + 1] = std::array::from_fn(|j| {
+        std::array::from_fn(|i| side(rng, nodes[j][i], nodes[j][i + 1], on_grid))
+    });
+    let columns: [[_; N + 1]; N] = std::array::from_fn(|j| {
+        std::array::from_fn(|i| side(rng, nodes[j][i], nodes[j + 1][i], on_grid))
+    });
+    let closed =
+        |curves: &[Curve<DVec2>]| Path::from(Spline::from_curves(curves, true).expect("a ring"));
+    let cell = |i: usize, j: usize| {
+        closed(&[
+            rows[j][i].clone(),
+            columns[j][i + 1].clone(),
+            rows[j + 1][i].reverse(),
+            columns[j][i].reverse(),
+        ])
+    };
+    let cells = (0..N * N).map(|k| cell(k % N, k / N)).collect();
+    let mut around: Vec<Curve<DVec2>> = rows[0].to_vec();
+    around.extend(columns.iter().map(|row| row[N].clone()));
+    around.extend(rows[N].iter().rev().map(Curve::reverse));
+    around.extend(columns.iter().rev().map(|row| row[0].reverse()));
+    let outline = closed(&around);
+    let sides = rows.into_iter().flatten();
+    let sides = sides.chain(columns.into_iter().flatten());
+    (cells, outline, sides.collect())
+}
+
+/// A curve from a to b, of a random degree.
+fn side(rng: &mut Rng, a: DVec2, b: DVec2, on_grid: bool) -> Curve<DVec2> {
+    let degree = rng.pick(&[1, 1, 2, 3, 5]);
+    let size = if on_grid { 0.25 } else { 0.4 };
+    let inner = (1..degree).map(|k| {
+        a.lerp(b, real(k) / real(degree)) + (rng.point(2).truncate() * size * 8.0).round() / 8.0
+    });
+    let points: Vec<DVec2> = std::iter::once(a).chain(inner).chain([b]).collect();
+    Curve::new(&points).expect("finite")
+}
+
+/// Cells along each axis.
+const N: usize = 4;
+
 /// A patchwork of cells that share curved sides: every point of the plane lies in as many cells as the outline winds
 /// around it, on the sides too.
 #[test]
 fn parts_of_the_plane_share_no_point_and_leave_none() {
-    const N: usize = 4;
     let mut rng = Rng(23);
     for case in 0..150 {
-        let on_grid = case % 2 == 0;
-        let mut location = |i: usize, j: usize| {
-            let jitter = rng.point(2).truncate() * if on_grid { 0.0 } else { 0.3 };
-            DVec2::new(real(i), real(j)) + jitter
-        };
-        let nodes: Vec<Vec<DVec2>> = (0..=N)
-            .map(|j| (0..=N).map(|i| location(i, j)).collect())
-            .collect();
-        let mut side = |a: DVec2, b: DVec2| {
-            let degree = rng.pick(&[1, 1, 2, 3, 5]);
-            let curved = if on_grid { 0.25 } else { 0.4 };
-            let inner = (1..degree).map(|k| {
-                a.lerp(b, real(k) / real(degree))
-                    + (rng.point(2).truncate() * curved * 8.0).round() / 8.0
-            });
-            let points: Vec<DVec2> = std::iter::once(a).chain(inner).chain([b]).collect();
-            Curve::new(&points).expect("finite")
-        };
-        let rows: Vec<Vec<Curve<DVec2>>> = (0..=N)
-            .map(|j| (0..N).map(|i| side(nodes[j][i], nodes[j][i + 1])).collect())
-            .collect();
-        let columns: Vec<Vec<Curve<DVec2>>> = (0..N)
-            .map(|j| {
-                (0..=N)
-                    .map(|i| side(nodes[j][i], nodes[j + 1][i]))
-                    .collect()
-            })
-            .collect();
-        let closed = |curves: &[Curve<DVec2>]| {
-            Path::from(Spline::from_curves(curves, true).expect("a ring"))
-        };
-        let cell = |i: usize, j: usize| {
-            closed(&[
-                rows[j][i].clone(),
-                columns[j][i + 1].clone(),
-                rows[j + 1][i].reverse(),
-                columns[j][i].reverse(),
-            ])
-        };
-        let cells: Vec<Path> = (0..N * N).map(|k| cell(k % N, k / N)).collect();
-        let mut around: Vec<Curve<DVec2>> = rows[0].clone();
-        around.extend(columns.iter().map(|row| row[N].clone()));
-        around.extend(rows[N].iter().rev().map(Curve::reverse));
-        around.extend(columns.iter().rev().map(|row| row[0].reverse()));
-        let outline = closed(&around);
-        let ask = |p: DVec2| {
+        let (cells, outline, sides) = curved_cells(&mut rng, case % 2 == 0);
+        let check = |p: DVec2| {
             let sum: i32 = cells.iter().map(|cell| cell.winding_number(p)).sum();
             assert_eq!(sum, outline.winding_number(p), "case {case}: {p}");
         };
-        for curve in rows.iter().chain(&columns).flatten() {
+        for curve in sides {
             for t in [0.0, 0.125, 0.3, 0.5, 0.75, 0.9, 1.0] {
                 let p = curve.eval(t);
-                ask(p);
-                ask(DVec2::new(p.x.next_up(), p.y));
-                ask(DVec2::new(p.x, p.y.next_down()));
+                check(p);
+                check(DVec2::new(p.x.next_up(), p.y));
+                check(DVec2::new(p.x, p.y.next_down()));
             }
         }
         for _ in 0..50 {
-            ask(DVec2::new(rng.unit() * real(N), rng.unit() * real(N)));
+            check(DVec2::new(rng.unit() * real(N), rng.unit() * real(N)));
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::inside::{OUTLINES, random_spline};
 use casteljau::curve::Moments;
 use casteljau::glam::{DAffine2, DMat2, DVec2};
 use casteljau::path::PathTime;
-use casteljau::{Path, Spline};
+use casteljau::{Curve, Path, Spline};
 
 /// Of the polygons, by triangles from the first point of each.
 fn polygon_moments(rings: &[Vec<DVec2>]) -> Moments {
@@ -58,7 +58,7 @@ fn paths() -> Vec<Path> {
 #[test]
 fn moments_are_those_of_fine_polygons() {
     for path in paths() {
-        let size = path.max().max(1e-300);
+        let size = path.max_coordinate().max(1e-300);
         let tolerance = 1e-6 * size;
         let lines = path.flatten(tolerance).expect("a tolerance");
         let rings: Vec<Vec<DVec2>> = lines.into_iter().map(|line| line.points).collect();
@@ -91,11 +91,11 @@ fn moments_are_those_of_fine_polygons() {
 }
 
 trait Largest {
-    fn max(&self) -> f64;
+    fn max_coordinate(&self) -> f64;
 }
 
 impl Largest for Path {
-    fn max(&self) -> f64 {
+    fn max_coordinate(&self) -> f64 {
         self.control_bounds()
             .map_or(0.0, |b| b.min.abs().max(b.max.abs()).max_element())
     }
@@ -110,7 +110,7 @@ fn areas_follow_maps_by_their_determinant() {
         let map = DAffine2::from_mat2_translation(matrix, by);
         let image = path.transform(&map);
         let (m, n) = (path.moments(), image.moments());
-        let size = image.max();
+        let size = image.max_coordinate();
         near(
             n.area,
             m.area * matrix.determinant(),
@@ -126,7 +126,7 @@ fn areas_follow_maps_by_their_determinant() {
         near(
             back.area(),
             -path.area(),
-            1e-14 * path.max().powi(2),
+            1e-14 * path.max_coordinate().powi(2),
             "reversed",
         );
         assert_eq!(back.reverse(), path);
@@ -190,7 +190,7 @@ fn boxes_hold_their_path_and_touch_it() {
             .iter()
             .flat_map(|s| s.sample(64).expect("few"))
             .collect();
-        let noise = 1e-15 * path.max();
+        let noise = 1e-15 * path.max_coordinate();
         let (mut min, mut max) = (points[0], points[0]);
         for &p in &points {
             (min, max) = (min.min(p), max.max(p));
@@ -245,7 +245,7 @@ fn nothing_is_nearer_than_the_nearest_point() {
             .iter()
             .flat_map(|s| s.sample(200).expect("few"))
             .collect();
-        let size = path.max();
+        let size = path.max_coordinate();
         for _ in 0..20 {
             let p = match rng.below(3) {
                 0 => rng.pick(&samples),
@@ -273,6 +273,16 @@ fn nothing_is_nearer_than_the_nearest_point() {
     assert_eq!(Path::default().nearest(DVec2::ZERO), Ok(None));
 }
 
+/// The length of a spline from its start to t, segment by segment.
+fn length_up_to(spline: &Spline<DVec2>, t: f64) -> f64 {
+    let length = |curve: Curve<DVec2>| curve.length(None).expect("no tolerance");
+    let count = spline.segment_count();
+    let k = (0..count).rfind(|&k| real(k) <= t).unwrap_or(0);
+    let full: f64 = spline.segments().take(k).map(length).sum();
+    let last = spline.segment(k).expect("a segment");
+    full + length(last.subsegment(0.0, t - real(k)))
+}
+
 #[test]
 fn times_by_length_have_that_length_behind_them() {
     let mut rng = Rng(36);
@@ -283,22 +293,9 @@ fn times_by_length_have_that_length_behind_them() {
             .iter()
             .map(|s| s.length(None).expect("no tolerance"))
             .collect();
-        // By the splines: what lies before, and their own.
-        let behind = |time: PathTime| -> f64 {
-            let own = &splines[time.subpath];
-            let k = (0..own.segment_count())
-                .rfind(|&k| real(k) <= time.t)
-                .unwrap_or(0);
-            let curves = own.segments().collect::<Vec<_>>();
-            let full: f64 = curves[..k]
-                .iter()
-                .map(|c| c.length(None).expect("no tolerance"))
-                .sum();
-            let rest = curves[k]
-                .subsegment(0.0, time.t - real(k))
-                .length(None)
-                .expect("no tolerance");
-            lengths[..time.subpath].iter().sum::<f64>() + full + rest
+        let behind = |time: PathTime| {
+            lengths[..time.subpath].iter().sum::<f64>()
+                + length_up_to(&splines[time.subpath], time.t)
         };
         for _ in 0..10 {
             let s = rng.unit() * whole;
@@ -309,7 +306,7 @@ fn times_by_length_have_that_length_behind_them() {
             near(
                 behind(time),
                 s,
-                1e-9 * whole + 1e-14 * path.max(),
+                1e-9 * whole + 1e-14 * path.max_coordinate(),
                 "length behind",
             );
         }
@@ -329,11 +326,15 @@ fn times_by_length_have_that_length_behind_them() {
             near(
                 behind(time),
                 whole * real(i) / real(count),
-                1e-9 * whole + 1e-14 * path.max(),
+                1e-9 * whole + 1e-14 * path.max_coordinate(),
                 "even",
             );
         }
     }
+}
+
+#[test]
+fn times_on_paths_without_length() {
     assert_eq!(Path::default().time_at_length(1.0, None), Ok(None));
     assert_eq!(Path::default().equidistant_times(3), Ok(Vec::new()));
     let dot = Path::from_svg("M1 1ZM2 2Z").expect("dots");

@@ -242,8 +242,12 @@ fn a_patch_from_another_basis() {
     assert_near(patch.partials(0.0, 0.0).u, net[2], 1e-14);
     assert_near(patch.partials(0.0, 1.0).v, net[12], 1e-14);
     assert_near(patch.partials(1.0, 1.0).uv, net[15], 1e-14);
-    // A B-spline of equal control points is that point; points are finite, matrices too.
-    let point = Patch::from_basis(Basis::BSpline, &[DVec3::ONE; 16]).unwrap();
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_basis_and_its_net_are_finite() {
+    let net = [DVec3::ONE; 16];
+    let point = Patch::from_basis(Basis::BSpline, &net).unwrap();
     assert_near(point.eval(0.3, 0.8), DVec3::ONE, 1e-15);
     let mut matrix = Basis::BSpline.matrix();
     matrix[5] = f64::NAN;

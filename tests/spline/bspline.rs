@@ -279,7 +279,7 @@ fn knots_and_points_of_any_size() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn refusals() {
+fn refusals_of_knots() {
     let p = [DVec2::ZERO; 5];
     let item = |u: &[f64], degree: usize, closed: bool| match Spline::from_bspline(
         &p,
@@ -317,6 +317,11 @@ fn refusals() {
         let refused = Spline::from_bspline(&p, 2, Some(&u), closed);
         assert!(matches!(refused, Err(Error::Count { what: "knots", got: n, .. }) if n == got));
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn refusals_of_degrees_and_points() {
+    let p = [DVec2::ZERO; 5];
     for degree in [0, 65] {
         let refused = Spline::from_bspline(&p, degree, None, false);
         assert!(matches!(refused, Err(Error::Range { what: "degree", .. })));

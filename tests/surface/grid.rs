@@ -362,7 +362,7 @@ fn surfaces_that_do_not_add_up() {
     assert!(matches!(
         error,
         Error::Range {
-            what: "degreeV",
+            what: "degree_v",
             ..
         }
     ));

@@ -15,9 +15,9 @@ use syn::visit::{self, Visit};
 const PRIVATE_WORDS: &[&str] = &[
     "alone", "bends", "bent", "chain", "chains", "cutter", "doors", "dusted", "facing", "facts",
     "filler", "gather", "given", "hands", "lattice", "least", "lens", "made", "meet", "meeting",
-    "meetings", "most", "paper", "parallel", "place", "places", "promise", "put", "rail",
-    "railway", "ruler", "scaffold", "settle", "settled", "snip", "stitched", "told", "trail",
-    "truth", "way", "ways", "wild", "zone", "zones",
+    "meetings", "most", "paper", "place", "places", "promise", "put", "rail", "railway", "ruler",
+    "scaffold", "settle", "settled", "snip", "told", "trail", "truth", "way", "ways", "wild",
+    "zone", "zones",
 ];
 
 /// The folders whose sources are read.
@@ -35,8 +35,8 @@ const LONGEST_FUNCTION: usize = 60;
 
 /// What was counted last. A change may lower a count; then it lowers the number here, too.
 const LIMITS: Counts = Counts {
-    private_words: 12,
-    long_functions: 8,
+    private_words: 1,
+    long_functions: 0,
     modules_in_cycles: 49,
 };
 

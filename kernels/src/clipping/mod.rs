@@ -129,6 +129,6 @@ impl<R: Row> ClippingSolver<R> {
 }
 
 /// [`ClippingSolver::run`] for cubics.
-pub fn intersect_cubics(meeting: &mut ClippingSolver<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
-    meeting.run(ts, us);
+pub fn intersect_cubics(solver: &mut ClippingSolver<[f64; 4]>, ts: [f64; 2], us: [f64; 2]) {
+    solver.run(ts, us);
 }

@@ -100,13 +100,7 @@ pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec
             p[at..at + count].fill(same);
         }
         Kind::Cusp | Kind::Loop => cross_handles(rng, &mut p, kind),
-        Kind::FlatS => {
-            let height = rng.magnitude(-7.0, -0.5);
-            for (i, p) in p.iter_mut().enumerate() {
-                let up = if i % 2 == 0 { height } else { -height };
-                *p = DVec3::new(real(i) * (0.5 + rng.unit()), up * rng.unit(), p.z * height);
-            }
-        }
+        Kind::FlatS => flat_s(rng, &mut p),
         Kind::FewUlps => {
             let centre = rng.point(dimension);
             p.iter_mut()
@@ -143,6 +137,14 @@ pub fn points(rng: &mut Rng, kind: Kind, degree: usize, dimension: usize) -> Vec
         Kind::Tiny => p.iter_mut().for_each(|p| *p *= 1e-300),
     }
     p
+}
+
+fn flat_s(rng: &mut Rng, p: &mut [DVec3]) {
+    let height = rng.magnitude(-7.0, -0.5);
+    for (i, p) in p.iter_mut().enumerate() {
+        let up = if i % 2 == 0 { height } else { -height };
+        *p = DVec3::new(real(i) * (0.5 + rng.unit()), up * rng.unit(), p.z * height);
+    }
 }
 
 fn on_a_line(rng: &mut Rng, p: &mut [DVec3], dimension: usize) {
