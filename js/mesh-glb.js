@@ -1,4 +1,4 @@
-// Meshes as binary glTF 2.0; src/surface/glb.rs makes the same bytes. Source: Khronos, glTF 2.0 specification, §3 and
+// Meshes as binary glTF 2.0; src/io/glb.rs makes the same bytes. Source: Khronos, glTF 2.0 specification, §3 and
 // §4.
 import { checkMesh, inFloats, newFile } from "./mesh-export.js";
 

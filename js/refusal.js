@@ -4,7 +4,7 @@ import { memory } from "./init.js";
 
 /** @import { Gate } from "./gate.js" */
 
-/** The number of parts of a message, two numbers each; see `Error::parts` in src/error.rs. */
+/** The number of parts of a message, two numbers each; see `Error::parts` in src/geometry/error.rs. */
 const PARTS = 11;
 
 /**

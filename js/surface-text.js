@@ -1,4 +1,4 @@
-// Surfaces from text and to text; src/surface/text.rs does the same with the same words.
+// Surfaces from text and to text; src/io/surface_text.rs does the same with the same words.
 import { refusal, Reader, shown } from "./text-reader.js";
 import { written } from "./written.js";
 

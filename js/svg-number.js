@@ -1,4 +1,4 @@
-// The words of path data: blanks, numbers, flags. src/path/svg_number.rs reads the same.
+// The words of path data: blanks, numbers, flags. src/io/svg_number.rs reads the same.
 import { shown } from "./text-reader.js";
 
 /** What comes when nothing comes. */

@@ -1,4 +1,4 @@
-// Paths from SVG path data; src/path/svg_read.rs reads the same, message for message and bit for bit.
+// Paths from SVG path data; src/io/svg_read.rs reads the same, message for message and bit for bit.
 import { Packer } from "./path-packed.js";
 import { arc } from "./svg-arc.js";
 import { Refusal, Scanner } from "./svg-number.js";

@@ -1,4 +1,4 @@
-// Paths as SVG path data, and drawn; src/path/svg_write.rs writes the same.
+// Paths as SVG path data, and drawn; src/io/svg_write.rs writes the same.
 import * as check from "./check.js";
 import { core } from "./init.js";
 import { extents } from "./path-packed.js";

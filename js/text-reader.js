@@ -1,4 +1,4 @@
-// The rows of a text, and what can be wrong with them; src/surface/text_reader.rs reads the same.
+// The rows of a text, and what can be wrong with them; src/io/text_reader.rs reads the same.
 
 /** What comes when nothing comes. */
 const END = "the end of the text";

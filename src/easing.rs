@@ -2,7 +2,7 @@
 //!
 //! js/easing.js does the same, operation by operation, and gives the same bits.
 
-use crate::error::Error;
+use crate::geometry::error::Error;
 
 /// Pieces into which t is cut. A power of two, so that Bernstein weights at the nodes are exact.
 const PIECES: usize = 32;

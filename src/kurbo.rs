@@ -1,8 +1,10 @@
 //! Conversions from and to the types of the crate kurbo, behind the feature `kurbo`.
 
-use crate::curve::{Curve, PathSink};
-use crate::error::Error;
-use crate::path::{Path, PathBuilder};
+use crate::curve::Curve;
+use crate::curve::trace::PathSink;
+use crate::geometry::error::Error;
+use crate::path::Path;
+use crate::path::builder::PathBuilder;
 use crate::spline::Spline;
 use glam::DVec2;
 use kurbo::{BezPath, CubicBez, Line, PathEl, PathSeg, Point, QuadBez, Shape};

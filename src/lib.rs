@@ -38,13 +38,16 @@
 //! ```
 #![deny(clippy::disallowed_methods)]
 
+mod bernstein;
 pub mod curve;
 mod easing;
-mod error;
-mod list;
-mod order;
+mod geometry;
+mod io;
+pub mod mesh;
+pub mod models;
+mod numeric;
+pub mod patch;
 pub mod path;
-mod point;
 pub mod spline;
 pub mod surface;
 
@@ -57,12 +60,15 @@ mod wasm;
 
 pub use curve::Curve;
 pub use easing::Easing;
-pub use error::{Error, MAX_DEGREE};
+pub use geometry::error::{Error, MAX_DEGREE};
+pub use geometry::point::{CrossProduct, Point};
 pub use glam;
+pub use mesh::{Grid, GridMethod, Indices, Mesh};
+pub use models::TeapotOptions;
+pub use patch::Patch;
 pub use path::Path;
-pub use point::{CrossProduct, Point};
 pub use spline::Spline;
-pub use surface::{Grid, GridMethod, Indices, Mesh, Patch, Surface, TeapotOptions};
+pub use surface::Surface;
 
 /// The examples of the README, run as tests.
 #[cfg(doctest)]

@@ -3,8 +3,13 @@
 //! Curves and paths have the form that JavaScript's `toJSON` gives. What is read is checked as by the constructors. Results
 //! and options are plain values and derive their form from their fields.
 
-use crate::point::Point;
-use crate::{Curve, Easing, Patch, Path, Spline, Surface};
+use crate::curve::Curve;
+use crate::easing::Easing;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
+use crate::path::Path;
+use crate::spline::Spline;
+use crate::surface::network::Surface;
 use glam::{DVec2, DVec3};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Deserialize as Read, Serialize as Write, Serializer};

@@ -5,10 +5,12 @@
 mod angle;
 mod bernstein;
 mod bicubic;
+mod bicubic_fill;
 mod cell_triangulator;
 mod clipping;
 mod curve;
 mod gauss;
+mod lanes;
 mod layout;
 mod length;
 mod nearest;

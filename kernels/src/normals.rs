@@ -3,7 +3,8 @@
 //! N = ∂u × ∂v is itself a Bézier patch, of degrees 5 and 5. Its control vectors, the normal net, are computed in f64.
 //! They are as exact near a collapsed side as anywhere else, where the derivatives would have to be subtracted.
 
-use crate::bicubic::{BicubicGrid, LANES, Lanes, round, store, with_room};
+use crate::bicubic::{BicubicGrid, Lanes};
+use crate::lanes::{LANES, round, store, with_room};
 use crate::weights::quintic;
 use wide::{f32x4, f64x2};
 

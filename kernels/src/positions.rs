@@ -1,6 +1,7 @@
 //! Positions of a bicubic patch on a grid.
 
-use crate::bicubic::{BicubicGrid, LANES, round, store};
+use crate::bicubic::BicubicGrid;
+use crate::lanes::{LANES, round, store};
 use bytemuck::cast;
 use wide::{f32x4, f64x2};
 

@@ -1,7 +1,8 @@
 //! How much area does the curve sweep?
 
-use super::{Curve, Points};
-use crate::point::Point;
+use super::Curve;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
 use glam::DVec2;
 
 impl Curve<DVec2> {

@@ -4,8 +4,8 @@
 //! curve and changes the points: M₁·G₁ = M₂·G₂.
 
 use super::Curve;
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 /// A 4×4 matrix, row-major.
 pub(crate) type Matrix = [f64; 16];
@@ -142,7 +142,7 @@ impl<P: Point> Curve<P> {
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
     pub fn from_basis(basis: Basis, points: [P; 4]) -> Result<Self, Error> {
-        super::check_finite("points", &points)?;
+        crate::geometry::check::check_finite("points", &points)?;
         Self::new(&apply(&basis.to_bezier()?, points))
     }
 

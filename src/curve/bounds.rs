@@ -1,61 +1,11 @@
 //! The smallest box around the curve.
 
-use super::roots::roots_inside;
-use super::{Curve, Scalars, evaluate_scalar};
-use crate::point::Point;
-
-/// An axis-parallel box: all points p with min ≤ p ≤ max in each coordinate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
-)]
-pub struct Bounds<P> {
-    /// The least coordinates.
-    pub min: P,
-    /// The greatest coordinates.
-    pub max: P,
-}
-
-impl<P: Point> Bounds<P> {
-    /// The smallest box around this one and a point.
-    #[must_use]
-    pub(crate) fn including(self, p: P) -> Self {
-        Self {
-            min: self.min.min(p),
-            max: self.max.max(p),
-        }
-    }
-
-    /// The smallest box that contains both.
-    #[must_use]
-    pub fn union(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
-    }
-
-    /// The box of the points that both contain; `None` if there are none. Boxes that touch share a box without a width.
-    pub fn intersection(self, other: Self) -> Option<Self> {
-        let (min, max) = (self.min.max(other.min), self.max.min(other.max));
-        (0..P::DIMENSION)
-            .all(|axis| min.coordinate(axis) <= max.coordinate(axis))
-            .then_some(Self { min, max })
-    }
-
-    /// Whether the point lies inside of the box or on its boundary.
-    pub fn contains(self, p: P) -> bool {
-        self.min.min(p) == self.min && self.max.max(p) == self.max
-    }
-
-    /// The length of the diagonal.
-    pub fn diagonal(&self) -> f64 {
-        // Halves first: max − min of ±1e308 would overflow.
-        (self.max * 0.5 - self.min * 0.5).length() * 2.0
-    }
-}
+use super::Curve;
+use crate::bernstein::evaluate::evaluate_scalar;
+use crate::bernstein::roots::roots_inside;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::point::Point;
+use crate::numeric::list::Scalars;
 
 impl<P: Point> Curve<P> {
     /// The smallest box that contains the curve, from its ends and its extrema.

@@ -1,13 +1,15 @@
 //! What kind of curve is it?
 
+use super::Curve;
 use super::inflections::{cusps_of, inflections_of};
-use super::length::hodograph;
 use super::nearest::unit_for;
-use super::roots::discriminant;
 use super::turning::turning;
-use super::{Curve, Points, ulp};
-use crate::list::points_of;
-use crate::point::Point;
+use crate::bernstein::roots::discriminant;
+use crate::curve::arc_length::length::hodograph;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
+use crate::numeric::list::Points;
+use crate::numeric::list::points_of;
 use glam::{DVec2, DVec3};
 
 /// The shape of a curve, as far as it does not change under affine maps.

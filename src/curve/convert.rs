@@ -1,9 +1,9 @@
 //! Curves from a fixed number of points, and affine maps as factors.
 
 use super::Curve;
-use crate::error::Error;
-use crate::list::points_of;
-use crate::point::Point;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::points_of;
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
 

@@ -1,12 +1,14 @@
 //! Which way does it go, and how does it bend?
 
-use super::{Curve, Points, evaluate};
-use crate::point::{CrossProduct, Point};
+use super::Curve;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::{CrossProduct, Point};
+use crate::numeric::list::Points;
 use std::cmp::Ordering;
 
 /// A derivative counts as vanishing when it is below this part of the largest one that its degree allows: rounding of
 /// the control points and of the evaluation leaves about n·2⁻⁵³.
-pub(super) const VANISHING_RATIO: f64 = 1e-13;
+pub(crate) const VANISHING_RATIO: f64 = 1e-13;
 
 impl<P: Point> Curve<P> {
     /// The derivative as a curve: B′(t) has the control points n (Pᵢ₊₁ − Pᵢ), degree n − 1.
@@ -107,9 +109,9 @@ impl<P: Point> Curve<P> {
     }
 
     /// The Taylor expansion at t; `None` for a curve that is a point.
-    pub(super) fn taylor(&self, t: f64) -> Option<Taylor<P>> {
+    pub(crate) fn taylor(&self, t: f64) -> Option<Taylor<P>> {
         let mut points = differences(&self.points);
-        let scale = super::max_abs(&points);
+        let scale = crate::geometry::check::max_abs(&points);
         if scale == 0.0 {
             return None;
         }
@@ -123,7 +125,9 @@ impl<P: Point> Curve<P> {
             binomial *= (self.degree() + 1 - order) as f64 / order as f64;
             let value = evaluate(&points, t);
             if first == 0
-                && value.max_abs() > VANISHING_RATIO * super::max_abs(&points).max(VANISHING_RATIO)
+                && value.max_abs()
+                    > VANISHING_RATIO
+                        * crate::geometry::check::max_abs(&points).max(VANISHING_RATIO)
             {
                 first = order;
             }
@@ -146,14 +150,14 @@ impl<P: Point> Curve<P> {
 ///
 /// `scale` is the longest coordinate difference of the control polygon, so that neither 1e300 nor 1e-300 leaves the
 /// range of f64.
-pub(super) struct Taylor<P: Point> {
-    pub(super) scale: f64,
+pub(crate) struct Taylor<P: Point> {
+    pub(crate) scale: f64,
     /// c₁ … cₙ.
-    pub(super) coefficients: Points<P>,
+    pub(crate) coefficients: Points<P>,
     /// The order of the first that does not vanish.
-    pub(super) first: usize,
+    pub(crate) first: usize,
     /// At t = 1, and just before a zero of B′, limits come from the left, where odd powers of τ are negative.
-    pub(super) from_left: bool,
+    pub(crate) from_left: bool,
 }
 
 impl<P: Point> Taylor<P> {
@@ -168,7 +172,7 @@ impl<P: Point> Taylor<P> {
     }
 
     /// The order of the first later term that is not parallel to the first; at regular points the second.
-    pub(super) fn bend(&self) -> Option<usize> {
+    pub(crate) fn bend(&self) -> Option<usize> {
         if self.first == 1 && P::DIMENSION == 2 {
             return (self.coefficients.len() > 1).then_some(2);
         }

@@ -1,9 +1,11 @@
 //! Where does a coordinate turn back, and where does it have a value?
 
-use super::roots::{contacts, crossings};
-use super::{Curve, Scalars, ulp};
-use crate::error::Error;
-use crate::point::Point;
+use super::Curve;
+use crate::bernstein::roots::{contacts, crossings};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
+use crate::numeric::list::Scalars;
 
 impl<P: Point> Curve<P> {
     /// The parameters inside (0, 1) where a coordinate (0 is x, 1 is y, 2 is z) has a local extremum, sorted.

@@ -5,10 +5,13 @@
 //! by two reflections errs with the fifth power of the step; steps are halved until that no longer shows. Source: Wang,
 //! Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM Transactions on Graphics 27 (2008).
 
-use super::length::hodograph;
-use super::{Curve, check_segments, evaluate, ratio};
-use crate::error::Error;
-use crate::point::Point;
+use super::Curve;
+use super::eval::check_segments;
+use crate::bernstein::evaluate::evaluate;
+use crate::curve::arc_length::length::hodograph;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
 use casteljau_kernels::WorkLimit;
 use glam::DVec3;
 
@@ -175,14 +178,14 @@ pub(crate) fn frames_along(
 
 fn check_all_finite(ts: &[f64], normal: Option<DVec3>) -> Result<(), Error> {
     Error::unless_finite("ts", ts)?;
-    super::check_finite("normal", normal.as_slice())
+    crate::geometry::check::check_finite("normal", normal.as_slice())
 }
 
 /// A curve as a rail for frames; also moved to the origin and to a moderate size.
 struct FrameCurve {
     curve: Curve<DVec3>,
     unit: Curve<DVec3>,
-    slopes: super::Points<DVec3>,
+    slopes: crate::numeric::list::Points<DVec3>,
 }
 
 /// What a step needs to know of its ends.

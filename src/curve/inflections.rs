@@ -1,13 +1,17 @@
 //! Where does the curve change the side to which it bends, where does it stop, and where does it point at a place?
 
-use super::length::hodograph;
+use super::Curve;
 use super::nearest::unit_for;
-use super::product::product_of;
-use super::roots::{contacts, crossings, roots_inside};
 use super::turning::turning;
-use super::{Curve, Points, Scalars, check_finite, evaluate, max_abs, ulp};
-use crate::error::Error;
-use crate::point::Point;
+use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::product::product_of;
+use crate::bernstein::roots::{contacts, crossings, roots_inside};
+use crate::curve::arc_length::length::hodograph;
+use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
+use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
 /// How far about a place with B′ = 0 to look for the way in and the way out.

@@ -1,9 +1,12 @@
 //! Which curve passes through points?
 
-use super::{Curve, Points, Scalars, check_finite, ratio};
-use crate::error::{Error, MAX_DEGREE};
-use crate::list::points_of;
-use crate::point::Point;
+use super::Curve;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::{Error, MAX_DEGREE};
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+use crate::numeric::list::points_of;
+use crate::numeric::list::{Points, Scalars};
 
 /// Rounds in which what rounding has left between the curve and the points is interpolated and added.
 const REFINEMENTS: usize = 2;
@@ -31,7 +34,7 @@ impl<P: Point> Curve<P> {
             let missing: Points<P> = points
                 .iter()
                 .zip(&ts)
-                .map(|(&p, &t)| p - super::evaluate(&curve, t))
+                .map(|(&p, &t)| p - crate::bernstein::evaluate::evaluate(&curve, t))
                 .collect();
             let repair = interpolate(&missing, &ts);
             let better: Points<P> = curve.iter().zip(&repair).map(|(&p, &q)| p + q).collect();

@@ -3,81 +3,52 @@
 //! Each file answers one question: where is the point ([`eval`](Curve::eval)), which way does it go
 //! ([`tangent`](Curve::tangent)), which polyline is close enough ([`flatten`](Curve::flatten)) …
 
-mod arc;
-mod area;
-mod basis;
-mod bernstein;
+pub(crate) mod arc_length;
+pub(crate) mod area;
+pub(crate) mod basis;
 mod bounds;
-mod casteljau;
 mod classify;
 mod convert;
 mod derivative;
-mod deviation;
-mod distance;
-mod eval;
-mod even;
-mod extrema;
-mod flatten;
-mod flatten_any;
-mod flatten_cubics;
-mod frames;
-mod hausdorff;
+mod elevate;
+pub(crate) mod eval;
+pub(crate) mod extrema;
+pub(crate) mod flatten;
+pub(crate) mod frames;
 mod hull;
-mod inflections;
+pub(crate) mod inflections;
 mod interpolate;
-mod intersect;
-mod length;
-mod moments;
-mod nearest;
-mod offset;
-mod product;
+pub(crate) mod intersect;
+pub(crate) mod moments;
+pub(crate) mod nearest;
+pub(crate) mod offset;
 mod reduce;
-pub(crate) mod roots;
+mod split;
 mod straight;
-mod subdivide;
+pub(crate) mod subdivide;
 mod torsion;
-mod trace;
+pub(crate) mod trace;
 mod turning;
+mod with_derivatives;
 
+pub use crate::bernstein::polynomials::bernstein;
+pub use crate::geometry::bounds::Bounds;
 pub use basis::Basis;
-pub use bernstein::bernstein;
-pub(crate) use bernstein::{bernstein_into, binomials};
-pub use bounds::Bounds;
 pub use classify::CurveKind;
-pub use distance::Distance;
 pub use flatten::Polyline;
 pub use frames::Frame;
 pub use intersect::{Intersection, IntersectionKind, SelfIntersection};
 pub use moments::Moments;
 pub use nearest::Nearest;
-pub(crate) use nearest::nearest_on;
-pub(crate) use offset::{SplineBuilder, offset_tolerance};
+pub use nearest::distance::Distance;
 pub use reduce::Reduced;
 pub use subdivide::Subdivision;
 pub use trace::PathSink;
-#[cfg(feature = "wasm")]
-pub(crate) use {
-    extrema::{extrema_of, times_of},
-    inflections::inflections_of,
-    nearest::nearest_parameter,
-};
 
-pub(crate) use area::{area_about, triangle_area};
-pub(crate) use basis::apply;
-pub(crate) use casteljau::{blossom_piece, evaluate_by_casteljau, split_into};
-pub(crate) use eval::{MAX_OUTPUT_F64, check_segments, evaluate, evaluate_scalar};
-pub(crate) use even::{ArcLengthInverse, check_length};
-pub(crate) use flatten::{MAX_VERTICES, check_vertices};
-pub(crate) use frames::{FRAME_NUMBERS, FrameSequence, frames_along};
-pub(crate) use moments::moments;
-#[cfg(feature = "wasm")]
-pub(crate) use {casteljau::split_numbers, eval::cubic_scalar};
-
-use crate::error::{Error, MAX_DEGREE};
-use crate::point::Point;
-
-use crate::list::points_of;
-pub(crate) use crate::list::{Points, Scalars};
+use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::error::{Error, MAX_DEGREE};
+use crate::geometry::point::Point;
+use crate::numeric::list::{Points, points_of};
 
 /// A Bézier curve of degree 1 to 64.
 ///
@@ -182,104 +153,8 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// The same curve with one more control point: degree n + 1.
-    ///
-    /// Qᵢ = (i Pᵢ₋₁ + (n + 1 − i) Pᵢ) / (n + 1), Q₀ = P₀, Qₙ₊₁ = Pₙ. Source: Farin, *Curves and Surfaces for
-    /// CAGD*, 5th ed., §6.1.
-    ///
-    /// # Errors
-    /// [`Error::Range`] at degree 64.
-    pub fn elevate(&self) -> Result<Self, Error> {
-        if self.degree() >= MAX_DEGREE {
-            return Err(Error::Range {
-                what: "degree",
-                expected: "a degree below 64",
-                got: 64.0,
-            });
-        }
-        Ok(self.elevated())
-    }
-
-    /// [`elevate`](Self::elevate) for a curve whose degree is known to be below 64.
-    pub(crate) fn elevated(&self) -> Self {
-        let count = self.points.len();
-        let inner = (1..count).map(|i| self.points[i].lerp(self.points[i - 1], ratio(i, count)));
-        let ends = |p: P| std::iter::once(p);
-        Self {
-            points: ends(self.start())
-                .chain(inner)
-                .chain(ends(self.end()))
-                .collect(),
-        }
-    }
-
     /// The largest absolute coordinate of the control points, which bounds that of the curve.
     pub(crate) fn max_abs(&self) -> f64 {
         max_abs(&self.points)
-    }
-}
-
-/// i / n as a number; both are small counts.
-#[inline]
-pub(crate) fn ratio(i: usize, n: usize) -> f64 {
-    i as f64 / n as f64
-}
-
-/// The largest absolute coordinate.
-pub(crate) fn max_abs<P: Point>(points: &[P]) -> f64 {
-    points
-        .iter()
-        .fold(0.0, |largest: f64, p| largest.max(p.max_abs()))
-}
-
-/// Refuses the first point with a NaN or an infinity.
-pub(crate) fn check_finite<P: Point>(what: &'static str, points: &[P]) -> Result<(), Error> {
-    match points.iter().position(|p| !p.is_finite()) {
-        Some(index) => Err(Error::NotFinite {
-            what,
-            index,
-            got: first_not_finite(points[index]),
-        }),
-        None => Ok(()),
-    }
-}
-
-/// The first coordinate of a point that is not finite.
-fn first_not_finite<P: Point>(point: P) -> f64 {
-    let mut coordinates = (0..P::DIMENSION).map(|axis| point.coordinate(axis));
-    coordinates.find(|x| !x.is_finite()).unwrap_or(f64::NAN)
-}
-
-/// Refuses a tolerance that is not positive or finer than the coordinates can resolve: 4 ulps of the largest.
-///
-/// Below that, rounding alone moves points farther than the tolerance allows.
-pub(crate) fn check_tolerance(tolerance: f64, largest_coordinate: f64) -> Result<(), Error> {
-    if !(tolerance > 0.0 && tolerance < f64::INFINITY) {
-        return Err(Error::Range {
-            what: "tolerance",
-            expected: "a finite number above 0",
-            got: tolerance,
-        });
-    }
-    let min = 4.0 * ulp(largest_coordinate);
-    if tolerance < min {
-        Err(Error::Tolerance {
-            min,
-            got: tolerance,
-        })
-    } else {
-        Ok(())
-    }
-}
-
-/// The distance from |x| to the next larger number; 0 for 0.
-pub(crate) fn ulp(x: f64) -> f64 {
-    let x = x.abs();
-    if x == 0.0 {
-        0.0
-    } else {
-        (x.next_up() - x)
-            .min(x - x.next_down())
-            .max(f64::MIN_POSITIVE * f64::EPSILON)
     }
 }

@@ -1,7 +1,10 @@
 //! Area, centre of mass and inertia of what a curve of the plane sweeps.
 
-use super::{Curve, Points, evaluate, max_abs};
-use crate::point::Point;
+use super::Curve;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::check::max_abs;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
 use casteljau_kernels::{GAUSS_8, GAUSS_16, GAUSS_32, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;

@@ -6,9 +6,11 @@
 //! Where the curve itself turns back, at a cusp or at an end of a straight way back and forth, N jumps to the other
 //! side; a half circle about that point, around its outside, leads from one to the other.
 
-use super::{Curve, check_tolerance, ulp};
-use crate::error::Error;
-use crate::point::Point;
+use super::Curve;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
 use crate::spline::Spline;
 use casteljau_kernels::{OffsetCurve, Plane, Source, WorkLimit, arc_pieces, cos_sin};
 use glam::DVec2;
@@ -241,7 +243,8 @@ struct NormalizedCurve<'a> {
 impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
         let scale = power_of_two(reach);
-        let points: super::Points<DVec2> = curve.points.iter().map(|&p| p * scale).collect();
+        let points: crate::numeric::list::Points<DVec2> =
+            curve.points.iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
         let unit = if scaled.abs() < FARTHEST {
             1.0 / scale

@@ -4,9 +4,11 @@
 //! all polynomials with this leading coefficient that vanish at both ends, the Chebyshev polynomial Tₙ, stretched until
 //! its outermost zeros are the ends, has the least maximum. Taking that one away leaves the best curve there is.
 
-use super::{Curve, Points, Scalars, ratio};
-use crate::list::points_of;
-use crate::point::Point;
+use super::Curve;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+use crate::numeric::list::points_of;
+use crate::numeric::list::{Points, Scalars};
 use std::f64::consts::FRAC_PI_2;
 
 /// A curve of a lower degree in the place of another.

@@ -1,8 +1,10 @@
 //! Curves that are straight, all control points being on one line.
 
-use super::roots::roots_inside;
-use super::{Curve, Scalars, ulp};
-use crate::point::Point;
+use super::Curve;
+use crate::bernstein::roots::roots_inside;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
+use crate::numeric::list::Scalars;
 use glam::DVec2;
 
 /// Control points this close to a line, in ulps of the largest coordinate, are on it, but for curves so short that this

@@ -1,8 +1,9 @@
 //! The recursive half-split of the tutorials, as a tree to look at.
 
-use super::{Curve, check_tolerance};
-use crate::error::Error;
-use crate::point::Point;
+use super::Curve;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 /// The most leaves of a tree.
 const MAX_LEAVES: usize = 1 << 16;

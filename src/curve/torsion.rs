@@ -2,7 +2,7 @@
 
 use super::Curve;
 use super::derivative::VANISHING_RATIO;
-use crate::point::{CrossProduct, Point};
+use crate::geometry::point::{CrossProduct, Point};
 use std::cmp::Ordering;
 
 impl<P: Point> Curve<P> {

@@ -1,9 +1,10 @@
 //! Handing a curve to something that draws lines, quadratics and cubics.
 
-use super::bernstein::binomials;
-use super::{Curve, ratio};
-use crate::error::Error;
-use crate::point::Point;
+use super::Curve;
+use crate::bernstein::polynomials::binomials;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
 use glam::DVec2;
 
 /// Receives path commands: an HTML canvas, a path builder, a plotter.
@@ -40,7 +41,7 @@ impl<P: Point> Curve<P> {
     /// Refuses a tolerance that cannot be kept.
     pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
         tolerance.map_or(Ok(()), |tolerance| {
-            super::check_tolerance(tolerance, self.max_abs())
+            crate::geometry::check::check_tolerance(tolerance, self.max_abs())
         })
     }
 

@@ -1,7 +1,7 @@
 //! The cross product of a curve with its own derivative: what bends, and what points at a place.
 
-use super::{Points, Scalars};
-use crate::point::Point;
+use crate::geometry::point::Point;
+use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels::binomial;
 use glam::DVec2;
 

@@ -13,15 +13,15 @@ const LONGEST_PIECE: f64 = 0.195;
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// An arc as SVG describes it; the ends differ.
-pub(super) struct Arc {
-    pub(super) from: DVec2,
-    pub(super) to: DVec2,
+pub(crate) struct Arc {
+    pub(crate) from: DVec2,
+    pub(crate) to: DVec2,
     /// Not negative.
-    pub(super) radii: DVec2,
+    pub(crate) radii: DVec2,
     /// The angle of the first axis.
-    pub(super) degrees: f64,
-    pub(super) large: bool,
-    pub(super) sweep: bool,
+    pub(crate) degrees: f64,
+    pub(crate) large: bool,
+    pub(crate) sweep: bool,
 }
 
 /// Hands the points after the first of each cubic to `cubic`; false, and nothing is handed out, where the arc is a line:
@@ -29,7 +29,7 @@ pub(super) struct Arc {
 ///
 /// Places are computed from the start, so that a short piece of a vast ellipse keeps its digits: the chord of an angle
 /// 2β is 2 sin β, in the direction at β.
-pub(super) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
+pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let Some(ellipse) = Ellipse::of(shape) else {
         return false;
     };

@@ -1,11 +1,12 @@
 //! How large is it, and which polylines are close?
 
 use super::Path;
-use crate::curve::{
-    Bounds, Curve, MAX_VERTICES, Polyline, check_tolerance, check_vertices, max_abs,
-};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::Curve;
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::check::{check_tolerance, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use glam::{DVec2, DVec3};
 
 impl Path {

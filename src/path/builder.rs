@@ -2,8 +2,9 @@
 
 use super::Path;
 use super::arc::{Arc, arc};
-use crate::curve::{PathSink, check_finite};
-use crate::error::{Error, MAX_DEGREE};
+use crate::curve::trace::PathSink;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::{Error, MAX_DEGREE};
 use glam::DVec2;
 
 /// Builds a [`Path`] from commands with absolute coordinates, as a canvas does.
@@ -139,13 +140,13 @@ impl PathBuilder {
     }
 
     /// The path of all commands that were accepted.
-    pub(super) fn finished(mut self) -> Path {
+    pub(crate) fn finished(mut self) -> Path {
         self.end_open();
         self.path
     }
 
     /// Adds a line or a curve by its finite control points after the current point.
-    pub(super) fn add_segment(&mut self, points: &[DVec2]) {
+    pub(crate) fn add_segment(&mut self, points: &[DVec2]) {
         if !self.has_segment {
             self.path.points.push(self.current);
             self.has_segment = true;
@@ -158,7 +159,7 @@ impl PathBuilder {
     }
 
     /// Adds an arc that starts at the current point.
-    pub(super) fn add_arc(&mut self, shape: &Arc) {
+    pub(crate) fn add_arc(&mut self, shape: &Arc) {
         if shape.from != shape.to && !arc(shape, |points| self.add_segment(points)) {
             self.add_segment(&[shape.to]);
         }

@@ -1,7 +1,8 @@
 //! Paths from curves, splines and text, and affine maps as factors.
 
-use super::{Path, SvgError};
+use super::Path;
 use crate::curve::Curve;
+use crate::io::svg_error::SvgError;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
 use std::fmt;

@@ -1,8 +1,9 @@
 //! A path as a sequence of drawing commands.
 
 use super::Path;
-use crate::curve::{Curve, PathSink};
-use crate::error::Error;
+use crate::curve::Curve;
+use crate::curve::trace::PathSink;
+use crate::geometry::error::Error;
 use glam::DVec2;
 use smallvec::SmallVec;
 

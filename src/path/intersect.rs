@@ -1,8 +1,8 @@
 //! Where do paths meet?
 
 use super::Path;
-use crate::curve::IntersectionKind;
-use crate::spline::{SplineIntersection, SplineSet};
+use crate::curve::intersect::intersection::IntersectionKind;
+use crate::spline::spline_set::{SplineIntersection, SplineSet};
 use glam::DVec2;
 
 /// A place that two paths share.

@@ -1,9 +1,12 @@
 //! How long is it, and where is the point that is so far along it?
 
 use super::{Path, PathTime};
-use crate::curve::{ArcLengthInverse, Curve, check_length, check_segments, check_tolerance};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::Curve;
+use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
+use crate::curve::eval::check_segments;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use casteljau_kernels::plane_cubic_length;
 use glam::{DVec2, DVec3};
 

@@ -4,31 +4,27 @@
 //! that runs the other way round, or any second one under the even-odd rule) and reads and writes the `d` of an SVG
 //! `<path>`. A place on a path is a [`PathTime`]: which subpath, and the parameter t on it.
 
-mod arc;
+pub(crate) mod arc;
 mod bounds;
-mod builder;
+pub(crate) mod builder;
 mod convert;
 mod elements;
-mod intersect;
+pub(crate) mod intersect;
 mod length;
 mod moments;
 mod nearest;
-mod svg_error;
-mod svg_number;
-mod svg_read;
-mod svg_write;
 mod trace;
 mod turn;
 mod winding;
 
+pub use crate::io::svg_error::SvgError;
 pub use builder::PathBuilder;
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
-pub use svg_error::SvgError;
 pub use winding::FillRule;
 
-use crate::point::Point;
+use crate::geometry::point::Point;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
 

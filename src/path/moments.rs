@@ -1,7 +1,8 @@
 //! How much is inside, and where is its middle?
 
 use super::{Path, Subpath};
-use crate::curve::{Moments, area_about, moments};
+use crate::curve::area::area_about;
+use crate::curve::moments::{Moments, moments};
 use glam::DVec2;
 
 impl Path {

@@ -1,10 +1,11 @@
 //! Which point of the path is nearest?
 
 use super::Path;
-use crate::curve::{Nearest, check_finite, nearest_on};
-use crate::error::Error;
-use crate::list::Points;
-use crate::point::Point;
+use crate::curve::nearest::{Nearest, nearest_on};
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
 use glam::{DVec2, DVec3};
 
 /// A point of a path, and its distance from the point that was asked for.

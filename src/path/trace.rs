@@ -1,8 +1,10 @@
 //! Handing a path to something that draws.
 
 use super::Path;
-use crate::curve::{Curve, PathSink, check_tolerance};
-use crate::error::Error;
+use crate::curve::Curve;
+use crate::curve::trace::PathSink;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
 
 impl Path {
     /// Sends the path to `sink`: for each subpath a `move_to` and its segments; closed ones are closed.
@@ -24,7 +26,7 @@ impl Path {
     }
 
     /// Refuses a tolerance that cannot be kept.
-    pub(super) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
+    pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
         tolerance.map_or(Ok(()), |tolerance| {
             check_tolerance(tolerance, self.max_abs())
         })

@@ -9,7 +9,7 @@ const TERMS: usize = 9;
 const TANGENT_TERMS: usize = 13;
 
 /// (cos x, sin x) for |x| ≤ π/4, by Taylor's series.
-pub(super) fn direction(x: f64) -> DVec2 {
+pub(crate) fn direction(x: f64) -> DVec2 {
     let square = x * x;
     let (mut cos, mut sin) = (1.0, 1.0);
     for k in (1..=TERMS).rev() {
@@ -21,7 +21,7 @@ pub(super) fn direction(x: f64) -> DVec2 {
 }
 
 /// (cos φ, sin φ) of an angle in degrees; quarter turns are exact.
-pub(super) fn direction_of_degrees(degrees: f64) -> DVec2 {
+pub(crate) fn direction_of_degrees(degrees: f64) -> DVec2 {
     let rest = degrees % 360.0;
     let quarters = (rest / 90.0 + 0.5).floor();
     let unit = direction((rest - 90.0 * quarters) * (std::f64::consts::PI / 180.0));
@@ -35,7 +35,7 @@ pub(super) fn direction_of_degrees(degrees: f64) -> DVec2 {
 
 /// The angle of a unit vector in the first quadrant: halved three times (tan(x/2) = sin x / (1 + cos x)), then by
 /// the series of the arc tangent.
-pub(super) fn angle(unit: DVec2) -> f64 {
+pub(crate) fn angle(unit: DVec2) -> f64 {
     let (mut cos, mut tan) = (unit.x, unit.y / (1.0 + unit.x));
     for _ in 0..2 {
         cos = (0.5 * (1.0 + cos)).sqrt();
@@ -51,6 +51,6 @@ pub(super) fn angle(unit: DVec2) -> f64 {
 }
 
 /// A vector turned by the angle of a unit vector.
-pub(super) fn turned(v: DVec2, by: DVec2) -> DVec2 {
+pub(crate) fn turned(v: DVec2, by: DVec2) -> DVec2 {
     DVec2::new(v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x)
 }

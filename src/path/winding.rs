@@ -10,8 +10,9 @@
 //! rounding can open the outline.
 
 use super::Path;
-use crate::curve::{max_abs, ulp};
-use crate::list::{Points, points_of};
+use crate::geometry::check::max_abs;
+use crate::numeric::float::ulp;
+use crate::numeric::list::{Points, points_of};
 use glam::DVec2;
 
 /// Which windings count as inside.

@@ -1,8 +1,8 @@
 //! How much area does the spline sweep, or enclose?
 
 use super::Spline;
-use crate::curve::{area_about, triangle_area};
-use crate::point::Point;
+use crate::curve::area::{area_about, triangle_area};
+use crate::geometry::point::Point;
 use glam::DVec2;
 
 impl Spline<DVec2> {

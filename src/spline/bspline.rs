@@ -2,9 +2,10 @@
 
 use super::Spline;
 use super::knots::Knots;
-use crate::curve::{MAX_OUTPUT_F64, check_finite};
-use crate::error::{Error, MAX_DEGREE};
-use crate::point::Point;
+use crate::curve::eval::MAX_OUTPUT_F64;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::{Error, MAX_DEGREE};
+use crate::geometry::point::Point;
 
 /// The most insertions: a few seconds. A segment of degree p takes p (p − 1).
 const MAX_STEPS: usize = 1 << 28;

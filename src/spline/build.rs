@@ -1,9 +1,10 @@
 //! Splines from curves, longer ones, cut and healed ones.
 
 use super::Spline;
-use crate::curve::{Curve, ratio};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::Curve;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
 
 /// Ends within this part of the size of the whole count as the same point: what parsing and printing lose.
 const JOINT_GAP_RATIO: f64 = 1e-9;
@@ -61,7 +62,7 @@ impl<P: Point> Spline<P> {
                 got: 1.0,
             });
         }
-        crate::curve::check_finite("point", &[point])?;
+        crate::geometry::check::check_finite("point", &[point])?;
         let last = self.curve(self.segment_count() - 1);
         let from = last.end();
         let corner = from + last.tangent(1.0) * (0.5 * (point - from).length());

@@ -2,8 +2,8 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::error::Error;
-use crate::point::{CrossProduct, Point};
+use crate::geometry::error::Error;
+use crate::geometry::point::{CrossProduct, Point};
 
 /// The tolerance by default, as a part of the largest extent of the two segments.
 const DEFAULT_RATIO: f64 = 1e-9;

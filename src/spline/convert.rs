@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::point::Point;
+use crate::geometry::point::Point;
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
 

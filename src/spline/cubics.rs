@@ -7,7 +7,7 @@
 //! fitting digitized curves", Graphics Gems (1990), for the start; Wang, Pottmann and Liu, "Fitting B-spline curves to
 //! point clouds by curvature-based squared distance minimization", ACM TOG 25 (2006), for what follows.
 
-use crate::point::Point;
+use crate::geometry::point::Point;
 
 /// What the cubics must keep.
 #[derive(Clone, Copy)]

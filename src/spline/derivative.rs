@@ -1,7 +1,7 @@
 //! Derivatives, tangents, normals and curvature of a spline: those of the segment of t.
 
 use super::Spline;
-use crate::point::Point;
+use crate::geometry::point::Point;
 use glam::DVec3;
 
 impl<P: Point> Spline<P> {

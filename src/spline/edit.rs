@@ -1,10 +1,11 @@
 //! Moving points while the joints keep what they promise.
 
+use super::Spline;
+use super::joint::JointMode;
 use super::repair::Edit;
-use super::{JointMode, Spline};
-use crate::curve::check_finite;
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
     /// The spline with control point `index` at `to`, the joints repaired.
@@ -85,22 +86,22 @@ impl<P: Point> Spline<P> {
     }
 
     /// The joints: where two segments meet.
-    pub(super) fn joints(&self) -> std::ops::Range<usize> {
+    pub(crate) fn joints(&self) -> std::ops::Range<usize> {
         usize::from(!self.closed)..self.segment_count()
     }
 
     /// The joint whose point has this index.
-    pub(super) fn joint_at(&self, index: usize) -> Option<usize> {
+    pub(crate) fn joint_at(&self, index: usize) -> Option<usize> {
         let found = self.starts.binary_search(&index).ok();
         found.filter(|k| self.joints().contains(k))
     }
 
-    pub(super) fn degree_of(&self, segment: usize) -> usize {
+    pub(crate) fn degree_of(&self, segment: usize) -> usize {
         self.starts[segment + 1] - self.starts[segment]
     }
 
     /// The segments before and after a joint.
-    pub(super) fn beside(&self, joint: usize) -> (usize, usize) {
+    pub(crate) fn beside(&self, joint: usize) -> (usize, usize) {
         let count = self.segment_count();
         ((joint + count - 1) % count, joint)
     }

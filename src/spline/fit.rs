@@ -2,9 +2,9 @@
 
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
-use crate::curve::{check_finite, check_tolerance, max_abs};
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::check::{check_finite, check_tolerance, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 /// A turn by more than this, in radians, is a corner.
 const SURE_CORNER: f64 = 1.3;

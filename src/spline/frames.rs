@@ -1,8 +1,10 @@
 //! Which way up, along a spline in space?
 
 use super::Spline;
-use crate::curve::{Curve, FRAME_NUMBERS, Frame, FrameSequence, check_segments, frames_along};
-use crate::error::Error;
+use crate::curve::Curve;
+use crate::curve::eval::check_segments;
+use crate::curve::frames::{FRAME_NUMBERS, Frame, FrameSequence, frames_along};
+use crate::geometry::error::Error;
 use glam::DVec3;
 
 impl FrameSequence for Spline<DVec3> {

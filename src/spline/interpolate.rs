@@ -2,9 +2,10 @@
 
 use super::Spline;
 use super::joint::catmull_rom;
-use crate::curve::{MAX_OUTPUT_F64, check_finite, max_abs};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::eval::MAX_OUTPUT_F64;
+use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 /// Which smooth curve goes through the points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,7 +2,8 @@
 
 use super::Spline;
 use super::spline_set::{SplineIntersection, SplineSet};
-use crate::curve::{Curve, Intersection, SelfIntersection};
+use crate::curve::Curve;
+use crate::curve::intersect::intersection::{Intersection, SelfIntersection};
 use glam::DVec2;
 
 impl Spline<DVec2> {

@@ -1,7 +1,7 @@
 //! What a joint should be, and how one side is made to follow the other.
 
-use crate::curve::ratio;
-use crate::point::Point;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
 
 /// What is to be kept at a joint while points move.
 ///

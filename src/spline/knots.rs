@@ -1,13 +1,13 @@
 //! The knots of a B-spline: checked, open or going around.
 
-use crate::error::Error;
+use crate::geometry::error::Error;
 
 /// Above this knots are kept at 2⁻¹⁰ of their size, so that no difference and no sum of 64 periods overflows. Only ratios
 /// of differences matter.
 const HUGE: f64 = 1e300;
 
 /// Knots in ascending order, of which none comes too often.
-pub(super) struct Knots {
+pub(crate) struct Knots {
     values: Vec<f64>,
     /// The number of control points.
     count: usize,
@@ -17,7 +17,7 @@ pub(super) struct Knots {
 
 impl Knots {
     /// The knots for so many control points; without given ones 0, 1, 2, …
-    pub(super) fn new(
+    pub(crate) fn new(
         explicit: Option<&[f64]>,
         count: usize,
         degree: usize,
@@ -87,12 +87,12 @@ impl Knots {
         parted.map(|i| (i + p, "at most degree times the same knot inside"))
     }
 
-    pub(super) fn degree(&self) -> usize {
+    pub(crate) fn degree(&self) -> usize {
         self.degree
     }
 
     /// Knot i of those that control points 0, 1, 2, … have, around a closed one as often as needed.
-    pub(super) fn at(&self, i: usize) -> f64 {
+    pub(crate) fn at(&self, i: usize) -> f64 {
         if !self.closed {
             return self.values[i];
         }
@@ -108,7 +108,7 @@ impl Knots {
     }
 
     /// The first control point of each span between different knots.
-    pub(super) fn starts(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn starts(&self) -> impl Iterator<Item = usize> {
         let p = self.degree;
         let all = if self.closed {
             self.count
@@ -118,7 +118,7 @@ impl Knots {
         (0..all).filter(move |&k| self.at(k + p) < self.at(k + p + 1))
     }
 
-    pub(super) fn spans(&self) -> usize {
+    pub(crate) fn spans(&self) -> usize {
         self.starts().count()
     }
 }

@@ -1,9 +1,11 @@
 //! How long is the spline, and where is the point that is so far along it?
 
 use super::Spline;
-use crate::curve::{ArcLengthInverse, check_length, check_segments, check_tolerance};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
+use crate::curve::eval::check_segments;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
     /// The length of the spline, the sum of those of its segments.

@@ -1,12 +1,13 @@
 //! Where is the point at t, which polyline is close, how large is it?
 
 use super::Spline;
-use crate::curve::{
-    Bounds, MAX_OUTPUT_F64, MAX_VERTICES, PathSink, Polyline, check_segments, check_tolerance,
-    check_vertices,
-};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::eval::{MAX_OUTPUT_F64, check_segments};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::curve::trace::PathSink;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use glam::DVec2;
 
 impl<P: Point> Spline<P> {

@@ -15,12 +15,12 @@ mod fit;
 mod frames;
 mod interpolate;
 mod intersect;
-mod joint;
+pub(crate) mod joint;
 mod knots;
 mod length;
 mod measure;
 mod nearest;
-mod offset;
+pub(crate) mod offset;
 mod repair;
 mod simplify;
 pub(crate) mod spline_set;
@@ -31,13 +31,11 @@ pub use continuity::Continuity;
 pub use interpolate::Interpolation;
 pub use joint::JointMode;
 pub use offset::OffsetJoin;
-#[cfg(feature = "wasm")]
-pub(crate) use offset::offset_of_curves;
-pub(crate) use spline_set::{SplineIntersection, SplineSet};
 
-use crate::curve::{Curve, check_finite, max_abs};
-use crate::error::{Error, MAX_DEGREE};
-use crate::point::Point;
+use crate::curve::Curve;
+use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::error::{Error, MAX_DEGREE};
+use crate::geometry::point::Point;
 
 /// A chain of Bézier curves, open or closed.
 ///

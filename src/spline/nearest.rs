@@ -1,9 +1,10 @@
 //! Which point of the spline is nearest?
 
 use super::Spline;
-use crate::curve::{Nearest, check_finite, nearest_on};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::nearest::{Nearest, nearest_on};
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
     /// The point of the spline that is nearest to p, with t from 0 to the number of segments.

@@ -1,9 +1,10 @@
 //! Which spline runs beside?
 
 use super::Spline;
-use crate::curve::{Curve, SplineBuilder, offset_tolerance};
-use crate::error::Error;
-use crate::point::Point;
+use crate::curve::Curve;
+use crate::curve::offset::{SplineBuilder, offset_tolerance};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
 use glam::DVec2;
 
 /// How the parallels of two segments are joined at a corner.

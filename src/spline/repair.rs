@@ -7,13 +7,14 @@
 //! with equal second derivatives, and quadratic segments, pass on what happens to them. On a closed chain the fronts
 //! meet, and the joint between them may not be held.
 
+use super::Spline;
+use super::joint::JointMode;
 use super::joint::{Sides, catmull_rom};
-use super::{JointMode, Spline};
-use crate::curve::ratio;
-use crate::point::Point;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
 
 /// A spline on which points are being moved, each at most once.
-pub(super) struct Edit<'a, P: Point, M> {
+pub(crate) struct Edit<'a, P: Point, M> {
     spline: Spline<P>,
     mode: &'a M,
     /// What each point has gone through.
@@ -37,7 +38,7 @@ struct Around {
 }
 
 impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
-    pub(super) fn new(spline: Spline<P>, mode: &'a M) -> Self {
+    pub(crate) fn new(spline: Spline<P>, mode: &'a M) -> Self {
         Self {
             states: vec![State::Free; spline.points.len()],
             spline,
@@ -45,12 +46,12 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    pub(super) fn done(self) -> Spline<P> {
+    pub(crate) fn done(self) -> Spline<P> {
         self.spline
     }
 
     /// Moves a point that is free to follow; whether it is there now.
-    pub(super) fn set_point(&mut self, index: usize, to: P) -> bool {
+    pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
         let free = self.states[index] == State::Free;
         if free && to.is_finite() && *target != to {
@@ -97,7 +98,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Makes the far side of a joint follow the near one.
-    pub(super) fn repair(&mut self, joint: usize, forward: bool) {
+    pub(crate) fn repair(&mut self, joint: usize, forward: bool) {
         let mode = (self.mode)(joint);
         match mode {
             JointMode::Free => {}
@@ -168,7 +169,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Moves both handles of a dragged joint with it, and makes them what its mode asks.
-    pub(super) fn drag(&mut self, joint: usize, from: P) {
+    pub(crate) fn drag(&mut self, joint: usize, from: P) {
         let mode = (self.mode)(joint);
         if mode == JointMode::Auto {
             return self.automatic(joint);
@@ -200,7 +201,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Repairs the joints outwards from a control point: two fronts, the nearer joint first.
-    pub(super) fn spread(&mut self, index: usize) {
+    pub(crate) fn spread(&mut self, index: usize) {
         let count = self.spline.points.len();
         let starts = &self.spline.starts[..self.spline.segment_count()];
         let mut left =
@@ -262,7 +263,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Moves the handles at the ends of an open chain with their automatic neighbours.
-    pub(super) fn ends(&mut self) {
+    pub(crate) fn ends(&mut self) {
         let segments = self.spline.segment_count();
         if self.spline.closed || segments < 2 {
             return;

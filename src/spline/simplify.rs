@@ -3,9 +3,10 @@
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
-use crate::curve::{check_tolerance, ulp};
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ulp;
 use casteljau_kernels::WorkLimit;
 
 /// The polyline that stands for the spline takes this part of the tolerance.

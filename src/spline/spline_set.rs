@@ -4,8 +4,9 @@
 //! plane. Both trees are walked down where boxes touch.
 
 use super::Spline;
-use crate::curve::{Curve, Intersection, IntersectionKind};
-use crate::order::sort_by;
+use crate::curve::Curve;
+use crate::curve::intersect::intersection::{Intersection, IntersectionKind};
+use crate::numeric::sort::sort_by;
 use casteljau_kernels::WorkLimit;
 use glam::DVec2;
 use std::borrow::Borrow;

@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::Curve;
-use crate::point::Point;
+use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
     /// The two parts before and after t, as open splines.

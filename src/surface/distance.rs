@@ -1,13 +1,13 @@
 //! The distance of patches from a point: its square as a polynomial, and steps that make it less.
 
-use super::Patch;
 use super::frame::Frame;
 use super::minimum::{Minimum, Objective};
-use super::nearest::SurfacePoint;
-use super::normal::binomial;
 use super::piece::Piece;
 use super::small_distance::search_small;
-use crate::point::Point;
+use super::surface_point::SurfacePoint;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
+use crate::patch::normal::binomial;
 use glam::DVec3;
 
 /// What rounding makes of a point of a patch, as a share of the size.
@@ -21,17 +21,17 @@ const MAX_REFINEMENTS: usize = 16;
 /// Below the lesser share of the size, rounding of the squared distance hides that other places are nearer; below the
 /// greater one, the search by squares may take long.
 const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
-pub(super) const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
+pub(crate) const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
 
 /// Where the search by squares reaches its limit, the search by distances follows below this share of the size. It bounds
 /// distances to first order only, so that farther away it would rule out few pieces.
-pub(super) const SMALL_AT_THE_LIMIT: f64 = 1.0 / 16.0;
+pub(crate) const SMALL_AT_THE_LIMIT: f64 = 1.0 / 16.0;
 
 /// The damping of steps, as shares of the sum of the squared derivatives.
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
 
 /// The distance of patches from a point.
-pub(super) struct Distance<'a> {
+pub(crate) struct Distance<'a> {
     patches: &'a [Patch],
     /// The numbers of the patches that the polynomials are for …
     near: &'a [usize],
@@ -40,7 +40,7 @@ pub(super) struct Distance<'a> {
     image_of_p: DVec3,
     p: DVec3,
     /// The size that rounding is relative to.
-    pub(super) size: f64,
+    pub(crate) size: f64,
 }
 
 impl Objective for Distance<'_> {
@@ -75,7 +75,7 @@ impl Objective for Distance<'_> {
 }
 
 impl<'a> Distance<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         patches: &'a [Patch],
         near: &'a [usize],
         images: &'a [Patch],
@@ -94,7 +94,7 @@ impl<'a> Distance<'a> {
 
     /// The nearest place, if it is no farther away than `cutoff`, some place otherwise; and whether the search came to its
     /// end.
-    pub(super) fn search_small(
+    pub(crate) fn search_small(
         &self,
         mut best: Option<SurfacePoint>,
         cutoff: f64,
@@ -134,7 +134,7 @@ impl<'a> Distance<'a> {
         surface_point
     }
 
-    pub(super) fn surface_point(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+    pub(crate) fn surface_point(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
         let patch = self.near[root];
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
@@ -142,7 +142,7 @@ impl<'a> Distance<'a> {
     /// The nearest of the places after a Gauss–Newton step, more or less damped (Levenberg and Marquardt's method), along
     /// both parameters or along one; the place itself if none is nearer. Undamped steps fail where the derivative is
     /// singular, as on a patch that is a curve; steps along both may fail at the sides.
-    pub(super) fn refined(&self, surface_point: &SurfacePoint) -> SurfacePoint {
+    pub(crate) fn refined(&self, surface_point: &SurfacePoint) -> SurfacePoint {
         let patch = &self.patches[surface_point.patch];
         let d = patch.partials(surface_point.u, surface_point.v);
         let off = surface_point.point - self.p;
@@ -178,7 +178,7 @@ impl<'a> Distance<'a> {
 ///
 /// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d²; the last is left out, since it would drown
 /// the others for a p far away, and all is divided by |d| where that is above 1.
-pub(super) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
+pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
     let away = frame.centre * 0.5 - p * 0.5;
     let unit = (0.5 * frame.size).max(Point::length(away));
     let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);

@@ -2,10 +2,11 @@
 
 use super::frame::{Frame, box_of};
 use super::minimum::{Objective, minimise};
+use super::network::Surface;
 use super::piece::Piece;
-use super::{Patch, Surface};
-use crate::curve::Bounds;
-use crate::point::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
 use glam::DVec3;
 
 /// A search tells values apart that differ by 64 roundings of its frame's size: with a frame of this share of a

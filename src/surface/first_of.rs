@@ -6,20 +6,20 @@ use glam::DVec3;
 const EMPTY: u32 = u32::MAX;
 
 /// A table of the first of each kind: open addressing, at most half full.
-pub(super) struct FirstOf {
+pub(crate) struct FirstOf {
     slots: Vec<u32>,
 }
 
 impl FirstOf {
     /// A table for up to `count` things.
-    pub(super) fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Self {
         Self {
             slots: vec![EMPTY; (2 * count + 1).next_power_of_two()],
         }
     }
 
     /// The first thing that came with this hash and is the same as `thing`; `thing` itself if there was none.
-    pub(super) fn find(&mut self, thing: u32, hash: u64, same: impl Fn(u32) -> bool) -> u32 {
+    pub(crate) fn find(&mut self, thing: u32, hash: u64, same: impl Fn(u32) -> bool) -> u32 {
         let mask = self.slots.len() - 1;
         // The upper half: multiplication has mixed it best.
         let mut slot = (hash >> 32) as usize & mask;
@@ -37,7 +37,7 @@ impl FirstOf {
 }
 
 /// Another number into a hash.
-pub(super) fn mix(hash: u64, number: u64) -> u64 {
+pub(crate) fn mix(hash: u64, number: u64) -> u64 {
     // 2⁶⁴ / the golden ratio, odd: Fibonacci hashing (Knuth, TAOCP 3, §6.4).
     let product = (hash ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     product ^ (product >> 29)

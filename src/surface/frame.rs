@@ -1,8 +1,8 @@
 //! A box of coordinates of size 1, in which squares and products neither overflow nor vanish.
 
-use super::Patch;
-use crate::curve::Bounds;
-use crate::point::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
 use glam::DVec3;
 
 /// A point of a patch is some ulps of the coordinates off, up to this share of the tolerance in ulps of the size.
@@ -10,15 +10,15 @@ const COARSE_SHARE: f64 = 1.0 / 8.0;
 
 /// Maps points p to (p − centre)/size.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    pub(super) centre: DVec3,
+pub(crate) struct Frame {
+    pub(crate) centre: DVec3,
     /// Half of the longest side of the box; 1 for a box that is a point.
-    pub(super) size: f64,
+    pub(crate) size: f64,
 }
 
 impl Frame {
     /// The frame in which a box becomes one from −1 to 1 along its longest side.
-    pub(super) fn around(bounds: Bounds<DVec3>) -> Self {
+    pub(crate) fn around(bounds: Bounds<DVec3>) -> Self {
         // Halves first: max − min of ±1e308 would overflow.
         let half = (bounds.max * 0.5 - bounds.min * 0.5).max_abs();
         Self {
@@ -34,25 +34,25 @@ impl Frame {
 
     /// The frame itself, unless its box is so far from the coordinates' origin that they round by more than the digits
     /// of the frame do: then a larger one.
-    pub(super) fn as_coarse_as_its_coordinates(self) -> Self {
+    pub(crate) fn as_coarse_as_its_coordinates(self) -> Self {
         let size = self.size.max(self.centre.max_abs() * COARSE_SHARE);
         Self { size, ..self }
     }
 
     /// Where a point lies in this frame.
-    pub(super) fn local_point(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn local_point(&self, p: DVec3) -> DVec3 {
         (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
     }
 
     /// The patch in this frame.
-    pub(super) fn image(&self, patch: &Patch) -> Patch {
+    pub(crate) fn image(&self, patch: &Patch) -> Patch {
         let points = patch.points.iter().map(|&p| self.local_point(p)).collect();
         Patch::from_net(points, patch.columns)
     }
 }
 
 /// The box around the control points of patches; `None` without patches.
-pub(super) fn box_of(patches: &[Patch]) -> Option<Bounds<DVec3>> {
+pub(crate) fn box_of(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     let boxes = patches.iter().map(Patch::control_bounds);
     boxes.reduce(Bounds::union)
 }

@@ -1,10 +1,12 @@
 //! How much does a surface enclose?
 
 use super::frame::{Frame, box_of};
-use super::net::differences_u;
+use super::network::Surface;
 use super::topology::{EdgeUse, PatchEdge};
-use super::{Patch, Surface};
-use crate::curve::{bernstein_into, ratio};
+use crate::bernstein::polynomials::bernstein_into;
+use crate::numeric::float::ratio;
+use crate::patch::Patch;
+use crate::patch::net::differences_u;
 use glam::DVec3;
 
 /// Nodes and weights of Gauss and Legendre's rule with 8 points on [−1, 1], which is exact to degree 15; the others are

@@ -34,17 +34,17 @@ const MAX_TIES: usize = 256;
 
 /// The place of a minimum.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Minimum {
+pub(crate) struct Minimum {
     /// The number of the polynomial, as its piece says.
-    pub(super) root: usize,
-    pub(super) u: f64,
-    pub(super) v: f64,
+    pub(crate) root: usize,
+    pub(crate) u: f64,
+    pub(crate) v: f64,
     /// What the objective says of it.
-    pub(super) value: f64,
+    pub(crate) value: f64,
 }
 
 /// What is asked for, in other words than by the polynomials, which rise and fall with it.
-pub(super) trait Objective {
+pub(crate) trait Objective {
     /// The value at a place of a polynomial. It decides between places that the polynomials cannot tell apart.
     fn value(&self, root: usize, at: [f64; 2]) -> f64;
 
@@ -69,7 +69,7 @@ pub(super) trait Objective {
 /// Where not points but whole curves are least, one of their points. When the search has taken the most steps for
 /// each polynomial, the best place found: a local minimum from the least corner of all pieces so far. Also whether the
 /// search came to its end.
-pub(super) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
+pub(crate) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
     let limits = roots
         .iter()
         .map(|root| root.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));

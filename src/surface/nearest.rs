@@ -8,74 +8,16 @@
 use super::distance::{Distance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
 use super::frame::{Frame, box_of};
 use super::minimum::minimise;
+use super::network::Surface;
 use super::piece::Piece;
-use super::{Patch, Surface};
-use crate::curve::{Bounds, check_finite};
-use crate::error::Error;
-use crate::point::Point;
+use super::surface_point::SurfacePoint;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
+use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
-
-/// A point of a patch, found by a question.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
-)]
-pub struct PatchPoint {
-    /// The parameters, from 0 to 1.
-    pub u: f64,
-    /// See `u`.
-    pub v: f64,
-    /// The point S(u, v).
-    pub point: DVec3,
-    /// Its distance from the point that was asked for, or from the ray's origin.
-    pub distance: f64,
-}
-
-/// A point of a surface, found by a question.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Serialize, serde::Deserialize),
-    serde(rename_all = "camelCase")
-)]
-pub struct SurfacePoint {
-    /// The number of the patch.
-    pub patch: usize,
-    /// The parameters on it, from 0 to 1.
-    pub u: f64,
-    /// See `u`.
-    pub v: f64,
-    /// The point of the surface.
-    pub point: DVec3,
-    /// Its distance from the point that was asked for, or from the ray's origin.
-    pub distance: f64,
-}
-
-impl SurfacePoint {
-    /// The point at (u, v) of a patch, asked for from p.
-    pub(super) fn at(on: &Patch, patch: usize, u: f64, v: f64, p: DVec3) -> Self {
-        let point = on.eval(u, v);
-        Self {
-            patch,
-            u,
-            v,
-            point,
-            distance: Point::length(point * 0.5 - p * 0.5) * 2.0,
-        }
-    }
-
-    /// The same on its patch.
-    pub(super) fn on_patch(self) -> PatchPoint {
-        PatchPoint {
-            u: self.u,
-            v: self.v,
-            point: self.point,
-            distance: self.distance,
-        }
-    }
-}
 
 impl Patch {
     /// The point of the patch that is nearest to p: u and v from 0 to 1, sides and corners included.
@@ -102,7 +44,7 @@ impl Patch {
 
 impl Patch {
     /// The nearest point to p, if it is no farther away than a small `reach`.
-    pub(super) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
+    pub(crate) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
         let patches = std::slice::from_ref(self);
         let frame = Frame::around(box_of(patches)?);
         let images = [frame.image(self)];
@@ -163,6 +105,6 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
 }
 
 /// Half the distance of a point from a box.
-pub(super) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
+pub(crate) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
     Point::length(p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5)
 }

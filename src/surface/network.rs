@@ -1,12 +1,13 @@
 //! A network of patches that share control points.
 
-use super::Patch;
 use super::first_of::joined;
-use super::net::Net;
-use super::patch::{check_degree, checked_point};
-use crate::curve::{Bounds, check_finite};
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::Net;
+use crate::patch::tensor_product::Patch;
+use crate::patch::tensor_product::{check_degree, checked_point};
 use glam::{DAffine3, DVec3};
 
 /// A network of Bézier patches: vertices, and for each patch the indices of its control points among them.
@@ -121,13 +122,8 @@ impl Surface {
         Ok(surface)
     }
 
-    /// The Utah teapot or some of its parts; see [`TeapotOptions`](super::TeapotOptions).
-    pub fn teapot(options: super::TeapotOptions) -> Self {
-        super::sets::teapot(options)
-    }
-
     /// A surface of bicubic patches whose indices are known to be good.
-    pub(super) fn bicubic(vertices: Vec<DVec3>, indices: Vec<u32>) -> Self {
+    pub(crate) fn bicubic(vertices: Vec<DVec3>, indices: Vec<u32>) -> Self {
         let patches = (0..indices.len() / 16)
             .map(|patch| Layout {
                 first: 16 * patch,
@@ -201,7 +197,7 @@ impl Surface {
     }
 
     /// The control points of a patch; none past the last.
-    pub(super) fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
+    pub(crate) fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
         let indices = self.patch_indices(patch).unwrap_or_default();
         indices.iter().map(|&index| self.vertices[index as usize])
     }
@@ -253,7 +249,7 @@ impl Surface {
     }
 
     /// The first vertex that is joined to this one.
-    pub(super) fn joined(&self, vertex: u32) -> u32 {
+    pub(crate) fn joined(&self, vertex: u32) -> u32 {
         self.joined.get(vertex as usize).copied().unwrap_or(vertex)
     }
 

@@ -1,8 +1,10 @@
 //! Newton's method for a pair of polynomials that are to be zero together: planes 0 and 1 of a piece.
 
 use super::piece::{Jet, Piece};
-use super::zeros::SAME;
 use casteljau_kernels::WorkLimit;
+
+/// Zeros nearer than this in u and v are one: two that are s apart rise to s²/4 between them, which rounding hides.
+pub(crate) const SAME: f64 = 1.0 / 8_388_608.0;
 
 const MAX_STEPS: usize = 16;
 
@@ -10,13 +12,13 @@ const MAX_STEPS: usize = 16;
 const LAST_STEP: f64 = 1e-9;
 
 /// How far the pair is from zero.
-pub(super) fn off(whole: &Piece, at: [f64; 2]) -> f64 {
+pub(crate) fn off(whole: &Piece, at: [f64; 2]) -> f64 {
     whole.jet(0, at).f.hypot(whole.jet(1, at).f)
 }
 
 /// The place of the unit square at which the pair is nearest to the zero that Newton's method found, perhaps a little
 /// outside: on the side there, by a Gauss–Newton step along it.
-pub(super) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
+pub(crate) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
     let mut inside = at.map(|t| t.clamp(0.0, 1.0));
     for k in 0..2 {
         if inside[1 - k] != at[1 - k] {
@@ -32,7 +34,7 @@ pub(super) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
 }
 
 /// Newton's method from the middle of a piece, as far as a zero in it or right beside it.
-pub(super) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> Option<[f64; 2]> {
+pub(crate) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> Option<[f64; 2]> {
     let middle = piece.middle();
     let width = [piece.u, piece.v].map(|[from, to]| to - from);
     let is_within = |at: [f64; 2], share: f64| {
@@ -58,7 +60,7 @@ pub(super) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> O
 
 /// Where the pair touches zero near a place: the derivative is singular there, and in the one direction in which it is
 /// not, the pair is zero. Newton's method on these two; `None` if that leads away.
-pub(super) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Option<[f64; 2]> {
+pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Option<[f64; 2]> {
     let mut at = from;
     for _ in 0..MAX_STEPS {
         if !work.spend(2 * whole.jet_steps()) {
@@ -81,7 +83,7 @@ pub(super) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Opti
 }
 
 /// The nearest place where the pair is zero along its greatest derivative, by Newton's method.
-pub(super) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
+pub(crate) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
     for _ in 0..4 {
         if !work.spend(2 * whole.jet_steps()) {
             break;
@@ -118,7 +120,7 @@ fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
 }
 
 /// The longer of two vectors.
-pub(super) fn greater(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn greater(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     if a[0].hypot(a[1]) >= b[0].hypot(b[1]) {
         a
     } else {

@@ -6,8 +6,8 @@
 //! all work in this way, with other polynomials. Source: Lane and Riesenfeld, "A theoretical development for the
 //! computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2 (1980).
 
-use super::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
-use crate::curve::ratio;
+use crate::numeric::float::ratio;
+use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
 use casteljau_kernels::{WorkLimit, halve_coefficients};
 
 /// More halvings than a parameter can take in both directions: 53 digits and some until a step of 0 ends it.
@@ -17,7 +17,7 @@ const MAX_ROUNDS: usize = 128;
 const MAX_COEFFICIENTS: usize = 1 << 19;
 
 /// The most steps of a search up to this degree of a patch, and above it.
-pub(super) const MODERATE_DEGREE: usize = 24;
+pub(crate) const MODERATE_DEGREE: usize = 24;
 const MAX_STEPS: usize = 1 << 23;
 const MAX_STEPS_ABOVE: usize = 1 << 26;
 
@@ -28,13 +28,13 @@ const PIECE_STEPS: usize = 640;
 
 /// One or more polynomials (planes) over a rectangle of parameters.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(crate) struct Piece {
     /// Which polynomial this is a piece of.
-    pub(super) root: usize,
+    pub(crate) root: usize,
     /// From where to where it reaches in u …
-    pub(super) u: [f64; 2],
+    pub(crate) u: [f64; 2],
     /// … and in v.
-    pub(super) v: [f64; 2],
+    pub(crate) v: [f64; 2],
     /// The number of coefficients along u and along v.
     columns: usize,
     rows: usize,
@@ -44,18 +44,18 @@ pub(super) struct Piece {
 
 /// A polynomial's value and derivatives at a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Jet {
-    pub(super) f: f64,
-    pub(super) u: f64,
-    pub(super) v: f64,
-    pub(super) uu: f64,
-    pub(super) uv: f64,
-    pub(super) vv: f64,
+pub(crate) struct Jet {
+    pub(crate) f: f64,
+    pub(crate) u: f64,
+    pub(crate) v: f64,
+    pub(crate) uu: f64,
+    pub(crate) uv: f64,
+    pub(crate) vv: f64,
 }
 
 impl Piece {
     /// Whole polynomials over the unit square.
-    pub(super) fn whole(root: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
+    pub(crate) fn whole(root: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
         Self {
             root,
             u: [0.0, 1.0],
@@ -67,7 +67,7 @@ impl Piece {
     }
 
     /// The most steps of a search in polynomials, for degrees up to this one and above it.
-    pub(super) fn max_search_steps(&self, degree: usize) -> usize {
+    pub(crate) fn max_search_steps(&self, degree: usize) -> usize {
         if self.columns.max(self.rows) > degree + 1 {
             MAX_STEPS_ABOVE
         } else {
@@ -76,47 +76,47 @@ impl Piece {
     }
 
     /// Whether the parameters have numbers between those of the sides.
-    pub(super) fn is_divisible(&self) -> bool {
+    pub(crate) fn is_divisible(&self) -> bool {
         let [u, v] = self.middle();
         let inside = |[from, to]: [f64; 2], t: f64| from < t && t < to;
         inside(self.u, u) || inside(self.v, v)
     }
 
     /// The steps that it takes to look at the piece and to halve it, about one for each multiplication.
-    pub(super) fn steps(&self) -> usize {
+    pub(crate) fn steps(&self) -> usize {
         PIECE_STEPS + self.planes.len() * (self.columns.max(self.rows) + 8) / 2
     }
 
     /// The steps of a [`jet`](Self::jet).
-    pub(super) fn jet_steps(&self) -> usize {
+    pub(crate) fn jet_steps(&self) -> usize {
         JET_STEPS + self.columns * self.rows * (self.columns.min(LONG_ROW) + 1)
     }
 
     /// The coefficients of one plane.
-    pub(super) fn plane(&self, k: usize) -> &[f64] {
+    pub(crate) fn plane(&self, k: usize) -> &[f64] {
         let count = self.columns * self.rows;
         &self.planes[k * count..(k + 1) * count]
     }
 
     /// The middle of the rectangle.
-    pub(super) fn middle(&self) -> [f64; 2] {
+    pub(crate) fn middle(&self) -> [f64; 2] {
         [self.u, self.v].map(|[from, to]| 0.5 * (from + to))
     }
 
     /// The area of the rectangle.
-    pub(super) fn area(&self) -> f64 {
+    pub(crate) fn area(&self) -> f64 {
         (self.u[1] - self.u[0]) * (self.v[1] - self.v[0])
     }
 
     /// The least and the greatest coefficient of a plane.
-    pub(super) fn range(&self, k: usize) -> [f64; 2] {
+    pub(crate) fn range(&self, k: usize) -> [f64; 2] {
         let first = [f64::INFINITY, f64::NEG_INFINITY];
         let widen = |[low, high]: [f64; 2], &c: &f64| [low.min(c), high.max(c)];
         self.plane(k).iter().fold(first, widen)
     }
 
     /// The four corners: parameters, and the value of a plane there.
-    pub(super) fn corners(&self, k: usize) -> [([f64; 2], f64); 4] {
+    pub(crate) fn corners(&self, k: usize) -> [([f64; 2], f64); 4] {
         let (last, end) = (self.columns - 1, self.columns * self.rows - 1);
         let plane = self.plane(k);
         [
@@ -128,7 +128,7 @@ impl Piece {
     }
 
     /// The derivatives' coefficients along u (or v) of a plane, for this rectangle as the unit square.
-    pub(super) fn slopes(&self, k: usize, along_u: bool) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn slopes(&self, k: usize, along_u: bool) -> impl Iterator<Item = f64> + '_ {
         let (columns, plane) = (self.columns, self.plane(k));
         let (step, length, degree) = if along_u {
             (1, columns, columns - 1)
@@ -144,7 +144,7 @@ impl Piece {
 
     /// The ranges of the second derivatives' coefficients of plane 0, uu, uv and vv, for this rectangle as the unit
     /// square.
-    pub(super) fn second_derivatives(&self) -> [[f64; 2]; 3] {
+    pub(crate) fn second_derivatives(&self) -> [[f64; 2]; 3] {
         let bend = |du: usize, dv: usize| {
             let (m, n) = (self.columns - 1, self.rows - 1);
             let step = |first: bool| if first { 1 } else { self.columns };
@@ -181,7 +181,7 @@ impl Piece {
     }
 
     /// The two halves, cut across the direction in which the first planes, as many as are said, change most.
-    pub(super) fn halves(mut self, planes: usize) -> [Self; 2] {
+    pub(crate) fn halves(mut self, planes: usize) -> [Self; 2] {
         let mut other = self.clone();
         let along_u = self.steepest(true, planes) >= self.steepest(false, planes);
         let area = self.columns * self.rows;
@@ -199,7 +199,7 @@ impl Piece {
     }
 
     /// Value and derivatives of a plane at a point of the unit square that this piece is.
-    pub(super) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
+    pub(crate) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
         let mut columns = [[0.0; MAX_COUNT]; 3];
         let weights = Weights::new(self.columns, u);
         for (j, row) in self.plane(k).chunks(self.columns).enumerate() {
@@ -223,7 +223,7 @@ impl Piece {
     }
 
     /// The four sides of a whole piece, or the two ends of a side; none of a corner.
-    pub(super) fn sides(&self) -> Vec<Self> {
+    pub(crate) fn sides(&self) -> Vec<Self> {
         let side = |start: usize, step: usize, columns: usize, rows: usize, u, v| Self {
             root: self.root,
             u,
@@ -260,7 +260,7 @@ impl Piece {
 ///
 /// Returns `false` when there came to be so many that the question has no answer in points (a whole curve of them, say),
 /// and when the limit on the work is reached.
-pub(super) fn search(
+pub(crate) fn search(
     mut pieces: Vec<Piece>,
     max: usize,
     work: &mut WorkLimit,

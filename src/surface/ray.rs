@@ -7,12 +7,15 @@
 
 use super::frame::{Frame, box_of};
 use super::nearest::gap;
+use super::network::Surface;
 use super::piece::Piece;
+use super::surface_point::SurfacePoint;
 use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
-use super::{Patch, PatchPoint, Surface, SurfacePoint};
-use crate::curve::check_finite;
-use crate::error::Error;
-use crate::point::Point;
+use crate::geometry::check::check_finite;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::patch::Patch;
+use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
 /// How near to a side, in u or v, a hit is on it; and the share of the scene's size at which two hits on sides are two in

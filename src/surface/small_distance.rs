@@ -4,7 +4,7 @@
 //! This search bounds the distance itself: the control points of a piece lie in a box, and so does the piece. The
 //! bound is of first order only, but it is exact to rounding in each coordinate.
 //!
-//! [`minimise`]: super::minimum::minimise
+//! [`minimise`]: crate::surface::minimum::minimise
 
 use super::piece::{MODERATE_DEGREE, Piece};
 use super::waiting::Waiting;
@@ -27,7 +27,7 @@ const MAX_WAITING: usize = 1 << 21;
 /// `min` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
 /// farther away than `cutoff` are dropped. The search ends at a distance of `goal`, when no piece can be nearer, and when
 /// it has taken the most steps for each root: then it returns `false`.
-pub(super) fn search_small(
+pub(crate) fn search_small(
     roots: Vec<Piece>,
     mut min: f64,
     [goal, cutoff]: [f64; 2],

@@ -4,11 +4,11 @@
 //! was joined when the surface was made stays joined when a point moves. A side whose points are all at one place is
 //! collapsed: the side is a point.
 
-use super::Surface;
 use super::first_of::{FirstOf, mix};
+use super::network::Surface;
 
 /// The sides of a patch.
-pub(super) const SIDES: usize = 4;
+pub(crate) const SIDES: usize = 4;
 
 /// An edge of a patch, by the parameter that is constant along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,13 +66,13 @@ pub struct Topology {
 
 /// What a side is among all sides of a surface, numbered patch · 4 + side.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct SideUse {
+pub(crate) struct SideUse {
     /// The first side that is the same line; the side itself if no earlier one is.
-    pub(super) first: usize,
+    pub(crate) first: usize,
     /// Whether it runs against that one.
-    pub(super) reversed: bool,
+    pub(crate) reversed: bool,
     /// Whether it is a point.
-    pub(super) collapsed: bool,
+    pub(crate) collapsed: bool,
 }
 
 impl PatchEdge {
@@ -116,7 +116,7 @@ impl Surface {
     }
 
     /// What each side is among all.
-    pub(super) fn side_uses(&self) -> Vec<SideUse> {
+    pub(crate) fn side_uses(&self) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
         let mut first = FirstOf::new(count);
         (0..count)
@@ -141,7 +141,7 @@ impl Surface {
     }
 
     /// The vertices of side `number % 4` of patch `number / 4` in the direction of u or v; of joined ones the first.
-    pub(super) fn side(
+    pub(crate) fn side(
         &self,
         number: usize,
     ) -> impl DoubleEndedIterator<Item = u32> + ExactSizeIterator + Clone {

@@ -5,9 +5,9 @@ use std::cmp::Ordering;
 
 /// A piece and a lower bound on what is searched for in it. In [`BinaryHeap`](std::collections::BinaryHeap), the greatest
 /// of them is the one with the least bound, of equal ones the smallest.
-pub(super) struct Waiting {
-    pub(super) low: f64,
-    pub(super) piece: Piece,
+pub(crate) struct Waiting {
+    pub(crate) low: f64,
+    pub(crate) piece: Piece,
 }
 
 impl Ord for Waiting {

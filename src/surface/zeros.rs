@@ -4,15 +4,12 @@
 //! one-to-one holds one zero at most, and Newton's method finds it. What is left in the end are zeros where the pair
 //! only touches zero: pieces so small that rounding decides.
 
-use super::newton::{greater, off, onto_square, slid, touch, zero_near};
+use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
 use super::piece::{Piece, search};
 use casteljau_kernels::WorkLimit;
 
 /// What counts as zero, for coefficients of the size 1 to 4: their rounding after products and halvings.
-pub(super) const NEAR: f64 = 32.0 * f64::EPSILON;
-
-/// Zeros nearer than this in u and v are one: two that are s apart rise to s²/4 between them, which rounding hides.
-pub(super) const SAME: f64 = 1.0 / 8_388_608.0;
+pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;
 
 /// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has 18 zeros at most, and about
 /// one where the pair touches zero some hundreds are left while they are small.
@@ -27,14 +24,14 @@ const MAX_SPREAD: f64 = 0.5;
 const CURVE_SHARE: f64 = 1.0 / 64.0;
 
 /// The most steps of a search over the square, its sides and its corners.
-pub(super) const MAX_RAY_STEPS: usize = 1 << 27;
+pub(crate) const MAX_RAY_STEPS: usize = 1 << 27;
 
 /// The zeros that were found.
-pub(super) struct Zeros {
+pub(crate) struct Zeros {
     /// Where they are.
-    pub(super) points: Vec<[f64; 2]>,
+    pub(crate) points: Vec<[f64; 2]>,
     /// Whether there are finitely many and these are all.
-    pub(super) complete: bool,
+    pub(crate) complete: bool,
 }
 
 /// A zero, known to lie in a rectangle.
@@ -50,7 +47,7 @@ struct Zero {
 /// The common zeros of the planes 0 and 1 of a whole piece. Where they are zero along a curve, its ends on the sides;
 /// where they are zero along a side, the side's ends. Plane 2 tells a curve of zeros from one place that has many
 /// parameters: along a curve it changes. `None` when that takes more steps than [`MAX_RAY_STEPS`].
-pub(super) fn common_zeros(whole: &Piece) -> Option<Zeros> {
+pub(crate) fn common_zeros(whole: &Piece) -> Option<Zeros> {
     let mut zeros = Vec::new();
     let mut work = WorkLimit::new(MAX_RAY_STEPS);
     let complete = collect(whole.clone(), whole, &mut zeros, &mut work);

@@ -4,8 +4,8 @@
 //! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
 
 use super::single_thread_cell::SingleThreadCell;
-use crate::error::{Error, Part};
-use crate::point::Point;
+use crate::geometry::error::{Error, Part};
+use crate::geometry::point::Point;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -15,24 +15,24 @@ const MIN_LENGTH: usize = 8192;
 static ARENA: SingleThreadCell<Arena> = SingleThreadCell::new(Arena(Vec::new()));
 
 /// The block, with the encodings of what lies in it.
-pub(super) struct Arena(Vec<f64>);
+pub(crate) struct Arena(Vec<f64>);
 
 /// Runs `f` on the arena.
 #[inline]
-pub(super) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
+pub(crate) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
     ARENA.with(f)
 }
 
 /// Runs `f` on the arena and returns its count; see [`encode_result`].
 #[inline]
-pub(super) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> isize {
+pub(crate) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> isize {
     encode_result(with(f))
 }
 
 /// A count for JavaScript; a refusal leaves its message in the arena and is −1.
 ///
 /// Not a `Result` of the bindings: their code for values that may be thrown would stand in every function.
-pub(super) fn encode_result(result: Result<usize, Error>) -> isize {
+pub(crate) fn encode_result(result: Result<usize, Error>) -> isize {
     match result {
         Ok(count) => count.cast_signed(),
         Err(error) => {
@@ -75,13 +75,13 @@ impl Arena {
 
     /// `count` points from number `at` on.
     #[inline]
-    pub(super) fn points<P: Point>(&self, at: usize, count: usize) -> &[P] {
+    pub(crate) fn points<P: Point>(&self, at: usize, count: usize) -> &[P] {
         bytemuck::cast_slice(self.numbers(at, count * P::DIMENSION))
     }
 
     /// `count` numbers from number `at` on.
     #[inline]
-    pub(super) fn numbers(&self, at: usize, count: usize) -> &[f64] {
+    pub(crate) fn numbers(&self, at: usize, count: usize) -> &[f64] {
         &self.0[at..at + count]
     }
 
@@ -89,7 +89,7 @@ impl Arena {
     ///
     /// What means the same in both (splitting, derivatives, joints …) is done in space for both, which halves the
     /// code in the module. Zeros change no result.
-    pub(super) fn points_in_space<L: FromIterator<DVec3>>(
+    pub(crate) fn points_in_space<L: FromIterator<DVec3>>(
         &self,
         at: usize,
         count: usize,
@@ -101,13 +101,13 @@ impl Arena {
     }
 
     /// One point of space.
-    pub(super) fn point_in_space(&self, at: usize, dimension: usize) -> DVec3 {
+    pub(crate) fn point_in_space(&self, at: usize, dimension: usize) -> DVec3 {
         let p = self.numbers(at, dimension);
         DVec3::new(p[0], p[1], p.get(2).copied().unwrap_or(0.0))
     }
 
     /// Writes points of space, in `dimension` numbers each, from number `at` on and returns where they end.
-    pub(super) fn write_from_space(
+    pub(crate) fn write_from_space(
         &mut self,
         at: usize,
         points: &[DVec3],
@@ -126,7 +126,7 @@ impl Arena {
     }
 
     /// One number.
-    pub(super) fn number(&self, at: usize) -> f64 {
+    pub(crate) fn number(&self, at: usize) -> f64 {
         self.0[at]
     }
 
@@ -139,30 +139,30 @@ impl Arena {
         clippy::cast_sign_loss,
         reason = "JavaScript has checked that it is a count"
     )]
-    pub(super) fn count(&self, at: usize) -> usize {
+    pub(crate) fn count(&self, at: usize) -> usize {
         self.0[at] as usize
     }
 
     /// Indices, written as numbers.
-    pub(super) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
+    pub(crate) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
         casteljau_kernels::whole_numbers(self.numbers(at, count))
     }
 
     /// Writes one point at the start.
     #[inline]
-    pub(super) fn write_point<P: Point>(&mut self, point: P) {
+    pub(crate) fn write_point<P: Point>(&mut self, point: P) {
         self.0[..P::DIMENSION].copy_from_slice(bytemuck::cast_slice(&[point]));
     }
 
     /// Writes points from number `at` on and returns where they end.
     #[inline]
-    pub(super) fn write<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
+    pub(crate) fn write<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
         self.write_numbers(at, bytemuck::cast_slice(points))
     }
 
     /// Writes numbers from number `at` on and returns where they end.
     #[inline]
-    pub(super) fn write_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
+    pub(crate) fn write_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
         let end = at + numbers.len();
         self.grow(end);
         self.0[at..end].copy_from_slice(numbers);
@@ -170,7 +170,7 @@ impl Arena {
     }
 
     /// Writes counts from number `at` on and returns where they end.
-    pub(super) fn write_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
+    pub(crate) fn write_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
         let numbers: Vec<f64> = counts.map(|count| count as f64).collect();
         self.write_numbers(at, &numbers)
     }
@@ -189,14 +189,14 @@ impl Arena {
     }
 
     /// The first `length` numbers and as many behind them, which are equal.
-    pub(super) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
+    pub(crate) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
         self.grow(2 * length);
         self.0.copy_within(..length, length);
         self.0[..2 * length].split_at_mut(length)
     }
 
     /// A place for `count` points at the start, to be written in place.
-    pub(super) fn reserve<P: Point>(&mut self, count: usize) -> &mut [P] {
+    pub(crate) fn reserve<P: Point>(&mut self, count: usize) -> &mut [P] {
         self.grow(count * P::DIMENSION);
         bytemuck::cast_slice_mut(&mut self.0[..count * P::DIMENSION])
     }

@@ -1,19 +1,19 @@
 //! An HTML canvas as a sink of path commands.
 
-use crate::curve::PathSink;
+use crate::curve::trace::PathSink;
 use glam::DVec2;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, Path2d};
 
 /// Draws on what JavaScript passed: a `Path2D`, or a 2D context of a canvas or an offscreen canvas (the methods are
 /// looked up by name, so anything with the methods of a context will do).
-pub(super) enum CanvasSink<'a> {
+pub(crate) enum CanvasSink<'a> {
     Path(&'a Path2d),
     Context(&'a CanvasRenderingContext2d),
 }
 
 impl<'a> CanvasSink<'a> {
-    pub(super) fn new(target: &'a JsValue) -> Self {
+    pub(crate) fn new(target: &'a JsValue) -> Self {
         match target.dyn_ref::<Path2d>() {
             Some(path) => Self::Path(path),
             None => Self::Context(target.unchecked_ref()),

@@ -1,9 +1,15 @@
 //! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::by_dimension;
-use crate::curve::{Basis, Curve, Subdivision, bernstein, cubic_scalar, evaluate, split_numbers};
-use crate::point::Point;
+use crate::bernstein::casteljau::split_numbers;
+use crate::bernstein::evaluate::{cubic_scalar, evaluate};
+use crate::bernstein::polynomials::bernstein;
+use crate::curve::Curve;
+use crate::curve::basis::Basis;
+use crate::curve::subdivide::Subdivision;
+use crate::geometry::point::Point;
 use glam::{DAffine3, DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -41,7 +47,7 @@ pub extern "C" fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
 #[wasm_bindgen]
 pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
-        crate::curve::check_segments(segments, dimension)?;
+        crate::curve::eval::check_segments(segments, dimension)?;
         by_dimension!(dimension, P => curve::<P>(a, count).sample_into(a.reserve(segments + 1)));
         Ok((segments + 1) * dimension)
     })

@@ -1,9 +1,11 @@
 //! Bindings of intersections, all in the plane. In: both curves or both splines, one after the other. Out: for each place
 //! t, u, x, y, the code of its kind (0 cross, 1 tangent, 2 overlap), and t and u of its end.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::spline::spline_at;
-use crate::curve::{Curve, Intersection, IntersectionKind, SelfIntersection};
+use crate::curve::Curve;
+use crate::curve::intersect::intersection::{Intersection, IntersectionKind, SelfIntersection};
 use crate::spline::Spline;
 use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -33,7 +35,7 @@ fn write(a: &mut Arena, found: &[Intersection]) -> usize {
 }
 
 /// Writes one place and returns where it ends.
-pub(super) fn write_intersection(a: &mut Arena, at: usize, intersection: Intersection) -> usize {
+pub(crate) fn write_intersection(a: &mut Arena, at: usize, intersection: Intersection) -> usize {
     let Intersection { t, u, point, kind } = intersection;
     let (code, t_end, u_end) = match kind {
         IntersectionKind::Cross => (0.0, t, u),

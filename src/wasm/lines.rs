@@ -1,9 +1,9 @@
 //! Bindings of surfaces as lines, as bodies of lines, and as the flat pieces of the tutorials.
 
 use super::arena;
+use super::decode_surface::surface;
 use super::mesh::keep_mesh;
-use super::surface::surface;
-use crate::surface::{Wire, WireframeOptions};
+use crate::mesh::wire::{Wire, WireframeOptions};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Leaves for each isocurve the number of its control points, and these.

@@ -1,11 +1,13 @@
 //! Bindings of lengths, even steps, areas, torsion and frames. Curves and splines lie in the arena as in `curve` and
 //! `spline`.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::optional;
 use super::spline::spline;
-use crate::curve::{Curve, Frame};
-use crate::error::Error;
+use crate::curve::Curve;
+use crate::curve::frames::Frame;
+use crate::geometry::error::Error;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -1,13 +1,17 @@
 //! Bindings of meshes: making them without cracks, and copying their buffers.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
+use super::decode_surface::{patch, surface};
 use super::single_thread_cell::SingleThreadCell;
-use super::surface::{patch, surface};
-use crate::error::Error;
-use crate::surface::{
-    Detail, EdgeUse, Grid, GridMeshBuilder, GridMethod, Indices, Mesh, Surface,
-    TessellationOptions, View, Weld,
-};
+use crate::geometry::error::Error;
+use crate::mesh::grid::{Grid, GridMethod};
+use crate::mesh::grid_mesh::GridMeshBuilder;
+use crate::mesh::options::{Detail, TessellationOptions, View};
+use crate::mesh::weld::Weld;
+use crate::mesh::{Indices, Mesh};
+use crate::surface::network::Surface;
+use crate::surface::topology::EdgeUse;
 use glam::{DMat4, DVec2};
 use js_sys::{Float32Array, Float64Array, Uint16Array, Uint32Array};
 use std::ops::Range;
@@ -68,7 +72,7 @@ pub fn patch_tessellate(
 }
 
 /// Prepares a grid, to be made by `grid_part`; 0.
-pub(super) fn begin_grid(
+pub(crate) fn begin_grid(
     surface: Surface,
     grid: Grid,
     quads: bool,
@@ -144,7 +148,7 @@ fn keep(surface: &Surface, options: &TessellationOptions, precise: bool) -> Resu
 }
 
 /// Keeps a mesh that is no grid, to be copied; 0.
-pub(super) fn keep_mesh(mesh: Mesh) -> usize {
+pub(crate) fn keep_mesh(mesh: Mesh) -> usize {
     LAYOUT.with(|last| *last = None);
     MESH.with(|kept| *kept = mesh);
     0

@@ -17,6 +17,7 @@
 mod arena;
 mod canvas;
 mod curve;
+mod decode_surface;
 mod intersections;
 mod lines;
 mod measure;

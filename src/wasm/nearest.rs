@@ -1,12 +1,15 @@
 //! Bindings of questions for places on curves. In: `count` control points at the start of the arena, further arguments
 //! behind them.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::spline::spline;
-use crate::curve::{
-    Curve, Distance, Nearest, extrema_of, inflections_of, nearest_on, nearest_parameter, times_of,
-    ulp,
-};
+use crate::curve::Curve;
+use crate::curve::extrema::{extrema_of, times_of};
+use crate::curve::inflections::inflections_of;
+use crate::curve::nearest::distance::Distance;
+use crate::curve::nearest::{Nearest, nearest_on, nearest_parameter};
+use crate::numeric::float::ulp;
 use casteljau_kernels::nearest_in_space;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;

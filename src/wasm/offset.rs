@@ -1,9 +1,12 @@
 //! Bindings of parallel curves. Splines lie in the arena as in `spline`.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::optional;
-use crate::curve::{Curve, SplineBuilder};
-use crate::spline::{OffsetJoin, Spline, offset_of_curves};
+use crate::curve::Curve;
+use crate::curve::offset::SplineBuilder;
+use crate::spline::Spline;
+use crate::spline::offset::{OffsetJoin, offset_of_curves};
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -83,12 +86,12 @@ pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) 
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let spline = Spline::fit(&points, tolerance, closed)?;
-        Ok(super::spline::write(a, &spline, dimension))
+        Ok(crate::wasm::spline::write(a, &spline, dimension))
     })
 }
 
 /// Leaves a spline of fewer cubics.
 #[wasm_bindgen]
 pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
-    super::spline::changed(dimension, |_, spline, _| spline.simplify(tolerance))
+    crate::wasm::spline::changed(dimension, |_, spline, _| spline.simplify(tolerance))
 }

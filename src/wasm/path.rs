@@ -1,12 +1,18 @@
 //! Bindings of paths. In: the number of subpaths, each as a spline of the plane; further arguments behind them.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::intersections::write_intersection;
 use super::optional;
 use super::spline::spline_at;
-use crate::curve::{Curve, Intersection, MAX_VERTICES, PathSink, check_tolerance};
-use crate::error::Error;
-use crate::path::{Path, PathIntersection, PathTime};
+use crate::curve::Curve;
+use crate::curve::flatten::MAX_VERTICES;
+use crate::curve::intersect::intersection::Intersection;
+use crate::curve::trace::PathSink;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::path::intersect::PathIntersection;
+use crate::path::{Path, PathTime};
 use crate::spline::Spline;
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -3,10 +3,13 @@
 //! A patch lies at the start of the arena, as in `surface`; where patches and surfaces are asked the same, a patch comes
 //! as a surface of one. Points and other arguments are behind.
 
-use super::arena::{self, Arena};
-use super::surface::{patch, surface};
-use crate::curve::{Basis, Bounds};
-use crate::surface::{Patch, SurfacePoint};
+use super::arena;
+use super::arena::Arena;
+use super::decode_surface::{patch, surface};
+use crate::curve::basis::Basis;
+use crate::geometry::bounds::Bounds;
+use crate::patch::Patch;
+use crate::surface::surface_point::SurfacePoint;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 

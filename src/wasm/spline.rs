@@ -1,21 +1,23 @@
 //! Bindings of splines. In and out: the number of segments, 1 if closed (else 0), the degree of each segment, the
 //! control points; further arguments behind them.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::optional;
 use crate::curve::Curve;
-use crate::error::Error;
-use crate::spline::{JointMode, Spline};
+use crate::geometry::error::Error;
+use crate::spline::Spline;
+use crate::spline::joint::JointMode;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
-pub(super) fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
+pub(crate) fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
     spline_at(a, 0, dimension)
 }
 
 /// The same further on.
-pub(super) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3>, usize) {
+pub(crate) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3>, usize) {
     let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
     let at = at + 2;
     let degrees: Vec<usize> = (0..segments).map(|k| a.count(at + k)).collect();
@@ -28,7 +30,7 @@ pub(super) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3
 }
 
 /// Leaves a spline; its number of f64.
-pub(super) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
+pub(crate) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
     let closed = if spline.is_closed() { 1.0 } else { 0.0 };
     let mut head = vec![spline.segment_count() as f64, closed];
     head.extend(spline.degrees().iter().map(|&degree| degree as f64));
@@ -37,7 +39,7 @@ pub(super) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> 
 }
 
 /// Leaves a changed spline; its number of f64.
-pub(super) fn changed(
+pub(crate) fn changed(
     dimension: usize,
     change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
 ) -> isize {

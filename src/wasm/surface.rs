@@ -4,19 +4,20 @@
 //! where it does not matter what is joined), the degrees u and v of each patch, the vertices, the indices of all nets,
 //! for each vertex the first that it is joined to; further arguments behind them.
 
-use super::arena::{self, Arena};
+use super::arena;
+use super::arena::Arena;
 use super::canvas::CanvasSink;
+use super::decode_surface::{patch, surface};
 use super::mesh::begin_grid;
 use super::optional;
-use crate::error::Error;
-use crate::surface::{Grid, Height, Patch, Surface, TeapotOptions, Up, joined};
+use crate::geometry::error::Error;
+use crate::mesh::grid::Grid;
+use crate::models::teapot::{Height, TeapotOptions, Up};
+use crate::surface::first_of::joined;
+use crate::surface::network::Surface;
 use glam::DMat4;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-
-pub(super) fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
-    Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
-}
 
 /// Leaves the point at (u, v).
 #[wasm_bindgen]
@@ -88,25 +89,6 @@ pub fn patch_grid(
     })
 }
 
-/// The surface at the start of the arena, and where it ends.
-pub(super) fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
-    let [vertices, patches, joined] = [0, 1, 2].map(|k| a.count(k));
-    let degrees: Vec<[usize; 2]> = (0..patches)
-        .map(|k| [a.count(3 + 2 * k), a.count(4 + 2 * k)])
-        .collect();
-    let at = 3 + 2 * patches;
-    let indices_at = at + 3 * vertices;
-    let net = |[u, v]: &[usize; 2]| (u + 1) * (v + 1);
-    let joined_at = indices_at + degrees.iter().map(net).sum::<usize>();
-    let surface = Surface::from_parts(
-        a.points(at, vertices).to_vec(),
-        a.small_counts(joined_at, joined),
-        a.small_counts(indices_at, joined_at - indices_at),
-        &degrees,
-    )?;
-    Ok((surface, joined_at + joined))
-}
-
 /// In: points. Leaves for each the first at the same place.
 #[wasm_bindgen]
 pub fn points_joined(count: usize) -> usize {
@@ -150,7 +132,7 @@ pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
 }
 
 /// Leaves a surface, in the form in which it comes in.
-pub(super) fn write(a: &mut Arena, surface: &Surface) -> usize {
+pub(crate) fn write(a: &mut Arena, surface: &Surface) -> usize {
     let (vertices, patches) = (surface.vertices(), surface.patch_count());
     a.write_counts(0, [vertices.len(), patches, vertices.len()].into_iter());
     let degrees = (0..patches).filter_map(|k| surface.degrees(k)).flatten();

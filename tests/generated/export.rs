@@ -4,7 +4,7 @@ use crate::arguments::*;
 use crate::check::*;
 use crate::mesh::{REFUSALS, grid_of, is_mesh};
 use crate::runner::Row;
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Error, Grid, Mesh};
 use casteljau_generator::{Case, Mode};
 

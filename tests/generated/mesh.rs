@@ -5,7 +5,7 @@ use crate::check::*;
 use crate::numbers::Numbers;
 use crate::patch::as_surface;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::surface::{TessellationOptions, View, Weld};
+use casteljau::mesh::{TessellationOptions, View, Weld};
 use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
 use casteljau_generator::Case;
 

@@ -2,11 +2,13 @@
 
 use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::mesh::*;
+use casteljau::patch::*;
 use casteljau::path::PathElement;
 use casteljau::path::{PathIntersection, PathPoint, PathTime};
 use casteljau::spline::*;
 use casteljau::surface::*;
-use casteljau::{Curve, Error, Patch, Path, Point, Spline, Surface};
+use casteljau::{Curve, Error, Path, Point, Spline};
 
 /// What holds numbers.
 pub(crate) trait Numbers {

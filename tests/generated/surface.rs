@@ -6,7 +6,7 @@ use crate::curve_measure::holds;
 use crate::mesh;
 use crate::runner::Row;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Height, TeapotOptions, Up};
+use casteljau::models::{Height, TeapotOptions, Up};
 use casteljau::{Patch, Point, Surface};
 use casteljau_generator::Case;
 

@@ -10,7 +10,7 @@ use crate::patch_query::is_hit;
 use crate::runner::Row;
 use crate::surface::slack_of;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Wire, WireframeOptions};
+use casteljau::mesh::{Wire, WireframeOptions};
 use casteljau_generator::{Case, Mode};
 
 pub(crate) const ROWS: &[Row] = &[

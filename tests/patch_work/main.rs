@@ -6,7 +6,8 @@ mod generate;
 mod nets;
 mod worst;
 
-use casteljau::surface::{Grid, PatchPoint, TessellationOptions, Weld};
+use casteljau::mesh::{Grid, TessellationOptions, Weld};
+use casteljau::patch::PatchPoint;
 use casteljau::{Error, Patch, Surface};
 use casteljau_kernels::take_steps;
 use generate::{any_patch, any_point, any_ray, below};

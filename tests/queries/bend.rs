@@ -4,7 +4,7 @@ use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
 use casteljau::curve::Basis;
 use casteljau::glam::{DAffine3, DQuat, DVec3};
-use casteljau::surface::Curvature;
+use casteljau::patch::Curvature;
 use casteljau::{Curve, Error, Patch};
 use wasm_bindgen_test::wasm_bindgen_test;
 

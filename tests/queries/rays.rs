@@ -3,7 +3,7 @@
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
 use casteljau::glam::{DAffine3, DQuat, DVec3};
-use casteljau::surface::PatchPoint;
+use casteljau::patch::PatchPoint;
 use casteljau::{Error, Patch, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 

@@ -2,7 +2,8 @@
 
 use crate::nets::{Random, assert_near};
 use casteljau::glam::{DAffine3, DVec3};
-use casteljau::surface::{FlatPiece, Up};
+use casteljau::mesh::FlatPiece;
+use casteljau::models::Up;
 use casteljau::{Error, Surface, TeapotOptions};
 use wasm_bindgen_test::wasm_bindgen_test;
 

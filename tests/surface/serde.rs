@@ -2,9 +2,10 @@
 
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::mesh::TessellationOptions;
+use casteljau::models::Up;
 use casteljau::path::FillRule;
 use casteljau::spline::{Interpolation, JointMode};
-use casteljau::surface::{TessellationOptions, Up};
 use casteljau::{Curve, Easing, Grid, Patch, Path, Spline, Surface, TeapotOptions};
 use std::fmt::Debug;
 

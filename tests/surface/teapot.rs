@@ -1,7 +1,7 @@
 //! The teapot: its data, and the figures known of it from elsewhere.
 
 use casteljau::glam::{DAffine3, DVec2, DVec3};
-use casteljau::surface::{Height, Up};
+use casteljau::models::{Height, Up};
 use casteljau::{Grid, Mesh, Surface, TeapotOptions};
 use wasm_bindgen_test::wasm_bindgen_test;
 

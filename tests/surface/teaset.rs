@@ -2,7 +2,7 @@
 
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::Up;
+use casteljau::models::Up;
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// A listing of tests/data, turned and with v reversed: the control points of each patch as bits.

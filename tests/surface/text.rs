@@ -2,7 +2,7 @@
 
 use crate::nets::Random;
 use casteljau::glam::DVec3;
-use casteljau::surface::Up;
+use casteljau::models::Up;
 use casteljau::{Surface, TeapotOptions};
 use serde_json::Value;
 

@@ -4,7 +4,7 @@ use super::limits::{MAX_DEGREES, limit};
 use super::shapes::{SIDES, along, diagonal, largest};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{Indices, TessellationOptions, Weld};
+use casteljau::mesh::{Indices, TessellationOptions, Weld};
 use casteljau::{Mesh, Patch, Surface};
 use std::collections::HashSet;
 

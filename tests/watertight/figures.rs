@@ -7,7 +7,9 @@ use super::shapes::{diagonal, gumbo, is_point, lines, part, segments, side_point
 use super::soup::{Soup, vectors};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::{EdgeUse, Indices, TessellationOptions, Topology, Up, Weld};
+use casteljau::mesh::{Indices, TessellationOptions, Weld};
+use casteljau::models::Up;
+use casteljau::surface::{EdgeUse, Topology};
 
 #[test]
 fn sides_of_the_known_surfaces() {

@@ -5,7 +5,7 @@ use super::distance::greatest;
 use super::shapes::segments;
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Patch, Surface};
 
 #[track_caller]

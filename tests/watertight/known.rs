@@ -8,7 +8,7 @@ use super::shapes::{all, diagonal, segments};
 use super::soup::Soup;
 use super::{deep, thorough};
 use casteljau::Surface;
-use casteljau::surface::TessellationOptions;
+use casteljau::mesh::TessellationOptions;
 
 /// Decades from 0.1 to 1e-5 of the diagonal, in twelve steps.
 const TOLERANCES: i32 = 12;

@@ -4,7 +4,7 @@ use super::checks::{assert_watertight, degrees_between};
 use super::shapes::{all, diagonal};
 use super::soup::{Soup, vectors};
 use casteljau::glam::{DAffine3, DMat3, DVec3};
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
 /// What a change of the surface does to its mesh.

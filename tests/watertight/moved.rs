@@ -7,7 +7,7 @@ use super::soup::Soup;
 use super::{networks, thorough};
 use casteljau::Surface;
 use casteljau::glam::DVec3;
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 
 #[test]
 fn topology_is_kept() {

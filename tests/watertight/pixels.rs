@@ -6,7 +6,7 @@ use super::shapes::teapot;
 use super::soup::Soup;
 use casteljau::Surface;
 use casteljau::glam::{DMat4, DVec2, DVec3, DVec4};
-use casteljau::surface::{TessellationOptions, View, Weld};
+use casteljau::mesh::{TessellationOptions, View, Weld};
 
 const VIEWPORT: DVec2 = DVec2::new(1_280.0, 720.0);
 

@@ -9,7 +9,8 @@ use super::shapes::{SIDES, along, diagonal, is_point, largest, lines, segments, 
 use super::soup::{Corners, Soup, add, vectors};
 use super::thorough;
 use casteljau::glam::DVec3;
-use casteljau::surface::{Detail, EdgeUse, PatchEdge, TessellationOptions, Weld};
+use casteljau::mesh::{Detail, TessellationOptions, Weld};
+use casteljau::surface::{EdgeUse, PatchEdge};
 use casteljau::{Mesh, Surface};
 
 const CASES: usize = 20_000;

@@ -4,7 +4,7 @@ use super::allocations::allocated_by;
 use super::checks::assert_layout;
 use super::shapes::{diagonal, largest, segments, teapot};
 use casteljau::glam::{DAffine3, DMat3, DMat4, DVec2, DVec3};
-use casteljau::surface::{TessellationOptions, View, Weld};
+use casteljau::mesh::{TessellationOptions, View, Weld};
 use casteljau::{Error, Patch, Surface};
 
 /// A refusal must come before the mesh is made; the meshes that are refused here would take a gigabyte and more.

@@ -2,7 +2,9 @@
 
 pub(crate) use crate::listings::gumbo;
 use casteljau::glam::DVec3;
-use casteljau::surface::{EdgeUse, PatchEdge, TessellationOptions, Up};
+use casteljau::mesh::TessellationOptions;
+use casteljau::models::Up;
+use casteljau::surface::{EdgeUse, PatchEdge};
 use casteljau::{Grid, Patch, Surface, TeapotOptions};
 
 pub(crate) fn teapot() -> Surface {

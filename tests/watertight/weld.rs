@@ -6,7 +6,7 @@ use super::distance::greatest;
 use super::shapes::{all, diagonal, segments};
 use super::soup::{Soup, vectors};
 use casteljau::glam::DVec3;
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
 /// Above this corners do not share a vertex with weld "normal".

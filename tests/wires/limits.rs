@@ -3,7 +3,8 @@
 use super::nets::Random;
 use super::{euler, ribbons, single, teapot, triangles, tubes, vector, volume};
 use casteljau::glam::{DAffine3, DVec3};
-use casteljau::surface::{Up, Wire, WireframeOptions};
+use casteljau::mesh::{Wire, WireframeOptions};
+use casteljau::models::Up;
 use casteljau::{Mesh, Surface};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -80,7 +81,7 @@ fn degenerate_lines() {
 
 fn empty(patches: usize) -> Mesh {
     Mesh {
-        patch_ranges: vec![casteljau::surface::PatchRange::default(); patches],
+        patch_ranges: vec![casteljau::mesh::PatchRange::default(); patches],
         ..Mesh::default()
     }
 }

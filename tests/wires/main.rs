@@ -12,7 +12,7 @@ mod ribbons;
 mod tubes;
 
 use casteljau::glam::DVec3;
-use casteljau::surface::{Wire, WireframeOptions};
+use casteljau::mesh::{Wire, WireframeOptions};
 use casteljau::{Mesh, Surface, TeapotOptions};
 use std::collections::HashMap;
 

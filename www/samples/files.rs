@@ -1,5 +1,5 @@
 use casteljau::Surface;
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 
 pub(crate) fn sample(out: &mut String) {
     let text = "1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n"; // one patch of degree 1 × 1 and its points

@@ -1,6 +1,6 @@
 use std::collections::HashMap;
 
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {

@@ -1,4 +1,4 @@
-use casteljau::surface::{Height, Up};
+use casteljau::models::{Height, Up};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {

@@ -1,4 +1,4 @@
-use casteljau::surface::{TessellationOptions, Weld};
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {

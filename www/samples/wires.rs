@@ -1,4 +1,4 @@
-use casteljau::surface::{Wire, WireframeOptions};
+use casteljau::mesh::{Wire, WireframeOptions};
 use casteljau::{Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {

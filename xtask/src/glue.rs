@@ -2,15 +2,29 @@
 
 use crate::liveness::Linked;
 use crate::{encode, shell, strip_panics};
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Child;
+use walrus::ir::Value;
+use walrus::{ConstExpr, DataKind};
 use wasm_bindgen_cli_support::Bindgen;
 
 /// For size, twice (more rounds find nothing more); the compiler has inlined what is hot.
-/// Inlining functions with one caller makes fewer bytes, but more of them after gzip, and so does reordering functions.
-const OPTIMISE: [&str; 4] = ["-ocimfs=10", "-Oz", "-Oz", "--reorder-locals"];
+///
+/// Inlining functions with one caller makes fewer bytes, but more of them after gzip; so do local common subexpressions and
+/// reordering functions. `-lmu` folds constants into addresses, since nothing lies below [`LOW_MEMORY`].
+const OPTIMISE: [&str; 6] = [
+    "-lmu",
+    "-ocimfs=10",
+    "-sp=local-cse",
+    "-Oz",
+    "-Oz",
+    "--reorder-locals",
+];
+
+/// The address below which `-lmu` expects no data.
+const LOW_MEMORY: i32 = 1024;
 
 /// What rustc uses, given explicitly because the optimiser's own default is less.
 const FEATURES: [&str; 7] = [
@@ -129,8 +143,26 @@ fn bound(
     strip_panics::reduced(compiled, linked, &wanted)?.emit_wasm_file(&reduced)?;
     bindings(&reduced, folder)?;
     fs::remove_file(reduced)?;
-    strip_panics::without(&bound, |export| !wanted(export))?.emit_wasm_file(&bound)?;
+    let mut module = strip_panics::without(&bound, |export| !wanted(export))?;
+    check_low_memory(&module)?;
+    module.emit_wasm_file(&bound)?;
     Ok(bound)
+}
+
+/// Refuses data in memory that the optimiser takes for unused.
+fn check_low_memory(module: &walrus::Module) -> Result<()> {
+    for data in module.data.iter() {
+        if let DataKind::Active { offset, .. } = &data.kind {
+            let ConstExpr::Value(Value::I32(address)) = *offset else {
+                bail!("a data segment at an address that is not a constant");
+            };
+            ensure!(
+                address >= LOW_MEMORY,
+                "data at the address {address}, below {LOW_MEMORY}"
+            );
+        }
+    }
+    Ok(())
 }
 
 /// The default module path is omitted: `import.meta` would break IIFE bundles and `require()`.

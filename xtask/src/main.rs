@@ -13,8 +13,6 @@ mod size;
 mod stamp;
 mod strip_panics;
 mod test;
-#[cfg(test)]
-mod vocabulary;
 mod wasm_test;
 
 use anyhow::{Result, bail};

@@ -9,7 +9,7 @@
 
 use super::cross::cross;
 use super::piece::{Piece, Row, range, time_at};
-use super::{ClippingSolver, Contact, SPLIT};
+use super::solver::{ClippingSolver, Contact, SPLIT};
 
 /// Heights up to so many times the slack count as contact where a piece cannot be thrown away. Above 1, so that halving
 /// ends.

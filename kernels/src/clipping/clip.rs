@@ -2,6 +2,9 @@
 
 use super::piece::{Piece, Row, range};
 
+/// A clip that leaves more than this is not worth another one: then a piece is halved. Source: Sederberg and Nishita.
+const WORTH_CLIPPING: f64 = 0.8;
+
 /// Cuts from `b` what is outside the strip of lines parallel to the chord of `a` that holds `a`, and returns how much of
 /// it is left, 1 for all; `None` where nothing is left.
 #[inline(always)]
@@ -27,7 +30,7 @@ pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option
     }
     let (lo, hi) = inside(sides.get(), min - margin, max + margin)?;
     let left = hi - lo;
-    if left <= super::WORTH_CLIPPING {
+    if left <= WORTH_CLIPPING {
         *b = b.between(lo, hi);
     }
     Some(left)

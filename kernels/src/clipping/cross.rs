@@ -1,7 +1,7 @@
 //! Two pieces that meet at most once, and where.
 
 use super::piece::{Piece, Row};
-use super::{ClippingSolver, Contact};
+use super::solver::{ClippingSolver, Contact};
 
 pub(super) enum Crossing {
     /// They meet once, here.

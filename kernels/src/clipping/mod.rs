@@ -10,58 +10,19 @@ mod along;
 mod clip;
 mod cross;
 mod piece;
+mod solver;
 
 pub use piece::{Piece, Row};
+pub use solver::{ClippingSolver, Contact};
 
-use crate::work::WorkLimit;
 use clip::clip;
 use cross::Crossing;
-
-/// Where two curves are as close as rounding can tell: the parameters t₀ ≤ t₁ on the first and, at the same places, u₀
-/// and u₁ on the second. A crossing has t₀ = t₁ and u₀ = u₁.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
-    /// First parameter on the first curve.
-    pub t: [f64; 2],
-    /// The same places on the second curve.
-    pub u: [f64; 2],
-    /// Whether the two curves surely cross here, at an angle.
-    pub crossing: bool,
-}
-
-/// A clip that leaves more than this is not worth another one: then a piece is halved. Source: Sederberg and Nishita.
-const WORTH_CLIPPING: f64 = 0.8;
+use solver::SPLIT;
 
 /// Where both pieces keep more than this they are halved at once.
 const WORTH_GOING_ON: f64 = 0.6;
 
-/// Where a piece is halved: not in the middle, where symmetric curves like to meet, to be found by both halves.
-const SPLIT: f64 = 0.484375;
-
-/// The search, with what it has found.
-pub struct ClippingSolver<R> {
-    /// The whole curves.
-    pub(crate) whole: [Piece<R>; 2],
-    /// Closer than this is a contact: what rounding may have moved.
-    pub(crate) slack: f64,
-    /// Counts the pairs of pieces that are looked at; past its limit pieces are not cut any more.
-    pub(crate) work: WorkLimit,
-    /// The contacts, in no order.
-    pub found: Vec<Contact>,
-}
-
 impl<R: Row> ClippingSolver<R> {
-    /// Two curves whose coordinates are at most about 1, the distance that counts as none, and the
-    /// most pairs of pieces that are looked at.
-    pub fn new(whole: [Piece<R>; 2], slack: f64, limit: usize) -> Self {
-        Self {
-            whole,
-            slack,
-            work: WorkLimit::new(limit),
-            found: Vec::new(),
-        }
-    }
-
     /// Looks for all contacts of the two curves between some of their parameters.
     #[inline(always)]
     pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
@@ -111,20 +72,6 @@ impl<R: Row> ClippingSolver<R> {
             self.pair(a.clone(), before);
             self.pair(a.clone(), after);
         }
-    }
-
-    /// Notes that two whole pieces are in contact.
-    fn note(&mut self, a: &Piece<R>, b: &Piece<R>) {
-        let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
-        if t[0] > t[1] {
-            t.swap(0, 1);
-            u.swap(0, 1);
-        }
-        self.found.push(Contact {
-            t,
-            u,
-            crossing: false,
-        });
     }
 }
 

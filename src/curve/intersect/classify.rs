@@ -1,11 +1,13 @@
 //! What is an interval of contact?
 
-use super::super::{Scalars, evaluate};
+use super::super::Curve;
 use super::contact_interval::ContactInterval;
+use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair};
-use super::{Curve, IntersectionKind};
-use crate::point::Point;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::Point;
+use crate::numeric::list::Scalars;
 use glam::DVec2;
 
 /// An end is looked for this near to a parameter.
@@ -26,7 +28,7 @@ const HIDDEN_TURN: f64 = 1e-6;
 
 impl NormalizedPair {
     /// Says what an interval is.
-    pub(super) fn classify(
+    pub(crate) fn classify(
         &self,
         interval: &ContactInterval,
         locations: &mut Vec<ClassifiedPoint>,
@@ -71,7 +73,7 @@ impl NormalizedPair {
     }
 
     /// The same place, at an end where only rounding keeps it from it.
-    pub(super) fn snapped(&self, (t, u): (f64, f64)) -> (f64, f64) {
+    pub(crate) fn snapped(&self, (t, u): (f64, f64)) -> (f64, f64) {
         let snapped = |curve: usize, t: f64| {
             let end = t.round();
             if t == end || (t - end).abs() > NEAR_END {
@@ -184,7 +186,7 @@ impl NormalizedPair {
     }
 
     /// Tangent where the directions differ by no more than rounding can turn them.
-    pub(super) fn kind(&self, t: f64, u: f64) -> IntersectionKind {
+    pub(crate) fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];
             let tangent = Curve::from_slice(points).tangent(t);

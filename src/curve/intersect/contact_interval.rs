@@ -1,9 +1,9 @@
 //! Contacts that belong together.
 
-use super::super::evaluate;
 use super::pair::NormalizedPair;
-use crate::order::sort_by;
-use crate::point::Point;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::Point;
+use crate::numeric::sort::sort_by;
 use casteljau_kernels::Contact;
 
 /// Gaps between contacts that are looked into; what is farther apart in either parameter is another place.
@@ -24,14 +24,14 @@ const BOX_MARGIN: f64 = 1e-6;
 
 /// A stretch on which two curves cannot be told apart.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ContactInterval {
-    pub(super) t: [f64; 2],
+pub(crate) struct ContactInterval {
+    pub(crate) t: [f64; 2],
     /// The least and the greatest parameter on the second curve.
-    pub(super) u: [f64; 2],
+    pub(crate) u: [f64; 2],
     /// 1 where u grows with t, −1 where it falls, 0 where it is not known.
-    pub(super) direction: f64,
+    pub(crate) direction: f64,
     /// It is nothing but one crossing.
-    pub(super) crossing: bool,
+    pub(crate) crossing: bool,
     /// The last contact that was joined to it.
     last: Contact,
 }
@@ -51,7 +51,7 @@ impl ContactInterval {
     }
 
     /// Both ends, u in the order of t.
-    pub(super) fn ends(&self) -> [(f64, f64); 2] {
+    pub(crate) fn ends(&self) -> [(f64, f64); 2] {
         let [u0, u1] = self.u;
         if self.direction < 0.0 {
             [(self.t[0], u1), (self.t[1], u0)]
@@ -61,7 +61,7 @@ impl ContactInterval {
     }
 
     /// Whether a place is in it, give or take its width.
-    pub(super) fn holds(&self, (t, u): (f64, f64)) -> bool {
+    pub(crate) fn holds(&self, (t, u): (f64, f64)) -> bool {
         let within = |[from, to]: [f64; 2], x: f64| {
             let margin = (to - from) + 1e-7;
             x >= from - margin && x <= to + margin
@@ -150,7 +150,7 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 }
 
 /// The contacts in order, joined where they belong together.
-pub(super) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<ContactInterval> {
+pub(crate) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<ContactInterval> {
     sort_by(&mut contacts, |p, q| {
         p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))
     });

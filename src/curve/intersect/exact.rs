@@ -1,11 +1,11 @@
 //! Last looks at the places that two curves share: ends and stops that meet are met exactly, what rounding makes several
 //! places is one, and two lines are judged by their ends.
 
-use super::super::evaluate;
-use super::IntersectionKind;
+use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use crate::point::Point;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::Point;
 use glam::DVec2;
 
 /// Places closer than this, at size 1, are one where an end or a stop lies between them.
@@ -25,12 +25,12 @@ const MIN_OVERLAP: f64 = 64.0;
 
 impl NormalizedPair {
     /// Whether both are lines with a length.
-    pub(super) fn is_of_lines(&self) -> bool {
+    pub(crate) fn is_of_lines(&self) -> bool {
         self.curves.iter().all(|c| c.len() == 2 && c[0] != c[1])
     }
 
     /// What two lines share. Wherever they run along each other an end lies on the other line.
-    pub(super) fn lines(&self) -> Vec<ClassifiedPoint> {
+    pub(crate) fn lines(&self) -> Vec<ClassifiedPoint> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
             for location in [self.foot(1, end), self.foot(0, end)] {
@@ -94,7 +94,7 @@ impl NormalizedPair {
     }
 
     /// The same places with those at ends and stops exact, and each once.
-    pub(super) fn exact(&self, mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+    pub(crate) fn exact(&self, mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
             return locations; // a point has no ends of its own
         }

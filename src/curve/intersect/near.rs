@@ -1,8 +1,13 @@
 //! Distances between two curves, and the places where they are least.
 
-use super::super::{Bounds, Curve, Points, blossom_piece, evaluate, ratio};
 use super::pair::NormalizedPair;
-use crate::point::Point;
+use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::evaluate::evaluate;
+use crate::curve::Curve;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+use crate::numeric::list::Points;
 use glam::DVec2;
 
 /// Newton's method goes halfway, or a little more, to a contact of higher order with each step.
@@ -31,7 +36,7 @@ const BOX_SAMPLES: usize = 8;
 const NEARLY_PARALLEL: f64 = 1e-7;
 
 /// The point and the first two derivatives.
-pub(super) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
+pub(crate) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
     let n = (points.len() - 1) as f64;
     let slopes = differences(points);
     let second_derivatives = differences(&slopes);
@@ -49,17 +54,17 @@ fn differences(points: &[DVec2]) -> Points<DVec2> {
 
 impl NormalizedPair {
     /// The distance between two points, by the larger coordinate.
-    pub(super) fn apart(&self, t: f64, u: f64) -> f64 {
+    pub(crate) fn apart(&self, t: f64, u: f64) -> f64 {
         (evaluate(&self.curves[0], t) - evaluate(&self.curves[1], u)).max_abs()
     }
 
     /// Whether two points are one but for rounding.
-    pub(super) fn one(&self, (t, u): (f64, f64)) -> bool {
+    pub(crate) fn one(&self, (t, u): (f64, f64)) -> bool {
         self.apart(t, u) <= 2.0 * self.slack
     }
 
     /// The distance of A(t) from the tangent of B at u.
-    pub(super) fn height(&self, t: f64, u: f64) -> f64 {
+    pub(crate) fn height(&self, t: f64, u: f64) -> f64 {
         let [a, da, _] = taylor(&self.curves[0], t);
         let [b, db, _] = taylor(&self.curves[1], u);
         let direction = if db == DVec2::ZERO { da } else { db };
@@ -71,7 +76,7 @@ impl NormalizedPair {
 
     /// Whether points of each piece lie in the box of the other one's control points, as they do if the pieces are the same.
     /// `margin` says by how much the boxes are widened, given their size.
-    pub(super) fn have_equal_boxes(
+    pub(crate) fn have_equal_boxes(
         &self,
         t: [f64; 2],
         u: [f64; 2],
@@ -100,7 +105,7 @@ impl NormalizedPair {
 
     /// The parameter on one curve that is nearest to a point, from a parameter nearby. Steps that lead farther away are
     /// halved.
-    pub(super) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
+    pub(crate) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
         let (mut best, mut min) = (near, f64::INFINITY);
         let mut t = near;
         for _ in 0..NEAREST_STEPS {
@@ -132,17 +137,17 @@ impl NormalizedPair {
     }
 
     /// The place on the second curve that is nearest to A(t).
-    pub(super) fn opposite(&self, t: f64, u: f64) -> (f64, f64) {
+    pub(crate) fn opposite(&self, t: f64, u: f64) -> (f64, f64) {
         (t, self.nearest(1, evaluate(&self.curves[0], t), u))
     }
 
     /// The place on the first curve that is nearest to B(u).
-    pub(super) fn across(&self, t: f64, u: f64) -> (f64, f64) {
+    pub(crate) fn across(&self, t: f64, u: f64) -> (f64, f64) {
         (self.nearest(0, evaluate(&self.curves[1], u), t), u)
     }
 
     /// The crossing that Newton's method finds from here.
-    pub(super) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+    pub(crate) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
         for _ in 0..CROSSING_STEPS {
             let [a, da, _] = taylor(&self.curves[0], t);
             let [b, db, _] = taylor(&self.curves[1], u);
@@ -160,7 +165,7 @@ impl NormalizedPair {
     }
 
     /// Where both have the same direction and are nearest to each other: A′ × B′ = 0 and (A − B) · A′ = 0.
-    pub(super) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
+    pub(crate) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
         for _ in 0..TANGENCY_STEPS {
             let [a, da, dda] = taylor(&self.curves[0], t);
             let [b, db, ddb] = taylor(&self.curves[1], u);

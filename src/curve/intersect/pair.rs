@@ -1,9 +1,9 @@
 //! Two curves made comparable.
 
-use super::super::{Points, Scalars, ratio};
-use super::contact_interval::joined;
-use super::pieces::{stops, with_ends};
-use super::{Curve, Intersection, IntersectionKind};
+use super::intersection::IntersectionKind;
+use super::pieces::stops;
+use crate::numeric::float::ratio;
+use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels as kernels;
 use casteljau_kernels::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
@@ -19,30 +19,21 @@ const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// What evaluating and cutting adds at size 1, for each degree.
 const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// Parameters so close are the same: a few roundings of numbers up to 1.
-const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
-
-/// A crossing that two pieces share is found by both, with some roundings between.
-const SAME_POINT: f64 = 1e-10;
-
-/// A contact so near to an end of a shared piece is that end.
-const ONE_END: f64 = 1e-7;
-
 /// A place by its parameters, and what it is.
-pub(super) type ClassifiedPoint = (f64, f64, IntersectionKind);
+pub(crate) type ClassifiedPoint = (f64, f64, IntersectionKind);
 
 /// Two curves moved to the origin and scaled to size 1.
-pub(super) struct NormalizedPair {
-    pub(super) curves: [Points<DVec2>; 2],
+pub(crate) struct NormalizedPair {
+    pub(crate) curves: [Points<DVec2>; 2],
     /// Points closer than this are one point.
-    pub(super) slack: f64,
+    pub(crate) slack: f64,
     /// Where they stop: cusps, and where a straight curve turns back.
-    pub(super) stops: [Scalars; 2],
+    pub(crate) stops: [Scalars; 2],
 }
 
 impl NormalizedPair {
     /// `None` where the boxes of the control points are apart.
-    pub(super) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
+    pub(crate) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
         let (min_a, max_a) = corners(a);
         let (min_b, max_b) = corners(b);
         let (min, max) = (min_a.min(min_b), max_a.max(max_b));
@@ -72,58 +63,8 @@ impl NormalizedPair {
         })
     }
 
-    /// Everything that the curves share, in order.
-    pub(super) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
-        let locations = if self.is_of_lines() {
-            self.lines()
-        } else {
-            self.exact(self.locations(self.contacts()))
-        };
-        locations
-            .into_iter()
-            .map(|(t, u, kind)| Intersection {
-                t,
-                u,
-                point: point_at(a, b, t, u),
-                kind,
-            })
-            .collect()
-    }
-
-    /// All contacts of the curves.
-    fn contacts(&self) -> Vec<kernels::Contact> {
-        if self.stops.iter().all(|stops| stops.is_empty()) {
-            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
-        } else {
-            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
-            let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
-            let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-            self.search(&cuts_a, &cuts_b, pairs)
-        }
-    }
-
-    /// What the contacts are, in order.
-    pub(super) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
-        let mut locations = Vec::with_capacity(found.len());
-        if found.iter().all(|contact| contact.crossing) {
-            let normalized =
-                |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
-            locations.extend(
-                found
-                    .iter()
-                    .map(normalized)
-                    .map(|(t, u)| (t, u, IntersectionKind::Cross)),
-            );
-        } else {
-            for interval in joined(self, found) {
-                self.classify(&interval, &mut locations);
-            }
-        }
-        tidied(locations)
-    }
-
     /// The contacts of some pieces with some others, in no order; the pieces lie between cuts.
-    pub(super) fn search(
+    pub(crate) fn search(
         &self,
         cuts_a: &[f64],
         cuts_b: &[f64],
@@ -153,69 +94,6 @@ impl NormalizedPair {
             solver.run([cuts_a[i], cuts_a[i + 1]], [cuts_b[j], cuts_b[j + 1]]);
         }
         solver.found
-    }
-}
-
-/// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
-fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
-    sort(&mut locations, |p, q| p.0 < q.0);
-    for k in 1..locations.len() {
-        if locations[k].0 - locations[k - 1].0 <= ONE_PARAMETER {
-            locations[k].0 = locations[k - 1].0;
-        }
-    }
-    sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
-    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
-    for &normalized in &locations {
-        let again = kept
-            .iter()
-            .rev()
-            .any(|q| near(normalized, (q.0, q.1), SAME_POINT) && is_point(q));
-        if !(is_point(&normalized) && (again || ends_piece(normalized, &locations))) {
-            kept.push(normalized);
-        }
-    }
-    kept
-}
-
-/// By insertion: the lists are short, or nearly in order.
-pub(super) fn sort(
-    locations: &mut [ClassifiedPoint],
-    before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
-) {
-    for k in 1..locations.len() {
-        let mut i = k;
-        while i > 0 && before(&locations[i], &locations[i - 1]) {
-            locations.swap(i, i - 1);
-            i -= 1;
-        }
-    }
-}
-
-fn is_point(normalized: &ClassifiedPoint) -> bool {
-    !matches!(normalized.2, IntersectionKind::Overlap { .. })
-}
-
-fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
-    (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
-}
-
-/// Whether a place is an end of a shared piece.
-fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
-    all.iter().any(|q| {
-        let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
-            return false;
-        };
-        near(normalized, (q.0, q.1), ONE_END) || near(normalized, (t_end, u_end), ONE_END)
-    })
-}
-
-/// The point of both; where one of them ends there, its end as it was given.
-fn point_at(a: &Curve<DVec2>, b: &Curve<DVec2>, t: f64, u: f64) -> DVec2 {
-    if (u == 0.0 || u == 1.0) && t != 0.0 && t != 1.0 {
-        b.eval(u)
-    } else {
-        a.eval(t)
     }
 }
 
@@ -277,5 +155,19 @@ fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
         y: points.iter().map(|p| p.y).collect(),
         from: 0.0,
         to: 1.0,
+    }
+}
+
+/// By insertion: the lists are short, or nearly in order.
+pub(crate) fn sort(
+    locations: &mut [ClassifiedPoint],
+    before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,
+) {
+    for k in 1..locations.len() {
+        let mut i = k;
+        while i > 0 && before(&locations[i], &locations[i - 1]) {
+            locations.swap(i, i - 1);
+            i -= 1;
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! Pieces that do not turn back.
 
-use super::super::roots::roots_inside;
-use super::super::{Points, Scalars, evaluate};
-use crate::order::sort_by;
-use crate::point::Point;
+use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::roots::roots_inside;
+use crate::geometry::point::Point;
+use crate::numeric::list::{Points, Scalars};
+use crate::numeric::sort::sort_by;
 use glam::DVec2;
 
 /// The derivative vanishes where it is below this part of its largest coefficient: a root is known to some roundings.
@@ -16,7 +17,7 @@ const NEVER_RATIO: f64 = 1e-9;
 const ONE_ROOT: f64 = 1e-7;
 
 /// The parameters inside (0, 1) where the derivative vanishes: cusps, and where a straight curve turns back.
-pub(super) fn stops(points: &[DVec2]) -> Scalars {
+pub(crate) fn stops(points: &[DVec2]) -> Scalars {
     let mut found = Scalars::new();
     if runs_forward(points) || never_stops(points) {
         return found;
@@ -52,13 +53,13 @@ fn never_stops(points: &[DVec2]) -> bool {
 }
 
 /// Whether no control edge runs against the chord: then the curve passes no point twice.
-pub(super) fn runs_forward(points: &[DVec2]) -> bool {
+pub(crate) fn runs_forward(points: &[DVec2]) -> bool {
     let chord = points[points.len() - 1] - points[0];
     chord != DVec2::ZERO && points.windows(2).all(|p| (p[1] - p[0]).dot(chord) >= 0.0)
 }
 
 /// 0, some parameters, 1: the ends of the pieces between them.
-pub(super) fn with_ends(inside: &[f64]) -> Vec<f64> {
+pub(crate) fn with_ends(inside: &[f64]) -> Vec<f64> {
     let mut all = vec![0.0];
     all.extend(inside);
     all.push(1.0);

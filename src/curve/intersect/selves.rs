@@ -1,10 +1,13 @@
 //! Where does a curve meet itself?
 
-use super::super::{Bounds, Points, blossom_piece};
+use super::super::Curve;
+use super::intersection::{IntersectionKind, SelfIntersection};
 use super::pair::NormalizedPair;
 use super::pieces::{runs_forward, stops};
-use super::{Curve, IntersectionKind, SelfIntersection};
-use crate::point::Point;
+use crate::bernstein::casteljau::blossom_piece;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
 use glam::DVec2;
 
 /// A loop shorter than this, in parameters, is a cusp but for rounding, from whose root the branches part with the third

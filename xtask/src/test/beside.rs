@@ -1,8 +1,7 @@
 //! Steps that run beside another: each in a process of its own, so that their output can be kept apart.
 
-use super::RUN_STEP;
 use super::args::{Choice, Request};
-use super::runner::{Command, Context, Done, Step, blocked, file, find, prepare, record};
+use super::step::{Command, Context, Done, Step, blocked, file, find, prepare, record};
 use super::summary::{Outcome, Record};
 use anyhow::{Result, bail};
 use std::fs::{self, File};
@@ -10,6 +9,9 @@ use std::io;
 use std::process::{self, Child, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::Instant;
+
+/// The hidden command by which the driver starts itself to run one step beside another.
+pub(crate) const RUN_STEP: &str = "run-test-step";
 
 /// A step that runs in a process of its own, its output kept until the step before it has ended.
 pub(crate) struct Other<'a> {

@@ -1,6 +1,6 @@
 //! The steps of `test-deep`: what would take too long in `test`.
 
-use super::runner::{Context, Done, Step};
+use super::step::{Context, Done, Step};
 use super::{node, select};
 use crate::{build, shell};
 use anyhow::Result;

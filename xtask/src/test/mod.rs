@@ -6,18 +6,17 @@ mod deep;
 mod node;
 mod runner;
 mod select;
+mod step;
 mod steps;
 mod summary;
 
 use crate::setup;
 use anyhow::Result;
 use args::{Request, StepName};
-pub(crate) use runner::Done;
-use runner::{Command, Step};
+pub(crate) use beside::RUN_STEP;
 pub(crate) use select::{binaries, mentions, test_targets};
-
-/// The hidden command by which the driver starts itself to run one step beside another.
-pub(crate) const RUN_STEP: &str = "run-test-step";
+pub(crate) use step::Done;
+use step::{Command, Step};
 
 /// All steps in order, or the chosen ones; a failed one does not keep the others from running.
 pub(crate) fn test(args: &[String]) -> Result<()> {

@@ -1,8 +1,8 @@
 //! The steps that run JavaScript tests, in Node and in browsers.
 
-use super::runner::{Context, Done};
 use super::select;
-use super::steps::run_all;
+use super::step::run_all;
+use super::step::{Context, Done};
 use crate::{browser, build, shell, stamp};
 use anyhow::Result;
 use std::path::{Path, PathBuf};

@@ -1,9 +1,9 @@
 //! The steps of `test`.
 
-use super::runner::{Context, Done, Step};
+use super::step::{Context, Done, Step, run_all};
 use super::{node, select};
 use crate::{build, shell, wasm_test};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use std::process::Command;
 
 /// A step without the exceptions that a few have.
@@ -138,21 +138,6 @@ pub(crate) const STEPS: [Step; 17] = [
         ..PLAIN
     },
 ];
-
-/// Runs all of the commands, whether or not one before failed.
-pub(crate) fn run_all(commands: impl IntoIterator<Item = Command>) -> Result<Done> {
-    let results = commands
-        .into_iter()
-        .map(|mut command| shell::run(&mut command));
-    let failed: Vec<String> = results
-        .filter_map(|result| result.err())
-        .map(|e| e.to_string())
-        .collect();
-    if !failed.is_empty() {
-        bail!("{}", failed.join("; "));
-    }
-    Ok(Done::Passed)
-}
 
 fn fmt(_: &Context) -> Result<Done> {
     run_all([shell::cargo(&["fmt", "--all", "--check"])])

@@ -1,0 +1,85 @@
+//! De Casteljau's algorithm: repeated linear interpolation between neighbours.
+//!
+//! Start with the control points; between each two neighbours put the point that divides their segment as t divides
+//! [0, 1]. That gives one point fewer. Repeat until one point is left: it is the point of the curve at t. The first
+//! points of all the rows are the control points of the piece before t, the last ones those of the piece after it.
+//! Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, §4.2.
+
+use crate::geometry::error::MAX_DEGREE;
+use crate::geometry::point::Point;
+
+/// The point at t by de Casteljau's algorithm, for one to 65 control points.
+pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
+    let mut row = [P::default(); MAX_DEGREE + 1];
+    let count = points.len();
+    row[..count].copy_from_slice(points);
+    for last in (1..count).rev() {
+        for i in 0..last {
+            row[i] = row[i].lerp(row[i + 1], t);
+        }
+    }
+    row[0]
+}
+
+/// Writes the control points of the pieces before and after t; both slices are as long as `points`.
+#[inline]
+pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: &mut [P]) {
+    right.copy_from_slice(points);
+    for (level, first) in left.iter_mut().enumerate() {
+        *first = right[0];
+        for i in 1..points.len() - level {
+            right[i - 1] = right[i - 1].lerp(right[i], t);
+        }
+    }
+}
+
+/// The same for coordinates in a row, `dimension` for each point; both slices start as the control points.
+#[cfg(feature = "wasm")]
+pub(crate) fn split_numbers(left: &mut [f64], right: &mut [f64], dimension: usize, t: f64) {
+    let s = 1.0 - t;
+    let mut last = right.len();
+    for first in left.chunks_exact_mut(dimension) {
+        first.copy_from_slice(&right[..dimension]);
+        last -= dimension;
+        for i in 0..last {
+            right[i] = right[i] * s + right[i + dimension] * t;
+        }
+    }
+}
+
+/// Replaces control points by those of the piece from t₀ to t₁.
+///
+/// Cuts first at the end that is nearer to the middle in such a way that no parameter leaves [0, 1] if t₀ and t₁ do
+/// not, so every step is a convex combination.
+pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
+    if 1.0 - t0 > t1 {
+        keep_after(points, t0);
+        let t = if t0 == 1.0 {
+            1.0
+        } else {
+            (t1 - t0) / (1.0 - t0)
+        };
+        keep_before(points, t);
+    } else {
+        keep_before(points, t1);
+        keep_after(points, if t1 == 0.0 { 0.0 } else { t0 / t1 });
+    }
+}
+
+/// The piece before t, in place.
+fn keep_before<P: Point>(points: &mut [P], t: f64) {
+    for level in 1..points.len() {
+        for i in (level..points.len()).rev() {
+            points[i] = points[i - 1].lerp(points[i], t);
+        }
+    }
+}
+
+/// The piece after t, in place.
+fn keep_after<P: Point>(points: &mut [P], t: f64) {
+    for level in 1..points.len() {
+        for i in 0..points.len() - level {
+            points[i] = points[i].lerp(points[i + 1], t);
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! The arc of a curve of any degree: its length up to t, and the t of a length.
+
+use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::check::max_abs;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
+use casteljau_kernels::{WorkLimit, binomial, speed_integral};
+use glam::DVec3;
+
+/// The error that is aimed at, as a part of the length; 10⁻¹² is promised.
+const USUAL_PART: f64 = 1e-14;
+
+/// More halvings than f64 can tell apart.
+const MAX_CUTS: usize = 56;
+
+/// Of the search for a t; bisection alone takes as many.
+const MAX_STEPS: usize = 64;
+
+/// Every interval is halved at least this often at degrees of 25 and more.
+const MAX_MIN_DEPTH: usize = 6;
+
+/// Intervals that are looked at, more than ten times what curves of moderate numbers need; past them the rest is taken as
+/// it is.
+const MAX_INTERVALS: usize = 1 << 12;
+
+/// A cut is moved to the least speed where that is this far from both ends, as a part of the interval.
+const OFF_THE_ENDS: f64 = 0.03;
+
+/// Between the end of an interval and its rule's first node; a little more. There a hook could hide.
+const BEFORE_FIRST_NODE: f64 = 0.006;
+
+/// Of the angle, 25°, by which the direction may turn there.
+const SHARP_COSINE: f64 = 0.9;
+
+/// A piece that one rule integrates: where it ends, and the length up to there.
+#[derive(Clone, Copy)]
+struct Piece {
+    t: f64,
+    length: f64,
+}
+
+/// The speed of a curve, in space, cut into pieces that one rule integrates well.
+pub(crate) struct ArcLengthTable {
+    slopes: Points<DVec3>,
+    /// `slopes` times their binomials.
+    weighted: Points<DVec3>,
+    pieces: Vec<Piece>,
+    /// Counts the intervals that are looked at.
+    work: WorkLimit,
+    tolerance: f64,
+    /// What rounding may do to an integral over [0, 1].
+    noise: f64,
+}
+
+impl ArcLengthTable {
+    /// From the differences of control points, of moderate size and not all zero. `tolerance`, infinite for none, is
+    /// looked at where it asks for more than is usual. Less is never done: where rules of a few points agree by chance, a
+    /// large error would go unseen.
+    pub(crate) fn new<P: Point>(slopes: &[P], tolerance: f64) -> Self {
+        let degree = slopes.len() as f64;
+        let slopes: Points<DVec3> = slopes.iter().map(|p| p.to_3d() * degree).collect();
+        let last = slopes.len() - 1;
+        let weighted = slopes.iter().enumerate();
+        let mut arc = Self {
+            weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
+            pieces: Vec::new(),
+            work: WorkLimit::new(MAX_INTERVALS),
+            tolerance: 0.0,
+            noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
+            slopes,
+        };
+        let whole = arc.between(0.0, 1.0);
+        arc.tolerance = (USUAL_PART * whole).min(tolerance / 8.0);
+        arc.refine(0.0, 1.0, whole, 0);
+        arc
+    }
+
+    /// The whole length.
+    pub(crate) fn length(&self) -> f64 {
+        self.pieces.last().map_or(0.0, |piece| piece.length)
+    }
+
+    /// The t up to which the length is s, for 0 ≤ s ≤ the whole, `slack` being the error in s that is allowed.
+    ///
+    /// Newton's method inside of a piece, with bisection where it leaves the interval that is known to hold t.
+    pub(crate) fn time(&self, s: f64, slack: f64) -> f64 {
+        let last = self.pieces.len() - 1;
+        let k = self
+            .pieces
+            .partition_point(|piece| piece.length < s)
+            .min(last);
+        let start = k.checked_sub(1).map_or(
+            Piece {
+                t: 0.0,
+                length: 0.0,
+            },
+            |before| self.pieces[before],
+        );
+        let Piece { t: end, length } = self.pieces[k];
+        let (rest, whole) = (s - start.length, length - start.length);
+        let (mut lo, mut hi) = (start.t, end);
+        let mut t = self.first_guess(lo, hi, rest / whole, whole);
+        for _ in 0..MAX_STEPS {
+            let off = self.between(start.t, t) - rest;
+            if off.abs() <= slack {
+                break;
+            }
+            if off < 0.0 {
+                lo = t;
+            } else {
+                hi = t;
+            }
+            let next = t - off / self.speed(t);
+            let inside = next > lo && next < hi;
+            let next = if inside { next } else { 0.5 * (lo + hi) };
+            if next == t {
+                break;
+            }
+            t = next;
+        }
+        t
+    }
+
+    /// The cubic through both ends of a piece with the slopes there, as t over the part x of the length.
+    fn first_guess(&self, lo: f64, hi: f64, x: f64, length: f64) -> f64 {
+        let even = length / (hi - lo);
+        let [first, second] = [lo, hi].map(|t| even / self.speed(t) - 1.0);
+        let guess = x + x * (1.0 - x) * (first * (1.0 - x) - second * x);
+        let part = if guess > 0.0 && guess < 1.0 { guess } else { x };
+        (lo + (hi - lo) * part).clamp(lo, hi)
+    }
+
+    fn speed(&self, t: f64) -> f64 {
+        Point::length(evaluate(&self.slopes, t))
+    }
+
+    /// ∫ |B′| from `lo` to `hi`, by one rule.
+    fn between(&self, lo: f64, hi: f64) -> f64 {
+        speed_integral(bytemuck::cast_slice(&self.weighted), lo, hi)
+    }
+
+    /// Cuts an interval until both parts together agree with the whole: then each of them is good.
+    fn refine(&mut self, lo: f64, hi: f64, whole: f64, depth: usize) {
+        let cut = self.location_of_cut(lo, hi, depth);
+        let (left, right) = (self.between(lo, cut), self.between(cut, hi));
+        let off = (left + right - whole).abs();
+        let good = depth >= self.min_depth()
+            && off <= self.tolerance.max(self.noise * (hi - lo))
+            && !self.turns_near(lo, cut)
+            && !self.turns_near(hi, cut)
+            && !self.turns_back(lo, hi);
+        if !self.work.spend(1) || good || depth >= MAX_CUTS {
+            self.push(cut, left);
+            self.push(hi, right);
+        } else {
+            self.refine(lo, cut, left, depth + 1);
+            self.refine(cut, hi, right, depth + 1);
+        }
+    }
+
+    /// High degrees may hide a wave between the nodes of the first rules.
+    fn min_depth(&self) -> usize {
+        (self.slopes.len() / 4).min(MAX_MIN_DEPTH)
+    }
+
+    /// Whether the curve may turn back between the nodes of a rule, which then does not see it.
+    fn turns_back(&self, lo: f64, hi: f64) -> bool {
+        let slopes = self.piece(lo, hi);
+        let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
+        self.deviates(&slopes, chord, 0.0, hi - lo)
+    }
+
+    /// Whether the curve turns so sharply near an end that neither rule has seen it. At the end itself the derivative may be
+    /// zero.
+    fn turns_near(&self, end: f64, cut: f64) -> bool {
+        let node = end + BEFORE_FIRST_NODE * (cut - end);
+        let (lo, hi) = (end.min(node), end.max(node));
+        let slopes = self.piece(lo, hi);
+        let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
+        self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
+    }
+
+    /// Whether one of the derivative's control points on a piece, in whose convex hull the derivative lies, deviates from a
+    /// direction by an angle with a smaller cosine, by more than the tolerance on the width of the piece.
+    fn deviates(&self, slopes: &[DVec3], direction: DVec3, cosine: f64, width: f64) -> bool {
+        let hidden = self.tolerance.max(self.noise * width);
+        let size = cosine * Point::length(direction);
+        slopes.iter().any(|&slope| {
+            let length = Point::length(slope);
+            slope.dot(direction) <= size * length && length * width > hidden
+        })
+    }
+
+    /// The control points of the derivative on a piece.
+    fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
+        let mut slopes = self.slopes.clone();
+        blossom_piece(&mut slopes, lo, hi);
+        slopes
+    }
+
+    fn push(&mut self, t: f64, length: f64) {
+        let before = self.length();
+        self.pieces.push(Piece {
+            t,
+            length: before + length,
+        });
+    }
+
+    /// The middle; once that did not help, the least speed inside.
+    fn location_of_cut(&self, lo: f64, hi: f64, depth: usize) -> f64 {
+        let middle = 0.5 * (lo + hi);
+        if depth < 2 {
+            return middle;
+        }
+        let min = self.min_speed(lo, hi);
+        let margin = OFF_THE_ENDS * (hi - lo);
+        if min > lo + margin && min < hi - margin {
+            min
+        } else {
+            middle
+        }
+    }
+
+    /// Where the speed has a minimum inside, by regula falsi (Illinois) on B′·B″; else an end.
+    fn min_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
+        let bend: Points<DVec3> = self
+            .slopes
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect();
+        let growth = |t: f64| evaluate(&self.slopes, t).dot(evaluate(&bend, t));
+        let (mut before, mut after) = (growth(lo), growth(hi));
+        if !(before < 0.0 && after > 0.0) {
+            return lo;
+        }
+        let (mut t, mut side) = (lo, 0.0);
+        for _ in 0..40 {
+            let next = (lo + (hi - lo) * (before / (before - after))).clamp(lo, hi);
+            if (next - t).abs() <= 1e-10 * (hi - lo) {
+                break;
+            }
+            t = next;
+            let value = growth(t);
+            let again = side * value > 0.0;
+            side = value;
+            if value < 0.0 {
+                (lo, before) = (t, value);
+                after *= if again { 0.5 } else { 1.0 };
+            } else {
+                (hi, after) = (t, value);
+                before *= if again { 0.5 } else { 1.0 };
+            }
+        }
+        t
+    }
+}

@@ -1,0 +1,105 @@
+//! Where on the curve is the point that is so far along it?
+
+use super::integral::ArcLengthTable;
+use super::length::hodograph;
+use crate::curve::Curve;
+use crate::curve::eval::check_segments;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+
+/// Without a tolerance, lengths are met to this part of the whole: a few roundings of its sum.
+const DEFAULT_SLACK: f64 = 4.0 * f64::EPSILON;
+
+/// A curve that is asked for the t of lengths: its table is made once.
+pub(crate) struct ArcLengthInverse {
+    arc: Option<ArcLengthTable>,
+    /// The curve's length.
+    length: f64,
+    /// The same as the table has it; it may differ by some roundings.
+    in_table: f64,
+    slack: f64,
+}
+
+impl ArcLengthInverse {
+    /// For a tolerance that was checked.
+    pub(crate) fn new<P: Point>(curve: &Curve<P>, tolerance: Option<f64>) -> Self {
+        let (slopes, unit) = hodograph(curve.control_points());
+        let arc = (unit > 0.0).then(|| ArcLengthTable::new(&slopes, f64::INFINITY));
+        let in_table = arc.as_ref().map_or(0.0, ArcLengthTable::length);
+        Self {
+            slack: (tolerance.unwrap_or(0.0) / (2.0 * unit)).max(DEFAULT_SLACK * in_table),
+            arc,
+            length: curve.arc_length(f64::INFINITY),
+            in_table,
+        }
+    }
+
+    /// The t up to which the length is s; an end for an s beyond it.
+    pub(crate) fn time(&self, s: f64) -> f64 {
+        let Some(arc) = self.arc.as_ref().filter(|_| s > 0.0) else {
+            return 0.0;
+        };
+        if s >= self.length {
+            return 1.0;
+        }
+        // A length may be infinite where its parts are not.
+        let part = s / self.length;
+        arc.time(part.min(1.0) * self.in_table, self.slack)
+    }
+}
+
+impl<P: Point> Curve<P> {
+    /// The t at which the curve has the length s behind it: the inverse of the length from 0 to t.
+    ///
+    /// s runs from 0 to the whole length; outside of it the nearer end comes back: 0, or 1. Of a curve that is a point
+    /// it is 0. `tolerance` is the greatest error, as a length in the unit of the points; without one it is 10⁻¹² of the
+    /// whole length. By Newton's method on the rest of the length, kept inside of an interval that shrinks.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for an s that is not finite; for a tolerance as [`length`](Self::length).
+    pub fn time_at_length(&self, s: f64, tolerance: Option<f64>) -> Result<f64, Error> {
+        check_length(s)?;
+        if let Some(tolerance) = tolerance {
+            check_tolerance(tolerance, self.max_abs())?;
+        }
+        Ok(ArcLengthInverse::new(self, tolerance).time(s))
+    }
+
+    /// `segments` + 1 parameters that divide the curve into arcs of one length; the first is 0, the last 1.
+    ///
+    /// The arcs are equal to 10⁻¹² of the whole length. Of a curve that is a point: even steps of t. The work grows with
+    /// `segments` alone, the curve's table being made once.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
+    pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
+        check_segments(segments, 1)?;
+        let table = ArcLengthInverse::new(self, None);
+        let mut ts = vec![0.0; segments + 1];
+        let mut before = 0.0;
+        for (i, t) in ts.iter_mut().enumerate().skip(1) {
+            let part = ratio(i, segments);
+            before = match &table.arc {
+                Some(arc) => arc.time(part * table.in_table, table.slack).max(before),
+                None => part,
+            };
+            *t = before;
+        }
+        ts[segments] = 1.0;
+        Ok(ts)
+    }
+}
+
+/// Refuses a length that is not finite.
+pub(crate) fn check_length(s: f64) -> Result<(), Error> {
+    if s.is_finite() {
+        return Ok(());
+    }
+    Err(Error::Range {
+        what: "s",
+        expected: "a finite number",
+        got: s,
+    })
+}

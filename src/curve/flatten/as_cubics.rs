@@ -1,0 +1,152 @@
+//! Flattening of a degree above 3 at a fine tolerance: cubics replace the curve first.
+//!
+//! The cubic with the same ends and end derivatives differs from a piece of the curve by at most max |B⁗| / 384, where
+//! the piece is run through in unit time. Where a cubic that is close enough spans many chords, measuring the chords on
+//! the cubic is some fifty times faster than on the curve itself. The vertices are points of the curve all the same.
+
+use crate::curve::Curve;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
+use glam::DVec3;
+
+/// A cubic differs from the curve by at most this part of the tolerance.
+const ERROR_PART: f64 = 1.0 / 32.0;
+
+/// What remains for the chords: the curve is as far from the cubic at a vertex and between vertices.
+const CHORD_PART: f64 = 1.0 - 2.0 * ERROR_PART;
+
+/// With this many chords on each cubic the additional vertices at the cubics' ends are few.
+const MIN_CHORDS: f64 = 24.0;
+
+/// The most cubics that are tried.
+const MAX_CUBICS: usize = 1 << 16;
+
+/// Halvings after which a piece is a point but for rounding.
+const MAX_HALVINGS: u32 = 48;
+
+/// A cubic in the place of a piece of a curve.
+pub(crate) struct CubicPiece {
+    /// Its control points.
+    pub(crate) points: [DVec3; 4],
+    /// The parameters of its ends on the curve.
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+}
+
+/// A piece of the curve, with its fourth differences as parts of the whole curve's: those of the piece's own points would
+/// be only rounding.
+struct Piece {
+    curve: Curve<DVec3>,
+    fourth: Curve<DVec3>,
+    halvings: u32,
+    from: f64,
+}
+
+/// Cubics in the place of a curve, and the tolerance for chords on them; `None` where chords on the curve itself are few.
+///
+/// # Errors
+/// [`Error::TooMany`] above 2¹⁶ cubics.
+pub(crate) fn as_cubics(
+    points: &[DVec3],
+    tolerance: f64,
+) -> Result<Option<(Vec<CubicPiece>, f64)>, Error> {
+    let mut cubics = Vec::new();
+    let mut chords = 0.0;
+    let mut rest = vec![Piece::whole(points)];
+    while let Some(piece) = rest.pop() {
+        if cubics.len() + rest.len() >= MAX_CUBICS {
+            return Err(Error::TooMany {
+                what: "cubics in the place of the curve",
+                limit: MAX_CUBICS,
+                needed: MAX_CUBICS + 1,
+            });
+        }
+        if piece.error() <= ERROR_PART * tolerance || piece.halvings == MAX_HALVINGS {
+            let cubic = piece.cubic();
+            chords += chord_count(&cubic.points, tolerance);
+            cubics.push(cubic);
+        } else {
+            let [left, right] = piece.halves();
+            rest.push(right);
+            rest.push(left);
+        }
+    }
+    let worth = chords >= MIN_CHORDS * cubics.len() as f64;
+    Ok(worth.then_some((cubics, CHORD_PART * tolerance)))
+}
+
+impl Piece {
+    fn whole(points: &[DVec3]) -> Self {
+        let n = (points.len() - 1) as f64;
+        let factor = n * (n - 1.0) * (n - 2.0) * (n - 3.0);
+        let fourth = |w: &[DVec3]| ((w[0] + w[4]) - (w[1] + w[3]) * 4.0 + w[2] * 6.0) * factor;
+        let fourths: Points<DVec3> = points.windows(5).map(fourth).collect();
+        Self {
+            curve: Curve::from_slice(points),
+            fourth: Curve::from_slice(&fourths),
+            halvings: 0,
+            from: 0.0,
+        }
+    }
+
+    fn length(&self) -> f64 {
+        (-f64::from(self.halvings)).exp2()
+    }
+
+    /// A bound on the distance from the cubic, point by point.
+    fn error(&self) -> f64 {
+        let length = |p: &DVec3| Point::length(*p);
+        let max = self.fourth.control_points().iter().map(length);
+        max.fold(0.0, f64::max) * self.length().powi(4) / 384.0
+    }
+
+    /// The cubic with the same ends and derivatives there.
+    fn cubic(&self) -> CubicPiece {
+        let p = self.curve.control_points();
+        let n = p.len() - 1;
+        let third = n as f64 / 3.0;
+        CubicPiece {
+            points: [
+                p[0],
+                p[0] + (p[1] - p[0]) * third,
+                p[n] + (p[n - 1] - p[n]) * third,
+                p[n],
+            ],
+            from: self.from,
+            to: self.from + self.length(),
+        }
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        let (left, right) = self.curve.halve();
+        let (left_fourth, right_fourth) = if self.fourth.points.len() == 1 {
+            (self.fourth.clone(), self.fourth.clone())
+        } else {
+            self.fourth.halve()
+        };
+        let halvings = self.halvings + 1;
+        let middle = self.from + 0.5 * self.length();
+        [
+            Self {
+                curve: left,
+                fourth: left_fourth,
+                halvings,
+                from: self.from,
+            },
+            Self {
+                curve: right,
+                fourth: right_fourth,
+                halvings,
+                from: middle,
+            },
+        ]
+    }
+}
+
+/// About how many chords a cubic needs: even steps of a second derivative D are within D/(8 N²) of the curve.
+fn chord_count(p: &[DVec3; 4], tolerance: f64) -> f64 {
+    let second = |i: usize| Point::length(p[i + 2] - p[i + 1] * 2.0 + p[i]);
+    let bend = 3.0 * (second(0) + second(1));
+    (bend / (8.0 * tolerance)).sqrt()
+}

@@ -1,0 +1,356 @@
+//! Which polyline is close enough?
+//!
+//! Flattening replaces a curve by chords. A tolerance promises that no point of the curve is farther from the
+//! polyline than that; it costs about √(size / tolerance) chords. The walk here takes, from each vertex, a chord that
+//! is nearly as long as the tolerance allows: the greatest distance of the piece from its chord is known in closed
+//! form up to degree 3 (see `deviation`) and bounded closely above (see `flatten_any`), so a guess is corrected
+//! once or twice and then kept. Uneven curvature, inflections, cusps and turn-backs need no cases of their own.
+
+mod as_cubics;
+mod cubic_deviation;
+mod deviation;
+mod high_degree;
+
+use super::Curve;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::{CrossProduct, Point};
+use crate::numeric::float::{ratio, ulp};
+use as_cubics::as_cubics;
+use cubic_deviation::CubicDeviation;
+use deviation::{Deviation, Fraction, fourth_root};
+use glam::DVec3;
+use high_degree::PieceDeviation;
+
+/// The most vertices that flattening returns.
+pub(crate) const MAX_VERTICES: usize = 1 << 24;
+
+/// A chord is kept when its squared deviation, as a part of the squared tolerance, is at least this: chords grow with
+/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as could be. A correction aims
+/// a little below the tolerance.
+const KEPT_FROM: f64 = 0.72;
+const AIMED_AT: f64 = 0.92;
+
+/// Corrections of one chord before the best safe one is taken.
+const MAX_CORRECTIONS: usize = 8;
+
+/// Steps of the rule that forecasts the number of chords.
+const FORECAST_STEPS: usize = 1024;
+
+/// Outside of this range of coordinates, squares of products leave the range of f64 and a scaled copy is measured.
+const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
+
+/// A polyline on a curve.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct Polyline<P> {
+    /// The vertices: the curve's start, points of the curve, its end.
+    pub points: Vec<P>,
+    /// The parameters of the vertices: 0, increasing, 1.
+    pub ts: Vec<f64>,
+}
+
+impl<P: Point> Curve<P> {
+    /// A polyline from which the curve is nowhere farther than `tolerance`, in the input's unit.
+    ///
+    /// The number of chords is at most one more, or a tenth more, than the fewest by longest-chord search. The first
+    /// and the last vertex are the end points; where a straight curve turns back there is a vertex (unless a vertex
+    /// lies within the tolerance of it). A curve that is a point gives that point twice. Source of the distance: the
+    /// cubic relative to its chord is s(1−s) times a linear function; see Filip, Magedson and Markot, "Surface
+    /// algorithms using bounds on derivatives", CAGD 3 (1986), for bounds of this kind.
+    ///
+    /// # Errors
+    /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
+    /// coordinate, [`Error::TooMany`] where more than 2²⁴ vertices are to be expected (a forecast, right to some per cent).
+    ///
+    /// Cost: up to degree 3 some 50 ns for each vertex. Above, n² steps for each piece that a cubic replaces, and the same
+    /// for each vertex; where the tolerance is so coarse that cubics bring nothing, some 20 n² steps for each vertex.
+    pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
+        self.check_flatten(tolerance)?;
+        let mut line = Polyline::default();
+        self.walk(tolerance, MAX_VERTICES, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
+        Ok(line)
+    }
+
+    /// As [`flatten`](Self::flatten), handing each vertex to `vertex` instead of collecting them.
+    ///
+    /// # Errors
+    /// As `flatten`, all before the first vertex.
+    pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
+        self.check_flatten(tolerance)?;
+        self.walk(tolerance, MAX_VERTICES, vertex)
+    }
+
+    /// Refuses what would fail, before anything is allocated.
+    fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
+        check_tolerance(tolerance, self.max_abs())?;
+        check_vertices(|| std::iter::once(self.clone()), tolerance)
+    }
+
+    /// As [`flatten`](Self::flatten) with a lower limit on the number of vertices, for a tolerance that was checked.
+    pub(crate) fn flatten_within(
+        &self,
+        tolerance: f64,
+        limit: usize,
+    ) -> Result<Polyline<P>, Error> {
+        check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit)?;
+        let mut line = Polyline::default();
+        self.walk(tolerance, limit, |t, point| {
+            line.ts.push(t);
+            line.points.push(point);
+        })?;
+        Ok(line)
+    }
+
+    /// About how many chords a fine tolerance needs: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint rule; to some
+    /// per cent.
+    fn expected_chords(&self, tolerance: f64) -> f64 {
+        let size = self.max_abs();
+        let scaled: crate::numeric::list::Points<P> =
+            self.points.iter().map(|&p| p / size).collect();
+        let first = Self { points: scaled }.derivative();
+        let second = first.derivative();
+        let density = |k: usize| {
+            let t = (k as f64 + 0.5) / FORECAST_STEPS as f64;
+            let (v, a) = (first.eval(t), second.eval(t));
+            let speed = v.length();
+            if speed > 0.0 {
+                (v.cross(a).size_squared().sqrt() / speed).sqrt()
+            } else {
+                0.0
+            }
+        };
+        let mean = (0..FORECAST_STEPS).map(density).sum::<f64>() / FORECAST_STEPS as f64;
+        mean / (8.0 * AIMED_AT.sqrt() * (tolerance / size)).sqrt()
+    }
+
+    fn walk(
+        &self,
+        tolerance: f64,
+        limit: usize,
+        mut vertex: impl FnMut(f64, P),
+    ) -> Result<(), Error> {
+        let size = self.max_abs();
+        let plain = PLAIN_RANGE.contains(&size);
+        vertex(0.0, self.start());
+        if !(plain && self.deviates_by(16.0 * ulp(size)))
+            && let Some(ts) = self.turns_of_straight(tolerance)
+        {
+            ts.iter().for_each(|&t| vertex(t, self.eval(t)));
+            vertex(1.0, self.end());
+            return Ok(());
+        }
+        let mut inside = |t: f64| vertex(t, if t == 1.0 { self.end() } else { self.eval(t) });
+        // Rounding of a vertex takes its share of the tolerance first.
+        let budget = tolerance - 2.0 * ulp(size);
+        if plain {
+            walk_points(&self.points, budget, limit, &mut inside)
+        } else {
+            let scaled: crate::numeric::list::Points<P> =
+                self.points.iter().map(|&p| p / size).collect();
+            walk_points(&scaled, budget / size, limit, &mut inside)
+        }
+    }
+
+    /// Whether some control point is farther than a distance from the line through the ends: a quick answer to whether a
+    /// curve is straight, which may be no where the ends are close.
+    fn deviates_by(&self, distance: f64) -> bool {
+        let start = self.start();
+        let chord = self.end() - start;
+        let min = distance * distance * chord.dot(chord);
+        self.points
+            .iter()
+            .any(|&p| chord.cross(p - start).size_squared() > min)
+    }
+
+    /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
+    fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
+        // Rounding of points on a line, and of this test: up to 8 ulps. It takes its share of the tolerance.
+        let noise = (8.0 * ulp(self.max_abs())).min(0.5 * tolerance);
+        let tolerance = tolerance - noise;
+        let (start, end) = (self.start(), self.end());
+        let farthest = |p: P, q: P| {
+            if (q - start).max_abs() > (p - start).max_abs() {
+                q
+            } else {
+                p
+            }
+        };
+        let direction =
+            (self.points.iter().fold(end, |p, &q| farthest(p, q)) - start).normalize_or_zero();
+        let across = |p: P| ((p - start) - direction * (p - start).dot(direction)).max_abs();
+        if self.points.iter().any(|&p| across(p) > noise) {
+            return None;
+        }
+        // Along the line only one coordinate is needed: the one that varies most.
+        let axis = (0..P::DIMENSION).max_by(|&a, &b| {
+            direction
+                .coordinate(a)
+                .abs()
+                .total_cmp(&direction.coordinate(b).abs())
+        })?;
+        // Each turn that is left out lies within the tolerance of the end of its own chord.
+        let mut turns = self.extrema_on(axis).to_vec();
+        let near = |t: f64, p: P| (self.eval(t) - p).length() <= tolerance;
+        while turns.last().is_some_and(|&t| near(t, end)) {
+            turns.pop();
+        }
+        let mut last = start;
+        turns.retain(|&t| {
+            let kept = !near(t, last);
+            if kept {
+                last = self.eval(t);
+            }
+            kept
+        });
+        Some(turns)
+    }
+}
+
+/// Refuses to flatten curves together where more vertices are to be expected than the limit allows.
+pub(crate) fn check_vertices<P: Point, I: Iterator<Item = Curve<P>>>(
+    curves: impl Fn() -> I,
+    tolerance: f64,
+) -> Result<(), Error> {
+    check_vertices_within(curves, tolerance, MAX_VERTICES)
+}
+
+fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
+    curves: impl Fn() -> I,
+    tolerance: f64,
+    limit: usize,
+) -> Result<(), Error> {
+    // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size: often far too many.
+    let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
+    let max = limit as f64;
+    if curves().map(enough).sum::<f64>() <= max
+        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < max
+    {
+        return Ok(());
+    }
+    Err(Error::TooMany {
+        what: "vertices",
+        limit,
+        needed: limit.saturating_add(1),
+    })
+}
+
+fn walk_points<P: Point>(
+    points: &[P],
+    tolerance: f64,
+    limit: usize,
+    vertex: &mut impl FnMut(f64),
+) -> Result<(), Error> {
+    let mut left = limit.saturating_sub(1);
+    if points.len() <= 4 {
+        return walk_chords(
+            &mut CubicDeviation::new(points, tolerance),
+            &mut left,
+            vertex,
+        );
+    }
+    let points: crate::numeric::list::Points<DVec3> = points.iter().map(|p| p.to_3d()).collect();
+    let Some((cubics, tolerance)) = as_cubics(&points, tolerance)? else {
+        return walk_chords(
+            &mut PieceDeviation::new(points, tolerance),
+            &mut left,
+            vertex,
+        );
+    };
+    for cubic in cubics {
+        let (from, length) = (cubic.from, cubic.to - cubic.from);
+        let mut inside = |s: f64| {
+            vertex(if s == 1.0 {
+                cubic.to
+            } else {
+                from + length * s
+            })
+        };
+        let mut deviation = CubicDeviation::new(&cubic.points, tolerance);
+        walk_chords(&mut deviation, &mut left, &mut inside)?;
+    }
+    Ok(())
+}
+
+/// From vertex to vertex until t = 1; `left` is the number of vertices still allowed.
+fn walk_chords(
+    deviation: &mut impl Deviation,
+    left: &mut usize,
+    vertex: &mut impl FnMut(f64),
+) -> Result<(), Error> {
+    let mut t = 0.0;
+    deviation.start_at(t);
+    let (mut previous, mut step): (f64, f64) = (f64::INFINITY, 0.0);
+    while *left > 0 {
+        *left -= 1;
+        let rest = 1.0 - t;
+        // The change of the last two steps goes on, within reason.
+        let expected = step * (step / previous).clamp(0.6, 1.6);
+        previous = step;
+        step = longest_step(deviation, deviation.guess(expected), rest);
+        if step >= rest {
+            vertex(1.0);
+            return Ok(());
+        }
+        let next = t + step;
+        t = if next > t { next } else { t.next_up() };
+        vertex(t);
+        deviation.start_at(t);
+    }
+    Err(Error::TooMany {
+        what: "vertices",
+        limit: MAX_VERTICES,
+        needed: MAX_VERTICES + 1,
+    })
+}
+
+/// A step that keeps the tolerance and uses most of it, or the whole rest.
+#[inline]
+fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
+    let h = deviation.first_try(guess, rest);
+    let squared = deviation.squared(h);
+    if squared.bounded_by(1.0) && (h >= rest || !squared.bounded_by(KEPT_FROM)) {
+        return h;
+    }
+    corrected_step(deviation, h, squared, rest)
+}
+
+/// The same after a first step `h` that was too long or too short.
+fn corrected_step(
+    deviation: &mut impl Deviation,
+    mut h: f64,
+    mut squared: Fraction,
+    rest: f64,
+) -> f64 {
+    let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
+    for correction in 0.. {
+        if squared.bounded_by(1.0) {
+            if h >= rest || !squared.bounded_by(KEPT_FROM) {
+                return h;
+            }
+            safe = h;
+        } else {
+            unsafe_from = h;
+        }
+        if (correction >= MAX_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
+            break;
+        }
+        let next = h * fourth_root(AIMED_AT * squared.under, squared.over);
+        let between = next > safe && next < unsafe_from;
+        h = if between {
+            next
+        } else {
+            0.5 * (safe + unsafe_from.min(4.0 * h))
+        }
+        .min(rest);
+        squared = deviation.squared(h);
+    }
+    safe
+}

@@ -1,0 +1,119 @@
+//! All intersections of a pair of curves: search, classification, one entry for each.
+
+use super::super::Curve;
+use super::contact_interval::joined;
+use super::intersection::{Intersection, IntersectionKind};
+use super::pair::{ClassifiedPoint, NormalizedPair, sort};
+use super::pieces::with_ends;
+use casteljau_kernels as kernels;
+use glam::DVec2;
+
+/// Parameters so close are the same: a few roundings of numbers up to 1.
+const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
+
+/// A crossing that two pieces share is found by both, with some roundings between.
+const SAME_POINT: f64 = 1e-10;
+
+/// A contact so near to an end of a shared piece is that end.
+const ONE_END: f64 = 1e-7;
+
+impl NormalizedPair {
+    /// Everything that the curves share, in order.
+    pub(crate) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
+        let locations = if self.is_of_lines() {
+            self.lines()
+        } else {
+            self.exact(self.locations(self.contacts()))
+        };
+        locations
+            .into_iter()
+            .map(|(t, u, kind)| Intersection {
+                t,
+                u,
+                point: point_at(a, b, t, u),
+                kind,
+            })
+            .collect()
+    }
+
+    /// All contacts of the curves.
+    fn contacts(&self) -> Vec<kernels::Contact> {
+        if self.stops.iter().all(|stops| stops.is_empty()) {
+            self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
+        } else {
+            let [cuts_a, cuts_b] = self.stops.each_ref().map(|stops| with_ends(stops));
+            let (n, m) = (cuts_a.len() - 1, cuts_b.len() - 1);
+            let pairs = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
+            self.search(&cuts_a, &cuts_b, pairs)
+        }
+    }
+
+    /// What the contacts are, in order.
+    pub(crate) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
+        let mut locations = Vec::with_capacity(found.len());
+        if found.iter().all(|contact| contact.crossing) {
+            let normalized =
+                |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            locations.extend(
+                found
+                    .iter()
+                    .map(normalized)
+                    .map(|(t, u)| (t, u, IntersectionKind::Cross)),
+            );
+        } else {
+            for interval in joined(self, found) {
+                self.classify(&interval, &mut locations);
+            }
+        }
+        tidied(locations)
+    }
+}
+
+/// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
+fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
+    sort(&mut locations, |p, q| p.0 < q.0);
+    for k in 1..locations.len() {
+        if locations[k].0 - locations[k - 1].0 <= ONE_PARAMETER {
+            locations[k].0 = locations[k - 1].0;
+        }
+    }
+    sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
+    let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
+    for &normalized in &locations {
+        let again = kept
+            .iter()
+            .rev()
+            .any(|q| near(normalized, (q.0, q.1), SAME_POINT) && is_point(q));
+        if !(is_point(&normalized) && (again || ends_piece(normalized, &locations))) {
+            kept.push(normalized);
+        }
+    }
+    kept
+}
+
+fn is_point(normalized: &ClassifiedPoint) -> bool {
+    !matches!(normalized.2, IntersectionKind::Overlap { .. })
+}
+
+fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
+    (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
+}
+
+/// Whether a place is an end of a shared piece.
+fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
+    all.iter().any(|q| {
+        let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
+            return false;
+        };
+        near(normalized, (q.0, q.1), ONE_END) || near(normalized, (t_end, u_end), ONE_END)
+    })
+}
+
+/// The point of both; where one of them ends there, its end as it was given.
+fn point_at(a: &Curve<DVec2>, b: &Curve<DVec2>, t: f64, u: f64) -> DVec2 {
+    if (u == 0.0 || u == 1.0) && t != 0.0 && t != 1.0 {
+        b.eval(u)
+    } else {
+        a.eval(t)
+    }
+}

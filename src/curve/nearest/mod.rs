@@ -1,0 +1,248 @@
+//! Which point of the curve is nearest?
+//!
+//! At the nearest point the way to the query is perpendicular to the curve, or the curve ends there. So: all roots of
+//! (B(t) − q)·B′(t) = 0, found by isolation and not by sampling, and both ends. Plane and space go the same way; degrees
+//! up to 3 have a kernel of their own, which looks at minima only.
+
+pub(crate) mod distance;
+mod hausdorff;
+
+use super::Curve;
+use super::with_derivatives::CurveWithDerivatives;
+use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::product::Binomials;
+use crate::bernstein::roots::{roots_inside, sign_changes};
+use crate::geometry::check::{check_finite, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
+use casteljau_kernels::{WorkLimit, nearest_in_plane, nearest_in_space};
+
+/// The point of a curve or of a spline that is nearest to another point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct Nearest<P> {
+    /// The parameter; on a spline from 0 to the number of segments.
+    pub t: f64,
+    /// The point at t.
+    pub point: P,
+    /// Its distance from the point that was asked for.
+    pub distance: f64,
+}
+
+/// Halvings after which several roots count as one: squared distances differ by the square of the width there.
+const MAX_HALVINGS: usize = 26;
+
+/// Pieces that are looked at, and so many more for each degree: more than ten times what curves of moderate numbers need.
+const MAX_PIECES: usize = 64;
+const MAX_PIECES_PER_DEGREE: usize = 16;
+
+/// What a search on a quadratic or a cubic counts as, in pieces.
+const STEPS_OF_CUBIC: usize = 8;
+
+/// Steps of Newton's method after a root was found; one or two at most places.
+const MAX_STEPS: usize = 12;
+
+impl<P: Point> Curve<P> {
+    /// The point of the curve that is nearest to p: the least |B(t) − p| for t in \[0, 1\], ends included.
+    ///
+    /// It is the least of all, not of a neighbourhood: every root of the polynomial (B(t) − p)·B′(t), of degree 2n − 1, is
+    /// isolated by its Bernstein coefficients. Distances that differ by less than a few ulps of the largest coordinate of
+    /// B − p count as equal; of equally near points the one with the smallest t is given. Of a curve that is a point: t = 0.
+    /// The distance is in the unit of the points.
+    ///
+    /// Up to degree 3 at most 256 pieces of the polynomial are looked at, above 64 + 16 n; pieces that are farther away than a
+    /// point found before are left out. Only distances that are constant but for rounding need more pieces; those that are
+    /// left are then not halved any more.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a NaN or an infinity.
+    ///
+    /// Source: Schneider, "Solving the nearest-point-on-curve problem", *Graphics Gems* (1990), for the polynomial; Lane
+    /// and Riesenfeld, BIT 21 (1981), for the isolation.
+    ///
+    /// ```
+    /// use casteljau::{Curve, glam::DVec2};
+    ///
+    /// let parabola = Curve::new(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)].map(DVec2::from))?;
+    /// let nearest = parabola.nearest(DVec2::new(80.0, 20.0))?;
+    /// assert_eq!((nearest.t, nearest.point), (0.5, DVec2::new(75.0, 25.0)));
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn nearest(&self, p: P) -> Result<Nearest<P>, Error> {
+        check_finite("p", &[p])?;
+        Ok(nearest_on(&self.points, p))
+    }
+}
+
+/// The nearest point of the curve with these control points; all is finite.
+pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
+    let t = nearest_parameter(points, p);
+    let point = evaluate(points, t);
+    // Halves: the difference of ±1e308 would overflow.
+    let distance = (point * 0.5 - p * 0.5).length() * 2.0;
+    Nearest { t, point, distance }
+}
+
+/// The parameter of the nearest point of the curve with these control points.
+pub(crate) fn nearest_parameter<P: Point>(points: &[P], p: P) -> f64 {
+    counted_parameter(points, p).0
+}
+
+/// The same, with the number of pieces that were looked at; up to degree 3 a number that stands for them.
+pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
+    if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
+        return (t, STEPS_OF_CUBIC);
+    }
+    let unit = unit_for(max_abs(points).max(p.max_abs()));
+    let about: Points<P> = points.iter().map(|&q| q * unit - p * unit).collect();
+    if let [a, b] = *about {
+        return (on_segment(a, b), 1);
+    }
+    as_cubic(&about)
+        .and_then(|cubic| on_cubic(cubic, P::default()))
+        .map_or_else(|| of_any_degree(&about), |t| (t, STEPS_OF_CUBIC))
+}
+
+/// A power of two that makes the size about 1.
+pub(crate) fn unit_for(size: f64) -> f64 {
+    let exponent = size.to_bits() >> 52;
+    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
+}
+
+/// The parameter of the point from a to b that is nearest to the origin.
+fn on_segment<P: Point>(a: P, b: P) -> f64 {
+    let chord = b - a;
+    let t = -a.dot(chord) / chord.dot(chord);
+    // Of two points in one place: 0/0.
+    if t > 0.0 { t.min(1.0) } else { 0.0 }
+}
+
+/// A curve of degree 2 or 3 as a cubic.
+#[inline]
+fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
+    match *points {
+        [a, b, c] => Some([a, b.lerp(a, 1.0 / 3.0), b.lerp(c, 1.0 / 3.0), c]),
+        [a, b, c, d] => Some([a, b, c, d]),
+        _ => None,
+    }
+}
+
+#[inline]
+fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
+    // In wasm one kernel is enough.
+    if P::DIMENSION == 2 && cfg!(not(target_family = "wasm")) {
+        let flat = |p: P| p.to_2d().to_array();
+        nearest_in_plane(&points.map(flat), &flat(p))
+    } else {
+        let space = |p: P| p.to_3d().to_array();
+        nearest_in_space(&points.map(space), &space(p))
+    }
+}
+
+/// The same for points given from the query, through the roots of B·B′.
+fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
+    let n = points.len() - 1;
+    let mut search = Search {
+        chord: CurveWithDerivatives::new(points),
+        binomials: Binomials::new(n, n - 1),
+        slack: 4.0 * f64::EPSILON * max_abs(points),
+        t: 0.0,
+        min: points[0].length(),
+        end: points[n].length(),
+        work: WorkLimit::new(MAX_PIECES + MAX_PIECES_PER_DEGREE * n),
+    };
+    search.run(points, [0.0, 1.0], MAX_HALVINGS);
+    search.consider(1.0);
+    (search.t, search.work.used())
+}
+
+/// The search for the point of a curve that is nearest to the origin.
+struct Search<'a, P: Point> {
+    chord: CurveWithDerivatives<'a, P>,
+    binomials: Binomials,
+    /// Distances that differ by less are equal.
+    slack: f64,
+    t: f64,
+    /// The distance at t.
+    min: f64,
+    /// The distance of the curve's end.
+    end: f64,
+    work: WorkLimit,
+}
+
+impl<P: Point> Search<'_, P> {
+    fn consider(&mut self, t: f64) {
+        let (t, distance) = closer(&self.chord, t);
+        if distance < self.min - self.slack {
+            (self.t, self.min) = (t, distance);
+        }
+    }
+
+    /// The places where B·B′ changes sign from − to +, from left to right. The control points are halved and not the
+    /// coefficients: where roots lie close together those are small, and so is their rounding then.
+    fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
+        let within = self.work.spend(1);
+        let bound = distance_of_box(points);
+        if bound > self.min.min(self.end) + self.slack {
+            return;
+        }
+        let rate = self
+            .binomials
+            .product(|i, j| points[i].dot(points[j + 1] - points[j]));
+        let (changes, sign) = sign_changes(&rate);
+        if changes == 0 || changes == 1 && sign > 0.0 {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        if (points.len() - 1) as f64 * max_of(&rate) <= self.slack * bound {
+            // B·B′ / |B| is the derivative of the distance, which is constant here but for rounding.
+            return self.consider(mid);
+        }
+        if changes == 1 || halvings == 0 || !within {
+            roots_inside(&rate)
+                .iter()
+                .for_each(|s| self.consider(lo + (hi - lo) * s));
+            return;
+        }
+        let (left, right) = Curve::from_slice(points).halve();
+        self.run(&left.points, [lo, mid], halvings - 1);
+        self.consider(mid);
+        self.run(&right.points, [mid, hi], halvings - 1);
+    }
+}
+
+/// The distance of the origin from the box of some points.
+fn distance_of_box<P: Point>(points: &[P]) -> f64 {
+    let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
+    let (low, high) = points[1..].iter().fold((points[0], points[0]), around);
+    low.max(high * -1.0).max(P::default()).length()
+}
+
+/// The greatest absolute value of some numbers.
+fn max_of(numbers: &[f64]) -> f64 {
+    numbers.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
+}
+
+/// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve
+/// hardly moves the roots of B·B′ are not known well. The parameter and the distance.
+fn closer<P: Point>(chord: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
+    let mut p = chord.at(t);
+    for _ in 0..MAX_STEPS {
+        let [first, second] = chord.derivatives(t);
+        let next = t - p.dot(first) / (first.dot(first) + p.dot(second));
+        if !(next > 0.0 && next < 1.0) {
+            break;
+        }
+        let q = chord.at(next);
+        if q.dot(q) >= p.dot(p) {
+            break;
+        }
+        (t, p) = (next, q);
+    }
+    (t, p.length())
+}

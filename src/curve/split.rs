@@ -1,0 +1,69 @@
+//! Splitting a curve by de Casteljau's algorithm.
+
+use super::Curve;
+use crate::bernstein::casteljau::{blossom_piece, split_into};
+use crate::geometry::point::Point;
+
+impl<P: Point> Curve<P> {
+    /// All levels of de Casteljau's triangle at t: the control points first, the point of the curve last.
+    ///
+    /// Level k has n + 1 − k points; each lies on the segment between two neighbours of the level before.
+    pub fn de_casteljau(&self, t: f64) -> Vec<Vec<P>> {
+        let mut levels = vec![self.points.to_vec()];
+        for level in 0..self.degree() {
+            let next = levels[level]
+                .windows(2)
+                .map(|pair| pair[0].lerp(pair[1], t))
+                .collect();
+            levels.push(next);
+        }
+        levels
+    }
+
+    /// The two pieces before and after t, as curves of the same degree.
+    ///
+    /// They join at B(t), where they share one point, and keep the outer ends exactly. t outside [0, 1] gives a piece
+    /// that reaches beyond the curve and one that runs back.
+    #[inline]
+    pub fn split(&self, t: f64) -> (Self, Self) {
+        if let [p0, p1, p2, p3] = *self.points {
+            let (p01, p12, p23) = (p0.lerp(p1, t), p1.lerp(p2, t), p2.lerp(p3, t));
+            let (p012, p123) = (p01.lerp(p12, t), p12.lerp(p23, t));
+            let p = p012.lerp(p123, t);
+            return (
+                Self::from_slice(&[p0, p01, p012, p]),
+                Self::from_slice(&[p, p123, p23, p3]),
+            );
+        }
+        let mut left = self.points.clone();
+        let mut right = self.points.clone();
+        split_into(&self.points, t, &mut left, &mut right);
+        (Self::from_points(left), Self::from_points(right))
+    }
+
+    /// The two halves at t = ½.
+    ///
+    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: sums and halvings
+    /// only, and powers of two round nothing.
+    #[inline]
+    pub fn halve(&self) -> (Self, Self) {
+        self.split(0.5)
+    }
+
+    /// The piece from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives it backwards.
+    ///
+    /// Its ends are B(t₀) and B(t₁). With t₀ = t₁ the piece is a point.
+    #[must_use]
+    pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
+        if t0 > t1 {
+            return self.subsegment(t1, t0).reverse();
+        }
+        let mut piece = self.points.clone();
+        blossom_piece(&mut piece, t0, t1);
+        // The same numbers as eval gives, so that pieces made apart join without a gap.
+        let last = piece.len() - 1;
+        piece[0] = self.eval(t0);
+        piece[last] = self.eval(t1);
+        Self::from_points(piece)
+    }
+}

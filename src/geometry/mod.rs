@@ -1,0 +1,6 @@
+//! Points, boxes, errors, and checks of arguments.
+
+pub(crate) mod bounds;
+pub(crate) mod check;
+pub(crate) mod error;
+pub(crate) mod point;

@@ -1,0 +1,12 @@
+//! Text and file formats: SVG path data, the text forms of surfaces, and meshes as OBJ, STL and GLB.
+
+mod export;
+mod file_size;
+mod glb;
+mod surface_text;
+pub(crate) mod svg_error;
+pub(crate) mod svg_number;
+mod svg_read;
+mod svg_write;
+pub(crate) mod text_reader;
+pub(crate) mod text_write;

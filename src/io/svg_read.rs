@@ -1,0 +1,198 @@
+//! Paths from SVG path data.
+
+use super::svg_error::SvgError;
+use super::svg_number::{Refusal, Scanner};
+use crate::path::Path;
+use crate::path::arc::Arc;
+use crate::path::builder::PathBuilder;
+use glam::DVec2;
+
+/// The numbers that a command takes, apart from the arc's.
+fn arguments(command: u8) -> Option<usize> {
+    match command {
+        b'Z' => Some(0),
+        b'H' | b'V' => Some(1),
+        b'M' | b'L' | b'T' => Some(2),
+        b'S' | b'Q' => Some(4),
+        b'C' => Some(6),
+        b'A' => Some(7),
+        _ => None,
+    }
+}
+
+impl Path {
+    /// A path from the `d` of an SVG `<path>`.
+    ///
+    /// All commands M L H V C S Q T A Z in both cases, repeated numbers, numbers in every form of the grammar ("1." too,
+    /// as in SVG 1.1). Lines become degree 1, quadratics 2, cubics 3. An arc becomes cubics, each within 10⁻⁹ of the larger
+    /// radius; radii that are too small grow until they reach, a radius of 0 gives a line, an arc without a length
+    /// nothing. Where its ends lie opposite each other to the rounding of their coordinates, the arc is half the ellipse.
+    ///
+    /// Every `M` starts a subpath. One without a segment ("M1 1" alone) draws nothing and is left out; "M1 1Z" is a closed
+    /// subpath of one line without a length (a dot, with round caps). `Z` adds a line to the start unless the pen is
+    /// there; a `Z` right after a `Z` does nothing. Empty data gives the empty path.
+    ///
+    /// The time is proportional to the length of the text. Source: *SVG 2*, §9.3 (grammar), §9.5 (errors), B.2 (arcs).
+    ///
+    /// # Errors
+    /// [`SvgError`] with the offset and what was read before, as SVG asks: the error ends the path.
+    pub fn from_svg(d: &str) -> Result<Self, SvgError> {
+        let mut scanner = Scanner::new(d);
+        let mut reader = Reader::default();
+        let result = read(&mut scanner, &mut reader);
+        let path = reader.builder.finished();
+        match result {
+            Ok(()) => Ok(path),
+            Err(Refusal { offset, expected }) => Err(SvgError {
+                offset,
+                expected,
+                got: scanner.shown(offset),
+                path,
+            }),
+        }
+    }
+}
+
+fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
+    scanner.skip_blanks();
+    let mut expected = "\"M\" or \"m\"";
+    while !scanner.at_end() {
+        let command = scanner.peek();
+        let first = expected != "a command";
+        let count = arguments(command.to_ascii_uppercase())
+            .filter(|_| !first || command.eq_ignore_ascii_case(&b'M'));
+        let Some(count) = count else {
+            return Err(Refusal {
+                offset: scanner.at,
+                expected,
+            });
+        };
+        expected = "a command";
+        scanner.at += 1;
+        scanner.skip_blanks();
+        if count == 0 {
+            reader.close();
+        } else {
+            read_groups(scanner, reader, command, count)?;
+        }
+    }
+    Ok(())
+}
+
+/// The arguments of a command, once or more often.
+fn read_groups(
+    scanner: &mut Scanner<'_>,
+    reader: &mut Reader,
+    mut command: u8,
+    count: usize,
+) -> Result<(), Refusal> {
+    loop {
+        let offset = scanner.at;
+        let mut numbers = [0.0; 7];
+        for (k, number) in numbers[..count].iter_mut().enumerate() {
+            if k > 0 {
+                scanner.skip_separator();
+            }
+            let flag = count == 7 && (k == 3 || k == 4);
+            *number = if flag {
+                f64::from(u8::from(scanner.flag()?))
+            } else {
+                scanner.number()?
+            };
+        }
+        if !reader.draw(command, &numbers) {
+            return Err(Refusal {
+                offset,
+                expected: "finite coordinates",
+            });
+        }
+        let comma = scanner.skip_separator();
+        if !comma && !scanner.at_number() {
+            return Ok(());
+        }
+        // What follows a moveto are linetos.
+        command = match command {
+            b'M' => b'L',
+            b'm' => b'l',
+            _ => command,
+        };
+    }
+}
+
+/// A path that is being read: what the commands relative to earlier ones refer to.
+#[derive(Default)]
+struct Reader {
+    builder: PathBuilder,
+    /// The last control point of a preceding cubic (for S) and quadratic (for T).
+    cubic: Option<DVec2>,
+    quadratic: Option<DVec2>,
+}
+
+impl Reader {
+    /// Adds one command with its numbers; false, and nothing is added, where they lead out of what f64 holds.
+    fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
+        let from = self.builder.current_point();
+        let base = if command.is_ascii_lowercase() {
+            from
+        } else {
+            DVec2::splat(-0.0) // the number that changes no other, not even −0
+        };
+        let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
+        let mirrored = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
+        match command.to_ascii_uppercase() {
+            b'M' => self.move_to(point(0)),
+            b'L' => self.segment(&[point(0)]),
+            b'H' => self.segment(&[DVec2::new(base.x + n[0], from.y)]),
+            b'V' => self.segment(&[DVec2::new(from.x, base.y + n[0])]),
+            b'C' => self.segment(&[point(0), point(2), point(4)]),
+            b'S' => self.segment(&[mirrored(self.cubic), point(0), point(2)]),
+            b'Q' => self.segment(&[point(0), point(2)]),
+            b'T' => self.segment(&[mirrored(self.quadratic), point(0)]),
+            _ => self.arc(n, point(5)),
+        }
+    }
+
+    fn move_to(&mut self, p: DVec2) -> bool {
+        if !p.is_finite() {
+            return false;
+        }
+        self.builder.move_to(p);
+        (self.cubic, self.quadratic) = (None, None);
+        true
+    }
+
+    /// A line, a quadratic or a cubic by its points after the first.
+    fn segment(&mut self, points: &[DVec2]) -> bool {
+        if !points.iter().all(|p| p.is_finite()) {
+            return false;
+        }
+        self.builder.add_segment(points);
+        (self.cubic, self.quadratic) = match *points {
+            [_, control, _] => (Some(control), None),
+            [control, _] => (None, Some(control)),
+            _ => (None, None),
+        };
+        true
+    }
+
+    fn arc(&mut self, n: &[f64; 7], to: DVec2) -> bool {
+        if !to.is_finite() {
+            return false;
+        }
+        self.builder.add_arc(&Arc {
+            from: self.builder.current_point(),
+            to,
+            radii: DVec2::new(n[0].abs(), n[1].abs()),
+            degrees: n[2],
+            large: n[3] != 0.0,
+            sweep: n[4] != 0.0,
+        });
+        (self.cubic, self.quadratic) = (None, None);
+        true
+    }
+
+    fn close(&mut self) {
+        self.builder.close();
+        (self.cubic, self.quadratic) = (None, None);
+    }
+}

@@ -1,0 +1,229 @@
+//! Paths as SVG path data.
+
+use super::text_write::written_number;
+use crate::curve::Curve;
+use crate::curve::trace::PathSink;
+use crate::geometry::error::Error;
+use crate::path::Path;
+use crate::spline::Spline;
+use glam::DVec2;
+
+/// More digits than this are not counted: JavaScript's `toFixed` knows no more.
+const MAX_DIGITS: u8 = 100;
+/// From here on a number has no digits after the point, and JavaScript writes it with an exponent.
+const EXPONENT_FROM: f64 = 1e21;
+
+impl Path {
+    /// The path as the `d` of an SVG `<path>`.
+    ///
+    /// Without a `precision`: absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that give it back, so
+    /// that [`from_svg`](Self::from_svg) reads an equal path, bit for bit (of degree 1 to 3). With a `precision`, that
+    /// many digits after the point (100 at most; ties away from zero) and the shortest absolute form, "M0 0 1 .5Z": no
+    /// blank and no letter that can be left out, H and V where they serve.
+    ///
+    /// Higher degrees become cubics, none farther from the curve than `tolerance` (see [`Curve::trace`]). The last line
+    /// of a closed subpath is left to its `Z`. The empty path gives the empty text.
+    ///
+    /// # Errors
+    /// As [`Curve::trace`] for the tolerance.
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        self.check_trace(tolerance)?;
+        let mut writer = Writer::new(precision);
+        for part in self.parts() {
+            writer.move_to(part.points[0]);
+            let last = part.points.len() - 2;
+            // The line that Z draws; of a subpath that is nothing else, also one without a length.
+            let closing = part.closed
+                && part.ends_with_line()
+                && (last == 0 || part.points[last] != part.points[last + 1]);
+            let count = part.segment_count() - usize::from(closing);
+            for points in part.segments().take(count) {
+                Curve::from_slice(points).trace_on(&mut writer, tolerance);
+            }
+            if part.closed {
+                writer.close_subpath(closing && last > 0);
+            }
+        }
+        Ok(writer.text)
+    }
+}
+
+impl Curve<DVec2> {
+    /// The curve as SVG path data; see [`Path::to_svg`].
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        Path::from(self.clone()).to_svg(precision, tolerance)
+    }
+}
+
+impl Spline<DVec2> {
+    /// The spline as SVG path data; see [`Path::to_svg`].
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn to_svg(&self, precision: Option<u8>, tolerance: Option<f64>) -> Result<String, Error> {
+        Path::new(std::slice::from_ref(self)).to_svg(precision, tolerance)
+    }
+}
+
+/// What writes path data.
+struct Writer {
+    text: String,
+    precision: Option<u8>,
+    /// In the short form: where the pen is, in words, and what a number without a command would mean.
+    at: [String; 2],
+    start: [String; 2],
+    implied: char,
+    /// The last number, as far as it stands right before the next.
+    last: String,
+}
+
+impl Writer {
+    fn new(precision: Option<u8>) -> Self {
+        Self {
+            text: String::new(),
+            precision,
+            at: Default::default(),
+            start: Default::default(),
+            implied: ' ',
+            last: String::new(),
+        }
+    }
+
+    fn draw(&mut self, command: char, points: &[DVec2]) {
+        match self.precision {
+            None => self.draw_exactly(command, points),
+            Some(digits) => self.draw_briefly(command, points, digits),
+        }
+    }
+
+    fn draw_exactly(&mut self, command: char, points: &[DVec2]) {
+        if !self.text.is_empty() {
+            self.text.push(' ');
+        }
+        self.text.push(command);
+        for (k, p) in points.iter().enumerate() {
+            if k > 0 {
+                self.text.push(' ');
+            }
+            self.text.push_str(&written_number(p.x));
+            self.text.push(',');
+            self.text.push_str(&written_number(p.y));
+        }
+    }
+
+    fn draw_briefly(&mut self, command: char, points: &[DVec2], digits: u8) {
+        let digits = digits.min(MAX_DIGITS);
+        let words = points
+            .iter()
+            .map(|p| [fixed(p.x, digits), fixed(p.y, digits)]);
+        let words: Vec<[String; 2]> = words.collect();
+        let Some(to) = words.last().cloned() else {
+            return;
+        };
+        match command {
+            'L' if to[1] == self.at[1] => self.write('H', &words[0][..1]),
+            'L' if to[0] == self.at[0] => self.write('V', &words[0][1..]),
+            _ => self.write(command, words.as_flattened()),
+        }
+        if command == 'M' {
+            self.start.clone_from(&to);
+        }
+        self.at = to;
+    }
+
+    /// Closes, with a line to the start or without one. Where rounding has left that line no length, it is written.
+    fn close_subpath(&mut self, line: bool) {
+        if line && self.precision.is_some() && self.at == self.start {
+            let x = [self.start[0].clone()];
+            self.write('H', &x);
+        }
+        self.close();
+    }
+
+    /// A command and its words, with no more between them than it needs to tell them apart.
+    fn write(&mut self, command: char, words: &[String]) {
+        if command != self.implied {
+            self.text.push(command);
+            self.last.clear();
+        }
+        self.implied = if command == 'M' { 'L' } else { command };
+        for word in words {
+            let apart = word.starts_with('-')
+                || (word.starts_with('.') && self.last.contains(['.', 'e']))
+                || self.last.is_empty();
+            if !apart {
+                self.text.push(' ');
+            }
+            self.text.push_str(word);
+            self.last.clone_from(word);
+        }
+    }
+}
+
+impl PathSink for Writer {
+    fn move_to(&mut self, p: DVec2) {
+        self.draw('M', &[p]);
+    }
+    fn line_to(&mut self, p: DVec2) {
+        self.draw('L', &[p]);
+    }
+    fn quad_to(&mut self, p1: DVec2, p: DVec2) {
+        self.draw('Q', &[p1, p]);
+    }
+    fn cubic_to(&mut self, p1: DVec2, p2: DVec2, p: DVec2) {
+        self.draw('C', &[p1, p2, p]);
+    }
+    fn close(&mut self) {
+        self.text.push_str(match self.precision {
+            None => " Z",
+            Some(_) => "Z",
+        });
+        self.implied = ' ';
+    }
+}
+
+/// A number with at most so many digits after the point, without zeros that say nothing: "-.5".
+fn fixed(x: f64, digits: u8) -> String {
+    if x.abs() >= EXPONENT_FROM {
+        return written_number(x).replace('+', "");
+    }
+    let (size, half) = (x.abs(), 2_f64.powi(-i32::from(digits) - 1));
+    let digits = usize::from(digits);
+    // Halfway between two such numbers Rust takes the even one, JavaScript the one farther from zero.
+    let tie = size / half % 2.0 == 1.0;
+    let mut word = if tie {
+        without_five(format!("{size:.*}", digits + 1))
+    } else {
+        format!("{size:.digits$}")
+    };
+    if word.contains('.') {
+        word.truncate(word.trim_end_matches('0').trim_end_matches('.').len());
+    }
+    match word.strip_prefix('0') {
+        Some("") => word,
+        Some(fraction) if x < 0.0 => format!("-{fraction}"),
+        Some(fraction) => fraction.into(),
+        None if x < 0.0 => format!("-{word}"),
+        None => word,
+    }
+}
+
+/// A positive number without its last digit, a 5, rounded up.
+fn without_five(mut word: String) -> String {
+    word.pop();
+    let mut digits = word.trim_end_matches('.').to_owned().into_bytes();
+    for digit in digits.iter_mut().rev() {
+        match *digit {
+            b'9' => *digit = b'0',
+            b'.' => {}
+            _ => {
+                *digit += 1;
+                return String::from_utf8_lossy(&digits).into_owned();
+            }
+        }
+    }
+    format!("1{}", String::from_utf8_lossy(&digits))
+}

@@ -1,0 +1,190 @@
+//! The rows of a text, and what can be wrong with them.
+
+use std::fmt;
+
+/// A refused text: where, what was expected there and what came.
+///
+/// ```
+/// use casteljau::Surface;
+///
+/// let error = Surface::parse("1\n1 1\n0 0 0\n1 0\n0 1 0\n1 1 0\n").unwrap_err();
+/// assert_eq!(error.to_string(), "line 4: expected 3 coordinates, got 2");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// The line, from 1.
+    pub line: usize,
+    /// What would have been right.
+    pub expected: String,
+    /// What was there.
+    pub got: String,
+}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            line,
+            expected,
+            got,
+        } = self;
+        write!(f, "line {line}: expected {expected}, got {got}")
+    }
+}
+
+impl std::error::Error for ParseError {}
+
+/// How much of a word a message shows.
+const SHOWN_CHARACTERS: usize = 40;
+
+/// A text as rows of words.
+///
+/// Blanks, tabs and commas separate words; `#` starts a comment, which ends with its line; lines end with a line feed,
+/// a carriage return or both. Lines without words are numbered, but are no rows. `js/surface-text.js` reads the same.
+pub(crate) struct Reader<'a> {
+    text: &'a str,
+    at: usize,
+    line: usize,
+    /// The words of the row that was read last, up to those wanted.
+    words: Vec<&'a str>,
+}
+
+impl<'a> Reader<'a> {
+    pub(crate) fn new(text: &'a str) -> Self {
+        Self {
+            text: text.strip_prefix('\u{feff}').unwrap_or(text),
+            at: 0,
+            line: 1,
+            words: Vec::new(),
+        }
+    }
+
+    /// The number of the line that was read last.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// Reads the next row and returns how many words it has; 0 at the end. Words beyond those `wanted` are only
+    /// counted: a row may be as long as the text.
+    pub(crate) fn row(&mut self, wanted: usize) -> usize {
+        self.words.clear();
+        while !self.find_word() {
+            if !self.next_line() {
+                return 0;
+            }
+        }
+        let mut count = 0;
+        while self.find_word() {
+            let word = self.word();
+            if count < wanted {
+                self.words.push(word);
+            }
+            count += 1;
+        }
+        count
+    }
+
+    /// The next row, which must have exactly `count` words; `what` names them.
+    pub(crate) fn words(&mut self, count: usize, what: &str) -> Result<&[&'a str], ParseError> {
+        match self.row(count) {
+            got if got == count => Ok(&self.words),
+            0 => Err(self.refuse(format!("{count} {what}"), END)),
+            got => Err(self.refuse(format!("{count} {what}"), got)),
+        }
+    }
+
+    /// The words of the row that was read last.
+    pub(crate) fn last_words(&self) -> &[&'a str] {
+        &self.words
+    }
+
+    /// A refusal of the row that was read last.
+    pub(crate) fn refuse(&self, expected: impl Into<String>, got: impl ToString) -> ParseError {
+        refuse(self.line, expected, got)
+    }
+
+    /// Whether a word starts here or after some blanks, on this line.
+    fn find_word(&mut self) -> bool {
+        self.skip(is_blank);
+        if self.rest().first() == Some(&b'#') {
+            self.skip(|byte| !is_break(byte));
+        }
+        self.rest().first().is_some_and(|&byte| !is_break(byte))
+    }
+
+    fn word(&mut self) -> &'a str {
+        let from = self.at;
+        self.skip(|byte| !is_blank(byte) && !is_break(byte) && byte != b'#');
+        // Both ends are at ASCII characters, or at those of the text.
+        self.text.get(from..self.at).unwrap_or_default()
+    }
+
+    /// Goes to the start of the next line; false at the end of the text.
+    fn next_line(&mut self) -> bool {
+        let width = match self.rest() {
+            [] => return false,
+            [b'\r', b'\n', ..] => 2,
+            _ => 1,
+        };
+        self.at += width;
+        self.line += 1;
+        true
+    }
+
+    fn rest(&self) -> &[u8] {
+        self.text.as_bytes().get(self.at..).unwrap_or_default()
+    }
+
+    fn skip(&mut self, skipped: impl Fn(u8) -> bool) {
+        let count = self.rest().iter().position(|&byte| !skipped(byte));
+        self.at += count.unwrap_or(self.rest().len());
+    }
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b',' | 0x0b | 0x0c)
+}
+
+fn is_break(byte: u8) -> bool {
+    matches!(byte, b'\n' | b'\r')
+}
+
+/// What comes when nothing comes.
+pub(crate) const END: &str = "the end of the text";
+
+pub(crate) fn refuse(line: usize, expected: impl Into<String>, got: impl ToString) -> ParseError {
+    ParseError {
+        line,
+        expected: expected.into(),
+        got: got.to_string(),
+    }
+}
+
+/// A word in quotes, as JSON has it, or its beginning.
+pub(crate) fn shown(word: &str) -> String {
+    let mut quoted = String::from("\"");
+    for character in word.chars().take(SHOWN_CHARACTERS) {
+        match character {
+            '"' | '\\' => quoted.extend(['\\', character]),
+            '\u{8}' => quoted.push_str("\\b"),
+            '\0'..' ' => quoted.push_str(&format!("\\u{:04x}", u32::from(character))),
+            _ => quoted.push(character),
+        }
+    }
+    if word.chars().nth(SHOWN_CHARACTERS).is_some() {
+        quoted.push('…');
+    }
+    quoted + "\""
+}
+
+/// The number that a word stands for: digits with a sign, a point and an exponent or without.
+pub(crate) fn number(word: &str) -> Option<f64> {
+    let numeric = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);
+    let numeric = word.as_bytes().iter().all(numeric); // no "inf", no "nan"
+    numeric.then(|| word.parse().ok()).flatten()
+}
+
+/// The whole number that a word of digits stands for; the largest there is, where it is larger.
+pub(crate) fn whole(word: &str) -> Option<usize> {
+    let digits = word.bytes().all(|byte| byte.is_ascii_digit());
+    digits.then(|| word.parse().unwrap_or(usize::MAX))
+}

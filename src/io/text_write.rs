@@ -1,0 +1,99 @@
+//! Surfaces as text.
+
+use crate::surface::network::Surface;
+use std::fmt::{Arguments, Display, LowerExp, Write};
+
+impl Surface {
+    /// The surface as text, which [`parse`](Self::parse) reads back to an equal one, bit for bit.
+    ///
+    /// Only vertices that a move has brought to one place are joined when they are read, as in every new surface.
+    ///
+    /// The row `surface`; `vertices` and their number, then a row x y z for each; `patches` and their number, then for
+    /// each a row with its degrees in u and v, and below it its net: a row for each j with the vertex numbers, from 0,
+    /// of its points Pᵢⱼ.
+    ///
+    /// ```
+    /// use casteljau::{Surface, glam::DVec3};
+    ///
+    /// let square = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 0.5)];
+    /// let surface = Surface::new(square.to_vec(), vec![0, 1, 2, 3], 1, 1)?;
+    /// let text = surface.to_text();
+    /// assert_eq!(
+    ///     text.lines().collect::<Vec<_>>(),
+    ///     ["surface", "vertices 4", "0 0 0", "1 0 0", "0 1 0", "1 1 0.5", "patches 1", "1 1", "0 1", "2 3"],
+    /// );
+    /// assert_eq!(Surface::parse(&text), Ok(surface));
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn to_text(&self) -> String {
+        let mut text = format!("surface\nvertices {}\n", self.vertices().len());
+        for vertex in self.vertices() {
+            let [x, y, z] = vertex.to_array().map(written_number);
+            push(&mut text, format_args!("{x} {y} {z}\n"));
+        }
+        push(&mut text, format_args!("patches {}\n", self.patch_count()));
+        for patch in 0..self.patch_count() {
+            let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
+            push(&mut text, format_args!("{degree_u} {degree_v}\n"));
+            let indices = self.patch_indices(patch).unwrap_or_default();
+            for (last_digit, index) in indices.iter().enumerate() {
+                let last = last_digit % (degree_u + 1) == degree_u;
+                push(
+                    &mut text,
+                    format_args!("{index}{}", if last { '\n' } else { ' ' }),
+                );
+            }
+        }
+        text
+    }
+}
+
+/// Writing to a String cannot fail.
+pub(crate) fn push(text: &mut String, words: Arguments<'_>) {
+    let _ = text.write_fmt(words);
+}
+
+/// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign): with an
+/// exponent from 10²¹ on and below 10⁻⁶.
+pub(crate) fn written(x: impl Display + LowerExp) -> String {
+    let scientific = format!("{x:e}");
+    let exponent = scientific.rsplit('e').next().map(str::parse::<i32>);
+    match exponent {
+        Some(Ok(21..)) => scientific.replace('e', "e+"),
+        Some(Ok(..-6)) => scientific,
+        _ => x.to_string(),
+    }
+}
+
+/// Where one more digit than the shortest would be needed to decide how to round it, that digit is among so many binary
+/// places: 17 decimal ones have as many.
+const DIGITS_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
+
+/// [`written`] for all f64: where two shortest forms are equally close, JavaScript takes the even one, Rust the upper.
+pub(crate) fn written_number(x: f64) -> String {
+    let plain = written(x);
+    let whole = x.abs() >= 1.0 / f64::EPSILON;
+    if x.abs() < 1.0 || !(whole || (x * DIGITS_OF_A_TIE).fract() == 0.0) {
+        return plain;
+    }
+    even(&plain, x).unwrap_or(plain)
+}
+
+/// The form below the shortest one, if it is even and as close.
+fn even(plain: &str, x: f64) -> Option<String> {
+    let mantissa = plain.split('e').next()?;
+    let significant = mantissa.trim_end_matches('0').trim_end_matches('.');
+    let count = significant.bytes().filter(u8::is_ascii_digit).count();
+    let last = significant.bytes().last().filter(|digit| digit % 2 == 1)?;
+    // A tie has a 5 and then nothing: 20 digits more show that.
+    let all = format!("{x:.*e}", count + 20);
+    let digits: Vec<u8> = all.bytes().filter(u8::is_ascii_digit).collect();
+    let tail = digits.get(count..=count + 20)?;
+    if tail[0] != b'5' || tail[1..].iter().any(|&digit| digit != b'0') {
+        return None;
+    }
+    let mut lower = plain.to_owned();
+    let last_digit = significant.len() - 1..significant.len();
+    lower.replace_range(last_digit, char::from(last - 1).encode_utf8(&mut [0; 4]));
+    (lower.parse() == Ok(x)).then_some(lower)
+}

@@ -1,0 +1,164 @@
+//! What is drawn: plain buffers.
+
+use glam::DVec3;
+
+/// The most vertices that 16 bits can number.
+pub(crate) const MAX_U16_VERTICES: usize = 1 << 16;
+
+/// A triangle mesh as plain data, ready for a graphics card.
+///
+/// With `n` vertices and `t` triangles: `positions` and `normals` hold 3n numbers, `uvs` 2n, `patch_ids` n, `indices`
+/// 3t. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to. `uvs` and `patch_ids` are empty
+/// where patches share vertices. `T` is f32, or f64 where that was asked for.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct Mesh<T = f32> {
+    /// x, y, z of each vertex.
+    pub positions: Vec<T>,
+    /// The unit normal of each vertex.
+    pub normals: Vec<T>,
+    /// u, v of each vertex in its patch.
+    pub uvs: Vec<f32>,
+    /// The patch that each vertex belongs to.
+    pub patch_ids: Vec<u32>,
+    /// Three vertices per triangle.
+    pub indices: Indices,
+    /// Four vertices per face, where they were asked for.
+    pub quads: Option<Indices>,
+    /// Where each patch lies in the buffers.
+    pub patch_ranges: Vec<PatchRange>,
+}
+
+/// The part of a mesh that one patch has filled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct PatchRange {
+    /// Its first vertex.
+    pub first_vertex: u32,
+    /// Its number of vertices; 0 where patches share vertices.
+    pub vertices: u32,
+    /// Where its first triangle starts in `indices`.
+    pub first_index: u32,
+    /// Its number of entries in `indices`, three per triangle.
+    pub indices: u32,
+}
+
+/// Vertex numbers in the smallest type that fits: 16 bits up to 65,536 vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum Indices {
+    /// Of a mesh with at most 65,536 vertices.
+    U16(Vec<u16>),
+    /// Of a larger mesh.
+    U32(Vec<u32>),
+}
+
+impl<T> Mesh<T> {
+    /// The number of vertices.
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len() / 3
+    }
+
+    /// The number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.indices.len() / 3
+    }
+}
+
+impl Mesh<f64> {
+    /// Empties all buffers and keeps their memory.
+    pub(crate) fn clear(&mut self) {
+        self.positions.clear();
+        self.normals.clear();
+        self.uvs.clear();
+        self.patch_ids.clear();
+        self.indices = Indices::default();
+        self.quads = None;
+        self.patch_ranges.clear();
+    }
+
+    /// One more vertex.
+    pub(crate) fn push(&mut self, position: DVec3, normal: DVec3) {
+        self.positions.extend(position.to_array());
+        self.normals.extend(normal.to_array());
+    }
+
+    /// The same mesh in f32.
+    pub fn to_f32(self) -> Mesh {
+        let narrow = |numbers: Vec<f64>| numbers.into_iter().map(to_f32).collect();
+        Mesh {
+            positions: narrow(self.positions),
+            normals: narrow(self.normals),
+            uvs: self.uvs,
+            patch_ids: self.patch_ids,
+            indices: self.indices,
+            quads: self.quads,
+            patch_ranges: self.patch_ranges,
+        }
+    }
+}
+
+impl Default for Indices {
+    fn default() -> Self {
+        Self::U16(Vec::new())
+    }
+}
+
+impl Indices {
+    /// Numbers below `vertices`, in the smallest type that fits.
+    pub(crate) fn smallest(numbers: Vec<u32>, vertices: usize) -> Self {
+        if vertices > MAX_U16_VERTICES {
+            return Self::U32(numbers);
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "they are below 65,536")]
+        Self::U16(numbers.into_iter().map(|number| number as u16).collect())
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::U16(list) => list.len(),
+            Self::U32(list) => list.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number at a place; `None` past the end.
+    pub fn get(&self, index: usize) -> Option<usize> {
+        match self {
+            Self::U16(list) => list.get(index).map(|&i| usize::from(i)),
+            Self::U32(list) => list.get(index).map(|&i| i as usize),
+        }
+    }
+
+    /// All numbers in turn.
+    pub fn iter(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).map_while(|index| self.get(index))
+    }
+}
+
+/// The nearest f32.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "rounding to f32 is what meshes are for"
+)]
+#[inline(always)]
+pub(crate) const fn to_f32(number: f64) -> f32 {
+    number as f32
+}

@@ -1,0 +1,170 @@
+//! The recursive split of the tutorials: until pieces are flat enough.
+
+use crate::geometry::check::{check_tolerance, max_abs};
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::list::Net;
+use crate::patch::Patch;
+use crate::surface::network::Surface;
+use casteljau_kernels::WorkLimit;
+use glam::DVec3;
+
+/// The most leaves of one surface.
+const MAX_LEAVES: usize = 1 << 18;
+
+/// The most control points of all pieces on the way to them: up to degree 5, more than 2¹⁸ leaves have.
+const MAX_STEPS: usize = 1 << 24;
+
+/// A piece of a patch that counts as flat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct FlatPiece {
+    /// The patch.
+    pub patch: usize,
+    /// Where the piece starts in u.
+    pub u0: f64,
+    /// Where it ends in u.
+    pub u1: f64,
+    /// Where it starts in v.
+    pub v0: f64,
+    /// Where it ends in v.
+    pub v1: f64,
+    /// S(u0, v0), S(u1, v0), S(u1, v1), S(u0, v1). The recursion draws the triangles 0 1 2 and 0 2 3.
+    pub corners: [DVec3; 4],
+}
+
+impl FlatPiece {
+    /// The two triangles that stand for the piece, counter-clockwise as seen from the side that ∂u × ∂v points to.
+    pub fn triangles(&self) -> [[DVec3; 3]; 2] {
+        let [a, b, c, d] = self.corners;
+        [[a, b, c], [a, c, d]]
+    }
+}
+
+impl Surface {
+    /// Splits every patch in four, and the pieces again, until the control points of each piece are within `tolerance`
+    /// of the plane of three of its corners: those with the largest triangle.
+    ///
+    /// Where the corners lie on a line, control points must be as near to that line; where they are one point, to that
+    /// point. For teaching: neighbours that were split differently do not meet along their side (cracks), and the
+    /// tolerance bounds the distance of the control points from a plane, not that of the surface from the two
+    /// triangles, as the fourth corner and the outline may be off. [`tessellate`](Self::tessellate) has no cracks and
+    /// keeps its tolerance. The pieces come patch by patch, each as its quarters before u and v, after u, after v,
+    /// after both. Source: Angel and Shreiner, *Interactive Computer Graphics*, 7th ed., §10.
+    ///
+    /// # Errors
+    /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces, and when all pieces, split ones included, together have more than
+    /// 2²⁴ control points (at degrees above 5 that comes first).
+    pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
+        let size = self.control_bounds();
+        check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
+        let mut leaves = Vec::new();
+        let mut work = WorkLimit::new(MAX_STEPS);
+        for (number, patch) in self.patches().enumerate() {
+            let all = [0.0, 1.0, 0.0, 1.0];
+            if !split(number, &patch, all, tolerance, &mut leaves, &mut work) {
+                break;
+            }
+        }
+        let refusal = |what, limit| Error::TooMany {
+            what,
+            limit,
+            needed: limit + 1,
+        };
+        if leaves.len() > MAX_LEAVES {
+            return Err(refusal("leaves", MAX_LEAVES));
+        }
+        if work.is_exceeded() {
+            return Err(refusal("control points of all pieces", MAX_STEPS));
+        }
+        Ok(leaves)
+    }
+}
+
+/// Adds the leaves of one piece; false at once when there are too many or the limit on the work is passed. The depth is
+/// that of the parameters: some 52 halvings, after which a piece is a point.
+fn split(
+    patch: usize,
+    piece: &Patch,
+    [u0, u1, v0, v1]: [f64; 4],
+    tolerance: f64,
+    leaves: &mut Vec<FlatPiece>,
+    work: &mut WorkLimit,
+) -> bool {
+    if !work.spend(piece.points.len()) || leaves.len() > MAX_LEAVES {
+        return false;
+    }
+    let (u, v) = (0.5 * (u0 + u1), 0.5 * (v0 + v1));
+    let inside = u0 < u && u < u1 && v0 < v && v < v1;
+    let corners = corners(&piece.points, piece.columns);
+    if !inside || is_flat(&piece.points, corners, tolerance) {
+        leaves.push(FlatPiece {
+            patch,
+            u0,
+            u1,
+            v0,
+            v1,
+            corners,
+        });
+        return true;
+    }
+    let corner_indices = [
+        [u0, u, v0, v],
+        [u, u1, v0, v],
+        [u0, u, v, v1],
+        [u, u1, v, v1],
+    ];
+    let quarters = piece.split(0.5, 0.5);
+    let mut quarters = quarters.iter().zip(corner_indices);
+    quarters.all(|(quarter, index)| split(patch, quarter, index, tolerance, leaves, work))
+}
+
+/// The corners of a net, around it.
+fn corners(net: &[DVec3], columns: usize) -> [DVec3; 4] {
+    let last = net.len() - columns;
+    [0, columns - 1, net.len() - 1, last].map(|index| net[index])
+}
+
+/// Whether all points are within the tolerance of the plane of three corners (of a line, of a point).
+fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
+    // Of moderate size, so that products neither overflow nor vanish; halves first, for coordinates of ±1e308.
+    let origin = corners[0] * 0.5;
+    let mut around: Net = net.iter().map(|&p| p * 0.5 - origin).collect();
+    let scale = max_abs(&around);
+    if scale == 0.0 {
+        return true;
+    }
+    around.iter_mut().for_each(|p| *p /= scale);
+    let corners = corners.map(|p| (p * 0.5 - origin) / scale);
+    let max = 0.5 * tolerance / scale;
+    let (mut plane, mut line) = ([DVec3::ZERO; 2], [DVec3::ZERO; 2]);
+    for (k, &corner) in corners.iter().enumerate() {
+        let [before, next] = [3, 1].map(|step| corners[(k + step) % 4] - corner);
+        keep_longer(&mut plane, [corner, before.cross(next)]);
+        keep_longer(&mut line, [DVec3::ZERO, corner]);
+    }
+    let [[amid, normal], [_, along]] =
+        [plane, line].map(|[from, to]| [from, Point::normalize_or_zero(to)]);
+    around.iter().all(|&p| {
+        let off = if normal != DVec3::ZERO {
+            (p - amid).dot(normal).abs()
+        } else if along != DVec3::ZERO {
+            Point::length(p.cross(along))
+        } else {
+            Point::length(p)
+        };
+        off <= max
+    })
+}
+
+/// Keeps the place of the longer vector, and it.
+fn keep_longer(kept: &mut [DVec3; 2], index: [DVec3; 2]) {
+    if Point::length(index[1]) > Point::length(kept[1]) {
+        *kept = index;
+    }
+}

@@ -1,0 +1,186 @@
+//! Patches of any degrees on a grid, by either method.
+//!
+//! For each v the rows of the net are blended into one curve in u, then that curve is evaluated along u. Weights are
+//! computed once per grid. The arithmetic is f64; only results are rounded to f32. Weights are built and summed so
+//! that t and 1 − t exchange their roles exactly: two patches that share a side, in the same direction or reversed,
+//! get bit-identical samples there.
+
+use super::buffers::to_f32;
+use super::forward::Stepper;
+use super::grid::{Grid, GridMethod};
+use crate::geometry::check::max_abs;
+use crate::patch::tensor_product::{REGULAR_RATIO, directions};
+use casteljau_kernels::weights;
+use glam::DVec3;
+
+/// The square of the length below which a normal is not regular.
+const MIN_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
+
+/// From here on differences might overflow, and f32 cannot tell the difference.
+const TOO_LARGE_TO_STEP: f64 = 1e39;
+
+/// Evaluates patches on one grid; weights are kept while the degrees stay.
+pub(crate) struct GenericGridEvaluator {
+    grid: Grid,
+    method: GridMethod,
+    /// Weights along u and along v, for the degree and for the derivative's.
+    u: [Weights; 2],
+    v: [Weights; 2],
+    row: Row,
+}
+
+/// The Bernstein weights of one degree at k/n, k = 0 … n: `degree` + 1 of them for each k.
+#[derive(Default)]
+struct Weights {
+    degree: usize,
+    values: Vec<f64>,
+}
+
+/// The patch along one line of constant v: control points in u of the position and of both derivatives' directions.
+#[derive(Default)]
+struct Row {
+    points: Vec<DVec3>,
+    along_u: Vec<DVec3>,
+    along_v: Vec<DVec3>,
+}
+
+impl GenericGridEvaluator {
+    pub(crate) fn new(grid: Grid, method: GridMethod) -> Self {
+        Self {
+            grid,
+            method,
+            u: Default::default(),
+            v: Default::default(),
+            row: Row::default(),
+        }
+    }
+
+    /// Positions and normals of one patch. True if some normal is missing, which is then left at zero.
+    pub(crate) fn fill(
+        &mut self,
+        net: &[DVec3],
+        degree_u: usize,
+        degree_v: usize,
+        positions: &mut [[f32; 3]],
+        normals: &mut [[f32; 3]],
+    ) -> bool {
+        prepare(&mut self.u, degree_u, self.grid.segments_u);
+        prepare(&mut self.v, degree_v, self.grid.segments_v);
+        let columns = degree_u + 1;
+        let (du, dv) = directions(net, columns);
+        let step = self.method == GridMethod::ForwardDifference && max_abs(net) < TOO_LARGE_TO_STEP;
+        let line = self.grid.segments_u + 1;
+        let lines = positions
+            .chunks_exact_mut(line)
+            .zip(normals.chunks_exact_mut(line));
+        let mut missing = false;
+        for (iv, (positions, normals)) in lines.enumerate() {
+            let weights = &self.v;
+            weights[0].blend_rows(iv, net, columns, &mut self.row.points);
+            weights[0].blend_rows(iv, &du, columns - 1, &mut self.row.along_u);
+            weights[1].blend_rows(iv, &dv, columns, &mut self.row.along_v);
+            if step {
+                self.step_along(positions, normals);
+            } else {
+                self.evaluate_along(positions, normals);
+            }
+            missing |= make_unit(normals);
+        }
+        missing
+    }
+
+    /// One line of positions and of ∂u × ∂v.
+    fn evaluate_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
+        let row = &self.row;
+        let weights = self.u[0].values.chunks_exact(row.points.len());
+        let weights = weights.zip(self.u[1].values.chunks_exact(row.along_u.len()));
+        let samples = positions.iter_mut().zip(facings);
+        for ((values, slopes), (position, cross_product)) in weights.zip(samples) {
+            let along_u = blend(slopes, &row.along_u);
+            *position = round(blend(values, &row.points));
+            *cross_product = round(along_u.cross(blend(values, &row.along_v)));
+        }
+    }
+
+    /// The same by forward differences; the last sample is the end of the line.
+    fn step_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
+        let curves = [&self.row.points, &self.row.along_u, &self.row.along_v];
+        let mut steppers = curves.map(|points| Stepper::new(points, self.grid.segments_u));
+        let mut write = |at: usize, [point, along_u, along_v]: [DVec3; 3]| {
+            positions[at] = round(point);
+            facings[at] = round(along_u.cross(along_v));
+        };
+        for at in 0..self.grid.segments_u {
+            write(at, steppers.each_mut().map(Stepper::next));
+        }
+        let ends = curves.map(|points| points.last().copied().unwrap_or_default());
+        write(self.grid.segments_u, ends);
+    }
+}
+
+/// Makes the vectors ∂u × ∂v unit normals. True if one is not regular, which becomes zero.
+fn make_unit(facings: &mut [[f32; 3]]) -> bool {
+    let mut missing = false;
+    for cross_product in facings {
+        let normal = unit(*cross_product);
+        missing |= normal.is_none();
+        *cross_product = normal.unwrap_or_default();
+    }
+    missing
+}
+
+/// The nearest f32, 0 for −0: neighbours may come to a zero from different sides.
+fn round(p: DVec3) -> [f32; 3] {
+    p.to_array().map(|x| to_f32(x) + 0.0)
+}
+
+/// The unit vector; none where the point is not regular.
+fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
+    let square = x * x + y * y + z * z;
+    let factor = 1.0 / square.sqrt();
+    (square > MIN_SQUARE).then_some([x * factor, y * factor, z * factor])
+}
+
+/// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same.
+fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
+    let mut sum = DVec3::ZERO;
+    let mut terms = weights.iter().zip(points).map(|(&w, &p)| p * w);
+    while let (Some(first), last) = (terms.next(), terms.next_back()) {
+        sum += last.map_or(first, |last| first + last);
+    }
+    sum
+}
+
+/// Brings the weights of a degree and of the one below up to date.
+fn prepare(pair: &mut [Weights; 2], degree: usize, segments: usize) {
+    if pair[0].degree != degree {
+        *pair = [degree, degree - 1].map(|degree| Weights {
+            degree,
+            values: weights(degree, segments),
+        });
+    }
+}
+
+impl Weights {
+    /// Blends the rows of a net at sample k: one point per column, summed like [`blend`].
+    fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
+        let weights = &self.values[k * (self.degree + 1)..][..=self.degree];
+        out.clear();
+        out.resize(columns, DVec3::ZERO);
+        let mut rows = net.chunks_exact(columns).zip(weights);
+        while let (Some((a, wa)), last) = (rows.next(), rows.next_back()) {
+            match last {
+                Some((b, wb)) => {
+                    for ((sum, &a), &b) in out.iter_mut().zip(a).zip(b) {
+                        *sum += a * *wa + b * *wb;
+                    }
+                }
+                None => {
+                    for (sum, &a) in out.iter_mut().zip(a) {
+                        *sum += a * *wa;
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Positions and normals of patches on a grid.
+//!
+//! Bicubic patches, the common ones, go through a crate of their own that is compiled for speed; all others, and other
+//! methods than the usual one, through [`GenericGridEvaluator`]. Both leave a normal at zero where ∂u × ∂v vanishes; what is there
+//! comes from the normal net.
+
+use super::buffers::to_f32;
+use super::generic_grid_evaluator::GenericGridEvaluator;
+use super::grid::{Grid, GridMethod};
+use crate::patch::normal::NormalNet;
+use crate::patch::tensor_product::directions;
+use casteljau_kernels::BicubicGrid;
+use glam::DVec3;
+
+/// Evaluates patches on one grid; weights and buffers are kept from patch to patch.
+pub(crate) struct GridEvaluator {
+    grid: Grid,
+    method: GridMethod,
+    bicubic: Option<BicubicGrid>,
+    general: Option<GenericGridEvaluator>,
+}
+
+impl GridEvaluator {
+    pub(crate) fn new(grid: Grid, method: GridMethod) -> Self {
+        Self {
+            grid,
+            method,
+            bicubic: None,
+            general: None,
+        }
+    }
+
+    /// Fills the buffers of one patch, each 3 × the number of the grid's vertices long.
+    pub(crate) fn fill(
+        &mut self,
+        net: &[DVec3],
+        degree_u: usize,
+        degree_v: usize,
+        positions: &mut [f32],
+        normals: &mut [f32],
+    ) {
+        let (grid, method) = (self.grid, self.method);
+        let (positions, normals) = (positions.as_chunks_mut().0, normals.as_chunks_mut().0);
+        let missing = if let (GridMethod::Bernstein, Some(net)) = (method, bicubic(net, degree_u)) {
+            self.bicubic
+                .get_or_insert_with(|| BicubicGrid::new(grid.segments_u, grid.segments_v))
+                .fill(net, positions, normals)
+        } else {
+            self.general
+                .get_or_insert_with(|| GenericGridEvaluator::new(grid, method))
+                .fill(net, degree_u, degree_v, positions, normals)
+        };
+        if missing {
+            self.repair(net, degree_u, degree_v, normals);
+        }
+    }
+
+    /// Puts limits where normals are missing.
+    #[cold]
+    fn repair(&self, net: &[DVec3], degree_u: usize, degree_v: usize, normals: &mut [[f32; 3]]) {
+        let (du, dv) = directions(net, degree_u + 1);
+        let limits = NormalNet::new(&du, &dv, degree_u, degree_v);
+        if limits.vanishes() {
+            return;
+        }
+        let columns = self.grid.segments_u + 1;
+        for (vertex, normal) in normals.iter_mut().enumerate() {
+            if *normal == [0.0; 3] {
+                let (u, v) = self.grid.uv(vertex % columns, vertex / columns);
+                *normal = limits.limit(u, v).to_array().map(to_f32);
+            }
+        }
+    }
+}
+
+/// The net, if it is that of a bicubic patch and f32 holds its coordinates.
+fn bicubic(net: &[DVec3], degree_u: usize) -> Option<&[[f64; 3]; 16]> {
+    let points = bytemuck::cast_slice(net).try_into().ok()?;
+    (degree_u == 3 && BicubicGrid::fits(points)).then_some(points)
+}

@@ -1,0 +1,161 @@
+//! Filling a mesh: one grid per patch.
+
+use super::buffers::MAX_U16_VERTICES;
+use super::grid::{Grid, GridMethod};
+use super::grid_evaluator::GridEvaluator;
+use super::{Indices, Mesh, PatchRange};
+use crate::geometry::error::Error;
+use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
+use glam::DVec3;
+use std::ops::Range;
+
+/// What a part of a mesh takes at most, unless a single patch takes more: it should stay in the processor's cache until
+/// it was copied.
+#[cfg(feature = "wasm")]
+const PART_BYTES: usize = 5 << 17;
+
+/// Fills meshes with one grid for each of so many patches: all at once, or part by part.
+pub(crate) struct GridMeshBuilder {
+    patches: usize,
+    grid: Grid,
+    quads: bool,
+    kernel: GridEvaluator,
+    net: Vec<DVec3>,
+}
+
+impl GridMeshBuilder {
+    pub(crate) fn new(
+        patches: usize,
+        grid: Grid,
+        method: GridMethod,
+        quads: bool,
+    ) -> Result<Self, Error> {
+        grid.check(patches)?;
+        Ok(Self {
+            patches,
+            grid,
+            quads,
+            kernel: GridEvaluator::new(grid, method),
+            net: Vec::new(),
+        })
+    }
+
+    /// How many patches make a part of the mesh that is not too large.
+    #[cfg(feature = "wasm")]
+    pub(crate) fn part(&self, first: usize) -> Range<usize> {
+        let per_cell = if self.quads { 6 + 4 } else { 6 };
+        let patch = self.grid.vertex_count() * (9 + per_cell) * size_of::<f32>();
+        first..self.patches.min(first + (PART_BYTES / patch).max(1))
+    }
+
+    /// All that the layout of a part depends on.
+    #[cfg(feature = "wasm")]
+    pub(crate) fn layout(&self, part: Range<usize>) -> (Range<usize>, Grid, bool, bool) {
+        (part, self.grid, self.quads, self.wide())
+    }
+
+    /// Whether indices have 32 bits.
+    pub(crate) fn wide(&self) -> bool {
+        self.patches * self.grid.vertex_count() > MAX_U16_VERTICES
+    }
+
+    /// Fills the mesh with a part of the patches; `net_of` hands out their nets and degrees in u and v. With
+    /// `has_layout` the mesh holds a grid of the same counts already, and what depends on them only stays.
+    ///
+    /// Buffers that are large enough are reused, all others grow.
+    pub(crate) fn fill(
+        &mut self,
+        part: Range<usize>,
+        net_of: impl Fn(usize, &mut Vec<DVec3>) -> (usize, usize),
+        has_layout: bool,
+        mesh: &mut Mesh,
+    ) {
+        if !has_layout {
+            self.fill_layout(&part, mesh);
+        }
+        let numbers = 3 * self.grid.vertex_count();
+        mesh.positions.resize(part.len() * numbers, 0.0);
+        mesh.normals.resize(part.len() * numbers, 0.0);
+        let vertex_range = mesh
+            .positions
+            .chunks_exact_mut(numbers)
+            .zip(mesh.normals.chunks_exact_mut(numbers));
+        for (patch, (positions, normals)) in part.zip(vertex_range) {
+            self.net.clear();
+            let (degree_u, degree_v) = net_of(patch, &mut self.net);
+            self.kernel
+                .fill(&self.net, degree_u, degree_v, positions, normals);
+        }
+    }
+
+    /// Everything that depends on counts only.
+    fn fill_layout(&self, part: &Range<usize>, mesh: &mut Mesh) {
+        let grid = self.grid;
+        let count = grid.vertex_count();
+        mesh.uvs.resize(2 * part.len() * count, 0.0);
+        fill_uvs(grid.segments_u, grid.segments_v, &mut mesh.uvs);
+        mesh.patch_ids.resize(part.len() * count, 0);
+        fill_patch_ids(to_u32(part.start), count, &mut mesh.patch_ids);
+        let cell = grid.quad(0, 0).map(|vertex| vertex + part.start * count);
+        let [a, b, c, d] = cell;
+        self.fill_indices(part, &[a, b, c, a, c, d], &mut mesh.indices);
+        mesh.quads = self.quads.then(|| {
+            let mut faces = mesh.quads.take().unwrap_or_default();
+            self.fill_indices(part, &cell, &mut faces);
+            faces
+        });
+        let (vertices, indices) = (to_u32(count), to_u32(3 * grid.triangle_count()));
+        mesh.patch_ranges.clear();
+        mesh.patch_ranges
+            .extend(part.clone().map(|patch| PatchRange {
+                first_vertex: to_u32(patch) * vertices,
+                vertices,
+                first_index: to_u32(patch) * indices,
+                indices,
+            }));
+    }
+
+    /// The vertex numbers of all cells: those of the first one, in `cell`, moved along the rows and the patches.
+    fn fill_indices(&self, part: &Range<usize>, cell: &[usize], indices: &mut Indices) {
+        let grid = self.grid;
+        let total = part.len() * grid.segments_u * grid.segments_v * cell.len();
+        let repeats = [
+            (grid.segments_u, 1),
+            (grid.segments_v, grid.segments_u + 1),
+            (part.len(), grid.vertex_count()),
+        ];
+        if self.wide() {
+            let mut list = match std::mem::take(indices) {
+                Indices::U16(_) => Vec::new(),
+                Indices::U32(list) => list,
+            };
+            list.resize(total, 0);
+            for (location, &vertex) in list.iter_mut().zip(cell) {
+                *location = to_u32(vertex);
+            }
+            fill_indices_u32(&mut list, cell.len(), repeats);
+            *indices = Indices::U32(list);
+        } else {
+            let mut list = match std::mem::take(indices) {
+                Indices::U16(list) => list,
+                Indices::U32(_) => Vec::new(),
+            };
+            list.resize(total, 0);
+            for (location, &vertex) in list.iter_mut().zip(cell) {
+                *location = to_u16(vertex);
+            }
+            fill_indices_u16(&mut list, cell.len(), repeats);
+            *indices = Indices::U16(list);
+        }
+    }
+}
+
+/// A number below 2¹⁶; the caller has counted.
+fn to_u16(number: usize) -> u16 {
+    u16::try_from(number).unwrap_or(u16::MAX)
+}
+
+/// A number below 2³²: a mesh of 1 GiB has fewer vertices and indices.
+fn to_u32(number: usize) -> u32 {
+    u32::try_from(number).unwrap_or(u32::MAX)
+}

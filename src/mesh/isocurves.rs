@@ -1,0 +1,128 @@
+//! A surface as lines: curves of constant u and of constant v.
+
+use super::projected::Projection;
+use crate::curve::Curve;
+use crate::curve::eval::MAX_OUTPUT_F64;
+use crate::curve::trace::PathSink;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::numeric::float::ratio;
+use crate::patch::Patch;
+use crate::surface::network::Surface;
+use crate::surface::topology::SIDES;
+use glam::{DMat4, DVec3};
+
+/// How far drawn lines may be from the true projection, where nothing else is asked for: less than a screen shows.
+const TOLERANCE_PX: f64 = 0.1;
+
+/// A line on a patch.
+pub(crate) struct Isocurve<'a> {
+    pub(crate) patch_number: usize,
+    pub(crate) patch: &'a Patch,
+    /// Whether u is constant along it, else v.
+    pub(crate) constant_u: bool,
+    /// The parameter that is.
+    pub(crate) at: f64,
+    pub(crate) curve: Curve<DVec3>,
+}
+
+impl Surface {
+    /// The isocurves that divide every patch into `lines` strips each way: at u and v = k / `lines`, sides included.
+    ///
+    /// A side that patches share comes once, a side that is a point not at all (see [`topology`](Self::topology)). For
+    /// each patch first the curves of constant u, then those of constant v.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 lines, [`Error::TooMany`] above 1 GiB of numbers.
+    pub fn isocurves(&self, lines: usize) -> Result<Vec<Curve<DVec3>>, Error> {
+        let mut curves = Vec::new();
+        self.each_isocurve(lines, &mut |line| curves.push(line.curve))?;
+        Ok(curves)
+    }
+
+    /// Draws the [`isocurves`](Self::isocurves) as `matrix` projects them to a canvas: all lines in one call.
+    ///
+    /// `matrix` takes (x, y, z, 1) to (X, Y, ·, W), drawn at (X/W, Y/W) in pixels. Where W is constant along a curve,
+    /// as under every affine matrix, degrees 1 to 3 go out as they are. Other lines become cubics which stay within
+    /// `tolerance` pixels of the true ones (0.1 by default). What lies behind the eye, or nearer to it than a
+    /// thousandth of the farthest vertex's W, is left out, to within 1/4096 of a curve. The caller strokes.
+    ///
+    /// # Errors
+    /// As `isocurves`; [`Error::NotFinite`] for the matrix, [`Error::Range`] for the tolerance.
+    pub fn trace_projected(
+        &self,
+        sink: &mut impl PathSink,
+        matrix: &DMat4,
+        lines: usize,
+        tolerance: Option<f64>,
+    ) -> Result<(), Error> {
+        if let Some(tolerance) = tolerance {
+            check_tolerance(tolerance, 0.0)?;
+        }
+        Error::unless_finite("matrix", &matrix.to_cols_array())?;
+        let tolerance = tolerance.unwrap_or(TOLERANCE_PX);
+        let projection = Projection::new(matrix, self.vertices(), tolerance);
+        self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, sink))
+    }
+
+    /// Hands out the isocurves one by one, by reference to one closure, so that the loop is compiled once.
+    pub(crate) fn each_isocurve(
+        &self,
+        lines: usize,
+        draw: &mut dyn FnMut(Isocurve<'_>),
+    ) -> Result<(), Error> {
+        self.check_lines(lines)?;
+        let uses = self.side_uses();
+        for (patch_number, patch) in self.patches().enumerate() {
+            // A line that an earlier side has drawn, or a point, is left out.
+            let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
+                let number = SIDES * patch_number + side;
+                uses[number].first == number && !uses[number].collapsed
+            });
+            let wanted =
+                |k: usize, first: bool, last: bool| (k > 0 || first) && (k < lines || last);
+            for (constant_u, first, last) in [(true, u0, u1), (false, v0, v1)] {
+                for k in (0..=lines).filter(|&k| wanted(k, first, last)) {
+                    let at = ratio(k, lines);
+                    let curve = if constant_u {
+                        patch.isocurve_at_u(at)
+                    } else {
+                        patch.isocurve_at_v(at)
+                    };
+                    draw(Isocurve {
+                        patch_number,
+                        patch: &patch,
+                        constant_u,
+                        at,
+                        curve,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses 0 lines, and more than the limit on output allows.
+    fn check_lines(&self, lines: usize) -> Result<(), Error> {
+        if lines < 1 {
+            return Err(Error::Range {
+                what: "lines",
+                expected: "a whole number from 1",
+                got: 0.0,
+            });
+        }
+        let per_line: usize = (0..self.patch_count())
+            .filter_map(|patch| self.degrees(patch))
+            .map(|[degree_u, degree_v]| 3 * (degree_u + degree_v + 2))
+            .sum();
+        let limit = (MAX_OUTPUT_F64 / per_line.max(1)).saturating_sub(1);
+        if lines > limit {
+            return Err(Error::TooMany {
+                what: "lines",
+                limit,
+                needed: lines,
+            });
+        }
+        Ok(())
+    }
+}

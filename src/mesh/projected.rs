@@ -1,0 +1,141 @@
+//! Drawing a curve in space as a projection shows it.
+//!
+//! A projection takes the control points Pᵢ to (Xᵢ, Yᵢ, Wᵢ), and the curve to the rational one (ΣBᵢXᵢ, ΣBᵢYᵢ) / ΣBᵢWᵢ.
+//! Canvases draw cubics, so it is halved until the cubic with the same ends and end tangents is close enough. With the
+//! numerator N, the denominator W and the cubic C the error is (N − C·W) / W; the numerator is a polynomial, and the
+//! largest of its Bernstein coefficients over the smallest Wᵢ bounds it. It falls by 16 with each halving.
+
+use crate::bernstein::polynomials::binomials;
+use crate::curve::Curve;
+use crate::curve::trace::PathSink;
+use crate::geometry::point::Point;
+use crate::numeric::float::{ratio, ulp};
+use crate::numeric::list::Points;
+use glam::{DMat4, DVec3, DVec4};
+
+/// What is nearer to the eye than this part of the farthest distance is not drawn.
+const NEAR_RATIO: f64 = 1e-3;
+
+/// A curve is halved no more often than this: into pieces of 1/4096.
+const MAX_HALVINGS: usize = 12;
+
+/// A map to a canvas, with what to leave out.
+pub(crate) struct Projection {
+    matrix: DMat4,
+    /// The least W that is drawn; above 0.
+    near: f64,
+    tolerance: f64,
+}
+
+/// A sink, and whether its current point is the end of the piece before.
+struct ProjectedSubpath<'a, T> {
+    sink: &'a mut T,
+    down: bool,
+}
+
+impl Projection {
+    pub(crate) fn new(matrix: &DMat4, vertices: &[DVec3], tolerance: f64) -> Self {
+        let far = vertices
+            .iter()
+            .map(|&p| homogeneous(matrix, p).z)
+            .fold(0.0, f64::max);
+        Self {
+            matrix: *matrix,
+            near: (far * NEAR_RATIO).max(f64::MIN_POSITIVE),
+            tolerance,
+        }
+    }
+
+    /// Draws one curve, or what of it lies before the eye.
+    pub(crate) fn draw(&self, curve: &Curve<DVec3>, sink: &mut impl PathSink) {
+        let points = curve.control_points().iter();
+        let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
+        let mut stroke = ProjectedSubpath { sink, down: false };
+        self.draw_piece(&Curve::from_points(image), &mut stroke, MAX_HALVINGS);
+    }
+
+    /// Draws a piece of a curve (X, Y, W), or its halves.
+    fn draw_piece(
+        &self,
+        piece: &Curve<DVec3>,
+        stroke: &mut ProjectedSubpath<impl PathSink>,
+        halvings: usize,
+    ) {
+        let before_eye = |p: &DVec3| p.z >= self.near;
+        let all = piece.control_points().iter().all(before_eye);
+        if all && let Some(cubic) = self.flat_curve(piece, halvings == 0) {
+            stroke.draw(&cubic, self.tolerance);
+            return;
+        }
+        let any = piece.control_points().iter().any(before_eye);
+        if halvings == 0 || !any {
+            stroke.down = false;
+            return;
+        }
+        let (left, right) = piece.halve();
+        self.draw_piece(&left, stroke, halvings - 1);
+        self.draw_piece(&right, stroke, halvings - 1);
+    }
+
+    /// The polynomial curve that is close enough to a piece before the eye, if there is one or if there must be.
+    fn flat_curve(&self, piece: &Curve<DVec3>, must: bool) -> Option<Curve<DVec3>> {
+        let points = piece.control_points();
+        let flat: Points<DVec3> = points.iter().map(|&p| (p / p.z).with_z(1.0)).collect();
+        let weight = points[0].z;
+        if points.len() == 2 || points.iter().all(|p| p.z == weight) {
+            return Some(Curve::from_points(flat));
+        }
+        let cubic = cubic_of_same_tangents(points, &flat);
+        (must || error_bound(points, &cubic) <= self.tolerance).then(|| Curve::from_slice(&cubic))
+    }
+}
+
+impl<T: PathSink> ProjectedSubpath<'_, T> {
+    /// Draws a curve, joined to the one before if that was drawn; nothing where coordinates leave the numbers.
+    fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
+        if !flat.max_abs().is_finite() {
+            self.down = false;
+            return;
+        }
+        if !self.down {
+            self.sink.move_to(flat.start().to_2d());
+        }
+        // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
+        let min = 4.0 * ulp(flat.max_abs());
+        flat.trace_on(self.sink, Some(tolerance.max(min)));
+        self.down = true;
+    }
+}
+
+/// (X, Y, W).
+fn homogeneous(matrix: &DMat4, p: DVec3) -> DVec3 {
+    let DVec4 { x, y, w, .. } = *matrix * p.extend(1.0);
+    DVec3::new(x, y, w)
+}
+
+/// The cubic with the ends and end derivatives of the rational curve: n·W₁/W₀·(p₁ − p₀) and its mirror image.
+fn cubic_of_same_tangents(points: &[DVec3], flat: &[DVec3]) -> [DVec3; 4] {
+    let n = points.len() - 1;
+    let reach = |end: usize, inner: usize| {
+        flat[end] + (flat[inner] - flat[end]) * (ratio(n, 3) * points[inner].z / points[end].z)
+    };
+    [flat[0], reach(0, 1), reach(n, n - 1), flat[n]]
+}
+
+/// A bound on the distance of the rational curve (X, Y, W) from a cubic, in pixels: the largest coefficient of N − C·W,
+/// over the least W.
+fn error_bound(points: &[DVec3], cubic: &[DVec3; 4]) -> f64 {
+    let (n, shares) = (points.len() - 1, [1.0, 3.0, 3.0, 1.0]);
+    let (of_points, of_product) = (binomials(n), binomials(n + 3));
+    let mut largest: f64 = 0.0;
+    for k in 0..=n + 3 {
+        let mut sum = DVec3::ZERO;
+        for i in k.saturating_sub(n)..=k.min(3) {
+            let p = points[k - i];
+            sum += (p - cubic[i] * p.z) * (shares[i] * of_points[k - i]);
+        }
+        largest = largest.max(Point::length(sum.with_z(0.0)) / of_product[k]);
+    }
+    let min = points.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
+    largest / min
+}

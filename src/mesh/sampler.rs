@@ -1,0 +1,62 @@
+//! Point and normal of one patch at many parameters.
+
+use crate::geometry::point::Point;
+use crate::numeric::list::Net;
+use crate::patch::normal::NormalNet;
+use crate::patch::tensor_product::{REGULAR_RATIO, directions};
+use bytemuck::cast_slice;
+use casteljau_kernels::Sampler as Samples;
+use glam::DVec3;
+
+/// A patch with what evaluating it over and over needs.
+pub(crate) struct Sampler {
+    samples: Samples,
+    /// Differences along u and v, each brought to the size 1.
+    du: Net,
+    dv: Net,
+    degree_u: usize,
+    limits: Option<NormalNet>,
+}
+
+impl Sampler {
+    pub(crate) fn new(net: &[DVec3], columns: usize) -> Self {
+        let (du, dv) = directions(net, columns);
+        let nets = [cast_slice(net), cast_slice(&du), cast_slice(&dv)];
+        Self {
+            samples: Samples::new(columns, nets),
+            du,
+            dv,
+            degree_u: columns - 1,
+            limits: None,
+        }
+    }
+
+    /// Whether the patch has an inside: it is no curve and no point.
+    pub(crate) fn has_area(&mut self) -> bool {
+        // Nearly always the middle is regular.
+        is_regular(self.samples.sample(0.5, 0.5).1.into()) || !self.limits().vanishes()
+    }
+
+    /// The point and the unit normal at (u, v), its limit where the patch is not regular. Calls with the same v in a row
+    /// are cheaper.
+    pub(crate) fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
+        let (point, cross_product) = self.samples.sample(u, v);
+        let cross_product = DVec3::from(cross_product);
+        let normal = if is_regular(cross_product) {
+            Point::normalize_or_zero(cross_product)
+        } else {
+            self.limits().limit(u, v)
+        };
+        (point.into(), normal)
+    }
+
+    fn limits(&mut self) -> &NormalNet {
+        let (du, dv, m) = (&self.du, &self.dv, self.degree_u);
+        self.limits
+            .get_or_insert_with(|| NormalNet::new(du, dv, m, dv.len() / (m + 1)))
+    }
+}
+
+fn is_regular(cross_product: DVec3) -> bool {
+    cross_product.length_squared() > REGULAR_RATIO * REGULAR_RATIO
+}

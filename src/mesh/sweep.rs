@@ -1,0 +1,233 @@
+//! A cross-section moved along a line: rows of vertices and the faces between them.
+
+use super::buffers::to_f32;
+use crate::numeric::float::ratio;
+use glam::DVec3;
+
+/// A whole turn.
+const TURN: f64 = std::f64::consts::TAU;
+
+/// What is moved along the line.
+pub(crate) struct Section {
+    /// The radius of a tube, half the width of a ribbon.
+    half: f64,
+    /// The corners of a tube as (cos φ, sin φ); none for a ribbon.
+    corners: Vec<[f64; 2]>,
+    /// The rings of a cap between its line's end and its pole, as (cos, sin) of their elevation.
+    rings: Vec<[f64; 2]>,
+}
+
+/// A place on a line.
+#[derive(Clone, Copy)]
+pub(crate) struct Frame {
+    pub(crate) point: DVec3,
+    /// The unit tangent.
+    pub(crate) along: DVec3,
+    /// A unit vector perpendicular to it: a ribbon's normal, where a tube's corners start.
+    pub(crate) side: DVec3,
+}
+
+impl Section {
+    pub(crate) fn ribbon(width: f64) -> Self {
+        Self {
+            half: 0.5 * width,
+            corners: Vec::new(),
+            rings: Vec::new(),
+        }
+    }
+
+    /// A tube with half spheres at its ends, whose rings are about as far apart as its corners.
+    pub(crate) fn tube(radius: f64, sides: usize) -> Self {
+        let steps = ((sides + 2) / 4).max(1);
+        let mut corners = Vec::with_capacity(sides);
+        let [step_c, step_s] = turned(TURN / ratio(sides, 1));
+        let mut corner = [1.0, 0.0];
+        for _ in 0..sides {
+            corners.push(corner);
+            let [c, s] = corner;
+            corner = [c * step_c - s * step_s, c * step_s + s * step_c];
+        }
+        Self {
+            half: radius,
+            corners,
+            rings: (1..steps)
+                .map(|ring| turned(0.25 * TURN * ratio(ring, steps)))
+                .collect(),
+        }
+    }
+
+    /// The vertices of a line with one place.
+    pub(crate) fn min_vertices(&self) -> usize {
+        let rings = 1 + 2 * self.rings.len();
+        self.columns() * rings + 2
+    }
+
+    fn is_tube(&self) -> bool {
+        !self.corners.is_empty()
+    }
+
+    /// The vertices of a row.
+    fn columns(&self) -> usize {
+        self.corners.len().max(2)
+    }
+}
+
+/// (cos φ, sin φ) of an angle up to a third of a turn, to the last digits: the series of e to the power iφ. The
+/// functions of the standard library would be a hundredth of the wasm module.
+pub(crate) fn turned(angle: f64) -> [f64; 2] {
+    let mut sum = [1.0, 0.0];
+    let mut term = 1.0;
+    // (2π / 3) to the 27th over 27! is below 2⁻⁶⁴.
+    for k in 1..=27 {
+        term *= angle / f64::from(k);
+        let sign = if k / 2 % 2 == 1 { -1.0 } else { 1.0 };
+        sum[usize::from(k % 2 == 1)] += sign * term;
+    }
+    sum
+}
+
+/// What the next row is joined to.
+#[derive(Clone, Copy)]
+enum Row {
+    Nothing,
+    /// One vertex.
+    Pole(u32),
+    /// As many as the section has.
+    Ring(u32),
+}
+
+/// Vertices and faces of a section that moves along lines.
+pub(crate) struct Sweep<'a> {
+    section: &'a Section,
+    /// Whether anything is written; if not, vertices are only counted.
+    writes: bool,
+    pub(crate) vertices: u32,
+    pub(crate) positions: Vec<f32>,
+    pub(crate) normals: Vec<f32>,
+    pub(crate) indices: Vec<u32>,
+    row: Row,
+    start: u32,
+}
+
+impl<'a> Sweep<'a> {
+    /// One that only counts.
+    pub(crate) fn new(section: &'a Section) -> Self {
+        Self {
+            section,
+            writes: false,
+            vertices: 0,
+            positions: Vec::new(),
+            normals: Vec::new(),
+            indices: Vec::new(),
+            row: Row::Nothing,
+            start: 0,
+        }
+    }
+
+    /// One that writes so many vertices.
+    pub(crate) fn writing(section: &'a Section, vertices: usize) -> Self {
+        Self {
+            writes: true,
+            positions: Vec::with_capacity(3 * vertices),
+            normals: Vec::with_capacity(3 * vertices),
+            indices: Vec::with_capacity(6 * vertices),
+            ..Self::new(section)
+        }
+    }
+
+    /// Where the next face starts among the indices.
+    pub(crate) fn first_index(&self) -> u32 {
+        u32::try_from(self.indices.len()).unwrap_or(u32::MAX)
+    }
+
+    /// The start of a line.
+    pub(crate) fn begin(&mut self, frame: &Frame) {
+        self.row = Row::Nothing;
+        self.start = self.vertices;
+        if self.section.is_tube() {
+            self.pole(frame, -1.0);
+            for &[c, s] in self.section.rings.iter().rev() {
+                self.ring(frame, [c, -s]);
+            }
+        }
+        self.add_ring(frame);
+    }
+
+    /// The next place on the line.
+    pub(crate) fn add_ring(&mut self, frame: &Frame) {
+        self.ring(frame, [1.0, 0.0]);
+    }
+
+    /// The end of the line, at its last place.
+    pub(crate) fn end(&mut self, frame: &Frame) {
+        if self.section.is_tube() {
+            for &elevation in &self.section.rings {
+                self.ring(frame, elevation);
+            }
+            self.pole(frame, 1.0);
+        } else if self.vertices == self.start + 2 {
+            // A ribbon from nowhere to nowhere.
+            self.vertices = self.start;
+            self.positions.truncate(3 * self.start as usize);
+            self.normals.truncate(3 * self.start as usize);
+        }
+    }
+
+    /// A ring of a tube, its radius and its distance from the place along the line being those of the elevation; or the
+    /// two vertices of a ribbon, left and right.
+    fn ring(&mut self, frame: &Frame, [c, s]: [f64; 2]) {
+        let first = self.vertices;
+        let across = frame.along.cross(frame.side);
+        if self.section.is_tube() {
+            for &[x, y] in &self.section.corners {
+                let normal = (frame.side * x + across * y) * c + frame.along * s;
+                self.vertex(frame.point + normal * self.section.half, normal);
+            }
+        } else {
+            let half = across * self.section.half;
+            self.vertex(frame.point - half, frame.side);
+            self.vertex(frame.point + half, frame.side);
+        }
+        self.join(Row::Ring(first));
+    }
+
+    fn pole(&mut self, frame: &Frame, sense: f64) {
+        let (normal, pole) = (frame.along * sense, self.vertices);
+        self.vertex(frame.point + normal * self.section.half, normal);
+        self.join(Row::Pole(pole));
+    }
+
+    fn vertex(&mut self, position: DVec3, normal: DVec3) {
+        self.vertices = self.vertices.saturating_add(1);
+        if self.writes {
+            self.positions.extend(position.to_array().map(to_f32));
+            self.normals.extend(normal.to_array().map(to_f32));
+        }
+    }
+
+    /// The faces between the row before and this one, counter-clockwise from outside.
+    fn join(&mut self, next: Row) {
+        let before = std::mem::replace(&mut self.row, next);
+        if !self.writes {
+            return;
+        }
+        let columns = self.section.columns();
+        let faces = if self.section.is_tube() { columns } else { 1 };
+        for k in 0..faces {
+            let [here, beside] = [k, (k + 1) % columns].map(|k| u32::try_from(k).unwrap_or(0));
+            match (before, next) {
+                (Row::Ring(a), Row::Ring(b)) => {
+                    let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];
+                    self.indices.extend([p, q, r, p, r, s]);
+                }
+                (Row::Pole(pole), Row::Ring(b)) => {
+                    self.indices.extend([pole, b + beside, b + here]);
+                }
+                (Row::Ring(a), Row::Pole(pole)) => {
+                    self.indices.extend([pole, a + here, a + beside]);
+                }
+                _ => (),
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Which corners of triangles become one vertex?
+
+use super::buffers::to_f32;
+use super::stitched_mesh::{StitchedMesh, number};
+use super::{Indices, Mesh, PatchRange};
+use crate::geometry::point::Point;
+use glam::DVec3;
+
+/// What becomes one vertex of a mesh. Positions are bit-identical in all three.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum Weld {
+    /// One vertex for each point; where patches meet in a crease its normal is the mean of theirs, each weighted by the
+    /// angles of its triangles there.
+    Position,
+    /// One vertex for each point and normal: patches share it unless their normals differ by more than 0.1°.
+    #[default]
+    Normal,
+    /// Each patch has its own vertices, so that uvs and patch numbers hold.
+    None,
+}
+
+/// Normals that differ by less than 0.1° share a vertex: the square of the chord of that angle.
+const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;
+
+/// How many normals at one node are compared, the latest first: where thousands of patches meet in a point, comparing
+/// each with all would take for ever. Some that agree may then stay apart.
+const MAX_COMPARED: usize = 256;
+
+/// No vertex yet.
+const NONE: u32 = u32::MAX;
+
+/// A vertex: a node and its normal.
+struct Vertex {
+    node: u32,
+    normal: DVec3,
+    /// The vertex before with the same node.
+    before: u32,
+}
+
+/// Numbers vertices as triangles use them.
+struct Welder<'a> {
+    stitched_mesh: &'a StitchedMesh,
+    vertices: Vec<Vertex>,
+    /// The last vertex of each node.
+    last: Vec<u32>,
+}
+
+impl StitchedMesh {
+    /// The mesh with vertices shared in this way.
+    pub(crate) fn weld(&self, weld: Weld, mesh: &mut Mesh<f64>) {
+        mesh.clear();
+        if weld == Weld::None {
+            self.keep_corners(mesh);
+            return;
+        }
+        let mut welder = Welder {
+            stitched_mesh: self,
+            vertices: Vec::new(),
+            last: vec![NONE; self.nodes.len()],
+        };
+        let mut numbers = Vec::with_capacity(3 * self.triangles.len());
+        for triangle in &self.triangles {
+            numbers.extend(triangle.map(|corner| welder.vertex(corner, weld)));
+        }
+        if weld == Weld::Position {
+            welder.average_normals(&numbers);
+        }
+        for vertex in &welder.vertices {
+            mesh.push(self.nodes[vertex.node as usize], vertex.normal);
+        }
+        mesh.indices = Indices::smallest(numbers, welder.vertices.len());
+        self.fill_ranges(mesh, false);
+    }
+
+    /// Every corner is a vertex.
+    fn keep_corners(&self, mesh: &mut Mesh<f64>) {
+        for corner in &self.corners {
+            mesh.push(self.nodes[corner.node as usize], corner.normal);
+            mesh.uvs.extend([to_f32(corner.u), to_f32(corner.v)]);
+        }
+        let mut from = 0;
+        for (patch, end) in self.ends.iter().enumerate() {
+            let ids = std::iter::repeat_n(number(patch), end.corners - from);
+            mesh.patch_ids.extend(ids);
+            from = end.corners;
+        }
+        let numbers = self.triangles.as_flattened().to_vec();
+        mesh.indices = Indices::smallest(numbers, self.corners.len());
+        self.fill_ranges(mesh, true);
+    }
+
+    /// The triangles of each patch are in a row in any case, its vertices only where they are its own.
+    fn fill_ranges(&self, mesh: &mut Mesh<f64>, own_vertices: bool) {
+        let (mut corners, mut triangles) = (0, 0);
+        for end in &self.ends {
+            let mut range = PatchRange {
+                first_index: number(3 * triangles),
+                indices: number(3 * (end.triangles - triangles)),
+                ..PatchRange::default()
+            };
+            if own_vertices {
+                range.first_vertex = number(corners);
+                range.vertices = number(end.corners - corners);
+            }
+            mesh.patch_ranges.push(range);
+            (corners, triangles) = (end.corners, end.triangles);
+        }
+    }
+}
+
+impl Welder<'_> {
+    /// The vertex of a corner.
+    fn vertex(&mut self, corner: u32, weld: Weld) -> u32 {
+        let corner = &self.stitched_mesh.corners[corner as usize];
+        let last = self.last[corner.node as usize];
+        let mut found = last;
+        for _ in 0..MAX_COMPARED {
+            let Some(vertex) = self.vertices.get(found as usize) else {
+                break;
+            };
+            let apart = vertex.normal - corner.normal;
+            if weld == Weld::Position || apart.length_squared() <= SAME_NORMAL_SQUARED {
+                return found;
+            }
+            found = vertex.before;
+        }
+        self.vertices.push(Vertex {
+            node: corner.node,
+            normal: corner.normal,
+            before: last,
+        });
+        let new = number(self.vertices.len() - 1);
+        self.last[corner.node as usize] = new;
+        new
+    }
+
+    /// Replaces normals by the means of their corners' normals, weighted by the angles of the triangles.
+    fn average_normals(&mut self, numbers: &[u32]) {
+        let mut sums = vec![DVec3::ZERO; self.vertices.len()];
+        let corners = self.stitched_mesh.triangles.as_flattened();
+        for (triangle, corners) in numbers.chunks_exact(3).zip(corners.chunks_exact(3)) {
+            let point = |k: usize| {
+                let vertex = &self.vertices[triangle[k % 3] as usize];
+                self.stitched_mesh.nodes[vertex.node as usize]
+            };
+            for (k, &corner) in corners.iter().enumerate() {
+                let (a, b) = (point(k + 1) - point(k), point(k + 2) - point(k));
+                let normal = self.stitched_mesh.corners[corner as usize].normal;
+                sums[triangle[k] as usize] +=
+                    normal * angle(Point::normalize_or_zero(a), Point::normalize_or_zero(b));
+            }
+        }
+        for (vertex, sum) in self.vertices.iter_mut().zip(sums) {
+            // Normals that cancel leave the first one.
+            let mean = Point::normalize_or_zero(sum);
+            if mean != DVec3::ZERO {
+                vertex.normal = mean;
+            }
+        }
+    }
+}
+
+/// The angle between unit vectors, accurate for small ones too: 2·atan(|a − b| / |a + b|) (Kahan).
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    2.0 * Point::length(a - b).atan2(Point::length(a + b))
+}

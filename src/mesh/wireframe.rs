@@ -1,0 +1,141 @@
+//! A surface as a mesh of its lines: tubes or ribbons along the isocurves.
+
+use super::sweep::{Section, Sweep};
+use super::tracer::Tracer;
+use super::wire::{Wire, WireframeOptions};
+use super::{Indices, Mesh, PatchRange};
+use crate::geometry::error::Error;
+use crate::numeric::float::ratio;
+use crate::surface::network::Surface;
+
+/// The most vertices: each three positions, three normals and, nearly, two triangles of three indices, four bytes each,
+/// in 1 GiB.
+const MAX_VERTICES: u32 = (1 << 30) / ((3 + 3 + 6) * 4);
+
+impl Surface {
+    /// A mesh of the [`isocurves`](Self::isocurves): tubes, or ribbons that lie in the surface.
+    ///
+    /// A line is followed as closely as a tube's cross-section follows its circle: to r (1 − cos(π / sides)), with
+    /// places between which it turns by at most 2π / sides (a ribbon as half as wide as a tube with eight sides). Where
+    /// it turns back within that distance, at a cusp, it ends and starts anew. Tubes are closed bodies with round ends,
+    /// which is how they meet where lines cross and patches end; their cross-sections do not twist about the line
+    /// (rotation-minimising frames by double reflection). Ribbons have the surface's normals and one side, that of ∂u ×
+    /// ∂v. A line that is a point gives nothing. `uvs` and `patch_ids` are empty; `patch_ranges` tell which patch has
+    /// drawn what.
+    ///
+    /// Source of the frames: Wang, Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM
+    /// Transactions on Graphics 27 (2008).
+    ///
+    /// ```
+    /// use casteljau::mesh::{Wire, WireframeOptions};
+    /// use casteljau::{Surface, TeapotOptions};
+    ///
+    /// let teapot = Surface::teapot(TeapotOptions::default());
+    /// let wire = Wire::Ribbon { width: 0.05 };
+    /// let mesh = teapot.wireframe(&WireframeOptions { lines: 4, wire })?;
+    /// assert!(mesh.triangle_count() > 2 * 260);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Range`] for 0 lines, fewer than 3 sides, a radius or a width that is not above 0, [`Error::TooSmall`] for
+    /// one so small that f32 cannot show it, [`Error::TooMany`] above 1 GiB.
+    pub fn wireframe(&self, options: &WireframeOptions) -> Result<Mesh, Error> {
+        let section = options.wire.section()?;
+        let tracer = Tracer::new(self, &options.wire)?;
+        self.check_min_count(options.lines, &section)?;
+        // Counted first, so that nothing is allocated in vain.
+        let mut sweep = Sweep::new(&section);
+        let mut patch_ranges = vec![PatchRange::default(); self.patch_count()];
+        self.draw_wires(options.lines, &tracer, &mut sweep, &mut patch_ranges)?;
+        let count = sweep.vertices as usize;
+        if sweep.vertices > MAX_VERTICES {
+            return Err(too_many(count));
+        }
+        let mut sweep = Sweep::writing(&section, count);
+        self.draw_wires(options.lines, &tracer, &mut sweep, &mut patch_ranges)?;
+        Ok(Mesh {
+            positions: sweep.positions,
+            normals: sweep.normals,
+            indices: Indices::smallest(sweep.indices, count),
+            patch_ranges,
+            ..Mesh::default()
+        })
+    }
+
+    fn draw_wires(
+        &self,
+        lines: usize,
+        tracer: &Tracer,
+        sweep: &mut Sweep<'_>,
+        ranges: &mut [PatchRange],
+    ) -> Result<(), Error> {
+        ranges.fill(PatchRange::default());
+        let mut outcome = Ok(());
+        self.each_isocurve(lines, &mut |line| {
+            if outcome.is_ok() && sweep.vertices <= MAX_VERTICES {
+                let (first_vertex, first_index) = (sweep.vertices, sweep.first_index());
+                outcome = tracer.follow(&line, sweep);
+                let range = &mut ranges[line.patch_number];
+                if range.vertices == 0 {
+                    (range.first_vertex, range.first_index) = (first_vertex, first_index);
+                }
+                range.vertices = sweep.vertices - range.first_vertex;
+                range.indices = sweep.first_index() - range.first_index;
+            }
+        })?;
+        outcome
+    }
+
+    /// Refuses lines that must be too many, without looking at one of them.
+    fn check_min_count(&self, lines: usize, section: &Section) -> Result<(), Error> {
+        let inside = lines
+            .saturating_sub(1)
+            .saturating_mul(2 * self.patch_count());
+        let needed = inside.saturating_mul(section.min_vertices());
+        if needed > MAX_VERTICES as usize {
+            Err(too_many(needed))
+        } else {
+            Ok(())
+        }
+    }
+}
+
+fn too_many(needed: usize) -> Error {
+    Error::TooMany {
+        what: "vertices",
+        limit: MAX_VERTICES as usize,
+        needed,
+    }
+}
+
+impl Wire {
+    fn section(&self) -> Result<Section, Error> {
+        let (what, size) = self.size();
+        if !(size > 0.0 && size < f64::INFINITY) {
+            return Err(Error::Range {
+                what,
+                expected: "a finite number above 0",
+                got: size,
+            });
+        }
+        match *self {
+            Self::Tube { sides, .. } if sides < 3 => Err(Error::Range {
+                what: "sides",
+                expected: "a whole number from 3",
+                got: ratio(sides, 1),
+            }),
+            Self::Tube { sides, .. } if sides > MAX_VERTICES as usize => Err(too_many(sides)),
+            Self::Tube { radius, sides } => Ok(Section::tube(radius, sides)),
+            Self::Ribbon { width } => Ok(Section::ribbon(width)),
+        }
+    }
+
+    /// The size by its name.
+    pub(crate) fn size(&self) -> (&'static str, f64) {
+        match *self {
+            Self::Tube { radius, .. } => ("radius", radius),
+            Self::Ribbon { width } => ("width", width),
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Surfaces that everybody knows: the Utah teapot.
+//!
+//! Thirty-two bicubic patches: rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31; z points up,
+//! ∂u × ∂v outwards. Patch for patch and point for point the figures are those of the usual listing. Vertices are
+//! numbered anew: each distinct point is one vertex, in the order in which patches use them. That makes 290 instead of
+//! the listing's 306, of which four are unused and twelve repeat the edge between body and bottom; here that edge is
+//! shared like all others.
+
+use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
+use crate::surface::network::Surface;
+use glam::DVec3;
+
+/// Which parts of the teapot, how tall, and which way up. By default: all parts, squashed, z up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct TeapotOptions {
+    /// Patches 0–3 of the whole.
+    pub rim: bool,
+    /// Patches 4–11.
+    pub body: bool,
+    /// Patches 12–15.
+    pub handle: bool,
+    /// Patches 16–19.
+    pub spout: bool,
+    /// Patches 20–27.
+    pub lid: bool,
+    /// Patches 28–31, which Newell's teapot did not have.
+    pub bottom: bool,
+    /// How tall.
+    pub height: Height,
+    /// Which axis points up.
+    pub up: Up,
+}
+
+/// The height of the teapot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum Height {
+    /// 3.15, as the teapot is commonly distributed: Blinn's display had pixels that were not square.
+    #[default]
+    Squashed,
+    /// 4.2, 4/3 as tall: as Newell made it. (three.js stretches by 1.3.)
+    Original,
+}
+
+/// The axis that points up; the spout points along +x.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum Up {
+    /// +z, as in the listing.
+    #[default]
+    Z,
+    /// +y: (x, y, z) becomes (x, z, −y).
+    Y,
+}
+
+impl Default for TeapotOptions {
+    fn default() -> Self {
+        Self {
+            rim: true,
+            body: true,
+            handle: true,
+            spout: true,
+            lid: true,
+            bottom: true,
+            height: Height::default(),
+            up: Up::default(),
+        }
+    }
+}
+
+/// A control point in whole units; i32, as the tables' sums and turns need no more.
+pub(crate) type Whole = [i32; 3];
+
+impl Surface {
+    /// The Utah teapot or some of its parts; see [`TeapotOptions`].
+    pub fn teapot(options: TeapotOptions) -> Self {
+        teapot(options)
+    }
+}
+
+/// The teapot's chosen parts.
+fn teapot(options: TeapotOptions) -> Surface {
+    let mut points: Vec<Whole> = Vec::new();
+    if options.rim {
+        turn(&WALL[..4], 1, &mut points);
+    }
+    if options.body {
+        turn(&WALL[3..], 1, &mut points);
+    }
+    if options.handle {
+        sweep(&HANDLE, &mut points);
+    }
+    if options.spout {
+        sweep(&SPOUT, &mut points);
+    }
+    if options.lid {
+        turn(&LID, 1, &mut points);
+    }
+    if options.bottom {
+        turn(&BOTTOM, -1, &mut points);
+    }
+    let (vertices, indices) = share(&points);
+    let vertices = vertices.iter().map(|&p| position(p, options)).collect();
+    Surface::bicubic(vertices, indices)
+}
+
+/// Turns profiles around the z axis, a quarter turn per patch; `sense` 1 is clockwise as seen from above.
+pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
+    for curve in profile.windows(4).step_by(3) {
+        for quarter in 0..4 {
+            for ring in curve {
+                let [radius, reach, z] = ring.map(i32::from);
+                let arc = [(radius, 0), (radius, reach), (reach, radius), (0, radius)];
+                points.extend(arc.map(|(x, y)| {
+                    let (x, y) = (0..quarter).fold((x, y), |(x, y), _| (-y, x));
+                    [x, -sense * y, z]
+                }));
+            }
+        }
+    }
+}
+
+/// Sweeps cross-sections: two curves, each with a patch on the side of −y and its mirror image.
+pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
+    for curve in sections.windows(4).step_by(3) {
+        for section in curve {
+            points.extend(half_section(section));
+        }
+        for section in curve {
+            let mirrored = half_section(section).map(|[x, y, z]| [x, -y, z]);
+            points.extend(mirrored.iter().rev());
+        }
+    }
+}
+
+/// The half of a cross-section with y ≤ 0.
+fn half_section(section: &Section) -> [Whole; 4] {
+    let [x0, z0, x1, z1, width] = section.map(i32::from);
+    [[x0, 0, z0], [x0, -width, z0], [x1, -width, z1], [x1, 0, z1]]
+}
+
+/// Numbers equal points once, in the order of their first use.
+pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
+    let mut vertices: Vec<Whole> = Vec::new();
+    let mut indices = Vec::with_capacity(points.len());
+    for point in points {
+        let found = (0..).zip(&vertices).find(|(_, vertex)| *vertex == point);
+        let index = found.map(|(index, _)| index);
+        indices.push(index.unwrap_or_else(|| {
+            vertices.push(*point);
+            u32::try_from(vertices.len() - 1).unwrap_or(u32::MAX)
+        }));
+    }
+    (vertices, indices)
+}
+
+/// The point in the teapot's unit. Whole numbers are divided once, so every coordinate is the nearest f64.
+fn position([x, y, z]: Whole, options: TeapotOptions) -> DVec3 {
+    let height_units = match options.height {
+        Height::Squashed => UNITS,
+        Height::Original => UNITS * 0.75,
+    };
+    let (x, z) = (f64::from(x) / UNITS, f64::from(z) / height_units);
+    match options.up {
+        Up::Z => DVec3::new(x, f64::from(y) / UNITS, z),
+        Up::Y => DVec3::new(x, z, f64::from(-y) / UNITS),
+    }
+}

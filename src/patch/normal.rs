@@ -1,0 +1,142 @@
+//! Which way does the surface face where ∂u × ∂v vanishes?
+//!
+//! N(u, v) = ∂S/∂u × ∂S/∂v is itself a polynomial, with vector coefficients of degrees 2m − 1 and 2n − 1: the normal
+//! net, 6 × 6 vectors for a bicubic patch. Where a side has collapsed into a point, the rows of this net along the side
+//! are exactly zero, and the first row that is not gives the limit of the normal's direction. So no step length has to
+//! be chosen, and no noise is normalised. Source: Yamaguchi, "Normal vectors of Bézier patches"; the formula is derived
+//! by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*, §6.9 for products).
+
+use super::net::transpose;
+use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::Point;
+use crate::numeric::list::Net;
+pub(crate) use casteljau_kernels::binomial;
+use glam::DVec3;
+
+/// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
+const VANISHING: f64 = 1e-13;
+
+/// Limits are taken on the way to the middle of the patch. Where N vanishes on all of that way, as along a fold in the
+/// middle, the two sides disagree, and this other way chooses one.
+const INWARD: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
+
+/// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
+pub(crate) struct NormalNet {
+    net: Net,
+    /// 2m − 1 and 2n − 1.
+    degree_u: usize,
+    degree_v: usize,
+}
+
+impl NormalNet {
+    /// From differences along u (m columns) and along v (m + 1 columns):
+    /// N_kl = Σ C(m−1,i) C(n,j) C(m,i′) C(n−1,j′) / (C(2m−1,k) C(2n−1,l)) Δu_ij × Δv_i′j′ over i + i′ = k, j + j′ = l.
+    pub(crate) fn new(du: &[DVec3], dv: &[DVec3], m: usize, n: usize) -> Self {
+        let (degree_u, degree_v) = (2 * m - 1, 2 * n - 1);
+        let columns = degree_u + 1;
+        let mut net = std::iter::repeat_n(DVec3::ZERO, columns * (degree_v + 1)).collect::<Net>();
+        let (du, dv) = (weighted(du, m - 1, n), weighted(dv, m, n - 1));
+        for (a, &along_u) in du.iter().enumerate() {
+            for (b, &along_v) in dv.iter().enumerate() {
+                let (k, l) = (a % m + b % (m + 1), a / m + b / (m + 1));
+                net[l * columns + k] += along_u.cross(along_v);
+            }
+        }
+        for (index, coefficient) in net.iter_mut().enumerate() {
+            *coefficient /=
+                binomial(degree_u, index % columns) * binomial(degree_v, index / columns);
+        }
+        Self {
+            net,
+            degree_u,
+            degree_v,
+        }
+    }
+
+    /// Whether N is zero everywhere: the patch is a point or a curve.
+    pub(crate) fn vanishes(&self) -> bool {
+        self.net.iter().all(|&p| direction(p).is_none())
+    }
+
+    /// The unit vector that N's direction tends to at (u, v), coming from the middle of the patch; zero if N is zero.
+    pub(crate) fn limit(&self, u: f64, v: f64) -> DVec3 {
+        let inside = |t: f64| t > 0.0 && t < 1.0;
+        let columns = self.degree_u + 1;
+        let on_side = if inside(u) && (v == 0.0 || v == 1.0) {
+            first_row(&self.net, columns, u, v == 1.0)
+        } else if inside(v) && (u == 0.0 || u == 1.0) {
+            let across = transpose(&self.net, columns);
+            first_row(&across, self.degree_v + 1, v, u == 1.0)
+        } else {
+            None
+        };
+        let toward = |toward_direction| self.toward(u, v, toward_direction);
+        on_side
+            .or_else(|| INWARD.into_iter().find_map(toward))
+            .unwrap_or(DVec3::ZERO)
+    }
+
+    /// The first direction along the straight line from (u, v) to another point: that of the first coefficient of N on
+    /// this line which does not vanish. The coefficients of order k are those of k steps, in u and v together.
+    fn toward(&self, u: f64, v: f64, [to_u, to_v]: [f64; 2]) -> Option<DVec3> {
+        let columns = self.degree_u + 1;
+        let rows = self.degree_v + 1;
+        let narrow = piece_toward(&self.net, columns, u, to_u);
+        let piece = piece_toward(&transpose(&narrow, columns), rows, v, to_v);
+        (0..columns + rows - 1).find_map(|order| {
+            let min = order.saturating_sub(self.degree_v);
+            let sum: DVec3 = (min..=order.min(self.degree_u))
+                .map(|k| {
+                    let share = binomial(self.degree_u, k) * binomial(self.degree_v, order - k);
+                    piece[k * rows + order - k] * share
+                })
+                .sum();
+            direction(sum / binomial(self.degree_u + self.degree_v, order))
+        })
+    }
+}
+
+/// The direction at t of the first row, or of the last one backwards, that does not vanish there.
+fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
+    let at = |row: &[DVec3]| {
+        let some = row.iter().any(|&p| p != DVec3::ZERO);
+        some.then(|| direction(evaluate(row, t))).flatten()
+    };
+    if from_end {
+        net.rchunks(columns).find_map(at)
+    } else {
+        net.chunks(columns).find_map(at)
+    }
+}
+
+/// Every row from t toward another parameter: the piece up to there, or from an end to ½ the whole row, which starts
+/// alike.
+fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
+    let mut rows = Net::from(net);
+    for row in rows.chunks_mut(columns) {
+        let (mut start, mut end) = (t, to);
+        if t > to {
+            row.reverse();
+            (start, end) = (1.0 - t, 1.0 - to);
+        }
+        if start != 0.0 || end != 0.5 {
+            blossom_piece(row, start, end);
+        }
+    }
+    rows
+}
+
+/// The unit vector, unless the length is noise.
+fn direction(vector: DVec3) -> Option<DVec3> {
+    (vector.length_squared() > VANISHING * VANISHING).then(|| Point::normalize_or_zero(vector))
+}
+
+/// Each coefficient of a net of these degrees times its binomials.
+fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
+    let columns = degree_u + 1;
+    net.iter()
+        .enumerate()
+        .map(|(i, &p)| p * (binomial(degree_u, i % columns) * binomial(degree_v, i / columns)))
+        .collect()
+}

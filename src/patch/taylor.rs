@@ -1,0 +1,77 @@
+//! Value, first and second derivative of a row of Bernstein coefficients.
+
+use crate::bernstein::polynomials::bernstein_into;
+use crate::geometry::error::MAX_DEGREE;
+use crate::numeric::float::ratio;
+
+/// The most coefficients of a row: the degree of a squared distance is twice that of a patch.
+pub(crate) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
+
+/// From this number of coefficients on, a row is evaluated by its Bernstein weights and not by de Casteljau's algorithm.
+pub(crate) const LONG_ROW: usize = 9;
+
+/// The Bernstein weights of a row's degree at one parameter, and those of the two degrees below.
+pub(crate) struct Weights {
+    count: usize,
+    weights: [[f64; MAX_COUNT]; 3],
+}
+
+impl Weights {
+    /// `None` for rows so short that de Casteljau's algorithm is as quick, and outside of the unit interval.
+    pub(crate) fn new(count: usize, t: f64) -> Option<Self> {
+        if count < LONG_ROW || !(0.0..=1.0).contains(&t) {
+            return None;
+        }
+        let mut weights = [[0.0; MAX_COUNT]; 3];
+        for (lower, weights) in weights.iter_mut().enumerate() {
+            bernstein_into(&mut weights[..count - lower], t);
+        }
+        Some(Self { count, weights })
+    }
+
+    /// Value, first and second derivative of a row.
+    pub(crate) fn blend(&self, row: &[f64]) -> [f64; 3] {
+        let weights = |lower: usize| &self.weights[lower][..self.count - lower];
+        blend_row(row, [weights(0), weights(1), weights(2)])
+    }
+}
+
+/// Value, first and second derivative at t, by de Casteljau's algorithm, which passes all three.
+pub(crate) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
+    let mut row = [0.0; MAX_COUNT];
+    let n = coefficients.len() - 1;
+    row[..=n].copy_from_slice(coefficients);
+    let degree = ratio(n, 1);
+    let (mut slope, mut bend) = (0.0, 0.0);
+    for last in (1..=n).rev() {
+        if last == 2 {
+            bend = degree * (degree - 1.0) * (row[2] - row[1] - (row[1] - row[0]));
+        }
+        if last == 1 {
+            slope = degree * (row[1] - row[0]);
+        }
+        for i in 0..last {
+            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
+        }
+    }
+    [row[0], slope, bend]
+}
+
+/// Value, first and second derivative along each row of a net, given the Bernstein weights of the row's degree n and of
+/// the degrees n − 1 and n − 2 at the parameter. Rows have at least three coefficients.
+fn blend_row(row: &[f64], weights: [&[f64]; 3]) -> [f64; 3] {
+    let n = ratio(row.len() - 1, 1);
+    let [of_value, of_slope, of_bend] = weights;
+    let value = row.iter().zip(of_value).map(|(c, w)| c * w).sum();
+    let slope: f64 = row
+        .windows(2)
+        .zip(of_slope)
+        .map(|(c, w)| (c[1] - c[0]) * w)
+        .sum();
+    let bend: f64 = row
+        .windows(3)
+        .zip(of_bend)
+        .map(|(c, w)| (c[2] - c[1] - (c[1] - c[0])) * w)
+        .sum();
+    [value, n * slope, n * (n - 1.0) * bend]
+}

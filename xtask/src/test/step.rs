@@ -1,0 +1,207 @@
+//! A step of a run: what it needs, what it is given, and the record of how it ended.
+
+use super::args::Choice;
+use super::summary::{Outcome, Record};
+use crate::shell;
+use anyhow::{Context as _, Result, bail};
+use std::fs;
+use std::path::PathBuf;
+use std::process;
+
+/// One step of a run.
+pub(crate) struct Step {
+    pub(crate) name: &'static str,
+    pub(crate) title: &'static str,
+    /// The steps without which this one cannot pass.
+    pub(crate) needs: &'static [&'static str],
+    /// Whether names of files or tests may follow its name.
+    pub(crate) selects: bool,
+    /// The step beside which this one runs if both are chosen: each of the two keeps one core busy.
+    pub(crate) beside: Option<&'static str>,
+    pub(crate) act: fn(&Context) -> Result<Done>,
+}
+
+/// What a step is given.
+pub(crate) struct Context<'a> {
+    /// The names of files or tests to which it is restricted.
+    pub(crate) filters: &'a [String],
+    /// The number of cases for generated tests, if the user gave one.
+    pub(crate) cases: Option<u64>,
+    /// The file in which tests say that they are skipped, one line each.
+    pub(crate) skipped: PathBuf,
+}
+
+/// How a step that did not fail ended.
+pub(crate) enum Done {
+    Passed,
+    /// It could not run here; the text says why.
+    Skipped(String),
+}
+
+/// The command that the user gave.
+pub(crate) struct Command {
+    pub(crate) name: &'static str,
+    pub(crate) cases: Option<u64>,
+}
+
+pub(crate) fn find<'a>(steps: &'a [Step], choice: &Choice) -> Result<&'a Step> {
+    let found = steps.iter().find(|step| step.name == choice.step);
+    found.with_context(|| format!("no step {}", choice.step))
+}
+
+/// The first step on which this one depends and which has not passed.
+pub(crate) fn blocked(step: &Step, records: &[Record]) -> Option<Outcome> {
+    let failed = |record: &&Record| {
+        step.needs.contains(&record.name.as_str()) && record.outcome != Outcome::Passed
+    };
+    let needed = records.iter().find(failed)?;
+    let ended = match needed.outcome {
+        Outcome::Skipped(_) => "was skipped",
+        _ => "failed",
+    };
+    Some(Outcome::Skipped(format!(
+        "needs {}, which {ended}",
+        needed.name
+    )))
+}
+
+pub(crate) fn record(
+    command: &Command,
+    step: &Step,
+    choice: &Choice,
+    seconds: f64,
+    outcome: Outcome,
+) -> Record {
+    let skipped = fs::read_to_string(file(step, "skipped-tests")).unwrap_or_default();
+    let mut skipped_tests: Vec<String> = skipped.lines().map(str::to_owned).collect();
+    skipped_tests.sort();
+    skipped_tests.dedup();
+    Record {
+        name: step.name.to_owned(),
+        title: step.title,
+        seconds,
+        outcome,
+        command: repeat(command, choice),
+        skipped_tests,
+    }
+}
+
+/// What a step leaves behind: its output, and what it skipped.
+pub(crate) fn file(step: &Step, extension: &str) -> PathBuf {
+    let folder = shell::target_dir().join("xtask-steps");
+    folder.join(step.name).with_extension(extension)
+}
+
+/// Makes the folder of [`file`], and removes what an earlier run left there.
+pub(crate) fn prepare(step: &Step) -> Result<()> {
+    fs::create_dir_all(shell::target_dir().join("xtask-steps"))?;
+    for extension in ["log", "skipped", "skipped-tests"] {
+        let path = file(step, extension);
+        if path.exists() {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
+}
+
+/// The command line that runs a step again.
+fn repeat(command: &Command, choice: &Choice) -> String {
+    let mut words = vec![format!("cargo xtask {}", command.name)];
+    words.extend(command.cases.map(|cases| format!("--cases {cases}")));
+    words.push(choice.step.clone());
+    if !choice.filters.is_empty() {
+        words.push("--".to_owned());
+    }
+    words.extend(choice.filters.iter().map(|filter| quoted(filter)));
+    words.join(" ")
+}
+
+/// A word as a shell reads it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "_-./:,".contains(c);
+    if !word.is_empty() && word.chars().all(plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+/// Runs all of the commands, whether or not one before failed.
+pub(crate) fn run_all(commands: impl IntoIterator<Item = process::Command>) -> Result<Done> {
+    let results = commands
+        .into_iter()
+        .map(|mut command| shell::run(&mut command));
+    let failed: Vec<String> = results
+        .filter_map(|result| result.err())
+        .map(|e| e.to_string())
+        .collect();
+    if !failed.is_empty() {
+        bail!("{}", failed.join("; "));
+    }
+    Ok(Done::Passed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(name: &'static str, needs: &'static [&'static str]) -> Step {
+        Step {
+            name,
+            title: "A title",
+            needs,
+            selects: true,
+            beside: None,
+            act: |_| Ok(Done::Passed),
+        }
+    }
+
+    fn ended_step(name: &str, outcome: Outcome) -> Record {
+        Record {
+            name: name.to_owned(),
+            title: "A title",
+            seconds: 0.0,
+            outcome,
+            command: String::new(),
+            skipped_tests: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn only_what_depends_on_a_failed_step_is_skipped() {
+        let records = [
+            ended_step("native", Outcome::Failed(String::new())),
+            ended_step("build", Outcome::Failed(String::new())),
+            ended_step("site", Outcome::Skipped(String::new())),
+        ];
+        let reason = |needs| blocked(&step("page", needs), &records);
+        assert_eq!(reason(&[]), None);
+        let skipped = |text: &str| Some(Outcome::Skipped(text.to_owned()));
+        assert_eq!(reason(&["build"]), skipped("needs build, which failed"));
+        assert_eq!(reason(&["site"]), skipped("needs site, which was skipped"));
+        let passed = [ended_step("build", Outcome::Passed)];
+        assert_eq!(blocked(&step("page", &["build"]), &passed), None);
+    }
+
+    #[test]
+    fn the_command_that_repeats_a_step_has_its_filters() {
+        let line = |cases, filters: &[&str]| {
+            let filters = filters.iter().map(|&filter| filter.to_owned()).collect();
+            let choice = Choice {
+                step: "page".to_owned(),
+                filters,
+            };
+            repeat(
+                &Command {
+                    name: "test",
+                    cases,
+                },
+                &choice,
+            )
+        };
+        assert_eq!(line(None, &[]), "cargo xtask test page");
+        assert_eq!(
+            line(Some(7), &["site.test.js", "it's here"]),
+            r"cargo xtask test --cases 7 page -- site.test.js 'it'\''s here'"
+        );
+    }
+}
