@@ -22,7 +22,7 @@ use glam::DVec2;
 /// builder.quad_to(DVec2::new(2.0, 2.0), DVec2::new(0.0, 2.0));
 /// builder.close();
 /// let path = builder.build()?;
-/// assert_eq!(path.to_string(), "M0 0H2Q2 2 0 2Z");
+/// assert_eq!(path.to_string(), "M0,0 L2,0 Q2,2 0,2 Z");
 /// # Ok::<(), casteljau::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
