@@ -50,7 +50,7 @@ fn compilation() -> Command {
         .unwrap_or_default();
     let remap = format!("--remap-path-prefix={}=cargo", home.display());
     let mut cargo = shell::cargo(&["build", "--lib", "--profile", "wasm"]);
-    cargo.args(wasm_test::TARGET);
+    cargo.args(wasm_test::BINDINGS).args(wasm_test::TARGET);
     // Joined to the flags of .cargo/config.toml, which the variables would replace.
     cargo
         .env_remove("RUSTFLAGS")

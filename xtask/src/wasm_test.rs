@@ -11,8 +11,10 @@ pub(crate) const RUNNER: &str = "run-wasm-test";
 /// Overrides the runner of .cargo/config.toml.
 const RUNNER_SETTING: &str = "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER";
 
-/// What selects the bindings for wasm32.
-pub(crate) const TARGET: [&str; 4] = ["--target", "wasm32-unknown-unknown", "--features", "wasm"];
+/// What selects wasm32.
+pub(crate) const TARGET: [&str; 2] = ["--target", "wasm32-unknown-unknown"];
+/// The package of the bindings.
+pub(crate) const BINDINGS: [&str; 2] = ["--package", "casteljau-wasm"];
 /// For one wasm test binary in one browser; the runner's own 20 s are short for a shared machine.
 const WASM_TIMEOUT_S: &str = "300";
 

@@ -160,12 +160,18 @@ fn clippy(_: &Context) -> Result<Done> {
 }
 
 fn clippy_wasm(_: &Context) -> Result<Done> {
-    let mut clippy = shell::cargo(&["clippy", "--quiet", "--package", "casteljau", "--lib"]);
-    clippy
-        .args(wasm_test::TARGET)
-        .args(wasm_test::target_options());
-    clippy.args(["--", "--deny", "warnings"]);
-    run_all([clippy])
+    let clippy = |options: &[String]| {
+        let mut clippy = shell::cargo(&["clippy", "--quiet"]);
+        clippy.args(wasm_test::TARGET).args(options);
+        clippy.args(["--", "--deny", "warnings"]);
+        clippy
+    };
+    let mut tests = vec!["--package".to_owned(), "casteljau".to_owned()];
+    tests.extend(wasm_test::target_options());
+    run_all([
+        clippy(&wasm_test::BINDINGS.map(str::to_owned)),
+        clippy(&tests),
+    ])
 }
 
 fn native(context: &Context) -> Result<Done> {
