@@ -1,4 +1,4 @@
-//! A camera path through points in space, with eased motion and rotation-minimizing frames. Prints one line per step:
+//! A camera path through points in space, with eased motion and rotation-minimising frames. Prints one line per step:
 //! the position, the direction and the up vector.
 //!
 //!     cargo run --example flight

@@ -1,6 +1,6 @@
-//! Serialization with serde, behind the feature `serde`, of the types whose values are validated by a constructor.
+//! Serialisation with serde, behind the feature `serde`, of the types whose values are validated by a constructor.
 //!
-//! Curves and paths have the form of JavaScript's `toJSON`. Deserialized values are validated by the constructors.
+//! Curves and paths have the form of JavaScript's `toJSON`. Deserialised values are validated by the constructors.
 //! Results and options are plain values and derive their form from their fields.
 
 use crate::curve::Curve;

@@ -12,7 +12,7 @@ const LONGEST_PIECE: f64 = 0.195;
 /// Both end points are rounded by up to half an ulp, and so is each operation from them to the half chord.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// An arc in the SVG endpoint parametrization; the end points differ.
+/// An arc in the SVG endpoint parametrisation; the end points differ.
 pub(crate) struct Arc {
     pub(crate) from: DVec2,
     pub(crate) to: DVec2,

@@ -139,7 +139,7 @@ impl PathBuilder {
         }
     }
 
-    /// The path of all commands before the first invalid one.
+    /// The path of all valid commands.
     pub(crate) fn finished(mut self) -> Path {
         self.end_open();
         self.path

@@ -11,8 +11,8 @@ const DEFAULT_RATIO: f64 = 1e-9;
 /// The continuity at a joint.
 ///
 /// Cⁿ is parametric continuity (equal derivatives: the point moves smoothly along t), Gⁿ geometric continuity (the
-/// drawn curve is smooth). Some texts call aligned handles C1; alignment alone is G1. For equal degrees it is C1 if the
-/// handles have equal length too.
+/// drawn curve is smooth). The tutorial text calls aligned handles C1; alignment alone is G1. For equal degrees it is
+/// C1 if the handles have equal length too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",

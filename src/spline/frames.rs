@@ -1,4 +1,4 @@
-//! Rotation-minimizing frames along splines in space.
+//! Rotation-minimising frames along splines in space.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -17,7 +17,7 @@ impl FrameSequence for Spline<DVec3> {
 }
 
 impl Spline<DVec3> {
-    /// Rotation-minimizing frames at even steps of t, `per_curve` steps per segment, both ends included.
+    /// Rotation-minimising frames at even steps of t, `per_curve` steps per segment, both ends included.
     ///
     /// As [`frames_at`](Self::frames_at) without a requested first normal.
     ///
@@ -31,7 +31,7 @@ impl Spline<DVec3> {
         self.frames_at(&ts, None)
     }
 
-    /// Rotation-minimizing frames at the given parameters, each one propagated from the previous one; see
+    /// Rotation-minimising frames at the given parameters, each one propagated from the previous one; see
     /// [`Curve::frames_at`].
     ///
     /// At a corner the frame turns with the tangent by the smaller angle; where the tangent reverses exactly, the

@@ -47,8 +47,8 @@ impl JointMode {
     }
 }
 
-/// The control points on both sides of a joint: `near` on the side of the moved point, `far` on the other side. The
-/// second point of a side is not a joint only if the segment has at least degree 3.
+/// The control points on both sides of a joint: `near` on the side of the moved point, `far` on the other side. If the
+/// segment of a side has a degree below 3, the second point of that side is a joint or lies beyond the segment.
 #[derive(Clone, Copy)]
 pub(crate) struct Sides<P> {
     pub(crate) near: [P; 2],

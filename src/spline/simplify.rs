@@ -26,10 +26,10 @@ impl<P: Point> Spline<P> {
     /// A spline of fewer cubics such that each point of one spline lies within `tolerance` of the other one.
     ///
     /// Corners (joints where the tangent turns by more than 3°) and ends are kept; the other joints are smooth. The
-    /// spline is replaced by a polyline within 1/32 of the tolerance. For each cubic the distances to the vertices are
-    /// checked, and the chords between them are within the rest of the tolerance. If the result does not have fewer
-    /// segments and no segment is above degree 3, the spline is returned unchanged. A spline that is a point is
-    /// returned unchanged too.
+    /// spline is replaced by a polyline within 1/32 of the tolerance. For each cubic the distance at each vertex is
+    /// checked, and the distance of the cubic from its chords between the feet of the vertices must be within the rest
+    /// of the tolerance. If the result does not have fewer segments and no segment is above degree 3, the spline is
+    /// returned unchanged. A spline that is a point is returned unchanged too.
     ///
     /// The work grows slightly faster than the number of vertices of the polyline. If more than 4096 vertices per
     /// segment were needed (tolerances below about 10⁻⁷ of the size of a segment), the number of segments is not

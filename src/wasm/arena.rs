@@ -189,7 +189,7 @@ impl Arena {
         }
     }
 
-    /// Two output slices of equal length: the first `length` numbers of the arena and the next `length` ones.
+    /// Two output slices of equal length: the first `length` numbers of the arena, and a copy of them.
     pub(crate) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
         self.grow(2 * length);
         self.0.copy_within(..length, length);

@@ -17,7 +17,7 @@ pub(crate) fn build() -> Result<()> {
     types()
 }
 
-/// Builds js/glue: the bindings and the optimized modules.
+/// Builds js/glue: the bindings and the optimised modules.
 fn bindings() -> Result<()> {
     shell::run(&mut compilation())?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/wasm/casteljau.wasm");

@@ -1,4 +1,4 @@
-//! Generates js/glue from the compiled wasm: the bindings, the optimized modules, and their bytes as text.
+//! Generates js/glue from the compiled wasm: the bindings, the optimised modules, and their bytes as text.
 
 use crate::liveness::Linked;
 use crate::{encode, shell, strip_panics};
@@ -10,7 +10,7 @@ use walrus::ir::Value;
 use walrus::{ConstExpr, DataKind};
 use wasm_bindgen_cli_support::Bindgen;
 
-/// Options of wasm-opt: optimize for size, twice (more rounds have no effect); the compiler has already inlined hot
+/// Options of wasm-opt: optimise for size, twice (more rounds have no effect); the compiler has already inlined hot
 /// code.
 ///
 /// Inlining functions with a single caller reduces the size but increases it after gzip; so do local common
@@ -28,7 +28,7 @@ const OPTIMISE: [&str; 6] = [
 /// The address below which `-lmu` assumes that there is no data.
 const LOW_MEMORY: i32 = 1024;
 
-/// The wasm features that rustc uses, given explicitly because the optimizer enables fewer by default.
+/// The wasm features that rustc uses, given explicitly because the optimiser enables fewer by default.
 const FEATURES: [&str; 7] = [
     "--enable-simd",
     "--enable-bulk-memory",
@@ -151,7 +151,7 @@ fn bound(
     Ok(bound)
 }
 
-/// Returns an error for data at addresses that the optimizer assumes to be unused.
+/// Returns an error for data at addresses that the optimiser assumes to be unused.
 fn check_low_memory(module: &walrus::Module) -> Result<()> {
     for data in module.data.iter() {
         if let DataKind::Active { offset, .. } = &data.kind {
@@ -194,7 +194,7 @@ fn without_side_effects(glue: &str) -> Result<String> {
         .replace(WARMED, "\n"))
 }
 
-/// Starts the optimizer; all modules are optimized in parallel.
+/// Starts the optimiser; all modules are optimised in parallel.
 fn optimiser(from: &Path, name: &str) -> Result<Child> {
     let mut wasm_opt = shell::node(&["node_modules/binaryen/bin/wasm-opt"]);
     wasm_opt.args(OPTIMISE).args(FEATURES).args([

@@ -2,7 +2,7 @@
 //!
 //! The linker leaves its relocations in the module (`--emit-relocs`): the positions in functions and constants that
 //! refer to other ones. They give everything that is reachable from a set of exports, also through tables of functions
-//! and of constants, which an optimizer must keep entirely. Format: tool-conventions of WebAssembly, Linking.md.
+//! and of constants, which an optimiser must keep entirely. Format: tool-conventions of WebAssembly, Linking.md.
 
 use anyhow::{Context, Result, bail};
 use std::collections::HashSet;

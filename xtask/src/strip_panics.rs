@@ -42,7 +42,7 @@ pub(crate) fn reduced(
     Ok(module)
 }
 
-/// Overwrites unreachable constants with zeros, which the optimizer removes, and deletes the relocations, which are no
+/// Overwrites unreachable constants with zeros, which the optimiser removes, and deletes the relocations, which are no
 /// longer valid.
 fn erase(module: &mut Module, unreached: &Unreached) -> Result<()> {
     let segments: Vec<_> = module.data.iter().map(|data| data.id()).collect();
