@@ -1,5 +1,5 @@
-//! A camera's flight through points in space, at even speed and without a roll: one line a step, with the place, the
-//! direction, and which way is up.
+//! A camera path through points in space, with eased motion and rotation-minimising frames. Prints one line per step:
+//! the position, the direction and the up vector.
 //!
 //!     cargo run --example flight
 
@@ -7,7 +7,7 @@ use casteljau::glam::DVec3;
 use casteljau::spline::Interpolation;
 use casteljau::{Easing, Error, Spline};
 
-/// Pictures of the flight.
+/// The number of steps.
 const STEPS: usize = 24;
 
 fn main() -> Result<(), Error> {
@@ -23,7 +23,7 @@ fn main() -> Result<(), Error> {
     let length = path.length(None)?;
     println!("{length:.3} long, through {} points", stops.len());
 
-    // It sets off and lands gently: the part of the way that is behind it, by the part of the time.
+    // The easing function maps the ratio of time to the ratio of arc length, so that the motion starts and ends slowly.
     let gently = Easing::new(0.42, 0.0, 0.58, 1.0)?;
     let times = (0..=STEPS)
         .map(|k| path.time_at_length(length * gently.eval(k as f64 / STEPS as f64), None))

@@ -1,4 +1,4 @@
-//! A letter with a hole, a bolder one around it, and where a line cuts it, as an SVG picture:
+//! Writes an SVG picture of a letter with a hole, its outward offset, and its intersections with a line:
 //!
 //!     cargo run --example outline > outline.svg
 
@@ -8,7 +8,7 @@ use casteljau::spline::OffsetJoin;
 use casteljau::{Curve, Path, Spline};
 use std::error::Error;
 
-/// An italic "o": outside counter-clockwise on the screen, inside the other way round.
+/// An italic "o": the outer subpath is counter-clockwise on the screen, the inner one clockwise.
 const LETTER: &str = "M120 40C60 40 30 90 30 150S60 220 105 220 200 170 200 110 170 40 120 40Z\
     M118 65C155 65 168 90 168 118S140 195 107 195 62 180 62 148 85 65 118 65Z";
 

@@ -1,4 +1,4 @@
-//! Writes an SVG picture of a spline, its control polygon, and the polyline that stays within one pixel of it:
+//! Writes an SVG picture of a spline, its control polygon, and a polyline within one pixel of it:
 //!
 //!     cargo run --example svg > spline.svg
 
@@ -6,7 +6,7 @@ use casteljau::glam::DVec2;
 use casteljau::{Error, Spline, curve::PathSink};
 use std::fmt::Write;
 
-/// A pen that writes SVG path data.
+/// A path sink that writes SVG path data.
 #[derive(Default)]
 struct PathData(String);
 

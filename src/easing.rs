@@ -1,30 +1,31 @@
-//! CSS `cubic-bezier()`: how far along is an animation at a time?
+//! The CSS timing function `cubic-bezier()`.
 //!
-//! js/easing.js does the same, operation by operation, and gives the same bits.
+//! `js/easing.js` performs the same operations in the same order and gives bit-identical results.
 
 use crate::geometry::error::Error;
 
-/// Pieces into which t is cut. A power of two, so that Bernstein weights at the nodes are exact.
+/// The number of pieces of the parameter range. A power of two, so that the Bernstein weights at the nodes are exact.
 const PIECES: usize = 32;
-/// The same as a number, and the width of a piece.
+/// The width of a piece in t.
 const STEP: f64 = 1.0 / 32.0;
-/// An error of t that is as good as none: a sixteenth of the rounding error of 1.
+/// An error of t that can be neglected: a sixteenth of the rounding error of 1.
 const NEGLIGIBLE: f64 = f64::EPSILON / 32.0;
-/// Within this part of the first piece, Newton's method starts from the size of the terms.
+/// Below this ratio of the first piece, Newton's method starts from an estimate of the magnitude of t.
 const NEAR_START: f64 = 1.0 / 1024.0;
-/// Half of a number's bits.
+/// The factor for [`upper`] that drops half of the bits of a number.
 const HALF: f64 = 134_217_728.0; // 2²⁷
-/// Handles above this (2⁹⁰⁰) are computed at 2⁻¹⁰⁰ of their size, so that no sum overflows.
+/// Handles above this value (2⁹⁰⁰) are scaled by 2⁻¹⁰⁰ for the computation, so that no sum overflows.
 const HUGE: f64 = f64::from_bits((1023 + 900) << 52);
-/// The part of their size at which huge handles are computed.
+/// The scale factor for huge handles.
 const SHRUNK: f64 = f64::from_bits((1023 - 100) << 52);
-/// A bound, not a plan: four times what Newton's method ever took.
+/// A safety limit: four times the maximum number of steps that was ever observed.
 const MAX_STEPS: usize = 100;
 
 /// The timing function of CSS `cubic-bezier(x1, y1, x2, y2)`.
 ///
-/// The curve from (0, 0) to (1, 1) with the handles (x₁, y₁) and (x₂, y₂), as y over x: x(t) = 3x₁t(1 − t)² + 3x₂t²(1 − t)
-/// + t³, and y(t) the same of y₁ and y₂. x₁ and x₂ lie in \[0, 1\], so each x has one y.
+/// The cubic curve from (0, 0) to (1, 1) with the handles (x₁, y₁) and (x₂, y₂), as a function from x to y: x(t) =
+/// 3x₁t(1 − t)² + 3x₂t²(1 − t) + t³, and y(t) in the same way from y₁ and y₂. x₁ and x₂ lie in \[0, 1\], so y is
+/// unique.
 ///
 /// ```
 /// use casteljau::Easing;
@@ -38,29 +39,29 @@ const MAX_STEPS: usize = 100;
 /// Source: CSS Easing Functions Level 1, "Cubic Bézier easing functions".
 #[derive(Clone, Debug, PartialEq)]
 pub struct Easing {
-    /// x1, y1, x2, y2.
+    /// The arguments x1, y1, x2, y2.
     #[cfg(feature = "serde")]
     pub(crate) handles: [f64; 4],
     nodes: Vec<Node>,
-    /// For each 32nd of the way in x, the piece of t in which it starts.
+    /// For each start of an interval of x of width 1/32, the piece of t that contains it.
     starts: [u8; PIECES],
-    /// The slopes at (0, 0) and (1, 1), as CSS has them.
+    /// The slopes at (0, 0) and (1, 1) as CSS defines them.
     slopes: [f64; 2],
-    /// Both handles on the diagonal: y = x.
+    /// Whether both handles lie on the diagonal: y = x.
     linear: bool,
     huge: bool,
 }
 
-/// The curve about t = k/32.
+/// The expansion of the curve about the node t = k/32.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Node {
     x: Expansion,
     y: Expansion,
-    /// The cubic that leads from x back to t on the piece that begins here.
+    /// The cubic that approximates the inverse function, x to t, on the piece that begins here.
     back: [f64; 3],
 }
 
-/// One coordinate about a node: its value as a sum of two, and three Taylor coefficients.
+/// The Taylor expansion of one coordinate about a node: its value as a sum of two f64, and three coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Expansion {
     value: f64,
@@ -72,7 +73,7 @@ impl Easing {
     /// The timing function with these handles.
     ///
     /// # Errors
-    /// [`Error::Range`] for an x outside of 0 to 1, a NaN or an infinity.
+    /// [`Error::Range`] for an x outside 0 to 1, a NaN or an infinity.
     pub fn new(x1: f64, y1: f64, x2: f64, y2: f64) -> Result<Self, Error> {
         for (what, got) in [("x1", x1), ("x2", x2)] {
             check(
@@ -102,14 +103,14 @@ impl Easing {
         })
     }
 
-    /// y at an x.
+    /// The value of y at x.
     ///
-    /// Exact at 0 and 1; in between |x(t) − x| ≤ 10⁻¹⁵ and y is that t's. Below 0 and above 1 it goes on along the tangent
-    /// at the end, or along the line to the other handle where the nearer one has the end's x; where there is none such, on
-    /// the level of the end. Where that overflows, the largest number stands. NaN gives NaN.
+    /// Exact at 0 and 1; between them the result is y(t) for a t with |x(t) − x| ≤ 10⁻¹⁵. Below 0 and above 1 it is
+    /// extrapolated along the line from the end to the nearest control point that differs from it; if that line is
+    /// vertical, the result is constant. Overflow gives the largest finite number. NaN gives NaN.
     pub fn eval(&self, x: f64) -> f64 {
         if self.linear {
-            return x + 0.0; // no −0
+            return x + 0.0; // turns −0 into 0
         }
         if !(x > 0.0 && x < 1.0) {
             return self.outside(x);
@@ -129,7 +130,7 @@ impl Easing {
         }
     }
 
-    /// y at an x between 0 and 1.
+    /// The value of y at x between 0 and 1.
     fn solved(&self, mut x: f64) -> f64 {
         #[allow(clippy::cast_possible_truncation, reason = "floored, below 32")]
         #[allow(clippy::cast_sign_loss, reason = "x is above 0")]
@@ -138,7 +139,8 @@ impl Easing {
             k += 1;
         }
         if k == 0 {
-            // Here errors are relative, and a step of x must be more than they are for y to rise: 48 bits of x are enough.
+            // Errors are relative here. Rounding x to 48 bits makes each step of x larger than the error, so that y is
+            // monotone.
             x = upper(x, 32.0).min(self.nodes[1].x.value);
         }
         let Node {
@@ -151,7 +153,7 @@ impl Easing {
         if k == 0 && x < self.nodes[1].x.value * NEAR_START {
             d = size_at_start(&before, x);
         } else if d > 0.5 * STEP {
-            // From the node that is nearer: what is small is subtracted from what is exact.
+            // Use the nearer node, so that a small difference is added to an exact value.
             k += 1;
             d -= STEP;
         }
@@ -162,10 +164,10 @@ impl Easing {
 }
 
 impl Expansion {
-    /// One coordinate with the control values 0, a, b and end about t, a multiple of 1/32.
+    /// The expansion of one coordinate with the control values 0, a, b, end about t, a multiple of 1/32.
     fn new(t: f64, a: f64, b: f64, end: f64) -> Self {
         let s = 1.0 - t;
-        // The weights have at most 15 bits: their products with half of a number's bits are exact.
+        // The weights have at most 15 bits, so their products with the upper half of a number's bits are exact.
         let (u, v, w) = (3.0 * t * s * s, 3.0 * t * t * s, t * t * t * end);
         let (high_a, high_b) = (upper(a, HALF), upper(b, HALF));
         let pair = u * high_a + v * high_b;
@@ -203,7 +205,8 @@ fn check(what: &'static str, expected: &'static str, got: f64, holds: bool) -> R
     })
 }
 
-/// The slope at (0, 0): of the line to the first control point that is ahead in x, as CSS chooses it.
+/// The slope at (0, 0) as CSS defines it: that of the line to the first control point that differs from (0, 0), or 0 if
+/// that line is vertical.
 fn slope(x1: f64, y1: f64, x2: f64, y2: f64) -> f64 {
     if x1 > 0.0 {
         bounded(y1 / x1)
@@ -218,7 +221,7 @@ fn slope(x1: f64, y1: f64, x2: f64, y2: f64) -> f64 {
     }
 }
 
-/// slope · x, without the NaN of 0 · ∞.
+/// slope · x, with 0 instead of the NaN of 0 · ∞.
 fn flat_or(slope: f64, x: f64) -> f64 {
     if slope == 0.0 && !x.is_nan() {
         0.0
@@ -246,8 +249,8 @@ fn nodes([x1, x2]: [f64; 2], [y1, y2]: [f64; 2], top: f64) -> Vec<Node> {
     nodes
 }
 
-/// The cubic from x back to t with the slopes of the ends, at most three times the chord's: it rises then (Fritsch and
-/// Carlson, "Monotone piecewise cubic interpolation", 1980).
+/// The cubic Hermite interpolant of the inverse function, x to t. Its end slopes are limited to three times the slope
+/// of the chord, which makes it monotone (Fritsch and Carlson, "Monotone piecewise cubic interpolation", 1980).
 fn inverse(from: &Expansion, to: &Expansion) -> [f64; 3] {
     let width = to.value - from.value;
     let chord = STEP / width;
@@ -271,30 +274,30 @@ fn first_pieces(nodes: &[Node]) -> [u8; PIECES] {
     })
 }
 
-/// A number rounded to fewer bits, 2 to the number of which is `less` (Veltkamp).
+/// A number rounded to fewer bits; `less` is 2 to the power of the number of bits dropped (Veltkamp splitting).
 fn upper(value: f64, less: f64) -> f64 {
     let spread = (less + 1.0) * value;
     spread - (spread - value)
 }
 
-/// The rounding error of a sum (Knuth).
+/// The rounding error of a sum (Knuth's two-sum).
 fn rest(a: f64, b: f64, sum: f64) -> f64 {
     let part = sum - a;
     a - (sum - part) + (b - part)
 }
 
-/// About the t of a small x, where no term of the cubic can be larger than x.
+/// An estimate of t for a small x; no single term of the cubic exceeds x there.
 fn size_at_start(start: &Expansion, x: f64) -> f64 {
     let fourth = x.sqrt().sqrt();
     let sixteenth = fourth.sqrt().sqrt();
-    let cubic = fourth * sixteenth * sixteenth.sqrt().sqrt(); // x to the power 21/64: a cube root, nearly
+    let cubic = fourth * sixteenth * sixteenth.sqrt().sqrt(); // x to the power 21/64, approximately the cube root
     1.0 / (start.by[0] / x + start.by[1].abs().sqrt() / x.sqrt() + 1.0 / cubic)
 }
 
-/// The zero of x(node + d) − x, by Newton's method; a step that leaves the pieces beside the node is a bisection.
+/// The zero of x(node + d) − x, by Newton's method; a step beyond the bracket is replaced by a bisection.
 ///
-/// Newton's method has ended when the error that its step leaves, step² · |x″| / (2 x′), is negligible: against t at the
-/// first node (origin 0), against 1 at the others.
+/// The iteration ends when the error that a step leaves, step² · |x″| / (2 x′), is negligible: relative to t at the
+/// first node (origin 0), relative to 1 at the others.
 fn newton(along: &Expansion, x: f64, mut d: f64, origin: f64) -> f64 {
     let [a, b, c] = along.by;
     let sought = x - along.value - along.low;

@@ -20,7 +20,7 @@ fn to_kurbo(p: DVec2) -> Point {
 impl TryFrom<Line> for Curve<DVec2> {
     type Error = Error;
 
-    /// The same line segment.
+    /// Converts a line segment.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -32,7 +32,7 @@ impl TryFrom<Line> for Curve<DVec2> {
 impl TryFrom<QuadBez> for Curve<DVec2> {
     type Error = Error;
 
-    /// The same quadratic curve.
+    /// Converts a quadratic curve.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -44,7 +44,7 @@ impl TryFrom<QuadBez> for Curve<DVec2> {
 impl TryFrom<CubicBez> for Curve<DVec2> {
     type Error = Error;
 
-    /// The same cubic curve.
+    /// Converts a cubic curve.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -56,7 +56,7 @@ impl TryFrom<CubicBez> for Curve<DVec2> {
 impl TryFrom<PathSeg> for Curve<DVec2> {
     type Error = Error;
 
-    /// The same line, quadratic or cubic.
+    /// Converts a line, a quadratic or a cubic.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -72,10 +72,10 @@ impl TryFrom<PathSeg> for Curve<DVec2> {
 impl TryFrom<&Curve<DVec2>> for PathSeg {
     type Error = Error;
 
-    /// The same line, quadratic or cubic.
+    /// Converts a line, a quadratic or a cubic.
     ///
     /// # Errors
-    /// [`Error::Range`] for a degree above 3, which kurbo has not.
+    /// [`Error::Range`] for a degree above 3, which kurbo does not support.
     fn try_from(curve: &Curve<DVec2>) -> Result<Self, Error> {
         match *curve.control_points() {
             [p0, p1] => Ok(Line::new(to_kurbo(p0), to_kurbo(p1)).into()),
@@ -96,7 +96,7 @@ impl TryFrom<&Curve<DVec2>> for PathSeg {
 impl TryFrom<&BezPath> for Path {
     type Error = Error;
 
-    /// The path with the same subpaths. A `MoveTo` without a segment is left out, as by [`PathBuilder`].
+    /// Converts a path with all its subpaths. A `MoveTo` without a segment is omitted, as by [`PathBuilder`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -117,7 +117,7 @@ impl TryFrom<&BezPath> for Path {
     }
 }
 
-/// Adds commands to a `BezPath`.
+/// A sink that appends commands to a `BezPath`.
 struct BezPathSink(BezPath);
 
 impl PathSink for BezPathSink {
@@ -138,7 +138,7 @@ impl PathSink for BezPathSink {
     }
 }
 
-/// What `trace` sends, which refuses nothing without a tolerance.
+/// Collects the commands of `trace`, which cannot fail without a tolerance.
 fn bez_path(trace: impl FnOnce(&mut BezPathSink) -> Result<(), Error>) -> BezPath {
     let mut sink = BezPathSink(BezPath::new());
     let result = trace(&mut sink);
@@ -147,21 +147,23 @@ fn bez_path(trace: impl FnOnce(&mut BezPathSink) -> Result<(), Error>) -> BezPat
 }
 
 impl From<&Curve<DVec2>> for BezPath {
-    /// The curve as an open subpath. A degree above 3 becomes cubics, as by [`Curve::trace`] without a tolerance.
+    /// Converts a curve to an open subpath. A degree above 3 is approximated by cubics, as by [`Curve::trace`] without
+    /// a tolerance.
     fn from(curve: &Curve<DVec2>) -> Self {
         bez_path(|sink| curve.trace(sink, None))
     }
 }
 
 impl From<&Spline<DVec2>> for BezPath {
-    /// The spline as a subpath. A degree above 3 becomes cubics, as by [`Spline::trace`] without a tolerance.
+    /// Converts a spline to a subpath. A degree above 3 is approximated by cubics, as by [`Spline::trace`] without a
+    /// tolerance.
     fn from(spline: &Spline<DVec2>) -> Self {
         bez_path(|sink| spline.trace(sink, None))
     }
 }
 
 impl From<&Path> for BezPath {
-    /// The same path. A degree above 3 becomes cubics, as by [`Path::trace`] without a tolerance.
+    /// Converts a path. A degree above 3 is approximated by cubics, as by [`Path::trace`] without a tolerance.
     fn from(path: &Path) -> Self {
         bez_path(|sink| path.trace(sink, None))
     }
@@ -170,7 +172,7 @@ impl From<&Path> for BezPath {
 impl Path {
     /// The outline of any shape of kurbo: a rectangle, a circle, a rounded rectangle …
     ///
-    /// `tolerance` is kurbo's: the largest distance between its shape and the outline.
+    /// `tolerance` is passed to kurbo: the maximum distance between the shape and the outline.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.

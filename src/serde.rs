@@ -1,7 +1,7 @@
-//! Reading and writing with serde, behind the feature `serde`: the types whose values are checked by a constructor.
+//! Serialisation with serde, behind the feature `serde`, of the types whose values are validated by a constructor.
 //!
-//! Curves and paths have the form that JavaScript's `toJSON` gives. What is read is checked as by the constructors. Results
-//! and options are plain values and derive their form from their fields.
+//! Curves and paths have the form of JavaScript's `toJSON`. Deserialised values are validated by the constructors.
+//! Results and options are plain values and derive their form from their fields.
 
 use crate::curve::Curve;
 use crate::easing::Easing;

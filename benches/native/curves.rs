@@ -1,4 +1,4 @@
-//! One point, and two pieces.
+//! Evaluation and splitting of cubics.
 
 use crate::inputs::{COUNT, Cubics, parameters};
 use casteljau::Curve;
@@ -8,7 +8,7 @@ use kurbo::{CubicBez, ParamCurve};
 use lyon_geom::CubicBezierSegment;
 use std::hint::black_box;
 
-/// Coordinates are up to 200.
+/// Tolerance of the comparison; coordinates are up to 200.
 const TOLERANCE: f64 = 1e-11;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
@@ -37,7 +37,7 @@ fn eval(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
     group.finish();
 }
 
-/// kurbo has no split at t.
+/// kurbo has no function that splits a curve at t.
 fn split(criterion: &mut Criterion, cubics: &Cubics, ts: &[f64]) {
     for (k, &t) in ts.iter().enumerate() {
         let ours = cubics.ours[k].split(t);

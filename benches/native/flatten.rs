@@ -1,4 +1,4 @@
-//! Flattening: time, number of segments, and the distance that is really kept.
+//! Flattening: time, number of segments, and the actual distance from the curve.
 
 use crate::inputs::Cubics;
 use casteljau::Curve;
@@ -10,14 +10,14 @@ use std::hint::black_box;
 
 const TOLERANCES: [f64; 2] = [0.1, 0.01];
 
-/// Places on a curve at which its distance from a polyline is measured.
+/// The number of points of a curve at which the distance from the polyline is measured.
 const PROBES: usize = 500;
 
-/// The most that a distance may be above the tolerance. Ours keeps it; the others only aim at it.
+/// The maximum ratio of distance to tolerance. Only our implementation guarantees the tolerance; the others aim at it.
 const OUR_SLACK: f64 = 1.0 + 1e-9;
 const THEIR_SLACK: f64 = 4.0;
 
-/// Flattens the curve at a place, handing each vertex but the first to a function.
+/// Flattens the curve with the given index and passes each vertex except the first to a function.
 type Flatten<'a> = &'a dyn Fn(usize, f64, &mut dyn FnMut(DVec2));
 
 pub(crate) fn bench(criterion: &mut Criterion) {
@@ -26,7 +26,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
         .iter()
         .map(|&tolerance| count(&cubics, tolerance))
         .collect();
-    // Where run.js finds it.
+    // benches/js/run.js reads this file.
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/flatten.json");
     std::fs::write(file, serde_json::Value::from(counted).to_string()).expect(file);
     for tolerance in TOLERANCES {
@@ -34,7 +34,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     }
 }
 
-/// One group: 1,000 cubics per iteration.
+/// Benchmarks one group: 1,000 cubics per iteration.
 fn time(criterion: &mut Criterion, cubics: &Cubics, tolerance: f64) {
     let mut group = criterion.benchmark_group(format!("flatten-{tolerance}"));
     group.bench_function("kurbo", |b| {
@@ -92,7 +92,7 @@ fn flatten_ours(curve: &Curve<DVec2>, tolerance: f64, mut vertex: impl FnMut(DVe
     done.expect("a tolerance far above rounding");
 }
 
-/// Counts the segments of each library, measures the greatest distance from the curves, and prints both.
+/// Counts the segments of each library, measures the maximum distance from the curves, and prints both.
 fn count(cubics: &Cubics, tolerance: f64) -> serde_json::Value {
     let kurbo: Flatten<'_> = &|k, tolerance, v| flatten_kurbo(&cubics.kurbo[k], tolerance, v);
     let lyon: Flatten<'_> = &|k, tolerance, v| flatten_lyon(&cubics.lyon[k], tolerance, v);
@@ -115,7 +115,7 @@ fn count(cubics: &Cubics, tolerance: f64) -> serde_json::Value {
     serde_json::json!({ "tolerance": tolerance, "segments": all_segments, "worst": all_worst })
 }
 
-/// The number of segments, and the greatest distance as a part of the tolerance.
+/// The number of segments, and the maximum distance as a ratio of the tolerance.
 fn measure(cubics: &Cubics, tolerance: f64, flatten: Flatten<'_>) -> (usize, f64) {
     let (mut segments, mut worst) = (0, 0.0_f64);
     for (k, curve) in cubics.ours.iter().enumerate() {
@@ -129,7 +129,7 @@ fn measure(cubics: &Cubics, tolerance: f64, flatten: Flatten<'_>) -> (usize, f64
     (segments, worst)
 }
 
-/// The greatest distance of points of the curve from the polyline.
+/// The maximum distance of points of the curve from the polyline.
 fn distance(curve: &Curve<DVec2>, line: &[DVec2]) -> f64 {
     let nearest = |p: DVec2| {
         let distances = line

@@ -1,17 +1,17 @@
-//! The same seeded cubics in the types of all three libraries.
+//! Benchmark inputs: the same seeded cubics in the types of all three libraries.
 
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 use kurbo::CubicBez;
 use lyon_geom::CubicBezierSegment;
 
-/// How many cubics, and how many parameters.
+/// The number of cubics and of parameters.
 pub(crate) const COUNT: usize = 1000;
 
-/// Control points lie anywhere in a square of this size.
+/// Control points are random in a square of this size.
 const SIZE: f64 = 200.0;
 
-/// The same curves, place by place.
+/// The same curves in the same order.
 pub(crate) struct Cubics {
     pub(crate) kurbo: Vec<CubicBez>,
     pub(crate) lyon: Vec<CubicBezierSegment<f64>>,
@@ -57,7 +57,7 @@ pub(crate) fn parameters() -> Vec<f64> {
     (0..COUNT).map(|_| random.next()).collect()
 }
 
-/// Numbers in [0, 1), the same for the same seed: SplitMix64 (Steele, Lea and Flood, 2014).
+/// Random numbers in [0, 1) from a seed: SplitMix64 (Steele, Lea and Flood, 2014).
 struct Random(u64);
 
 impl Random {

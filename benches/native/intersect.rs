@@ -1,4 +1,4 @@
-//! Where two cubics meet, against lyon_geom; kurbo has no such question.
+//! Intersections of two cubics, compared with lyon_geom; kurbo has no curve-curve intersection.
 
 use crate::inputs::Cubics;
 use casteljau::Curve;
@@ -7,13 +7,13 @@ use criterion::Criterion;
 use lyon_geom::CubicBezierSegment;
 use std::hint::black_box;
 
-/// Pairs of one row.
+/// The number of pairs per row.
 const PAIRS: usize = 500;
 
-/// Parameters of both sides differ by no more: lyon_geom looks for them to 1e-9 and less.
+/// The maximum difference of the parameters of both libraries; lyon_geom computes them to 1e-9 or less.
 const TOLERANCE: f64 = 1e-5;
 
-/// Nine places: the pair that is shown in the README of FloBezier.
+/// A pair with nine intersections, from the README of FloBezier.
 const NINE: [[[f64; 2]; 4]; 2] = [
     [[6.4, 4.8], [15.0, 5.0], [1.0, 4.0], [10.0, 4.0]],
     [[9.4, 0.4], [9.3, 10.3], [8.1, 0.1], [7.53125, 5.5]],

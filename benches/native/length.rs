@@ -1,4 +1,4 @@
-//! Lengths to 10⁻⁹, and the way back.
+//! Arc length to 10⁻⁹, and the parameter at a given arc length.
 
 use crate::inputs::Cubics;
 use casteljau::Curve;
@@ -8,10 +8,10 @@ use kurbo::ParamCurveArclen;
 use lyon_geom::CubicBezierSegment;
 use std::hint::black_box;
 
-/// In the unit of the points, which lie in a square of 200.
+/// The tolerance in the unit of the points, which lie in a square of size 200.
 const ACCURACY: f64 = 1e-9;
 
-/// lyon_geom flattens; to 10⁻⁹ that would take minutes.
+/// The tolerance for lyon_geom, which flattens the curve; 10⁻⁹ would take minutes.
 const COARSE: f64 = 1e-3;
 
 pub(crate) fn bench(criterion: &mut Criterion) {

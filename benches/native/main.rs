@@ -1,6 +1,6 @@
-//! The native benchmarks, against kurbo and lyon_geom: `cargo bench`.
+//! The native benchmarks, compared with kurbo and lyon_geom: `cargo bench`.
 //!
-//! Every group first checks that all sides give the same answer. The table of `npm run bench` shows the medians.
+//! Every group first checks that all libraries give the same results. The table of `npm run bench` shows the medians.
 
 mod curves;
 mod flatten;

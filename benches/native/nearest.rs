@@ -1,4 +1,4 @@
-//! The nearest point of a cubic. lyon_geom has none.
+//! Nearest point on a cubic. lyon_geom has no such function.
 
 use crate::inputs::{Cubics, parameters};
 use casteljau::glam::DVec2;
@@ -9,12 +9,12 @@ use std::hint::black_box;
 /// Control points and queries lie in a square of this size.
 const SIZE: f64 = 200.0;
 
-/// What kurbo is asked for; ours is exact.
+/// The accuracy requested from kurbo; our result is exact up to rounding.
 const ACCURACY: f64 = 1e-9;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
     let (cubics, ts) = (Cubics::new(), parameters());
-    // Anywhere in the square: two parameters in other orders.
+    // Random points in the square: the parameters in two different orders.
     let queries: Vec<DVec2> = (ts.iter().zip(ts.iter().rev()))
         .map(|(&x, &y)| DVec2::new(x, y) * SIZE)
         .collect();

@@ -1,4 +1,4 @@
-//! Parallel curves, against kurbo. Ours are bounded, kurbo's sampled.
+//! Offset curves, compared with kurbo. Our error is bounded; kurbo's is estimated from samples.
 
 use crate::inputs::Cubics;
 use casteljau::glam::DVec2;
@@ -32,7 +32,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The same ends, and together no more pieces.
+/// Checks that both libraries give the same end points, and that ours needs no more segments in total.
 fn check(cubics: &Cubics) {
     let (mut theirs, mut ours) = (0, 0);
     let mut path = BezPath::new();

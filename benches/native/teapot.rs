@@ -1,10 +1,10 @@
-//! The teapot's grid, into a reused mesh.
+//! The grid of the teapot, written to a reused mesh.
 
 use casteljau::{Grid, Mesh, Surface, TeapotOptions};
 use criterion::Criterion;
 use std::hint::black_box;
 
-/// Positions are f32; the teapot is 3.15 units high.
+/// Tolerance of the comparison: positions are f32, and the teapot is 3.15 units high.
 const TOLERANCE: f64 = 1e-6;
 
 pub(crate) fn bench(criterion: &mut Criterion) {
@@ -26,7 +26,7 @@ pub(crate) fn bench(criterion: &mut Criterion) {
     }
 }
 
-/// Every position is that of the patch at its (u, v).
+/// Checks that every position equals the point of the patch at its (u, v).
 fn check(teapot: &Surface, grid: Grid, mesh: &Mesh) {
     let mut positions = mesh.positions.chunks_exact(3);
     for patch in teapot.patches() {

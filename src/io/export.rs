@@ -1,4 +1,4 @@
-//! Meshes as text and as bytes of files; js/mesh-export.js makes the same.
+//! Mesh export as OBJ, STL and GLB; `js/mesh-export.js` produces the same files.
 
 use super::file_size::checked_length;
 use super::glb::glb;
@@ -11,17 +11,17 @@ use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 
 const STL_HEADER_BYTES: usize = 80;
-/// A normal and three corners of three f32, and two bytes that mean nothing.
+/// A normal and three corners of three f32 each, and two unused bytes.
 const STL_TRIANGLE_BYTES: usize = 50;
 
 impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
-    /// The text of a Wavefront OBJ file: positions, (u, v) where there are any, normals; faces of four where the mesh
-    /// has quads, else triangles.
+    /// The text of a Wavefront OBJ file: positions, normals, (u, v) if there are any; quads if the mesh has them,
+    /// otherwise triangles.
     ///
-    /// Numbers have the fewest digits that give them back.
+    /// Numbers are written with the fewest digits that round-trip.
     ///
     /// # Errors
-    /// For a mesh whose buffers do not belong together: [`Error::Count`], [`Error::NotFinite`], [`Error::Index`].
+    /// For a mesh with inconsistent buffers: [`Error::Count`], [`Error::NotFinite`], [`Error::Index`].
     pub fn to_obj(&self) -> Result<String, Error> {
         let (faces, corners) = match &self.quads {
             Some(quads) => (quads, 4),
@@ -51,21 +51,21 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
         Ok(text)
     }
 
-    /// The bytes of a binary STL file: 84, and 50 for each triangle.
+    /// The bytes of a binary STL file: 84 bytes, and 50 for each triangle.
     ///
-    /// Normals follow from the corners by the right-hand rule; zero where a triangle is degenerate. Positions are
-    /// rounded to f32.
+    /// Normals are computed from the corners by the right-hand rule; the normal of a degenerate triangle is zero.
+    /// Positions are rounded to f32.
     ///
     /// # Errors
-    /// As [`to_obj`](Self::to_obj); [`Error::TooMany`] above 1 GiB, [`Error::Range`] for positions that f32 cannot
-    /// hold.
+    /// As [`to_obj`](Self::to_obj); [`Error::TooMany`] above 1 GiB, [`Error::Range`] for positions outside the range of
+    /// f32.
     pub fn to_stl(&self) -> Result<Vec<u8>, Error> {
         self.check(self.indices.iter(), self.indices.len(), 3)?;
         let positions = in_floats("positions", &self.positions)?;
         let triangles = self.triangle_count();
         let length = STL_HEADER_BYTES + 4 + triangles * STL_TRIANGLE_BYTES;
         let mut bytes = Vec::with_capacity(checked_length(length)?);
-        // Not "solid", with which the text form begins.
+        // The header must not begin with "solid", which marks the text format.
         bytes.extend_from_slice(b"binary STL");
         bytes.resize(STL_HEADER_BYTES, 0);
         bytes.extend(u32::try_from(triangles).unwrap_or(u32::MAX).to_le_bytes());
@@ -82,11 +82,11 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
         Ok(bytes)
     }
 
-    /// The bytes of a binary glTF 2.0 file, self-contained.
+    /// The bytes of a self-contained binary glTF 2.0 file (GLB).
     ///
-    /// One mesh with positions, normals, (u, v) where there are any and indices, visible from both sides; an empty mesh
-    /// gives an empty scene. Numbers are rounded to f32; normals that are zero become +z, as glTF allows none. Viewers
-    /// of glTF take y as up. Source: Khronos, glTF 2.0 specification, §3 and §4.
+    /// The file has one double-sided mesh with positions, normals, indices and, if there are any, (u, v); an empty mesh
+    /// gives an empty scene. Numbers are rounded to f32; zero normals become +z, because glTF does not allow them. In
+    /// glTF the y-axis points up. Source: Khronos, glTF 2.0 specification, §3 and §4.
     ///
     /// # Errors
     /// As [`to_stl`](Self::to_stl).
@@ -97,8 +97,8 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
         glb(&positions, normals, &self.uvs, &self.indices)
     }
 
-    /// Meshes are open to their users: refuses one whose buffers do not belong together. `faces` are the vertices of
-    /// `count / corners` faces.
+    /// Returns an error for a mesh with inconsistent buffers; the fields of a mesh are public, so users can change
+    /// them. `faces` contains the vertices of `count / corners` faces.
     fn check(
         &self,
         mut faces: impl Iterator<Item = usize>,
@@ -158,7 +158,7 @@ fn check_finite<T: Copy + Into<f64>>(what: &'static str, numbers: &[T]) -> Resul
     })
 }
 
-/// The nearest f32 of finite numbers.
+/// Rounds finite numbers to f32.
 fn in_floats<T: Copy + Into<f64>>(what: &'static str, numbers: &[T]) -> Result<Vec<f32>, Error> {
     let round = |&x: &T| {
         let float = to_f32(x.into());
@@ -186,11 +186,11 @@ fn push_lines<T: Display + LowerExp>(text: &mut String, word: &str, numbers: &[T
     }
 }
 
-/// The unit normal of a triangle by the right-hand rule, zero where it is degenerate.
+/// The unit normal of a triangle by the right-hand rule; zero if the triangle is degenerate.
 fn face_normal(points: [&[f32]; 3]) -> DVec3 {
     let [a, b, c] = points.map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into()));
     let cross = (b - a).cross(c - a);
-    // Squares of what f32 can hold neither overflow nor vanish.
+    // In f64, squares of f32 values neither overflow nor underflow.
     let length = Point::length(cross);
     if length > 0.0 {
         cross / length

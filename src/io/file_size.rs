@@ -2,10 +2,10 @@
 
 use crate::geometry::error::Error;
 
-/// The most bytes of a file: 1 GiB.
+/// The maximum size of a file in bytes: 1 GiB.
 const MAX_BYTES: usize = 1 << 30;
 
-/// Refuses files above the limit.
+/// Returns an error for a file above the limit.
 pub(crate) fn checked_length(length: usize) -> Result<usize, Error> {
     if length <= MAX_BYTES {
         return Ok(length);

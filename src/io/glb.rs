@@ -1,4 +1,4 @@
-//! Meshes as binary glTF 2.0; js/mesh-glb.js makes the same bytes.
+//! Binary glTF 2.0 (GLB) export of meshes; `js/mesh-glb.js` produces the same bytes.
 
 use super::file_size::checked_length;
 use super::text_write::{push, written};
@@ -9,17 +9,17 @@ const VERSION: u32 = 2;
 const HEADER_BYTES: usize = 12;
 const CHUNK_HEADER_BYTES: usize = 8;
 
-/// `componentType` of accessors and `target` of buffer views.
+/// Values of `componentType` of accessors and `target` of buffer views.
 const FLOAT: u32 = 5126;
 const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// The greatest vertex number of 16 bits; glTF keeps 65,535 for itself.
+/// The largest vertex number that fits 16 bits; glTF reserves 65,535.
 const GREATEST_SHORT: usize = 0xfffe;
 
-/// The file of a mesh that was checked.
+/// The GLB file of a valid mesh.
 pub(crate) fn glb(
     positions: &[f32],
     mut normals: Vec<f32>,
@@ -59,7 +59,7 @@ pub(crate) fn glb(
     Ok(file)
 }
 
-/// The binary chunk, and what describes its pieces.
+/// The binary chunk, and the JSON of its accessors and buffer views.
 #[derive(Default)]
 struct Chunk {
     bytes: Vec<u8>,
@@ -68,7 +68,7 @@ struct Chunk {
 }
 
 impl Chunk {
-    /// Vectors of `size` numbers; nothing if there are none.
+    /// Appends vectors of `size` numbers, unless the list is empty.
     fn push_floats(&mut self, numbers: &[f32], size: usize, bounds: &str) {
         if !numbers.is_empty() {
             let bytes = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -84,7 +84,7 @@ impl Chunk {
             let kind = [UNSIGNED_INT, ELEMENT_ARRAY_BUFFER];
             self.push(bytes, kind, indices.len(), scalar);
         } else {
-            // The lower half of each number.
+            // The lower two bytes of each index.
             let bytes = indices.iter().flat_map(|i| word(i).into_iter().take(2));
             let kind = [UNSIGNED_SHORT, ELEMENT_ARRAY_BUFFER];
             self.push(bytes.collect(), kind, indices.len(), scalar);
@@ -102,7 +102,7 @@ impl Chunk {
         self.bytes.extend(padded(bytes, 0));
     }
 
-    /// The JSON chunk: one mesh in one node, both sides visible, as surfaces are open; an empty scene for an empty
+    /// The JSON chunk: one node with one mesh, double-sided because the surfaces are open; an empty scene for an empty
     /// mesh.
     fn description(&self) -> String {
         let mut json = String::from(
@@ -129,7 +129,7 @@ impl Chunk {
     }
 }
 
-/// The least and the greatest coordinates.
+/// The minimum and the maximum of each coordinate.
 fn bounds(positions: &[f32]) -> String {
     let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
     for point in positions.chunks_exact(3) {
@@ -138,18 +138,18 @@ fn bounds(positions: &[f32]) -> String {
             max[axis] = max[axis].max(point[axis]);
         }
     }
-    // No −0, of which JSON is not sure.
+    // Adding 0 turns −0 into 0; JSON parsers differ in their treatment of −0.
     let list = |corner: [f32; 3]| corner.map(|x| written(f64::from(x) + 0.0)).join(",");
     format!(",\"min\":[{}],\"max\":[{}]", list(min), list(max))
 }
 
-/// Filled up to a multiple of four.
+/// The bytes padded to a multiple of four.
 fn padded(mut bytes: Vec<u8>, with: u8) -> Vec<u8> {
     bytes.resize(bytes.len().next_multiple_of(4), with);
     bytes
 }
 
-/// 32 bits, the lowest byte first; lengths are limited and vertices numbered so.
+/// A 32-bit little-endian number; file lengths and vertex numbers fit 32 bits.
 fn word(number: usize) -> [u8; 4] {
     u32::try_from(number).unwrap_or(u32::MAX).to_le_bytes()
 }

@@ -1,4 +1,4 @@
-//! Surfaces from text.
+//! Parsing surfaces from text.
 
 use super::text_reader::{END, ParseError, Reader, number, refuse, shown, whole};
 use crate::geometry::error::MAX_DEGREE;
@@ -7,39 +7,39 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The shortest vertex, `0 0 0` and a line break.
+/// The minimum length of a vertex: `0 0 0` and a line break.
 const VERTEX_CHARACTERS: usize = 6;
-/// The shortest patch of vertex numbers: `1 1` and twice `0 0`, with line breaks.
+/// The minimum length of a patch given by vertex numbers: `1 1` and two rows `0 0`, with line breaks.
 const NET_CHARACTERS: usize = 4 + 2 * 4;
-/// The shortest patch of points: `1 1` and four vertices. A row of 16 vertex numbers is longer.
+/// The minimum length of a patch given by points: `1 1` and four vertices. A row of 16 vertex numbers is longer.
 const PATCH_CHARACTERS: usize = 4 + 4 * VERTEX_CHARACTERS;
-/// The vertex numbers of a patch in a listing.
+/// The number of vertex numbers of a patch in the listing form.
 const LISTED: usize = 16;
 
 impl Surface {
-    /// A surface from its text, in one of three forms, told apart by their first rows.
+    /// Parses a surface from text in one of three forms, which are distinguished by their first rows.
     ///
-    /// - As [`to_text`](Self::to_text) writes it: the row `surface`; `vertices` and their number, a row x y z for each;
-    ///   `patches` and their number, for each a row with its degrees in u and v and below it its net, row by row, as
-    ///   vertex numbers from 0.
-    /// - The .bpt form: the number of patches; for each a row with its degrees and below it its points, one a row, u
-    ///   along the fast index. Points with equal coordinates become one vertex.
-    /// - The listing in which the teapot was handed on: the number of patches, for each a row of 16 vertex numbers from
-    ///   1; the number of vertices, for each a row x y z. Bicubic.
+    /// - The form of [`to_text`](Self::to_text): the row `surface`; `vertices` and their number, then a row x y z for
+    ///   each; `patches` and their number, then for each a row with its degrees in u and v, followed by its net, row by
+    ///   row, as vertex numbers from 0.
+    /// - The .bpt form: the number of patches; for each patch a row with its degrees, followed by its points, one per
+    ///   row, with u as the fast index. Points with equal coordinates become one vertex.
+    /// - The listing in which the teapot was distributed: the number of patches, then a row of 16 vertex numbers from 1
+    ///   for each; the number of vertices, then a row x y z for each. All patches are bicubic.
     ///
-    /// A row is a line; blanks, tabs or commas separate its words. Lines end with a line feed, a carriage return or
-    /// both. Empty lines and comments, from `#` to the end of the line, do not count.
+    /// Each row is a line; its words are separated by spaces, tabs or commas. Lines end with a line feed, a carriage
+    /// return or both. Empty lines and comments (from `#` to the end of the line) are ignored.
     ///
-    /// The time is proportional to the length of the text, and counts are checked against that length before anything
-    /// is allocated for them.
+    /// The time is proportional to the length of the text. Counts are checked against that length before memory is
+    /// allocated for them.
     ///
     /// # Errors
-    /// [`ParseError`] with the number of the line, for a wrong count, a word that is no finite number, a degree that is
-    /// not 1 to 64, a vertex that is not there.
+    /// [`ParseError`] with the line number, for a wrong count, a word that is not a finite number, a degree outside 1
+    /// to 64, or a vertex that does not exist.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
         let mut parser = Parser {
             reader: Reader::new(text),
-            // JavaScript counts in UTF-16; so both doors refuse the same texts with the same words.
+            // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
             characters: text.encode_utf16().count(),
             vertices: Vec::new(),
             indices: Vec::new(),
@@ -51,7 +51,7 @@ impl Surface {
     }
 }
 
-/// A surface that is being read.
+/// The state of the surface parser.
 struct Parser<'a> {
     reader: Reader<'a>,
     characters: usize,
@@ -79,7 +79,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The form that `to_text` writes, after its first row.
+    /// Reads the form of `to_text`, after its first row.
     fn read_indexed(&mut self) -> Result<(), ParseError> {
         let count = self.named_count("vertices", VERTEX_CHARACTERS)?;
         self.read_vertices(count)?;
@@ -95,7 +95,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// The forms that start with the number of patches, after it.
+    /// Reads one of the forms that start with the number of patches, after that number.
     fn read_numbered(&mut self, count: usize) -> Result<(), ParseError> {
         self.check_count(count, "patches", 0, PATCH_CHARACTERS)?;
         if count == 0 {
@@ -109,7 +109,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The .bpt form from the first degrees on, which were read.
+    /// Reads the .bpt form; the row of the first degrees has already been read.
     fn read_points(&mut self, count: usize) -> Result<(), ParseError> {
         let mut numbers = HashMap::new();
         for patch in 0..count {
@@ -119,7 +119,7 @@ impl Parser<'_> {
             let [degree_u, degree_v] = self.read_degrees()?;
             for _ in 0..(degree_u + 1) * (degree_v + 1) {
                 let point = self.read_point()?;
-                // −0 + 0 is 0: the same place.
+                // Adding 0 turns −0 into 0, so that both give the same vertex.
                 let key = (point + DVec3::ZERO).to_array().map(f64::to_bits);
                 let next = self.vertices.len();
                 let index = *numbers.entry(key).or_insert(next);
@@ -132,9 +132,9 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// The listing from its first row of vertex numbers on, which was read.
+    /// Reads the listing form; its first row of vertex numbers has already been read.
     fn read_listing(&mut self, count: usize) -> Result<(), ParseError> {
-        // The vertices come later; only then is it known how many there are.
+        // The vertices follow the patches, so the range of the vertex numbers is checked at the end.
         let (mut largest, mut line, mut word) = (0, 0, "");
         for patch in 0..count {
             if patch > 0 {
@@ -159,7 +159,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// The count in the next row, behind its name.
+    /// The count in the next row, after its name.
     fn named_count(&mut self, name: &str, min: usize) -> Result<usize, ParseError> {
         let expected = format!("\"{name}\" and their number");
         if self.reader.row(2) != 2 || self.reader.last_words().first() != Some(&name) {
@@ -170,7 +170,7 @@ impl Parser<'_> {
         Ok(count)
     }
 
-    /// Refuses more than the text can hold, each taking at least that many characters.
+    /// Returns an error for a count that the text cannot hold, at the given minimum of characters per item.
     fn check_count(
         &self,
         count: usize,
@@ -208,7 +208,7 @@ impl Parser<'_> {
         Ok(point)
     }
 
-    /// The degrees in the row that was read last.
+    /// The degrees in the current row.
     fn read_degrees(&mut self) -> Result<[usize; 2], ParseError> {
         let mut degrees = [0; 2];
         for (word_index, degree) in degrees.iter_mut().enumerate() {
@@ -222,13 +222,13 @@ impl Parser<'_> {
         Ok(degrees)
     }
 
-    /// The vertex numbers in the row that was read last; `count` of them are allowed, from `first` on.
+    /// The vertex numbers in the current row; `count` different ones are allowed, from `first` on.
     fn read_indices(&mut self, first: usize, count: usize) -> Result<Range<usize>, ParseError> {
         let word_range = 0..self.reader.last_words().len();
         for word_index in word_range.clone() {
             let number = self.whole(word_index, "a vertex number")?;
             match number.checked_sub(first) {
-                // More vertices than u32 can number are more than memory holds.
+                // A number above the range of u32 cannot occur: that many vertices exceed the memory.
                 Some(index) if index < count => {
                     self.indices.push(u32::try_from(index).unwrap_or(u32::MAX));
                 }
@@ -238,14 +238,14 @@ impl Parser<'_> {
         Ok(word_range)
     }
 
-    /// The whole number at a place of the row that was read last.
+    /// The whole number at a position in the current row.
     fn whole(&self, word_index: usize, expected: impl Into<String>) -> Result<usize, ParseError> {
         let word = self.reader.last_words().get(word_index);
         let number = word.and_then(|word| whole(word));
         number.ok_or_else(|| self.refuse(word_index, expected))
     }
 
-    /// A refusal of the word at a place of the row that was read last, or of the text's end.
+    /// An error for the word at a position in the current row, or for the end of the text.
     fn refuse(&self, word_index: usize, expected: impl Into<String>) -> ParseError {
         let word = self.reader.last_words().get(word_index);
         let got = word.map_or(END.into(), |word| shown(word));

@@ -1,9 +1,9 @@
-//! What can be wrong with path data.
+//! Errors of the SVG path data parser.
 
 use crate::path::Path;
 use std::fmt;
 
-/// Refused path data: where, what was expected there, what came, and what was read before.
+/// An error in SVG path data: its position, the expected and the actual text, and the path before it.
 ///
 /// ```
 /// use casteljau::Path;
@@ -15,13 +15,13 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SvgError {
-    /// Where, in bytes from the start of the text (all before it is ASCII).
+    /// The position in bytes from the start of the text (all text before it is ASCII).
     pub offset: usize,
-    /// What would have been right.
+    /// What the parser expected.
     pub expected: &'static str,
-    /// The text there, in quotes, up to the next blank or comma.
+    /// The text at the position, in quotes, up to the next blank or comma.
     pub got: String,
-    /// All segments before the error: what SVG asks viewers to draw.
+    /// All segments before the error, which SVG requires viewers to draw.
     pub path: Path,
 }
 

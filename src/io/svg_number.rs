@@ -1,14 +1,14 @@
-//! The words of path data: blanks, numbers, flags. `js/svg-number.js` reads the same.
+//! Tokens of SVG path data: separators, numbers, flags. `js/svg-number.js` reads the same grammar.
 
 use super::text_reader::{END, shown};
 
-/// What is wrong, and where.
+/// A syntax error: its offset and what was expected.
 pub(crate) struct Refusal {
     pub(crate) offset: usize,
     pub(crate) expected: &'static str,
 }
 
-/// Path data, read from front to back.
+/// A scanner of SVG path data.
 pub(crate) struct Scanner<'a> {
     text: &'a str,
     pub(crate) at: usize,
@@ -19,7 +19,7 @@ impl<'a> Scanner<'a> {
         Self { text, at: 0 }
     }
 
-    /// The next character, 0 at the end (and for a NUL, which is wrong everywhere).
+    /// The next character, 0 at the end (and for a NUL, which is invalid everywhere).
     pub(crate) fn peek(&self) -> u8 {
         self.text.as_bytes().get(self.at).copied().unwrap_or(0)
     }
@@ -34,7 +34,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Skips blanks with at most one comma among them; whether there was one.
+    /// Skips blanks and at most one comma; returns whether there was a comma.
     pub(crate) fn skip_separator(&mut self) -> bool {
         self.skip_blanks();
         let comma = self.peek() == b',';
@@ -50,8 +50,8 @@ impl<'a> Scanner<'a> {
         matches!(self.peek(), b'0'..=b'9' | b'.' | b'+' | b'-')
     }
 
-    /// A number: an optional sign, digits with an optional point, an optional exponent. As many characters as can
-    /// belong to it: "1.5.5" is 1.5 and 0.5.
+    /// Reads a number: an optional sign, digits with an optional decimal point, an optional exponent. It is the longest
+    /// possible one: "1.5.5" gives 1.5 and 0.5.
     pub(crate) fn number(&mut self) -> Result<f64, Refusal> {
         let from = self.at;
         self.skip_one_of(b"+-");
@@ -82,7 +82,7 @@ impl<'a> Scanner<'a> {
         })
     }
 
-    /// A flag of an arc: one character.
+    /// Reads a flag of an arc, one character.
     pub(crate) fn flag(&mut self) -> Result<bool, Refusal> {
         let flag = self.peek();
         if matches!(flag, b'0' | b'1') {
@@ -95,7 +95,7 @@ impl<'a> Scanner<'a> {
         })
     }
 
-    /// The text from an offset to the next blank or comma (or that one), as a message shows it.
+    /// The text from an offset up to the next blank or comma (or that character itself), formatted for a message.
     pub(crate) fn shown(&self, offset: usize) -> String {
         let rest = self.text.get(offset..).unwrap_or_default();
         let Some(first) = rest.chars().next() else {

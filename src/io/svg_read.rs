@@ -1,4 +1,4 @@
-//! Paths from SVG path data.
+//! Parsing SVG path data.
 
 use super::svg_error::SvgError;
 use super::svg_number::{Refusal, Scanner};
@@ -7,7 +7,7 @@ use crate::path::arc::Arc;
 use crate::path::builder::PathBuilder;
 use glam::DVec2;
 
-/// The numbers that a command takes, apart from the arc's.
+/// The number of arguments of a command; the arc is handled separately.
 fn arguments(command: u8) -> Option<usize> {
     match command {
         b'Z' => Some(0),
@@ -21,21 +21,22 @@ fn arguments(command: u8) -> Option<usize> {
 }
 
 impl Path {
-    /// A path from the `d` of an SVG `<path>`.
+    /// Parses a path from the `d` attribute of an SVG `<path>`.
     ///
-    /// All commands M L H V C S Q T A Z in both cases, repeated numbers, numbers in every form of the grammar ("1." too,
-    /// as in SVG 1.1). Lines become degree 1, quadratics 2, cubics 3. An arc becomes cubics, each within 10⁻⁹ of the larger
-    /// radius; radii that are too small grow until they reach, a radius of 0 gives a line, an arc without a length
-    /// nothing. Where its ends lie opposite each other to the rounding of their coordinates, the arc is half the ellipse.
+    /// Supports all commands M L H V C S Q T A Z in upper and lower case, repeated arguments, and all number forms of
+    /// the grammar ("1." too, as in SVG 1.1). Lines get degree 1, quadratics 2, cubics 3. An arc is converted to
+    /// cubics, each within 10⁻⁹ of the larger radius; radii that are too small are scaled up, a radius of 0 gives a
+    /// line, and an arc whose ends are equal is omitted. If the ends are diametrically opposite up to the rounding of
+    /// their coordinates, the arc is half the ellipse.
     ///
-    /// Every `M` starts a subpath. One without a segment ("M1 1" alone) draws nothing and is left out; "M1 1Z" is a closed
-    /// subpath of one line without a length (a dot, with round caps). `Z` adds a line to the start unless the pen is
-    /// there; a `Z` right after a `Z` does nothing. Empty data gives the empty path.
+    /// Every `M` starts a subpath. A subpath without a segment ("M1 1" alone) draws nothing and is omitted; "M1 1Z" is
+    /// a closed subpath of one line of length 0 (a dot, with round caps). `Z` adds a line to the start unless the
+    /// current point is there; a `Z` directly after a `Z` has no effect. Empty data gives the empty path.
     ///
     /// The time is proportional to the length of the text. Source: *SVG 2*, §9.3 (grammar), §9.5 (errors), B.2 (arcs).
     ///
     /// # Errors
-    /// [`SvgError`] with the offset and what was read before, as SVG asks: the error ends the path.
+    /// [`SvgError`] with the offset and the path before it; as SVG requires, the path ends at the error.
     pub fn from_svg(d: &str) -> Result<Self, SvgError> {
         let mut scanner = Scanner::new(d);
         let mut reader = Reader::default();
@@ -79,7 +80,7 @@ fn read(scanner: &mut Scanner<'_>, reader: &mut Reader) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The arguments of a command, once or more often.
+/// Reads one or more groups of arguments of a command.
 fn read_groups(
     scanner: &mut Scanner<'_>,
     reader: &mut Reader,
@@ -110,7 +111,7 @@ fn read_groups(
         if !comma && !scanner.at_number() {
             return Ok(());
         }
-        // What follows a moveto are linetos.
+        // Further arguments of a moveto are linetos.
         command = match command {
             b'M' => b'L',
             b'm' => b'l',
@@ -119,23 +120,23 @@ fn read_groups(
     }
 }
 
-/// A path that is being read: what the commands relative to earlier ones refer to.
+/// The state of the parser: the path so far, and the points that later commands refer to.
 #[derive(Default)]
 struct Reader {
     builder: PathBuilder,
-    /// The last control point of a preceding cubic (for S) and quadratic (for T).
+    /// The last control point of the previous command if it was a cubic (for S) or a quadratic (for T).
     cubic: Option<DVec2>,
     quadratic: Option<DVec2>,
 }
 
 impl Reader {
-    /// Adds one command with its numbers; false, and nothing is added, where they lead out of what f64 holds.
+    /// Adds one command with its numbers; adds nothing and returns false if a coordinate overflows f64.
     fn draw(&mut self, command: u8, n: &[f64; 7]) -> bool {
         let from = self.builder.current_point();
         let base = if command.is_ascii_lowercase() {
             from
         } else {
-            DVec2::splat(-0.0) // the number that changes no other, not even −0
+            DVec2::splat(-0.0) // the neutral element of addition, also for −0
         };
         let point = |k: usize| base + DVec2::new(n[k], n[k + 1]);
         let mirrored = |control: Option<DVec2>| control.map_or(from, |c| from + (from - c));
@@ -161,7 +162,7 @@ impl Reader {
         true
     }
 
-    /// A line, a quadratic or a cubic by its points after the first.
+    /// Adds a line, a quadratic or a cubic by its points after the first.
     fn segment(&mut self, points: &[DVec2]) -> bool {
         if !points.iter().all(|p| p.is_finite()) {
             return false;

@@ -1,4 +1,4 @@
-//! Paths as SVG path data.
+//! Writing paths as SVG path data.
 
 use super::text_write::written_number;
 use crate::curve::Curve;
@@ -8,21 +8,21 @@ use crate::path::Path;
 use crate::spline::Spline;
 use glam::DVec2;
 
-/// More digits than this are not counted: JavaScript's `toFixed` knows no more.
+/// The maximum number of digits, the limit of JavaScript's `toFixed`.
 const MAX_DIGITS: u8 = 100;
-/// From here on a number has no digits after the point, and JavaScript writes it with an exponent.
+/// From this value on, numbers have no digits after the decimal point, and JavaScript writes them with an exponent.
 const EXPONENT_FROM: f64 = 1e21;
 
 impl Path {
-    /// The path as the `d` of an SVG `<path>`.
+    /// The path as the `d` attribute of an SVG `<path>`.
     ///
-    /// Without a `precision`: absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that give it back, so
-    /// that [`from_svg`](Self::from_svg) reads an equal path, bit for bit (of degree 1 to 3). With a `precision`, that
-    /// many digits after the point (100 at most; ties away from zero) and the shortest absolute form, "M0 0 1 .5Z": no
-    /// blank and no letter that can be left out, H and V where they serve.
+    /// Without a `precision`: absolute commands, "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip,
+    /// so [`from_svg`](Self::from_svg) reads a bit-identical path (for degrees 1 to 3). With a `precision`: that many
+    /// digits after the decimal point (100 at most; ties are rounded away from zero) and the shortest absolute form,
+    /// "M0 0 1 .5Z", without optional blanks and letters, and with H and V where possible.
     ///
-    /// Higher degrees become cubics, none farther from the curve than `tolerance` (see [`Curve::trace`]). The last line
-    /// of a closed subpath is left to its `Z`. The empty path gives the empty text.
+    /// Higher degrees are approximated by cubics within `tolerance` (see [`Curve::trace`]). The last line of a closed
+    /// subpath is represented by its `Z`. The empty path gives the empty text.
     ///
     /// # Errors
     /// As [`Curve::trace`] for the tolerance.
@@ -32,7 +32,7 @@ impl Path {
         for part in self.parts() {
             writer.move_to(part.points[0]);
             let last = part.points.len() - 2;
-            // The line that Z draws; of a subpath that is nothing else, also one without a length.
+            // `Z` draws this line. It is also omitted if it is the only segment, even with length 0.
             let closing = part.closed
                 && part.ends_with_line()
                 && (last == 0 || part.points[last] != part.points[last + 1]);
@@ -68,15 +68,15 @@ impl Spline<DVec2> {
     }
 }
 
-/// What writes path data.
+/// The sink that writes path data.
 struct Writer {
     text: String,
     precision: Option<u8>,
-    /// In the short form: where the pen is, in words, and what a number without a command would mean.
+    /// Short form only: the current point as text, and the command that a number without a command implies.
     at: [String; 2],
     start: [String; 2],
     implied: char,
-    /// The last number, as far as it stands right before the next.
+    /// The previous number, if the next one follows it directly.
     last: String,
 }
 
@@ -134,7 +134,8 @@ impl Writer {
         self.at = to;
     }
 
-    /// Closes, with a line to the start or without one. Where rounding has left that line no length, it is written.
+    /// Closes the subpath, with or without a line to the start. If rounding reduces that line to length 0, it is
+    /// written.
     fn close_subpath(&mut self, line: bool) {
         if line && self.precision.is_some() && self.at == self.start {
             let x = [self.start[0].clone()];
@@ -143,7 +144,7 @@ impl Writer {
         self.close();
     }
 
-    /// A command and its words, with no more between them than it needs to tell them apart.
+    /// Writes a command and its arguments with as few separators as possible.
     fn write(&mut self, command: char, words: &[String]) {
         if command != self.implied {
             self.text.push(command);
@@ -185,14 +186,14 @@ impl PathSink for Writer {
     }
 }
 
-/// A number with at most so many digits after the point, without zeros that say nothing: "-.5".
+/// A number with at most `digits` digits after the decimal point, without redundant zeros: "-.5".
 fn fixed(x: f64, digits: u8) -> String {
     if x.abs() >= EXPONENT_FROM {
         return written_number(x).replace('+', "");
     }
     let (size, half) = (x.abs(), 2_f64.powi(-i32::from(digits) - 1));
     let digits = usize::from(digits);
-    // Halfway between two such numbers Rust takes the even one, JavaScript the one farther from zero.
+    // Ties: Rust rounds to even, JavaScript's `toFixed` away from zero.
     let tie = size / half % 2.0 == 1.0;
     let mut word = if tie {
         without_five(format!("{size:.*}", digits + 1))
@@ -211,7 +212,7 @@ fn fixed(x: f64, digits: u8) -> String {
     }
 }
 
-/// A positive number without its last digit, a 5, rounded up.
+/// A positive number whose last digit 5 is removed, rounded up.
 fn without_five(mut word: String) -> String {
     word.pop();
     let mut digits = word.trim_end_matches('.').to_owned().into_bytes();

@@ -1,8 +1,8 @@
-//! The rows of a text, and what can be wrong with them.
+//! Reading text by rows, and parse errors.
 
 use std::fmt;
 
-/// A refused text: where, what was expected there and what came.
+/// A parse error: its line, the expected and the actual text.
 ///
 /// ```
 /// use casteljau::Surface;
@@ -12,11 +12,11 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
-    /// The line, from 1.
+    /// The line number, from 1.
     pub line: usize,
-    /// What would have been right.
+    /// What the parser expected.
     pub expected: String,
-    /// What was there.
+    /// What the text contained.
     pub got: String,
 }
 
@@ -33,18 +33,18 @@ impl fmt::Display for ParseError {
 
 impl std::error::Error for ParseError {}
 
-/// How much of a word a message shows.
+/// The maximum number of characters of a word that a message shows.
 const SHOWN_CHARACTERS: usize = 40;
 
-/// A text as rows of words.
+/// A reader of text as rows of words.
 ///
-/// Blanks, tabs and commas separate words; `#` starts a comment, which ends with its line; lines end with a line feed,
-/// a carriage return or both. Lines without words are numbered, but are no rows. `js/surface-text.js` reads the same.
+/// Spaces, tabs and commas separate words; `#` starts a comment up to the end of the line; lines end with a line feed,
+/// a carriage return or both. Lines without words are counted but skipped. `js/surface-text.js` reads the same format.
 pub(crate) struct Reader<'a> {
     text: &'a str,
     at: usize,
     line: usize,
-    /// The words of the row that was read last, up to those wanted.
+    /// The words of the current row, up to the requested number.
     words: Vec<&'a str>,
 }
 
@@ -58,13 +58,13 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The number of the line that was read last.
+    /// The line number of the current row.
     pub(crate) fn line(&self) -> usize {
         self.line
     }
 
-    /// Reads the next row and returns how many words it has; 0 at the end. Words beyond those `wanted` are only
-    /// counted: a row may be as long as the text.
+    /// Reads the next row and returns its number of words; 0 at the end. Words after the first `wanted` ones are only
+    /// counted, because a row may be as long as the text.
     pub(crate) fn row(&mut self, wanted: usize) -> usize {
         self.words.clear();
         while !self.find_word() {
@@ -83,7 +83,7 @@ impl<'a> Reader<'a> {
         count
     }
 
-    /// The next row, which must have exactly `count` words; `what` names them.
+    /// Reads the next row, which must have exactly `count` words; `what` names them.
     pub(crate) fn words(&mut self, count: usize, what: &str) -> Result<&[&'a str], ParseError> {
         match self.row(count) {
             got if got == count => Ok(&self.words),
@@ -92,17 +92,17 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The words of the row that was read last.
+    /// The words of the current row.
     pub(crate) fn last_words(&self) -> &[&'a str] {
         &self.words
     }
 
-    /// A refusal of the row that was read last.
+    /// An error in the current row.
     pub(crate) fn refuse(&self, expected: impl Into<String>, got: impl ToString) -> ParseError {
         refuse(self.line, expected, got)
     }
 
-    /// Whether a word starts here or after some blanks, on this line.
+    /// Skips blanks; returns whether a word follows on this line.
     fn find_word(&mut self) -> bool {
         self.skip(is_blank);
         if self.rest().first() == Some(&b'#') {
@@ -114,11 +114,11 @@ impl<'a> Reader<'a> {
     fn word(&mut self) -> &'a str {
         let from = self.at;
         self.skip(|byte| !is_blank(byte) && !is_break(byte) && byte != b'#');
-        // Both ends are at ASCII characters, or at those of the text.
+        // Both ends are at ASCII characters or at the ends of the text, so the slice is valid.
         self.text.get(from..self.at).unwrap_or_default()
     }
 
-    /// Goes to the start of the next line; false at the end of the text.
+    /// Moves to the start of the next line; returns false at the end of the text.
     fn next_line(&mut self) -> bool {
         let width = match self.rest() {
             [] => return false,
@@ -148,7 +148,7 @@ fn is_break(byte: u8) -> bool {
     matches!(byte, b'\n' | b'\r')
 }
 
-/// What comes when nothing comes.
+/// The actual text in a message about the end of the text.
 pub(crate) const END: &str = "the end of the text";
 
 pub(crate) fn refuse(line: usize, expected: impl Into<String>, got: impl ToString) -> ParseError {
@@ -159,7 +159,7 @@ pub(crate) fn refuse(line: usize, expected: impl Into<String>, got: impl ToStrin
     }
 }
 
-/// A word in quotes, as JSON has it, or its beginning.
+/// A word, or its beginning if it is long, quoted as in JSON.
 pub(crate) fn shown(word: &str) -> String {
     let mut quoted = String::from("\"");
     for character in word.chars().take(SHOWN_CHARACTERS) {
@@ -176,14 +176,14 @@ pub(crate) fn shown(word: &str) -> String {
     quoted + "\""
 }
 
-/// The number that a word stands for: digits with a sign, a point and an exponent or without.
+/// Parses a decimal number with optional sign, decimal point and exponent.
 pub(crate) fn number(word: &str) -> Option<f64> {
     let numeric = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);
-    let numeric = word.as_bytes().iter().all(numeric); // no "inf", no "nan"
+    let numeric = word.as_bytes().iter().all(numeric); // excludes "inf" and "nan"
     numeric.then(|| word.parse().ok()).flatten()
 }
 
-/// The whole number that a word of digits stands for; the largest there is, where it is larger.
+/// Parses a whole number; saturates at the maximum.
 pub(crate) fn whole(word: &str) -> Option<usize> {
     let digits = word.bytes().all(|byte| byte.is_ascii_digit());
     digits.then(|| word.parse().unwrap_or(usize::MAX))

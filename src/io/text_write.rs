@@ -1,16 +1,17 @@
-//! Surfaces as text.
+//! Writing surfaces as text.
 
 use crate::surface::network::Surface;
 use std::fmt::{Arguments, Display, LowerExp, Write};
 
 impl Surface {
-    /// The surface as text, which [`parse`](Self::parse) reads back to an equal one, bit for bit.
+    /// The surface as text; [`parse`](Self::parse) reads back an equal surface, bit for bit.
     ///
-    /// Only vertices that a move has brought to one place are joined when they are read, as in every new surface.
+    /// The only exception are vertices that were moved to the same point: reading merges them, as every new surface
+    /// does.
     ///
-    /// The row `surface`; `vertices` and their number, then a row x y z for each; `patches` and their number, then for
-    /// each a row with its degrees in u and v, and below it its net: a row for each j with the vertex numbers, from 0,
-    /// of its points Pᵢⱼ.
+    /// The format: the row `surface`; `vertices` and their number, then a row x y z for each; `patches` and their
+    /// number, then for each a row with its degrees in u and v, followed by its net: a row for each j with the vertex
+    /// numbers, from 0, of its points Pᵢⱼ.
     ///
     /// ```
     /// use casteljau::{Surface, glam::DVec3};
@@ -48,13 +49,13 @@ impl Surface {
     }
 }
 
-/// Writing to a String cannot fail.
+/// Appends formatted text; writing to a String cannot fail.
 pub(crate) fn push(text: &mut String, words: Arguments<'_>) {
     let _ = text.write_fmt(words);
 }
 
-/// The fewest digits that give the number back, laid out as JavaScript does it (but −0 keeps its sign): with an
-/// exponent from 10²¹ on and below 10⁻⁶.
+/// The fewest digits that round-trip, in the format of JavaScript (except that −0 keeps its sign): with an exponent
+/// from 10²¹ on and below 10⁻⁶.
 pub(crate) fn written(x: impl Display + LowerExp) -> String {
     let scientific = format!("{x:e}");
     let exponent = scientific.rsplit('e').next().map(str::parse::<i32>);
@@ -65,11 +66,11 @@ pub(crate) fn written(x: impl Display + LowerExp) -> String {
     }
 }
 
-/// Where one more digit than the shortest would be needed to decide how to round it, that digit is among so many binary
-/// places: 17 decimal ones have as many.
+/// Only a multiple of 2⁻¹⁸ can lie halfway between two shortest forms of 17 digits: a tie above 1 has at most 17
+/// decimal places, hence at most as many binary places.
 const DIGITS_OF_A_TIE: f64 = 262_144.0; // 2¹⁸
 
-/// [`written`] for all f64: where two shortest forms are equally close, JavaScript takes the even one, Rust the upper.
+/// [`written`] for all f64: if two shortest forms are equally close, JavaScript takes the even one, Rust the upper one.
 pub(crate) fn written_number(x: f64) -> String {
     let plain = written(x);
     let whole = x.abs() >= 1.0 / f64::EPSILON;
@@ -79,13 +80,13 @@ pub(crate) fn written_number(x: f64) -> String {
     even(&plain, x).unwrap_or(plain)
 }
 
-/// The form below the shortest one, if it is even and as close.
+/// The form one below the shortest one, if its last digit is even and it is equally close.
 fn even(plain: &str, x: f64) -> Option<String> {
     let mantissa = plain.split('e').next()?;
     let significant = mantissa.trim_end_matches('0').trim_end_matches('.');
     let count = significant.bytes().filter(u8::is_ascii_digit).count();
     let last = significant.bytes().last().filter(|digit| digit % 2 == 1)?;
-    // A tie has a 5 and then nothing: 20 digits more show that.
+    // In a tie the remaining digits are 5 and then zeros; 20 more digits decide it.
     let all = format!("{x:.*e}", count + 20);
     let digits: Vec<u8> = all.bytes().filter(u8::is_ascii_digit).collect();
     let tail = digits.get(count..=count + 20)?;

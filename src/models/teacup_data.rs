@@ -1,16 +1,17 @@
-//! The teacup of the tea-set archive, with its saucer, as half-profiles and cross-sections.
+//! Data of the teacup and its saucer: half-profiles and cross-sections.
 //!
-//! Provenance: figures of the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style
-//! licence). The archive divides its own measures by 1.1 and keeps six digits. Before that, all are whole multiples of
-//! 1/1000; with the division 1/1100, which these tables hold: dividing and rounding to six digits gives the published
-//! decimals bit for bit. Each curve runs against the archive's v, so that normals point outwards.
+//! Provenance: the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style licence). The
+//! archive contains its original measures divided by 1.1 and rounded to six digits. The original measures are integer
+//! multiples of 1/1000; the tables contain them in units of 1/1100. Dividing and rounding to six digits gives the
+//! published decimals bit for bit. The direction of each curve is opposite to v of the archive, so that normals point
+//! outwards.
 
 use super::teapot_data::{Ring, Section};
 
-/// The unit of the tables is 1 / this.
+/// The tables are in units of 1 / `UNITS`.
 pub(crate) const UNITS: f64 = 1100.0;
 
-/// The curves of the cup: rim, outside, inside; four rings each.
+/// The profile curves of the cup: rim, outside, inside; four rings each.
 pub(crate) const CUP: [Ring; 12] = [
     [500, 280, 850],
     [500, 280, 975],
@@ -26,7 +27,7 @@ pub(crate) const CUP: [Ring; 12] = [
     [300, 168, 50],
 ];
 
-/// The handle from its lower end: one curve.
+/// The cross-sections of the handle from its lower end: one curve.
 pub(crate) const HANDLE: [Section; 4] = [
     [-450, 400, -450, 325, -50],
     [-850, 575, -1000, 525, -50],
@@ -34,7 +35,7 @@ pub(crate) const HANDLE: [Section; 4] = [
     [-500, 775, -500, 850, -50],
 ];
 
-/// The curves of the saucer: upper side, edge, underside; four rings each.
+/// The profile curves of the saucer: upper side, edge, underside; four rings each.
 pub(crate) const SAUCER: [Ring; 12] = [
     [1000, 560, 150],
     [800, 448, 150],

@@ -1,16 +1,16 @@
-//! Surfaces that everybody knows: the Utah teapot.
+//! The Utah teapot.
 //!
-//! Thirty-two bicubic patches: rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31; z points up,
-//! ∂u × ∂v outwards. Patch for patch and point for point the figures are those of the usual listing. Vertices are
-//! numbered anew: each distinct point is one vertex, in the order in which patches use them. That makes 290 instead of
-//! the listing's 306, of which four are unused and twelve repeat the edge between body and bottom; here that edge is
-//! shared like all others.
+//! Thirty-two bicubic patches: rim 0–3, body 4–11, handle 12–15, spout 16–19, lid 20–27, bottom 28–31; z points up and
+//! ∂u × ∂v outwards. The patches and their points are those of the usual listing, in the same order. Vertices are
+//! renumbered: each distinct point is one vertex, in the order of first use. That gives 290 vertices instead of the
+//! listing's 306, of which four are unused and twelve repeat the edge between body and bottom; here that edge is shared
+//! like all others.
 
 use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
 use crate::surface::network::Surface;
 use glam::DVec3;
 
-/// Which parts of the teapot, how tall, and which way up. By default: all parts, squashed, z up.
+/// The parts, the height and the up axis of the teapot. Default: all parts, squashed, z up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -18,21 +18,21 @@ use glam::DVec3;
     serde(rename_all = "camelCase")
 )]
 pub struct TeapotOptions {
-    /// Patches 0–3 of the whole.
+    /// Include the rim, patches 0–3 of the complete teapot.
     pub rim: bool,
-    /// Patches 4–11.
+    /// Include the body, patches 4–11.
     pub body: bool,
-    /// Patches 12–15.
+    /// Include the handle, patches 12–15.
     pub handle: bool,
-    /// Patches 16–19.
+    /// Include the spout, patches 16–19.
     pub spout: bool,
-    /// Patches 20–27.
+    /// Include the lid, patches 20–27.
     pub lid: bool,
-    /// Patches 28–31, which Newell's teapot did not have.
+    /// Include the bottom, patches 28–31, which Newell's teapot did not have.
     pub bottom: bool,
-    /// How tall.
+    /// The height.
     pub height: Height,
-    /// Which axis points up.
+    /// The axis that points up.
     pub up: Up,
 }
 
@@ -44,10 +44,10 @@ pub struct TeapotOptions {
     serde(rename_all = "lowercase")
 )]
 pub enum Height {
-    /// 3.15, as the teapot is commonly distributed: Blinn's display had pixels that were not square.
+    /// 3.15, as the teapot is commonly distributed: the pixels of Blinn's display were not square.
     #[default]
     Squashed,
-    /// 4.2, 4/3 as tall: as Newell made it. (three.js stretches by 1.3.)
+    /// 4.2, 4/3 times as tall: Newell's original. (three.js uses a factor of 1.3.)
     Original,
 }
 
@@ -81,7 +81,7 @@ impl Default for TeapotOptions {
     }
 }
 
-/// A control point in whole units; i32, as the tables' sums and turns need no more.
+/// A control point in integer units; i32 is large enough for all sums and rotations of the tables.
 pub(crate) type Whole = [i32; 3];
 
 impl Surface {
@@ -91,7 +91,7 @@ impl Surface {
     }
 }
 
-/// The teapot's chosen parts.
+/// The selected parts of the teapot.
 fn teapot(options: TeapotOptions) -> Surface {
     let mut points: Vec<Whole> = Vec::new();
     if options.rim {
@@ -117,7 +117,8 @@ fn teapot(options: TeapotOptions) -> Surface {
     Surface::bicubic(vertices, indices)
 }
 
-/// Turns profiles around the z axis, a quarter turn per patch; `sense` 1 is clockwise as seen from above.
+/// A surface of revolution: rotates profiles about the z-axis, a quarter turn per patch; `sense` 1 is clockwise as seen
+/// from above.
 pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
     for curve in profile.windows(4).step_by(3) {
         for quarter in 0..4 {
@@ -133,7 +134,7 @@ pub(crate) fn turn(profile: &[Ring], sense: i32, points: &mut Vec<Whole>) {
     }
 }
 
-/// Sweeps cross-sections: two curves, each with a patch on the side of −y and its mirror image.
+/// A sweep along cross-sections: two curves, each with one patch on the side of −y and its mirror image.
 pub(crate) fn sweep(sections: &[Section], points: &mut Vec<Whole>) {
     for curve in sections.windows(4).step_by(3) {
         for section in curve {
@@ -152,7 +153,7 @@ fn half_section(section: &Section) -> [Whole; 4] {
     [[x0, 0, z0], [x0, -width, z0], [x1, -width, z1], [x1, 0, z1]]
 }
 
-/// Numbers equal points once, in the order of their first use.
+/// The distinct points in the order of first use, and the index of each point among them.
 pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
     let mut vertices: Vec<Whole> = Vec::new();
     let mut indices = Vec::with_capacity(points.len());
@@ -167,7 +168,7 @@ pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
     (vertices, indices)
 }
 
-/// The point in the teapot's unit. Whole numbers are divided once, so every coordinate is the nearest f64.
+/// The point in the units of the teapot. Each integer is divided once, so every coordinate is the nearest f64.
 fn position([x, y, z]: Whole, options: TeapotOptions) -> DVec3 {
     let height_units = match options.height {
         Height::Squashed => UNITS,

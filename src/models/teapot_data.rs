@@ -1,19 +1,18 @@
-//! The Utah teapot, by Martin Newell (1975), as what it was made from: half-profiles and cross-sections.
+//! Data of the Utah teapot by Martin Newell (1975): half-profiles and cross-sections.
 //!
-//! Provenance: figures of the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style
-//! licence), and of npm three 0.187.0, `examples/jsm/geometries/TeapotGeometry.js` (MIT): the coordinates of the
-//! squashed teapot, 3.15 high, with the exact 2.53125 and 2.49375 where some listings round to four decimals, and the
-//! bottom. All coordinates are whole multiples of 1/4000, which these tables hold; dividing gives the published
-//! decimals bit for bit.
+//! Provenance: the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style licence), and npm
+//! three 0.187.0, `examples/jsm/geometries/TeapotGeometry.js` (MIT): the coordinates of the squashed teapot, 3.15 high,
+//! with the exact 2.53125 and 2.49375 that some listings round to four decimals, and the bottom. All coordinates are
+//! integer multiples of 1/4000, the unit of the tables; dividing gives the published decimals bit for bit.
 
-/// The unit of the tables is 1 / this.
+/// The tables are in units of 1 / `UNITS`.
 pub(crate) const UNITS: f64 = 4000.0;
 
-/// One row of a part that is turned on the wheel: the radius, the reach of the two inner control points of a quarter
-/// turn (14/25 of the radius, with one exception), the height.
+/// One ring of a surface of revolution: the radius, the handle length of a quarter turn (14/25 of the radius, with one
+/// exception) and the height.
 pub(crate) type Ring = [i16; 3];
 
-/// Rim and body from the inner edge of the rim down: three profile curves.
+/// The profile of rim and body, from the inner edge of the rim down: three curves.
 pub(crate) const WALL: [Ring; 10] = [
     [5600, 3136, 9600],
     [5350, 2996, 10125],
@@ -27,7 +26,7 @@ pub(crate) const WALL: [Ring; 10] = [
     [6000, 3360, 600],
 ];
 
-/// The lid from its knob down: two profile curves.
+/// The profile of the lid from its knob down: two curves.
 pub(crate) const LID: [Ring; 7] = [
     [0, 0, 12600],
     [3200, 1800, 12600],
@@ -38,7 +37,7 @@ pub(crate) const LID: [Ring; 7] = [
     [5200, 2912, 9600],
 ];
 
-/// The bottom from its centre outwards: one profile curve, turned the other way round.
+/// The profile of the bottom from its centre outwards: one curve, rotated in the opposite sense.
 pub(crate) const BOTTOM: [Ring; 4] = [
     [0, 0, 0],
     [5700, 3192, 0],
@@ -49,7 +48,7 @@ pub(crate) const BOTTOM: [Ring; 4] = [
 /// One cross-section of handle or spout: x and z of its two ends in the plane y = 0, and its half-width.
 pub(crate) type Section = [i16; 5];
 
-/// The handle from its upper end: two curves.
+/// The cross-sections of the handle from its upper end: two curves.
 pub(crate) const HANDLE: [Section; 7] = [
     [-6400, 8100, -6000, 9000, 1200],
     [-9200, 8100, -10000, 9000, 1200],
@@ -60,7 +59,7 @@ pub(crate) const HANDLE: [Section; 7] = [
     [-8000, 3600, -7600, 2400, 1200],
 ];
 
-/// The spout from the body outwards: two curves.
+/// The cross-sections of the spout from the body outwards: two curves.
 pub(crate) const SPOUT: [Section; 7] = [
     [6800, 5700, 6800, 2400, 2640],
     [10400, 5700, 12400, 3300, 2640],

@@ -1,20 +1,20 @@
-//! The teaspoon of the tea-set archive as the right halves of its cross-sections.
+//! Data of the teaspoon: the right halves of its cross-sections.
 //!
-//! Provenance: figures of the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style
-//! licence). The archive divides its own measures by 1.12 and keeps six digits. Before that, all are whole multiples of
-//! 1/250000; with the division 1/280000, which these tables hold: dividing and rounding to six digits gives the
+//! Provenance: the 1990 tea-set archive as printed in freeglut 3.4.0's `fg_teapot_data.h` (MIT-style licence). The
+//! archive contains its original measures divided by 1.12 and rounded to six digits. The original measures are integer
+//! multiples of 1/250000; the tables contain them in units of 1/280000. Dividing and rounding to six digits gives the
 //! published decimals bit for bit.
 
 use super::teapot::Whole;
 
-/// The unit of the tables is 1 / this.
+/// The tables are in units of 1 / `UNITS`.
 pub(crate) const UNITS: f64 = 280_000.0;
 
-/// How many control points go around the spoon: four patches of four, neighbours sharing one.
+/// The number of control points around the spoon: four patches with four points each, of which neighbours share one.
 pub(crate) const AROUND: usize = 12;
 
-/// Cross-sections from the bowl's end to the tip of the handle, four curves: control points 2 to 7 of each. Point
-/// 3 − k, counted around, mirrors point k at the plane x = 0.
+/// Cross-sections from the end of the bowl to the tip of the handle, four curves: control points 2 to 7 of each. Point
+/// 3 − k (modulo `AROUND`) is the mirror image of point k at the plane x = 0.
 pub(crate) const HALVES: [[Whole; 6]; 13] = [
     [
         [0, 55000, -5000],
@@ -122,7 +122,7 @@ pub(crate) const HALVES: [[Whole; 6]; 13] = [
     ],
 ];
 
-/// What the archive has in place of a mirror image: cross-section, control point around it.
+/// Points of the archive that differ from the mirror image: cross-section, control point around it, coordinates.
 pub(crate) const ODD: [(usize, usize, Whole); 12] = [
     (5, 10, [-4922, -45000, 8958]),
     (5, 8, [-2187, -45000, 5833]),

@@ -1,34 +1,34 @@
-//! Elliptical arcs as cubics.
+//! Elliptical arcs as cubic Bézier curves.
 
 use super::turn::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// The longest piece in radians. A cubic with the ends, the tangents and the middle of an arc of θ is off by at most
-/// 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: here 9.95·10⁻¹⁰. Source: Goldapp, "Approximation of circular arcs by cubic
-/// polynomials", CAGD 8 (1991).
+/// The maximum angle of one cubic in radians. A cubic with the ends, the tangents and the midpoint of an arc of angle θ
+/// deviates by at most 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: here 9.95·10⁻¹⁰. Source: Goldapp, "Approximation of
+/// circular arcs by cubic polynomials", CAGD 8 (1991).
 const LONGEST_PIECE: f64 = 0.195;
 
-/// Both ends are rounded by up to half an ulp, and so is each step from them to half the chord.
+/// Both end points are rounded by up to half an ulp, and so is each operation from them to the half chord.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// An arc as SVG describes it; the ends differ.
+/// An arc in the SVG endpoint parametrisation; the end points differ.
 pub(crate) struct Arc {
     pub(crate) from: DVec2,
     pub(crate) to: DVec2,
-    /// Not negative.
+    /// Nonnegative.
     pub(crate) radii: DVec2,
-    /// The angle of the first axis.
+    /// The angle from the x-axis to the first axis of the ellipse.
     pub(crate) degrees: f64,
     pub(crate) large: bool,
     pub(crate) sweep: bool,
 }
 
-/// Hands the points after the first of each cubic to `cubic`; false, and nothing is handed out, where the arc is a line:
-/// a radius is 0, or too small beside the other for f64.
+/// Calls `cubic` with the control points after the first of each cubic. Returns false without a call if the arc is a
+/// line: a radius is 0, or too small relative to the other for f64.
 ///
-/// Places are computed from the start, so that a short piece of a vast ellipse keeps its digits: the chord of an angle
-/// 2β is 2 sin β, in the direction at β.
+/// Points are computed relative to the start, so that a short arc of a very large ellipse keeps its precision: the
+/// chord of an angle 2β is 2 sin β long, in the direction at β.
 pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let Some(ellipse) = Ellipse::of(shape) else {
         return false;
@@ -39,7 +39,7 @@ pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     let sign = if shape.sweep { 1.0 } else { -1.0 };
     let step = DVec2::new(half_step.x, sign * half_step.y);
     let reach = 4.0 / 3.0 * step.y / (1.0 + step.x);
-    // The arc has come to the angle 2β.
+    // The end of the current cubic is at the angle 2β.
     let mut beta = DVec2::X;
     let mut point = shape.from;
     let mut handle = ellipse.normal_at(turned(beta, beta)) * reach;
@@ -59,18 +59,18 @@ pub(crate) fn arc(shape: &Arc, mut cubic: impl FnMut(&[DVec2])) -> bool {
     true
 }
 
-/// The ellipse of an arc, as the image of the unit circle.
+/// The ellipse of an arc, as the image of the unit circle under an affine map.
 struct Ellipse {
     radii: DVec2,
     axis: DVec2,
-    /// The start, on the unit circle.
+    /// The start of the arc on the unit circle.
     start: DVec2,
-    /// The angle of the arc, there.
+    /// The angle of the arc on the unit circle.
     theta: f64,
 }
 
 impl Ellipse {
-    /// Half the chord on the unit circle is d; the centre lies at ±√(1 − d²) across.
+    /// Half the chord on the unit circle is d; the centre lies at ±√(1 − d²) perpendicular to it.
     fn of(shape: &Arc) -> Option<Self> {
         let axis = direction_of_degrees(shape.degrees);
         let back = DVec2::new(axis.x, -axis.y);
@@ -109,18 +109,18 @@ impl Ellipse {
         })
     }
 
-    /// From the unit circle to the plane.
+    /// Maps a vector from the unit circle to the plane.
     fn out(&self, v: DVec2) -> DVec2 {
         turned(v * self.radii, self.axis)
     }
 
-    /// The radius of the unit circle at an angle from the start, turned by +90°.
+    /// The image of the unit-circle radius at an angle from the start, turned by +90°.
     fn normal_at(&self, angle: DVec2) -> DVec2 {
         let end = turned(self.start, angle);
         self.out(DVec2::new(-end.y, end.x))
     }
 
-    /// The way from the start to the angle 2β.
+    /// The chord from the start to the angle 2β.
     fn chord(&self, beta: DVec2) -> DVec2 {
         let middle = turned(self.start, beta);
         self.out(DVec2::new(-middle.y, middle.x) * (2.0 * beta.y))

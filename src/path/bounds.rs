@@ -1,4 +1,4 @@
-//! How large is it, and which polylines are close?
+//! Bounding boxes and flattening of paths.
 
 use super::Path;
 use crate::curve::Curve;
@@ -10,10 +10,10 @@ use crate::geometry::point::Point;
 use glam::{DVec2, DVec3};
 
 impl Path {
-    /// The smallest box that contains the path; of the empty path none.
+    /// The tight bounding box of the path; `None` for the empty path.
     ///
-    /// Exact to rounding, as [`Curve::bounds`]. Extrema are looked for only on segments with control points outside of the
-    /// box around all joints.
+    /// Exact up to rounding, as [`Curve::bounds`]. Extrema are computed only for segments with control points outside
+    /// the box of all joints.
     pub fn bounds(&self) -> Option<Bounds<DVec2>> {
         let first = *self.points.first()?;
         let joints = self.segment_points().map(|points| points[points.len() - 1]);
@@ -29,15 +29,15 @@ impl Path {
         }))
     }
 
-    /// The box of the control points, which contains the path and is cheaper than [`bounds`](Self::bounds).
+    /// The bounding box of the control points, which contains the path and is cheaper than [`bounds`](Self::bounds).
     pub fn control_bounds(&self) -> Option<Bounds<DVec2>> {
         let (&first, rest) = self.points.split_first()?;
         let start = corners(first, first);
         Some(rest.iter().fold(start, |bounds, &p| bounds.including(p)))
     }
 
-    /// A polyline for each subpath, from which it is nowhere farther than `tolerance`; every joint is a vertex, and a
-    /// closed subpath ends where it starts.
+    /// A polyline within `tolerance` of each subpath; every joint is a vertex, and the polyline of a closed subpath
+    /// ends at its start.
     ///
     /// # Errors
     /// As [`Spline::flatten`](crate::Spline::flatten), with the limit of 2²⁴ vertices for all subpaths together.
@@ -88,7 +88,7 @@ fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {
     Bounds { min: a, max: a }.including(b)
 }
 
-/// The box of one segment; in wasm in space, where the code is that of all curves.
+/// The tight box of one segment; computed in 3D in wasm, which reuses the code of all curves.
 fn exact(points: &[DVec2]) -> Bounds<DVec2> {
     if cfg!(not(target_family = "wasm")) {
         return Curve::from_slice(points).bounds();

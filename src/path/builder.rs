@@ -7,11 +7,11 @@ use crate::geometry::check::check_finite;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use glam::DVec2;
 
-/// Builds a [`Path`] from commands with absolute coordinates, as a canvas does.
+/// Builds a [`Path`] from commands with absolute coordinates, like the path methods of a canvas.
 ///
-/// `move_to` starts a subpath; one without a segment is left out. A subpath that follows a `close` without a `move_to`
-/// starts where the closed one started. A path that does not begin with `move_to` begins at the origin. Arguments are
-/// checked by [`build`](Self::build).
+/// `move_to` starts a subpath; a subpath without a segment is omitted. After `close`, a subpath that begins without
+/// `move_to` starts at the start of the closed one. A path that does not begin with `move_to` starts at the origin.
+/// Invalid arguments are reported by [`build`](Self::build).
 ///
 /// ```
 /// use casteljau::{glam::DVec2, path::PathBuilder};
@@ -35,7 +35,7 @@ pub struct PathBuilder {
     has_segment: bool,
     /// Whether the last command was `close`.
     is_closed: bool,
-    /// Why the path cannot be built: the first argument that does not fit.
+    /// The error of the first invalid argument.
     error: Option<Error>,
 }
 
@@ -74,7 +74,7 @@ impl PathBuilder {
         self.curve_to(&[p1, p2, p]);
     }
 
-    /// Adds a Bézier curve of any degree from 1 to 64 by its control points after the current point.
+    /// Adds a Bézier curve of any degree from 1 to 64, given by its control points after the current point.
     pub fn curve_to(&mut self, points: &[DVec2]) {
         if !(1..=MAX_DEGREE).contains(&points.len()) {
             self.error.get_or_insert(Error::Count {
@@ -87,11 +87,11 @@ impl PathBuilder {
         }
     }
 
-    /// Adds an elliptical arc to `p`, as the command `A` of SVG path data does.
+    /// Adds an elliptical arc to `p`, like the command `A` of SVG path data.
     ///
-    /// `x_rotation` is the angle from the x-axis to the first axis of the ellipse, in radians. `large` selects an arc of
-    /// more than half the ellipse, `sweep` one of increasing angle. Radii that are too small are scaled up; with a radius
-    /// of 0 the arc is a line; without a distance between its ends it is left out. The arc becomes cubics, each within
+    /// `x_rotation` is the angle from the x-axis to the first axis of the ellipse, in radians. `large` selects an arc
+    /// of more than half the ellipse, `sweep` one of increasing angle. Radii that are too small are scaled up; with a
+    /// radius of 0 the arc is a line; if both ends are equal it is omitted. The arc is converted to cubics, each within
     /// 10⁻⁹ of the larger radius. Source: *SVG 2*, §B.2.
     pub fn arc_to(&mut self, radii: DVec2, x_rotation: f64, large: bool, sweep: bool, p: DVec2) {
         let rotation = [DVec2::new(x_rotation, 0.0)];
@@ -110,8 +110,8 @@ impl PathBuilder {
         }
     }
 
-    /// Closes the subpath, by a line to its first point unless it ends there. A `close` right after a `close` does
-    /// nothing; a subpath without a segment becomes a closed line without a length.
+    /// Closes the subpath, with a line to its first point unless it ends there. A second consecutive `close` has no
+    /// effect; a subpath without a segment becomes a closed line of length 0.
     pub fn close(&mut self) {
         if self.is_closed {
             return;
@@ -119,7 +119,7 @@ impl PathBuilder {
         if !self.has_segment || self.current != self.start {
             self.add_segment(&[self.start]);
         }
-        // −0 and 0 are equal: the bits of the first point stand for both.
+        // −0 and 0 compare equal: store the bits of the first point at both ends.
         if let Some(last) = self.path.points.last_mut() {
             *last = self.start;
         }
@@ -127,10 +127,10 @@ impl PathBuilder {
         (self.current, self.has_segment, self.is_closed) = (self.start, false, true);
     }
 
-    /// The path of all commands so far.
+    /// The path of all commands.
     ///
     /// # Errors
-    /// For the first command with such an argument: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Count`] for
+    /// The error of the first invalid command: [`Error::NotFinite`] for a NaN or an infinity, [`Error::Count`] for
     /// [`curve_to`](Self::curve_to) with no points or more than 64.
     pub fn build(self) -> Result<Path, Error> {
         match self.error {
@@ -139,13 +139,13 @@ impl PathBuilder {
         }
     }
 
-    /// The path of all commands that were accepted.
+    /// The path of all valid commands.
     pub(crate) fn finished(mut self) -> Path {
         self.end_open();
         self.path
     }
 
-    /// Adds a line or a curve by its finite control points after the current point.
+    /// Adds a segment by its control points after the current point, which must be finite.
     pub(crate) fn add_segment(&mut self, points: &[DVec2]) {
         if !self.has_segment {
             self.path.points.push(self.current);
@@ -176,7 +176,7 @@ impl PathBuilder {
         }
     }
 
-    /// Ends a subpath that was not closed.
+    /// Ends a subpath that is not closed.
     fn end_open(&mut self) {
         if self.has_segment {
             self.path.end_subpath(false);

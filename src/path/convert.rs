@@ -1,4 +1,4 @@
-//! Paths from curves, splines and text, and affine maps as factors.
+//! Conversion of curves, splines and text to paths, and multiplication of affine maps by paths.
 
 use super::Path;
 use crate::curve::Curve;
@@ -10,21 +10,21 @@ use std::ops::Mul;
 use std::str::FromStr;
 
 impl From<Spline<DVec2>> for Path {
-    /// The path with this one subpath.
+    /// A path with one subpath.
     fn from(spline: Spline<DVec2>) -> Self {
         Self::new(&[spline])
     }
 }
 
 impl From<Curve<DVec2>> for Path {
-    /// The path with one open subpath of one segment.
+    /// A path with one open subpath of one segment.
     fn from(curve: Curve<DVec2>) -> Self {
         Self::from(Spline::from(curve))
     }
 }
 
 impl FromIterator<Spline<DVec2>> for Path {
-    /// The path with these subpaths.
+    /// A path with these subpaths.
     fn from_iter<I: IntoIterator<Item = Spline<DVec2>>>(splines: I) -> Self {
         let mut path = Self::default();
         path.extend(splines);
@@ -48,15 +48,15 @@ impl Extend<Spline<DVec2>> for Path {
 impl FromStr for Path {
     type Err = SvgError;
 
-    /// Reads SVG path data; see [`Path::from_svg`].
+    /// Parses SVG path data; see [`Path::from_svg`].
     fn from_str(d: &str) -> Result<Self, SvgError> {
         Self::from_svg(d)
     }
 }
 
 impl fmt::Display for Path {
-    /// Writes SVG path data, as [`Path::to_svg`] does without options; the precision of the format (`{:.2}`) is the number
-    /// of digits after the point.
+    /// Writes SVG path data, as [`Path::to_svg`] without options; the precision of the format (`{:.2}`) is the number
+    /// of digits after the decimal point.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = f
             .precision()
@@ -68,7 +68,7 @@ impl fmt::Display for Path {
 impl Mul<&Path> for DAffine2 {
     type Output = Path;
 
-    /// The image of the path, as [`Path::transform`] gives it.
+    /// The image of the path under the map, as [`Path::transform`] computes it.
     fn mul(self, path: &Path) -> Path {
         path.transform(&self)
     }

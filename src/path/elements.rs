@@ -1,4 +1,4 @@
-//! A path as a sequence of drawing commands.
+//! The drawing commands of a path as an iterator.
 
 use super::Path;
 use crate::curve::Curve;
@@ -23,7 +23,7 @@ pub enum PathElement {
     Close,
 }
 
-/// The commands of one segment: a single one up to degree 3.
+/// The commands of one segment: one command up to degree 3.
 #[derive(Default)]
 struct Elements(SmallVec<[PathElement; 1]>);
 
@@ -48,15 +48,15 @@ impl PathSink for Elements {
 impl Path {
     /// The segments of all subpaths as curves, from the first to the last.
     ///
-    /// Curves up to degree 3 are made without an allocation.
+    /// Curves up to degree 3 need no allocation.
     pub fn segments(&self) -> impl Iterator<Item = Curve<DVec2>> + Clone + '_ {
         self.segment_points().map(Curve::from_slice)
     }
 
-    /// The drawing commands of the path: what [`trace`](Self::trace) sends to a [`PathSink`], as an iterator.
+    /// The drawing commands of the path, the same that [`trace`](Self::trace) sends to a [`PathSink`], as an iterator.
     ///
-    /// Segments above degree 3 become cubics within `tolerance` of them; without one, within 10⁻⁴ of the diagonal of the
-    /// box of their control points. A closing line is a `LineTo` before the `Close`.
+    /// Segments above degree 3 are approximated by cubics within `tolerance`; the default is 10⁻⁴ of the diagonal of
+    /// their control-point box. A closing line is a `LineTo` before the `Close`.
     ///
     /// ```
     /// use casteljau::{Path, glam::DVec2, path::PathElement};

@@ -1,11 +1,11 @@
-//! Where do paths meet?
+//! Intersections and self-intersections of paths.
 
 use super::Path;
 use crate::curve::intersect::intersection::IntersectionKind;
 use crate::spline::spline_set::{SplineIntersection, SplineSet};
 use glam::DVec2;
 
-/// A place that two paths share.
+/// An intersection of two paths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -13,37 +13,38 @@ use glam::DVec2;
     serde(rename_all = "camelCase")
 )]
 pub struct PathIntersection {
-    /// The subpath of the first path.
+    /// The index of the subpath of the first path.
     pub subpath: usize,
-    /// The parameter on it; of an overlap that of its start.
+    /// The parameter on it; for an overlap, the parameter of its start.
     pub t: f64,
-    /// The subpath of the second path.
+    /// The index of the subpath of the second path.
     pub other_subpath: usize,
-    /// The parameter on it, at the same place.
+    /// The parameter on it at the same point.
     pub u: f64,
     /// The point.
     pub point: DVec2,
-    /// How they meet.
+    /// The kind of contact.
     pub kind: IntersectionKind,
 }
 
 impl Path {
-    /// All places that this path shares with another one: sorted by subpath, then the other's, then t, then u.
+    /// All intersections with another path, sorted by the subpath of this path, the subpath of the other one, t and u.
     ///
-    /// As [`Spline::intersections`](crate::Spline::intersections), for each pair of subpaths; the lines that would close open ones
-    /// do not count. A spline or a curve becomes a path by `Path::from`. Pairs of curves are found by a tree of boxes: long
-    /// paths take hardly more than their number of segments times its logarithm, and at worst, where all boxes meet, each
-    /// segment is intersected with each, at the cost of [`Curve::intersections`](crate::Curve::intersections).
+    /// As [`Spline::intersections`](crate::Spline::intersections), for each pair of subpaths; the lines that would
+    /// close open subpaths do not count. A spline or a curve is converted to a path by `Path::from`. Pairs of curves
+    /// are found with a tree of bounding boxes: for long paths the time is about n log n in the number n of segments.
+    /// In the worst case all boxes overlap and each pair of segments costs one
+    /// [`Curve::intersections`](crate::Curve::intersections).
     pub fn intersections(&self, other: &Self) -> Vec<PathIntersection> {
         path_intersections(
             SplineSet::new(self.subpaths()).intersections_with(&SplineSet::new(other.subpaths())),
         )
     }
 
-    /// The places that the path passes twice, on one subpath or on two: of each pair the earlier one first.
+    /// The self-intersections of the path, on one subpath or on two; the smaller position of each pair comes first.
     ///
-    /// As [`Spline::self_intersections`](crate::Spline::self_intersections); the kind is that of the contact. Pieces along
-    /// which the path runs twice are left out.
+    /// As [`Spline::self_intersections`](crate::Spline::self_intersections), with the kind of contact. Overlaps are
+    /// omitted.
     pub fn self_intersections(&self) -> Vec<PathIntersection> {
         path_intersections(SplineSet::new(self.subpaths()).intersections_within())
     }

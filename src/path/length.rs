@@ -1,4 +1,4 @@
-//! How long is it, and where is the point that is so far along it?
+//! Arc length of a path, and positions at given arc lengths.
 
 use super::{Path, PathTime};
 use crate::curve::Curve;
@@ -11,10 +11,11 @@ use casteljau_kernels::plane_cubic_length;
 use glam::{DVec2, DVec3};
 
 impl Path {
-    /// The sum of the lengths of all segments; the gaps between subpaths do not count, nor do open ends.
+    /// The sum of the arc lengths of all segments; the gaps between subpaths and the lines that would close open
+    /// subpaths do not count.
     ///
-    /// `tolerance` is the greatest error of the sum, in the unit of the points; without one it is 10⁻¹² of the length. Of
-    /// the empty path 0. Source: as [`Curve::length`].
+    /// `tolerance` is the maximum error of the sum, in the unit of the points; the default is 10⁻¹² of the length. The
+    /// empty path has length 0. Source: as [`Curve::length`].
     ///
     /// # Errors
     /// As [`Curve::length`].
@@ -32,10 +33,11 @@ impl Path {
         Ok(lengths.fold(0.0, |sum, length| sum + length))
     }
 
-    /// The place that has the length s behind it, counted from the start of the first subpath; of the empty path none.
+    /// The position at the arc length s from the start of the first subpath; `None` for the empty path.
     ///
-    /// Outside of 0 to the whole length the nearer end comes back. Where a subpath ends and another one starts, it is the
-    /// start. `tolerance` is the greatest error, as a length; without one it is 10⁻¹² of the segment's.
+    /// If s lies outside 0 to the total length the result is the nearer end. Where a subpath ends and another one
+    /// starts, the result is the start. `tolerance` is the maximum error as a length; the default is 10⁻¹² of the
+    /// length of the segment.
     ///
     /// # Errors
     /// As [`Curve::time_at_length`].
@@ -60,10 +62,10 @@ impl Path {
         Ok(Some(index.path_time(k, t)))
     }
 
-    /// `segments` + 1 places that divide the whole path into parts of one length; of the empty path none.
+    /// `segments` + 1 positions that divide the path into parts of equal length; an empty list for the empty path.
     ///
-    /// The first is the start of the first subpath, the last the end of the last one; the parts pay no heed to joints and
-    /// gaps. Of a path without a length: even steps of t.
+    /// The first is the start of the first subpath, the last is the end of the last one; a part may contain joints and
+    /// gaps between subpaths. For a path of length 0: even steps of t.
     ///
     /// # Errors
     /// As [`Curve::equidistant_times`].
@@ -95,10 +97,10 @@ impl Path {
     }
 }
 
-/// The length of one segment.
+/// The arc length of one segment.
 ///
-/// Without a tolerance, lines and quadratics have a short way too: a quadratic is a cubic with control points at a third
-/// and two thirds of the way; from its start, so that nothing is lost far from the origin.
+/// Lines have a fast path, and so do quadratics and cubics without a tolerance. A quadratic is elevated to a cubic,
+/// relative to its start, so that no precision is lost far from the origin.
 fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
     let plain = tolerance == f64::INFINITY;
     match *points {
@@ -113,19 +115,19 @@ fn segment_length(points: &[DVec2], tolerance: f64) -> f64 {
     }
 }
 
-/// Differences of coordinates up to here are numbers.
+/// Differences of coordinates up to this value do not overflow.
 const FAR: f64 = 1e300;
 
-/// In space, where all lengths but those of plane cubics are computed.
+/// The segment as a 3D curve; all lengths except those of the fast paths are computed in 3D.
 fn to_3d(points: &[DVec2]) -> Curve<DVec3> {
     Curve::from_points(points.iter().map(|p| p.to_3d()).collect())
 }
 
-/// The segments of a path, which is not empty, by their lengths.
+/// The cumulative arc lengths of the segments of a nonempty path.
 struct ArcLengthIndex<'a> {
-    /// The subpath, the number on it, and the control points.
+    /// The subpath, the segment's index in it, and the control points.
     segments: Vec<(usize, usize, &'a [DVec2])>,
-    /// The length up to the start of each, and the whole.
+    /// The arc length from the start of the path to the start of each segment, and the total.
     starts: Vec<f64>,
 }
 
@@ -151,7 +153,7 @@ impl<'a> ArcLengthIndex<'a> {
         self.starts[self.segments.len()]
     }
 
-    /// The segment in which a length ends, and what is left of it there: more than there is, past the end.
+    /// The segment that contains the arc length s, and the rest of s on it; past the end the rest exceeds the segment.
     fn segment_at(&self, s: f64) -> (usize, f64) {
         if s <= 0.0 {
             return (0, 0.0);
@@ -161,7 +163,8 @@ impl<'a> ArcLengthIndex<'a> {
         (k, s - self.starts[k])
     }
 
-    /// The same for a part of the whole; without a length that of the t.
+    /// [`segment_at`](Self::segment_at) for a ratio of the total length; if that is 0, for a ratio of the parameter
+    /// range.
     #[allow(
         clippy::cast_possible_truncation,
         reason = "below the number of segments"

@@ -1,8 +1,9 @@
-//! Several splines at once: outlines with holes, icons, anything that SVG path data can say.
+//! Paths: lists of splines, such as outlines with holes and icons; the equivalent of SVG path data.
 //!
-//! A path is a list of **subpaths**, each a [`Spline`] of the plane, open or closed. It fills areas (a hole is a subpath
-//! that runs the other way round, or any second one under the even-odd rule) and reads and writes the `d` of an SVG
-//! `<path>`. A place on a path is a [`PathTime`]: which subpath, and the parameter t on it.
+//! A path is a list of **subpaths**, each a [`Spline`] of the plane, open or closed. A path can be filled (a hole is a
+//! subpath with the opposite direction, or any second one under the even-odd rule); it reads and writes the `d`
+//! attribute of an SVG `<path>`. A position on a path is a [`PathTime`]: the index of a subpath, and the parameter t on
+//! it.
 
 pub(crate) mod arc;
 mod bounds;
@@ -28,7 +29,7 @@ use crate::geometry::point::Point;
 use crate::spline::Spline;
 use glam::{DAffine2, DVec2};
 
-/// A place on a path.
+/// A position on a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -42,7 +43,7 @@ pub struct PathTime {
     pub t: f64,
 }
 
-/// A list of splines of the plane, open and closed; it may be empty.
+/// A list of plane splines, open or closed; it may be empty.
 ///
 /// ```
 /// use casteljau::{Path, glam::DVec2, path::FillRule};
@@ -54,15 +55,15 @@ pub struct PathTime {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Path {
-    /// The control points of all subpaths, joints once each; a closed subpath ends with its first point again, so that
-    /// the points of each segment lie side by side.
+    /// The control points of all subpaths, each joint once; a closed subpath ends with its first point again, so that
+    /// the points of each segment are contiguous.
     points: Vec<DVec2>,
     /// The degree of every segment, 1 to 64.
     degrees: Vec<u8>,
     subpaths: Vec<Extent>,
 }
 
-/// Where a subpath ends in the lists of its path: it starts where the one before ends.
+/// The ends of a subpath in the lists of its path; it starts where the previous one ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Extent {
     points: usize,
@@ -70,10 +71,10 @@ struct Extent {
     closed: bool,
 }
 
-/// A subpath in the lists of its path.
+/// A view of one subpath.
 #[derive(Clone, Copy)]
 pub(crate) struct Subpath<'a> {
-    /// The control points; a closed one ends with its first point again.
+    /// The control points; a closed subpath ends with its first point again.
     pub(crate) points: &'a [DVec2],
     degrees: &'a [u8],
     pub(crate) closed: bool,
@@ -106,9 +107,9 @@ impl<'a> Subpath<'a> {
 }
 
 impl Path {
-    /// A path of these splines.
+    /// A path of splines.
     ///
-    /// No splines make the empty path, which has no bounds, no area and no length.
+    /// An empty list gives the empty path, which has no bounds and has area and length 0.
     pub fn new(splines: &[Spline<DVec2>]) -> Self {
         let mut path = Self::default();
         for spline in splines {
@@ -118,7 +119,7 @@ impl Path {
         path
     }
 
-    /// Adds the subpath of a spline's parts.
+    /// Appends a subpath given by the parts of a spline.
     pub(crate) fn push<D: Copy + TryInto<u8>>(
         &mut self,
         points: &[DVec2],
@@ -134,7 +135,7 @@ impl Path {
         self.end_subpath(closed);
     }
 
-    /// Makes a subpath of what the lists hold beyond the last one.
+    /// Ends a subpath: it consists of the points and degrees after those of the last subpath.
     fn end_subpath(&mut self, closed: bool) {
         self.subpaths.push(Extent {
             points: self.points.len(),
@@ -148,12 +149,12 @@ impl Path {
         self.subpaths.len()
     }
 
-    /// The number of segments of all subpaths.
+    /// The total number of segments of all subpaths.
     pub fn segment_count(&self) -> usize {
         self.degrees.len()
     }
 
-    /// Whether there are no subpaths.
+    /// Whether the path has no subpaths.
     pub fn is_empty(&self) -> bool {
         self.subpaths.is_empty()
     }
@@ -170,7 +171,7 @@ impl Path {
         (0..self.subpath_count()).map(|k| spline(self.part(k)))
     }
 
-    /// Subpath k, which exists.
+    /// Subpath k, which must exist.
     fn part(&self, k: usize) -> Subpath<'_> {
         let (points, degrees) = match k.checked_sub(1).map(|before| self.subpaths[before]) {
             Some(before) => (before.points, before.degrees),
@@ -188,7 +189,7 @@ impl Path {
         (0..self.subpath_count()).map(|k| self.part(k))
     }
 
-    /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
+    /// Whether both paths have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         let near = |(&a, &b): (&DVec2, &DVec2)| a == b || Point::length(a - b) <= tolerance;
         self.subpaths == other.subpaths
@@ -196,7 +197,7 @@ impl Path {
             && self.points.iter().zip(&other.points).all(near)
     }
 
-    /// The image under an affine map: that of all control points.
+    /// The image under an affine map, which is applied to all control points.
     #[must_use]
     pub fn transform(&self, map: &DAffine2) -> Self {
         let points = self.points.iter().map(|p| p.transform(map)).collect();
@@ -207,8 +208,8 @@ impl Path {
         }
     }
 
-    /// The same path with each subpath run through backwards; the subpaths keep their order, closed ones their first
-    /// point. Areas and windings change their sign.
+    /// The same path with each subpath reversed; the order of the subpaths and the first point of closed ones are kept.
+    /// Areas and winding numbers change their sign.
     #[must_use]
     pub fn reverse(&self) -> Self {
         let mut path = Self::default();

@@ -1,4 +1,4 @@
-//! How much is inside, and where is its middle?
+//! Area and moments of the region inside a path.
 
 use super::{Path, Subpath};
 use crate::curve::area::area_about;
@@ -6,25 +6,25 @@ use crate::curve::moments::{Moments, moments};
 use glam::DVec2;
 
 impl Path {
-    /// The signed area inside: ½ ∫ (x dy − y dx), that of subpaths that run counter-clockwise positive (x right, y up).
+    /// The signed area inside: ½ ∫ (x dy − y dx), positive for subpaths that run counter-clockwise (x right, y up).
     ///
-    /// Open subpaths are closed by a line. Each part of the plane counts as often as the path winds around it, so a hole
-    /// that runs the other way is subtracted. Exact but for rounding, far from the origin too; infinite where the value
-    /// leaves the range of f64. Of the empty path 0.
+    /// Open subpaths are closed by a line. Each region counts with its winding number, so a hole that runs in the
+    /// opposite direction is subtracted. Exact up to rounding, also far from the origin; infinite if the value
+    /// overflows f64. The empty path has area 0.
     pub fn area(&self) -> f64 {
         let unit = self.max_abs();
         let areas = self.parts().flat_map(|part| {
-            let start = part.points[0]; // from here the closing line sweeps nothing
+            let start = part.points[0]; // relative to the start, the closing line sweeps no area
             part.segments()
                 .map(move |points| area_about(points, start, unit))
         });
         areas.fold(0.0, |sum, area| sum + area) * unit * unit
     }
 
-    /// The integrals of 1, x, y, x², xy and y² over the inside, counted as by [`area`](Self::area).
+    /// The integrals of 1, x, y, x², xy and y² over the inside, counted as in [`area`](Self::area).
     ///
-    /// The centre of mass is (x, y) / area; x² and the others give inertia, about the origin. Exact but for rounding;
-    /// infinite where a value leaves the range of f64. Source: as [`Curve::moments`](crate::Curve::moments).
+    /// The centre of mass is (x, y) / area; x², xy and y² give the moments of inertia about the origin. Exact up to
+    /// rounding; infinite if a value overflows f64. Source: as [`Curve::moments`](crate::Curve::moments).
     pub fn moments(&self) -> Moments {
         let unit = self.max_abs();
         let mut sum = Moments::default();
@@ -36,7 +36,7 @@ impl Path {
     }
 }
 
-/// Those of one subpath, with `unit` as the unit: about its start, where nothing cancels, then about the origin.
+/// The moments of one subpath in units of `unit`: first about its start, to avoid cancellation, then about the origin.
 fn moments_of_subpath(part: Subpath<'_>, unit: f64) -> Moments {
     let start = part.points[0] / unit;
     let mut m = Moments::default();

@@ -1,4 +1,4 @@
-//! Which point of the path is nearest?
+//! Nearest point on a path.
 
 use super::Path;
 use crate::curve::nearest::{Nearest, nearest_on};
@@ -8,7 +8,7 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use glam::{DVec2, DVec3};
 
-/// A point of a path, and its distance from the point that was asked for.
+/// A point of a path and its distance from the query point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -20,26 +20,26 @@ pub struct PathPoint {
     pub subpath: usize,
     /// The parameter on it, from 0 to its number of segments.
     pub t: f64,
-    /// The point there.
+    /// The point at t.
     pub point: DVec2,
-    /// Its distance from the point that was asked for.
+    /// The distance from the query point.
     pub distance: f64,
 }
 
-/// Squares of distances are compared after two roundings each: so little a box may seem too far.
+/// Squared distances are compared after two roundings each; a box may therefore seem this much too far away.
 const ROUNDING: f64 = 1.0 - 8.0 * f64::EPSILON;
 
 impl Path {
-    /// The point of the path that is nearest to p, the first of several; of the empty path none.
+    /// The point of the path nearest to p, the first of equally near ones; `None` for the empty path.
     ///
-    /// The least distance of all, as by [`Curve::nearest`](crate::Curve::nearest) on each segment that can have it: one whose
-    /// control points' box is farther than a point found before has not.
+    /// The minimum of [`Curve::nearest`](crate::Curve::nearest) over the segments; segments whose control-point box is
+    /// farther away than the best point so far are skipped.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn nearest(&self, p: DVec2) -> Result<Option<PathPoint>, Error> {
         check_finite("p", &[p])?;
-        // No point is farther than the nearest joint.
+        // The nearest joint gives an upper bound of the distance.
         let ends = self
             .segment_points()
             .flat_map(|points| [points[0], points[points.len() - 1]]);
@@ -69,7 +69,7 @@ impl Path {
     }
 }
 
-/// The square of the distance from p to the box of some points.
+/// The squared distance from p to the bounding box of some points.
 #[inline]
 fn distance_of_box(points: &[DVec2], p: DVec2) -> f64 {
     let (mut min, mut max) = (points[0], points[0]);
@@ -79,7 +79,7 @@ fn distance_of_box(points: &[DVec2], p: DVec2) -> f64 {
     (min - p).max(p - max).max(DVec2::ZERO).length_squared()
 }
 
-/// The nearest point of one segment; in wasm in space, where the code is that of all curves.
+/// The nearest point of one segment; computed in 3D in wasm, which reuses the code of all curves.
 fn nearest_of(points: &[DVec2], p: DVec2) -> Nearest<DVec2> {
     if cfg!(not(target_family = "wasm")) {
         return nearest_on(points, p);

@@ -1,4 +1,4 @@
-//! Handing a path to something that draws.
+//! Sending a path to a `PathSink`.
 
 use super::Path;
 use crate::curve::Curve;
@@ -7,7 +7,7 @@ use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 
 impl Path {
-    /// Sends the path to `sink`: for each subpath a `move_to` and its segments; closed ones are closed.
+    /// Sends the path to `sink`: for each subpath a `move_to`, its segments, and `close` if it is closed.
     ///
     /// # Errors
     /// As [`Curve::trace`].
@@ -25,7 +25,7 @@ impl Path {
         Ok(())
     }
 
-    /// Refuses a tolerance that cannot be kept.
+    /// Returns an error for a tolerance that the coordinates cannot resolve.
     pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
         tolerance.map_or(Ok(()), |tolerance| {
             check_tolerance(tolerance, self.max_abs())

@@ -1,14 +1,15 @@
-//! Angles by arithmetic alone: sums, products, quotients and square roots are the same on every machine, the sines of
-//! system libraries are not, and both doors must read the same path to the bit. `js/svg-arc.js` computes the same.
+//! Trigonometric functions from basic arithmetic. Sums, products, quotients and square roots are identical on every
+//! platform, library functions such as sine are not; the Rust and the JavaScript parser must return bit-identical
+//! paths. `js/svg-arc.js` performs the same operations.
 
 use glam::DVec2;
 
-/// So many terms of the series leave less than 2⁻⁵³ up to π/4: (π/4)¹⁹/19! < 10⁻¹⁹.
+/// This number of terms of the series leaves an error below 2⁻⁵³ up to π/4: (π/4)¹⁹/19! < 10⁻¹⁹.
 const TERMS: usize = 9;
-/// The same for the arc tangent up to tan(π/16): 0.2²⁷/27 < 10⁻²⁰.
+/// The number of terms for the arc tangent up to tan(π/16): 0.2²⁷/27 < 10⁻²⁰.
 const TANGENT_TERMS: usize = 13;
 
-/// (cos x, sin x) for |x| ≤ π/4, by Taylor's series.
+/// (cos x, sin x) for |x| ≤ π/4, by Taylor series.
 pub(crate) fn direction(x: f64) -> DVec2 {
     let square = x * x;
     let (mut cos, mut sin) = (1.0, 1.0);
@@ -20,7 +21,7 @@ pub(crate) fn direction(x: f64) -> DVec2 {
     DVec2::new(cos, sin * x)
 }
 
-/// (cos φ, sin φ) of an angle in degrees; quarter turns are exact.
+/// (cos φ, sin φ) of an angle in degrees; exact at multiples of 90°.
 pub(crate) fn direction_of_degrees(degrees: f64) -> DVec2 {
     let rest = degrees % 360.0;
     let quarters = (rest / 90.0 + 0.5).floor();
@@ -33,13 +34,13 @@ pub(crate) fn direction_of_degrees(degrees: f64) -> DVec2 {
     }
 }
 
-/// The angle of a unit vector in the first quadrant: halved three times (tan(x/2) = sin x / (1 + cos x)), then by
-/// the series of the arc tangent.
+/// The angle of a unit vector in the first quadrant: halved three times (tan(x/2) = sin x / (1 + cos x)), then computed
+/// by the series of the arc tangent.
 pub(crate) fn angle(unit: DVec2) -> f64 {
     let (mut cos, mut tan) = (unit.x, unit.y / (1.0 + unit.x));
     for _ in 0..2 {
         cos = (0.5 * (1.0 + cos)).sqrt();
-        // tan(x/2) with sin x = tan x · cos x.
+        // Here tan(x/2) is computed with sin x = tan x · cos x.
         tan = tan * cos / (1.0 + cos);
     }
     let square = tan * tan;
@@ -50,7 +51,7 @@ pub(crate) fn angle(unit: DVec2) -> f64 {
     8.0 * tan * sum
 }
 
-/// A vector turned by the angle of a unit vector.
+/// A vector rotated by the angle of a unit vector.
 pub(crate) fn turned(v: DVec2, by: DVec2) -> DVec2 {
     DVec2::new(v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x)
 }

@@ -1,13 +1,14 @@
-//! Is a point inside?
+//! Winding number and point-in-path test.
 //!
-//! The winding number counts how often the outline runs around the point, counter-clockwise (x right, y up) positive. A
-//! ray runs from the point to the right; an outline that crosses it upwards counts +1, downwards −1.
+//! The winding number counts how often the outline winds around the point; counter-clockwise (x right, y up) is
+//! positive. It is the number of crossings of the outline with the ray from the point to the right: +1 for an upward
+//! crossing, −1 for a downward crossing.
 //!
-//! "Above" means y > p.y, and a piece crosses the ray's line upwards if it starts not above and ends above. So a
-//! joint, an extremum or a horizontal line at the height of the point needs no special case: whatever touches the line
-//! and goes back has not crossed it. What lies on one side of the point altogether is decided by its control points;
-//! only the piece that has the point in its box is halved, and both halves share their middle, bit for bit, so that no
-//! rounding can open the outline.
+//! "Above" means y > p.y. A part of a curve crosses the line of the ray upwards if it starts not above and ends above.
+//! So a joint, an extremum or a horizontal line at the height of the point needs no special case: a curve that touches
+//! the line and turns back does not cross it. If all control points lie on one side of the point, they decide the
+//! crossings. Only a part whose box contains the point is halved; both halves share their midpoint bit for bit, so
+//! rounding cannot open the outline.
 
 use super::Path;
 use crate::geometry::check::max_abs;
@@ -15,7 +16,7 @@ use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, points_of};
 use glam::DVec2;
 
-/// Which windings count as inside.
+/// The rule that decides which winding numbers are inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -23,29 +24,31 @@ use glam::DVec2;
     serde(rename_all = "lowercase")
 )]
 pub enum FillRule {
-    /// All but 0.
+    /// All except 0.
     #[default]
     NonZero,
-    /// The odd ones.
+    /// Odd winding numbers.
     EvenOdd,
 }
 
-/// Pieces of so many ulps of the segment's largest coordinate are lines: halving them moves points by as much.
+/// Parts smaller than this many ulps of the segment's largest coordinate count as lines; halving moves points by as
+/// much.
 const SMALLEST_ULPS: f64 = 4.0;
-/// After so many halvings a piece has 2⁻⁶⁴ of the segment's parameters.
+/// After this many halvings a part covers 2⁻⁶⁴ of the parameter range.
 const MAX_HALVINGS: u32 = 64;
-/// So many halvings of one segment find every crossing that f64 can tell apart: 64 for each of the 64 at most.
+/// The maximum number of halvings per segment, enough for every crossing that f64 can distinguish: 64 for each of at
+/// most 64 crossings.
 const MAX_PIECES: u32 = 4096;
-/// The determinant of two differences each is certain to so many times ε of its terms. Source: Shewchuk, "Adaptive
-/// precision floating-point arithmetic", 1997, (3 + 16ε)ε.
+/// A determinant of rounded differences has the right sign if it exceeds this ratio of the sum of its terms. Source:
+/// Shewchuk, "Adaptive precision floating-point arithmetic", 1997, (3 + 16ε)ε.
 const CERTAIN: f64 = 4.0 * f64::EPSILON;
 
 impl Path {
-    /// How often the path runs around a point: counter-clockwise positive (x right, y up; the other way round on a
-    /// canvas). Open subpaths are closed by a line, as filling does.
+    /// The winding number of the path around a point: counter-clockwise is positive (x right, y up; clockwise on a
+    /// canvas). Open subpaths are closed by a line, as for filling.
     ///
-    /// On the boundary the point counts as if it lay a little to the right and above; of two regions that share a segment,
-    /// each in its own direction, exactly one has the points on it. For a NaN 0.
+    /// A point on the boundary counts as slightly displaced to the right and upwards; if two regions share a segment in
+    /// opposite directions, each of its points belongs to exactly one of them. For a NaN the result is 0.
     ///
     /// Source of the crossing rule: Haines, "Point in polygon strategies", *Graphics Gems IV* (1994).
     pub fn winding_number(&self, p: DVec2) -> i32 {
@@ -58,7 +61,8 @@ impl Path {
             .sum()
     }
 
-    /// Whether the path, filled by that rule, covers a point; see [`winding_number`](Self::winding_number) for the boundary.
+    /// Whether the path, filled by `rule`, contains a point; see [`winding_number`](Self::winding_number) for the
+    /// boundary.
     pub fn contains(&self, p: DVec2, rule: FillRule) -> bool {
         let winding = self.winding_number(p);
         match rule {
@@ -68,7 +72,7 @@ impl Path {
     }
 }
 
-/// The upward less the downward crossings of a curve with the ray from p to the right.
+/// The number of upward minus downward crossings of a curve with the ray from p to the right.
 fn crossings(points: &[DVec2], p: DVec2) -> i32 {
     match by_box(points, p) {
         Some(count) => count,
@@ -81,7 +85,7 @@ fn crossings(points: &[DVec2], p: DVec2) -> i32 {
     }
 }
 
-/// The same, where all control points lie on one side of p.
+/// The crossings if all control points lie on one side of p, otherwise `None`.
 #[inline]
 fn by_box(points: &[DVec2], p: DVec2) -> Option<i32> {
     let above = points.iter().filter(|q| q.y > p.y).count();
@@ -96,7 +100,7 @@ fn by_box(points: &[DVec2], p: DVec2) -> Option<i32> {
     }
 }
 
-/// The crossings of the whole line through p, which depend on the ends alone.
+/// The crossings with the whole horizontal line through p, which depend only on the ends.
 fn across(points: &[DVec2], p: DVec2) -> i32 {
     let above = |q: DVec2| i32::from(q.y > p.y);
     above(points[points.len() - 1]) - above(points[0])
@@ -104,9 +108,9 @@ fn across(points: &[DVec2], p: DVec2) -> i32 {
 
 struct Search {
     p: DVec2,
-    /// Pieces of this size are lines.
+    /// Parts of at most this size count as lines.
     min: f64,
-    /// How many more may be halved.
+    /// The number of halvings that are left.
     pieces: u32,
 }
 
@@ -131,10 +135,11 @@ impl Search {
         self.crossings(&left, halvings - 1) + self.crossings(&right, halvings - 1)
     }
 
-    /// 1 where p lies to the left of the line from start to end, −1 to the right of it, where that is certain.
+    /// 1 if p lies to the left of the line from start to end, −1 if to the right, `None` if rounding makes it
+    /// uncertain.
     fn side(&self, points: &[DVec2]) -> Option<i32> {
         let (a, b) = (points[0], points[points.len() - 1]);
-        // Always from the same end, so that the two directions of a segment are never judged differently.
+        // Use a canonical order of the ends, so that both directions of a segment give the same decision.
         let swapped = (b.y, b.x) < (a.y, a.x);
         let (a, b) = if swapped { (b, a) } else { (a, b) };
         let (chord, to_point) = (b - a, self.p - a);

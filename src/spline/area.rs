@@ -1,4 +1,4 @@
-//! How much area does the spline sweep, or enclose?
+//! Signed area of a spline.
 
 use super::Spline;
 use crate::curve::area::{area_about, triangle_area};
@@ -6,18 +6,18 @@ use crate::geometry::point::Point;
 use glam::DVec2;
 
 impl Spline<DVec2> {
-    /// The signed area ½ ∫ (x dy − y dx) that the segment from the origin to the spline's point sweeps; of a closed spline
-    /// the area that it encloses.
+    /// The signed area ½ ∫ (x dy − y dx), swept by the segment from the origin to the moving point of the spline; for a
+    /// closed spline, the enclosed area.
     ///
-    /// Positive while it turns counter-clockwise (x right, y up); parts around which a closed spline runs twice count twice.
-    /// Exact but for rounding, also far from the origin. See [`Curve::area`](crate::Curve::area).
+    /// Positive if the spline turns counter-clockwise (x right, y up). A region that a closed spline encloses twice
+    /// counts twice. Exact up to rounding, also far from the origin. See [`Curve::area`](crate::Curve::area).
     pub fn area(&self) -> f64 {
         self.swept_area()
     }
 }
 
 impl<P: Point> Spline<P> {
-    /// [`area`](Spline::area) as seen along z.
+    /// [`area`](Spline::area) of the projection along z.
     pub(crate) fn swept_area(&self) -> f64 {
         let (start, unit) = (self.points[0], self.max_abs());
         let mut area: f64 = (0..self.segment_count())

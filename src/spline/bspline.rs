@@ -1,4 +1,4 @@
-//! B-splines: other control points for the same chains.
+//! Conversion between B-splines and Bézier splines.
 
 use super::Spline;
 use super::knots::Knots;
@@ -7,13 +7,13 @@ use crate::geometry::check::check_finite;
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 
-/// The most insertions: a few seconds. A segment of degree p takes p (p − 1).
+/// The maximum number of knot insertions, which take a few seconds. A segment of degree p needs p (p − 1).
 const MAX_STEPS: usize = 1 << 28;
 
 /// A B-spline: control points, knots and a degree.
 ///
-/// Open: for n points of degree p there are n + p + 1 knots u₀ ≤ u₁ ≤ …, and the curve runs over [uₚ, uₙ]. Closed: there are
-/// n + 1 knots, the joints of one period, and the first segment belongs to the points 0 to p.
+/// An open B-spline with n points of degree p has n + p + 1 knots u₀ ≤ u₁ ≤ …, and its curve covers [uₚ, uₙ]. A closed
+/// one has n + 1 knots, which are the joints of one period; its first segment depends on the points 0 to p.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -21,26 +21,27 @@ const MAX_STEPS: usize = 1 << 28;
     serde(rename_all = "camelCase")
 )]
 pub struct BSpline<P: Point> {
-    /// The control points, of de Boor.
+    /// The control points (de Boor points).
     pub points: Vec<P>,
     /// The knots, in ascending order.
     pub knots: Vec<f64>,
     /// The degree of each segment.
     pub degree: usize,
-    /// Whether points and knots go around.
+    /// Whether the points and the knots are periodic.
     pub closed: bool,
 }
 
 impl<P: Point> Spline<P> {
-    /// The Bézier form of a B-spline: one segment of its degree for each span between different knots.
+    /// The Bézier form of a B-spline: one segment of the same degree for each nonempty knot span.
     ///
-    /// The control points of a segment over [a, b] are the values of its blossom at a … a b … b, found by inserting both
-    /// knots until they are there p times (Böhm). Without knots they are 0, 1, 2, …: the uniform B-spline, which for degree 3
-    /// has the joints (P₀ + 4P₁ + P₂)/6. An open one reaches its first and last point only where a knot comes p times (at an
-    /// end p + 1 times, as is usual, where the first and last knot do not matter). Each segment runs from t = k to k + 1,
-    /// however far apart its knots are; so where knots are not evenly spaced derivatives at joints are parallel, not equal.
+    /// The control points of a segment over [a, b] are the values of its blossom at a … a b … b. They are computed by
+    /// inserting a and b until each has multiplicity p (Böhm). The default knots are 0, 1, 2, …: the uniform B-spline,
+    /// whose joints are (P₀ + 4P₁ + P₂)/6 for degree 3. An open B-spline passes through its first and its last point
+    /// only if the knot at that end has multiplicity p (usually p + 1; the first and the last knot do not affect the
+    /// curve). Segment k covers t from k to k + 1 whatever the length of its knot span; with unequal spans the
+    /// derivatives at a joint are therefore parallel but not equal.
     ///
-    /// A closed B-spline of n points has n spans. Segment k belongs to the points k to k + p, as in an open one.
+    /// A closed B-spline with n points has n spans. Segment k depends on the points k to k + p, as for an open one.
     ///
     /// ```
     /// use casteljau::{Spline, glam::DVec2};
@@ -54,10 +55,10 @@ impl<P: Point> Spline<P> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Range`] for a degree outside of 1 to 64, [`Error::Count`] for too few points (open: degree + 1) or a wrong
-    /// number of knots, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a knot below the one before it,
-    /// or one too many of the same: more than p inside would part the curve. [`Error::TooMany`] above 1 GiB, or above
-    /// 2²⁸/p² segments.
+    /// [`Error::Range`] for a degree outside 1 to 64, [`Error::Count`] for too few points (an open B-spline needs
+    /// degree + 1) or a wrong number of knots, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Item`] for a
+    /// knot that is smaller than its predecessor or has too high a multiplicity (an interior multiplicity above p would
+    /// disconnect the curve), [`Error::TooMany`] above 1 GiB or above 2²⁸/p² segments.
     ///
     /// Sources: Böhm, "Inserting new knots into B-spline curves", 1980; Ramshaw, "Blossoms are polar forms", 1989.
     pub fn from_bspline(
@@ -95,11 +96,11 @@ impl<P: Point> Spline<P> {
         Ok(bezier_form(points, &knots, closed))
     }
 
-    /// The same chain as a B-spline whose knots are the joints, each as often as the degree: its control points are the
-    /// spline's own, so that [`from_bspline`](Self::from_bspline) gives back exactly this.
+    /// The same curve as a B-spline. Its knots are the joints, each with the degree as its multiplicity, and its
+    /// control points are those of the spline, so [`from_bspline`](Self::from_bspline) returns exactly this spline.
     ///
     /// # Errors
-    /// [`Error::Item`] for a segment whose degree differs from the first one's.
+    /// [`Error::Item`] for a segment whose degree differs from that of the first one.
     pub fn to_bspline(&self) -> Result<BSpline<P>, Error> {
         let degrees = self.degrees();
         let degree = degrees[0];
@@ -117,7 +118,7 @@ impl<P: Point> Spline<P> {
         let mut knots = vec![0.0; ends];
         let mut points = self.points.clone();
         if self.closed {
-            // One period: the last joint is the first one again.
+            // One period: the last joint equals the first one.
             knots.extend(repeated.take(points.len() + 1));
             points.rotate_right(degree - 1);
         } else {
@@ -154,10 +155,10 @@ fn bezier_form<P: Point>(points: &[P], knots: &Knots, closed: bool) -> Spline<P>
     Spline::from_parts(all, &vec![degree; spans], closed)
 }
 
-/// Turns the control points of the span [a, b] between the knots uₚ and uₚ₊₁ into those of Bézier.
+/// Converts the de Boor points of the span [a, b] between the knots uₚ and uₚ₊₁ to Bézier control points.
 ///
-/// With f the blossom of the segment, point i comes in as f(uᵢ₊₁ … uᵢ₊ₚ). Inserting a makes it f(a … a uₚ₊₁ … uₚ₊ᵢ), with i
-/// knots from b on; inserting b, f(a … a b … b).
+/// With f the blossom of the segment, point i is initially f(uᵢ₊₁ … uᵢ₊ₚ). Inserting a gives f(a … a uₚ₊₁ … uₚ₊ᵢ), with
+/// i knots from b on; inserting b gives f(a … a b … b).
 fn to_bezier<P: Point>(points: &mut [P], u: &[f64]) {
     let p = points.len() - 1;
     let (a, b) = (u[p], u[p + 1]);

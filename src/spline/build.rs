@@ -1,4 +1,4 @@
-//! Splines from curves, longer ones, cut and healed ones.
+//! Building splines from curves; adding, inserting and removing segments and joints.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -6,17 +6,18 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
-/// Ends within this part of the size of the whole count as the same point: what parsing and printing lose.
+/// End points within this ratio of the largest coordinate count as equal; parsing and printing lose that much.
 const JOINT_GAP_RATIO: f64 = 1e-9;
 
 impl<P: Point> Spline<P> {
-    /// A spline from curves that follow each other.
+    /// A spline from consecutive curves.
     ///
-    /// Ends may differ by 10⁻⁹ of the largest coordinate; the end of the earlier curve is kept.
+    /// The end of a curve and the start of the next one may differ by 10⁻⁹ of the largest coordinate; the end of the
+    /// earlier curve is kept.
     ///
     /// # Errors
-    /// [`Error::Count`] for no curve, [`Error::Gap`] where a curve does not start at the end of the one before (for a
-    /// closed spline, the first at the end of the last).
+    /// [`Error::Count`] for an empty list, [`Error::Gap`] if a curve does not start at the end of the previous one (for
+    /// a closed spline, also if the first does not start at the end of the last).
     pub fn from_curves(curves: &[Curve<P>], closed: bool) -> Result<Self, Error> {
         let Some((first, last)) = curves.first().zip(curves.last()) else {
             return Err(Error::Count {
@@ -47,10 +48,10 @@ impl<P: Point> Spline<P> {
         Ok(Self::from_parts(points, &degrees, closed))
     }
 
-    /// The spline with one more segment that ends at `point`; its handles continue the last direction.
+    /// The spline extended by a segment that ends at `point`.
     ///
-    /// The new segment has the degree of the last one, at most 3. It leaves in the direction of arrival (G1) and
-    /// bends evenly to `point`, like a quadratic curve; after a line comes a line.
+    /// The new segment has the degree of the last one, at most 3. It starts in the direction in which the last one ends
+    /// (G1) and has the shape of a quadratic curve; a line is followed by a line.
     ///
     /// # Errors
     /// [`Error::Range`] for a closed spline, [`Error::NotFinite`] for a NaN or an infinity.
@@ -81,12 +82,12 @@ impl<P: Point> Spline<P> {
         Ok(Self::from_parts(points, &degrees, false))
     }
 
-    /// The same curve with a joint at t: the segment there is split exactly.
+    /// The same curve with an additional joint at t: the segment that contains t is split exactly.
     ///
-    /// At a joint, or at an end, nothing changes.
+    /// Returns the spline unchanged if t is already a joint or an end.
     ///
     /// # Errors
-    /// [`Error::Range`] for t outside of 0 to the number of segments.
+    /// [`Error::Range`] for t outside 0 to the number of segments.
     pub fn insert(&self, t: f64) -> Result<Self, Error> {
         if !(0.0..=ratio(self.segment_count(), 1)).contains(&t) {
             return Err(Error::Range {
@@ -103,15 +104,15 @@ impl<P: Point> Spline<P> {
         Ok(self.replace(k, 1, &[left, right]))
     }
 
-    /// The spline without a joint: its two segments become one that runs through neither handle in general, but is
-    /// exactly the curve from before an [`insert`](Self::insert).
+    /// The spline without a joint: one segment replaces the two segments at the joint. In general the result does not
+    /// keep the shape, but it undoes an [`insert`](Self::insert) exactly.
     ///
-    /// With a and b the lengths of the derivatives before and after the joint and t₀ = a/(a + b), the first half of
-    /// the new control points continues the left piece to the parameter 1/t₀, the second half the right one
-    /// backwards; the middle one of an even degree is the mean of both. Where a or b vanishes, t₀ =
-    /// √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|); if that fails too, ½, and also where the points would overflow; if they still do, a line
-    /// joins the two ends. The lower degree is elevated first. On a closed spline
-    /// joint 0 may go as well: the list then starts at the joint after it.
+    /// With a and b the lengths of the derivatives before and after the joint and t₀ = a/(a + b), the first half of the
+    /// new control points extrapolates the left segment to the parameter 1/t₀, and the second half extrapolates the
+    /// reversed right segment; for an even degree the middle point is the mean of both. If a or b vanishes, t₀ =
+    /// √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|); if that is undefined too, or if the points overflow, t₀ = ½; if the points still
+    /// overflow, a line joins the two ends. The lower degree is elevated first. Joint 0 of a closed spline can be
+    /// removed too; the control points then start at the next joint.
     ///
     /// # Errors
     /// [`Error::Index`] unless `joint` lies between two segments.
@@ -131,13 +132,13 @@ impl<P: Point> Spline<P> {
         Ok(self.replace(joint - 1, 2, &[healed]))
     }
 
-    /// Puts curves in the place of `count` segments from k on; the outer ends stay.
+    /// Replaces `count` segments from k on by curves; the outer end points are kept.
     fn replace(&self, k: usize, count: usize, curves: &[Curve<P>]) -> Self {
         let mut inner = Vec::new();
         for curve in curves {
             inner.extend_from_slice(&curve.control_points()[1..]);
         }
-        // The last end stands in the list already (or is the first point of a closed spline).
+        // The last end point is already in the list (or is the first point of a closed spline).
         inner.pop();
         let (before, after) = (self.starts[k] + 1, self.starts[k + count]);
         let points = [&self.points[..before], &inner, &self.points[after..]].concat();
@@ -149,7 +150,7 @@ impl<P: Point> Spline<P> {
         Self::from_parts(points, &degrees, self.closed)
     }
 
-    /// A closed spline that starts one segment later.
+    /// The same closed spline with its start moved to the next joint.
     fn rotate(&self) -> Self {
         let mut points = self.points.clone();
         points.rotate_left(self.starts[1]);
@@ -159,7 +160,7 @@ impl<P: Point> Spline<P> {
     }
 }
 
-/// One curve in the place of two that follow each other.
+/// One curve that replaces two consecutive curves.
 fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
     while left.degree() < right.degree() {
         left = left.elevated();
@@ -178,7 +179,7 @@ fn heal<P: Point>(mut left: Curve<P>, mut right: Curve<P>) -> Curve<P> {
     Curve::from_points([left.start(), right.end()].into_iter().collect())
 }
 
-/// One curve in the place of two of the same degree, whose joint would lie at t.
+/// One curve that replaces two curves of the same degree, with the former joint at t.
 fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
     let n = left.degree();
     let (whole, halves) = extrapolate(left, right, t);
@@ -192,7 +193,7 @@ fn healed_at<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> Curve<P> {
     Curve::from_points((0..=n).map(point).collect())
 }
 
-/// The control points of the curve of which `left` is the piece up to t, and of that of which `right` is the rest.
+/// The control points of the curve whose part up to t is `left`, and of the curve whose part from t on is `right`.
 fn extrapolate<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> (Vec<P>, Vec<P>) {
     let whole = left.split(1.0 / t).0;
     let back = right.split(-t / (1.0 - t)).1;
@@ -202,7 +203,7 @@ fn extrapolate<P: Point>(left: &Curve<P>, right: &Curve<P>, t: f64) -> (Vec<P>, 
     )
 }
 
-/// Where the joint of two curves of the same degree would lie on one curve.
+/// The parameter of the joint of two curves of the same degree on the single curve that replaces them.
 fn split_parameter<P: Point>(left: &Curve<P>, right: &Curve<P>) -> f64 {
     let n = left.degree();
     let (l, r) = (left.control_points(), right.control_points());

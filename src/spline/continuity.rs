@@ -1,18 +1,18 @@
-//! How smooth is a joint?
+//! Geometric and parametric continuity at joints.
 
 use super::Spline;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
 
-/// The tolerance by default, as a part of the largest extent of the two segments.
+/// The default tolerance as a ratio of the largest extent of the two segments.
 const DEFAULT_RATIO: f64 = 1e-9;
 
-/// What is true at a joint.
+/// The continuity at a joint.
 ///
-/// C means equal derivatives (the point moves on evenly), G equal geometry (the drawn line goes on evenly). The
-/// tutorial text calls an aligned joint C1; alignment alone is G1, and C1 when the handles are as long as each other
-/// (for equal degrees).
+/// Cⁿ is parametric continuity (equal derivatives: the point moves smoothly along t), Gⁿ geometric continuity (the
+/// drawn curve is smooth). The tutorial text calls aligned handles C1; alignment alone is G1. For equal degrees it is
+/// C1 if the handles have equal length too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -20,31 +20,31 @@ const DEFAULT_RATIO: f64 = 1e-9;
     serde(rename_all = "camelCase")
 )]
 pub struct Continuity {
-    /// The segments meet.
+    /// The segments share their end point.
     pub c0: bool,
-    /// They have the same tangent direction.
+    /// The tangent directions are equal.
     pub g1: bool,
-    /// They have the same first derivative.
+    /// The first derivatives are equal.
     pub c1: bool,
-    /// They have the same tangent and the same curvature.
+    /// The tangents and the curvatures are equal.
     pub g2: bool,
-    /// They have the same first and second derivative.
+    /// The first and the second derivatives are equal.
     pub c2: bool,
-    /// The distance between the two ends; 0, as the segments of a spline share the point.
+    /// The distance between the two end points; always 0, because the segments of a spline share the point.
     pub gap: f64,
-    /// The angle between the two tangents, 0 to π; 0 where a segment is a point.
+    /// The angle between the two tangents, 0 to π; 0 if a segment is a point.
     pub angle: f64,
 }
 
 impl<P: Point> Spline<P> {
-    /// What is true at the joint t = `joint`; a closed spline has a joint 0 too.
+    /// The continuity at the joint t = `joint`; a closed spline also has a joint 0.
     ///
-    /// `tolerance` (by default 10⁻⁹ of the extent of the two segments) is a distance: derivatives may differ by it,
-    /// and for G1 and G2 the shorter handle's tip may lie that far off the other side's tangent or osculating parabola.
-    /// Zero-length handles are judged by their limit tangents.
+    /// `tolerance` (default: 10⁻⁹ of the extent of the two segments) is a distance. Derivatives may differ by it. For
+    /// G1 and G2 it bounds the distance of the tip of the shorter handle from the tangent or the osculating parabola of
+    /// the other side. For handles of length zero the limit tangent is used.
     ///
     /// # Errors
-    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::Range`] for a tolerance that is not above 0.
+    /// [`Error::Index`] unless `joint` lies between two segments, [`Error::Range`] unless the tolerance is above 0.
     pub fn continuity(&self, joint: usize, tolerance: Option<f64>) -> Result<Continuity, Error> {
         self.check_joint(joint)?;
         if let Some(got) =
@@ -73,7 +73,7 @@ impl<P: Point> Spline<P> {
         ))
     }
 
-    /// Refuses what is no joint: the ends of an open spline and what lies beyond.
+    /// Returns an error unless `joint` is a joint; the ends of an open spline are none.
     pub(crate) fn check_joint(&self, joint: usize) -> Result<(), Error> {
         let (first, last) = (usize::from(!self.closed), self.segment_count() - 1);
         if joint < first || joint > last {
@@ -95,7 +95,7 @@ fn judge<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continu
     let (along, across) = (before.dot(after), before.cross(after).size());
     let reach = handle(left, true).min(handle(right, false));
     let g1 = along > 0.0 && across * reach <= tolerance;
-    // Two parabolas with these curvatures are κ/2 · reach² apart at the handle's tip.
+    // Two parabolas with these curvatures differ by Δκ/2 · reach² at the tip of the handle.
     let bend = bend_of(left, 1.0) - bend_of(right, 0.0);
     let g2 = g1 && bend.length() * 0.5 * reach * reach <= tolerance;
     let c1 = near(1);
@@ -110,7 +110,7 @@ fn judge<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continu
     }
 }
 
-/// The length of the last handle before a joint, or the first after it, that is not zero.
+/// The length of the last nonzero handle before a joint, or of the first one after it.
 fn handle<P: Point>(curve: &Curve<P>, at_end: bool) -> f64 {
     let joint = if at_end { curve.end() } else { curve.start() };
     let mut lengths = curve.control_points().iter().map(|&p| (p - joint).length());
@@ -122,7 +122,7 @@ fn handle<P: Point>(curve: &Curve<P>, at_end: bool) -> f64 {
     found.unwrap_or(0.0)
 }
 
-/// The curvature vector; a very large one where the curvature is infinite.
+/// The curvature vector; its length is at most `f64::MAX` where the curvature is infinite.
 fn bend_of<P: Point>(curve: &Curve<P>, t: f64) -> P {
     curve.normal(t) * curve.curvature(t).clamp(-f64::MAX, f64::MAX)
 }

@@ -1,4 +1,4 @@
-//! Splines from curves, and affine maps as factors.
+//! Conversion of curves to splines, and multiplication of affine maps by splines.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -7,7 +7,7 @@ use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
 
 impl<P: Point> From<Curve<P>> for Spline<P> {
-    /// The open spline with this one segment.
+    /// An open spline with one segment.
     fn from(curve: Curve<P>) -> Self {
         Self::from_parts(curve.control_points().to_vec(), &[curve.degree()], false)
     }
@@ -16,7 +16,7 @@ impl<P: Point> From<Curve<P>> for Spline<P> {
 impl Mul<&Spline<DVec2>> for DAffine2 {
     type Output = Spline<DVec2>;
 
-    /// The image of the spline, as [`Spline::transform`] gives it.
+    /// The image of the spline under the map, as [`Spline::transform`] computes it.
     fn mul(self, spline: &Spline<DVec2>) -> Spline<DVec2> {
         spline.transform(&self)
     }
@@ -25,7 +25,7 @@ impl Mul<&Spline<DVec2>> for DAffine2 {
 impl Mul<&Spline<DVec3>> for DAffine3 {
     type Output = Spline<DVec3>;
 
-    /// The image of the spline, as [`Spline::transform`] gives it.
+    /// The image of the spline under the map, as [`Spline::transform`] computes it.
     fn mul(self, spline: &Spline<DVec3>) -> Spline<DVec3> {
         spline.transform(&self)
     }

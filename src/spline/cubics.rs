@@ -1,24 +1,26 @@
-//! A chain of few cubics along many points in order.
+//! Fitting a smooth spline of few cubics to a sequence of points.
 //!
-//! From each point the longest run is sought that one cubic can follow: as many points as before, then twice as many as
-//! long as it works, then bisection. The cubic has the tangents of the points at both ends of the run, so pieces join
-//! smoothly; the lengths of its handles come from least squares, first with parameters along the run, then across the
-//! curve with each point's own foot (Gauss and Newton's method). Sources: Schneider, "An algorithm for automatically
-//! fitting digitized curves", Graphics Gems (1990), for the start; Wang, Pottmann and Liu, "Fitting B-spline curves to
-//! point clouds by curvature-based squared distance minimization", ACM TOG 25 (2006), for what follows.
+//! From each point the algorithm searches the longest run of points that one cubic can approximate: it starts with the
+//! length of the previous run, doubles it while the fit succeeds, then bisects. The cubic has the given tangents at
+//! both ends of the run, so consecutive cubics join smoothly. The lengths of its handles come from least squares: first
+//! with chord-length parameters, then with the normal distance at each point's foot (Gauss–Newton method). Sources:
+//! Schneider, "An algorithm for automatically fitting digitized curves", Graphics Gems (1990), for the start; Wang,
+//! Pottmann and Liu, "Fitting B-spline curves to point clouds by curvature-based squared distance minimization", ACM
+//! TOG 25 (2006), for the iterations after it.
 
 use crate::geometry::point::Point;
 
-/// What the cubics must keep.
+/// The criteria that each cubic must satisfy.
 #[derive(Clone, Copy)]
 pub(crate) struct FitCriteria {
-    /// The greatest distance between a point and its foot on a cubic.
+    /// The maximum distance between a point and its foot on a cubic.
     pub(crate) tolerance: f64,
-    /// Whether the way between two points counts, too: then the chords of the cubic between their feet take their share.
+    /// Whether the polyline between the points counts too: the bound of the distance between the cubic and its chord
+    /// from foot to foot is then added to the distances of the points.
     pub(crate) between: bool,
 }
 
-/// Points in order, with the tangent and the way from the start of each.
+/// The input points with the tangent and the chord length from the start at each point.
 pub(crate) struct FitSamples<P> {
     pub(crate) points: Vec<P>,
     pub(crate) tangents: Vec<P>,
@@ -26,26 +28,26 @@ pub(crate) struct FitSamples<P> {
     pub(crate) criteria: FitCriteria,
 }
 
-/// The most points that least squares look at; all are checked.
+/// The maximum number of points used for least squares; all points are checked.
 const MAX_SAMPLES: usize = 48;
 
-/// Rounds of least squares, and of Newton's method for a foot.
+/// Iterations of least squares, and of Newton's method for a foot.
 const MAX_ROUNDS: usize = 6;
 const FOOT_ROUNDS: usize = 2;
 
-/// A first error above this many tolerances is not worth improving.
+/// If the error exceeds this many tolerances after the first two iterations, the fit is given up.
 const HOPELESS: f64 = 50.0;
 
-/// Bisections of the longest run: it is found to 1/64.
+/// Bisection steps for the longest run, which is found to 1/64.
 const BISECTIONS: usize = 6;
 
-/// Added to the diagonal of the normal equations, whose other terms are up to 1.
+/// Added to the diagonal of the normal equations, whose entries are of the order of 1 or smaller.
 const DAMPING: f64 = 1e-6;
 
-/// A handle is at most this part of the way of its run.
+/// The maximum length of a handle as a ratio of the chord length of its run.
 const LONGEST_HANDLE: f64 = 1.5;
 
-/// The way from the first point to each.
+/// The cumulative chord length at each point.
 pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
     let mut sum = 0.0;
     let mut lengths = vec![0.0];
@@ -57,7 +59,8 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
 }
 
 impl<P: Point> FitSamples<P> {
-    /// Appends the cubics of the run between two indices: the index of each end, and the two handles before it.
+    /// Appends the cubics from index `first` to `last`: for each cubic the index of its end point and its two inner
+    /// control points.
     pub(crate) fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
         let (mut from, mut step) = (first, last - first);
         while from < last {
@@ -95,13 +98,13 @@ impl<P: Point> FitSamples<P> {
         best
     }
 
-    /// The handles of a straight cubic.
+    /// The inner control points of a straight cubic.
     fn straight(&self, from: usize, to: usize) -> [P; 2] {
         let (a, b) = (self.points[from], self.points[to]);
         [a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0)]
     }
 
-    /// The handles of a cubic that keeps the promise along a run, if one was found.
+    /// The inner control points of a cubic that satisfies the criteria along a run, or `None` if none was found.
     fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
         let chord_length = self.lengths[to] - self.lengths[from];
         let (start, end) = (self.points[from], self.points[to]);
@@ -142,7 +145,7 @@ impl<P: Point> FitSamples<P> {
         None
     }
 
-    /// Inner points of a run, evenly by index, and their parameters by the way.
+    /// Inner points of a run, evenly spaced by index, and their chord-length parameters.
     fn samples(&self, from: usize, to: usize) -> Vec<(usize, f64)> {
         let count = (to - from - 1).min(MAX_SAMPLES);
         (1..=count)
@@ -153,7 +156,7 @@ impl<P: Point> FitSamples<P> {
             .collect()
     }
 
-    /// How far a point is along a run.
+    /// The position of a point in a run by chord length, 0 to 1.
     fn part(&self, from: usize, to: usize, index: usize) -> f64 {
         let (a, b) = (self.lengths[from], self.lengths[to]);
         if b > a {
@@ -163,7 +166,7 @@ impl<P: Point> FitSamples<P> {
         }
     }
 
-    /// Whether all points of a run keep the promise.
+    /// Whether the cubic satisfies the criteria at all points of a run.
     fn keeps(&self, cubic: &[P; 4], from: usize, to: usize, samples: &[(usize, f64)]) -> bool {
         let mut known = samples.iter().copied().chain([(to, 1.0)]);
         let (mut left, mut right) = ((from, 0.0), known.next().unwrap_or((to, 1.0)));
@@ -172,7 +175,7 @@ impl<P: Point> FitSamples<P> {
             while index > right.0 {
                 (left, right) = (right, known.next().unwrap_or((to, 1.0)));
             }
-            // The parameter that the samples have found, between them in proportion.
+            // Interpolate the parameter between the neighbouring samples by chord length.
             let guess = left.1 + (right.1 - left.1) * self.part(left.0, right.0, index);
             let p = self.points[index];
             let u = if index == to {
@@ -195,7 +198,7 @@ impl<P: Point> FitSamples<P> {
     }
 }
 
-/// The normal equations of the two lengths.
+/// The normal equations of the two handle lengths.
 #[derive(Default)]
 struct Equations {
     aa: f64,
@@ -206,7 +209,7 @@ struct Equations {
 }
 
 impl Equations {
-    /// Adds a point that is off, without what is off along a direction.
+    /// Adds the residual `off` of a point; only the components perpendicular to `along` count.
     fn add<P: Point>(&mut self, off: P, along: P, (t0, t1): (P, P), u: f64) {
         let r = 1.0 - u;
         let across = |v: P| v - along * v.dot(along);
@@ -231,7 +234,7 @@ impl Equations {
     }
 }
 
-/// The point and the first two derivatives of a cubic.
+/// The value and the first two derivatives of a cubic.
 fn at<P: Point>(p: &[P; 4], u: f64) -> (P, P, P) {
     let (d0, d1, d2) = (p[1] - p[0], p[2] - p[1], p[3] - p[2]);
     let r = 1.0 - u;
@@ -242,7 +245,7 @@ fn at<P: Point>(p: &[P; 4], u: f64) -> (P, P, P) {
     )
 }
 
-/// The parameter of the foot of a point on a cubic, near a guess.
+/// The parameter of the foot of a point on a cubic, by Newton's method from the guess `u`.
 fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
     for _ in 0..FOOT_ROUNDS {
         let (q, w, b) = at(cubic, u);
@@ -255,7 +258,8 @@ fn foot<P: Point>(cubic: &[P; 4], p: P, mut u: f64) -> f64 {
     u
 }
 
-/// How far a cubic may be from its chord between two parameters: h²/8 of the largest second derivative.
+/// A bound of the distance between a cubic and its chord over [u0, u1]: h²/8 times the maximum of the second
+/// derivative.
 fn sag<P: Point>(cubic: &[P; 4], u0: f64, u1: f64) -> f64 {
     let h = u1 - u0;
     at(cubic, u0).2.length().max(at(cubic, u1).2.length()) * h * h * 0.125

@@ -1,4 +1,4 @@
-//! Derivatives, tangents, normals and curvature of a spline: those of the segment of t.
+//! Derivatives, tangents, normals, curvature and torsion of a spline at a parameter.
 
 use super::Spline;
 use crate::geometry::point::Point;
@@ -7,18 +7,17 @@ use glam::DVec3;
 impl<P: Point> Spline<P> {
     /// The k-th derivative at t, with respect to t; k = 0 is the point itself.
     ///
-    /// t runs from 0 to the number of segments. At a joint it is the derivative of the segment that starts there, at the
-    /// end that of the last segment; values outside extrapolate the first and the last segment. Beyond the degree of the
-    /// segment the result is zero.
+    /// t runs from 0 to the number of segments. At a joint the segment that starts there counts, at the end the last
+    /// segment; values outside extrapolate the first and the last segment. The result is zero if k exceeds the degree
+    /// of the segment.
     pub fn derivative_at(&self, t: f64, k: usize) -> P {
         let (segment, rest) = self.locate(t);
         self.curve(segment).derivative_at(rest, k)
     }
 
-    /// The unit tangent at t, as [`Curve::tangent`](crate::Curve::tangent) gives it for the segment of t.
+    /// The unit tangent at t; see [`Curve::tangent`](crate::Curve::tangent).
     ///
-    /// At a joint it is the tangent of the segment that starts there, at the end that of the last segment. Zero where the
-    /// segment is a point.
+    /// At a joint the segment that starts there counts, at the end the last segment. Zero if the segment is a point.
     ///
     /// ```
     /// use casteljau::{Spline, glam::DVec2};
@@ -34,18 +33,19 @@ impl<P: Point> Spline<P> {
         self.curve(segment).tangent(rest)
     }
 
-    /// The unit normal at t, as [`Curve::normal`](crate::Curve::normal) gives it for the segment of t.
+    /// The unit normal at t; see [`Curve::normal`](crate::Curve::normal).
     ///
-    /// In the plane the tangent turned by +90°; in space the principal normal, which is zero on straight segments.
+    /// In the plane it is the tangent turned by +90°; in space the principal normal, which is zero on straight
+    /// segments.
     pub fn normal(&self, t: f64) -> P {
         let (segment, rest) = self.locate(t);
         self.curve(segment).normal(rest)
     }
 
-    /// The curvature at t in 1 / unit of length, as [`Curve::curvature`](crate::Curve::curvature) gives it for the segment
-    /// of t: signed in the plane, not negative in space.
+    /// The curvature at t in 1 / unit of length; see [`Curve::curvature`](crate::Curve::curvature). Signed in the
+    /// plane, nonnegative in space.
     ///
-    /// It does not depend on how long a segment is in t. At a joint it is the curvature of the segment that starts there.
+    /// It does not depend on the parametrisation. At a joint the segment that starts there counts.
     pub fn curvature(&self, t: f64) -> f64 {
         let (segment, rest) = self.locate(t);
         self.curve(segment).curvature(rest)
@@ -53,7 +53,7 @@ impl<P: Point> Spline<P> {
 }
 
 impl Spline<DVec3> {
-    /// The torsion at t in 1 / unit of length, as [`Curve::torsion`](crate::Curve::torsion) gives it for the segment of t.
+    /// The torsion at t in 1 / unit of length; see [`Curve::torsion`](crate::Curve::torsion).
     pub fn torsion(&self, t: f64) -> f64 {
         let (segment, rest) = self.locate(t);
         self.curve(segment).torsion(rest)

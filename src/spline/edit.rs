@@ -1,4 +1,4 @@
-//! Moving points while the joints keep what they promise.
+//! Moving control points and enforcing joint modes.
 
 use super::Spline;
 use super::joint::JointMode;
@@ -8,19 +8,20 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
-    /// The spline with control point `index` at `to`, the joints repaired.
+    /// The spline with control point `index` moved to `to` and the joint modes enforced.
     ///
-    /// `mode(k)` is the mode of the joint at t = k. A joint that is dragged takes its two handles along, unless it is
-    /// free. Handles of automatic joints follow the joints beside them; so does the handle at an open end whose
-    /// neighbour is automatic, a third of the way there. Joints with equal second derivatives pass a move on, in
-    /// cubic segments nearly four times as large from joint to joint and with the other sign.
+    /// `mode(k)` is the mode of the joint at t = k. A dragged joint moves its two handles too, unless it is free. The
+    /// handles of an automatic joint follow the neighbouring joints; so does the handle at an open end whose
+    /// neighbouring joint is automatic: it lies at a third of the chord to that joint. Joints with equal second
+    /// derivatives propagate a move; on cubic segments it grows nearly fourfold from joint to joint and alternates in
+    /// sign.
     ///
-    /// What cannot be held is not held: where the point would overflow, or was placed before (on a closed chain, where
-    /// both ways around meet). [`continuity`](Self::continuity) tells.
+    /// A mode is not enforced where the new point would overflow or has already been set (on a closed spline, where
+    /// both directions meet). [`continuity`](Self::continuity) reports what holds.
     ///
     /// # Errors
-    /// [`Error::Index`] past the last control point, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`] for
-    /// [`JointMode::G2`] in space.
+    /// [`Error::Index`] past the last control point, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`]
+    /// for [`JointMode::G2`] in space.
     pub fn move_point(
         &self,
         index: usize,
@@ -33,7 +34,7 @@ impl<P: Point> Spline<P> {
         self.moved(index, to, mode)
     }
 
-    /// The same without a look at the dimension: the bindings keep plane splines in space.
+    /// [`move_point`](Self::move_point) without the check of the dimension: the bindings store plane splines in space.
     pub(crate) fn moved(
         &self,
         index: usize,
@@ -64,8 +65,8 @@ impl<P: Point> Spline<P> {
         Ok(edit.done())
     }
 
-    /// The spline with a joint made what `mode` asks: the handle before it is kept, the one after it follows (for C2 the
-    /// point behind that one too). Automatic handles are set on both sides.
+    /// The spline with `mode` enforced at one joint: the handle before the joint is kept, the handle after it follows
+    /// (for C2 also the control point after that handle). An automatic joint sets both handles.
     ///
     /// # Errors
     /// [`Error::Index`] unless `joint` lies between two segments, [`Error::Range`] for [`JointMode::G2`] in space.
@@ -76,7 +77,7 @@ impl<P: Point> Spline<P> {
         self.joint_set(joint, mode)
     }
 
-    /// The same without a look at the dimension.
+    /// [`set_joint`](Self::set_joint) without the check of the dimension.
     pub(crate) fn joint_set(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
         self.check_joint(joint)?;
         let of = |_| mode;
@@ -85,12 +86,12 @@ impl<P: Point> Spline<P> {
         Ok(edit.done())
     }
 
-    /// The joints: where two segments meet.
+    /// The indices of all joints, where two segments meet.
     pub(crate) fn joints(&self) -> std::ops::Range<usize> {
         usize::from(!self.closed)..self.segment_count()
     }
 
-    /// The joint whose point has this index.
+    /// The joint at the control point with this index.
     pub(crate) fn joint_at(&self, index: usize) -> Option<usize> {
         let found = self.starts.binary_search(&index).ok();
         found.filter(|k| self.joints().contains(k))

@@ -1,4 +1,4 @@
-//! Which spline runs along a stroke?
+//! Curve fitting: a spline through a sequence of sampled points.
 
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
@@ -6,27 +6,28 @@ use crate::geometry::check::{check_finite, check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
-/// A turn by more than this, in radians, is a corner.
+/// A turn by more than this angle, in radians, is a corner.
 const SURE_CORNER: f64 = 1.3;
 
-/// A turn by more than this is one if it stands out: more than twice those next to it.
+/// A turn by more than this angle, in radians, is a corner if it is more than twice the turns next to it.
 const MIN_CORNER: f64 = 0.6;
 
-/// Directions are taken over this many tolerances, so that noise within the tolerance does not turn them.
+/// Directions are taken over this many tolerances, so that noise within the tolerance does not affect them.
 const REACH: f64 = 4.0;
 
-/// The points on each side that a tangent is taken from.
+/// The number of points on each side from which a tangent is estimated.
 const NEIGHBOURS: usize = 6;
 
 impl<P: Point> Spline<P> {
-    /// A spline of few cubics along points in order: a stroke drawn by hand, a dense polyline.
+    /// A spline of few cubics fitted to points in order, for example a freehand stroke or a dense polyline.
     ///
-    /// Every point lies within `tolerance` of the spline, in order; between the points nothing is promised, but the handles
-    /// are no longer than the way of the points. The spline starts at the first point and ends at the last, and its joints are
-    /// points. Corners stay corners: turns by more than 75°, or by 35° and twice as much as next to them, as
-    /// seen over four tolerances; the other joints are smooth. Tangents come from a parabola through neighbours. Points that repeat
-    /// count once. A closed spline leads from the last point back to the first, smoothly unless there is a corner.
-    /// A single place gives a line without a length. The time grows a little faster than the number of points.
+    /// Every point lies within `tolerance` of the spline, in order. The distance between the points is not bounded, but
+    /// the handles are at most 1.5 times as long as the chord length of their points. The spline starts at the first
+    /// point and ends at the last; its joints are input points. Corners are kept: turns by more than 75°, or by more
+    /// than 35° if the turn is more than twice its neighbours, measured over four tolerances. The other joints are
+    /// smooth. Tangents come from a parabola fitted to neighbouring points. Repeated points count once. A closed spline
+    /// continues from the last point to the first, smoothly unless there is a corner. If all points are equal the
+    /// result is a line of length 0. The time grows slightly faster than the number of points.
     ///
     /// # Errors
     /// [`Error::Count`] for fewer than 2 points, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`] and
@@ -54,7 +55,7 @@ impl<P: Point> Spline<P> {
     }
 }
 
-/// Points moved to the origin and scaled to about 1.
+/// The input points, translated to the origin and scaled to a size of about 1.
 struct CurveFitter<'a, P: Point> {
     input: &'a [P],
     scale: f64,
@@ -72,7 +73,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             tangents: Vec::new(),
             points,
             criteria: FitCriteria {
-                // Rounding of the result takes its share.
+                // Reserve a part of the tolerance for the rounding of the result.
                 tolerance: tolerance * (1.0 - ROUNDING_SHARE),
                 between: false,
             },
@@ -113,8 +114,8 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         assemble(self.input, self.scale, &cubics, self.closed)
     }
 
-    /// The point about REACH tolerances after another one; at least one step. `None` past the end, and where a closed
-    /// stroke is shorter.
+    /// The next point at a chord length of about REACH tolerances from point k, at least one point ahead. `None` past
+    /// the end, and if a closed stroke is shorter.
     fn after(&self, k: usize) -> Option<usize> {
         let lengths = &self.samples.lengths;
         let last = lengths.len() - 1;
@@ -130,7 +131,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         }
     }
 
-    /// The same before a point.
+    /// The previous point at that distance; the counterpart of [`after`](Self::after).
     fn before(&self, k: usize) -> Option<usize> {
         let lengths = &self.samples.lengths;
         let last = lengths.len() - 1;
@@ -150,7 +151,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         }
     }
 
-    /// The angle by which the points turn at one of them, and its neighbours there.
+    /// The turning angle at a point, and the two points before and after it from which the angle is measured.
     fn turn(&self, k: usize) -> Option<(f64, usize, usize)> {
         let (before, after) = (self.before(k)?, self.after(k)?);
         let points = &self.samples.points;
@@ -158,12 +159,12 @@ impl<'a, P: Point> CurveFitter<'a, P> {
             (points[k] - points[before]).normalize_or_zero(),
             (points[after] - points[k]).normalize_or_zero(),
         );
-        // Of unit vectors: 2 asin(|u − v|/2), exact for small angles and large ones.
+        // The angle of unit vectors is 2 asin(|u − v|/2), which is accurate for small and for large angles.
         let angle = 2.0 * ((u - v).length() * 0.5).min(1.0).asin();
         Some((angle, before, after))
     }
 
-    /// The indices of corners; 0 only on a closed stroke.
+    /// The indices of the corners; contains 0 only for a closed stroke.
     fn corners(&self) -> Vec<usize> {
         let last = self.input.len() - 1;
         let turns: Vec<Option<(f64, usize, usize)>> = (0..last)
@@ -184,8 +185,8 @@ impl<'a, P: Point> CurveFitter<'a, P> {
                 return false;
             }
             let stands_out = here > 2.0 * angle(before).max(angle(after));
-            // The sharpest of its surroundings; of equal ones the first. From the inside out, this ends next to a
-            // sharper one: for all points together a little more than one look at each.
+            // A corner is the largest turn in its neighbourhood (the first of equal ones). The search runs outwards and
+            // ends at the first larger turn, so on average it takes little more than one comparison per point.
             let (back, ahead) = ((k + last - before) % last, (after + last - k) % last);
             let blunter = |i: usize| angle(i) < here || angle(i) == here && i % last > k;
             let sharpest = (1..back.max(ahead))
@@ -195,7 +196,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         (0..last).filter(is_corner).collect()
     }
 
-    /// The unit tangent at a point of a run: that of a parabola through it, along its neighbours.
+    /// The unit tangent at point k of a run, from a parabola through that point fitted to its neighbours.
     fn tangent(&self, k: usize, first: usize, last: usize) -> P {
         let samples = &self.samples;
         let here = |index: usize| {
@@ -211,7 +212,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
         parabola(before.chain(after))
     }
 
-    /// The tangent at the start of a closed stroke without a corner there.
+    /// The tangent at the start of a closed stroke that has no corner there.
     fn tangent_around(&self) -> P {
         let samples = &self.samples;
         let last = samples.points.len() - 1;
@@ -229,7 +230,7 @@ impl<'a, P: Point> CurveFitter<'a, P> {
     }
 }
 
-/// Up to NEIGHBOURS steps to one side, evenly, as many as it takes to see past the tolerance.
+/// Up to NEIGHBOURS evenly spaced steps to one side, over a range that extends beyond the tolerance.
 fn steps_to(room: usize, far: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
     let count = room.min(NEIGHBOURS);
     let mut reach = count;
@@ -239,7 +240,7 @@ fn steps_to(room: usize, far: impl Fn(usize) -> bool) -> impl Iterator<Item = us
     (1..=count).map(move |i| i * reach / count)
 }
 
-/// The unit tangent at 0 of v x + c x² by least squares through (d, x).
+/// The direction of v for the least-squares fit d = v x + c x² to pairs (d, x): the unit tangent at x = 0.
 fn parabola<P: Point>(points: impl Iterator<Item = (P, f64)>) -> P {
     let (mut s2, mut s3, mut s4) = (0.0, 0.0, 0.0);
     let (mut r1, mut r2) = (P::default(), P::default());
@@ -259,10 +260,10 @@ fn parabola<P: Point>(points: impl Iterator<Item = (P, f64)>) -> P {
     slope.normalize_or_zero()
 }
 
-/// What rounding may take of the tolerance.
+/// The part of the tolerance that is reserved for rounding.
 pub(crate) const ROUNDING_SHARE: f64 = 1e-3;
 
-/// About the inverse of the size of some points, seen from the first: a power of two with a finite inverse.
+/// Approximately the inverse of the largest distance from the first point: a power of two with a finite inverse.
 pub(crate) fn scale_of<P: Point>(points: &[P]) -> f64 {
     let half = points[0] * 0.5;
     let reach = points
@@ -271,13 +272,13 @@ pub(crate) fn scale_of<P: Point>(points: &[P]) -> f64 {
     (-reach.log2().round()).clamp(-1000.0, 1000.0).exp2()
 }
 
-/// Points moved to the origin and scaled.
+/// The points translated so that the first one is the origin, and scaled.
 pub(crate) fn scaled<P: Point>(points: &[P], scale: f64) -> Vec<P> {
     let origin = points[0] * scale;
     points.iter().map(|&p| p * scale - origin).collect()
 }
 
-/// The spline of some cubics; their ends are given points.
+/// The spline of fitted cubics, scaled back; the end points are taken from the input.
 pub(crate) fn assemble<P: Point>(
     input: &[P],
     scale: f64,

@@ -1,4 +1,4 @@
-//! Which way up, along a spline in space?
+//! Rotation-minimising frames along splines in space.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -17,9 +17,9 @@ impl FrameSequence for Spline<DVec3> {
 }
 
 impl Spline<DVec3> {
-    /// Rotation-minimising frames at even steps of t, `per_curve` steps a segment, both ends included.
+    /// Rotation-minimising frames at even steps of t, `per_curve` steps per segment, both ends included.
     ///
-    /// As [`frames_at`](Self::frames_at) without a wish for the first normal.
+    /// As [`frames_at`](Self::frames_at) without a requested first normal.
     ///
     /// # Errors
     /// As [`sample`](Self::sample).
@@ -31,12 +31,12 @@ impl Spline<DVec3> {
         self.frames_at(&ts, None)
     }
 
-    /// Rotation-minimising frames at the given parameters, each carried on from the one before; see
+    /// Rotation-minimising frames at the given parameters, each one propagated from the previous one; see
     /// [`Curve::frames_at`].
     ///
-    /// At a joint with a corner the frame turns with the tangent, the short way; where the tangent turns right back, the
-    /// normal stays. The frames of a closed spline need not meet: what its ends differ by is the twist that the curve
-    /// itself has.
+    /// At a corner the frame turns with the tangent by the smaller angle; where the tangent reverses exactly, the
+    /// normal is kept. The first and the last frame of a closed spline can differ; the angle between them is the total
+    /// twist of the curve.
     ///
     /// # Errors
     /// As [`Curve::frames_at`].

@@ -1,4 +1,4 @@
-//! Cubic splines through points.
+//! Interpolating cubic splines: natural and Catmull-Rom.
 
 use super::Spline;
 use super::joint::catmull_rom;
@@ -7,7 +7,7 @@ use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
-/// Which smooth curve goes through the points.
+/// The kind of interpolating spline.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -15,39 +15,39 @@ use crate::geometry::point::Point;
     serde(rename_all = "kebab-case")
 )]
 pub enum Interpolation {
-    /// The natural cubic spline: equal second derivatives at all joints, none at free ends. Each point has a say
-    /// everywhere, a quarter as much from joint to joint.
+    /// The natural cubic spline: the second derivatives are equal at all joints and zero at open ends. Each point
+    /// affects the whole curve; its influence decreases to about a quarter from joint to joint.
     #[default]
     Natural,
-    /// Catmull-Rom: the tangent at a point comes from it and its two neighbours; equal directions at joints, and where
-    /// `alpha` is 0 equal derivatives.
+    /// The Catmull-Rom spline: the tangent at a point depends on the point and its two neighbours. The tangent
+    /// directions are equal at the joints; for `alpha` = 0 the derivatives are equal too.
     CatmullRom {
-        /// How much the lengths of chords count, 0 (uniform) to 1 (chordal); ½ (centripetal) makes no cusps and no loops
-        /// within a segment.
+        /// The exponent of the chord lengths, 0 (uniform) to 1 (chordal); ½ (centripetal) avoids cusps and loops within
+        /// a segment.
         alpha: f64,
     },
 }
 
-/// The pole of the filter that undoes (1, 4, 1): √3 − 2.
+/// The pole of the recursive filter that inverts (1, 4, 1): √3 − 2.
 const POLE: f64 = -0.267_949_192_431_122_7;
 
-/// After so many steps a power of the pole is below the rounding error of 1: 0.268³² = 5·10⁻¹⁹.
+/// After this many steps the power of the pole is below the rounding error of 1: 0.268³² = 5·10⁻¹⁹.
 const RUN_IN: usize = 32;
 
-/// Above this coordinates are computed at a part of their size, so that no sum overflows.
+/// Coordinates above this value are scaled down for the computation, so that no sum overflows.
 const HUGE: f64 = 1e300;
 const SHRUNK: f64 = 1.0 / 1024.0;
 
 impl<P: Point> Spline<P> {
     /// A cubic spline through points; its joints are the points, at t = 0, 1, 2, …
     ///
-    /// Natural: with Dᵢ the derivative at Pᵢ, Dᵢ₋₁ + 4Dᵢ + Dᵢ₊₁ = 3(Pᵢ₊₁ − Pᵢ₋₁), and 2D₀ + D₁ = 3(P₁ − P₀) at a free end; the
-    /// handles are Pᵢ ± Dᵢ/3. Catmull-Rom: with d₁ and d₂ the lengths of the chords at Pᵢ to the power alpha, T =
-    /// (Pᵢ − Pᵢ₋₁)/d₁ − (Pᵢ₊₁ − Pᵢ₋₁)/(d₁ + d₂) + (Pᵢ₊₁ − Pᵢ)/d₂; the handles are Pᵢ − T d₁/3 and Pᵢ + T d₂/3, at a free end a third
-    /// of the chord. A point that comes twice, one after the other, is a corner of a Catmull-Rom spline with alpha > 0:
-    /// each side ends there as at a free end.
+    /// Natural: the derivatives Dᵢ at the points Pᵢ satisfy Dᵢ₋₁ + 4Dᵢ + Dᵢ₊₁ = 3(Pᵢ₊₁ − Pᵢ₋₁), and 2D₀ + D₁ = 3(P₁ −
+    /// P₀) at an open end; the handles are Pᵢ ± Dᵢ/3. Catmull-Rom: with d₁ and d₂ the lengths of the chords at Pᵢ to
+    /// the power alpha, T = (Pᵢ − Pᵢ₋₁)/d₁ − (Pᵢ₊₁ − Pᵢ₋₁)/(d₁ + d₂) + (Pᵢ₊₁ − Pᵢ)/d₂; the handles are Pᵢ − T d₁/3 and
+    /// Pᵢ + T d₂/3; at an open end the handle is at a third of the chord. Two equal consecutive points make a corner of
+    /// a Catmull-Rom spline with alpha > 0: each side ends there as at an open end.
     ///
-    /// Takes 2 points or more; two open ones make a straight line, two closed ones a line there and back.
+    /// Takes 2 points or more. Two points give a straight line; a closed spline runs along it and back.
     ///
     /// ```
     /// use casteljau::{Spline, spline::Interpolation, glam::DVec2};
@@ -61,7 +61,7 @@ impl<P: Point> Spline<P> {
     ///
     /// # Errors
     /// [`Error::Count`] for fewer than 2 points, [`Error::NotFinite`] for a NaN or an infinity, [`Error::Range`] for an
-    /// alpha outside of 0 to 1, [`Error::TooMany`] above 1 GiB.
+    /// alpha outside 0 to 1, [`Error::TooMany`] above 1 GiB.
     ///
     /// Sources: Unser, "Splines: a perfect fit for signal and image processing", 1999 (the recursive filter); Yuksel,
     /// Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
@@ -79,7 +79,7 @@ impl<P: Point> Spline<P> {
         Self::interpolate_with(points, closed, Some(&|length| power(length, alpha)))
     }
 
-    /// The Catmull-Rom spline whose parameter has these steps by the lengths of chords; without, the natural one.
+    /// The Catmull-Rom spline with the parameter steps `step(chord length)`; `None` gives the natural spline.
     pub(crate) fn interpolate_with(
         points: &[P],
         closed: bool,
@@ -113,7 +113,7 @@ impl<P: Point> Spline<P> {
         };
         let handle = |i: usize, along: P| {
             let handle = (row.points[i] + along / 3.0) / unit;
-            // Of points at the end of numbers, handles lie beyond: they stay at the point.
+            // Near the largest finite coordinates a handle can overflow; it is then placed at the point.
             if handle.is_finite() {
                 handle
             } else {
@@ -137,8 +137,8 @@ impl<P: Point> Spline<P> {
     }
 }
 
-/// A length to a power from 0 to 1: the product of its square roots, fourth roots … where alpha has binary digits. Within
-/// some ulps, and without the power function.
+/// `length` to the power `alpha`, 0 to 1: the product of its square root, fourth root … for the binary digits of alpha.
+/// Accurate to some ulps, and independent of the power function of the standard library.
 fn power(length: f64, alpha: f64) -> f64 {
     if alpha >= 1.0 {
         return length;
@@ -154,14 +154,14 @@ fn power(length: f64, alpha: f64) -> f64 {
     product
 }
 
-/// Points in a row, or around.
+/// The points to interpolate, open or closed.
 struct Row<P> {
     points: Vec<P>,
     closed: bool,
 }
 
 impl<P: Point> Row<P> {
-    /// The indices of the points before and after one; at a free end its own.
+    /// The indices of the neighbours of a point; at an open end the missing neighbour is the point itself.
     fn beside(&self, i: usize) -> (usize, usize) {
         let count = self.points.len();
         if self.closed {
@@ -171,7 +171,7 @@ impl<P: Point> Row<P> {
         }
     }
 
-    /// The derivatives of the segment before each point, and of the one after it.
+    /// At each point, the derivative of the segment before it and of the segment after it.
     fn catmull_rom(&self, step: &dyn Fn(f64) -> f64) -> Vec<(P, P)> {
         let derivatives = |i: usize| {
             let (before, after) = self.beside(i);
@@ -193,23 +193,24 @@ impl<P: Point> Row<P> {
         (0..self.points.len()).map(derivatives).collect()
     }
 
-    /// The same of the natural spline, where both are equal.
+    /// The derivatives of the natural spline at each point, where both are equal.
     ///
-    /// (1, 4, 1) is undone by a filter that runs forward and one that runs back, each of which needs no more than its last
-    /// value. Both begin some steps early, where their past has no weight any more: around the ring, or at a free end in
-    /// the mirror image beyond it (a natural spline goes on turned by 180° about its end, its derivatives mirrored).
+    /// The system (1, 4, 1) is solved by a forward and a backward recursive filter, each of which needs only its
+    /// previous value. Both start some steps early, where earlier values have no weight: on the periodic continuation
+    /// of a closed spline, or on the mirror image beyond an open end (the natural spline continues by point reflection
+    /// at its end, so its derivatives are mirrored).
     fn natural(&self) -> Vec<(P, P)> {
         let count = self.points.len();
         let period = if self.closed { count } else { 2 * (count - 1) };
         let right = |i: usize| {
-            // Of the ring, or of the row and its mirror images.
+            // Index into the period: the closed sequence, or the open one and its mirror image.
             let i = i % period;
             let i = if i < count { i } else { period - i };
             let (before, after) = self.beside(i);
             let at_end = !self.closed && (i == before || i == after);
             (self.points[after] - self.points[before]) * if at_end { 6.0 } else { 3.0 }
         };
-        // A whole number of periods before the first point.
+        // Start a whole number of periods before the first point.
         let early = RUN_IN.div_ceil(period) * period;
         let mut found = Vec::with_capacity(count + RUN_IN);
         let mut forward = P::default();

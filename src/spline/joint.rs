@@ -1,12 +1,12 @@
-//! What a joint should be, and how one side is made to follow the other.
+//! Joint modes, and the control points that satisfy them.
 
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
-/// What is to be kept at a joint while points move.
+/// The continuity that is enforced at a joint while points move.
 ///
-/// P₀ … P₆ are the control points of two cubic segments, P₃ the joint. On segments of degree 1 or 2, where P₁ or P₅ is a
-/// joint itself, C2 keeps what C1 keeps, G2 what G1 keeps, and automatic handles are not set.
+/// P₀ … P₆ are the control points of two cubic segments; P₃ is the joint. If P₁ or P₅ is a joint itself (degree 1 or
+/// 2), C2 acts as C1, G2 acts as G1, and automatic handles are not set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -14,29 +14,30 @@ use crate::numeric::float::ratio;
     serde(rename_all = "lowercase")
 )]
 pub enum JointMode {
-    /// Nothing but the common point.
+    /// Only the common point (C0).
     #[default]
     Free,
-    /// The handles stay aligned; each keeps its length.
+    /// Aligned handles; each keeps its length.
     G1,
-    /// The derivatives stay equal: for equal degrees, handles of equal length.
+    /// Equal first derivatives: for equal degrees, handles of equal length.
     C1,
-    /// The second derivatives too: P₅ = P₁ + 4(P₃ − P₂).
+    /// Equal first and second derivatives: P₅ = P₁ + 4(P₃ − P₂).
     C2,
-    /// Aligned, and of equal curvature: |P₄ − P₃| = |P₃ − P₂| · √(h₅/h₁), h the distances of P₁ and P₅ from the tangent. Where
-    /// they lie on different sides, no length can do it: then as G1. In the plane only.
+    /// Aligned handles and equal curvature: |P₄ − P₃| = |P₃ − P₂| · √(h₅/h₁), with h₁ and h₅ the distances of P₁ and P₅
+    /// from the tangent. If P₁ and P₅ lie on different sides of the tangent no length satisfies it; the joint is then
+    /// G1. Only in the plane.
     G2,
-    /// Both handles from the neighbouring joints: centripetal Catmull-Rom.
+    /// Both handles computed from the neighbouring joints by the centripetal Catmull-Rom rule.
     Auto,
 }
 
 impl JointMode {
-    /// Whether the second point from the joint has a say.
+    /// Whether the mode depends on the second control point from the joint.
     pub(crate) fn is_second_order(self) -> bool {
         matches!(self, Self::C2 | Self::G2)
     }
 
-    /// What is left of a mode where the second points are joints or the same.
+    /// The mode that remains where the second control points are joints or coincide.
     pub(crate) fn of_first_order(self) -> Self {
         match self {
             Self::C2 => Self::C1,
@@ -46,8 +47,8 @@ impl JointMode {
     }
 }
 
-/// The points on both sides of a joint, as they are: near the moved point, and far of it. The second ones are no joints
-/// only where their segment has at least degree 3.
+/// The control points on both sides of a joint: `near` on the side of the moved point, `far` on the other side. If the
+/// segment of a side has a degree below 3, the second point of that side is a joint or lies beyond the segment.
 #[derive(Clone, Copy)]
 pub(crate) struct Sides<P> {
     pub(crate) near: [P; 2],
@@ -58,15 +59,15 @@ pub(crate) struct Sides<P> {
 }
 
 impl<P: Point> Sides<P> {
-    /// Whether both segments have two points of their own beside the joint.
+    /// Whether both segments have at least degree 3, so that each side has two control points that are not joints.
     pub(crate) fn are_cubic(&self) -> bool {
         self.near_degree > 2 && self.far_degree > 2
     }
 
-    /// The handle on the far side that goes with the near one.
+    /// The handle on the far side that satisfies the mode for the given near handle.
     ///
-    /// G1: P₃ + |P₄ − P₃| · unit(P₃ − P₂). C1: P₃ + r (P₃ − P₂), where r is the degree of the near segment over that of the
-    /// far one. A handle of length zero has no direction: the other is then left alone.
+    /// G1: P₃ + |P₄ − P₃| · unit(P₃ − P₂). C1: P₃ + r (P₃ − P₂), where r is the degree of the near segment divided by
+    /// that of the far one. If the near handle has length zero it has no direction; the far handle is then unchanged.
     pub(crate) fn follow(&self, mode: JointMode) -> P {
         let ([near, _], joint, [far, _]) = (self.near, self.joint, self.far);
         let aligned = || joint + (joint - near).normalize_or_zero() * (far - joint).length();
@@ -82,8 +83,8 @@ impl<P: Point> Sides<P> {
         }
     }
 
-    /// The second point on the far side, for equal second derivatives:
-    /// (1 − s) P₃ + s P₁ + 2(r + s)(P₃ − P₂), where r is the ratio of the degrees n/m and s that of n(n − 1) and m(m − 1).
+    /// The second control point on the far side for equal second derivatives: (1 − s) P₃ + s P₁ + 2(r + s)(P₃ − P₂),
+    /// where r is the ratio n/m of the degrees and s the ratio n(n − 1) / (m(m − 1)).
     pub(crate) fn second(&self) -> P {
         let (n, m) = (self.near_degree, self.far_degree);
         let (r, s) = (ratio(n, m), ratio(n * (n - 1), m * (m - 1)));
@@ -96,14 +97,14 @@ impl<P: Point> Sides<P> {
         }
     }
 
-    /// The far handle that makes the curvatures equal; none where that is no question of its length.
+    /// The far handle that gives equal curvatures; `None` if no handle length does.
     fn with_equal_curvature(&self) -> Option<P> {
         let along = (self.joint - self.near[0]).normalize_or_zero();
-        // From the joint: the parts across the tangent.
+        // The component of P − P₃ that is perpendicular to the tangent.
         let across = |p: P| (p - self.joint) - along * (p - self.joint).dot(along);
         let (before, after) = (across(self.near[1]), across(self.far[1]));
         let (h1, h5) = (before.length(), after.length());
-        // A distance as small as the rounding of what it was computed from is none.
+        // A distance within the rounding error of its operands counts as zero.
         let size = |points: &[P]| points.iter().map(|p| p.max_abs()).fold(0.0, f64::max);
         let largest = size(&self.near)
             .max(size(&self.far))
@@ -115,18 +116,19 @@ impl<P: Point> Sides<P> {
         {
             return None;
         }
-        // Curvatures are (n − 1)/n · h/length².
+        // The curvature is (n − 1)/n · h/length².
         let (n, m) = (self.near_degree, self.far_degree);
         let curvature_ratio = ratio((m - 1) * n, m * (n - 1)).sqrt() * (h5.sqrt() / h1.sqrt());
         Some(self.joint + along * ((self.joint - self.near[0]).length() * curvature_ratio))
     }
 }
 
-/// The derivatives of a Catmull-Rom curve at a point, of the segment after it and of the one before.
+/// The derivatives of a Catmull-Rom spline at a point: of the segment after it and of the segment before it.
 ///
-/// With d₁ and d₂ the steps of the parameter before and after the point, T = (P₁ − P₀)/d₁ − (P₂ − P₀)/(d₁ + d₂) +
-/// (P₂ − P₁)/d₂, and the derivatives by the segments' own parameters, which run from 0 to 1, are T d₂ and T d₁. A step of
-/// zero has no say: the point is then as an end is, and the other side starts straight.
+/// With d₁ and d₂ the parameter steps before and after the point, T = (P₁ − P₀)/d₁ − (P₂ − P₀)/(d₁ + d₂) + (P₂ −
+/// P₁)/d₂. The derivatives with respect to the local parameters of the segments, which run from 0 to 1, are T d₂ and T
+/// d₁. If a step is zero, its side is ignored: the point is treated as an end, and the derivative on the other side is
+/// the chord.
 ///
 /// Source: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
 pub(crate) fn catmull_rom<P: Point>([before, point, after]: [P; 3], [d1, d2]: [f64; 2]) -> (P, P) {

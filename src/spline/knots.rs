@@ -1,12 +1,12 @@
-//! The knots of a B-spline: checked, open or going around.
+//! Knot vectors of B-splines, open or periodic.
 
 use crate::geometry::error::Error;
 
-/// Above this knots are kept at 2⁻¹⁰ of their size, so that no difference and no sum of 64 periods overflows. Only ratios
-/// of differences matter.
+/// Knots above this value are scaled by 2⁻¹⁰, so that no difference and no sum of 64 periods overflows. Only ratios of
+/// differences affect the curve.
 const HUGE: f64 = 1e300;
 
-/// Knots in ascending order, of which none comes too often.
+/// Knots in ascending order with valid multiplicities.
 pub(crate) struct Knots {
     values: Vec<f64>,
     /// The number of control points.
@@ -16,7 +16,7 @@ pub(crate) struct Knots {
 }
 
 impl Knots {
-    /// The knots for so many control points; without given ones 0, 1, 2, …
+    /// The knots for `count` control points; the default is 0, 1, 2, …
     pub(crate) fn new(
         explicit: Option<&[f64]>,
         count: usize,
@@ -44,7 +44,7 @@ impl Knots {
             values.iter_mut().for_each(|u| *u /= 1024.0);
         }
         if closed {
-            // Counted from the start, the first knot and the last are one another's images exactly.
+            // With the start at 0, the first and the last knot are exactly one period apart.
             let start = values[0];
             values.iter_mut().for_each(|u| *u -= start);
         }
@@ -65,7 +65,7 @@ impl Knots {
         }
     }
 
-    /// The first knot that cannot be, and what could.
+    /// The index of the first invalid knot, and what a valid one must satisfy.
     fn fault(&self) -> Option<(usize, &'static str)> {
         let (v, p, n) = (&self.values, self.degree, self.count);
         if let Some(index) = v.windows(2).position(|pair| pair[0] > pair[1]) {
@@ -91,12 +91,12 @@ impl Knots {
         self.degree
     }
 
-    /// Knot i of those that control points 0, 1, 2, … have, around a closed one as often as needed.
+    /// Knot i of the (periodically extended) knot vector of the control points 0, 1, 2, …
     pub(crate) fn at(&self, i: usize) -> f64 {
         if !self.closed {
             return self.values[i];
         }
-        // The first joint is the knot after those that are left of it.
+        // The first joint is preceded by `degree` knots.
         let (n, period) = (self.count, self.values[self.count]);
         let turns = self.degree.div_ceil(n);
         let from_before = i + turns * n - self.degree;
@@ -107,7 +107,7 @@ impl Knots {
         }
     }
 
-    /// The first control point of each span between different knots.
+    /// The index of the first control point of each nonempty knot span.
     pub(crate) fn starts(&self) -> impl Iterator<Item = usize> {
         let p = self.degree;
         let all = if self.closed {

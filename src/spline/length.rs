@@ -1,4 +1,4 @@
-//! How long is the spline, and where is the point that is so far along it?
+//! Arc length of a spline, and parameters at given arc lengths.
 
 use super::Spline;
 use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
@@ -8,9 +8,9 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
-    /// The length of the spline, the sum of those of its segments.
+    /// The arc length of the spline: the sum over its segments.
     ///
-    /// `tolerance` is the greatest error of the sum, in the unit of the points; without one it is 10⁻¹² of the length. See
+    /// `tolerance` is the maximum error of the sum, in the unit of the points; the default is 10⁻¹² of the length. See
     /// [`Curve::length`](crate::Curve::length).
     ///
     /// # Errors
@@ -28,10 +28,10 @@ impl<P: Point> Spline<P> {
             .sum())
     }
 
-    /// The t, from 0 to the number of segments, at which the spline has the length s behind it.
+    /// The parameter t, from 0 to the number of segments, at the arc length s from the start.
     ///
-    /// Outside of 0 to the whole length the nearer end comes back, of a spline that is a point 0. `tolerance` as in
-    /// [`length`](Self::length).
+    /// If s lies outside 0 to the total length the result is the nearer end; for a spline that is a point it is 0.
+    /// `tolerance` as in [`length`](Self::length).
     ///
     /// # Errors
     /// As [`Curve::time_at_length`](crate::Curve::time_at_length).
@@ -52,11 +52,11 @@ impl<P: Point> Spline<P> {
         Ok(k as f64 + ArcLengthInverse::new(&self.curve(k), tolerance).time(s - ends[k]))
     }
 
-    /// `segments` + 1 values of t that divide the whole spline into arcs of one length; the first is 0, the last the
-    /// number of the spline's segments.
+    /// `segments` + 1 values of t that divide the spline into arcs of equal length; the first is 0, the last is the
+    /// number of segments of the spline.
     ///
-    /// The arcs are equal to 10⁻¹² of the whole length, and pay no heed to joints. Of a spline that is a point: even
-    /// steps of t.
+    /// The arc lengths are equal to within 10⁻¹² of the total length; the values do not depend on where the joints are.
+    /// For a spline that is a point: even steps of t.
     ///
     /// # Errors
     /// As [`Curve::equidistant_times`](crate::Curve::equidistant_times).
@@ -88,7 +88,7 @@ impl<P: Point> Spline<P> {
         Ok(ts)
     }
 
-    /// The length up to each joint, from 0 to the whole.
+    /// The arc length from the start to each joint, from 0 to the total.
     fn lengths(&self) -> Vec<f64> {
         let mut whole = 0.0;
         let mut ends = vec![0.0];

@@ -1,4 +1,4 @@
-//! Where is the point at t, which polyline is close, how large is it?
+//! Evaluation, sampling, flattening and bounding boxes of splines.
 
 use super::Spline;
 use crate::curve::eval::{MAX_OUTPUT_F64, check_segments};
@@ -11,14 +11,14 @@ use crate::geometry::point::Point;
 use glam::DVec2;
 
 impl<P: Point> Spline<P> {
-    /// The point at t: segment ⌊t⌋ at the rest. t runs from 0 to the number of segments; values outside extrapolate
-    /// the first and the last segment.
+    /// The point at t: segment ⌊t⌋ at the fractional part of t. t runs from 0 to the number of segments; values outside
+    /// extrapolate the first and the last segment.
     pub fn eval(&self, t: f64) -> P {
         let (k, rest) = self.locate(t);
         self.curve(k).eval(rest)
     }
 
-    /// The segment of t and the parameter on it; the end belongs to the last segment.
+    /// The segment that contains t and the local parameter on it; the end belongs to the last segment.
     pub(crate) fn locate(&self, t: f64) -> (usize, f64) {
         let last = self.segment_count() - 1;
         #[allow(
@@ -30,7 +30,7 @@ impl<P: Point> Spline<P> {
         (k, t - k as f64)
     }
 
-    /// Points at even steps of t, `per_curve` steps a segment, both ends included.
+    /// Points at even steps of t, `per_curve` steps per segment, both ends included.
     ///
     /// # Errors
     /// As [`Curve::sample`](crate::Curve::sample).
@@ -58,7 +58,7 @@ impl<P: Point> Spline<P> {
         ts.iter().map(|&t| self.eval(t)).collect()
     }
 
-    /// A polyline from which the spline is nowhere farther than `tolerance`; every joint is a vertex.
+    /// A polyline within `tolerance` of the spline; every joint is a vertex.
     ///
     /// # Errors
     /// As [`Curve::flatten`](crate::Curve::flatten).
@@ -86,13 +86,13 @@ impl<P: Point> Spline<P> {
         Ok(line)
     }
 
-    /// The smallest box that contains the spline.
+    /// The tight bounding box of the spline.
     pub fn bounds(&self) -> Bounds<P> {
         let first = self.curve(0).bounds();
         (1..self.segment_count()).fold(first, |bounds, k| bounds.union(self.curve(k).bounds()))
     }
 
-    /// The box of the control points.
+    /// The bounding box of the control points.
     pub fn control_bounds(&self) -> Bounds<P> {
         let first = Bounds {
             min: self.points[0],

@@ -1,7 +1,7 @@
-//! Bézier curves joined end to end.
+//! Splines: Bézier curves joined end to end.
 //!
-//! Segment k covers t from k to k + 1 and keeps its own degree; where two segments meet is a joint. The control points
-//! are one list: neighbours share the point of their joint, and a closed spline ends where its list begins.
+//! Segment k covers t from k to k + 1 and has its own degree; two segments meet at a joint. The control points are one
+//! list: neighbouring segments share the point of their joint, and a closed spline ends at the first point of the list.
 
 mod area;
 mod bspline;
@@ -37,7 +37,7 @@ use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 
-/// A chain of Bézier curves, open or closed.
+/// A sequence of joined Bézier curves, open or closed.
 ///
 /// ```
 /// use casteljau::{Spline, glam::DVec2};
@@ -52,7 +52,7 @@ use crate::geometry::point::Point;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spline<P: Point> {
     points: Vec<P>,
-    /// The index of the first control point of each segment, and one past: where the next would start.
+    /// The index of the first control point of each segment, and the index at which the next segment would start.
     starts: Vec<usize>,
     closed: bool,
 }
@@ -60,10 +60,10 @@ pub struct Spline<P: Point> {
 impl<P: Point> Spline<P> {
     /// A spline whose segments all have the same degree.
     ///
-    /// An open one of n segments takes n · degree + 1 points, a closed one n · degree.
+    /// An open spline of n segments takes n · degree + 1 points, a closed one n · degree.
     ///
     /// # Errors
-    /// [`Error::Range`] for a degree of 0 or above 64, [`Error::Count`] for a number of points that does not fit,
+    /// [`Error::Range`] for a degree of 0 or above 64, [`Error::Count`] for a number of points that does not match,
     /// [`Error::NotFinite`] for a NaN or an infinity.
     pub fn new(points: &[P], degree: usize, closed: bool) -> Result<Self, Error> {
         if !(1..=MAX_DEGREE).contains(&degree) {
@@ -90,7 +90,7 @@ impl<P: Point> Spline<P> {
         Self::with_degrees(points.to_vec(), &vec![degree; segments], closed)
     }
 
-    /// A spline from all its control points and a degree for each segment.
+    /// A spline from all its control points and the degree of each segment.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -115,7 +115,7 @@ impl<P: Point> Spline<P> {
         Ok(Self::from_parts(points, degrees, closed))
     }
 
-    /// A spline from parts that fit.
+    /// A spline from parts that are known to be valid.
     pub(crate) fn from_parts(points: Vec<P>, degrees: &[usize], closed: bool) -> Self {
         let mut starts = Vec::with_capacity(degrees.len() + 1);
         starts.push(0);
@@ -130,17 +130,17 @@ impl<P: Point> Spline<P> {
         }
     }
 
-    /// All control points, the joints once each.
+    /// All control points, each joint once.
     pub fn control_points(&self) -> &[P] {
         &self.points
     }
 
-    /// Whether the end joins the start.
+    /// Whether the spline is closed: its end is its start.
     pub fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// The number of segments, which is the t of the end.
+    /// The number of segments, which is also the t of the end.
     pub fn segment_count(&self) -> usize {
         self.starts.len() - 1
     }
@@ -160,7 +160,7 @@ impl<P: Point> Spline<P> {
 
     /// The segments as curves, from the first to the last.
     ///
-    /// Curves up to degree 3 are made without an allocation.
+    /// Curves up to degree 3 need no allocation.
     ///
     /// ```
     /// use casteljau::{Spline, glam::DVec2};
@@ -177,7 +177,7 @@ impl<P: Point> Spline<P> {
         (0..self.segment_count()).map(|k| self.curve(k))
     }
 
-    /// Segment k, which exists.
+    /// Segment k, which must exist.
     pub(crate) fn curve(&self, k: usize) -> Curve<P> {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
         if to < self.points.len() {
@@ -193,7 +193,7 @@ impl<P: Point> Spline<P> {
         )
     }
 
-    /// Whether both have the same structure and every control point lies within `tolerance` of its counterpart.
+    /// Whether both splines have the same structure and every control point lies within `tolerance` of its counterpart.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         let near = |(&a, &b): (&P, &P)| a == b || (a - b).length() <= tolerance;
         self.closed == other.closed
@@ -201,13 +201,13 @@ impl<P: Point> Spline<P> {
             && self.points.iter().zip(&other.points).all(near)
     }
 
-    /// The same spline run through backwards.
+    /// The same spline with reversed direction.
     #[must_use]
     pub fn reverse(&self) -> Self {
         let degrees: Vec<usize> = self.degrees().into_iter().rev().collect();
         let mut points: Vec<P> = self.points.iter().rev().copied().collect();
         if self.closed {
-            // The first point stays the first.
+            // Keep the first point first.
             points.rotate_right(1);
         }
         Self::from_parts(points, &degrees, self.closed)

@@ -1,4 +1,4 @@
-//! Which point of the spline is nearest?
+//! Nearest point on a spline.
 
 use super::Spline;
 use crate::curve::nearest::{Nearest, nearest_on};
@@ -7,11 +7,12 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
 impl<P: Point> Spline<P> {
-    /// The point of the spline that is nearest to p, with t from 0 to the number of segments.
+    /// The point of the spline nearest to p, with t from 0 to the number of segments.
     ///
-    /// The least |B(t) − p| of all segments, each as [`Curve::nearest`](crate::Curve::nearest) finds it; of equally near points
-    /// the one with the smallest t. Segments whose control points' box is farther away than what was found are left out:
-    /// a long chain costs one look at each box and little more. The distance is in the unit of the points.
+    /// The minimum of |B(t) − p| over all segments, each computed by [`Curve::nearest`](crate::Curve::nearest); of
+    /// equally near points the one with the smallest t. Segments whose control-point box is farther away than the best
+    /// point so far are skipped, so a long spline costs little more than one distance per box. The distance is in the
+    /// unit of the points.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -31,13 +32,13 @@ impl<P: Point> Spline<P> {
         Ok(self.nearest_to(p))
     }
 
-    /// [`nearest`](Self::nearest) to a point that is finite.
+    /// [`nearest`](Self::nearest) for a point that is known to be finite.
     pub(crate) fn nearest_to(&self, p: P) -> Nearest<P> {
         let bounds: Vec<f64> = (0..self.segment_count())
             .map(|k| self.lower_bound(k, p))
             .collect();
-        // The most promising first, so that most others can be left out; then in order, so that of equal ones the first
-        // is found.
+        // Start with the segment of the smallest lower bound, so that most others can be skipped. Visit the others in
+        // order, so that of equally near points the first one is found.
         let promising = (0..bounds.len()).fold(0, |a, b| if bounds[b] < bounds[a] { b } else { a });
         let mut best = self.nearest_on_segment(promising, p);
         for k in (0..bounds.len()).filter(|&k| k != promising) {
@@ -56,7 +57,7 @@ impl<P: Point> Spline<P> {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
         let found = match self.points.get(from..=to) {
             Some(points) => nearest_on(points, p),
-            // The last segment of a closed spline.
+            // The last segment of a closed spline, whose end is the first point of the list.
             None => nearest_on(self.curve(k).control_points(), p),
         };
         Nearest {
@@ -65,13 +66,13 @@ impl<P: Point> Spline<P> {
         }
     }
 
-    /// The distance of p from the box of a segment's control points.
+    /// The distance from p to the bounding box of a segment's control points.
     fn lower_bound(&self, k: usize, p: P) -> f64 {
         let (from, to) = (self.starts[k], self.starts[k + 1]);
         let last = self.points[to % self.points.len()];
         let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
         let (low, high) = self.points[from..to].iter().fold((last, last), around);
-        // Halves: the difference of ±1e308 would overflow.
+        // Compute with halves, because the difference of ±1e308 would overflow.
         let outside = (low * 0.5 - p * 0.5).max(p * 0.5 - high * 0.5);
         outside.max(P::default()).length() * 2.0
     }

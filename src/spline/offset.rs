@@ -1,4 +1,4 @@
-//! Which spline runs beside?
+//! Offset curves of splines.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -7,7 +7,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use glam::DVec2;
 
-/// How the parallels of two segments are joined at a corner.
+/// The kind of join between the offset curves of two segments at a corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -15,29 +15,29 @@ use glam::DVec2;
     serde(rename_all = "lowercase")
 )]
 pub enum OffsetJoin {
-    /// An arc about the corner: every point has the right distance from it.
+    /// A circular arc about the corner: all its points have the offset distance from it.
     #[default]
     Round,
-    /// The tangents go on until they meet, at most 4 distances away (as in SVG); else as `Bevel`. On the inner side as
-    /// `Bevel`.
+    /// The tangents extended to their intersection, if it is at most 4 distances away (as in SVG); otherwise `Bevel`.
+    /// On the inner side of the corner `Bevel`.
     Miter,
     /// A straight line.
     Bevel,
 }
 
-/// The farthest tip of a mitre, in distances from its corner: SVG's default `stroke-miterlimit`.
+/// The maximum distance of a miter tip from its corner, in offset distances: SVG's default `stroke-miterlimit`.
 const MITER_LIMIT: f64 = 4.0;
 
-/// At a joint the ends of two parallels may differ by this part of the tolerance without being joined.
+/// The ends of two offset curves at a joint may differ by this ratio of the tolerance without a join.
 const SMOOTH_PART: f64 = 1.0 / 64.0;
 
 impl Spline<DVec2> {
-    /// The parallel at a distance along the normal: that of each segment, joined at corners.
+    /// The offset curve at a distance along the normal: the offset curves of the segments, joined at corners.
     ///
-    /// As [`Curve::offset`], whose words on cusps, tolerance and points hold here too; a segment that is a point is left
-    /// out. Where tangents differ at a joint `join` leads from one side to the other, on the inside of a corner too, where the
-    /// parallels cross: nothing is trimmed. Joints that are smooth need no join (the ends may differ by 1/64 of the tolerance). A
-    /// closed spline stays closed.
+    /// As [`Curve::offset`], including its treatment of cusps, tolerance and points; a segment that is a point is
+    /// skipped. Where the tangents differ at a joint, `join` connects both sides, also on the inner side of a corner,
+    /// where the offset curves cross: nothing is trimmed. A smooth joint needs no join (the ends may differ by 1/64 of
+    /// the tolerance). The offset curve of a closed spline is closed.
     ///
     /// # Errors
     /// As [`Curve::offset`].
@@ -52,7 +52,7 @@ impl Spline<DVec2> {
     }
 }
 
-/// The parallel of curves that follow each other.
+/// The offset curve of consecutive curves.
 pub(crate) fn offset_of_curves(
     curves: &[Curve<DVec2>],
     closed: bool,
@@ -92,7 +92,7 @@ pub(crate) fn offset_of_curves(
     }
     if closed {
         corner(&mut builder, moving[moving.len() - 1], moving[0]);
-        // The end is the start, which the list has once.
+        // The end equals the start, which the list contains only once.
         builder.points.pop();
         builder.closed = true;
     }
@@ -100,7 +100,7 @@ pub(crate) fn offset_of_curves(
 }
 
 impl SplineBuilder {
-    /// Leads from the parallel before a corner to the one after it.
+    /// Connects the offset curve before a corner to the one after it.
     fn join(
         &mut self,
         corner: DVec2,
@@ -123,7 +123,7 @@ impl SplineBuilder {
     }
 }
 
-/// The tangent at the start: toward the first control point that is not the start itself.
+/// The tangent at the start: the direction to the first control point that differs from the start.
 fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
     let points = curve.control_points();
     first_direction(points[0], points.iter())
@@ -134,7 +134,7 @@ fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
     -first_direction(points[points.len() - 1], points.iter().rev())
 }
 
-/// From a point toward the first of others that is not next to nothing away.
+/// The direction from a point to the first of other points that is not negligibly close to it.
 fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Clone) -> DVec2 {
     let step = |p: &DVec2| *p * 0.5 - from * 0.5;
     let far = others
@@ -147,5 +147,5 @@ fn first_direction<'a>(from: DVec2, others: impl Iterator<Item = &'a DVec2> + Cl
         .map_or(DVec2::ZERO, Point::normalize_or_zero)
 }
 
-/// A handle of this part of the curve's size has no direction.
+/// A handle shorter than this ratio of the curve's size has no direction.
 const NOTHING: f64 = 1e-13;

@@ -1,11 +1,11 @@
-//! Repairing joints around a moved point.
+//! Enforcing the joint modes around a moved point.
 //!
-//! The joints are repaired outwards, the nearest first, each once: the side
-//! that is nearer to the moved point is given, the handle on the far side follows, and for C2 the point behind it. A
-//! joint is only touched if something near it changed, and a point is only moved once; so two fronts run along the
-//! chain and end where nothing has changed. On cubic segments with aligned handles that is at the next joint; joints
-//! with equal second derivatives, and quadratic segments, pass on what happens to them. On a closed chain the fronts
-//! meet, and the joint between them may not be held.
+//! The joints are repaired outwards from the moved point, the nearest first, each once: the control points on the side
+//! nearer to the moved point are given, the handle on the far side follows, and for C2 the point after that handle. A
+//! joint is only repaired if a control point near it changed, and a point is moved only once; two fronts therefore run
+//! along the spline and end where nothing has changed. On cubic segments with aligned handles they end at the next
+//! joint; joints with equal second derivatives and quadratic segments propagate the change. On a closed spline the
+//! fronts meet, and the mode of the joint between them may not be satisfied.
 
 use super::Spline;
 use super::joint::JointMode;
@@ -13,24 +13,24 @@ use super::joint::{Sides, catmull_rom};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
-/// A spline on which points are being moved, each at most once.
+/// A spline whose points are being moved, each at most once.
 pub(crate) struct Edit<'a, P: Point, M> {
     spline: Spline<P>,
     mode: &'a M,
-    /// What each point has gone through.
+    /// The state of each control point.
     states: Vec<State>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
 enum State {
-    /// As it was, and free to follow.
+    /// Unchanged; the point may be moved.
     Free,
-    /// As it was, and something relies on it.
+    /// Unchanged; the point must not move, because a repaired joint depends on it.
     Kept,
     Changed,
 }
 
-/// The indices of the points around a joint, as in [`Sides`].
+/// The indices of the control points around a joint, as in [`Sides`].
 struct Around {
     near: [usize; 2],
     joint: usize,
@@ -50,7 +50,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         self.spline
     }
 
-    /// Moves a point that is free to follow; whether it is there now.
+    /// Moves a point unless it must not move; returns whether the point is at `to` now.
     pub(crate) fn set_point(&mut self, index: usize, to: P) -> bool {
         let target = &mut self.spline.points[index];
         let free = self.states[index] == State::Free;
@@ -65,7 +65,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
 
     fn around(&self, joint: usize, forward: bool) -> Around {
         let (index, count) = (self.spline.starts[joint], self.spline.points.len());
-        // Short lists are gone around more than once.
+        // The indices wrap around short lists more than once.
         let behind = [1, 2].map(|k| (index + 2 * count - k) % count);
         let ahead = [1, 2].map(|k| (index + k) % count);
         let (near, far) = if forward {
@@ -97,7 +97,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    /// Makes the far side of a joint follow the near one.
+    /// Enforces the mode of a joint by moving its far side.
     pub(crate) fn repair(&mut self, joint: usize, forward: bool) {
         let mode = (self.mode)(joint);
         match mode {
@@ -110,12 +110,12 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     fn follow(&mut self, joint: usize, forward: bool, mode: JointMode) {
         let around = self.around(joint, forward);
         let Around { near, far, .. } = around;
-        // A ring of two lines, or of one quadratic: one point cannot lie on both sides.
+        // On a closed spline of two lines or of one quadratic, the same point is on both sides.
         if near[0] == far[0] {
             return;
         }
         let mut sides = self.sides(&around, joint, forward);
-        // On a ring of one segment the second points may be the first ones of the other side.
+        // On a closed spline of one segment, the second points can be the first points of the other side.
         let apart = near[1] != far[0] && near[1] != far[1];
         let second = mode.is_second_order() && sides.are_cubic() && apart;
         let mode = if second { mode } else { mode.of_first_order() };
@@ -139,7 +139,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    /// Sets both handles of a joint by the joints beside it.
+    /// Sets both handles of an automatic joint from the neighbouring joints.
     fn automatic(&mut self, joint: usize) {
         let [before, here, after] = self.anchors(joint).map(|index| self.spline.points[index]);
         let steps = [here - before, after - here].map(|chord| chord.length().sqrt());
@@ -157,7 +157,8 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    /// The indices of the joint before, the joint, the joint after; ends of the chain are joints here.
+    /// The indices of the previous joint, the joint and the next joint; the ends of an open spline count as joints
+    /// here.
     fn anchors(&self, joint: usize) -> [usize; 3] {
         let starts = &self.spline.starts;
         let (left, right) = self.spline.beside(joint);
@@ -168,7 +169,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         ]
     }
 
-    /// Moves both handles of a dragged joint with it, and makes them what its mode asks.
+    /// Moves both handles of a dragged joint with it, then enforces its mode.
     pub(crate) fn drag(&mut self, joint: usize, from: P) {
         let mode = (self.mode)(joint);
         if mode == JointMode::Auto {
@@ -178,7 +179,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         let (left, right) = self.spline.beside(joint);
         let (near, far) = (around.near[0], around.far[0]);
         let to = self.spline.points[around.joint];
-        // A handle of length zero stays one.
+        // A handle of length zero keeps that length.
         let along = |handle: P| {
             if handle == from {
                 to
@@ -187,7 +188,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
             }
         };
         let handle = self.spline.points[far];
-        // On lines the neighbour is a joint itself and stays.
+        // On a line the neighbouring control point is a joint itself and is not moved.
         if self.spline.degree_of(left) > 1 {
             self.set_point(near, along(self.spline.points[near]));
         }
@@ -200,7 +201,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    /// Repairs the joints outwards from a control point: two fronts, the nearer joint first.
+    /// Repairs the joints outwards from a control point with two fronts, the nearer joint first.
     pub(crate) fn spread(&mut self, index: usize) {
         let count = self.spline.points.len();
         let starts = &self.spline.starts[..self.spline.segment_count()];
@@ -232,7 +233,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    /// This joint, if there is one, or the first of a closed chain.
+    /// This joint if it exists, otherwise the first joint of a closed spline.
     fn joint_from(&self, joint: usize) -> Option<usize> {
         let all = self.spline.joints();
         if all.contains(&joint) {
@@ -241,7 +242,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         self.spline.closed.then_some(0)
     }
 
-    /// The joint before this one, or the last of a closed chain.
+    /// The previous joint; for the first joint of a closed spline, the last one.
     fn joint_before(&self, joint: usize) -> Option<usize> {
         let all = self.spline.joints();
         if joint > all.start {
@@ -250,7 +251,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         self.spline.closed.then(|| all.end - 1)
     }
 
-    /// Whether something changed on which the near side of a joint depends.
+    /// Whether a control point has changed on which the near side of a joint depends.
     fn is_touched(&self, joint: usize, forward: bool) -> bool {
         let around = self.around(joint, forward);
         let changed = |index: usize| self.states[index] == State::Changed;
@@ -262,7 +263,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
             || mode == JointMode::Auto && changed(if forward { before } else { after })
     }
 
-    /// Moves the handles at the ends of an open chain with their automatic neighbours.
+    /// Sets the handles at the ends of an open spline whose neighbouring joints are automatic.
     pub(crate) fn ends(&mut self) {
         let segments = self.spline.segment_count();
         if self.spline.closed || segments < 2 {

@@ -1,4 +1,4 @@
-//! Which spline of fewer segments is close enough?
+//! Simplification: approximation of a spline by fewer segments.
 
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
@@ -9,33 +9,36 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use casteljau_kernels::WorkLimit;
 
-/// The polyline that stands for the spline takes this part of the tolerance.
+/// The ratio of the tolerance that is spent on the polyline that approximates the spline.
 const POLYLINE_SHARE: f64 = 1.0 / 32.0;
 
-/// Vertices of the polyline, for each segment: at 1/32 of a tolerance of 10⁻⁶ of its size a cubic needs about half of them.
+/// The maximum number of polyline vertices per segment: at 1/32 of a tolerance of 10⁻⁶ of its size, a cubic needs about
+/// half of them.
 const MAX_VERTICES_PER_SEGMENT: usize = 1 << 12;
 
-/// Pieces that are made of a segment of a higher degree where its polyline would have too many vertices.
+/// The maximum number of cubics that replace a segment of a higher degree whose polyline would have too many vertices.
 const MAX_CUBICS_PER_SEGMENT: usize = 1 << 12;
 
-/// Tangents that differ by more than this, as a distance of unit vectors (3°), make a corner.
+/// Tangents that differ by more than this, as the distance of unit vectors (3°), make a corner.
 const CORNER: f64 = 0.05;
 
 impl<P: Point> Spline<P> {
-    /// A spline of fewer cubics, each point of which lies within `tolerance` of this one, and the other way round.
+    /// A spline of fewer cubics such that each point of one spline lies within `tolerance` of the other one.
     ///
-    /// Corners (joints where the tangent turns by more than 3°) and ends stay where they are; other joints are smooth. The
-    /// spline is replaced by a polyline within 1/32 of the tolerance; along it each cubic has, vertex by vertex, a distance that is
-    /// checked, and chords that are no farther from it than what is left. Where that makes no fewer segments, and
-    /// none is above degree 3, the spline comes back as it is. So does one that is a point.
+    /// Corners (joints where the tangent turns by more than 3°) and ends are kept; the other joints are smooth. The
+    /// spline is replaced by a polyline within 1/32 of the tolerance. For each cubic the distance at each vertex is
+    /// checked, and the distance of the cubic from its chords between the feet of the vertices must be within the rest
+    /// of the tolerance. If the result does not have fewer segments and no segment is above degree 3, the spline is
+    /// returned unchanged. A spline that is a point is returned unchanged too.
     ///
-    /// The work grows a little faster than the number of the polyline's vertices. Where they would be more than 4096 for
-    /// each segment (tolerances below about 10⁻⁷ of a segment's size), no fewer segments are looked for: degrees up to 3
-    /// come back as they are, and higher ones as cubics with the same tangents.
+    /// The work grows slightly faster than the number of vertices of the polyline. If more than 4096 vertices per
+    /// segment were needed (tolerances below about 10⁻⁷ of the size of a segment), the number of segments is not
+    /// reduced: segments up to degree 3 are returned unchanged, segments of a higher degree as cubics with the same
+    /// tangents.
     ///
     /// # Errors
-    /// As [`flatten`](Self::flatten) for the tolerance; [`Error::TooMany`] where those cubics are more than 4096 for each
-    /// segment.
+    /// As [`flatten`](Self::flatten) for the tolerance; [`Error::TooMany`] if more than 4096 of those cubics per
+    /// segment are needed.
     pub fn simplify(&self, tolerance: f64) -> Result<Self, Error> {
         check_tolerance(tolerance, self.max_abs())?;
         let share = (POLYLINE_SHARE * tolerance).max(4.0 * ulp(self.max_abs()));
@@ -66,8 +69,9 @@ impl<P: Point> Spline<P> {
         Ok(assemble(&kept, scale, &cubics, self.closed))
     }
 
-    /// The vertices of a polyline, each once, the tangents before and after each, and the indices of corners and ends.
-    #[allow(clippy::type_complexity, reason = "three lists that go together")]
+    /// The distinct vertices of a polyline, the tangents before and after each vertex, and the indices of corners and
+    /// ends.
+    #[allow(clippy::type_complexity, reason = "three parallel lists")]
     fn vertices(&self, share: f64) -> Result<(Vec<P>, Vec<[P; 2]>, Vec<usize>), Error> {
         let mut kept: Vec<P> = Vec::new();
         let mut tangents: Vec<[P; 2]> = Vec::new();
@@ -96,13 +100,13 @@ impl<P: Point> Spline<P> {
 }
 
 impl<P: Point> Spline<P> {
-    /// The same spline with cubics in the place of segments of a higher degree: those are halved until a cubic with the
-    /// same ends and tangents is within the tolerance.
+    /// The spline with each segment of a higher degree replaced by cubics: it is halved until the cubic with the same
+    /// ends and tangents is within the tolerance.
     fn in_cubics(&self, tolerance: f64) -> Result<Self, Error> {
         let mut work = WorkLimit::new(MAX_CUBICS_PER_SEGMENT.saturating_mul(self.segment_count()));
         let mut cubics = Vec::new();
         for segment in self.segments() {
-            // The pieces that are left, the first one last.
+            // The remaining parts of the segment, the first one last.
             let mut rest = vec![segment];
             while let Some(piece) = rest.pop() {
                 if !work.spend(1) {
@@ -130,7 +134,7 @@ impl<P: Point> Spline<P> {
     }
 }
 
-/// The cubics between corners, each with the tangents of its own side.
+/// The fitted cubics from corner to corner; at a corner each cubic uses the tangent of its own side.
 fn covered<P: Point>(
     mut fit_samples: FitSamples<P>,
     tangents: &[[P; 2]],

@@ -1,7 +1,8 @@
-//! Where chains of curves meet: the pairs of curves that may meet, and what their places are on the chains.
+//! Intersections of sets of splines: finds the pairs of curves whose boxes overlap and maps their intersections to
+//! spline parameters.
 //!
-//! Over each list of curves stands a tree of boxes, in the order of the list: neighbours on a chain are neighbours in the
-//! plane. Both trees are walked down where boxes touch.
+//! Each list of curves has a tree of bounding boxes in list order, because neighbouring segments of a spline are close
+//! in the plane. Two trees are traversed together where boxes overlap.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -11,31 +12,31 @@ use casteljau_kernels::WorkLimit;
 use glam::DVec2;
 use std::borrow::Borrow;
 
-/// Boxes are widened by this part of their coordinates: curves that rounding keeps apart count as meeting.
+/// Boxes are enlarged by this ratio of their coordinates, so that curves separated only by rounding are compared.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The same joint, found on two curves, is this far apart on the other chain at most: a tangency of two curves is known to
-/// the root of rounding.
+/// Parameter distance within which intersections found on two curves at the same joint are merged: the parameter of a
+/// tangency is known only to the square root of the rounding error.
 const ONE_JOINT: f64 = 1e-7;
 
-/// Some chains in one list of curves.
+/// The segments of several splines in one list of curves.
 pub(crate) struct SplineSet {
     curves: Vec<Curve<DVec2>>,
-    /// For each curve the number of its chain and its own number there.
+    /// For each curve, the index of its spline and its segment index there.
     segment_keys: Vec<(usize, usize)>,
-    /// For each chain how many curves it has, and whether it is closed.
+    /// For each spline, its number of segments and whether it is closed.
     sizes: Vec<(usize, bool)>,
     boxes: Vec<[DVec2; 2]>,
 }
 
-/// A place that two chains share.
+/// An intersection of two splines.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SplineIntersection {
-    /// The number of the chain in the first list.
+    /// The index of the spline in the first list.
     pub(crate) a: usize,
-    /// The number of the chain in the second list.
+    /// The index of the spline in the second list.
     pub(crate) b: usize,
-    /// t on the one and u on the other chain.
+    /// The intersection, with t on spline `a` and u on spline `b`.
     pub(crate) at: Intersection,
 }
 
@@ -52,7 +53,7 @@ impl SplineSet {
         Self::with(curves, segment_keys, sizes)
     }
 
-    /// One curve as a chain.
+    /// A set with one curve, as a spline of one segment.
     pub(crate) fn of_curve(curve: &Curve<DVec2>) -> Self {
         Self::with(vec![curve.clone()], vec![(0, 0)], vec![(1, false)])
     }
@@ -83,7 +84,7 @@ impl SplineSet {
         }
     }
 
-    /// The parameter on the chain; the end of a closed one is its start.
+    /// The spline parameter of t on a curve; the end of a closed spline maps to its start.
     fn at(&self, curve: usize, t: f64) -> f64 {
         let (chain, k) = self.segment_keys[curve];
         self.start_at(chain, k as f64 + t)
@@ -94,15 +95,15 @@ impl SplineSet {
         if closed && t == count as f64 { 0.0 } else { t }
     }
 
-    /// The same, for the end of a shared piece, which may be the end of a closed chain.
+    /// The spline parameter of an end of an overlap; the end of a closed spline is not mapped to its start.
     fn end_at(&self, curve: usize, t: f64) -> f64 {
         self.segment_keys[curve].1 as f64 + t
     }
 
-    /// All places that chains of this list share with chains of another one: by chains, then by t, then by u.
+    /// All intersections of the splines of this set with those of another one, sorted by splines, then by t, then by u.
     pub(crate) fn intersections_with(&self, other: &Self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
-        // All pairs of boxes may meet, and then all are looked at.
+        // In the worst case all pairs of boxes overlap, and all pairs are compared.
         let mut work = WorkLimit::new(usize::MAX);
         self.walk(other, (1, 1), &mut work, &mut |i, j| {
             for intersection in self.curves[i].intersections(&other.curves[j]) {
@@ -135,7 +136,7 @@ impl SplineSet {
         }
     }
 
-    /// Calls for each pair of curves whose boxes meet. The work counts pairs of boxes.
+    /// Calls `act` for each pair of curves whose boxes overlap. The work counts pairs of boxes.
     fn walk(
         &self,
         other: &Self,
@@ -164,8 +165,8 @@ impl SplineSet {
         }
     }
 
-    /// The points that the chains of this list pass twice, each on its own or two of them; every pair once, its first
-    /// place before the second. What runs along itself is left out.
+    /// The self-intersections of the splines of this set and the intersections between them; every pair once, with its
+    /// smaller parameter first. Overlaps are omitted.
     pub(crate) fn intersections_within(&self) -> Vec<SplineIntersection> {
         let mut found = Vec::new();
         let mut work = WorkLimit::new(usize::MAX);
@@ -200,7 +201,7 @@ impl SplineSet {
         joined(found, self, self)
     }
 
-    /// Whether two parameters on a chain are one joint.
+    /// Whether two parameters of a spline denote the same joint.
     fn one_joint(&self, chain: usize, t: f64, u: f64) -> bool {
         let (count, closed) = self.sizes[chain];
         let around = if closed { count as f64 } else { f64::INFINITY };
@@ -209,7 +210,8 @@ impl SplineSet {
     }
 }
 
-/// In order; shared pieces that continue across joints made one, and what was found on both sides of a joint once.
+/// Sorts the intersections, merges overlaps that continue across joints, and removes duplicates found on both sides of
+/// a joint.
 fn joined(
     mut found: Vec<SplineIntersection>,
     a: &SplineSet,
@@ -270,7 +272,7 @@ fn joined(
     all
 }
 
-/// The parameters of the end of a shared piece, or of a point.
+/// The parameters of the end of an overlap; for an isolated intersection, its parameters.
 fn end_of(intersection_of: &SplineIntersection) -> (f64, f64) {
     match intersection_of.at.kind {
         IntersectionKind::Overlap { t_end, u_end } => (t_end, u_end),
@@ -278,7 +280,7 @@ fn end_of(intersection_of: &SplineIntersection) -> (f64, f64) {
     }
 }
 
-/// Shared pieces, sorted by t, that go on where another one ends, in the same direction, become one.
+/// Merges overlaps, sorted by t, that continue where another one ends in the same direction.
 fn joined_pieces(pieces: Vec<SplineIntersection>) -> Vec<SplineIntersection> {
     let mut all: Vec<SplineIntersection> = Vec::new();
     for piece in pieces {

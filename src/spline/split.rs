@@ -1,4 +1,4 @@
-//! Splitting a spline, and parts of it.
+//! Splitting splines, and subsegments.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -7,10 +7,10 @@ use crate::geometry::point::Point;
 impl<P: Point> Spline<P> {
     /// The two parts before and after t, as open splines.
     ///
-    /// The segment of t is split by [`Curve::split`]; all other control points stay as they are. At a joint no segment is
-    /// split. At the start and at the end one part is a single segment that is a point. A closed spline is divided at its
-    /// start as well: the first part begins there, the second ends there. t outside of 0 to the number of segments
-    /// extrapolates the first or the last segment, as [`eval`](Self::eval) does.
+    /// The segment that contains t is split by [`Curve::split`]; all other control points are unchanged. At a joint no
+    /// segment is split. At the start and at the end one part is a single segment that is a point. A closed spline is
+    /// also divided at its start: the first part begins there, the second part ends there. t outside 0 to the number of
+    /// segments extrapolates the first or the last segment, as [`eval`](Self::eval) does.
     ///
     /// ```
     /// use casteljau::{Spline, glam::DVec2};
@@ -38,11 +38,11 @@ impl<P: Point> Spline<P> {
         )
     }
 
-    /// The part from t₀ to t₁, as an open spline; t₀ > t₁ gives it backwards.
+    /// The part from t₀ to t₁, as an open spline; t₀ > t₁ reverses it.
     ///
-    /// Its ends are the points of [`eval`](Self::eval) at t₀ and t₁; segments that lie between come back with the same
-    /// control points. With t₀ = t₁ the part is a point. Values outside of 0 to the number of segments extrapolate the
-    /// first and the last segment; a part does not run across the start of a closed spline.
+    /// Its ends are the points of [`eval`](Self::eval) at t₀ and t₁; whole segments between them keep their control
+    /// points. With t₀ = t₁ the part is a point. Values outside 0 to the number of segments extrapolate the first and
+    /// the last segment; a part does not cross the start of a closed spline.
     #[must_use]
     pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
         if t0 > t1 {
@@ -68,11 +68,11 @@ impl<P: Point> Spline<P> {
         Self::from_joined([start].into_iter().chain(between).chain([end]))
     }
 
-    /// An open spline of curves each of which starts where the one before it ends.
+    /// An open spline of curves, each of which starts at the end of the previous one.
     fn from_joined(curves: impl Iterator<Item = Curve<P>>) -> Self {
         let (mut points, mut degrees) = (Vec::new(), Vec::new());
         for curve in curves {
-            points.pop(); // the joint comes with the next curve
+            points.pop(); // the next curve contains the joint
             points.extend_from_slice(curve.control_points());
             degrees.push(curve.degree());
         }

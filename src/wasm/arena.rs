@@ -1,7 +1,7 @@
-//! The arena: one block of f64 in wasm memory through which all numbers pass both ways.
+//! The arena: one block of f64 in wasm memory that holds the arguments and the results of all calls.
 //!
 //! JavaScript writes the arguments at its start, calls, and reads the result from its start. Small calls allocate
-//! nothing; a bulk result makes the arena longer, and JavaScript then asks for its address again.
+//! nothing; a large result makes the arena grow, after which JavaScript asks for its address again.
 
 use super::single_thread_cell::SingleThreadCell;
 use crate::geometry::error::{Error, Part};
@@ -9,29 +9,30 @@ use crate::geometry::point::Point;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Enough for the scaffold of a curve of degree 64 in 3D (65·66/2 points), the largest result of a small call.
+/// Enough for all levels of de Casteljau's algorithm at degree 64 in 3D (65·66/2 points), the largest result of a small
+/// call.
 const MIN_LENGTH: usize = 8192;
 
 static ARENA: SingleThreadCell<Arena> = SingleThreadCell::new(Arena(Vec::new()));
 
-/// The block, with the encodings of what lies in it.
+/// The block, with methods that decode arguments and encode results.
 pub(crate) struct Arena(Vec<f64>);
 
-/// Runs `f` on the arena.
+/// Calls `f` with the arena.
 #[inline]
 pub(crate) fn with<R>(f: impl FnOnce(&mut Arena) -> R) -> R {
     ARENA.with(f)
 }
 
-/// Runs `f` on the arena and returns its count; see [`encode_result`].
+/// Calls `f` with the arena and returns its count; see [`encode_result`].
 #[inline]
 pub(crate) fn answer(f: impl FnOnce(&mut Arena) -> Result<usize, Error>) -> isize {
     encode_result(with(f))
 }
 
-/// A count for JavaScript; a refusal leaves its message in the arena and is −1.
+/// The return value of an export: a count, or −1 for an error, whose message is left in the arena.
 ///
-/// Not a `Result` of the bindings: their code for values that may be thrown would stand in every function.
+/// Exports do not return a `Result`, because wasm-bindgen would add code for thrown values to every function.
 pub(crate) fn encode_result(result: Result<usize, Error>) -> isize {
     match result {
         Ok(count) => count.cast_signed(),
@@ -57,7 +58,7 @@ pub fn arena_length() -> usize {
     with(|arena| arena.0.len())
 }
 
-/// Gives the memory of a large result back.
+/// Frees the memory of a large result.
 #[wasm_bindgen]
 pub fn arena_trim() {
     with(|arena| {
@@ -73,22 +74,22 @@ impl Arena {
         }
     }
 
-    /// `count` points from number `at` on.
+    /// `count` points, starting at number `at`.
     #[inline]
     pub(crate) fn points<P: Point>(&self, at: usize, count: usize) -> &[P] {
         bytemuck::cast_slice(self.numbers(at, count * P::DIMENSION))
     }
 
-    /// `count` numbers from number `at` on.
+    /// `count` numbers, starting at number `at`.
     #[inline]
     pub(crate) fn numbers(&self, at: usize, count: usize) -> &[f64] {
         &self.0[at..at + count]
     }
 
-    /// The same as points of space; points of the plane lie at z = 0.
+    /// The points as 3D points; plane points get z = 0.
     ///
-    /// What means the same in both (splitting, derivatives, joints …) is done in space for both, which halves the
-    /// code in the module. Zeros change no result.
+    /// Operations that work alike in both dimensions (splitting, derivatives, joints …) are done in 3D for both, which
+    /// halves the code in the module. The zeros do not change any result.
     pub(crate) fn points_in_space<L: FromIterator<DVec3>>(
         &self,
         at: usize,
@@ -100,13 +101,13 @@ impl Arena {
             .collect()
     }
 
-    /// One point of space.
+    /// One point as a 3D point.
     pub(crate) fn point_in_space(&self, at: usize, dimension: usize) -> DVec3 {
         let p = self.numbers(at, dimension);
         DVec3::new(p[0], p[1], p.get(2).copied().unwrap_or(0.0))
     }
 
-    /// Writes points of space, in `dimension` numbers each, from number `at` on and returns where they end.
+    /// Writes 3D points, with `dimension` numbers each, starting at number `at`; returns the end.
     pub(crate) fn write_from_space(
         &mut self,
         at: usize,
@@ -116,7 +117,7 @@ impl Arena {
         let end = at + points.len() * dimension;
         self.grow(end);
         for (reserve, point) in self.0[at..end].chunks_exact_mut(dimension).zip(points) {
-            // Written out: a copy of a length that is not known is a call.
+            // Assignments instead of a copy, because a copy of unknown length is a function call.
             (reserve[0], reserve[1]) = (point.x, point.y);
             if let Some(z) = reserve.get_mut(2) {
                 *z = point.z;
@@ -130,20 +131,20 @@ impl Arena {
         self.0[at]
     }
 
-    /// A count or an index, written as a number.
+    /// A count or an index, stored as a number.
     #[allow(
         clippy::cast_possible_truncation,
-        reason = "JavaScript has checked that it is a count"
+        reason = "JavaScript checks that it is a count"
     )]
     #[allow(
         clippy::cast_sign_loss,
-        reason = "JavaScript has checked that it is a count"
+        reason = "JavaScript checks that it is a count"
     )]
     pub(crate) fn count(&self, at: usize) -> usize {
         self.0[at] as usize
     }
 
-    /// Indices, written as numbers.
+    /// Indices, stored as numbers.
     pub(crate) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
         casteljau_kernels::whole_numbers(self.numbers(at, count))
     }
@@ -154,13 +155,13 @@ impl Arena {
         self.0[..P::DIMENSION].copy_from_slice(bytemuck::cast_slice(&[point]));
     }
 
-    /// Writes points from number `at` on and returns where they end.
+    /// Writes points, starting at number `at`; returns the end.
     #[inline]
     pub(crate) fn write<P: Point>(&mut self, at: usize, points: &[P]) -> usize {
         self.write_numbers(at, bytemuck::cast_slice(points))
     }
 
-    /// Writes numbers from number `at` on and returns where they end.
+    /// Writes numbers, starting at number `at`; returns the end.
     #[inline]
     pub(crate) fn write_numbers(&mut self, at: usize, numbers: &[f64]) -> usize {
         let end = at + numbers.len();
@@ -169,13 +170,13 @@ impl Arena {
         end
     }
 
-    /// Writes counts from number `at` on and returns where they end.
+    /// Writes counts, starting at number `at`; returns the end.
     pub(crate) fn write_counts(&mut self, at: usize, counts: impl Iterator<Item = usize>) -> usize {
         let numbers: Vec<f64> = counts.map(|count| count as f64).collect();
         self.write_numbers(at, &numbers)
     }
 
-    /// Leaves the pieces of a message: address and length of words, or a number and −1. JavaScript joins them.
+    /// Writes the parts of a message: address and length of a text, or a number and −1. JavaScript joins them.
     #[inline(never)]
     fn write_message(&mut self, error: &Error) {
         let mut at = 0;
@@ -188,14 +189,14 @@ impl Arena {
         }
     }
 
-    /// The first `length` numbers and as many behind them, which are equal.
+    /// Two output slices of equal length: the first `length` numbers of the arena, and a copy of them.
     pub(crate) fn two_outputs(&mut self, length: usize) -> (&mut [f64], &mut [f64]) {
         self.grow(2 * length);
         self.0.copy_within(..length, length);
         self.0[..2 * length].split_at_mut(length)
     }
 
-    /// A place for `count` points at the start, to be written in place.
+    /// Space for `count` points at the start, to be written in place.
     pub(crate) fn reserve<P: Point>(&mut self, count: usize) -> &mut [P] {
         self.grow(count * P::DIMENSION);
         bytemuck::cast_slice_mut(&mut self.0[..count * P::DIMENSION])

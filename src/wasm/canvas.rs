@@ -1,12 +1,12 @@
-//! An HTML canvas as a sink of path commands.
+//! HTML canvas contexts and `Path2D` objects as path sinks.
 
 use crate::curve::trace::PathSink;
 use glam::DVec2;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CanvasRenderingContext2d, Path2d};
 
-/// Draws on what JavaScript passed: a `Path2D`, or a 2D context of a canvas or an offscreen canvas (the methods are
-/// looked up by name, so anything with the methods of a context will do).
+/// Draws on the object that JavaScript passed: a `Path2D`, or a 2D context of a canvas or an offscreen canvas. Methods
+/// are looked up by name, so any object with the methods of a context works.
 pub(crate) enum CanvasSink<'a> {
     Path(&'a Path2d),
     Context(&'a CanvasRenderingContext2d),

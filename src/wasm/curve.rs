@@ -1,4 +1,4 @@
-//! Bindings of curves. In: `count` control points at the start of the arena, further arguments behind them.
+//! Bindings of curves. Arguments: `count` control points at the start of the arena, followed by further arguments.
 
 use super::arena;
 use super::arena::Arena;
@@ -17,7 +17,7 @@ fn curve<P: Point>(arena: &Arena, count: usize) -> Curve<P> {
     Curve::from_slice(arena.points(0, count))
 }
 
-/// See [`Arena::points_in_space`].
+/// Decodes a curve as 3D; see [`Arena::points_in_space`].
 fn curve_in_space(arena: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
     Curve::from_points(arena.points_in_space(0, count, dimension))
 }
@@ -28,7 +28,7 @@ fn write_curves(arena: &mut Arena, dimension: usize, curves: &[&Curve<DVec3>]) -
     })
 }
 
-/// Leaves the point at t.
+/// Writes the point at t.
 #[wasm_bindgen]
 pub fn curve_eval(dimension: usize, count: usize, t: f64) {
     arena::with(
@@ -36,14 +36,14 @@ pub fn curve_eval(dimension: usize, count: usize, t: f64) {
     );
 }
 
-/// One coordinate at t of a cubic with these coordinates: no arena, for the call that is made most. Exported without
-/// `wasm_bindgen`, whose wrapper, compiled for size, would take longer than the formula.
+/// One coordinate at t of a cubic with the given control values. The most frequent call; it does not use the arena, and
+/// it is exported without `wasm_bindgen`, whose wrapper, compiled for size, would take longer than the formula.
 #[unsafe(no_mangle)]
 pub extern "C" fn cubic_eval(a: f64, b: f64, c: f64, d: f64, t: f64) -> f64 {
     cubic_scalar([a, b, c, d], t)
 }
 
-/// Leaves `segments` + 1 points; their number of f64.
+/// Writes `segments` + 1 points; returns the number of f64.
 #[wasm_bindgen]
 pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
@@ -53,7 +53,7 @@ pub fn curve_sample(dimension: usize, count: usize, segments: usize) -> isize {
     })
 }
 
-/// In: `number` parameters behind the points. Leaves their points.
+/// Arguments: `number` parameters after the points. Writes the points at the parameters.
 #[wasm_bindgen]
 pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     arena::with(|a| {
@@ -63,7 +63,7 @@ pub fn curve_eval_at(dimension: usize, count: usize, number: usize) -> usize {
     })
 }
 
-/// Leaves the control points of the derivative.
+/// Writes the control points of the derivative.
 #[wasm_bindgen]
 pub fn curve_derivative(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
@@ -72,19 +72,19 @@ pub fn curve_derivative(dimension: usize, count: usize) -> usize {
     })
 }
 
-/// Leaves the k-th derivative at t.
+/// Writes the k-th derivative at t.
 #[wasm_bindgen]
 pub fn curve_derivative_at(dimension: usize, count: usize, t: f64, k: usize) {
     arena::with(|a| a.write_point(curve_in_space(a, dimension, count).derivative_at(t, k)));
 }
 
-/// Leaves the unit tangent at t.
+/// Writes the unit tangent at t.
 #[wasm_bindgen]
 pub fn curve_tangent(dimension: usize, count: usize, t: f64) {
     arena::with(|a| a.write_point(curve_in_space(a, dimension, count).tangent(t)));
 }
 
-/// Leaves the unit normal at t.
+/// Writes the unit normal at t.
 #[wasm_bindgen]
 pub fn curve_normal(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
@@ -98,7 +98,7 @@ pub fn curve_normal(dimension: usize, count: usize, t: f64) {
     });
 }
 
-/// The curvature at t; in the plane with its sign.
+/// The curvature at t; signed in the plane.
 #[wasm_bindgen]
 pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
     arena::with(|a| {
@@ -112,7 +112,7 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
     })
 }
 
-/// Leaves the control points of both pieces.
+/// Writes the control points of both parts.
 #[wasm_bindgen]
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
@@ -121,7 +121,7 @@ pub fn curve_split(dimension: usize, count: usize, t: f64) {
     });
 }
 
-/// Leaves the control points of the piece.
+/// Writes the control points of the subsegment.
 #[wasm_bindgen]
 pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     arena::with(|a| {
@@ -130,7 +130,7 @@ pub fn curve_subsegment(dimension: usize, count: usize, t0: f64, t1: f64) {
     });
 }
 
-/// Leaves the control points of the elevated curve.
+/// Writes the control points of the elevated curve.
 #[wasm_bindgen]
 pub fn curve_elevate(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
@@ -139,7 +139,7 @@ pub fn curve_elevate(dimension: usize, count: usize) -> isize {
     })
 }
 
-/// Leaves all levels of de Casteljau's triangle, one after the other.
+/// Writes all levels of de Casteljau's algorithm, one after the other.
 #[wasm_bindgen]
 pub fn curve_de_casteljau(dimension: usize, count: usize, t: f64) -> usize {
     arena::with(|a| {
@@ -150,13 +150,13 @@ pub fn curve_de_casteljau(dimension: usize, count: usize, t: f64) -> usize {
     })
 }
 
-/// Leaves the Bernstein weights.
+/// Writes the Bernstein weights.
 #[wasm_bindgen]
 pub fn bernstein_weights(degree: usize, t: f64) -> isize {
     arena::answer(|a| Ok(a.write_numbers(0, &bernstein(degree, t)?)))
 }
 
-/// Leaves the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
+/// Writes the matrix of a basis: 0 Bézier, 1 Hermite, 2 B-spline, 3 Catmull-Rom.
 #[wasm_bindgen]
 pub fn basis_matrix(kind: usize) -> usize {
     let basis = [
@@ -174,7 +174,7 @@ fn matrix_behind(a: &Arena, dimension: usize, count: usize) -> Basis {
     Basis::Matrix(matrix)
 }
 
-/// In: four geometry points and a basis matrix. Leaves the control points.
+/// Arguments: four geometry points and a basis matrix. Writes the control points.
 #[wasm_bindgen]
 pub fn curve_from_basis(dimension: usize) -> isize {
     arena::answer(|a| {
@@ -184,7 +184,7 @@ pub fn curve_from_basis(dimension: usize) -> isize {
     })
 }
 
-/// In: a basis matrix behind the control points. Leaves the four geometry points.
+/// Arguments: a basis matrix after the control points. Writes the four geometry points.
 #[wasm_bindgen]
 pub fn curve_to_basis(dimension: usize, count: usize) -> isize {
     arena::answer(|a| {
@@ -194,7 +194,7 @@ pub fn curve_to_basis(dimension: usize, count: usize) -> isize {
     })
 }
 
-/// Leaves the points and then the parameters of a polyline; the number of its vertices.
+/// Writes the points, then the parameters of a polyline; returns the number of vertices.
 #[wasm_bindgen]
 pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -205,8 +205,8 @@ pub fn curve_flatten(dimension: usize, count: usize, tolerance: f64) -> isize {
     })
 }
 
-/// Leaves the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
-/// halved (else 0), control points; their number of f64.
+/// Writes the tree of halvings in preorder: t0, t1, D1, D2, the bound on the deviation, 1 if
+/// halved (else 0), control points; returns the number of f64.
 #[wasm_bindgen]
 pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> isize {
     fn write(a: &mut Arena, dimension: usize, at: usize, node: &Subdivision<DVec3>) -> usize {
@@ -232,7 +232,7 @@ pub fn curve_subdivide(dimension: usize, count: usize, tolerance: f64) -> isize 
     })
 }
 
-/// Leaves the least and the greatest corner, of the curve or of its control points.
+/// Writes the minimum and the maximum corner of the box of the curve or of its control points.
 #[wasm_bindgen]
 pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
     arena::with(|a| {
@@ -246,7 +246,7 @@ pub fn curve_bounds(dimension: usize, count: usize, exact: bool) {
     });
 }
 
-/// Leaves the corners of the convex hull.
+/// Writes the corners of the convex hull.
 #[wasm_bindgen]
 pub fn curve_hull(count: usize) -> usize {
     arena::with(|a| {
@@ -255,7 +255,7 @@ pub fn curve_hull(count: usize) -> usize {
     })
 }
 
-/// In: an affine map behind any number of points, as four columns of 3 numbers. Leaves the images.
+/// Arguments: an affine map after any number of points, as four columns of 3 numbers. Writes the images of the points.
 #[wasm_bindgen]
 pub fn points_transform(dimension: usize, count: usize) {
     arena::with(|a| {

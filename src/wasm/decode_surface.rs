@@ -1,4 +1,4 @@
-//! Patches and surfaces from the arena.
+//! Decoding patches and surfaces from the arena.
 
 use super::arena::Arena;
 use crate::geometry::error::Error;
@@ -10,7 +10,7 @@ pub(crate) fn patch(a: &Arena, degree_u: usize, degree_v: usize) -> Patch {
     Patch::from_checked(a.points(0, (degree_u + 1) * (degree_v + 1)), degree_u)
 }
 
-/// The surface at the start of the arena, and where it ends.
+/// The surface at the start of the arena, and the index where it ends.
 pub(crate) fn surface(a: &Arena) -> Result<(Surface, usize), Error> {
     let [vertices, patches, joined] = [0, 1, 2].map(|k| a.count(k));
     let degrees: Vec<[usize; 2]> = (0..patches)

@@ -1,5 +1,5 @@
-//! Bindings of intersections, all in the plane. In: both curves or both splines, one after the other. Out: for each place
-//! t, u, x, y, the code of its kind (0 cross, 1 tangent, 2 overlap), and t and u of its end.
+//! Bindings of intersections in the plane. Arguments: both curves or both splines, one after the other. Results: for
+//! each intersection t, u, x, y, the code of its kind (0 cross, 1 tangent, 2 overlap), and t and u of its end.
 
 use super::arena;
 use super::arena::Arena;
@@ -14,7 +14,7 @@ fn curve(a: &Arena, at: usize, count: usize) -> Curve<DVec2> {
     Curve::from_slice(a.points(at, count))
 }
 
-/// The spline at a place of the arena, and where it ends.
+/// The spline at index `at` of the arena, and the index where it ends.
 fn spline(a: &Arena, at: usize) -> (Spline<DVec2>, usize) {
     let (spline, end) = spline_at(a, at, 2);
     let points = spline
@@ -34,7 +34,7 @@ fn write(a: &mut Arena, found: &[Intersection]) -> usize {
     })
 }
 
-/// Writes one place and returns where it ends.
+/// Writes one intersection; returns the index where it ends.
 pub(crate) fn write_intersection(a: &mut Arena, at: usize, intersection: Intersection) -> usize {
     let Intersection { t, u, point, kind } = intersection;
     let (code, t_end, u_end) = match kind {
@@ -55,7 +55,7 @@ fn write_selves(a: &mut Arena, found: &[SelfIntersection]) -> usize {
     write(a, &found)
 }
 
-/// Leaves the places that two curves share.
+/// Writes the intersections of two curves.
 #[wasm_bindgen]
 pub fn curve_intersect(count: usize, other_count: usize) -> usize {
     arena::with(|a| {
@@ -65,7 +65,7 @@ pub fn curve_intersect(count: usize, other_count: usize) -> usize {
     })
 }
 
-/// Leaves the points that a curve passes twice.
+/// Writes the self-intersections of a curve.
 #[wasm_bindgen]
 pub fn curve_self_intersections(count: usize) -> usize {
     arena::with(|a| {
@@ -74,7 +74,7 @@ pub fn curve_self_intersections(count: usize) -> usize {
     })
 }
 
-/// Leaves the places that two splines share.
+/// Writes the intersections of two splines.
 #[wasm_bindgen]
 pub fn spline_intersect() -> usize {
     arena::with(|a| {
@@ -84,7 +84,7 @@ pub fn spline_intersect() -> usize {
     })
 }
 
-/// Leaves the points that a spline passes twice.
+/// Writes the self-intersections of a spline.
 #[wasm_bindgen]
 pub fn spline_self_intersections() -> usize {
     arena::with(|a| {

@@ -1,4 +1,4 @@
-//! Bindings of surfaces as lines, as bodies of lines, and as the flat pieces of the tutorials.
+//! Bindings of isocurves, wireframe meshes, and the subdivision of surfaces into flat parts for the tutorials.
 
 use super::arena;
 use super::decode_surface::surface;
@@ -6,7 +6,7 @@ use super::mesh::keep_mesh;
 use crate::mesh::wire::{Wire, WireframeOptions};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Leaves for each isocurve the number of its control points, and these.
+/// Writes for each isocurve the number of its control points, then the points.
 #[wasm_bindgen]
 pub fn surface_isocurves(lines: usize) -> isize {
     arena::answer(|a| {
@@ -19,7 +19,7 @@ pub fn surface_isocurves(lines: usize) -> isize {
     })
 }
 
-/// Makes the mesh of all lines: tubes of `size` as the radius, or, without sides, ribbons of that width; 0.
+/// Makes the mesh of all isocurves: tubes with radius `size`, or, if `sides` is 0, ribbons of that width. Returns 0.
 #[wasm_bindgen]
 pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
     arena::answer(|a| {
@@ -36,7 +36,7 @@ pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
     })
 }
 
-/// Leaves for each piece the number of its patch, u0, u1, v0, v1 and its four corners.
+/// Writes for each part the index of its patch, u0, u1, v0, v1 and its four corners.
 #[wasm_bindgen]
 pub fn surface_subdivide(tolerance: f64) -> isize {
     arena::answer(|a| {

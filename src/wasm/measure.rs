@@ -1,5 +1,5 @@
-//! Bindings of lengths, even steps, areas, torsion and frames. Curves and splines lie in the arena as in `curve` and
-//! `spline`.
+//! Bindings of arc length, equidistant parameters, area, torsion and frames. Curves and splines are stored in the arena
+//! as in `curve` and `spline`.
 
 use super::arena;
 use super::arena::Arena;
@@ -15,14 +15,14 @@ fn curve(a: &Arena, dimension: usize, count: usize) -> Curve<DVec3> {
     Curve::from_points(a.points_in_space(0, count, dimension))
 }
 
-/// The length of a plane cubic: no arena, for the call that is made most.
+/// The length of a plane cubic. The most frequent call; it does not use the arena.
 #[wasm_bindgen]
 #[allow(clippy::too_many_arguments, reason = "the coordinates of four points")]
 pub fn cubic_length(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64, dx: f64, dy: f64) -> f64 {
     casteljau_kernels::plane_cubic_length(&[[ax, ay], [bx, by], [cx, cy], [dx, dy]])
 }
 
-/// Leaves a number.
+/// Writes the number that `f` returns.
 fn number(f: impl FnOnce(&mut Arena) -> Result<f64, Error>) -> isize {
     arena::answer(|a| {
         let number = f(a)?;
@@ -30,19 +30,19 @@ fn number(f: impl FnOnce(&mut Arena) -> Result<f64, Error>) -> isize {
     })
 }
 
-/// Leaves the length; a tolerance of 0 stands for none.
+/// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn curve_length(dimension: usize, count: usize, tolerance: f64) -> isize {
     number(|a| curve(a, dimension, count).length(optional(tolerance)))
 }
 
-/// Leaves the t of a length.
+/// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn curve_time_at_length(dimension: usize, count: usize, s: f64, tolerance: f64) -> isize {
     number(|a| curve(a, dimension, count).time_at_length(s, optional(tolerance)))
 }
 
-/// Leaves `segments` + 1 parameters.
+/// Writes `segments` + 1 parameters.
 #[wasm_bindgen]
 pub fn curve_equidistant_times(dimension: usize, count: usize, segments: usize) -> isize {
     arena::answer(|a| {
@@ -57,13 +57,13 @@ pub fn curve_area(count: usize) -> f64 {
     arena::with(|a| curve(a, 2, count).swept_area())
 }
 
-/// Leaves the length; a tolerance of 0 stands for none.
+/// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
     number(|a| spline(a, dimension).0.length(optional(tolerance)))
 }
 
-/// Leaves the t of a length.
+/// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize {
     number(|a| {
@@ -73,7 +73,7 @@ pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize 
     })
 }
 
-/// Leaves `segments` + 1 parameters.
+/// Writes `segments` + 1 parameters.
 #[wasm_bindgen]
 pub fn spline_equidistant_times(dimension: usize, segments: usize) -> isize {
     arena::answer(|a| {
@@ -82,20 +82,20 @@ pub fn spline_equidistant_times(dimension: usize, segments: usize) -> isize {
     })
 }
 
-/// The area that a plane spline sweeps, or encloses.
+/// The area that a plane spline sweeps; for a closed spline, the enclosed area.
 #[wasm_bindgen]
 pub fn spline_area() -> f64 {
     arena::with(|a| spline(a, 2).0.swept_area())
 }
 
-/// The torsion at t of a curve in space.
+/// The torsion at t of a 3D curve.
 #[wasm_bindgen]
 pub fn curve_torsion(count: usize, t: f64) -> f64 {
     arena::with(|a| curve(a, 3, count).torsion(t))
 }
 
-/// In: `number` parameters behind the points of a curve in space, then, if `wanted`, a first normal. Leaves points, tangents,
-/// normals and binormals, one kind after the other; the number of frames.
+/// Arguments: `number` parameters after the points of a 3D curve, then, if `wanted`, a first normal. Writes all points,
+/// then all tangents, normals and binormals; returns the number of frames.
 #[wasm_bindgen]
 pub fn curve_frames(count: usize, number: usize, wanted: bool) -> isize {
     arena::answer(|a| {
@@ -105,7 +105,7 @@ pub fn curve_frames(count: usize, number: usize, wanted: bool) -> isize {
     })
 }
 
-/// The same for a spline.
+/// `curve_frames` for a spline.
 #[wasm_bindgen]
 pub fn spline_frames(number: usize, wanted: bool) -> isize {
     arena::answer(|a| {

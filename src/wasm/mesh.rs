@@ -1,4 +1,4 @@
-//! Bindings of meshes: making them without cracks, and copying their buffers.
+//! Bindings of meshes: crack-free tessellation, grids, and copying of mesh buffers.
 
 use super::arena;
 use super::arena::Arena;
@@ -18,7 +18,7 @@ use std::ops::Range;
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// The last mesh, whose buffers the next one reuses.
+/// The last mesh; the next one reuses its buffers.
 static MESH: SingleThreadCell<Mesh> = SingleThreadCell::new(Mesh {
     positions: Vec::new(),
     normals: Vec::new(),
@@ -29,20 +29,21 @@ static MESH: SingleThreadCell<Mesh> = SingleThreadCell::new(Mesh {
     patch_ranges: Vec::new(),
 });
 
-/// The grid that is being made, part by part.
+/// The grid that is being built part by part.
 static GRID: SingleThreadCell<Option<(Surface, GridMeshBuilder)>> = SingleThreadCell::new(None);
 
-/// Which part of a grid the last mesh is, if it is one.
+/// The layout of the last mesh if it is a part of a grid.
 static LAYOUT: SingleThreadCell<Option<Layout>> = SingleThreadCell::new(None);
 
-/// All that the layout of a part depends on: which patches, the grid, whether there are quads and indices have 32 bits.
+/// Everything that the layout of a part depends on: the patches, the grid, whether there are quads, and whether indices
+/// have 32 bits.
 type Layout = (Range<usize>, Grid, bool, bool);
 
-/// Its positions and normals, where they are f64.
+/// The positions and normals of the last mesh in f64, if requested.
 static PRECISE: SingleThreadCell<[Vec<f64>; 2]> = SingleThreadCell::new([Vec::new(), Vec::new()]);
 
-/// Makes a mesh without cracks; 0. `kind` 0: `a` × `b` segments; 1: within the tolerance `a`; 2: within `a` pixels, with
-/// the matrix (in columns), width and height behind the surface. `weld`: 0 position, 1 normal, 2 none.
+/// Makes a mesh without cracks; returns 0. `kind` 0: `a` × `b` segments; 1: within the tolerance `a`; 2: within `a`
+/// pixels, with the matrix (column-major), width and height after the surface. `weld`: 0 position, 1 normal, 2 none.
 #[wasm_bindgen]
 pub fn surface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -> isize {
     arena::answer(|arena| {
@@ -52,7 +53,7 @@ pub fn surface_tessellate(kind: u32, a: f64, b: f64, weld: u32, precise: bool) -
     })
 }
 
-/// As `surface_tessellate`, of a patch.
+/// As `surface_tessellate`, for a patch.
 #[wasm_bindgen]
 pub fn patch_tessellate(
     degree_u: usize,
@@ -71,7 +72,7 @@ pub fn patch_tessellate(
     })
 }
 
-/// Prepares a grid, to be made by `grid_part`; 0.
+/// Prepares a grid, whose parts `grid_part` makes; returns 0.
 pub(crate) fn begin_grid(
     surface: Surface,
     grid: Grid,
@@ -88,8 +89,8 @@ pub(crate) fn begin_grid(
     Ok(0)
 }
 
-/// Makes the part of the grid that starts with a patch, to be copied; the number of its patches. What depends on counts
-/// only stays, if the last mesh was such a part. After the last patch the grid is forgotten.
+/// Makes the part of the grid that starts with patch `first`, to be copied; returns the number of its patches. Buffers
+/// that depend only on counts are kept if the last mesh was a part with the same layout. The last part frees the grid.
 #[wasm_bindgen]
 pub fn grid_part(first: usize) -> usize {
     let Some((surface, mut builder)) = GRID.with(Option::take) else {
@@ -110,7 +111,7 @@ const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "JavaScript has checked that they are counts"
+    reason = "JavaScript checks that they are counts"
 )]
 fn options(
     arena: &Arena,
@@ -134,7 +135,7 @@ fn options(
     TessellationOptions::from(detail).weld(WELDS[weld as usize % 3])
 }
 
-/// Keeps a mesh to be copied; positions and normals in f64 apart.
+/// Makes a mesh and stores it to be copied; f64 positions and normals are stored separately.
 fn keep(surface: &Surface, options: &TessellationOptions, precise: bool) -> Result<usize, Error> {
     let mesh = if precise {
         let mut mesh = surface.tessellate_f64(options)?;
@@ -147,15 +148,16 @@ fn keep(surface: &Surface, options: &TessellationOptions, precise: bool) -> Resu
     Ok(keep_mesh(mesh))
 }
 
-/// Keeps a mesh that is no grid, to be copied; 0.
+/// Stores a mesh that is not a grid, to be copied; returns 0.
 pub(crate) fn keep_mesh(mesh: Mesh) -> usize {
     LAYOUT.with(|last| *last = None);
     MESH.with(|kept| *kept = mesh);
     0
 }
 
-/// Leaves the topology: five lists (shared, three and more, open, collapsed, components), each its number of groups and
-/// for each group its number of members and these: patch · 8 + side · 2 + whether it runs backwards, or just the patch.
+/// Writes the topology: five lists (shared edges, edges of three or more patches, open edges, collapsed edges,
+/// components). Each list is its number of groups, and for each group its number of members and the members: patch · 8
+/// + side · 2 + (1 if the direction is reversed), or for components the patch index.
 #[wasm_bindgen]
 pub fn surface_topology() -> isize {
     arena::answer(|a| {
@@ -181,8 +183,8 @@ fn write_groups<T>(numbers: &mut Vec<usize>, groups: &[Vec<T>], code: impl Fn(&T
     }
 }
 
-/// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch numbers, 4 indices,
-/// 5 quads (0 where there are none), 6 patch ranges (four each), 7 and 8 positions and normals in f64.
+/// The number of entries of a buffer of the last mesh: 0 positions, 1 normals, 2 uvs, 3 patch indices, 4 indices,
+/// 5 quads (0 if there are none), 6 patch ranges (four each), 7 and 8 positions and normals in f64.
 #[wasm_bindgen]
 pub fn mesh_length(buffer: usize) -> usize {
     MESH.with(|mesh| match buffer {
@@ -197,7 +199,7 @@ pub fn mesh_length(buffer: usize) -> usize {
     })
 }
 
-/// Copies a buffer of the last mesh into a typed array of its kind and of exactly its length.
+/// Copies a buffer of the last mesh to a typed array of matching type and of exactly the same length.
 #[wasm_bindgen]
 pub fn mesh_copy(buffer: usize, into: &JsValue) {
     MESH.with(|mesh| match buffer {
@@ -240,7 +242,7 @@ fn copy_indices(indices: &Indices, into: &JsValue) {
     }
 }
 
-/// Gives the memory of the last mesh back.
+/// Frees the memory of the last mesh.
 #[wasm_bindgen]
 pub fn mesh_drop() {
     LAYOUT.with(|last| *last = None);

@@ -1,5 +1,5 @@
-//! Bindings of questions for places on curves. In: `count` control points at the start of the arena, further arguments
-//! behind them.
+//! Bindings of nearest points, extrema and other special parameters of curves. Arguments: `count` control points at the
+//! start of the arena, followed by further arguments.
 
 use super::arena;
 use super::arena::Arena;
@@ -14,12 +14,12 @@ use casteljau_kernels::nearest_in_space;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// In: a point behind the control points. Leaves t, the distance and the nearest point.
+/// Arguments: a point after the control points. Writes t, the distance and the nearest point.
 #[wasm_bindgen]
 pub fn curve_nearest(dimension: usize, count: usize) {
     arena::with(|a| {
         let p = a.point_in_space(count * dimension, dimension);
-        // Without an allocation for the usual degrees.
+        // The usual degrees need no allocation.
         let mut few = [DVec3::ZERO; 4];
         let nearest = if let Some(points) = few.get_mut(..count) {
             for (k, point) in points.iter_mut().enumerate() {
@@ -34,11 +34,12 @@ pub fn curve_nearest(dimension: usize, count: usize) {
     });
 }
 
-/// The parameter of the point of a plane cubic that is nearest to (x, y): no arena, for the call of every pointer move.
+/// The parameter of the point of a plane cubic nearest to (x, y). Called for every pointer move; it does not use the
+/// arena.
 #[wasm_bindgen]
 #[allow(
     clippy::too_many_arguments,
-    reason = "numbers as arguments are the fastest way in"
+    reason = "passing numbers as arguments is the fastest"
 )]
 pub fn cubic_nearest(
     ax: f64,
@@ -56,12 +57,12 @@ pub fn cubic_nearest(
         [[ax, ay, 0.0], [bx, by, 0.0], [cx, cy, 0.0], [dx, dy, 0.0]],
         [x, y, 0.0],
     );
-    // The kernel first, without the code around it, which is compiled for size.
+    // Try the kernel first, because the code around it is compiled for size.
     nearest_in_space(&points, &p)
         .unwrap_or_else(|| nearest_parameter(&points.map(DVec3::from), DVec3::from(p)))
 }
 
-/// In: a point behind the spline. Leaves what `curve_nearest` does.
+/// Arguments: a point after the spline. Writes the same as `curve_nearest`.
 #[wasm_bindgen]
 pub fn spline_nearest(dimension: usize) {
     arena::with(|a| {
@@ -76,13 +77,13 @@ fn write_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
     a.write_numbers(0, &[t, distance, point.x, point.y, point.z]);
 }
 
-/// Leaves the parameters of the extrema of a coordinate.
+/// Writes the parameters of the extrema of a coordinate.
 #[wasm_bindgen]
 pub fn curve_extrema(dimension: usize, count: usize, axis: usize) -> usize {
     arena::with(|a| a.write_numbers(0, &extrema_of(&coordinates(a, dimension, count, axis))))
 }
 
-/// Leaves the parameters where a coordinate has a value.
+/// Writes the parameters at which a coordinate has a given value.
 #[wasm_bindgen]
 pub fn curve_times_at_coordinate(dimension: usize, count: usize, axis: usize, value: f64) -> usize {
     arena::with(|a| a.write_numbers(0, &times_of(&coordinates(a, dimension, count, axis), value)))
@@ -92,7 +93,7 @@ fn coordinates(a: &Arena, dimension: usize, count: usize, axis: usize) -> Vec<f6
     (0..count).map(|k| a.number(k * dimension + axis)).collect()
 }
 
-/// Leaves the parameters of the inflections of a plane curve.
+/// Writes the parameters of the inflections of a plane curve.
 #[wasm_bindgen]
 pub fn curve_inflections(count: usize) -> usize {
     arena::with(|a| {
@@ -102,7 +103,7 @@ pub fn curve_inflections(count: usize) -> usize {
     })
 }
 
-/// Leaves the parameters of the cusps.
+/// Writes the parameters of the cusps.
 #[wasm_bindgen]
 pub fn curve_cusps(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
@@ -111,7 +112,7 @@ pub fn curve_cusps(dimension: usize, count: usize) -> usize {
     })
 }
 
-/// In: a point behind the control points, all of the plane. Leaves the parameters of the tangents through it.
+/// Arguments: a point after the control points, all in the plane. Writes the parameters of the tangents through it.
 #[wasm_bindgen]
 pub fn curve_tangents_from(count: usize) -> usize {
     arena::with(|a| {
@@ -120,13 +121,13 @@ pub fn curve_tangents_from(count: usize) -> usize {
     })
 }
 
-/// The number of the class in the order of `CurveKind`.
+/// The index of the kind in the order of `CurveKind`.
 #[wasm_bindgen]
 pub fn curve_classify(dimension: usize, count: usize) -> usize {
     arena::with(|a| space_curve(a, dimension, count).classify() as usize)
 }
 
-/// In: the control points of another curve behind those of the first. Leaves the distance, t and u.
+/// Arguments: the control points of another curve after those of the first. Writes the distance, t and u.
 #[wasm_bindgen]
 pub fn curve_distance(dimension: usize, count: usize, other_count: usize) {
     arena::with(|a| {
@@ -136,7 +137,7 @@ pub fn curve_distance(dimension: usize, count: usize, other_count: usize) {
     });
 }
 
-/// The Hausdorff distance of two curves, one behind the other.
+/// The Hausdorff distance of two curves, stored one after the other.
 #[wasm_bindgen]
 pub fn curve_hausdorff(dimension: usize, count: usize, other_count: usize) -> f64 {
     arena::with(|a| {

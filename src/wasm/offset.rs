@@ -1,4 +1,5 @@
-//! Bindings of parallel curves. Splines lie in the arena as in `spline`.
+//! Bindings of offset curves, degree reduction, interpolation, fitting and simplification. Splines are stored in the
+//! arena as in `spline`.
 
 use super::arena;
 use super::arena::Arena;
@@ -10,7 +11,7 @@ use crate::spline::offset::{OffsetJoin, offset_of_curves};
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Leaves a chain as a spline; its number of f64.
+/// Writes the spline of a builder; returns the number of f64.
 fn write(a: &mut Arena, builder: &SplineBuilder) -> usize {
     let closed = f64::from(u8::from(builder.closed));
     let mut at = a.write_numbers(0, &[builder.degrees.len() as f64, closed]);
@@ -20,7 +21,7 @@ fn write(a: &mut Arena, builder: &SplineBuilder) -> usize {
     a.write_numbers(at, bytemuck::cast_slice(&builder.points))
 }
 
-/// Leaves the parallel of a curve of the plane as a spline; a tolerance of 0 stands for the default.
+/// Writes the offset curve of a plane curve as a spline; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -30,7 +31,7 @@ pub fn curve_offset(count: usize, distance: f64, tolerance: f64) -> isize {
     })
 }
 
-/// In: a spline of the plane. Leaves its parallel; join: 0 round, 1 miter, 2 bevel.
+/// Arguments: a plane spline. Writes its offset curve; join: 0 round, 1 miter, 2 bevel.
 #[wasm_bindgen]
 pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
     arena::answer(|a| {
@@ -58,7 +59,7 @@ pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
     })
 }
 
-/// Leaves the error and the control points of the curve of one degree less.
+/// Writes the error, then the control points of the curve with the degree reduced by one.
 #[wasm_bindgen]
 pub fn curve_reduce(dimension: usize, count: usize) -> usize {
     arena::with(|a| {
@@ -69,7 +70,7 @@ pub fn curve_reduce(dimension: usize, count: usize) -> usize {
     })
 }
 
-/// In: points, and behind them as many parameters or none. Leaves the control points of the curve through them.
+/// Arguments: points, followed by as many parameters or none. Writes the control points of the interpolating curve.
 #[wasm_bindgen]
 pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize {
     arena::answer(|a| {
@@ -80,7 +81,7 @@ pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize
     })
 }
 
-/// In: points of a stroke. Leaves the spline along them.
+/// Arguments: sampled points. Writes the fitted spline.
 #[wasm_bindgen]
 pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
     arena::answer(|a| {
@@ -90,7 +91,7 @@ pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) 
     })
 }
 
-/// Leaves a spline of fewer cubics.
+/// Writes the simplified spline.
 #[wasm_bindgen]
 pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
     crate::wasm::spline::changed(dimension, |_, spline, _| spline.simplify(tolerance))

@@ -1,4 +1,4 @@
-//! Bindings of paths. In: the number of subpaths, each as a spline of the plane; further arguments behind them.
+//! Bindings of paths. Arguments: the number of subpaths, each subpath as a plane spline, followed by further arguments.
 
 use super::arena;
 use super::arena::Arena;
@@ -17,7 +17,7 @@ use crate::spline::Spline;
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Hands each subpath to `f`, in space (see [`Arena::points_in_space`]), and returns where the last one ends.
+/// Calls `f` with each subpath as 3D (see [`Arena::points_in_space`]); returns the index where the last one ends.
 fn each(a: &Arena, mut f: impl FnMut(Spline<DVec3>)) -> usize {
     (0..a.count(0)).fold(1, |at, _| {
         let (spline, end) = spline_at(a, at, 2);
@@ -26,12 +26,12 @@ fn each(a: &Arena, mut f: impl FnMut(Spline<DVec3>)) -> usize {
     })
 }
 
-/// The path at the start of the arena, and where it ends.
+/// The path at the start of the arena, and the index where it ends.
 fn path(a: &Arena) -> (Path, usize) {
     path_at(a, 0)
 }
 
-/// The same further on.
+/// The path at index `start` of the arena, and the index where it ends.
 fn path_at(a: &Arena, start: usize) -> (Path, usize) {
     let mut path = Path::default();
     let mut at = start + 1;
@@ -46,7 +46,8 @@ fn path_at(a: &Arena, start: usize) -> (Path, usize) {
     (path, at)
 }
 
-/// Leaves the least and the greatest corner, of the path or of its control points; 0 for an empty path.
+/// Writes the minimum and the maximum corner of the box of the path or of its control points; returns 0 for an empty
+/// path.
 #[wasm_bindgen]
 pub fn path_bounds(exact: bool) -> usize {
     arena::with(|a| {
@@ -60,13 +61,13 @@ pub fn path_bounds(exact: bool) -> usize {
     })
 }
 
-/// The area inside.
+/// The signed area inside.
 #[wasm_bindgen]
 pub fn path_area() -> f64 {
     arena::with(|a| path(a).0.area())
 }
 
-/// Leaves the integrals of 1, x, y, x², xy and y² over the inside.
+/// Writes the integrals of 1, x, y, x², xy and y² over the inside.
 #[wasm_bindgen]
 pub fn path_moments() -> usize {
     arena::with(|a| {
@@ -75,7 +76,7 @@ pub fn path_moments() -> usize {
     })
 }
 
-/// Leaves the length; a tolerance of 0 stands for the default.
+/// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn path_length(tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -84,7 +85,8 @@ pub fn path_length(tolerance: f64) -> isize {
     })
 }
 
-/// In: a point behind the path. Leaves the subpath, t, the nearest point and its distance; 0 for an empty path.
+/// Arguments: a point after the path. Writes the subpath, t, the nearest point and its distance; returns 0 for an empty
+/// path.
 #[wasm_bindgen]
 pub fn path_nearest() -> isize {
     arena::answer(|a| {
@@ -99,7 +101,7 @@ pub fn path_nearest() -> isize {
     })
 }
 
-/// Leaves the subpath and the t of a length, a tolerance of 0 standing for none; 0 for an empty path.
+/// Writes the subpath and t at an arc length; a tolerance of 0 stands for the default. Returns 0 for an empty path.
 #[wasm_bindgen]
 pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -108,7 +110,7 @@ pub fn path_time_at_length(s: f64, tolerance: f64) -> isize {
     })
 }
 
-/// Leaves subpaths and ts of even steps.
+/// Writes the subpaths and parameters of equidistant positions.
 #[wasm_bindgen]
 pub fn path_equidistant_times(segments: usize) -> isize {
     arena::answer(|a| {
@@ -123,8 +125,8 @@ fn write_times(a: &mut Arena, times: &[PathTime]) -> usize {
     })
 }
 
-/// In: one path, with `two` another one behind it. Leaves for each place that they share, or that one passes twice, the
-/// numbers of an intersection and both subpaths.
+/// Arguments: one path, or, if `two`, two paths, one after the other. Writes for each intersection or self-intersection
+/// the numbers of an intersection and both subpaths.
 #[wasm_bindgen]
 pub fn path_intersect(two: bool) -> usize {
     arena::with(|a| {
@@ -153,7 +155,7 @@ pub fn path_winding_number(x: f64, y: f64) -> i32 {
     arena::with(|a| path(a).0.winding_number(DVec2::new(x, y)))
 }
 
-/// Leaves for each subpath the number of its vertices, their points and their parameters; the number of f64.
+/// Writes for each subpath the number of its vertices, the vertices and their parameters; returns the number of f64.
 #[wasm_bindgen]
 pub fn path_flatten(tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -178,13 +180,14 @@ pub fn path_flatten(tolerance: f64) -> isize {
     })
 }
 
-/// Refuses a tolerance that coordinates up to a size cannot resolve; else 0.
+/// Returns an error for a tolerance that coordinates up to `size` cannot resolve, otherwise 0.
 #[wasm_bindgen]
 pub fn path_check_tolerance(tolerance: f64, size: f64) -> isize {
     arena::encode_result(check_tolerance(tolerance, size).map(|()| 0))
 }
 
-/// Leaves the cubics in place of a plane curve of a higher degree, six coordinates each; their number of f64.
+/// Writes the cubics that approximate a plane curve of a higher degree, six coordinates each; returns the number of
+/// f64.
 #[wasm_bindgen]
 pub fn curve_cubics(count: usize, tolerance: f64) -> usize {
     struct Cubics(Vec<DVec2>);

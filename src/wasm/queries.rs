@@ -1,7 +1,7 @@
-//! Bindings of questions to patches and surfaces.
+//! Bindings of queries of patches and surfaces.
 //!
-//! A patch lies at the start of the arena, as in `surface`; where patches and surfaces are asked the same, a patch comes
-//! as a surface of one. Points and other arguments are behind.
+//! A patch is stored at the start of the arena, as in `surface`; where a query exists for patches and for surfaces, a
+//! patch is passed as a surface of one patch. Points and other arguments follow.
 
 use super::arena;
 use super::arena::Arena;
@@ -13,7 +13,7 @@ use crate::surface::surface_point::SurfacePoint;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Leaves the Gaussian and the mean curvature, k1 and k2.
+/// Writes the Gaussian and the mean curvature, k1 and k2.
 #[wasm_bindgen]
 pub fn patch_curvature(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
@@ -22,13 +22,13 @@ pub fn patch_curvature(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     });
 }
 
-/// The bound on the distance from two triangles.
+/// The bound on the distance between the patch and two triangles.
 #[wasm_bindgen]
 pub fn patch_flatness(degree_u: usize, degree_v: usize) -> f64 {
     arena::with(|a| patch(a, degree_u, degree_v).flatness())
 }
 
-/// Leaves the net of the degrees one higher.
+/// Writes the net of the patch with both degrees elevated.
 #[wasm_bindgen]
 pub fn patch_elevate(degree_u: usize, degree_v: usize) -> isize {
     arena::answer(|a| {
@@ -37,7 +37,7 @@ pub fn patch_elevate(degree_u: usize, degree_v: usize) -> isize {
     })
 }
 
-/// In: sixteen geometry points and a basis matrix. Leaves the net.
+/// Arguments: sixteen geometry points and a basis matrix. Writes the net.
 #[wasm_bindgen]
 pub fn patch_from_basis() -> isize {
     arena::answer(|a| {
@@ -49,7 +49,7 @@ pub fn patch_from_basis() -> isize {
     })
 }
 
-/// Leaves the least and the greatest point of the box; nothing without patches.
+/// Writes the minimum and the maximum corner of the bounding box; nothing without patches.
 #[wasm_bindgen]
 pub fn surface_bounds() -> isize {
     arena::answer(|a| {
@@ -60,7 +60,7 @@ pub fn surface_bounds() -> isize {
     })
 }
 
-/// Leaves the area.
+/// Writes the area.
 #[wasm_bindgen]
 pub fn surface_area() -> isize {
     arena::answer(|a| {
@@ -69,7 +69,7 @@ pub fn surface_area() -> isize {
     })
 }
 
-/// Leaves the volume; nothing where there is none.
+/// Writes the volume; nothing if the surface does not enclose one.
 #[wasm_bindgen]
 pub fn surface_volume() -> isize {
     arena::answer(|a| {
@@ -80,7 +80,7 @@ pub fn surface_volume() -> isize {
     })
 }
 
-/// In: a point behind the surface. Leaves the nearest point, as `write_points` does.
+/// Arguments: a point after the surface. Writes the nearest point as `write_points` does.
 #[wasm_bindgen]
 pub fn surface_nearest() -> isize {
     arena::answer(|a| {
@@ -90,7 +90,7 @@ pub fn surface_nearest() -> isize {
     })
 }
 
-/// In: a ray's origin and direction behind the surface. Leaves the hits, as `write_points` does.
+/// Arguments: the origin and the direction of a ray after the surface. Writes the hits as `write_points` does.
 #[wasm_bindgen]
 pub fn surface_ray() -> isize {
     arena::answer(|a| {
@@ -101,7 +101,7 @@ pub fn surface_ray() -> isize {
     })
 }
 
-/// Leaves seven numbers for each place: patch, u, v, the point, the distance.
+/// Writes seven numbers for each surface point: patch, u, v, the point, the distance.
 fn write_points(a: &mut Arena, surface_points: &[SurfacePoint]) -> usize {
     surface_points.iter().fold(0, |at, location| {
         let SurfacePoint {

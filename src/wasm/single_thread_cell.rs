@@ -1,8 +1,8 @@
-//! Values that live as long as the module.
+//! A static mutable cell for single-threaded wasm.
 
 use std::cell::UnsafeCell;
 
-/// A static that one function at a time works on: `thread_local!` with a `RefCell`, without their code in every caller.
+/// A static value with access by one function at a time: like `thread_local!` with a `RefCell`, with less code per use.
 pub(crate) struct SingleThreadCell<T>(UnsafeCell<T>);
 
 // SAFETY: wasm32 without atomics has one thread. On other targets there is no such impl.
@@ -14,7 +14,7 @@ impl<T> SingleThreadCell<T> {
         Self(UnsafeCell::new(value))
     }
 
-    /// Runs `f` on the value; `f` must not come back here for the same value.
+    /// Calls `f` with the value; `f` must not access the same cell again.
     #[inline]
     pub(crate) fn with<R>(&self, f: impl FnOnce(&mut T) -> R) -> R {
         // SAFETY: this is the only reference. There is one thread; exported functions do not call each other; and `f` calls

@@ -1,5 +1,5 @@
-//! Bindings of splines. In and out: the number of segments, 1 if closed (else 0), the degree of each segment, the
-//! control points; further arguments behind them.
+//! Bindings of splines. Arguments and results: the number of segments, 1 if closed (else 0), the degree of each
+//! segment, the control points; further arguments follow.
 
 use super::arena;
 use super::arena::Arena;
@@ -11,12 +11,12 @@ use crate::spline::joint::JointMode;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// The spline at the start of the arena (see [`Arena::points_in_space`]), and where it ends.
+/// The spline at the start of the arena (see [`Arena::points_in_space`]), and the index where it ends.
 pub(crate) fn spline(a: &Arena, dimension: usize) -> (Spline<DVec3>, usize) {
     spline_at(a, 0, dimension)
 }
 
-/// The same further on.
+/// The spline at index `at` of the arena, and the index where it ends.
 pub(crate) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3>, usize) {
     let (segments, closed) = (a.count(at), a.number(at + 1) != 0.0);
     let at = at + 2;
@@ -29,7 +29,7 @@ pub(crate) fn spline_at(a: &Arena, at: usize, dimension: usize) -> (Spline<DVec3
     )
 }
 
-/// Leaves a spline; its number of f64.
+/// Writes a spline; returns the number of f64.
 pub(crate) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> usize {
     let closed = if spline.is_closed() { 1.0 } else { 0.0 };
     let mut head = vec![spline.segment_count() as f64, closed];
@@ -38,7 +38,7 @@ pub(crate) fn write(a: &mut Arena, spline: &Spline<DVec3>, dimension: usize) -> 
     a.write_from_space(at, spline.control_points(), dimension)
 }
 
-/// Leaves a changed spline; its number of f64.
+/// Writes the spline that `change` returns; returns the number of f64.
 pub(crate) fn changed(
     dimension: usize,
     change: impl FnOnce(&Arena, Spline<DVec3>, usize) -> Result<Spline<DVec3>, Error>,
@@ -50,7 +50,7 @@ pub(crate) fn changed(
     })
 }
 
-/// The modes by their codes, as in js/spline.js.
+/// The joint mode of a code, as in `js/spline.js`.
 fn mode(code: usize) -> JointMode {
     const MODES: [JointMode; 6] = [
         JointMode::Free,
@@ -63,7 +63,8 @@ fn mode(code: usize) -> JointMode {
     MODES.get(code).copied().unwrap_or_default()
 }
 
-/// In: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Leaves the spline.
+/// Arguments: the number of curves, 1 if closed (else 0), the degree of each, all their control points. Writes the
+/// spline.
 #[wasm_bindgen]
 pub fn spline_from_curves(dimension: usize) -> isize {
     arena::answer(|a| {
@@ -80,13 +81,13 @@ pub fn spline_from_curves(dimension: usize) -> isize {
     })
 }
 
-/// Leaves the point at t.
+/// Writes the point at t.
 #[wasm_bindgen]
 pub fn spline_eval(dimension: usize, t: f64) {
     arena::with(|a| a.write_point(spline(a, dimension).0.eval(t)));
 }
 
-/// Leaves the points at even steps; their number of f64.
+/// Writes points at even steps of t; returns the number of f64.
 #[wasm_bindgen]
 pub fn spline_sample(dimension: usize, per_curve: usize) -> isize {
     arena::answer(|a| {
@@ -95,7 +96,7 @@ pub fn spline_sample(dimension: usize, per_curve: usize) -> isize {
     })
 }
 
-/// In: `number` parameters behind the spline. Leaves their points.
+/// Arguments: `number` parameters after the spline. Writes the points at the parameters.
 #[wasm_bindgen]
 pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
     arena::with(|a| {
@@ -105,7 +106,7 @@ pub fn spline_eval_at(dimension: usize, number: usize) -> usize {
     })
 }
 
-/// Leaves the points and then the parameters of a polyline; the number of its vertices.
+/// Writes the points, then the parameters of a polyline; returns the number of vertices.
 #[wasm_bindgen]
 pub fn spline_flatten(dimension: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -116,7 +117,7 @@ pub fn spline_flatten(dimension: usize, tolerance: f64) -> isize {
     })
 }
 
-/// Leaves the least and the greatest corner, of the curve or of its control points.
+/// Writes the minimum and the maximum corner of the box of the spline or of its control points.
 #[wasm_bindgen]
 pub fn spline_bounds(dimension: usize, exact: bool) {
     arena::with(|a| {
@@ -130,7 +131,7 @@ pub fn spline_bounds(dimension: usize, exact: bool) {
     });
 }
 
-/// Leaves c0, g1, c1, g2, c2 as 0 or 1, the gap and the angle; a tolerance of 0 stands for the default.
+/// Writes c0, g1, c1, g2, c2 as 0 or 1, the gap and the angle; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isize {
     arena::answer(|a| {
@@ -142,7 +143,7 @@ pub fn spline_continuity(dimension: usize, joint: usize, tolerance: f64) -> isiz
     })
 }
 
-/// In: a point behind the spline. Leaves the longer spline.
+/// Arguments: a point after the spline. Writes the extended spline.
 #[wasm_bindgen]
 pub fn spline_append(dimension: usize) -> isize {
     changed(dimension, |a, spline, end| {
@@ -150,7 +151,7 @@ pub fn spline_append(dimension: usize) -> isize {
     })
 }
 
-/// In: the new place behind the spline, then a mode code for each segment's start (see [`mode`]).
+/// Arguments: the new position after the spline, then a mode code for the start of each segment (see [`mode`]).
 #[wasm_bindgen]
 pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     changed(dimension, |a, spline, end| {
@@ -159,7 +160,7 @@ pub fn spline_move_point(dimension: usize, index: usize) -> isize {
     })
 }
 
-/// Leaves the spline with a joint made what a code says.
+/// Writes the spline with the mode of a code enforced at one joint.
 #[wasm_bindgen]
 pub fn spline_set_joint(dimension: usize, joint: usize, code: usize) -> isize {
     changed(dimension, |_, spline, _| {
@@ -167,19 +168,19 @@ pub fn spline_set_joint(dimension: usize, joint: usize, code: usize) -> isize {
     })
 }
 
-/// Leaves the spline with a joint at t.
+/// Writes the spline with a joint inserted at t.
 #[wasm_bindgen]
 pub fn spline_insert(dimension: usize, t: f64) -> isize {
     changed(dimension, |_, spline, _| spline.insert(t))
 }
 
-/// Leaves the spline without a joint.
+/// Writes the spline with a joint removed.
 #[wasm_bindgen]
 pub fn spline_remove(dimension: usize, joint: usize) -> isize {
     changed(dimension, |_, spline, _| spline.remove(joint))
 }
 
-/// Leaves the spline run through backwards.
+/// Writes the reversed spline.
 #[wasm_bindgen]
 pub fn spline_reverse(dimension: usize) -> isize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))

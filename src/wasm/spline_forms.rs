@@ -1,4 +1,4 @@
-//! Bindings that make splines from other points than their control points. Out: a spline, as in `spline`.
+//! Bindings of interpolating splines and B-splines. Results: a spline, as in `spline`.
 
 use super::arena;
 use super::spline::write;
@@ -6,12 +6,12 @@ use crate::spline::Spline;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// In: points. Leaves the natural spline through them, for an alpha from 0 on that of Catmull-Rom.
+/// Arguments: points. Writes the Catmull-Rom spline through them if alpha ≥ 0, otherwise the natural spline.
 #[wasm_bindgen]
 pub fn spline_interpolate(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        // JavaScript's power: Rust's would be two kilobytes of the module.
+        // JavaScript's power function: Rust's would add two kilobytes to the module.
         let power = |length| js_sys::Math::pow(length, alpha);
         let step: Option<&dyn Fn(f64) -> f64> = if alpha < 0.0 { None } else { Some(&power) };
         let spline = Spline::interpolate_with(&points, closed, step)?;
@@ -19,7 +19,7 @@ pub fn spline_interpolate(dimension: usize, count: usize, closed: bool, alpha: f
     })
 }
 
-/// In: points, then knots (none for uniform ones). Leaves the Bézier form of the B-spline.
+/// Arguments: points, then knots (none for uniform knots). Writes the Bézier form of the B-spline.
 #[wasm_bindgen]
 pub fn spline_from_bspline(
     dimension: usize,

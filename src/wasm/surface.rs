@@ -1,8 +1,8 @@
 //! Bindings of patches and surfaces.
 //!
-//! Patches: the net at the start of the arena. Surfaces: the number of vertices, of patches, and of joined vertices (0
-//! where it does not matter what is joined), the degrees u and v of each patch, the vertices, the indices of all nets,
-//! for each vertex the first that it is joined to; further arguments behind them.
+//! Patches: the net at the start of the arena. Surfaces: the numbers of vertices, of patches, and of joined vertices (0
+//! if the operation does not depend on joined vertices), the degrees u and v of each patch, the vertices, the indices
+//! of all nets, and for each vertex the first vertex that it is joined to; further arguments follow.
 
 use super::arena;
 use super::arena::Arena;
@@ -19,13 +19,13 @@ use glam::DMat4;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Leaves the point at (u, v).
+/// Writes the point at (u, v).
 #[wasm_bindgen]
 pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.write_point(patch(a, degree_u, degree_v).eval(u, v)));
 }
 
-/// Leaves ∂u, ∂v, ∂uu, ∂uv, ∂vv.
+/// Writes ∂u, ∂v, ∂uu, ∂uv, ∂vv.
 #[wasm_bindgen]
 pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| {
@@ -34,13 +34,13 @@ pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     });
 }
 
-/// Leaves the unit normal at (u, v).
+/// Writes the unit normal at (u, v).
 #[wasm_bindgen]
 pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
     arena::with(|a| a.write_point(patch(a, degree_u, degree_v).normal(u, v)));
 }
 
-/// Leaves the control points of the curve of constant u (or v); their number of f64.
+/// Writes the control points of the curve of constant u (or v); returns the number of f64.
 #[wasm_bindgen]
 pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f64) -> usize {
     arena::with(|a| {
@@ -54,7 +54,7 @@ pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f6
     })
 }
 
-/// Leaves the nets of the two pieces before and after u (or v).
+/// Writes the nets of the two parts before and after u (or v).
 #[wasm_bindgen]
 pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     arena::with(|a| {
@@ -69,7 +69,7 @@ pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
     });
 }
 
-/// Prepares the grid of one patch, by forward `differences` or by Bernstein polynomials; 0.
+/// Prepares the grid of one patch, evaluated by forward `differences` or by Bernstein polynomials; returns 0.
 #[wasm_bindgen]
 pub fn patch_grid(
     degree_u: usize,
@@ -89,7 +89,7 @@ pub fn patch_grid(
     })
 }
 
-/// In: points. Leaves for each the first at the same place.
+/// Arguments: points. Writes for each point the index of the first equal point.
 #[wasm_bindgen]
 pub fn points_joined(count: usize) -> usize {
     arena::with(|a| {
@@ -98,7 +98,7 @@ pub fn points_joined(count: usize) -> usize {
     })
 }
 
-/// Leaves the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
+/// Writes the teapot. `parts`: bit 0 rim, 1 body, 2 handle, 3 spout, 4 lid, 5 bottom.
 #[wasm_bindgen]
 pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     let part = |bit: u32| parts >> bit & 1 == 1;
@@ -119,7 +119,7 @@ pub fn surface_teapot(parts: u32, original_height: bool, y_up: bool) -> usize {
     arena::with(|a| write(a, &teapot))
 }
 
-/// Leaves the teacup, or the teaspoon.
+/// Writes the teacup or the teaspoon.
 #[wasm_bindgen]
 pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
     let up = if y_up { Up::Y } else { Up::Z };
@@ -131,7 +131,7 @@ pub fn surface_teaset(spoon: bool, y_up: bool) -> usize {
     arena::with(|a| write(a, &surface))
 }
 
-/// Leaves a surface, in the form in which it comes in.
+/// Writes a surface in the format of the arguments.
 pub(crate) fn write(a: &mut Arena, surface: &Surface) -> usize {
     let (vertices, patches) = (surface.vertices(), surface.patch_count());
     a.write_counts(0, [vertices.len(), patches, vertices.len()].into_iter());
@@ -142,7 +142,7 @@ pub(crate) fn write(a: &mut Arena, surface: &Surface) -> usize {
     a.write_counts(at, surface.joined_all().iter().map(|&i| i as usize))
 }
 
-/// As `patch_grid`, of a surface.
+/// As `patch_grid`, for a surface.
 #[wasm_bindgen]
 pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differences: bool) -> isize {
     arena::answer(|a| {
@@ -155,7 +155,7 @@ pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differenc
     })
 }
 
-/// In: a 4×4 matrix behind the surface, in columns. Draws all isocurves, projected, on a context or a path.
+/// Arguments: a 4×4 matrix (column-major) after the surface. Draws all projected isocurves on a context or a path.
 #[wasm_bindgen]
 pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
     let read = arena::with(|a| {

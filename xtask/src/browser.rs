@@ -1,4 +1,4 @@
-//! Finds Chromium and its driver, Firefox and WebKitGTK, or installs them.
+//! Finding or installing Chromium and chromedriver, Firefox and WebKitGTK.
 
 use crate::shell;
 use anyhow::{Result, bail};
@@ -17,10 +17,10 @@ const FIREFOXES: [&str; 2] = ["firefox-esr", "firefox"];
 const MAC_FIREFOX: &str = "/Applications/Firefox.app/Contents/MacOS/firefox";
 const MAC_CHROME: &str = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome";
 
-/// The flags of every browser that the tests start; tests/page/browser.js has the same.
+/// The flags of every browser that the tests start; tests/page/browser.js uses the same flags.
 const FLAGS: [&str; 8] = [
     "--headless",
-    "--no-sandbox", // as root Chromium refuses to start without
+    "--no-sandbox", // Chromium run as root does not start without it
     "--disable-gpu",
     "--disable-quic",
     "--no-first-run",
@@ -29,13 +29,14 @@ const FLAGS: [&str; 8] = [
     "--disable-sync",
 ];
 
-/// A browser to test in; without a driver (Playwright's own download has none) only pages can be tested.
+/// A browser for tests; without a driver (Playwright's download has none) it can only run the page tests.
 pub(crate) struct Browser {
     pub(crate) chrome: PathBuf,
     pub(crate) driver: Option<PathBuf>,
 }
 
-/// One that is there; else from apt, as root on Debian and its kin; else Playwright's download.
+/// Returns an installed browser; otherwise installs one from apt (as root on Debian-based systems), or Playwright's
+/// download.
 pub(crate) fn find() -> Result<Browser> {
     if let Some(browser) = found().or_else(|| apt().and_then(|()| found())) {
         return Ok(browser);
@@ -50,7 +51,7 @@ pub(crate) fn find() -> Result<Browser> {
     )
 }
 
-/// The same, but a browser without its driver is not enough where apt has one.
+/// As [`find`], but if the browser has no driver and apt provides one, installs it.
 pub(crate) fn find_with_driver() -> Result<Browser> {
     let browser = find()?;
     let complete = browser.driver.is_some() || std::env::var_os("CHROME_PATH").is_some();
@@ -91,15 +92,16 @@ fn can_apt() -> bool {
     Path::new("/etc/debian_version").exists() && root()
 }
 
-/// Ubuntu has no chromium-driver (its chromium is a snap, useless in a container): there this fails.
+/// Installs Chromium from apt. Fails on Ubuntu, which has no chromium-driver (its chromium is a snap, useless in a
+/// container).
 fn apt() -> Option<()> {
     install(&["chromium", "chromium-driver"])?;
-    // Page tests are quicker in it, and do without it (tests/page/chrome.js).
+    // Page tests are faster in the headless shell, and work without it (tests/page/chrome.js).
     let _optional = install(&["chromium-headless-shell"]);
     Some(())
 }
 
-/// Installs packages of Debian; nothing where that is not possible.
+/// Installs Debian packages; `None` if that is not possible.
 fn install(packages: &[&str]) -> Option<()> {
     if !can_apt() {
         return None;
@@ -113,7 +115,7 @@ fn install(packages: &[&str]) -> Option<()> {
     apt(&[&["install", "-y"], packages].concat())
 }
 
-/// Firefox, installed from apt if need be.
+/// The path of Firefox, which is installed from apt if necessary.
 pub(crate) fn firefox() -> Option<PathBuf> {
     let chosen = || env::var_os("FIREFOX_PATH").map(PathBuf::from);
     let mac = || Some(PathBuf::from(MAC_FIREFOX)).filter(|path| path.exists());
@@ -126,7 +128,7 @@ pub(crate) fn firefox() -> Option<PathBuf> {
     found().or_else(|| install(&["firefox-esr", "xvfb"]).and_then(|()| found()))
 }
 
-/// The driver of WebKitGTK, which brings a browser, installed from apt if need be.
+/// The path of the WebKitGTK driver, which includes a browser; installed from apt if necessary.
 pub(crate) fn webkit() -> Option<PathBuf> {
     let chosen = || env::var_os("WEBKIT_DRIVER").map(PathBuf::from);
     let found = || {
@@ -137,17 +139,17 @@ pub(crate) fn webkit() -> Option<PathBuf> {
     found().or_else(|| install(&["webkit2gtk-driver", "xvfb"]).and_then(|()| found()))
 }
 
-/// On Linux the two need an X server, be it one without a screen.
+/// Whether an X server is available, possibly a virtual one; on Linux, Firefox and WebKitGTK need it.
 fn has_screen() -> bool {
     !cfg!(target_os = "linux") || env::var_os("DISPLAY").is_some() || on_path(&["Xvfb"]).is_some()
 }
 
-/// Downloads the Chromium that belongs to the pinned playwright-core, and asks where it is.
+/// Downloads the Chromium version of the pinned playwright-core and returns its path.
 fn playwright() -> Option<PathBuf> {
     println!("downloading Chromium (playwright)");
     let mut install = shell::node(&["node_modules/playwright-core/cli.js", "install", "chromium"]);
     if can_apt() {
-        install.arg("--with-deps"); // the shared libraries that it needs
+        install.arg("--with-deps"); // the shared libraries that Chromium needs
     }
     shell::run(&mut install).ok()?;
     let ask = "import('playwright-core').then(p => console.log(p.chromium.executablePath()))";
@@ -155,7 +157,7 @@ fn playwright() -> Option<PathBuf> {
     path.is_file().then_some(path)
 }
 
-/// The settings file that wasm-bindgen's test runner hands to the driver.
+/// The settings file that wasm-bindgen's test runner passes to the driver.
 pub(crate) fn driver_settings(browser: &Browser) -> Result<PathBuf> {
     let path = shell::target_dir().join("webdriver.json");
     let chrome = browser.chrome.to_string_lossy();

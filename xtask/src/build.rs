@@ -1,4 +1,4 @@
-//! `build`: from the Rust sources and js/ to dist/, which is what gets published.
+//! `build`: builds dist/, the published package, from the Rust sources and js/.
 
 use crate::stamp::{self, Work, files_below};
 use crate::{glue, setup, shell, wasm_test};
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
-/// Builds all of dist/; what is up to date is left alone.
+/// Builds all of dist/ except what is up to date.
 pub(crate) fn build() -> Result<()> {
     setup::wasm_target()?;
     setup::node_modules()?;
@@ -17,7 +17,7 @@ pub(crate) fn build() -> Result<()> {
     types()
 }
 
-/// js/glue: the bindings and the optimised module.
+/// Builds js/glue: the bindings and the optimised modules.
 fn bindings() -> Result<()> {
     shell::run(&mut compilation())?;
     let compiled = shell::target_dir().join("wasm32-unknown-unknown/wasm/casteljau.wasm");
@@ -42,7 +42,8 @@ fn bindings() -> Result<()> {
     stamp::unless_current(&work, || glue::generate(&compiled))
 }
 
-/// Panic messages name source files; without the remapping they would name this machine's folders.
+/// The cargo command that compiles the bindings. Panic messages contain source paths; the path remapping removes the
+/// folders of this machine.
 fn compilation() -> Command {
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home
@@ -51,7 +52,7 @@ fn compilation() -> Command {
     let remap = format!("--remap-path-prefix={}=cargo", home.display());
     let mut cargo = shell::cargo(&["build", "--lib", "--profile", "wasm"]);
     cargo.args(wasm_test::BINDINGS).args(wasm_test::TARGET);
-    // Joined to the flags of .cargo/config.toml, which the variables would replace.
+    // Cargo adds these flags to those of .cargo/config.toml; the environment variables would replace them.
     cargo
         .env_remove("RUSTFLAGS")
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
@@ -61,7 +62,7 @@ fn compilation() -> Command {
     cargo
 }
 
-/// The bundles that the site is made of.
+/// The bundles that the site uses.
 const SITE_SCRIPTS: [&str; 8] = [
     "index.js",
     "applet.js",
@@ -73,7 +74,7 @@ const SITE_SCRIPTS: [&str; 8] = [
     "bezier-app.js",
 ];
 
-/// The bundles and the wasm file.
+/// Builds the bundles and copies the wasm file.
 fn bundles() -> Result<()> {
     let root = shell::root();
     let mut inputs = files_below(&root.join("js"));
@@ -112,11 +113,11 @@ fn bundles() -> Result<()> {
     )
 }
 
-/// dist/types, derived from the JSDoc of js/; a type error fails the build.
+/// Builds dist/types from the JSDoc of js/; a type error fails the build.
 fn types() -> Result<()> {
     let root = shell::root();
     let mut inputs: Vec<PathBuf> = files_below(&root.join("js"));
-    // No types depend on them.
+    // These files do not affect the types.
     inputs.retain(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         !(name.ends_with("-bytes.js") || name.ends_with(".wasm"))
@@ -134,7 +135,7 @@ fn types() -> Result<()> {
         },
         || {
             if root.join("dist/types").exists() {
-                fs::remove_dir_all(root.join("dist/types"))?; // no declaration of a file that is gone
+                fs::remove_dir_all(root.join("dist/types"))?; // removes declarations of deleted files
             }
             shell::run(&mut shell::node(&[
                 "node_modules/typescript/bin/tsc",
@@ -145,7 +146,7 @@ fn types() -> Result<()> {
     )
 }
 
-/// The static site, with relative URLs, in site/.
+/// Builds the static site, with relative URLs, in site/.
 pub(crate) fn site() -> Result<()> {
     build()?;
     let root = shell::root();

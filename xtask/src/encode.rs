@@ -1,27 +1,27 @@
-//! Bytes as text that gzip still sees through; `js/decode.js` is the other half.
+//! Encoding bytes as text that gzip compresses well; `js/decode.js` is the decoder.
 //!
-//! Base64 puts four characters where three bytes were, so repeated byte strings start at changing phases and gzip
-//! no longer finds them (+30 %). Here every byte starts a fresh character: the 60 most frequent byte values take
-//! one character, the others two (a prefix and a second one), so repetitions stay repetitions (+2 to 4 %).
+//! Base64 encodes three bytes as four characters, so repeated byte strings start at different phases and gzip does not
+//! find them (+30 %). Here every byte starts a new character: the 60 most frequent byte values take one character, the
+//! others two (a prefix and a second character), so repetitions are preserved (+2 to 4 %).
 
-/// Printable, and needing no escape in any kind of JavaScript string nor inside a script element.
+/// Printable characters that need no escape in any JavaScript string literal or in a script element.
 pub(crate) const ALPHABET: &[u8; 88] =
     b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!#%&()*+,-./:;=>?@[]^_{|}~";
-/// How many byte values take one character; the characters after these are prefixes.
+/// The number of byte values encoded as one character; the characters after the first 60 are prefixes.
 const SINGLES: usize = 60;
 
-/// What the decoder needs: the text, and which bytes the first 60 characters stand for.
+/// The input of the decoder: the text, and the byte values of the first 60 characters.
 pub(crate) struct Encoded {
     pub(crate) frequent: Vec<u8>,
     pub(crate) text: String,
 }
 
-/// Encodes bytes; see the module's page for the form.
+/// Encodes bytes; the module documentation describes the format.
 pub(crate) fn encode(bytes: &[u8]) -> Encoded {
     let ranked = by_frequency(bytes);
     let (frequent, rest) = ranked.split_at(SINGLES);
     let mut rest = rest.to_vec();
-    rest.sort_unstable(); // ascending, so that the decoder can derive it
+    rest.sort_unstable(); // ascending, so that the decoder can derive the order
     let mut text = String::with_capacity(bytes.len() * 3 / 2);
     for byte in bytes {
         if let Some(rank) = frequent.iter().position(|b| b == byte) {
@@ -37,7 +37,7 @@ pub(crate) fn encode(bytes: &[u8]) -> Encoded {
     }
 }
 
-/// All byte values, the most frequent first; equal counts in ascending order, so that builds repeat.
+/// All byte values by descending frequency; ties in ascending order, so that builds are reproducible.
 fn by_frequency(bytes: &[u8]) -> Vec<u8> {
     let mut counts = [0_usize; 256];
     for &byte in bytes {
@@ -48,7 +48,7 @@ fn by_frequency(bytes: &[u8]) -> Vec<u8> {
     values
 }
 
-/// The generated JavaScript module that carries the bytes.
+/// The generated JavaScript module that contains the bytes.
 pub(crate) fn module(bytes: &[u8]) -> String {
     let Encoded { frequent, text } = encode(bytes);
     let alphabet = String::from_utf8_lossy(ALPHABET);
@@ -66,7 +66,7 @@ pub(crate) fn module(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    /// The decoder of `js/decode.js`, written again from the description.
+    /// The decoder of `js/decode.js`, implemented independently from the description.
     fn decode(encoded: &Encoded) -> Vec<u8> {
         let rank = |c: u8| {
             ALPHABET

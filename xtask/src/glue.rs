@@ -1,4 +1,4 @@
-//! From the compiler's wasm to the files of js/glue: bindings, optimised module, its bytes as text.
+//! Generates js/glue from the compiled wasm: the bindings, the optimised modules, and their bytes as text.
 
 use crate::liveness::Linked;
 use crate::{encode, shell, strip_panics};
@@ -10,10 +10,12 @@ use walrus::ir::Value;
 use walrus::{ConstExpr, DataKind};
 use wasm_bindgen_cli_support::Bindgen;
 
-/// For size, twice (more rounds find nothing more); the compiler has inlined what is hot.
+/// Options of wasm-opt: optimise for size, twice (more rounds have no effect); the compiler has already inlined hot
+/// code.
 ///
-/// Inlining functions with one caller makes fewer bytes, but more of them after gzip; so do local common subexpressions and
-/// reordering functions. `-lmu` folds constants into addresses, since nothing lies below [`LOW_MEMORY`].
+/// Inlining functions with a single caller reduces the size but increases it after gzip; so do local common
+/// subexpression elimination and reordering functions. `-lmu` folds constants into addresses, because there is no data
+/// below [`LOW_MEMORY`].
 const OPTIMISE: [&str; 6] = [
     "-lmu",
     "-ocimfs=10",
@@ -23,10 +25,10 @@ const OPTIMISE: [&str; 6] = [
     "--reorder-locals",
 ];
 
-/// The address below which `-lmu` expects no data.
+/// The address below which `-lmu` assumes that there is no data.
 const LOW_MEMORY: i32 = 1024;
 
-/// What rustc uses, given explicitly because the optimiser's own default is less.
+/// The wasm features that rustc uses, given explicitly because the optimiser enables fewer by default.
 const FEATURES: [&str; 7] = [
     "--enable-simd",
     "--enable-bulk-memory",
@@ -37,10 +39,10 @@ const FEATURES: [&str; 7] = [
     "--enable-multivalue",
 ];
 
-/// A module of its own with some of the functions: whoever needs curves only does not carry the surfaces.
+/// A separate module with some of the functions, so that a program that uses only curves does not include the surfaces.
 pub(crate) struct Part {
     pub(crate) name: &'static str,
-    /// How the names of its functions start.
+    /// The prefixes of the names of its functions.
     own: &'static [&'static str],
 }
 
@@ -60,7 +62,7 @@ pub(crate) const PARTS: [Part; 3] = [
         name: "surfaces",
         own: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
     },
-    // What js/applet calls, for bezier-app.js, which hands no curve out.
+    // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
         name: "applet",
         own: &[
@@ -78,19 +80,19 @@ pub(crate) const PARTS: [Part; 3] = [
     },
 ];
 
-/// What every module has.
+/// The prefixes of the exports of every module.
 const COMMON: [&str; 4] = ["arena_", "points_transform", "memory", "__"];
 
 fn starts(export: &str, with: &[&str]) -> bool {
     with.iter().any(|start| export.starts_with(start))
 }
 
-/// The generated part of the JavaScript sources.
+/// The folder of the generated JavaScript sources.
 pub(crate) fn folder() -> PathBuf {
     shell::root().join("js/glue")
 }
 
-/// Makes everything in js/glue from the wasm that cargo built.
+/// Generates all files of js/glue from the wasm that cargo built.
 pub(crate) fn generate(compiled: &Path) -> Result<()> {
     let linked = Linked::read(&fs::read(compiled)?)?;
     for (export, _) in linked.exports() {
@@ -108,7 +110,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
         let mine = |export: &str| starts(export, part.own) || starts(export, &COMMON);
         let cut = bound(compiled, &linked, &scratch(part.name), mine)?;
         optimisers.push(optimiser(&cut, part.name)?);
-        // A copy each: the glue keeps the memory that it belongs to in its own variables.
+        // Each part gets its own copy of the glue, because the glue stores its memory in module variables.
         fs::write(folder().join(format!("{}.js", part.name)), &glue)?;
         fs::write(folder().join(format!("{}.d.ts", part.name)), PART_TYPES)?;
     }
@@ -125,12 +127,12 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     Ok(fs::write(folder().join("functions.d.ts"), FUNCTIONS_TYPES)?)
 }
 
-/// Where the bindings of a part are made.
+/// The folder in which the bindings of a part are generated.
 fn scratch(part: &str) -> PathBuf {
     shell::target_dir().join("wasm").join(part)
 }
 
-/// The module with some of its exports and what these need, with bindings, in a folder.
+/// Generates a module with some of the exports and the code that they need, with bindings, in a folder.
 fn bound(
     compiled: &Path,
     linked: &Linked,
@@ -149,7 +151,7 @@ fn bound(
     Ok(bound)
 }
 
-/// Refuses data in memory that the optimiser takes for unused.
+/// Returns an error for data at addresses that the optimiser assumes to be unused.
 fn check_low_memory(module: &walrus::Module) -> Result<()> {
     for data in module.data.iter() {
         if let DataKind::Active { offset, .. } = &data.kind {
@@ -165,7 +167,7 @@ fn check_low_memory(module: &walrus::Module) -> Result<()> {
     Ok(())
 }
 
-/// The default module path is omitted: `import.meta` would break IIFE bundles and `require()`.
+/// Runs wasm-bindgen. The default module path is omitted: `import.meta` would break IIFE bundles and `require()`.
 fn bindings(reduced: &Path, folder: &Path) -> Result<()> {
     Bindgen::new()
         .web(true)?
@@ -178,8 +180,8 @@ fn bindings(reduced: &Path, folder: &Path) -> Result<()> {
         .context("generating the bindings")
 }
 
-/// The glue's decoder of error messages is made and warmed up on import, which no bundler may leave out. It is not warmed
-/// up, and where nothing needs it not made.
+/// Makes the import of the glue free of side effects. The glue constructs its decoder of error messages on import and
+/// warms it up, which bundlers must keep. The warm-up is removed, and the constructor call is marked as pure.
 fn without_side_effects(glue: &str) -> Result<String> {
     const CONSTRUCTED: &str = "let cachedTextDecoder = new ";
     const WARMED: &str = "\ncachedTextDecoder.decode();\n";
@@ -192,7 +194,7 @@ fn without_side_effects(glue: &str) -> Result<String> {
         .replace(WARMED, "\n"))
 }
 
-/// Starts the optimiser; all modules are optimised at the same time.
+/// Starts the optimiser; all modules are optimised in parallel.
 fn optimiser(from: &Path, name: &str) -> Result<Child> {
     let mut wasm_opt = shell::node(&["node_modules/binaryen/bin/wasm-opt"]);
     wasm_opt.args(OPTIMISE).args(FEATURES).args([
@@ -209,7 +211,7 @@ fn optimiser(from: &Path, name: &str) -> Result<Child> {
         .context("starting wasm-opt")
 }
 
-/// The exported functions themselves: what wasm-bindgen wraps around them changes nothing but the sign of an address.
+/// Types of the raw exports. The wrappers of wasm-bindgen change nothing but the sign of an address.
 const FUNCTIONS_TYPES: &str = "\
 import type * as glue from \"./casteljau.js\";
 export type Functions = Omit<typeof glue, \"default\" | \"initSync\">;

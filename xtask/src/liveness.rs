@@ -1,8 +1,8 @@
-//! What of a module do some of its exports need? Functions and constants, exactly.
+//! Liveness analysis of a wasm module: the functions and constants that a set of exports needs, exactly.
 //!
-//! The linker leaves its relocations in the module (`--emit-relocs`): each place in a function or a constant that names
-//! another one. So what is reached from some exports is known, also through tables of functions and of constants, which
-//! an optimiser must keep whole. Format: tool-conventions of WebAssembly, Linking.md.
+//! The linker leaves its relocations in the module (`--emit-relocs`): the positions in functions and constants that
+//! refer to other ones. They give everything that is reachable from a set of exports, also through tables of functions
+//! and of constants, which an optimiser must keep entirely. Format: tool-conventions of WebAssembly, Linking.md.
 
 use anyhow::{Context, Result, bail};
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ use wasmparser::{
     RelocationEntry, RelocationType, SymbolInfo, TypeRef,
 };
 
-/// A function by its index, or bytes of a data segment.
+/// A function by its index, or a byte range of a data segment.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Item {
     Function(usize),
@@ -22,20 +22,20 @@ pub(crate) enum Item {
 /// A linked module that still has its relocations.
 #[derive(Default)]
 pub(crate) struct Linked {
-    /// The item of each symbol; none for what is neither a function nor data.
+    /// The item of each symbol; `None` for a symbol that is neither a function nor data.
     symbols: Vec<Option<Item>>,
     imported: usize,
-    /// Where each local function and each data segment lies in the file.
+    /// The positions of the local functions and of the data segments in the file.
     functions: Vec<Range<usize>>,
     segments: Vec<Range<usize>>,
-    /// Where something is named, and by which symbol.
+    /// The references: the position in the file and the index of the symbol.
     names: Vec<(usize, usize)>,
     /// The functions that are exported.
     exports: Vec<(String, usize)>,
     start: Option<usize>,
 }
 
-/// What is left out: functions by their index, and bytes of data segments.
+/// The unreachable items: functions by their index, and byte ranges of data segments.
 #[derive(Default)]
 pub(crate) struct Unreached {
     pub(crate) functions: HashSet<usize>,
@@ -124,7 +124,7 @@ impl Linked {
             let RelocationEntry {
                 ty, offset, index, ..
             } = entry?;
-            // These name no symbol, or none that has a body.
+            // These relocations refer to no symbol, or to one without a body.
             if !matches!(
                 ty,
                 TypeIndexLeb | GlobalIndexLeb | GlobalIndexI32 | TableNumberLeb
@@ -135,12 +135,12 @@ impl Linked {
         Ok(())
     }
 
-    /// The functions that are exported, by name and index.
+    /// The exported functions, by name and index.
     pub(crate) fn exports(&self) -> &[(String, usize)] {
         &self.exports
     }
 
-    /// What nothing needs that starts from some functions, if some others' bodies are left out.
+    /// The items that cannot be reached from the roots, if the bodies of the functions in `empty` are removed.
     pub(crate) fn unreached(
         &self,
         roots: impl Iterator<Item = usize>,
@@ -155,7 +155,7 @@ impl Linked {
                 continue;
             }
             let Some(position) = self.position(&item) else {
-                continue; // imported
+                continue; // an imported function
             };
             let from = names.partition_point(|&(at, _)| at < position.start);
             for &(_, symbol) in names[from..]
@@ -176,7 +176,7 @@ impl Linked {
         Ok(self.rest(&reached))
     }
 
-    /// Where an item's bytes lie in the file.
+    /// The position of an item's bytes in the file.
     fn position(&self, item: &Item) -> Option<Range<usize>> {
         match item {
             Item::Function(index) => {
@@ -207,7 +207,7 @@ impl Linked {
     }
 }
 
-/// Whether a reached item has some of these bytes: constants may share them.
+/// Whether a reached item contains some of these bytes; constants may share bytes.
 fn shares(item: &Item, segment: usize, bytes: &Range<usize>) -> bool {
     matches!(item, Item::Bytes(k, other)
         if *k == segment && other.start < bytes.end && bytes.start < other.end)

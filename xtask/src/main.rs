@@ -1,4 +1,4 @@
-//! The one driver: `cargo xtask build | site | serve | test | test-deep | bench | size`.
+//! The build driver: `cargo xtask build | site | serve | test | test-deep | bench | size`.
 
 mod bench;
 mod browser;

@@ -3,7 +3,7 @@
 use crate::{build, shell};
 use anyhow::Result;
 
-/// Runs until it is stopped; further arguments go to Vite (`--port 8080`).
+/// Runs until stopped; further arguments are passed to Vite (`--port 8080`).
 pub(crate) fn serve(args: &[String]) -> Result<()> {
     build::build()?;
     let mut vite = shell::node(&[
@@ -14,7 +14,7 @@ pub(crate) fn serve(args: &[String]) -> Result<()> {
     become_it(vite.args(args))
 }
 
-/// On Unix the server takes the driver's place: whoever stops the driver stops the server.
+/// On Unix the server replaces the process of the driver, so that stopping the driver stops the server.
 #[cfg(unix)]
 fn become_it(server: &mut std::process::Command) -> Result<()> {
     use std::os::unix::process::CommandExt;

@@ -1,4 +1,4 @@
-//! What a fresh clone lacks: the wasm target, the components of the toolchain, node_modules.
+//! Setup of a fresh clone: the wasm target, the components of the toolchain, node_modules.
 
 use crate::{shell, stamp};
 use anyhow::{Context, Result, bail};
@@ -7,10 +7,10 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 
 const WASM_TARGET: &str = "wasm32-unknown-unknown";
-/// `require()` of an ES module works from here on.
+/// The oldest version of Node in which `require()` accepts an ES module.
 const MIN_NODE: (u32, u32) = (20, 19);
 
-/// rust-toolchain.toml names the target, but with rustup's auto-install switched off that adds nothing.
+/// Installs the wasm target. rust-toolchain.toml names it, but has no effect if rustup's auto-install is off.
 pub(crate) fn wasm_target() -> Result<()> {
     let sysroot = shell::output_of(&mut shell::command("rustc", &["--print", "sysroot"]));
     let sysroot = sysroot.context("rustc does not run: install Rust from https://rustup.rs")?;
@@ -28,7 +28,7 @@ pub(crate) fn wasm_target() -> Result<()> {
     ))
 }
 
-/// rustfmt and clippy, which a minimal toolchain lacks.
+/// Installs rustfmt and clippy, which a minimal toolchain does not include.
 pub(crate) fn components() -> Result<()> {
     for (component, command) in [("rustfmt", "fmt"), ("clippy", "clippy")] {
         if shell::output_of(&mut shell::cargo(&[command, "--version"])).is_none() {
@@ -41,7 +41,7 @@ pub(crate) fn components() -> Result<()> {
     Ok(())
 }
 
-/// `npm ci`, unless node_modules was installed from this very package-lock.json.
+/// Runs `npm ci` unless node_modules was installed from the present package-lock.json.
 pub(crate) fn node_modules() -> Result<()> {
     node_version()?;
     let _single = stamp::lock()?;

@@ -1,46 +1,46 @@
-//! Running other programs, always from the repository's root, and saying which one failed.
+//! Running external programs from the root of the repository, with errors that name the failed program.
 
 use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// The repository's root: the driver may be started from any folder below it.
+/// The root of the repository; the driver may be started from any folder below it.
 pub(crate) fn root() -> PathBuf {
     let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
     let here = manifest.unwrap_or_else(|| PathBuf::from(env!("CARGO_MANIFEST_DIR")));
     here.parent().map_or(here.clone(), Path::to_path_buf)
 }
 
-/// Where cargo puts its output.
+/// The output folder of cargo.
 pub(crate) fn target_dir() -> PathBuf {
     root().join(std::env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// A command that starts in the root.
+/// A command whose working directory is the root.
 pub(crate) fn command(program: &str, args: &[&str]) -> Command {
     let mut command = Command::new(program);
     command.args(args).current_dir(root());
     command
 }
 
-/// A plain `cargo`, without the settings that the outer cargo gave to the driver.
+/// A `cargo` command without the environment variables that the outer cargo set for the driver.
 pub(crate) fn cargo(args: &[&str]) -> Command {
     let mut command = command("cargo", args);
     command.env_remove("CARGO_MANIFEST_DIR");
     command
 }
 
-/// `npm`, which on Windows is a script.
+/// An `npm` command; on Windows npm is a script.
 pub(crate) fn npm(args: &[&str]) -> Command {
     command(if cfg!(windows) { "npm.cmd" } else { "npm" }, args)
 }
 
-/// A script under node, its path relative to the root.
+/// A command that runs a script in Node; its path is relative to the root.
 pub(crate) fn node(args: &[&str]) -> Command {
     command("node", args)
 }
 
-/// Runs a command whose output the reader sees.
+/// Runs a command with visible output.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
     let status = command
         .status()
@@ -51,7 +51,7 @@ pub(crate) fn run(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// Runs `cargo test` for the tests whose names contain one of the filters, or for all; it fails where no name does.
+/// Runs `cargo test` for the tests whose names contain one of the filters, or for all; fails if no name matches.
 pub(crate) fn run_tests(cargo: impl Fn() -> Command, filters: &[String]) -> Result<()> {
     if !filters.is_empty() {
         let mut list = cargo();
@@ -85,7 +85,7 @@ pub(crate) fn run_quietly(command: &mut Command) -> Result<()> {
     Ok(())
 }
 
-/// What a command prints, trimmed; nothing if it cannot be started or fails.
+/// The trimmed output of a command; `None` if it cannot be started or fails.
 pub(crate) fn output_of(command: &mut Command) -> Option<String> {
     let output = command
         .output()

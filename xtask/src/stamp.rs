@@ -1,4 +1,4 @@
-//! Which work is up to date: the contents of the inputs are hashed and compared with the last run.
+//! Incremental builds: the contents of the inputs are hashed and compared with those of the last run.
 
 use crate::shell;
 use anyhow::{Context, Result};
@@ -6,14 +6,14 @@ use std::fs::{self, File};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-/// One piece of work: what goes in, what must be there afterwards.
+/// A build task: its inputs, and the outputs that must exist afterwards.
 pub(crate) struct Work<'a> {
     pub(crate) name: &'a str,
     pub(crate) inputs: &'a [PathBuf],
     pub(crate) outputs: &'a [PathBuf],
 }
 
-/// Does the work unless the same inputs were already worked on and every output is still there.
+/// Runs `act` unless the last run had the same inputs and every output still exists.
 pub(crate) fn unless_current(work: &Work, act: impl FnOnce() -> Result<()>) -> Result<()> {
     let stamp = stamp_path(work.name);
     let key = format!("{:016x}", fingerprint(work.inputs)?);
@@ -29,7 +29,7 @@ pub(crate) fn unless_current(work: &Work, act: impl FnOnce() -> Result<()>) -> R
     Ok(fs::write(stamp, key)?)
 }
 
-/// Waits until no other driver works in this clone, and keeps them out until dropped.
+/// Waits until no other driver runs in this clone, and blocks others until dropped.
 pub(crate) fn lock() -> Result<File> {
     fs::create_dir_all(shell::target_dir())?;
     let file = File::create(shell::target_dir().join("xtask.lock"))?;
@@ -37,7 +37,7 @@ pub(crate) fn lock() -> Result<File> {
     Ok(file)
 }
 
-/// All files below a folder, sorted; `node_modules` and hidden files are left out.
+/// All files below a folder, sorted, without `node_modules` and hidden files.
 pub(crate) fn files_below(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let Ok(entries) = fs::read_dir(folder) else {
@@ -64,7 +64,7 @@ fn stamp_path(name: &str) -> PathBuf {
         .join(name.replace(' ', "-"))
 }
 
-/// The driver itself counts as an input: a changed encoder must encode again.
+/// A hash of the inputs. The driver itself is an input too, because a changed encoder must encode again.
 fn fingerprint(inputs: &[PathBuf]) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
     fs::metadata(std::env::current_exe()?)?

@@ -1,9 +1,10 @@
-//! Modules without what they do not need: panics without their words, and no function or constant that none of the wanted
-//! exports reaches.
+//! Removes unneeded code from wasm modules: panic messages, and all functions and constants that no selected export
+//! reaches.
 //!
-//! A panic ends in a trap: nothing unwinds, and nothing prints the message. So every function that only prepares a
-//! message becomes a bare trap here, and so does every function that formats one: nothing else in the module formats
-//! anything. What only these functions need goes with them (a quarter of the module). Bounds are checked as before.
+//! A panic ends in a trap: there is no unwinding, and the message is not printed. So every function that only prepares
+//! a message is replaced by a bare trap, and so is every function that formats one; nothing else in the module formats
+//! anything. The code that only these functions need is removed too (a quarter of the module). Bounds are still
+//! checked.
 
 use crate::liveness::{Linked, Unreached};
 use anyhow::{Context, Result};
@@ -11,14 +12,14 @@ use std::collections::HashSet;
 use std::path::Path;
 use walrus::{ExportId, FunctionBuilder, FunctionId, FunctionKind, Module};
 
-/// The module with bare traps for all that panics, and for all that no wanted export reaches.
+/// The module in which functions that panic, and functions that no selected export reaches, are bare traps.
 pub(crate) fn reduced(
     compiled: &Path,
     linked: &Linked,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<Module> {
     let mut module = Module::from_file(compiled)?;
-    // In the order of their indices.
+    // In index order.
     let functions: Vec<FunctionId> = module.funcs.iter().map(|f| f.id()).collect();
     let panicking: HashSet<usize> = (0..functions.len())
         .filter(|&k| {
@@ -41,7 +42,8 @@ pub(crate) fn reduced(
     Ok(module)
 }
 
-/// Zeros for constants that nothing needs, which the optimiser packs away; and no relocations, which are void now.
+/// Overwrites unreachable constants with zeros, which the optimiser removes, and deletes the relocations, which are no
+/// longer valid.
 fn erase(module: &mut Module, unreached: &Unreached) -> Result<()> {
     let segments: Vec<_> = module.data.iter().map(|data| data.id()).collect();
     for (segment, bytes) in &unreached.bytes {
@@ -59,7 +61,7 @@ fn erase(module: &mut Module, unreached: &Unreached) -> Result<()> {
     Ok(())
 }
 
-/// The module without some of its exports and all that only these needed.
+/// The module without some of its exports and the code that only these exports need.
 pub(crate) fn without(bound: &Path, unwanted: impl Fn(&str) -> bool) -> Result<Module> {
     let mut module = Module::from_file(bound)?;
     let exports: Vec<ExportId> = module
@@ -75,7 +77,7 @@ pub(crate) fn without(bound: &Path, unwanted: impl Fn(&str) -> bool) -> Result<M
     Ok(module)
 }
 
-/// `core[c5930c85a12de822]::fmt` is `core::fmt`: names come demangled already, with the hashes of crates.
+/// Removes crate hashes from a demangled name: `core[c5930c85a12de822]::fmt` becomes `core::fmt`.
 fn without_hashes(path: &str) -> String {
     let mut parts = path.split('[');
     let first = parts.next().unwrap_or_default().to_owned();
@@ -87,7 +89,7 @@ fn without_hashes(path: &str) -> String {
     })
 }
 
-/// Whether a function of the standard library, by its path, never returns.
+/// Whether the path names a function of the standard library that never returns.
 fn panics_only(path: &str) -> bool {
     let of_std = ["core", "alloc", "std", "__rustc"]
         .iter()
@@ -108,7 +110,7 @@ fn panics_only(path: &str) -> bool {
     of_std && (never(name) || path.contains("::panicking::"))
 }
 
-/// Whether a function belongs to the formatting of messages: `core::fmt`, its traits' methods, payloads of panics.
+/// Whether a function belongs to message formatting: `core::fmt`, the methods of its traits, panic payloads.
 fn formats(path: &str) -> bool {
     ["core::fmt::", "core::num::flt2dec::", "std::panicking::"]
         .iter()

@@ -1,8 +1,8 @@
-//! What the arguments of `test` and `test-deep` ask for.
+//! The command line arguments of `test` and `test-deep`.
 
 use anyhow::{Context, Result, bail};
 
-/// A step as the arguments know it.
+/// The name of a step and the arguments it accepts.
 #[derive(Clone, Copy)]
 pub(crate) struct StepName {
     pub(crate) name: &'static str,
@@ -10,22 +10,22 @@ pub(crate) struct StepName {
     pub(crate) selects: bool,
 }
 
-/// A step to run, and the files or tests to which it is restricted; with none it runs all of its tests.
+/// A step to run, and its filters (names of files or tests); without filters it runs all of its tests.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) step: String,
     pub(crate) filters: Vec<String>,
 }
 
-/// The steps to run in their order, and the number of cases for generated tests.
+/// The steps to run in order, and the number of cases for generated tests.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Request {
     pub(crate) choices: Vec<Choice>,
     pub(crate) cases: Option<u64>,
 }
 
-/// Reads `[STEP [FILE_OR_NAME …] …] [--from STEP] [--only STEP[,STEP]]`. What is not the name of a step belongs to the
-/// step before it, as does everything after `--`.
+/// Parses `[STEP [FILE_OR_NAME …] …] [--from STEP] [--only STEP[,STEP]]`. An argument that is not the name of a step is
+/// a filter of the step before it, as is every argument after `--`.
 pub(crate) fn parse(args: &[String], steps: &[StepName]) -> Result<Request> {
     let mut parser = Parser {
         steps,
@@ -56,7 +56,7 @@ pub(crate) fn parse(args: &[String], steps: &[StepName]) -> Result<Request> {
     })
 }
 
-/// The same for `test-deep`, which also takes `--cases N`.
+/// [`parse`] for `test-deep`, which also takes `--cases N`.
 pub(crate) fn parse_deep(args: &[String], steps: &[StepName]) -> Result<Request> {
     let Some(at) = args.iter().position(|arg| arg == "--cases") else {
         return parse(args, steps);
@@ -86,7 +86,7 @@ impl Choice {
 struct Parser<'a> {
     steps: &'a [StepName],
     choices: Vec<Choice>,
-    /// What has chosen the steps so far: `--from`, `--only`, or names.
+    /// The form that selected the steps so far: `--from`, `--only`, or names.
     selected_by: Option<&'a str>,
 }
 
@@ -97,7 +97,7 @@ impl<'a> Parser<'a> {
         found.with_context(|| format!("expected one of {}, got {name}", known.join(", ")))
     }
 
-    /// Only one of the three ways to choose steps can be used.
+    /// Records the form that selects steps; returns an error if another one of the three forms was used before.
     fn claim(&mut self, form: &'a str) -> Result<()> {
         match self.selected_by.replace(form) {
             Some(other) if other != form => bail!("{other} and {form} cannot be combined"),
@@ -181,7 +181,7 @@ mod tests {
         line.split_whitespace().map(str::to_owned).collect()
     }
 
-    /// The request as text: `step(filter filter) step`.
+    /// The parsed request as text: `step(filter filter) step`.
     fn read(line: &str) -> Result<String, String> {
         let request = parse_deep(&words(line), &STEPS).map_err(|error| error.to_string())?;
         let mut parts: Vec<String> = request

@@ -1,4 +1,4 @@
-//! Steps that run beside another: each in a process of its own, so that their output can be kept apart.
+//! Steps that run in parallel to another one, each in its own process, so that their outputs are kept apart.
 
 use super::args::{Choice, Request};
 use super::step::{Command, Context, Done, Step, blocked, file, find, prepare, record};
@@ -10,10 +10,10 @@ use std::process::{self, Child, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::Instant;
 
-/// The hidden command by which the driver starts itself to run one step beside another.
+/// The hidden command with which the driver starts itself to run one step in parallel to another one.
 pub(crate) const RUN_STEP: &str = "run-test-step";
 
-/// A step that runs in a process of its own, its output kept until the step before it has ended.
+/// A step that runs in its own process. Its output is held back until the previous step has ended.
 pub(crate) struct Other<'a> {
     command: &'a Command,
     step: &'a Step,
@@ -22,7 +22,7 @@ pub(crate) struct Other<'a> {
 }
 
 enum State {
-    /// A thread waits for the process and gives whether it passed, and its seconds.
+    /// A thread that waits for the process and returns whether it passed, and its time in seconds.
     Running(JoinHandle<io::Result<(bool, f64)>>),
     Blocked(Outcome),
 }
@@ -92,7 +92,8 @@ fn spawn(step: &Step, choice: &Choice) -> Result<Child> {
     Ok(command.spawn()?)
 }
 
-/// How a step in another process ended: by its exit code, the file of [`run_by_itself`], and its last words.
+/// The outcome of a step in another process, from its exit code, the file of [`run_by_itself`], and the end of its
+/// output.
 fn ended(step: &Step, passed: bool, output: &str) -> Outcome {
     if !passed {
         let mut errors = output
@@ -109,7 +110,7 @@ fn ended(step: &Step, passed: bool, output: &str) -> Outcome {
     fs::read_to_string(file(step, "skipped")).map_or(Outcome::Passed, Outcome::Skipped)
 }
 
-/// Runs a single step without a summary. Why it is skipped, if it is, stands in a file.
+/// Runs a single step without a summary. If it is skipped, the reason is written to a file.
 pub(crate) fn run_by_itself(steps: &[Step], request: &Request) -> Result<()> {
     let [choice] = request.choices.as_slice() else {
         bail!("expected the name of one step");

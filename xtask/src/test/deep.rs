@@ -1,4 +1,4 @@
-//! The steps of `test-deep`: what would take too long in `test`.
+//! The steps of `test-deep`, which would take too long in `test`.
 
 use super::step::{Context, Done, Step};
 use super::{node, select};
@@ -6,11 +6,11 @@ use crate::{build, shell};
 use anyhow::Result;
 use std::process::Command;
 
-/// What tests read to know that they shall run many more cases.
+/// The environment variable that makes tests run many more cases.
 const DEEP: &str = "CASTELJAU_DEEP";
-/// How many calls the generated tests make for each function, if not their own number.
+/// The environment variable with the number of calls per function in the generated tests.
 const CASES: &str = "CASTELJAU_CASES";
-/// The test binary of generated calls, a step of its own.
+/// The test binary of generated calls, which is a separate step.
 const GENERATED: &str = "generated";
 
 pub(crate) const STEPS: [Step; 4] = [
@@ -48,7 +48,7 @@ pub(crate) const STEPS: [Step; 4] = [
     },
 ];
 
-/// Those test binaries that have more cases to offer.
+/// Runs the test binaries that have more cases in deep mode.
 fn sweeps(context: &Context) -> Result<Done> {
     let targets = select::test_targets().into_iter();
     let known: Vec<String> = targets

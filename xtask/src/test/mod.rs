@@ -1,4 +1,4 @@
-//! `test` and `test-deep`: all steps or some, each on its own, with a summary that names what failed and was skipped.
+//! `test` and `test-deep`: run all or selected steps, and print a summary with the failed and the skipped ones.
 
 mod args;
 mod beside;
@@ -18,19 +18,19 @@ pub(crate) use select::{binaries, mentions, test_targets};
 pub(crate) use step::Done;
 use step::{Command, Step};
 
-/// All steps in order, or the chosen ones; a failed one does not keep the others from running.
+/// Runs all steps in order, or the selected ones; after a failure the other steps still run.
 pub(crate) fn test(args: &[String]) -> Result<()> {
     let request = args::parse(args, &names(&steps::STEPS))?;
     run("test", &steps::STEPS, &request)
 }
 
-/// The long sweeps and the soak tests, many times as many cases as in [`test`].
+/// Runs the long sweeps and the soak tests, with many times the cases of [`test`].
 pub(crate) fn deep(args: &[String]) -> Result<()> {
     let request = args::parse_deep(args, &names(&deep::STEPS))?;
     run("test-deep", &deep::STEPS, &request)
 }
 
-/// The other end of a step that runs beside another; only `test` has such steps.
+/// Runs one step in the child process of a step that runs beside another one; only `test` has such steps.
 pub(crate) fn run_step(args: &[String]) -> Result<()> {
     let request = args::parse(args, &names(&steps::STEPS))?;
     beside::run_by_itself(&steps::STEPS, &request)

@@ -1,4 +1,4 @@
-//! The steps that run JavaScript tests, in Node and in browsers.
+//! The steps that run JavaScript tests in Node and in browsers.
 
 use super::select;
 use super::step::run_all;
@@ -8,7 +8,7 @@ use anyhow::Result;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The variables that name a browser. A step sees only those that it sets.
+/// The environment variables that name a browser. Each step passes only those that it sets.
 const BROWSERS: [&str; 3] = ["CHROME_PATH", "FIREFOX_PATH", "WEBKIT_DRIVER"];
 
 pub(crate) fn js(context: &Context) -> Result<Done> {
@@ -30,8 +30,8 @@ pub(crate) fn page_webkit(context: &Context) -> Result<Done> {
     in_other_browser(context, "WEBKIT_DRIVER", browser::webkit())
 }
 
-/// The tests of tests/browsers. Where the browser cannot be had (no Debian, no root) the step is skipped: the same pages
-/// have passed in Chromium.
+/// Runs the tests of tests/browsers. If the browser is not available (not Debian, not root) the step is skipped; the
+/// same pages are tested in Chromium.
 fn in_other_browser(context: &Context, variable: &str, path: Option<PathBuf>) -> Result<Done> {
     let Some(path) = path else {
         let reason = "the browser is absent and cannot be installed";
@@ -49,7 +49,7 @@ pub(crate) fn packaging(context: &Context) -> Result<Done> {
     node_tests(context, "tests/packaging", &[], &[("CHROME_PATH", &chrome)])
 }
 
-/// Runs the tests of a folder, by its own run.js if it has one.
+/// Runs the tests of a folder, with the folder's run.js if it has one.
 fn node_tests(
     context: &Context,
     folder: &str,
@@ -72,7 +72,7 @@ fn node_tests(
     run_all([tests])
 }
 
-/// Node's runner with two files at a time; by default it would leave one of two cores idle.
+/// Node's test runner with two files at a time; its default would use only one of two cores.
 fn plain_runner(context: &Context, folder: &str) -> Result<Command> {
     let chosen = select::files(context.filters, &test_files(folder))?;
     let skipped = context.skipped.display();
@@ -86,7 +86,7 @@ fn plain_runner(context: &Context, folder: &str) -> Result<Command> {
     Ok(tests)
 }
 
-/// The files are listed here because Node 20 and 22 read a folder's name differently.
+/// The test files of a folder. They are listed explicitly because Node 20 and 22 treat folder arguments differently.
 fn test_files(folder: &str) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = stamp::files_below(&shell::root().join(folder));
     files.retain(|file| {

@@ -1,4 +1,4 @@
-//! Runs steps one after the other, or two at a time where their output can wait, and records how each ended.
+//! Runs steps one after the other, or two in parallel if the output of one can wait, and records their outcomes.
 
 use super::args::Choice;
 use super::beside::Other;
@@ -7,7 +7,7 @@ use super::summary::{self, Outcome, Record};
 use anyhow::{Result, bail};
 use std::time::Instant;
 
-/// Runs the chosen steps, prints the summary, and fails if one of them failed.
+/// Runs the selected steps, prints the summary, and fails if a step failed.
 pub(crate) fn run(command: &Command, steps: &[Step], choices: &[Choice]) -> Result<()> {
     let start = Instant::now();
     let mut records: Vec<Record> = Vec::new();

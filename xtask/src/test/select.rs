@@ -1,19 +1,19 @@
-//! From names on the command line to test binaries, test files and patterns.
+//! Resolves filters of the command line to test binaries, test files and patterns.
 
 use crate::shell;
 use anyhow::{Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Test binaries by name, and parts of the names of tests in them.
+/// Names of test binaries, and substrings of test names.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Binaries {
     pub(crate) targets: Vec<String>,
     pub(crate) tests: Vec<String>,
 }
 
-/// A filter that names a binary (`curve`, `tests/curve`, `tests/curve/main.rs`, `tests/one.rs`) chooses it; any other
-/// is a part of a test's name.
+/// A filter that names a binary (`curve`, `tests/curve`, `tests/curve/main.rs`, `tests/one.rs`) selects it; any other
+/// filter is a substring of a test name.
 pub(crate) fn binaries(filters: &[String], known: &[String]) -> Binaries {
     let mut chosen = Binaries::default();
     for filter in filters {
@@ -29,7 +29,7 @@ pub(crate) fn binaries(filters: &[String], known: &[String]) -> Binaries {
     chosen
 }
 
-/// The names of the test binaries of the crate, with the file in which each starts.
+/// The names of the test binaries of the crate, each with its main file.
 pub(crate) fn test_targets() -> Vec<(String, PathBuf)> {
     let entries = fs::read_dir(shell::root().join("tests"));
     let paths = entries
@@ -51,7 +51,7 @@ fn target(path: PathBuf) -> Option<(String, PathBuf)> {
     root.filter(|root| root.is_file()).map(|root| (name, root))
 }
 
-/// Whether a text stands in the main file of a test binary, or in one beside it.
+/// Whether the main file of a test binary, or a file beside it, contains a text.
 pub(crate) fn mentions(root: &Path, text: &str) -> bool {
     let has = |path: &Path| fs::read_to_string(path).is_ok_and(|source| source.contains(text));
     if root.file_name().is_none_or(|name| name != "main.rs") {
@@ -66,15 +66,15 @@ pub(crate) fn mentions(root: &Path, text: &str) -> bool {
     paths.any(|path| has(&path))
 }
 
-/// Files of JavaScript tests, and patterns of the names of tests in them.
+/// Files of JavaScript tests, and patterns of test names.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Files {
     pub(crate) files: Vec<PathBuf>,
     pub(crate) patterns: Vec<String>,
 }
 
-/// A filter that names a file (by its path or its name, with or without `.test.js`) chooses it; any other is a pattern
-/// of the names of tests. Without files among the filters all files are chosen.
+/// A filter that names a file (by its path or its name, with or without `.test.js`) selects it; any other filter is a
+/// pattern of test names. If no filter names a file, all files are selected.
 pub(crate) fn files(filters: &[String], all: &[PathBuf]) -> Result<Files> {
     let mut chosen = Files::default();
     for filter in filters {
@@ -98,7 +98,7 @@ fn is_named(path: &Path, filter: &str) -> bool {
     path.ends_with(filter) || short_name(path) == filter
 }
 
-/// `/…/` is a regular expression for the names of tests; any other text is a part of a name.
+/// The pattern of a filter: `/…/` is a regular expression for test names; any other text is a substring.
 fn pattern(filter: &str) -> String {
     if filter.len() > 2 && filter.starts_with('/') && filter.ends_with('/') {
         return filter.to_owned();
@@ -111,7 +111,7 @@ fn pattern(filter: &str) -> String {
     escaped.collect()
 }
 
-/// A file's name without `.test.js`.
+/// The name of a file without `.test.js`.
 fn short_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     name.trim_end_matches(".test.js").to_owned()

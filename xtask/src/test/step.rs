@@ -1,4 +1,4 @@
-//! A step of a run: what it needs, what it is given, and the record of how it ended.
+//! A step of a test run: its requirements, its input, and the record of its outcome.
 
 use super::args::Choice;
 use super::summary::{Outcome, Record};
@@ -12,33 +12,33 @@ use std::process;
 pub(crate) struct Step {
     pub(crate) name: &'static str,
     pub(crate) title: &'static str,
-    /// The steps without which this one cannot pass.
+    /// The steps that must pass before this one.
     pub(crate) needs: &'static [&'static str],
     /// Whether names of files or tests may follow its name.
     pub(crate) selects: bool,
-    /// The step beside which this one runs if both are chosen: each of the two keeps one core busy.
+    /// The step in parallel to which this one runs if both are selected; each of the two keeps one core busy.
     pub(crate) beside: Option<&'static str>,
     pub(crate) act: fn(&Context) -> Result<Done>,
 }
 
-/// What a step is given.
+/// The input of a step.
 pub(crate) struct Context<'a> {
-    /// The names of files or tests to which it is restricted.
+    /// The names of the files or tests to run; if empty, all.
     pub(crate) filters: &'a [String],
     /// The number of cases for generated tests, if the user gave one.
     pub(crate) cases: Option<u64>,
-    /// The file in which tests say that they are skipped, one line each.
+    /// The file to which tests write that they are skipped, one line each.
     pub(crate) skipped: PathBuf,
 }
 
-/// How a step that did not fail ended.
+/// The outcome of a step that did not fail.
 pub(crate) enum Done {
     Passed,
-    /// It could not run here; the text says why.
+    /// The step could not run on this machine; the text gives the reason.
     Skipped(String),
 }
 
-/// The command that the user gave.
+/// The command of the user.
 pub(crate) struct Command {
     pub(crate) name: &'static str,
     pub(crate) cases: Option<u64>,
@@ -49,7 +49,7 @@ pub(crate) fn find<'a>(steps: &'a [Step], choice: &Choice) -> Result<&'a Step> {
     found.with_context(|| format!("no step {}", choice.step))
 }
 
-/// The first step on which this one depends and which has not passed.
+/// The outcome of a step that cannot run: the first step that it needs and that has not passed. `None` if it can run.
 pub(crate) fn blocked(step: &Step, records: &[Record]) -> Option<Outcome> {
     let failed = |record: &&Record| {
         step.needs.contains(&record.name.as_str()) && record.outcome != Outcome::Passed
@@ -86,13 +86,13 @@ pub(crate) fn record(
     }
 }
 
-/// What a step leaves behind: its output, and what it skipped.
+/// The path of a file that a step writes: its output, or its list of skipped tests.
 pub(crate) fn file(step: &Step, extension: &str) -> PathBuf {
     let folder = shell::target_dir().join("xtask-steps");
     folder.join(step.name).with_extension(extension)
 }
 
-/// Makes the folder of [`file`], and removes what an earlier run left there.
+/// Creates the folder of [`file`] and removes the files of an earlier run.
 pub(crate) fn prepare(step: &Step) -> Result<()> {
     fs::create_dir_all(shell::target_dir().join("xtask-steps"))?;
     for extension in ["log", "skipped", "skipped-tests"] {
@@ -104,7 +104,7 @@ pub(crate) fn prepare(step: &Step) -> Result<()> {
     Ok(())
 }
 
-/// The command line that runs a step again.
+/// The command line that repeats a step.
 fn repeat(command: &Command, choice: &Choice) -> String {
     let mut words = vec![format!("cargo xtask {}", command.name)];
     words.extend(command.cases.map(|cases| format!("--cases {cases}")));
@@ -116,7 +116,7 @@ fn repeat(command: &Command, choice: &Choice) -> String {
     words.join(" ")
 }
 
-/// A word as a shell reads it.
+/// A word quoted for the shell if necessary.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "_-./:,".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
@@ -125,7 +125,7 @@ fn quoted(word: &str) -> String {
     format!("'{}'", word.replace('\'', r"'\''"))
 }
 
-/// Runs all of the commands, whether or not one before failed.
+/// Runs all commands, even if one of them fails.
 pub(crate) fn run_all(commands: impl IntoIterator<Item = process::Command>) -> Result<Done> {
     let results = commands
         .into_iter()

@@ -6,7 +6,7 @@ use crate::{build, shell, wasm_test};
 use anyhow::Result;
 use std::process::Command;
 
-/// A step without the exceptions that a few have.
+/// The default values of a step.
 const PLAIN: Step = Step {
     name: "",
     title: "",
@@ -154,7 +154,7 @@ fn clippy(_: &Context) -> Result<Done> {
     };
     run_all([
         clippy(&["casteljau", "casteljau-benches"], &["--all-features"]),
-        // The driver in its own profile, whose dependencies are built already.
+        // The driver is checked in its own profile, because its dependencies are already built in it.
         clippy(&["xtask"], &["--profile", "xtask"]),
     ])
 }
@@ -190,7 +190,7 @@ fn native(context: &Context) -> Result<Done> {
         ]);
         tests.arg("--no-fail-fast");
         if chosen.targets.is_empty() {
-            tests.args(["--lib", "--tests"]); // clippy compiles the examples
+            tests.args(["--lib", "--tests"]); // the examples are compiled by clippy
         }
         for target in &chosen.targets {
             tests.args(["--test", target]);
@@ -202,7 +202,7 @@ fn native(context: &Context) -> Result<Done> {
 }
 
 fn doc(_: &Context) -> Result<Done> {
-    // The features of the native tests, whose compiled crate serves here, too.
+    // The same features as for the native tests, so that their compiled crate is reused.
     let package = ["--package", "casteljau", "--features", "serde,kurbo"];
     let mut examples = shell::cargo(&["test", "--doc"]);
     examples.args(package);
@@ -223,12 +223,12 @@ fn driver(_: &Context) -> Result<Done> {
     run_all([shell::cargo(&tests)])
 }
 
-/// The build has checked the types already; here they are checked whether or not something changed.
 fn size(_: &Context) -> Result<Done> {
     crate::size::size()?;
     Ok(Done::Passed)
 }
 
+/// Checks the types. The build checks them only if something changed; this step always does.
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
     let tsc = "node_modules/typescript/bin/tsc";
@@ -244,7 +244,7 @@ fn types(_: &Context) -> Result<Done> {
     run_all([check])
 }
 
-/// A runner of its own is told where to list the skipped tests.
+/// Passes the file for the list of skipped tests to a custom runner.
 fn with_skipped(mut command: Command, context: &Context) -> Command {
     command.env("CASTELJAU_SKIPPED", &context.skipped);
     command

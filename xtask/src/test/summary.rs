@@ -1,8 +1,8 @@
-//! What a run of steps ends with: a table of times, the failures, what was skipped, and one line of counts.
+//! The summary of a run: a table of times, the failures, the skipped tests, and one line of counts.
 
 use std::fmt::Write;
 
-/// How a step ended; the texts say why.
+/// The outcome of a step; the texts give the reason.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Outcome {
     Passed,
@@ -10,20 +10,20 @@ pub(crate) enum Outcome {
     Skipped(String),
 }
 
-/// A step that has ended.
+/// The record of a finished step.
 #[derive(Debug)]
 pub(crate) struct Record {
     pub(crate) name: String,
     pub(crate) title: &'static str,
     pub(crate) seconds: f64,
     pub(crate) outcome: Outcome,
-    /// The command that runs this step again.
+    /// The command that repeats this step.
     pub(crate) command: String,
-    /// The tests that were skipped within the step, each with its reason.
+    /// The tests that were skipped in the step, each with the reason.
     pub(crate) skipped_tests: Vec<String>,
 }
 
-/// The text of the summary. The last line counts steps, and nothing else is on it.
+/// The text of the summary. The last line contains only the counts of steps.
 pub(crate) fn render(records: &[Record], seconds: f64) -> String {
     let mut text = String::from("\n━━ Summary\n");
     for record in records {
