@@ -6,8 +6,8 @@
 //! their weighted mean B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ, with the **Bernstein polynomials** as weights; n is the
 //! **degree**. **De Casteljau's algorithm** computes the same point by repeated linear interpolation, and splits the
 //! curve at that point. Several curves joined end to end form a **spline**; its **joints** have different degrees of
-//! continuity. The tensor product of two families of curves is a **patch**, and patches that share control points form
-//! a surface.
+//! continuity. A curve whose control points move along curves sweeps out a **patch** (a tensor-product surface), and
+//! patches that share control points form a surface.
 //!
 //! # Conventions
 //!

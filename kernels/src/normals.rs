@@ -182,7 +182,7 @@ impl NormalNet {
         })
     }
 
-    /// Computes the normals of a line that are zero: on a collapsed edge from the first row of the net that is not
+    /// Computes the normals of a line that are zero: on a collapsed edge from the nearest row of the net that is not
     /// zero, elsewhere in f64. Returns true if some stay zero.
     #[cold]
     #[inline(never)]

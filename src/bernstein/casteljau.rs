@@ -51,8 +51,8 @@ pub(crate) fn split_numbers(left: &mut [f64], right: &mut [f64], dimension: usiz
 
 /// Replaces control points by those of the segment from t₀ to t₁.
 ///
-/// The order of the two cuts is chosen so that no parameter leaves [0, 1] if t₀ and t₁ do not; so every step is a
-/// convex combination.
+/// The first cut keeps the longer of the ranges from t₀ to 1 and from 0 to t₁. So the parameter of the second cut stays
+/// in [0, 1] if t₀ and t₁ do, and every step is a convex combination.
 pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
     if 1.0 - t0 > t1 {
         keep_after(points, t0);

@@ -22,7 +22,7 @@ use glam::{DVec2, DVec3};
 pub enum CurveKind {
     /// All control points coincide.
     Point,
-    /// All control points lie on a line; the curve may turn back on it.
+    /// All control points lie on a line; the curve may reverse its direction.
     Line,
     /// A parabola, whatever the degree of the control polygon.
     Quadratic,

@@ -6,7 +6,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use casteljau_kernels::sample_plane_cubic;
 
-/// The maximum number of numbers in one bulk result: 1 GiB of f64.
+/// The maximum length of one bulk result in f64 values: 1 GiB.
 pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;
 
 impl<P: Point> Curve<P> {

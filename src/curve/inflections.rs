@@ -69,8 +69,8 @@ impl<P: Point> Curve<P> {
     /// The parameters inside (0, 1) of cusps, in ascending order: B′ = 0, and the direction reverses.
     ///
     /// At a cusp |B′|² has a minimum, a root of B′·B″, at which |B′| is no larger than rounding of the control points
-    /// can make it. A straight curve that turns back has a cusp at that point. Where B′ = 0 but the direction does not
-    /// reverse, there is no cusp.
+    /// can make it. A straight curve that reverses its direction has a cusp at that point. Where B′ = 0 but the
+    /// direction does not reverse, there is no cusp.
     ///
     /// Source: Stone and DeRose, "A geometric characterization of parametric cubic curves", ACM TOG 8 (1989).
     ///

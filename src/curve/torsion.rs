@@ -31,7 +31,8 @@ impl<P: Point> Curve<P> {
         let Some(twist) = (bend + 1..=self.degree()).find(out_of_plane) else {
             return 0.0;
         };
-        // With B ≈ A tᵃ + C tᵇ + E tᶜ the torsion is det(A, C, E)/|A×C|² · c(c−a)(c−b)/(ab(b−a)) · t to the power c − a − b.
+        // With B ≈ A tᵃ + C tᵇ + E tᶜ the torsion is
+        // det(A, C, E)/|A×C|² · c(c−a)(c−b)/(ab(b−a)) · t to the power c − a − b.
         let [a, b, c] = [local.first, bend, twist].map(|order| order as f64);
         let size = plane.size();
         let part = (plane / size).dot(term(twist).to_3d()) / size;

@@ -11,8 +11,8 @@ const MAX_HALVINGS: usize = 30;
 /// A second derivative below this part of the largest speed gives no direction.
 const VANISHING_BEND: f64 = 1e-9;
 
-/// The parameter step to a neighbouring point, as a part of the piece, if no derivative gives a direction, and for the
-/// evaluation of the direction of the offset curve.
+/// The step in t to a neighbouring point. Its square root is used if no derivative gives a direction; times the length
+/// of the piece, it is used to evaluate the direction of the offset curve.
 const BESIDE: f64 = 1.0 / (1_u32 << 20) as f64;
 
 /// Steps of the search for cusps of the offset curve; a cusp that it misses is cut when no cubic fits.
@@ -40,7 +40,7 @@ impl Source {
         found
     }
 
-    /// Halves until all vectors lie in one half-plane, so that no vector between them vanishes.
+    /// Halves until all control vectors of B′ lie in one half-plane, so that B′ does not vanish.
     fn search<const N: usize>(
         &self,
         vectors: &[Plane; N],

@@ -1,7 +1,7 @@
 //! Deviation of a segment of a quadratic or cubic from its chord.
 //!
-//! Let B(t₀ + τ) = B(t₀) + D₁τ + D₂τ² + D₃τ³. The cross product of the segment with its chord of step h is, with s =
-//! τ/h,
+//! Let B(t₀ + τ) = B(t₀) + D₁τ + D₂τ² + D₃τ³. With s = τ/h, the cross product of the segment with its chord of step h
+//! is
 //!
 //!   h³ s (1 − s) [ (a + bh) + s h (b + ch) ],   a = D₁×D₂, b = D₁×D₃, c = D₂×D₃:
 //!

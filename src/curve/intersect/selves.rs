@@ -22,7 +22,7 @@ impl Curve<DVec2> {
     ///
     /// End points are included: a closed curve passes its start again, with t = 0 and u = 1. A point that the curve
     /// passes three times gives three pairs. A cusp is not a self-intersection, nor is a segment that the curve passes
-    /// again: the list contains only isolated points, and a straight curve that turns back has none.
+    /// again: the list contains only isolated points, and a straight curve that reverses its direction has none.
     ///
     /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) = a(σ² −
     /// π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut into segments without
