@@ -1,26 +1,28 @@
 //! Bézier curves and surfaces: exact evaluation, splitting, flattening and tessellation.
 //!
-//! # The idea
+//! # Definitions
 //!
-//! A Bézier curve is drawn by a few **control points** P₀ … Pₙ. Its point at the parameter t, between 0 and 1, is their
-//! weighted mean B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ, with the **Bernstein polynomials** as weights; n is the **degree**.
-//! **De Casteljau's algorithm** finds the same point by dividing lines, and divides the curve as it goes. Several
-//! curves end to end make a **spline**, whose **joints** are more or less smooth; a curve whose control points run along
-//! curves makes a **patch**, and patches that share control points make a surface.
+//! A Bézier curve is defined by a few **control points** P₀ … Pₙ. Its point at the parameter t, between 0 and 1, is
+//! their weighted mean B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ, with the **Bernstein polynomials** as weights; n is the
+//! **degree**. **De Casteljau's algorithm** computes the same point by repeated linear interpolation, and splits the
+//! curve at that point. Several curves joined end to end form a **spline**; its **joints** have different degrees of
+//! continuity. A curve whose control points move along curves sweeps out a **patch** (a tensor-product surface), and
+//! patches that share control points form a surface.
 //!
 //! # Conventions
 //!
-//! - t, u, v ∈ \[0, 1\]; values outside extrapolate. Degree, never "order". End points come back exactly.
+//! - t, u, v ∈ \[0, 1\]; values outside extrapolate. The documentation uses "degree", never "order". End points are
+//!   exact.
 //! - The net of a patch has the index iv·(degree_u + 1) + iu: u runs along the fast index. A grid's vertex index is
-//!   iv·(segments_u + 1) + iu. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to.
-//! - Formulas assume x right and y up: curvature is positive when turning counter-clockwise, the normal is the tangent
-//!   turned by +90°. On a canvas, where y runs down, all signs flip. Angles are in radians.
+//!   iv·(segments_u + 1) + iu. Triangles are counter-clockwise as seen from the side that ∂u × ∂v points to.
+//! - Formulas assume x right and y up: curvature is positive for a counter-clockwise turn, the normal is the tangent
+//!   rotated by +90°. On a canvas, where y points down, all signs flip. Angles are in radians.
 //! - Basis matrices act as \[t³ t² t 1\]·M·P, row-major.
-//! - A tolerance is the greatest distance, in the input's own unit, and it is kept.
-//! - Degenerate geometry is no error and gives a defined result. An [`Error`] means that the caller erred: a wrong count,
-//!   a NaN, 0 segments, a tolerance that the coordinates cannot resolve.
+//! - A tolerance is a maximum distance, in the unit of the input, and it is guaranteed.
+//! - Degenerate geometry is not an error and gives a defined result. An [`Error`] means an invalid argument: a wrong
+//!   count, a NaN, 0 segments, a tolerance that the coordinates cannot resolve.
 //!
-//! # An example
+//! # Example
 //!
 //! ```
 //! use casteljau::{Curve, glam::DVec2};

@@ -1,14 +1,15 @@
-//! Cosine and sine of moderate angles. Those of the standard library work for all numbers and take 8 kB of the module.
+//! Cosine and sine of moderate angles. The functions of the standard library handle all numbers and take 8 kB of the
+//! wasm module.
 
 use std::f64::consts::FRAC_PI_2;
 
-/// What π/2 has beyond the number nearest to it.
+/// The difference of π/2 and the nearest f64.
 const REST_OF_HALF_PI: f64 = 6.123_233_995_736_766e-17;
 
-/// Pairs of terms of the series: the first one left out is below 1e-19 at π/4.
+/// Number of terms of the series; the first omitted term is below 1e-19 at π/4.
 const TERMS: u32 = 9;
 
-/// cos and sin of an angle of at most a few turns, within two ulps of 1.
+/// cos and sin of an angle of at most a few turns, with an error of at most two ulps of 1.
 pub fn cos_sin(angle: f64) -> (f64, f64) {
     let quarters = (angle / FRAC_PI_2).round();
     let rest = (angle - quarters * FRAC_PI_2) - quarters * REST_OF_HALF_PI;

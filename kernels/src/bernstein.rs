@@ -1,6 +1,6 @@
-//! Polynomials over the unit square in Bernstein form.
+//! Subdivision of polynomials over the unit square in Bernstein form.
 
-/// Halves a net of coefficients at ½ by de Casteljau's algorithm, along u (the fast index) or along v.
+/// Splits a net of coefficients at ½ by de Casteljau's algorithm, along u (the fast index) or along v.
 ///
 /// `left` holds the net. Afterwards `left` is the half before ½ and `right`, of the same length, the half after it.
 pub fn halve_coefficients(left: &mut [f64], right: &mut [f64], columns: usize, along_u: bool) {

@@ -1,8 +1,8 @@
-//! One bicubic patch on a grid: positions and unit normals.
+//! Evaluation of a bicubic patch on a grid: positions and unit normals.
 //!
-//! For each v the rows of the net are blended into one curve in u, in f64; then that curve is evaluated along u, four
+//! For each v, the rows of the net are blended into one curve in u, in f64; then that curve is evaluated along u, four
 //! samples at a time in f32. Normals come from the normal net (the Bernstein form of ∂u × ∂v, see `normals`), so that
-//! nothing cancels in f32. Where little of it is left all the same, a sample is computed again in f64.
+//! nothing cancels in f32. Where the result is still too small, the sample is computed again in f64.
 
 use crate::lanes::{LANES, round};
 use crate::weights;
@@ -18,25 +18,26 @@ pub struct BicubicGrid {
     pub(crate) v: Vec<[f64; 4]>,
     /// The weights of degree 5 along v.
     pub(crate) facings_v: Vec<[f32; 6]>,
-    /// Four samples each along u, from the second to the middle; those behind it are their mirror images, and the first
-    /// and the last are control points.
+    /// Groups of four samples along u, from the second to the middle. The samples after the middle are mirror images,
+    /// and the first and the last sample come from control points.
     pub(crate) lanes: Vec<Lanes>,
 }
 
-/// The weights at four samples, and at the four at 1 − t.
+/// The weights at four samples t, and at the four parameters 1 − t.
 ///
 /// Exchanging t and 1 − t exchanges wᵢ and wₘ₋ᵢ. So Σ wᵢ cᵢ = S + D at t and S − D at 1 − t, where S sums the terms
-/// ½(wᵢ + wₘ₋ᵢ)(cᵢ + cₘ₋ᵢ) and D the terms ½(wᵢ − wₘ₋ᵢ)(cᵢ − cₘ₋ᵢ) of the first half of the i: nearly half the work.
+/// ½(wᵢ + wₘ₋ᵢ)(cᵢ + cₘ₋ᵢ) and D the terms ½(wᵢ − wₘ₋ᵢ)(cᵢ − cₘ₋ᵢ) over the first half of the i. This nearly halves the
+/// work.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes {
     /// ½(wᵢ ± wₘ₋ᵢ) for degree 3.
     pub(crate) points: [[f32x4; 2]; 2],
-    /// The same for degree 5.
+    /// ½(wᵢ ± wₘ₋ᵢ) for degree 5.
     pub(crate) facings: [[f32x4; 3]; 2],
 }
 
 impl BicubicGrid {
-    /// The samples at even steps; both numbers of segments are at least 1.
+    /// The samples at equal steps; both numbers of segments are at least 1.
     pub fn new(segments_u: usize, segments_v: usize) -> Self {
         let u: Vec<_> = (0..=segments_u)
             .map(|k| weights::cubic(k, segments_u))
@@ -68,7 +69,7 @@ impl BicubicGrid {
 
 impl Lanes {
     fn new(first: usize, segments: usize) -> Self {
-        // Grids of less than four segments have fewer samples.
+        // Grids with fewer than four segments have fewer samples.
         let at: [usize; LANES] = std::array::from_fn(|lane| (first + lane).min(segments));
         Self {
             points: halves(at.map(|k| weights::cubic(k, segments))),

@@ -5,19 +5,18 @@ use crate::normals::larger;
 use crate::{normals, positions};
 
 impl BicubicGrid {
-    /// Whether f32 holds the coordinates and their sums.
+    /// Whether f32 can hold the coordinates and their sums.
     pub fn fits(net: &[[f64; 3]; 16]) -> bool {
         let numbers = net.as_flattened().iter();
         numbers.fold(0.0, |max, n| larger(max, n.abs())) < f64::from(f32::MAX / 16.0)
     }
 
-    /// Positions and unit normals of the patch with this net, u along the fast index. True if normals are missing:
-    /// those are left at zero.
+    /// Positions and unit normals of the patch with the given net. Returns true if normals are missing; these are zero.
     ///
-    /// Both lists hold a point for each sample, u along the fast index. Positions are exact at corners, within 4 ulps
-    /// of the largest coordinate elsewhere, and on sides they are what f64 gives, rounded: the sums run from both ends
-    /// towards the middle, so that patches which share a side get the same bits, in the same direction or reversed.
-    /// For nets that [`fit`](Self::fits).
+    /// Both lists hold one point for each sample, with u along the fast index. Positions are exact at corners and
+    /// within 4 ulps of the largest coordinate elsewhere. On edges they are the f64 results, rounded: the sums run from
+    /// both ends towards the middle, so that patches that share an edge get the same bits, in the same or in reversed
+    /// direction. The net must [`fit`](Self::fits).
     pub fn fill(
         &self,
         net: &[[f64; 3]; 16],

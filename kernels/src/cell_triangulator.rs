@@ -1,14 +1,15 @@
-//! Triangles over the cells of a patch, without T-junctions.
+//! Triangulation of the cells of a patch without T-junctions.
 //!
-//! Where a neighbour is cut finer, its vertices lie on the cell's sides. All of them become corners of the cell, which
-//! is then a polygon inside its rectangle; triangles zip its lower left chain to its upper right one.
+//! Where a neighbouring cell is subdivided further, its vertices lie on the cell's edges. All of them become corners of
+//! the cell, which is then a polygon inside its rectangle; the triangles connect its lower left polyline with its upper
+//! right one.
 
-/// A rectangle of parameters, which are whole numbers: from (`u`, `v`) on, `du` × `dv` large.
+/// A rectangle in the parameter plane with integer coordinates: its corner (`u`, `v`) and its size `du` × `dv`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
-    /// The least u.
+    /// The smallest u.
     pub u: u32,
-    /// The least v.
+    /// The smallest v.
     pub v: u32,
     /// The length along u, at least 1.
     pub du: u32,
@@ -16,24 +17,25 @@ pub struct Cell {
     pub dv: u32,
 }
 
-/// The vertices of one patch by their parameters, in two orders.
+/// The vertices of one patch, identified by their parameters, in two orders.
 #[derive(Debug, Default)]
 pub struct CellTriangulator {
-    /// v in the upper half, u in the lower: row by row. A vertex's number is its place here.
+    /// v in the upper half, u in the lower half: row by row. The number of a vertex is its index in this list.
     rows: Vec<u64>,
-    /// u in the upper half, v in the lower: column by column.
+    /// u in the upper half, v in the lower half: column by column.
     columns: Vec<u64>,
-    /// The two ways round a cell, both from its corner (u₁, v₀) to (u₀, v₁): by (u₀, v₀), and by (u₁, v₁).
+    /// The two polylines around a cell, both from its corner (u₁, v₀) to (u₀, v₁): through (u₀, v₀), and through (u₁,
+    /// v₁).
     below: Vec<u32>,
     above: Vec<u32>,
-    /// What the left-out triangles of the last cell are: segments.
+    /// The segments to which the omitted triangles of the last cell degenerate.
     omitted: Vec<Segment>,
 }
 
-/// The two ends of a triangle that has no area.
+/// The two ends of a triangle without area.
 type Segment = [[f64; 3]; 2];
 
-/// Two numbers in one that sorts by the first.
+/// Packs two numbers into one that sorts by the first.
 pub fn pair(first: u32, second: u32) -> u64 {
     u64::from(first) << 32 | u64::from(second)
 }
@@ -41,7 +43,7 @@ pub fn pair(first: u32, second: u32) -> u64 {
 /// The second number of a pair.
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "the lower half is what is wanted"
+    reason = "only the lower half is needed"
 )]
 pub fn second(pair: u64) -> u32 {
     pair as u32
@@ -52,21 +54,22 @@ pub fn first(pair: u64) -> u32 {
     second(pair >> 32)
 }
 
-/// Sorts and keeps one of each.
+/// Sorts and removes duplicates.
 #[inline(never)]
 pub fn sort_distinct(numbers: &mut Vec<u64>) {
     numbers.sort_unstable();
     numbers.dedup();
 }
 
-/// The place of a number among sorted ones, or where it would be.
+/// The index of a number in a sorted list, or its insertion index.
 #[inline(never)]
 pub fn index_of(sorted: &[u64], number: u64) -> usize {
     sorted.partition_point(|&other| other < number)
 }
 
 impl CellTriangulator {
-    /// Starts anew with all corners of the cells, which fill the square from 0 to `full`, and more vertices (u, v).
+    /// Replaces the vertices by all corners of the cells, which fill the square from 0 to `full`, and by additional
+    /// vertices (u, v).
     pub fn fill(&mut self, cells: &[Cell], full: u32, more: impl Iterator<Item = (u32, u32)>) {
         self.rows.clear();
         self.rows.extend(more.map(|(u, v)| pair(v, u)));
@@ -74,8 +77,8 @@ impl CellTriangulator {
         self.add_cells(cells);
     }
 
-    /// The first and the last corner of each cell: every other one is one of these for another cell, but for two corners
-    /// of the square.
+    /// Adds the first and the last corner of each cell. Every other corner is one of these for another cell, except for
+    /// two corners of the square.
     #[inline(never)]
     fn add_cells(&mut self, cells: &[Cell]) {
         for cell in cells {
@@ -89,23 +92,23 @@ impl CellTriangulator {
         self.columns.sort_unstable();
     }
 
-    /// (u, v) of all vertices in turn.
+    /// The parameters (u, v) of all vertices, in the order of their numbers.
     pub fn vertices(&self) -> impl Iterator<Item = (u32, u32)> {
         self.rows.iter().map(|&key| (second(key), first(key)))
     }
 
-    /// The number of the vertex of this key in the rows.
+    /// The number of the vertex with a key of `rows`.
     fn of_row(&self, key: u64) -> u32 {
         number(index_of(&self.rows, key))
     }
 
-    /// The numbers of the vertices in a row before the one of the key `to`, from number `from` on.
+    /// The numbers of the vertices in a row from number `from` up to, but not including, the key `to`.
     fn along_row(&self, from: u32, to: u64) -> std::ops::Range<u32> {
         let after = self.rows[from as usize..].iter();
         from..from + number(after.take_while(|&&key| key < to).count())
     }
 
-    /// Appends the numbers of the vertices in a column between two keys, without these.
+    /// Appends the numbers of the vertices in a column between two keys, exclusive.
     fn along_column(&self, from: u64, to: u64, chain: &mut Vec<u32>) {
         let after = &self.columns[index_of(&self.columns, from) + 1..];
         for key in after.iter().take_while(|&&key| key < to) {
@@ -113,7 +116,7 @@ impl CellTriangulator {
         }
     }
 
-    /// Sets the chains of a cell.
+    /// Computes the two polylines of a cell.
     fn chain(&mut self, cell: &Cell) {
         let Cell { u, v, du, dv } = *cell;
         let (far_u, far_v) = (u + du, v + dv);
@@ -135,11 +138,11 @@ impl CellTriangulator {
         self.above = above;
     }
 
-    /// Appends the triangles of a cell, counter-clockwise over (u, v), with vertices numbered from `base` on; those with
-    /// two corners at one place are left out. `points` tells where each vertex is.
+    /// Appends the triangles of a cell, counter-clockwise over (u, v), with vertex numbers that start at `base`.
+    /// Triangles with two coincident corners are omitted. `points` holds the position of each vertex.
     ///
-    /// A cell without further vertices gives the two triangles of a grid's cell. Returns whether the triangles cover the
-    /// cell: each left-out triangle is a segment, which has to be an edge of another triangle.
+    /// A cell without additional vertices gives the two triangles of a grid cell. Returns whether the triangles cover
+    /// the cell: each omitted triangle is a segment, which must be an edge of another triangle.
     #[inline(never)]
     pub fn triangulate(
         &mut self,
@@ -161,7 +164,7 @@ impl CellTriangulator {
         self.omitted.iter().all(is_edge)
     }
 
-    /// Zips the two chains of the cell.
+    /// Connects the two polylines of the cell with triangles.
     fn zip(&mut self, points: &[[f64; 3]], base: u32, triangles: &mut Vec<[u32; 3]>) {
         let (below, above) = (&self.below[..], &self.above[..]);
         let omitted = &mut self.omitted;
@@ -178,7 +181,7 @@ impl CellTriangulator {
         if let (&[a, b, c], &[_, d, _]) = (below, above)
             && point(b) == point(d)
         {
-            // Folded together: on the other diagonal the triangles have three corners.
+            // The two middle corners coincide: with the other diagonal the triangles have three distinct corners.
             emit([b, a, c]);
             emit([a, d, c]);
             return;
@@ -186,7 +189,8 @@ impl CellTriangulator {
         let (last_below, last_above) = (below.len() - 2, above.len() - 2);
         emit([below[1], below[0], above[1]]);
         let (mut i, mut j) = (1, 1);
-        // Neither chain reaches the common end before the last triangle, which so is never flat on one side.
+        // Neither polyline reaches the common end before the last triangle, so that one never has all its corners on
+        // one polyline.
         while i < last_below || j < last_above {
             let gap = |i: usize, j: usize| gap_squared(point(below[i]), point(above[j]));
             if j == last_above || (i < last_below && gap(i + 1, j) < gap(i, j + 1)) {
@@ -200,14 +204,15 @@ impl CellTriangulator {
         emit([below[i], above[j], below[i + 1]]);
     }
 
-    /// The vertices around the last cell that was triangulated, counter-clockwise over (u, v).
+    /// The vertices around the cell that was triangulated last, counter-clockwise over (u, v).
     pub fn outline(&self) -> impl Iterator<Item = u32> + Clone {
         let back = &self.below[1..self.below.len() - 1];
         self.above.iter().chain(back.iter().rev()).copied()
     }
 
-    /// Appends triangles from a vertex inside of that cell to all edges around it, as [`triangulate`](Self::triangulate)
-    /// does. They cover the cell unless the vertex is where one of the outline is, or all of these are at one point.
+    /// Appends a triangle fan from a vertex inside that cell to all edges around it, as
+    /// [`triangulate`](Self::triangulate) does. The fan covers the cell unless the position of the vertex coincides
+    /// with one on the outline, or all positions on the outline coincide.
     pub fn fan(&self, center: u32, points: &[[f64; 3]], base: u32, triangles: &mut Vec<[u32; 3]>) {
         let next = self.outline().cycle().skip(1);
         for (from, to) in self.outline().zip(next) {

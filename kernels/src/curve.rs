@@ -1,10 +1,12 @@
-//! Points of plane cubics.
+//! Sampling of plane cubics.
 
 use wide::f64x2;
 
-/// Points of the plane cubic with the given control points at even steps of t from 0 to 1; `out` holds x and y in turn.
+/// Points of the plane cubic with the given control points at equal steps of t from 0 to 1; `out` holds x and y
+/// alternately.
 ///
-/// Two points at a time. Every weight and sum is rounded as in the scalar formula, so the numbers are the same.
+/// Two points are computed at a time. Every weight and sum is rounded as in the scalar formula, so the numbers are the
+/// same.
 pub fn sample_plane_cubic(points: &[[f64; 2]; 4], out: &mut [f64]) {
     let last = f64x2::splat((out.len() / 2).saturating_sub(1).max(1) as f64);
     let x = points.map(|[x, _]| f64x2::splat(x));
@@ -16,7 +18,7 @@ pub fn sample_plane_cubic(points: &[[f64; 2]; 4], out: &mut [f64]) {
     };
     let (two, four) = (f64x2::splat(2.0), f64x2::splat(4.0));
     let mut i = f64x2::new([0.0, 1.0]);
-    // Two pairs a turn: their divisions overlap.
+    // Two pairs per iteration, so that their divisions overlap.
     let mut quads = out.chunks_exact_mut(8);
     for quad in &mut quads {
         let (near, far) = quad.split_at_mut(4);

@@ -1,14 +1,14 @@
 //! Gauss–Legendre quadrature: ∫₋₁¹ f(z) dz ≈ Σ w (f(z) + f(−z)), exact for polynomials of degree 2n − 1.
 //!
-//! The nodes are the roots of the Legendre polynomial Pₙ, the weights 2 / ((1 − z²) Pₙ′(z)²); computed with 50 digits and
-//! rounded. Source: Abramowitz and Stegun, *Handbook of Mathematical Functions*, 25.4.29 and table 25.4.
+//! The nodes are the roots of the Legendre polynomial Pₙ, the weights 2 / ((1 − z²) Pₙ′(z)²); they are computed with 50
+//! digits and rounded. Source: Abramowitz and Stegun, *Handbook of Mathematical Functions*, 25.4.29 and table 25.4.
 
 /// The half of an even rule with positive nodes, from the middle outwards.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule<const HALF: usize> {
-    /// z > 0; the rule also has −z.
+    /// Positive nodes; the rule also has −z for each z.
     pub nodes: [f64; HALF],
-    /// The weight of z and of −z.
+    /// The weight of both z and −z.
     pub weights: [f64; HALF],
 }
 

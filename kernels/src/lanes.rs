@@ -1,21 +1,21 @@
-//! Four samples at a time: rounding to f32 and storing.
+//! Groups of four samples: rounding to f32 and storing.
 
 use wide::f32x4;
 
-/// How many samples are evaluated together.
+/// Number of samples that are evaluated together.
 pub(crate) const LANES: usize = 4;
 
-/// The nearest f32, 0 for −0: neighbours may come to a zero from different sides.
+/// The nearest f32, and 0 for −0, because adjacent patches may compute zeros with different signs.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "rounding to f32 is what meshes are made of"
+    reason = "meshes have f32 coordinates"
 )]
 pub(crate) fn round(number: f64) -> f32 {
     number as f32 + 0.0
 }
 
-/// Stores four points in a line from `at` on, and four in reverse as far from its end.
+/// Stores four points at index `at`, and four in reversed order at the same distance from the end of the line.
 #[inline(always)]
 pub(crate) fn store(near: [f32x4; 3], far: [f32x4; 3], at: usize, line: &mut [[f32; 3]]) {
     if let Some(out) = line.get_mut(at..at + LANES) {
@@ -28,7 +28,7 @@ pub(crate) fn store(near: [f32x4; 3], far: [f32x4; 3], at: usize, line: &mut [[f
     }
 }
 
-/// Stores the first three lanes of each. The fourth one of a whole store is overwritten by the next.
+/// Stores the first three lanes of each point. The fourth lane is overwritten by the next point.
 #[inline(always)]
 fn store_four(points: [[f32; 4]; LANES], out: &mut [[f32; 3]]) {
     if let Ok(out) = <&mut [f32; 3 * LANES]>::try_from(out.as_flattened_mut()) {
@@ -39,19 +39,19 @@ fn store_four(points: [[f32; 4]; LANES], out: &mut [[f32; 3]]) {
     }
 }
 
-/// Four points from their coordinates; the fourth lane means nothing.
+/// Four points from their coordinates; the fourth lane is unused.
 #[inline(always)]
 fn points([x, y, z]: [f32x4; 3]) -> [[f32; 4]; LANES] {
     f32x4::transpose([x, y, z, z]).map(f32x4::to_array)
 }
 
-/// Runs `fill` on the line, or on a longer one where it has no room for as many points as are stored together.
+/// Calls `fill` with the line, or with a longer buffer if the line has fewer points than are stored together.
 #[inline(always)]
 pub(crate) fn with_room<R>(line: &mut [[f32; 3]], fill: impl Fn(&mut [[f32; 3]]) -> R) -> R {
     if line.len() > LANES {
         return fill(line);
     }
-    // Those from the end on lie behind the few that are wanted.
+    // The points that are stored from the end lie behind the few that are needed.
     let mut room = [[0.0; 3]; 2 * LANES];
     let result = fill(&mut room);
     for (to, from) in line.iter_mut().zip(room) {

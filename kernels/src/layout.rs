@@ -1,9 +1,9 @@
-//! What depends on the counts of a grid only: parameters, patch numbers, indices.
+//! Grid data that depend only on the counts: parameters, patch numbers, indices.
 
-/// How a pattern of indices goes on: each level repeats all before it, so and so often, in steps of so many vertices.
+/// The repetitions of an index pattern: each level repeats everything before it `.0` times, with the vertex step `.1`.
 pub type Repeats = [(usize, usize); 3];
 
-/// (u, v) of each sample of a patch, the same for every patch that `uvs` has room for.
+/// (u, v) of each sample of a patch, repeated for every patch that `uvs` has room for.
 pub fn fill_uvs(segments_u: usize, segments_v: usize, uvs: &mut [f32]) {
     let numbers = 2 * (segments_u + 1) * (segments_v + 1);
     let mut parts = uvs.chunks_exact_mut(numbers);
@@ -21,13 +21,13 @@ pub fn fill_uvs(segments_u: usize, segments_v: usize, uvs: &mut [f32]) {
 
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "rounding to f32 is what meshes are made of"
+    reason = "meshes have f32 coordinates"
 )]
 fn share(k: usize, segments: usize) -> f32 {
     (k as f64 / segments as f64) as f32
 }
 
-/// The number of its patch for each vertex, counted from `first`.
+/// The patch number of each vertex, counted from `first`.
 pub fn fill_patch_ids(first: u32, vertices: usize, ids: &mut [u32]) {
     for (id, part) in (first..).zip(ids.chunks_exact_mut(vertices)) {
         part.fill(id);
@@ -36,8 +36,8 @@ pub fn fill_patch_ids(first: u32, vertices: usize, ids: &mut [u32]) {
 
 macro_rules! fill_indices {
     ($name:ident, $T:ty) => {
-        /// Repeats the pattern at the start of the list, of length `cell`, level by level: each copy has numbers higher
-        /// by the step than the one before.
+        /// Repeats the pattern of length `cell` at the start of the list, level by level: the indices of each copy are
+        /// larger by the step than those of the previous copy.
         pub fn $name(list: &mut [$T], cell: usize, repeats: Repeats) {
             let mut count = cell;
             for (times, step) in repeats {
@@ -61,7 +61,7 @@ macro_rules! fill_indices {
 fill_indices!(fill_indices_u16, u16);
 fill_indices!(fill_indices_u32, u32);
 
-/// The vertices with these indices, one after the other; an index past the end leaves its place alone.
+/// Copies the vertices with the given indices; an index out of range leaves its entry unchanged.
 pub fn collect_points(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3]]) {
     for (out, &index) in out.iter_mut().zip(indices) {
         if let Some(vertex) = vertices.get(index as usize) {
@@ -70,11 +70,11 @@ pub fn collect_points(vertices: &[[f64; 3]], indices: &[u32], out: &mut [[f64; 3
     }
 }
 
-/// Counts and indices that came as f64.
+/// Counts and indices that are passed as f64.
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "the caller knows that they are whole numbers below 2³²"
+    reason = "the caller guarantees integers below 2³²"
 )]
 pub fn whole_numbers(numbers: &[f64]) -> Vec<u32> {
     numbers.iter().map(|&number| number as u32).collect()

@@ -1,38 +1,40 @@
-//! Lengths: integrals of the speed.
+//! Arc length of plane cubics by integration of the speed.
 
 use crate::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
 use wide::f64x2;
 
 type Complex = [f64; 2];
 
-/// A root this near to the end of an interval, in half lengths of it, leaves nothing that a rule could miss: what
-/// |z − root| differs from a linear function integrates to half the square of this times a logarithm.
+/// A root this close to the end of an interval, in half lengths, does not impair a rule: the difference of |z − root|
+/// from a linear function integrates to half the square of this times a logarithm.
 const AT_THE_END: f64 = 1e-8;
 
-/// The rules have 8, 16, 24, 32, 48 and 64 points. From the least (|z − 1| + |z + 1|) / 2 of a root z on, the interval being
-/// [−1, 1], each errs by less than 5·10⁻¹³ of the integral, and mostly much less: half the axis of the ellipse through z about ±1, inside of
-/// which the speed is analytic. Found by integrating |z − root|, whose integral has a closed form, for roots all around
-/// each ellipse.
+/// Thresholds of the rules of 8, 16, 24, 32, 48 and 64 points. The interval is scaled to [−1, 1]. If (|z − 1| + |z +
+/// 1|) / 2 of every root z is at least the threshold, the relative error is below 5·10⁻¹³, and mostly much smaller.
+/// This value is half the major axis of the ellipse through z with the foci ±1, inside which the speed is analytic. The
+/// thresholds were found by integrating |z − root|, whose integral has a closed form, for roots all around each
+/// ellipse.
 const MIN_AXIS: [f64; 6] = [2.45, 1.29, 1.12, 1.0655, 1.0275, 1.0156];
 
-/// A root off the middle has the interval cut so many times as far from its end as the root is: on either side of the
-/// cut a rule of 24 or 32 points suffices for this root.
+/// For a root away from the middle, the interval is cut at this multiple of the root's distance from the end: on either
+/// side of the cut a rule of 24 or 32 points suffices for this root.
 const CUT_RATIO: f64 = 5.0;
 
-/// A root whose foot is that far from the middle, in half lengths, has the interval cut at its foot.
+/// If the projection of a root is at most this far from the middle, in half lengths, the interval is cut at the
+/// projection.
 const INNER: f64 = 0.75;
 
-/// The length of a plane cubic, to some 10⁻¹³ of itself.
+/// The arc length of a plane cubic, with a relative error of some 10⁻¹³.
 ///
-/// Seen as complex numbers, the derivative is a quadratic polynomial q, so that the speed |q(z)| = |e| |z − z₁| |z − z₂|
-/// has its only singularities at two roots that a closed form gives. How near they are to an interval decides which
-/// rule suffices; where none does, the interval is cut at the least speed, or nearer to it. Source of the error of
-/// Gauss rules by ellipses: Trefethen, *Approximation Theory and Approximation Practice*, ch. 19.
+/// In complex numbers, the derivative is a quadratic polynomial q. The only singularities of the speed |q(z)| = |e| |z
+/// − z₁| |z − z₂| are the two roots, which have a closed form. Their distance from an interval determines which rule
+/// suffices; if none does, the interval is cut at the minimum of the speed, or closer to it. Source of the error bounds
+/// of Gauss rules by ellipses: Trefethen, *Approximation Theory and Approximation Practice*, ch. 19.
 pub fn plane_cubic_length(points: &[[f64; 2]; 4]) -> f64 {
     let [a, b, c, d] = *points;
     let steps = [minus(b, a), minus(c, b), minus(d, c)];
     let longest = longest(&steps);
-    // Fourth powers are numbers.
+    // Fourth powers stay in the range of f64.
     if longest > 1e-70 && longest < 1e70 {
         length_of_steps(steps)
     } else {
@@ -40,10 +42,10 @@ pub fn plane_cubic_length(points: &[[f64; 2]; 4]) -> f64 {
     }
 }
 
-/// The same for very large and very small ones, and for points.
+/// [`plane_cubic_length`] for very large and very small cubics, and for points.
 #[cold]
 fn scaled_length(points: &[[f64; 2]; 4]) -> f64 {
-    // The distance of ±1e308 is no number; that of their halves is.
+    // The difference of ±1e308 overflows; that of their halves does not.
     let part = if longest(points) < 1e300 { 1.0 } else { 0.5 };
     let [a, b, c, d] = points.map(|p| p.map(|x| x * part));
     let steps = [minus(b, a), minus(c, b), minus(d, c)];
@@ -57,13 +59,13 @@ fn scaled_length(points: &[[f64; 2]; 4]) -> f64 {
 /// The largest absolute coordinate.
 #[inline(always)]
 fn longest(vectors: &[Complex]) -> f64 {
-    // Not f64::max, which in wasm is a call.
+    // `f64::max` is a function call in wasm.
     let larger = |a: f64, b: f64| if a > b { a } else { b };
     let size = |v: &Complex| larger(v[0].abs(), v[1].abs());
     vectors.iter().map(size).fold(0.0, larger)
 }
 
-/// The length of the cubic with these differences of control points.
+/// The arc length of the cubic with the given differences of control points.
 #[inline(always)]
 fn length_of_steps([a, b, c]: [Complex; 3]) -> f64 {
     // B′(t) at t = (1 + z)/2 is ¾ (m + 2dz + ez²).
@@ -75,7 +77,7 @@ fn length_of_steps([a, b, c]: [Complex; 3]) -> f64 {
     0.375 * speed.integral(&speed.roots(), -1.0, 1.0, 0)
 }
 
-/// |m + 2dz + ez²|.
+/// The speed |m + 2dz + ez²|.
 #[derive(Clone, Copy)]
 struct Speed {
     m: Complex,
@@ -84,15 +86,15 @@ struct Speed {
 }
 
 impl Speed {
-    /// The roots, without a branch: which way it goes is anyone's guess.
+    /// The roots, without a branch, because it would be unpredictable.
     #[inline(always)]
     fn roots(&self) -> Roots {
         let &Self { m, d, e } = self;
         let root = square_root(minus(times(d, d), times(m, e)));
-        // The sum of two that point the same way: nothing cancels.
+        // Nothing cancels in the sum of two vectors with a non-negative scalar product.
         let sign = (d[0] * root[0] + d[1] * root[1]).signum();
         let sum = [0, 1].map(|k| -(d[k] + sign * root[k]));
-        // sum/e and m/sum.
+        // The roots are sum/e and m/sum.
         let pairs = |k: usize| (f64x2::new([sum[k], m[k]]), f64x2::new([e[k], sum[k]]));
         let ((over_x, under_x), (over_y, under_y)) = (pairs(0), pairs(1));
         let part = f64x2::splat(1.0) / (under_x * under_x + under_y * under_y);
@@ -102,14 +104,14 @@ impl Speed {
         }
     }
 
-    /// ∫ from `lo` to `hi`.
+    /// ∫ |m + 2dz + ez²| dz from `lo` to `hi`.
     fn integral(&self, roots: &Roots, lo: f64, hi: f64, depth: usize) -> f64 {
         let half = 0.5 * (hi - lo);
         let axes = roots.axes(lo, hi);
         if axes.min() >= MIN_AXIS[5] * half {
             return self.by_rule(lo, half, axes.min());
         }
-        // One is near, or at an end.
+        // A root is close to the interval, or at an end.
         let (axis, root) = roots.nearest(axes, lo, hi);
         if axis >= MIN_AXIS[5] * half || depth >= MAX_CUTS {
             return self.by_rule(lo, half, axis);
@@ -118,7 +120,7 @@ impl Speed {
         self.integral(roots, lo, cut, depth + 1) + self.integral(roots, cut, hi, depth + 1)
     }
 
-    /// The same with z = middle + half·x.
+    /// The speed after the substitution z = middle + half·x.
     fn about(&self, middle: f64, half: f64) -> Self {
         let slope = |k: usize| self.d[k] + self.e[k] * middle;
         let [x, y] = [0, 1].map(|k| self.m[k] + middle * (self.d[k] + slope(k)));
@@ -129,7 +131,7 @@ impl Speed {
         }
     }
 
-    /// The integral over [lo, lo + 2·half] by the rule that suffices.
+    /// The integral over [lo, lo + 2·half] by the smallest sufficient rule.
     #[inline]
     fn by_rule(&self, lo: f64, half: f64, axis: f64) -> f64 {
         let here = self.about(lo + half, half);
@@ -151,7 +153,7 @@ impl Speed {
         half * sum
     }
 
-    /// The rule's value of the integral from −1 to 1: two nodes at a time, and their mirror images.
+    /// The value of the rule for the integral from −1 to 1: two nodes at a time, and their mirror images.
     #[inline(always)]
     fn sum<const HALF: usize>(&self, rule: &Rule<HALF>) -> f64 {
         let two = |z: Complex| z.map(f64x2::splat);
@@ -171,14 +173,14 @@ impl Speed {
     }
 }
 
-/// Both roots, side by side.
+/// Both roots, in the lanes of a vector.
 struct Roots {
     x: f64x2,
     y: f64x2,
 }
 
 impl Roots {
-    /// Half the sums of their distances from the ends; infinite where a root is not a number.
+    /// Half the sums of the distances of each root from the ends; infinite if a root is NaN.
     #[inline(always)]
     fn axes(&self, lo: f64, hi: f64) -> Axes {
         let square = self.y * self.y;
@@ -191,7 +193,7 @@ impl Roots {
         Axes(axes.is_nan().select(far, axes))
     }
 
-    /// The nearer root that is not at an end, and its axis.
+    /// The closest root that is not at an end, and its axis.
     #[inline(always)]
     fn nearest(&self, axes: Axes, lo: f64, hi: f64) -> (f64, Complex) {
         let ([x, u], [y, v]) = (self.x.to_array(), self.y.to_array());
@@ -208,7 +210,7 @@ impl Roots {
         }
     }
 
-    /// The same where it may be at an end.
+    /// [`Self::nearest`] if a root may be at an end.
     #[cold]
     #[inline(never)]
     fn nearest_inside(&self, axes: Axes, lo: f64, hi: f64) -> (f64, Complex) {
@@ -225,7 +227,7 @@ impl Roots {
     }
 }
 
-/// Half the axes of the ellipses through both roots about the ends of an interval.
+/// Half the major axes of the ellipses through both roots, with foci at the ends of an interval.
 #[derive(Clone, Copy)]
 struct Axes(f64x2);
 
@@ -237,10 +239,10 @@ impl Axes {
     }
 }
 
-/// Twice what any curve of f64 needs; no endless recursion, whatever rounding does.
+/// Maximum depth of cuts, twice what any curve of f64 needs. It prevents endless recursion, whatever rounding does.
 const MAX_CUTS: usize = 48;
 
-/// Where an interval is cut for a root near it.
+/// The parameter at which an interval is cut because of a root near it.
 fn location_of_cut([x, y]: Complex, lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let off = x - middle;
@@ -272,8 +274,7 @@ fn times(a: Complex, b: Complex) -> Complex {
     [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
 }
 
-/// One of the two square roots, right to about 10⁻⁸ of itself: where a root is wanted, that much moves the place of a
-/// cut and no more.
+/// One of the two square roots, with a relative error of about 10⁻⁸: this error of a root only moves a cut by as much.
 #[inline(always)]
 fn square_root([x, y]: Complex) -> Complex {
     let size = (x * x + y * y).sqrt();

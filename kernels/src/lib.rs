@@ -1,6 +1,6 @@
-//! The innermost loops of the crate `casteljau`: numbers in, numbers out.
+//! Inner loops of the crate `casteljau`; arguments and results are numbers.
 //!
-//! They live apart so that a build for small size can compile them for speed. They check nothing but lengths.
+//! They form a separate crate so that a build optimized for size can compile them for speed. They check only lengths.
 
 mod angle;
 mod bernstein;

@@ -1,33 +1,37 @@
-//! The point of a cubic that is nearest to the origin.
+//! Nearest point of a cubic.
 
 use crate::work::WorkLimit;
 
-/// Halvings of the coefficients, before their rounding counts.
+/// Halvings of the coefficients; more would make their rounding significant.
 const ROUGH_HALVINGS: u32 = 5;
 
-/// Further halvings, after which several roots count as one: squared distances differ by the square of the width there.
+/// Further halvings, after which several roots count as one: their squared distances then differ by the square of the
+/// width.
 const MAX_HALVINGS: u32 = 24;
 
-/// Pieces that are looked at. In exact arithmetic at most two pieces of each width have more than one change of sign, which
-/// makes about 120 pieces; where the distance is constant but for rounding, every piece has changes of sign.
+/// Maximum number of segments. In exact arithmetic at most two segments of each width have more than one sign change,
+/// which makes about 120 segments; if the distance is constant up to rounding, every segment has sign changes.
 const MAX_PIECES: usize = 256;
 
-/// Steps that even a root of multiplicity 5, where Newton's method converges slowest, does not need.
+/// Maximum number of steps of Newton's method; not even a root of multiplicity 5, where it converges slowest, needs as
+/// many.
 const MAX_STEPS: usize = 80;
 
-/// Between these sizes, fourth powers stay in range with room for factors.
+/// Between these sizes, fourth powers and constant factors stay in the range of f64.
 const PLAIN_SIZES: std::ops::Range<f64> = 1e-60..1e60;
 
-/// The parameter in [0, 1] at which the cubic with these control points is nearest to a point; of equally near ones (to
-/// rounding) the smallest. `None` where the numbers are so large or so small that their powers leave the range.
+/// The parameter in [0, 1] at which the cubic with the given control points is nearest to a point; of equally near ones
+/// (up to rounding) the smallest. `None` if the numbers are so large or so small that their powers leave the range of
+/// f64.
 ///
-/// Every local minimum is found: with B taken from that point, half the derivative of the squared distance, B·B′, is a
-/// quintic, whose changes of sign are isolated by Descartes' rule in Bernstein form. Only those from − to + are looked at.
+/// Every local minimum is found: with B relative to that point, half the derivative of the squared distance, B·B′, is a
+/// quintic, whose sign changes are isolated by Descartes' rule in Bernstein form. Only those from − to + are
+/// considered.
 pub fn nearest_in_plane(points: &[[f64; 2]; 4], to: &[f64; 2]) -> Option<f64> {
     nearest(points, to)
 }
 
-/// The same in space. (A generic function would be compiled with its caller, for size.)
+/// [`nearest_in_plane`] in space. (A public generic function would be compiled in the calling crate, for size.)
 pub fn nearest_in_space(points: &[[f64; 3]; 4], to: &[f64; 3]) -> Option<f64> {
     nearest(points, to)
 }
@@ -36,7 +40,7 @@ pub fn nearest_in_space(points: &[[f64; 3]; 4], to: &[f64; 3]) -> Option<f64> {
 fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64> {
     let points: [[f64; D]; 4] = points.map(|p| each(|k| p[k] - to[k]));
     let mut best = Best::new(&points);
-    // The size is 0 where all is one point.
+    // The size is 0 if all points coincide.
     if !(PLAIN_SIZES.contains(&best.size) || best.size == 0.0) {
         return None;
     }
@@ -49,10 +53,10 @@ fn nearest<const D: usize>(points: &[[f64; D]; 4], to: &[f64; D]) -> Option<f64>
     Some(best.t)
 }
 
-/// The Bernstein coefficients of B·B′/3 on a piece.
+/// The Bernstein coefficients of B·B′/3 on a segment.
 type Quintic = [f64; 6];
 
-/// One bit for each negative coefficient. Zeros count as positive: that can add changes of sign, never hide one.
+/// One bit for each negative coefficient. Zeros count as positive, which can add sign changes but never hide one.
 #[inline(always)]
 fn signs(b: &Quintic) -> u32 {
     let mut bits = 0;
@@ -76,7 +80,7 @@ fn each<const D: usize>(f: impl Fn(usize) -> f64) -> [f64; D] {
     std::array::from_fn(f)
 }
 
-/// The halves of the coefficients.
+/// The coefficients of the two halves.
 #[inline(always)]
 fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
     let (mut left, mut right) = (*b, *b);
@@ -89,8 +93,8 @@ fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
     (left, right)
 }
 
-/// As `Cubic::search`, but the control points are halved and not the coefficients: close together those are small, and so
-/// is their rounding then.
+/// Same as `Cubic::search`, but halves the control points and not the coefficients: if roots are close together, the
+/// coefficients of the halves are small, and so is their rounding.
 #[inline(never)]
 fn search_closely<const D: usize>(
     points: Points<D>,
@@ -106,7 +110,7 @@ fn search_closely<const D: usize>(
     let (left, right) = halves(&piece.points);
     let mid = 0.5 * (lo + hi);
     search_closely(left, [lo, mid], halvings - 1, best);
-    // A root in the middle may, by rounding, lie in neither half.
+    // Because of rounding, a root in the middle may lie in neither half.
     let centre = &right[0];
     let before: [f64; D] = each(|k| centre[k] - left[2][k]);
     let after: [f64; D] = each(|k| right[1][k] - centre[k]);
@@ -127,7 +131,7 @@ fn halves<const D: usize>([p, q, r, s]: &Points<D>) -> (Points<D>, Points<D>) {
     ([*p, pq, pqr, centre], [centre, qrs, rs, *s])
 }
 
-/// The control points with the differences of which the derivatives are made.
+/// The control points and the differences that define the derivatives.
 struct Cubic<const D: usize> {
     points: Points<D>,
     slopes: [[f64; D]; 3],
@@ -153,14 +157,14 @@ impl<const D: usize> Cubic<D> {
         ]
     }
 
-    /// Halves until a piece has at most one change of sign; from left to right.
+    /// Halves a segment until each part has at most one sign change, from left to right.
     fn search(&self, quintic: &Quintic, [lo, hi]: [f64; 2], halvings: u32, best: &mut Best) {
         let force = !best.work.spend(1);
         if self.settles(quintic, [lo, hi], [0.0, 1.0], force, best) {
             return;
         }
         if halvings == 0 {
-            // A root at its ends may, by rounding, be on neither side.
+            // Because of rounding, a root at an end may lie on neither side.
             let piece = self.piece(lo, hi);
             best.take(lo, dot(&piece[0], &piece[0]));
             search_closely(piece, [lo, hi], MAX_HALVINGS, best);
@@ -173,8 +177,9 @@ impl<const D: usize> Cubic<D> {
         self.search(&right, [mid, hi], halvings - 1, best);
     }
 
-    /// Whether the quintic of a piece, from lo to hi on this curve, has at most one change of sign, or `force`. Takes its
-    /// minimum, which there is only where the sign begins negative. This curve is a part of the whole one.
+    /// Whether the quintic of a segment, from lo to hi on this curve, has at most one sign change, or `force`. If so,
+    /// it considers the minimum, which exists only if the first sign is negative. This curve is the part [from, to] of
+    /// the whole one.
     #[inline(always)]
     fn settles(
         &self,
@@ -197,7 +202,7 @@ impl<const D: usize> Cubic<D> {
         converged
     }
 
-    /// The control points of the piece from lo to hi.
+    /// The control points of the segment from lo to hi.
     fn piece(&self, lo: f64, hi: f64) -> Points<D> {
         let at = |[a, b, c]: [f64; 3]| -> [f64; D] {
             let mix = |p: &[f64; D], q: &[f64; D], t: f64| -> [f64; D] {
@@ -210,7 +215,8 @@ impl<const D: usize> Cubic<D> {
         [[lo, lo, lo], [lo, lo, hi], [lo, hi, hi], [hi, hi, hi]].map(at)
     }
 
-    /// The root of B·B′ at which it rises through zero, by Newton's method kept between lo and hi, and |B|² there. It ends with the step that shortens the distance by less than rounding.
+    /// The root of B·B′ with a sign change from − to +, by Newton's method restricted to lo and hi, and |B|² at the
+    /// root. The iteration ends with the step that reduces the distance by less than rounding.
     #[inline(always)]
     fn close_in(&self, [mut lo, mut hi]: [f64; 2], guess: f64, slack: f64) -> (f64, f64) {
         let second_derivatives =
@@ -255,20 +261,20 @@ impl<const D: usize> Cubic<D> {
     }
 }
 
-/// The nearest point so far.
+/// The nearest point found so far.
 struct Best {
     /// The largest coordinate.
     size: f64,
     t: f64,
     square: f64,
-    /// The square of what the rounding of a distance may be.
+    /// The square of the rounding error of a distance.
     slack: f64,
-    /// The pieces that were looked at.
+    /// Counts the processed segments.
     work: WorkLimit,
 }
 
 impl Best {
-    /// The start.
+    /// Starts with the start point.
     #[inline(always)]
     fn new<const D: usize>(points: &[[f64; D]; 4]) -> Self {
         let largest = |m: f64, x: &f64| m.max(x.abs());
@@ -283,10 +289,10 @@ impl Best {
         }
     }
 
-    /// Takes t if it is nearer by more than rounding.
+    /// Accepts t if it is nearer by more than rounding.
     #[inline(always)]
     fn take(&mut self, t: f64, square: f64) {
-        // |a|² < |b|² − 2|b|·rounding, without the root.
+        // |a|² < |b|² − 2|b|·rounding, without a square root.
         let gain = self.square - square;
         if gain > 0.0 && gain * gain > self.slack * self.square {
             (self.t, self.square) = (t, square);

@@ -1,31 +1,32 @@
 //! Unit normals of a bicubic patch on a grid.
 //!
 //! N = ∂u × ∂v is itself a Bézier patch, of degrees 5 and 5. Its control vectors, the normal net, are computed in f64.
-//! They are as exact near a collapsed side as anywhere else, where the derivatives would have to be subtracted.
+//! They are as accurate near a collapsed edge as elsewhere; evaluating the derivatives themselves would need
+//! subtractions.
 
 use crate::bicubic::{BicubicGrid, Lanes};
 use crate::lanes::{LANES, round, store, with_room};
 use crate::weights::quintic;
 use wide::{f32x4, f64x2};
 
-/// |N| below which a point is not regular, for differences of the size 1. Their rounding noise is some 2⁻⁵²; a normal
-/// within 0.001° (1.7e-5 rad) needs a product that is 10⁵ times as long.
+/// The value of |N| below which a point is not regular, for differences of size 1. The rounding noise of the
+/// differences is some 2⁻⁵²; a normal accurate to 0.001° (1.7e-5 rad) needs a product that is 10⁵ times as long.
 const REGULAR: f64 = 1e-10;
 
-/// The same in f32.
+/// [`REGULAR`] for f32.
 const MIN_SIZE: f32 = 1e-10;
 
-/// Where |N| is below this part of what its terms may add up to, f32 is not enough: the terms and their sums are off by
-/// up to 10·2⁻²⁴ of that, which leaves 1e-5 rad.
+/// If |N| is below this part of the possible sum of its terms, f32 is not sufficient: the terms and their sums are off
+/// by up to 10·2⁻²⁴ of that sum, which leaves 1e-5 rad.
 const MOSTLY_CANCELLED: f32 = 1.0 / 16.0;
 
 /// The control vectors of N in f64: N_kl in the first half of `net[l][k]`, N_(5−k)l in the second.
 type Net = [[[f64x2; 3]; 3]; 6];
-/// One row Nₖ of it as f32, or the curve of N at one v: Nₖ + N₅₋ₖ for k = 0, 1, 2, then Nₖ − N₅₋ₖ, as `Lanes` wants
-/// them; then the length of its longest vector, or what that is at most.
+/// One row Nₖ of the net as f32, or the curve of N at one v: Nₖ + N₅₋ₖ for k = 0, 1, 2, then Nₖ − N₅₋ₖ, in the order
+/// that `Lanes` expects; then the length of its longest vector, or an upper bound of it.
 type Row = [f32x4; 5];
 
-/// The place of that length.
+/// The index of that length.
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
@@ -37,7 +38,7 @@ struct NormalNet {
     used_columns: [usize; 2],
 }
 
-/// All normals, line by line. True if some are missing.
+/// Fills all normals, line by line. Returns true if some are missing.
 #[inline(never)]
 pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> bool {
     let columns = grid.segments_u + 1;
@@ -64,7 +65,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     missing
 }
 
-/// One line; normals that are not known well enough become zero. True if there are none.
+/// Fills one line; normals that are not accurate enough are set to zero. Returns true if there are none of these.
 #[inline(always)]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let numbers: [f32; 20] = bytemuck::cast(curve);
@@ -84,7 +85,7 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
     };
     if let [first, .., last] = line {
         for (normal, column) in [(first, used[0]), (last, used[1])] {
-            // The sums are those of twice the vectors.
+            // The sums are twice the vectors.
             *normal = unit(end(column), 4.0 * min_square);
             complete &= *normal != [0.0; 3];
         }
@@ -92,7 +93,7 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
     complete
 }
 
-/// All but the ends.
+/// Fills the line except its ends.
 #[inline(never)]
 fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 3]]) -> bool {
     let min = f32x4::splat(min);
@@ -112,7 +113,7 @@ fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 
     known.all()
 }
 
-/// Four unit vectors, zero where their squares are not greater than `min`, and where they are.
+/// Four unit vectors, zero where the squared length is not greater than `min`, and the mask of those where it is.
 #[inline(always)]
 fn units([x, y, z]: [f32x4; 3], min: f32x4) -> ([f32x4; 3], f32x4) {
     let square = x * x + y * y + z * z;
@@ -121,7 +122,7 @@ fn units([x, y, z]: [f32x4; 3], min: f32x4) -> ([f32x4; 3], f32x4) {
     ([x * factor, y * factor, z * factor], known)
 }
 
-/// The unit vector, or zero if its square is not greater than `min`.
+/// The unit vector, or zero if its squared length is not greater than `min`.
 #[inline(always)]
 fn unit([x, y, z]: [f32; 3], min: f32) -> [f32; 3] {
     let square = x * x + y * y + z * z;
@@ -134,7 +135,7 @@ fn unit([x, y, z]: [f32; 3], min: f32) -> [f32; 3] {
 }
 
 impl NormalNet {
-    /// None if N is nowhere long enough.
+    /// `None` if N is too short everywhere.
     fn new(points: &[[f64; 3]; 16]) -> Option<Self> {
         let net = normal_net(points);
         let mut rows = [[f32x4::ZERO; 5]; 6];
@@ -181,8 +182,8 @@ impl NormalNet {
         })
     }
 
-    /// Computes the normals of a line that are zero: on a collapsed side from the row that stands for it, elsewhere in
-    /// f64. True if some stay zero.
+    /// Computes the normals of a line that are zero: on a collapsed edge from the nearest row of the net that is not
+    /// zero, elsewhere in f64. Returns true if some stay zero.
     #[cold]
     #[inline(never)]
     fn repair(&self, grid: &BicubicGrid, iv: usize, line: &mut [[f32; 3]]) -> bool {
@@ -211,7 +212,7 @@ impl NormalNet {
         missing
     }
 
-    /// The unit vector of N in f64; zero where N vanishes.
+    /// The direction of N in f64; zero where N vanishes.
     fn exactly(&self, u: [f64; 6], v: [f64; 6]) -> [f32; 3] {
         let mut sums = [f64x2::ZERO; 3];
         for (row, v) in self.net.iter().zip(v) {
@@ -232,23 +233,23 @@ impl NormalNet {
     }
 }
 
-/// The larger of two numbers; `f64::max` is a call where NaN has to be minded.
+/// The larger of two numbers; `f64::max` is a function call where NaN must be handled.
 #[inline(always)]
 pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The first and the last that is not zero.
+/// The indices of the first and the last number that is not zero.
 fn used(squares: [f64; 6]) -> [usize; 2] {
     let first = squares.iter().position(|&square| square != 0.0);
     let last = squares.iter().rposition(|&square| square != 0.0);
     [first.unwrap_or(0), last.unwrap_or(5)]
 }
 
-/// N_kl = Σ C(2,i) C(3,j) C(3,i′) C(2,j′) / (C(5,k) C(5,l)) Δu_ij × Δv_i′j′ over i + i′ = k, j + j′ = l, for differences
-/// of the size 1.
+/// N_kl = Σ C(2,i) C(3,j) C(3,i′) C(2,j′) / (C(5,k) C(5,l)) Δu_ij × Δv_i′j′ over i + i′ = k, j + j′ = l, for
+/// differences of size 1.
 ///
-/// The second half of each pair does the same with u reversed, which gives N_(5−k)l.
+/// The second half of each pair is computed with u reversed, which gives N_(5−k)l.
 fn normal_net(points: &[[f64; 3]; 16]) -> Net {
     let (du, dv) = differences(points);
     const SHARE: [f64; 6] = [1.0, 1.0 / 5.0, 1.0 / 10.0, 1.0 / 10.0, 1.0 / 5.0, 1.0];
@@ -279,8 +280,8 @@ fn add_cross(sum: &mut [f64x2; 3], [ux, uy, uz]: [f64x2; 3], [vx, vy, vz]: [f64x
     sum[2] += ux * vy - uy * vx;
 }
 
-/// The differences along u and along v, each brought to the size 1 and times its binomials; in the second half of each
-/// pair those with u reversed.
+/// The differences along u and along v, each scaled to size 1 and multiplied by its binomial coefficients; the second
+/// half of each pair is computed with u reversed.
 #[allow(clippy::type_complexity, reason = "two small nets")]
 fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 3]; 3]) {
     let pairs: [[[f64x2; 3]; 4]; 4] = std::array::from_fn(|j| {
@@ -304,7 +305,7 @@ fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 
     const OF_THREE: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
     for j in 0..4 {
         for i in 0..3 {
-            // Reversed, differences along u change their signs.
+            // With u reversed, differences along u change their signs.
             let scale = size_u * (OF_THREE[j] * OF_TWO[i]);
             du[j][i] = du[j][i].map(|axis| axis * f64x2::new([scale, -scale]));
         }
@@ -318,7 +319,7 @@ fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 
     (du, dv)
 }
 
-/// The reciprocal of the largest coordinate; 0 where it would not be finite: a shape of that size is a point.
+/// The reciprocal of the largest coordinate; 0 if it would not be finite, because a shape of that size is a point.
 fn reciprocal_size<const N: usize>(differences: &[[[f64x2; 3]; 3]; N]) -> f64 {
     let pairs = differences.as_flattened().as_flattened().iter();
     let [a, b] = pairs

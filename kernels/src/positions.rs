@@ -8,7 +8,7 @@ use wide::{f32x4, f64x2};
 /// One row of the net.
 type Row = [f64x2; 6];
 
-/// All positions, line by line.
+/// Fills all positions, line by line.
 #[inline(never)]
 pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) {
     let columns = grid.u.len();
@@ -21,7 +21,7 @@ pub(crate) fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]
     fill_sides(grid, net, first, last);
 }
 
-/// The control points in u of the curve at one v.
+/// The control points of the curve in u at one v.
 #[inline(always)]
 fn blend_rows(rows: &[Row; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
     let weights = weights.map(f64x2::splat);
@@ -30,7 +30,7 @@ fn blend_rows(rows: &[Row; 4], weights: [f64; 4]) -> [[f64; 3]; 4] {
     }))
 }
 
-/// One line between the sides.
+/// Fills one line between the edges v = 0 and v = 1.
 #[inline(always)]
 fn fill_line(grid: &BicubicGrid, [a, b, c, d]: [[f64; 3]; 4], line: &mut [[f32; 3]]) {
     if line.len() > LANES {
@@ -60,7 +60,8 @@ fn fill_line(grid: &BicubicGrid, [a, b, c, d]: [[f64; 3]; 4], line: &mut [[f32; 
     }
 }
 
-/// The sides v = 0 and v = 1, both at once, in f64: as [`blend_rows`] gives the other two.
+/// Fills the edges v = 0 and v = 1, both at once, in f64, with the same formula that [`blend_rows`] uses for the other
+/// two.
 fn fill_sides(
     grid: &BicubicGrid,
     net: &[[f64; 3]; 16],
@@ -81,6 +82,6 @@ fn fill_sides(
 
 #[inline(always)]
 fn blend(w: [f64x2; 4], p: [f64x2; 4]) -> f64x2 {
-    // From 0 as in the core, whose neighbours of other degrees must get the same.
+    // The sum starts from 0 as in the core, because adjacent patches of other degrees must get the same bits.
     f64x2::ZERO + (w[0] * p[0] + w[3] * p[3]) + (w[1] * p[1] + w[2] * p[2])
 }

@@ -1,32 +1,32 @@
-//! A patch at many parameters: points and facings, row by row.
+//! Evaluation of a patch at many parameters: points and normal vectors, row by row.
 
 use wide::f64x2;
 
 /// A point or a vector.
 pub type Vector = [f64; 3];
 
-/// The Bernstein weights of a degree and of the degree below at one parameter.
+/// The Bernstein weights of a degree and of the next lower degree at one parameter.
 #[derive(Clone, Debug, Default)]
 struct Weights {
     values: Vec<f64>,
     slopes: Vec<f64>,
 }
 
-/// A patch to be evaluated over and over; calls with the same v in a row are cheaper.
+/// A patch for repeated evaluation; consecutive calls with the same v are cheaper.
 #[derive(Clone, Debug)]
 pub struct Sampler {
     columns: usize,
-    /// Control points, and the differences along u (rows one shorter) and along v (one row fewer).
+    /// The control points, and the differences along u (rows shorter by one) and along v (one row fewer).
     nets: [Vec<Vector>; 3],
     v: f64,
-    /// The nets' rows, blended at v.
+    /// The rows of the nets, blended at v.
     row: [Vec<Vector>; 3],
     across: Weights,
     along: Weights,
 }
 
 impl Sampler {
-    /// From a net whose rows have `columns` points, and its differences along u and v.
+    /// Expects a net with `columns` points in each row, and its differences along u and v.
     pub fn new(columns: usize, nets: [&[Vector]; 3]) -> Self {
         Self {
             columns,
@@ -66,7 +66,7 @@ impl Sampler {
 }
 
 impl Weights {
-    /// For a degree of `count` − 1, at least 1.
+    /// Expects a degree of `count` − 1, at least 1.
     fn new(count: usize) -> Self {
         Self {
             values: vec![0.0; count],
@@ -74,7 +74,7 @@ impl Weights {
         }
     }
 
-    /// Fills them for t, exactly 0 and 1 at the ends.
+    /// Computes the weights at t, exactly 0 and 1 at the ends.
     fn set(&mut self, t: f64) {
         let s = 1.0 - t;
         if let ([a, b, c, d], [e, f, g]) = (&mut self.values[..], &mut self.slopes[..]) {
@@ -82,7 +82,7 @@ impl Weights {
             (*a, *b, *c, *d) = (s * *e, 3.0 * t * *e, 3.0 * s * *g, t * *g);
             return;
         }
-        // Row by row of Pascal's triangle.
+        // Row by row, as in Pascal's triangle.
         let last = self.slopes.len();
         self.values[0] = 1.0;
         for row in 1..=last {

@@ -1,27 +1,27 @@
-//! How much pieces of a patch bend: their second differences, halved over and over.
+//! Second differences of the parts of a patch, under repeated halving.
 //!
-//! Bounds need few digits, so these are f32, one vector a lane group. Each halving rounds twice; after 60 of them a
-//! length is off by less than 60 · 2 · 2⁻²⁴, which [`BEND_SLACK`] covers.
+//! Bounds need few digits, so the vectors are f32, one vector in each group of lanes. Each halving rounds twice; after
+//! 60 halvings a length is off by less than 60 · 2 · 2⁻²⁴, which [`BEND_SLACK`] covers.
 
 use wide::f32x4;
 
-/// Lengths may be too small by this part.
+/// The relative amount by which lengths may be too small.
 pub const BEND_SLACK: f64 = 1e-5;
 
-/// Columns and rows of a piece's nets: second differences along u, along both, along v; control points (or none).
+/// Columns and rows of the nets of a part: second differences along u, along both, along v; control points (or none).
 pub type Sizes = [(usize, usize); 4];
 
-/// The vectors of a stack of pieces, all with nets of the same sizes.
+/// The vectors of a stack of parts, all with nets of the same sizes.
 #[derive(Clone, Debug, Default)]
 pub struct SecondDifferences {
     sizes: Sizes,
-    /// Vectors of one piece.
+    /// Number of vectors of one part.
     count: usize,
     vectors: Vec<f32x4>,
 }
 
 impl SecondDifferences {
-    /// Starts anew with one piece, whose vectors are given net by net.
+    /// Replaces the stack by one part, whose vectors are given net by net.
     pub fn start(&mut self, sizes: Sizes, vectors: impl Iterator<Item = [f32; 3]>) {
         // A net without rows has no columns either.
         self.sizes = sizes.map(|(columns, rows)| if rows == 0 { (0, 0) } else { (columns, rows) });
@@ -31,7 +31,7 @@ impl SecondDifferences {
             .extend(vectors.map(|[x, y, z]| f32x4::new([x, y, z, 0.0])));
     }
 
-    /// Replaces the last piece by its two halves along u or v; the far half is then the last one.
+    /// Replaces the last part by its two halves along u or v; the far half is then the last one.
     #[inline(never)]
     pub fn halve(&mut self, along_u: bool) {
         let from = self.vectors.len() - self.count;
@@ -41,7 +41,7 @@ impl SecondDifferences {
         for (columns, rows) in self.sizes {
             let end = start + columns * rows;
             let (near, far) = (&mut near[start..end], &mut far[start..end]);
-            // Those of bicubic patches, unrolled.
+            // The sizes of bicubic patches, unrolled.
             match (columns, rows) {
                 (2, 4) => halve_net::<2, 4>(near, far, along_u),
                 (3, 3) => halve_net::<3, 3>(near, far, along_u),
@@ -52,12 +52,13 @@ impl SecondDifferences {
         }
     }
 
-    /// Drops the last piece.
+    /// Removes the last part.
     pub fn pop(&mut self) {
         self.vectors.truncate(self.vectors.len() - self.count);
     }
 
-    /// The length of the longest vector in each net of second differences of the last piece but `before`.
+    /// The maximum length of the vectors in each net of second differences, of the part that is `before` positions
+    /// below the last one.
     #[inline(never)]
     pub fn longest(&self, before: usize) -> [f32; 3] {
         let mut rest = &self.vectors[self.vectors.len() - (before + 1) * self.count..];
@@ -81,7 +82,7 @@ impl SecondDifferences {
         })
     }
 
-    /// The box of the control points of the last piece.
+    /// The bounding box of the control points of the last part.
     pub fn control_box(&self) -> [[f32; 3]; 2] {
         let (columns, rows) = self.sizes[3];
         let net = &self.vectors[self.vectors.len() - columns * rows..];
@@ -98,7 +99,7 @@ impl SecondDifferences {
     }
 }
 
-/// As [`halve_lines`], of a size that the compiler knows.
+/// [`halve_lines`] for a size that is known at compile time.
 #[inline(always)]
 fn halve_net<const COLUMNS: usize, const ROWS: usize>(
     near: &mut [f32x4],
@@ -137,7 +138,7 @@ fn halve_net<const COLUMNS: usize, const ROWS: usize>(
     }
 }
 
-/// De Casteljau's algorithm at ½ on each row, or each column, of a net; both start as the control points.
+/// De Casteljau's algorithm at ½ on each row, or each column, of a net; both slices hold the control points at first.
 fn halve_lines(
     near: &mut [f32x4],
     far: &mut [f32x4],

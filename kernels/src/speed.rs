@@ -1,12 +1,12 @@
-//! The speed of a curve of any degree, in space.
+//! Arc length of a curve of any degree, in space, by one quadrature rule.
 
 use crate::gauss::GAUSS_16;
 use wide::f64x2;
 
-/// ∫ |q(t)| dt from `lo` to `hi` by a Gauss rule of 16 points, for 0 ≤ lo ≤ hi ≤ 1.
+/// ∫ |q(t)| dt from `lo` to `hi` by the 16-point Gauss–Legendre rule, for 0 ≤ lo ≤ hi ≤ 1.
 ///
-/// q(t) = Σ cᵢ tⁱ (1 − t)ᵈ⁻ⁱ: `coefficients` are Bernstein coefficients, each times its binomial. Every term is as it
-/// would be in exact arithmetic, up to rounding, so nothing is lost at high degrees.
+/// q(t) = Σ cᵢ tⁱ (1 − t)ᵈ⁻ⁱ: `coefficients` are Bernstein coefficients, each multiplied by its binomial coefficient.
+/// Every term equals its exact value up to rounding, so no accuracy is lost at high degrees.
 pub fn speed_integral(coefficients: &[[f64; 3]], lo: f64, hi: f64) -> f64 {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let (t, s) = (
@@ -28,12 +28,12 @@ pub fn speed_integral(coefficients: &[[f64; 3]], lo: f64, hi: f64) -> f64 {
     half * (a + b)
 }
 
-/// |q| at two parameters t, s being 1 − t.
+/// |q| at two parameters t, where s is 1 − t.
 #[inline(always)]
 fn size(coefficients: &[[f64; 3]], t: f64x2, s: f64x2) -> f64x2 {
     let zero = f64x2::splat(0.0);
     let (mut x, mut y, mut z, mut power) = (zero, zero, zero, f64x2::splat(1.0));
-    // Horner's scheme in t, from the last coefficient down, the powers of s alongside.
+    // Horner's scheme in t, from the last coefficient down, with the powers of s computed alongside.
     for &[cx, cy, cz] in coefficients.iter().rev() {
         x = x * t + power * f64x2::splat(cx);
         y = y * t + power * f64x2::splat(cy);

@@ -1,9 +1,9 @@
-//! Limits on the work of iterative algorithms, counted in steps and never in time.
+//! Work limits of iterative algorithms, counted in steps and never in time.
 
-/// Counts the steps of one call and says when its limit is reached.
+/// Counts the steps of one call and reports when its limit is exceeded.
 ///
-/// A step is whatever the algorithm repeats: a halving, a box that is looked at, an evaluation. A call that reaches its
-/// limit either refuses (`Error::TooMany`) or returns the best answer found so far; the documentation of each function
+/// A step is one repetition of the algorithm: a halving, the test of a box, an evaluation. A call that exceeds its
+/// limit either returns an error (`Error::TooMany`) or the best result found so far; the documentation of each function
 /// says which.
 #[derive(Debug)]
 pub struct WorkLimit {
@@ -18,7 +18,7 @@ impl WorkLimit {
         Self { used: 0, limit }
     }
 
-    /// Counts some steps; false from the moment that the limit is passed.
+    /// Counts steps; returns false as soon as the limit is exceeded.
     #[inline]
     #[must_use]
     pub fn spend(&mut self, steps: usize) -> bool {
@@ -26,21 +26,21 @@ impl WorkLimit {
         self.used <= self.limit
     }
 
-    /// Whether more steps were asked for than the limit allows.
+    /// Whether more steps were counted than the limit allows.
     #[inline]
     pub fn is_exceeded(&self) -> bool {
         self.used > self.limit
     }
 
-    /// The steps that were counted.
+    /// The number of counted steps.
     #[inline]
     pub fn used(&self) -> usize {
         self.used
     }
 }
 
-/// With the feature `count-work`, the steps of every call are added up for each thread, so that tests can check limits
-/// without a clock.
+/// With the feature `count-work`, the steps of all calls are added up for each thread, so that tests can check limits
+/// without measuring time.
 #[cfg(feature = "count-work")]
 mod total {
     use super::WorkLimit;

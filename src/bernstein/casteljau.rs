@@ -1,9 +1,10 @@
-//! De Casteljau's algorithm: repeated linear interpolation between neighbours.
+//! De Casteljau's algorithm: repeated linear interpolation between neighbouring points.
 //!
-//! Start with the control points; between each two neighbours put the point that divides their segment as t divides
-//! [0, 1]. That gives one point fewer. Repeat until one point is left: it is the point of the curve at t. The first
-//! points of all the rows are the control points of the piece before t, the last ones those of the piece after it.
-//! Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, §4.2.
+//! Start with the control points and replace each pair of neighbours by the point that divides their segment in the
+//! ratio t : 1 − t. This gives one point fewer. Repeat until one point is left, which is the point of the curve at t.
+//! The first points of all levels are the control points of the segment before t, the last ones those of the segment
+//! after t. Source: de Casteljau, *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*,
+//! §4.2.
 
 use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
@@ -21,7 +22,7 @@ pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
     row[0]
 }
 
-/// Writes the control points of the pieces before and after t; both slices are as long as `points`.
+/// Writes the control points of the segments before and after t; both slices are as long as `points`.
 #[inline]
 pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: &mut [P]) {
     right.copy_from_slice(points);
@@ -33,7 +34,8 @@ pub(crate) fn split_into<P: Point>(points: &[P], t: f64, left: &mut [P], right: 
     }
 }
 
-/// The same for coordinates in a row, `dimension` for each point; both slices start as the control points.
+/// [`split_into`] for interleaved coordinates, `dimension` for each point; both slices hold the control points at
+/// first.
 #[cfg(feature = "wasm")]
 pub(crate) fn split_numbers(left: &mut [f64], right: &mut [f64], dimension: usize, t: f64) {
     let s = 1.0 - t;
@@ -47,10 +49,10 @@ pub(crate) fn split_numbers(left: &mut [f64], right: &mut [f64], dimension: usiz
     }
 }
 
-/// Replaces control points by those of the piece from t₀ to t₁.
+/// Replaces control points by those of the segment from t₀ to t₁.
 ///
-/// Cuts first at the end that is nearer to the middle in such a way that no parameter leaves [0, 1] if t₀ and t₁ do
-/// not, so every step is a convex combination.
+/// The first cut keeps the longer of the ranges from t₀ to 1 and from 0 to t₁. So the parameter of the second cut stays
+/// in [0, 1] if t₀ and t₁ do, and every step is a convex combination.
 pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
     if 1.0 - t0 > t1 {
         keep_after(points, t0);
@@ -66,7 +68,7 @@ pub(crate) fn blossom_piece<P: Point>(points: &mut [P], t0: f64, t1: f64) {
     }
 }
 
-/// The piece before t, in place.
+/// Keeps the segment before t, in place.
 fn keep_before<P: Point>(points: &mut [P], t: f64) {
     for level in 1..points.len() {
         for i in (level..points.len()).rev() {
@@ -75,7 +77,7 @@ fn keep_before<P: Point>(points: &mut [P], t: f64) {
     }
 }
 
-/// The piece after t, in place.
+/// Keeps the segment after t, in place.
 fn keep_after<P: Point>(points: &mut [P], t: f64) {
     for level in 1..points.len() {
         for i in 0..points.len() - level {

@@ -1,14 +1,14 @@
-//! Values of polynomials in Bernstein form.
+//! Evaluation of polynomials in Bernstein form.
 //!
-//! Degrees 1 to 3 weigh their control points with the Bernstein polynomials written out. In [0, 1] the weights are
-//! positive and sum to 1, so nothing cancels and nothing overflows that is not too large itself. Higher degrees use
-//! de Casteljau's algorithm, which the closed forms agree with.
+//! Degrees 1 to 3 sum the control points with explicit Bernstein weights. In [0, 1] the weights are positive and sum to
+//! 1, so nothing cancels, and nothing overflows unless the result does. Higher degrees use de Casteljau's algorithm,
+//! which agrees with the closed forms.
 
 use super::casteljau::evaluate_by_casteljau;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 
-/// The point at t of the curve with these control points (at least one).
+/// The point at t of the curve with the given control points (at least one).
 #[inline]
 pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
     match *points {
@@ -44,8 +44,8 @@ pub(crate) fn cubic_scalar([a, b, c, d]: [f64; 4], t: f64) -> f64 {
     a * u + b * v + c * w + d * s
 }
 
-/// The value at t of a polynomial with these Bernstein coefficients (at least one); the same numbers as a coordinate of
-/// [`evaluate`].
+/// The value at t of the polynomial with the given Bernstein coefficients (at least one). The result has the same bits
+/// as a coordinate of [`evaluate`].
 pub(crate) fn evaluate_scalar(coefficients: &[f64], t: f64) -> f64 {
     let s = 1.0 - t;
     match *coefficients {

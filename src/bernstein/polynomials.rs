@@ -1,4 +1,4 @@
-//! The Bernstein weights: how much each control point counts at t.
+//! Bernstein polynomials: the weights of the control points at t.
 
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::numeric::float::ratio;
@@ -6,9 +6,9 @@ use crate::numeric::list::Scalars;
 
 /// The n + 1 Bernstein weights of degree n at t: Bᵢ(t) = C(n, i) tⁱ (1 − t)ⁿ⁻ⁱ.
 ///
-/// For t in [0, 1] they are not negative and sum to 1 within one ulp; at the ends they are exactly 0 and 1. Built row
-/// by row from products and sums of positive numbers, so nothing cancels. Source: Piegl and Tiller, *The NURBS Book*,
-/// algorithm A1.3.
+/// For t in [0, 1] they are not negative and sum to 1 within one ulp; at the ends they are exactly 0 and 1. They are
+/// computed row by row from products and sums of positive numbers, so nothing cancels. Source: Piegl and Tiller, *The
+/// NURBS Book*, algorithm A1.3.
 ///
 /// # Errors
 /// [`Error::Range`] for a degree above 64, [`Error::NotFinite`] for a t that is not finite.
@@ -50,11 +50,12 @@ pub(crate) fn bernstein_into(weights: &mut [f64], t: f64) {
     }
 }
 
-/// Takes the common factor out that the rounding of 1 − t has left: up to n half ulps.
+/// Divides by the sum, to remove the common factor caused by the rounding of 1 − t: up to n half ulps.
 fn normalise(weights: &mut [f64]) {
     let (mut sum, mut lost) = (0.0, 0.0);
     for &weight in &*weights {
-        // What rounding takes from each sum, exactly (Knuth's two-sum), or the result would be some ulps off again.
+        // Accumulate the exact rounding error of each sum (Knuth's two-sum); otherwise the result would be off by some
+        // ulps.
         let next = sum + weight;
         let part = next - sum;
         lost += (sum - (next - part)) + (weight - part);

@@ -1,4 +1,4 @@
-//! Products of polynomials in Bernstein form.
+//! Multiplication of polynomials in Bernstein form.
 
 use crate::numeric::list::Scalars;
 use casteljau_kernels::binomial;
@@ -11,7 +11,7 @@ pub(crate) fn product_of(n: usize, m: usize, product: impl Fn(usize, usize) -> f
     Binomials::new(n, m).product(product)
 }
 
-/// The binomials of a product, for several products of the same degrees.
+/// The binomial coefficients of a product, for several products of the same degrees.
 pub(crate) struct Binomials([Scalars; 3]);
 
 impl Binomials {
@@ -19,7 +19,7 @@ impl Binomials {
         Self([n, m, n + m].map(|n| (0..=n).map(|i| binomial(n, i)).collect()))
     }
 
-    /// As [`product_of`].
+    /// Same as [`product_of`].
     pub(crate) fn product(&self, product: impl Fn(usize, usize) -> f64) -> Scalars {
         let [left, right, whole] = &self.0;
         let (n, m) = (left.len() - 1, right.len() - 1);

@@ -1,28 +1,28 @@
-//! The real roots in (0, 1) of a polynomial in Bernstein form.
+//! Real roots in (0, 1) of a polynomial in Bernstein form.
 //!
-//! A polynomial with the Bernstein coefficients b₀ … bₙ has at most as many roots in (0, 1) as the b change sign
-//! (Descartes' rule in Bernstein form), and none if they do not. So: cut in half until a piece has one change and is
-//! monotone, then close in on that root. Halving never adds changes, and ends at the spacing of numbers near 1, so at most
-//! n · 52 pieces are looked at, whatever the coefficients. Source: Lane and Riesenfeld, "Bounds on a polynomial", BIT 21
-//! (1981).
+//! A polynomial with the Bernstein coefficients b₀ … bₙ has at most as many roots in (0, 1) as the bᵢ have sign changes
+//! (Descartes' rule in Bernstein form), and none if there are no sign changes. The interval is halved until a part has
+//! one sign change and is monotone; then the root is bracketed and refined. Halving never adds sign changes and ends at
+//! the spacing of numbers near 1, so at most n · 52 intervals are processed, whatever the coefficients. Source: Lane
+//! and Riesenfeld, "Bounds on a polynomial", BIT 21 (1981).
 //!
-//! That finds every change of sign. Where a polynomial only touches zero, or all but touches it, the answer lies in the
-//! rounding of its coefficients; what counts as zero is then the caller's to say, as a height below which values are
-//! `slack`. Between two neighbours among the ends and the extrema a polynomial is monotone, so their heights tell all
-//! ([`contacts`], [`crossings`]).
+//! This finds every sign change. Where a polynomial touches zero, or nearly does, the result depends on the rounding of
+//! its coefficients. The caller then decides what counts as zero: values of at most `slack`. Between neighbouring
+//! parameters among the ends and the extrema a polynomial is monotone, so the values at these parameters determine all
+//! contacts ([`contacts`], [`crossings`]).
 
 use crate::numeric::float::ratio;
 use crate::numeric::list::Scalars;
 use casteljau_kernels::WorkLimit;
 
-/// Below this width an interval counts as one parameter: a root of even multiplicity, or several that rounding
-/// cannot tell apart.
+/// An interval below this width counts as one parameter: it contains a root of even multiplicity, or several roots that
+/// rounding cannot separate.
 const SMALLEST_INTERVAL: f64 = f64::EPSILON;
 
-/// The roots strictly inside (0, 1), sorted, each once. Of the zero polynomial: none.
+/// The roots strictly inside (0, 1), in ascending order, each once. The zero polynomial gives none.
 ///
-/// Each change of sign is there; a touch of zero is there where the coefficients show it. Use [`crossings`] or
-/// [`contacts`] where that makes a difference.
+/// Every sign change is included; a double root is included only if the coefficients show it. Use [`crossings`] or
+/// [`contacts`] where that matters.
 pub(crate) fn roots_inside(coefficients: &[f64]) -> Scalars {
     let mut roots = Scalars::new();
     let Some((scaled, _)) = scaled(coefficients) else {
@@ -37,17 +37,18 @@ pub(crate) fn roots_inside(coefficients: &[f64]) -> Scalars {
     roots
 }
 
-/// The coefficients with the largest made ±1, and what it was; `None` if all are zero.
+/// The coefficients divided by the largest absolute value, and that value; `None` if all are zero.
 fn scaled(coefficients: &[f64]) -> Option<(Scalars, f64)> {
     let size = coefficients.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     (size > 0.0).then(|| (coefficients.iter().map(|c| c / size).collect(), size))
 }
 
-/// The parameters inside (0, 1) where the sign changes from beyond ±`slack` to beyond the other, sorted.
+/// The parameters inside (0, 1) where the value changes from below −`slack` to above `slack` or the reverse, in
+/// ascending order.
 pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     let mut roots = Scalars::new();
     walk(coefficients, slack, |crossing| {
-        // A root next to an end may round to it.
+        // A root next to an end may be rounded to it.
         if let ZeroCrossing::Cross(t) = crossing
             && t > 0.0
             && t < 1.0
@@ -58,8 +59,8 @@ pub(crate) fn crossings(coefficients: &[f64], slack: f64) -> Scalars {
     roots
 }
 
-/// All parameters in [0, 1] where the polynomial is zero or comes within `slack` of it, sorted: changes of sign, touches
-/// once each, ends. `None` where it is within `slack` everywhere.
+/// All parameters in [0, 1] where the polynomial is zero or comes within `slack` of it, in ascending order: sign
+/// changes, touches once each, ends. `None` if it is within `slack` everywhere.
 pub(crate) fn contacts(coefficients: &[f64], slack: f64) -> Option<Scalars> {
     let mut roots = Scalars::new();
     let mut everywhere = false;
@@ -70,17 +71,17 @@ pub(crate) fn contacts(coefficients: &[f64], slack: f64) -> Option<Scalars> {
     (!everywhere).then_some(roots)
 }
 
-/// How a polynomial meets zero.
+/// A contact of a polynomial with zero.
 enum ZeroCrossing {
-    /// It changes its sign, inside (0, 1).
+    /// The sign changes, inside (0, 1).
     Cross(f64),
-    /// It comes to zero and turns back, or begins or ends there.
+    /// The polynomial reaches zero and turns back, or begins or ends at zero.
     Touch(f64),
-    /// It never leaves zero.
+    /// The polynomial is zero everywhere.
     Everywhere,
 }
 
-/// Goes through the ends and the extrema; between them the polynomial is monotone.
+/// Reports the zeros in order. Visits the ends and the extrema; between them the polynomial is monotone.
 fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) {
     let Some((coefficients, size)) = scaled(coefficients) else {
         return report(ZeroCrossing::Everywhere);
@@ -89,7 +90,8 @@ fn walk(coefficients: &[f64], slack: f64, mut report: impl FnMut(ZeroCrossing)) 
     let slopes: Scalars = coefficients.windows(2).map(|p| p[1] - p[0]).collect();
     let mut stops = roots_inside(&slopes);
     stops.push(1.0);
-    // The last stop off zero, with its height; the lowest stop at zero since then, with its height.
+    // `off`: the last visited parameter with a non-zero value, and the value. `at`: the parameter with the smallest
+    // value since then that counts as zero, and the value.
     let (mut off, mut at) = (None, None);
     let mut stop = |t: f64, height: f64| {
         if height.abs() <= slack {
@@ -126,14 +128,15 @@ fn push_inside(roots: &mut Scalars, t: f64) {
     }
 }
 
-/// a(1−t)² + 2b(1−t)t + ct²: with r = t/(1−t) it is a + 2br + cr², solved without cancellation.
+/// Roots of a(1−t)² + 2b(1−t)t + ct². With r = t/(1−t) it is proportional to a + 2br + cr², which is solved without
+/// cancellation.
 fn quadratic(roots: &mut Scalars, a: f64, b: f64, c: f64) {
     let discriminant = discriminant(a, b, c);
     if discriminant < 0.0 {
         return;
     }
     let q = -(b + discriminant.sqrt().copysign(b));
-    // r₁ = q/c and r₂ = a/q, as t = r/(1+r).
+    // r₁ = q/c and r₂ = a/q; converted by t = r/(1+r).
     let (t1, t2) = if q == 0.0 {
         (f64::NAN, f64::NAN)
     } else {
@@ -143,33 +146,33 @@ fn quadratic(roots: &mut Scalars, a: f64, b: f64, c: f64) {
     push_inside(roots, t1.max(t2));
 }
 
-/// b² − ac with the rounding errors of both products, after Kahan.
+/// b² − ac, corrected by the rounding errors of both products (Kahan).
 pub(crate) fn discriminant(a: f64, b: f64, c: f64) -> f64 {
     let (square, product) = (b * b, a * c);
     square - product + (error_of_product(b, b, square) - error_of_product(a, c, product))
 }
 
-/// The rounding error a·b − fl(a·b), exactly, by splitting the factors (Dekker); wasm has no fused multiply-add.
+/// The exact rounding error a·b − fl(a·b), by splitting the factors (Dekker); wasm has no fused multiply-add.
 fn error_of_product(a: f64, b: f64, product: f64) -> f64 {
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
     ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
 }
 
-/// The upper and the lower 26 bits.
+/// The upper and the lower 26 bits of the significand.
 fn halves(a: f64) -> (f64, f64) {
     let c = 134_217_729.0 * a; // 2²⁷ + 1
     let upper = c - (c - a);
     (upper, a - upper)
 }
 
-/// Halves pieces until each has no change of sign, or one and is monotone. The pieces still to do lie one after the other in a list,
-/// the leftmost last.
+/// Halves intervals until each has no sign change, or one and is monotone. The pending intervals are stored one after
+/// the other in a list, the leftmost last.
 fn isolate(coefficients: &[f64], roots: &mut Scalars) {
     let polynomial = Polynomial::new(coefficients);
     let count = coefficients.len();
     let mut pieces = coefficients.to_vec();
     let mut spans = vec![(0.0, 1.0)];
-    // At most one piece for each change of sign is halved, at each of 53 widths.
+    // For each sign change at most one interval is halved at each of 53 widths.
     let mut work = WorkLimit::new(2 * 53 * count);
     while let Some((lo, hi)) = spans.pop() {
         let from = pieces.len() - count;
@@ -178,7 +181,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
             push_inside(roots, lo);
         }
         let (changes, sign) = sign_changes(piece);
-        // Where the piece is monotone too, rounding can mislead about the sign only at the root itself.
+        // On a monotone interval, rounding can falsify the sign only at the root itself.
         let plain = changes == 0 || changes == 1 && monotone(piece);
         if !work.spend(1) || plain || hi - lo <= SMALLEST_INTERVAL {
             if changes == 1 {
@@ -202,7 +205,7 @@ fn monotone(coefficients: &[f64]) -> bool {
     pairs.clone().all(|p| p[0] <= p[1]) || pairs.all(|p| p[0] >= p[1])
 }
 
-/// The halves of a piece, which `right` holds before.
+/// Halves the interval whose coefficients `right` holds.
 fn halve(left: &mut [f64], right: &mut [f64]) {
     for last in (0..right.len()).rev() {
         left[right.len() - 1 - last] = right[0];
@@ -212,7 +215,7 @@ fn halve(left: &mut [f64], right: &mut [f64]) {
     }
 }
 
-/// The number of changes of sign, zeros left out, and the first sign.
+/// The number of sign changes, ignoring zeros, and the first non-zero coefficient.
 pub(crate) fn sign_changes(coefficients: &[f64]) -> (usize, f64) {
     let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
     for &c in coefficients.iter().filter(|&&c| c != 0.0) {
@@ -225,7 +228,7 @@ pub(crate) fn sign_changes(coefficients: &[f64]) -> (usize, f64) {
     (changes, first)
 }
 
-/// Σ C(n, i) bᵢ tⁱ (1 − t)ⁿ⁻ⁱ with the binomials multiplied in, which is evaluated in n steps.
+/// Σ C(n, i) bᵢ tⁱ (1 − t)ⁿ⁻ⁱ with premultiplied binomial coefficients; an evaluation takes n steps.
 struct Polynomial(Scalars);
 
 impl Polynomial {
@@ -240,8 +243,9 @@ impl Polynomial {
         Self(coefficients.iter().enumerate().map(weigh).collect())
     }
 
-    /// The value at t, by Horner's rule in t/(1 − t) or its inverse, whichever is at most 1: as exact as de Casteljau's
-    /// algorithm. Source: Schumaker and Volk, "Efficient evaluation of multivariate polynomials", CAGD 3 (1986).
+    /// The value at t, by Horner's rule in t/(1 − t) or its inverse, whichever is at most 1. It is as accurate as de
+    /// Casteljau's algorithm. Source: Schumaker and Volk, "Efficient evaluation of multivariate polynomials", CAGD 3
+    /// (1986).
     fn at(&self, t: f64) -> f64 {
         let s = 1.0 - t;
         let (large, ratio) = if s < t { (t, s / t) } else { (s, t / s) };
@@ -254,7 +258,8 @@ impl Polynomial {
         (1..self.0.len()).fold(sum, |value, _| value * large)
     }
 
-    /// The one root in (lo, hi), where the sign is that of `before` at lo: bisection, sped up by regula falsi (Illinois).
+    /// The only root in (lo, hi), where the sign at lo is that of `before`: bisection, accelerated by regula falsi
+    /// (Illinois algorithm).
     fn close_in(&self, mut lo: f64, mut hi: f64, before: f64) -> f64 {
         let sign = 1.0_f64.copysign(before);
         let (mut f_lo, mut f_hi) = (sign * self.at(lo), sign * self.at(hi));
@@ -264,7 +269,7 @@ impl Polynomial {
             if mid <= lo || mid >= hi {
                 break;
             }
-            // Every third step bisects, so that the interval is sure to shrink.
+            // Every third step bisects, so that the interval is guaranteed to shrink.
             let secant = lo + (hi - lo) * f_lo / (f_lo - f_hi);
             let t = if step % 3 == 2 || !(secant > lo && secant < hi) {
                 mid

@@ -1,4 +1,4 @@
-//! How much area does the curve sweep?
+//! Signed area swept by a curve.
 
 use super::Curve;
 use crate::geometry::point::Point;
@@ -6,19 +6,20 @@ use crate::numeric::list::Points;
 use glam::DVec2;
 
 impl Curve<DVec2> {
-    /// The signed area ½ ∫ (x dy − y dx) that the segment from the origin to the curve's point sweeps.
+    /// The signed area ½ ∫ (x dy − y dx) that the segment from the origin to B(t) sweeps.
     ///
-    /// Positive while it turns counter-clockwise (x right, y up), and exact but for rounding. Areas of curves that follow
-    /// each other add up; over a closed outline their sum is the area inside, and the origin does not matter. Where the
-    /// true value leaves the range of f64 it is infinite, or 0. Source: Green's theorem, with the integrals of products of
-    /// Bernstein polynomials; Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29 (2012), §3.3.
+    /// Counter-clockwise sweeps (x right, y up) count as positive. The result is exact up to rounding. The areas of
+    /// consecutive curves add up; over a closed outline their sum is the enclosed area, whatever the origin. If the
+    /// true value leaves the range of f64, the result is infinite or 0. Source: Green's theorem, with the integrals of
+    /// products of Bernstein polynomials; Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD
+    /// 29 (2012), §3.3.
     pub fn area(&self) -> f64 {
         self.swept_area()
     }
 }
 
 impl<P: Point> Curve<P> {
-    /// [`area`](Curve::area) as seen along z.
+    /// [`area`](Curve::area) of the projection along z.
     pub(crate) fn swept_area(&self) -> f64 {
         let unit = self.max_abs();
         let (start, end) = (self.start(), self.end());
@@ -27,8 +28,8 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// ½ a × b, the signed area of the triangle with the corners 0, a and b, in squares of `unit`: about the largest
-/// coordinate, so that nothing but the true area can overflow.
+/// ½ a × b, the signed area of the triangle with the corners 0, a and b, in squares of `unit`. `unit` is about the
+/// largest coordinate, so that only the true area can overflow.
 pub(crate) fn triangle_area<P: Point>(a: P, b: P, unit: f64) -> f64 {
     if unit == 0.0 {
         return 0.0;
@@ -36,15 +37,15 @@ pub(crate) fn triangle_area<P: Point>(a: P, b: P, unit: f64) -> f64 {
     0.5 * (a / unit).to_2d().cross((b / unit).to_2d())
 }
 
-/// The area that the segment from `centre` sweeps, in squares of `unit`.
+/// The area that the segment from `centre` to B(t) sweeps, in squares of `unit`.
 ///
-/// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m): what
-/// ½ ∫ (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) is for Bernstein polynomials.
+/// Σ w (Pᵢ × Pⱼ) over i < j, with m = i + j and w = n (j − i) / (m (2n − m)) · C(n, i) C(n, j) / C(2n, m), which is ½ ∫
+/// (Bᵢ Bⱼ′ − Bⱼ Bᵢ′) for Bernstein polynomials.
 pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
     if unit == 0.0 {
         return 0.0;
     }
-    // Halves: the distance of ±1e308 is no number.
+    // Halved, because the difference of ±1e308 overflows.
     let around: Points<DVec2> = points
         .iter()
         .map(|&p| ((p * 0.5 - centre * 0.5) / unit).to_2d())

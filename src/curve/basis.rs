@@ -1,7 +1,7 @@
-//! The same cubic seen through other bases: Hermite, B-spline, Catmull-Rom, or any 4×4 matrix.
+//! Cubic curves in other bases: Hermite, B-spline, Catmull-Rom, or any 4×4 basis matrix.
 //!
-//! Every cubic is [t³ t² t 1]·M·G with a basis matrix M and four geometry points G. Changing the basis keeps the
-//! curve and changes the points: M₁·G₁ = M₂·G₂.
+//! Every cubic is [t³ t² t 1]·M·G with a basis matrix M and four geometry points G. A change of basis keeps the curve
+//! and changes the points: M₁·G₁ = M₂·G₂.
 
 use super::Curve;
 use crate::geometry::error::Error;
@@ -20,13 +20,13 @@ pub(crate) type Matrix = [f64; 16];
 pub enum Basis {
     /// Geometry P₀, P₁, P₂, P₃.
     Bezier,
-    /// Geometry P₀, P₁, M₀, M₁: the ends and the derivatives there.
+    /// Geometry P₀, P₁, M₀, M₁: the end points and the derivatives at them.
     Hermite,
     /// Geometry P₀ … P₃: one segment of the uniform cubic B-spline.
     BSpline,
     /// Geometry P₀ … P₃: from P₁ to P₂, with the derivatives (P₂ − P₀)/2 and (P₃ − P₁)/2 (uniform, tension ½).
     CatmullRom,
-    /// An own matrix, row-major, acting as [t³ t² t 1]·M·G.
+    /// A custom matrix, row-major, used as [t³ t² t 1]·M·G.
     Matrix([f64; 16]),
 }
 
@@ -66,13 +66,13 @@ impl Basis {
         }
     }
 
-    /// The matrix that takes geometry points to Bézier points; refuses a NaN or an infinity.
+    /// The matrix that converts geometry points to Bézier points; returns an error for a NaN or an infinity.
     pub(crate) fn to_bezier(self) -> Result<Matrix, Error> {
         finite(self.matrix()).map(|matrix| to_bezier(&matrix))
     }
 }
 
-/// The matrix that takes geometry points of a basis to Bézier points: the rows belong to P₀ … P₃.
+/// The matrix that converts geometry points of a basis to Bézier points: the rows belong to P₀ … P₃.
 fn to_bezier(matrix: &Matrix) -> Matrix {
     let [a, b, c, d] = rows(matrix);
     // The inverse of the Bézier matrix: P₀ = d, P₁ = d + c/3, P₂ = d + 2c/3 + b/3, P₃ = d + c + b + a.
@@ -86,7 +86,7 @@ fn to_bezier(matrix: &Matrix) -> Matrix {
     out
 }
 
-/// M·G: four points from four points.
+/// M·G, four points.
 pub(crate) fn apply<P: Point>(matrix: &Matrix, points: [P; 4]) -> [P; 4] {
     let [p0, p1, p2, p3] = points;
     rows(matrix).map(|[a, b, c, d]| p0 * a + p1 * b + p2 * c + p3 * d)
@@ -101,7 +101,8 @@ fn rows(m: &Matrix) -> [[f64; 4]; 4] {
     ]
 }
 
-/// Gauss–Jordan elimination with partial pivoting; `None` where a pivot vanishes against its matrix.
+/// The inverse by Gauss–Jordan elimination with partial pivoting; `None` if a pivot is negligible relative to the
+/// largest entry.
 fn invert(matrix: &Matrix) -> Option<Matrix> {
     let size = matrix.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     let mut left = rows(matrix);
@@ -110,7 +111,7 @@ fn invert(matrix: &Matrix) -> Option<Matrix> {
     ]);
     for k in 0..4 {
         let pivot = (k..4).max_by(|&a, &b| left[a][k].abs().total_cmp(&left[b][k].abs()))?;
-        // The entries are finite; a zero matrix fails too.
+        // The entries are finite; a zero matrix also fails this test.
         if left[pivot][k].abs() <= size * f64::EPSILON {
             return None;
         }
@@ -163,7 +164,7 @@ impl<P: Point> Curve<P> {
         Ok(apply(&inverse, self.as_cubic()?))
     }
 
-    /// The four control points of a curve of degree 1 to 3, elevated if need be.
+    /// The four control points of a curve of degree 1 to 3, elevated if necessary.
     fn as_cubic(&self) -> Result<[P; 4], Error> {
         match *self.points {
             [p0, p1, p2, p3] => Ok([p0, p1, p2, p3]),

@@ -1,4 +1,4 @@
-//! The smallest box around the curve.
+//! Bounding boxes of a curve.
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate_scalar;
@@ -8,9 +8,10 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 
 impl<P: Point> Curve<P> {
-    /// The smallest box that contains the curve, from its ends and its extrema.
+    /// The smallest box that contains the curve, computed from its end points and its extrema.
     ///
-    /// Exact to rounding: an extremum is a root of one coordinate of B′, and the coordinate is flat there.
+    /// Exact up to rounding: an extremum is a root of one coordinate of B′, so an error of the root changes the
+    /// coordinate only to second order.
     pub fn bounds(&self) -> Bounds<P> {
         let mut bounds = Bounds {
             min: self.start(),
@@ -39,9 +40,9 @@ impl<P: Point> Curve<P> {
             .fold(first, |bounds, &p| bounds.including(p))
     }
 
-    /// The parameters inside (0, 1) where one coordinate of B′ vanishes, sorted.
+    /// The parameters inside (0, 1) where one coordinate of B′ vanishes, in ascending order.
     pub(crate) fn extrema_on(&self, axis: usize) -> Scalars {
-        // Halved, so that differences of ±1e308 stay finite; roots do not see the factor.
+        // Halved, so that differences of ±1e308 stay finite; the factor does not change the roots.
         let half = |p: &P| p.coordinate(axis) * 0.5;
         let slopes: Scalars = self
             .points
@@ -51,7 +52,7 @@ impl<P: Point> Curve<P> {
         roots_inside(&slopes)
     }
 
-    /// Whether the control points already run one way along an axis.
+    /// Whether the control points are monotone along an axis, so that the curve has no extremum inside.
     fn monotone(&self, axis: usize) -> bool {
         let mut pairs = self
             .points

@@ -1,4 +1,4 @@
-//! What kind of curve is it?
+//! Classification of a curve: line, quadratic, arch, serpentine, loop, cusp, twisted.
 
 use super::Curve;
 use super::inflections::{cusps_of, inflections_of};
@@ -12,7 +12,7 @@ use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
 use glam::{DVec2, DVec3};
 
-/// The shape of a curve, as far as it does not change under affine maps.
+/// The shape of a curve, as far as affine maps preserve it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -22,31 +22,31 @@ use glam::{DVec2, DVec3};
 pub enum CurveKind {
     /// All control points coincide.
     Point,
-    /// All control points lie on a line; the curve may turn back on it.
+    /// All control points lie on a line; the curve may reverse its direction.
     Line,
-    /// A parabola, whatever the degree of its control polygon.
+    /// A parabola, whatever the degree of the control polygon.
     Quadratic,
-    /// It bends to one side only and does not cross itself.
+    /// The curve bends to one side only and has no self-intersection.
     Arch,
-    /// It changes the side to which it bends.
+    /// The curve has an inflection.
     Serpentine,
-    /// It crosses or meets itself.
+    /// The curve crosses or touches itself.
     Loop,
-    /// It stops and goes back in a tip.
+    /// The curve has a cusp: it stops and reverses its direction.
     Cusp,
-    /// It lies in no plane.
+    /// The curve lies in no plane.
     Twisted,
 }
 
 impl<P: Point> Curve<P> {
-    /// The kind of curve, judged by what the curve does for t from 0 to 1.
+    /// The kind of the curve for t from 0 to 1.
     ///
-    /// First by what it is: a point, a line, a parabola (a higher degree that only elevates one counts as such), in space
-    /// a curve that lies in no plane. What is left is judged in its plane: [`CurveKind::Cusp`] if it has one inside,
-    /// [`CurveKind::Loop`] if it meets itself, [`CurveKind::Serpentine`] if it has an inflection inside, else [`CurveKind::Arch`]. Of a cubic
-    /// these exclude each other, being the signs of the discriminant of B′×B″; of higher degrees the first that holds, in
-    /// this order, is given. The tests compare with the rounding of the control points and with nothing else, so they do not depend on
-    /// the size.
+    /// Points, lines, parabolas (also of elevated degree) and, in space, curves that lie in no plane are recognised
+    /// first. All other curves are classified in their plane: [`CurveKind::Cusp`] if the curve has a cusp inside,
+    /// [`CurveKind::Loop`] if it intersects itself, [`CurveKind::Serpentine`] if it has an inflection inside, else
+    /// [`CurveKind::Arch`]. For a cubic these exclude each other; they correspond to the sign of the discriminant of
+    /// B′×B″. For higher degrees the result is the first that holds, in this order. The only thresholds are multiples
+    /// of the rounding of the control points, so the result does not depend on the size.
     ///
     /// Source: Stone and DeRose, "A geometric characterization of parametric cubic curves", ACM TOG 8 (1989); Loop and
     /// Blinn, "Resolution independent curve rendering", SIGGRAPH 2005.
@@ -65,7 +65,8 @@ impl<P: Point> Curve<P> {
         if unit <= 2.0 * rounding {
             return CurveKind::Point;
         }
-        // From the start and about 1: an affine map, after which no power leaves the range.
+        // Translate the start to the origin and scale to a size of about 1. This is an affine map; afterwards no power
+        // leaves the range of f64.
         let unit = unit_for(unit);
         let start = self.start();
         let vectors: Points<P> = self
@@ -82,7 +83,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The curve with the lowest degree that gives it to rounding.
+/// The control points of the curve at the lowest degree that represents it up to rounding.
 fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
         let slack = 4.0 * rounding * points.len() as f64;
@@ -98,7 +99,8 @@ fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     points
 }
 
-/// One degree less, exact if there is such a curve: elevation solved from both ends to the middle.
+/// Degree reduction by one, exact if such a curve exists: solves the equations of elevation from both ends to the
+/// middle.
 fn lower<P: Point>(p: &[P]) -> Points<P> {
     let n = p.len() - 1;
     let mut q = points_of(&p[..n]);
@@ -113,21 +115,23 @@ fn lower<P: Point>(p: &[P]) -> Points<P> {
     q
 }
 
-/// What the arithmetic of `in_its_plane` adds to the rounding of the points, as a part of the longest vector. With
-/// u = ε/2, a normalized vector is off by 4.5 u; a distance from the line by that, 7.5 u from the scalar product and u from
-/// the last product: 13 u. A distance from the plane is off by 13 u because of the direction `across`, 4.5 u because of
-/// `along`, 2.5 u by the cross product and 3 u by the scalar product: 23 u in total.
+/// Rounding error of the arithmetic of `in_its_plane`, as a part of the longest vector; it adds to the rounding of the
+/// points. With u = ε/2, a normalized vector is off by 4.5 u. A distance from the line is off by 4.5 u from the vector,
+/// 7.5 u from the scalar product and u from the last product: 13 u. A distance from the plane is off by 13 u because of
+/// the direction `across`, 4.5 u because of `along`, 2.5 u by the cross product and 3 u by the scalar product: 23 u in
+/// total.
 const FLATNESS_ROUNDING: f64 = 12.0 * f64::EPSILON;
 
-/// What a control polygon spans.
+/// The affine hull of a control polygon.
 enum Flat {
     Line,
-    /// The points with a coordinate dropped: an affine map, which keeps the class.
+    /// The points with one coordinate dropped; this affine map preserves the kind.
     Plane(Points<DVec3>),
     Not,
 }
 
-/// `vectors` begin at the origin; `slack` is what rounding of the points may move them.
+/// The plane or line of `vectors`, which begin at the origin. `slack` is the distance by which rounding may move a
+/// point.
 fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
     let vectors: Points<DVec3> = vectors.iter().map(|vector| vector.to_3d()).collect();
     let longest = |a: DVec3, b: DVec3| if b.dot(b) > a.dot(a) { b } else { a };
@@ -161,7 +165,7 @@ fn in_its_plane<P: Point>(vectors: &[P], slack: f64) -> Flat {
     Flat::Plane(vectors.iter().map(flat).collect())
 }
 
-/// The class of a plane curve of its lowest degree; z = 0.
+/// The kind of a plane curve (z = 0) of its lowest degree.
 fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
     if points.len() == 3 {
         CurveKind::Quadratic
@@ -176,8 +180,8 @@ fn class_in_plane(points: &[DVec3], rounding: f64) -> CurveKind {
     }
 }
 
-/// Whether the curve has a double point inside; the two parameters of a cubic's are −B/A ± √(−3 (B² − aA)) / A, where
-/// B′×B″ = a + 2Bt + At². Ends that coincide are a double point.
+/// Whether the curve has a double point inside. For a cubic its two parameters are −B/A ± √(−3 (B² − aA)) / A, where
+/// B′×B″ = a + 2Bt + At². Coincident end points count as a double point.
 fn meets_itself(points: &[DVec3]) -> bool {
     let (slopes, _) = hodograph(points);
     let (turning, _) = turning(&slopes, 0.0);

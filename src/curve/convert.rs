@@ -1,4 +1,4 @@
-//! Curves from a fixed number of points, and affine maps as factors.
+//! Constructors of lines, quadratics and cubics, and affine maps as factors.
 
 use super::Curve;
 use crate::geometry::error::Error;
@@ -8,7 +8,7 @@ use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::ops::Mul;
 
 impl<P: Point> Curve<P> {
-    /// The line segment from `p0` to `p1`: degree 1.
+    /// The line segment from `p0` to `p1`, of degree 1.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -23,7 +23,7 @@ impl<P: Point> Curve<P> {
         Self::of_finite([p0, p1])
     }
 
-    /// The quadratic curve with these three control points.
+    /// The quadratic curve with three control points.
     ///
     /// # Panics
     /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
@@ -31,7 +31,7 @@ impl<P: Point> Curve<P> {
         Self::of_finite([p0, p1, p2])
     }
 
-    /// The cubic curve with these four control points.
+    /// The cubic curve with four control points.
     ///
     /// # Panics
     /// If a coordinate is NaN or infinite. [`Curve::new`] returns an error instead.
@@ -55,7 +55,7 @@ impl<P: Point> Curve<P> {
 impl<P: Point, const N: usize> TryFrom<[P; N]> for Curve<P> {
     type Error = Error;
 
-    /// As [`Curve::new`].
+    /// Same as [`Curve::new`].
     fn try_from(points: [P; N]) -> Result<Self, Error> {
         Self::new(&points)
     }
@@ -64,7 +64,7 @@ impl<P: Point, const N: usize> TryFrom<[P; N]> for Curve<P> {
 impl Mul<&Curve<DVec2>> for DAffine2 {
     type Output = Curve<DVec2>;
 
-    /// The image of the curve, as [`Curve::transform`] gives it.
+    /// The image of the curve; same as [`Curve::transform`].
     fn mul(self, curve: &Curve<DVec2>) -> Curve<DVec2> {
         curve.transform(&self)
     }
@@ -73,7 +73,7 @@ impl Mul<&Curve<DVec2>> for DAffine2 {
 impl Mul<&Curve<DVec3>> for DAffine3 {
     type Output = Curve<DVec3>;
 
-    /// The image of the curve, as [`Curve::transform`] gives it.
+    /// The image of the curve; same as [`Curve::transform`].
     fn mul(self, curve: &Curve<DVec3>) -> Curve<DVec3> {
         curve.transform(&self)
     }

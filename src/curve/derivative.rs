@@ -1,4 +1,4 @@
-//! Which way does it go, and how does it bend?
+//! Derivatives, tangents, normals and curvature.
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
@@ -6,14 +6,14 @@ use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::list::Points;
 use std::cmp::Ordering;
 
-/// A derivative counts as vanishing when it is below this part of the largest one that its degree allows: rounding of
+/// A derivative counts as zero if it is below this part of the largest value that its control points allow. Rounding of
 /// the control points and of the evaluation leaves about n·2⁻⁵³.
 pub(crate) const VANISHING_RATIO: f64 = 1e-13;
 
 impl<P: Point> Curve<P> {
-    /// The derivative as a curve: B′(t) has the control points n (Pᵢ₊₁ − Pᵢ), degree n − 1.
+    /// The derivative (hodograph) as a curve: B′(t) has the control points n (Pᵢ₊₁ − Pᵢ) and degree n − 1.
     ///
-    /// That of a line is constant; it comes back as a line whose two points coincide.
+    /// The derivative of a line is constant; the result is a line with two coincident points.
     #[must_use]
     pub fn derivative(&self) -> Self {
         let mut points = differences(&self.points);
@@ -26,7 +26,7 @@ impl<P: Point> Curve<P> {
         Self::from_points(points)
     }
 
-    /// The k-th derivative at t; k = 0 is the point itself, and beyond the degree the result is zero.
+    /// The k-th derivative at t. k = 0 is the point itself; beyond the degree the result is zero.
     pub fn derivative_at(&self, t: f64, k: usize) -> P {
         if k > self.degree() {
             return P::default();
@@ -40,10 +40,11 @@ impl<P: Point> Curve<P> {
         evaluate(&points, t) * factor
     }
 
-    /// The unit tangent at t: the direction of the first derivative that does not vanish there.
+    /// The unit tangent at t: the direction of the first derivative that does not vanish at t.
     ///
-    /// At zero-length handles and at cusps this is the limit, taken from the right except at t = 1. Zero for a curve
-    /// that is a point. Source: Farin, *Curves and Surfaces for CAGD*, §5.3.
+    /// At zero-length handles and at cusps this is the limit from the right, except at t = 1, where it is the limit
+    /// from the left. The result is zero for a curve that is a point. Source: Farin, *Curves and Surfaces for CAGD*,
+    /// §5.3.
     pub fn tangent(&self, t: f64) -> P {
         self.taylor(t)
             .map_or(P::default(), |local| local.direction(local.first))
@@ -51,8 +52,9 @@ impl<P: Point> Curve<P> {
 
     /// The unit normal at t.
     ///
-    /// In the plane the tangent turned by +90°, (x, y) → (−y, x). In space the principal normal: the part of the first
-    /// fitting higher derivative that is perpendicular to the tangent. Zero for a point, in space for a straight curve.
+    /// In the plane it is the tangent rotated by +90°, (x, y) → (−y, x). In space it is the principal normal: the
+    /// direction of the component perpendicular to the tangent of the first higher derivative that has one. The result
+    /// is zero for a curve that is a point and, in space, for a straight curve.
     pub fn normal(&self, t: f64) -> P {
         let Some(local) = self.taylor(t) else {
             return P::default();
@@ -63,7 +65,7 @@ impl<P: Point> Curve<P> {
         }
         local.bend().map_or(P::default(), |order| {
             let bend = local.coefficients[order - 1];
-            // Coming from the left, odd powers change their sign.
+            // In the limit from the left, odd powers of τ change sign.
             P::normal_of(
                 tangent,
                 if local.from_left && !order.is_multiple_of(2) {
@@ -77,9 +79,9 @@ impl<P: Point> Curve<P> {
 
     /// The curvature κ = (B′ × B″) / |B′|³ at t, in 1 / unit of length.
     ///
-    /// In the plane it is positive when turning counter-clockwise (x right, y up), in space never negative. Where B′
-    /// vanishes it is the limit, which may be infinite (a cusp, a zero-length handle); of a straight curve, a point
-    /// included, it is 0. In space a curve counts as straight where B″ is parallel to B′ to an angle of 10⁻¹³. Source:
+    /// In the plane it is positive for a counter-clockwise turn (x right, y up); in space it is never negative. Where
+    /// B′ vanishes it is the limit, which may be infinite (a cusp, a zero-length handle). For a straight curve or a
+    /// point it is 0. In space a curve counts as straight where the angle between B″ and B′ is at most 10⁻¹³. Source:
     /// Farin, *Curves and Surfaces for CAGD*, §11.2.
     pub fn curvature(&self, t: f64) -> f64 {
         let Some(local) = self.taylor(t) else {
@@ -134,7 +136,7 @@ impl<P: Point> Curve<P> {
             coefficients.push(value * binomial);
             points = differences(&points);
         }
-        // Just before a zero of B′ what is left of it points against the term that takes its place.
+        // Just before a zero of B′, the remaining B′ points against the first term that does not vanish.
         let term = coefficients[first.max(1) - 1];
         let from_left = t == 1.0 || coefficients[0].dot(term) < 0.0;
         (first > 0).then_some(Taylor {
@@ -146,22 +148,23 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The curve about one parameter: B(t + τ) = B(t) + scale · Σ cₖ τᵏ.
+/// The Taylor expansion of the curve at one parameter: B(t + τ) = B(t) + scale · Σ cₖ τᵏ.
 ///
-/// `scale` is the longest coordinate difference of the control polygon, so that neither 1e300 nor 1e-300 leaves the
+/// `scale` is the largest coordinate difference of the control polygon, so that neither 1e300 nor 1e-300 leaves the
 /// range of f64.
 pub(crate) struct Taylor<P: Point> {
     pub(crate) scale: f64,
     /// c₁ … cₙ.
     pub(crate) coefficients: Points<P>,
-    /// The order of the first that does not vanish.
+    /// The order of the first coefficient that does not vanish.
     pub(crate) first: usize,
-    /// At t = 1, and just before a zero of B′, limits come from the left, where odd powers of τ are negative.
+    /// Whether limits are taken from the left, where odd powers of τ are negative: at t = 1, and just before a zero of
+    /// B′.
     pub(crate) from_left: bool,
 }
 
 impl<P: Point> Taylor<P> {
-    /// The direction in which the term of this order moves the point, forwards.
+    /// The direction in which the term of this order moves the point as t increases.
     fn direction(&self, order: usize) -> P {
         let unit = self.coefficients[order - 1].normalize_or_zero();
         if self.from_left && order.is_multiple_of(2) {
@@ -171,7 +174,7 @@ impl<P: Point> Taylor<P> {
         }
     }
 
-    /// The order of the first later term that is not parallel to the first; at regular points the second.
+    /// The order of the first later coefficient that is not parallel to the first; 2 at regular points.
     pub(crate) fn bend(&self) -> Option<usize> {
         if self.first == 1 && P::DIMENSION == 2 {
             return (self.coefficients.len() > 1).then_some(2);
@@ -184,7 +187,7 @@ impl<P: Point> Taylor<P> {
     }
 }
 
-/// Pᵢ₊₁ − Pᵢ; one point fewer. Of a single point: zero.
+/// The differences Pᵢ₊₁ − Pᵢ, one fewer than the points; zero for a single point.
 fn differences<P: Point>(points: &[P]) -> Points<P> {
     if points.len() < 2 {
         return Points::from([P::default()].as_slice());

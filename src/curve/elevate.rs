@@ -1,4 +1,4 @@
-//! Raising the degree of a curve.
+//! Degree elevation.
 
 use super::Curve;
 use crate::geometry::error::{Error, MAX_DEGREE};
@@ -6,10 +6,10 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
 impl<P: Point> Curve<P> {
-    /// The same curve with one more control point: degree n + 1.
+    /// The same curve with degree n + 1, and so with one more control point.
     ///
-    /// Qᵢ = (i Pᵢ₋₁ + (n + 1 − i) Pᵢ) / (n + 1), Q₀ = P₀, Qₙ₊₁ = Pₙ. Source: Farin, *Curves and Surfaces for
-    /// CAGD*, 5th ed., §6.1.
+    /// Qᵢ = (i Pᵢ₋₁ + (n + 1 − i) Pᵢ) / (n + 1), Q₀ = P₀, Qₙ₊₁ = Pₙ. Source: Farin, *Curves and Surfaces for CAGD*, 5th
+    /// ed., §6.1.
     ///
     /// # Errors
     /// [`Error::Range`] at degree 64.

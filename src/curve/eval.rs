@@ -1,4 +1,4 @@
-//! Points of a curve: at one parameter, at several, at even steps.
+//! Evaluation of a curve at parameters.
 
 use super::Curve;
 use crate::bernstein::evaluate::{evaluate, weigh3, weigh4};
@@ -6,15 +6,15 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use casteljau_kernels::sample_plane_cubic;
 
-/// The most numbers that one bulk result may hold: 1 GiB of f64.
+/// The maximum length of one bulk result in f64 values: 1 GiB.
 pub(crate) const MAX_OUTPUT_F64: usize = 1 << 27;
 
 impl<P: Point> Curve<P> {
     /// The point B(t).
     ///
-    /// t in [0, 1] runs along the curve, other values extrapolate; the end points come back exactly. Up to degree 3
-    /// within 3 ulps of the largest coordinate of the true point, de Casteljau's algorithm being within 2.6; above, within
-    /// one ulp for each degree. Source: Farin, *Curves and Surfaces for CAGD*, 5th ed., §4.2 and §5.1.
+    /// t in [0, 1] runs along the curve, other values extrapolate; the end points are exact. Up to degree 3 the result
+    /// is within 3 ulps of the largest coordinate of the true point (de Casteljau's algorithm: within 2.6); above
+    /// degree 3 within one ulp for each degree. Source: Farin, *Curves and Surfaces for CAGD*, 5th ed., §4.2 and §5.1.
     #[inline]
     pub fn eval(&self, t: f64) -> P {
         evaluate(&self.points, t)
@@ -22,7 +22,7 @@ impl<P: Point> Curve<P> {
 
     /// `segments` + 1 points at t = i / `segments`, both ends included.
     ///
-    /// Even steps of t are not even steps along the curve.
+    /// Equal steps of t are not equal steps of arc length.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
@@ -33,8 +33,8 @@ impl<P: Point> Curve<P> {
         Ok(points)
     }
 
-    /// As [`sample`](Self::sample), into a buffer: its length less one is the number of segments. Nothing is written
-    /// into an empty buffer; a buffer of one gets the start.
+    /// Same as [`sample`](Self::sample), but writes into a buffer of `segments` + 1 points. Nothing is written into an
+    /// empty buffer; a buffer of one point receives the start.
     pub fn sample_into(&self, out: &mut [P]) {
         let segments = out.len().saturating_sub(1);
         match *self.points {
@@ -59,13 +59,13 @@ fn fill<P: Point>(out: &mut [P], segments: usize, eval: impl Fn(f64) -> P) {
     let last = segments.max(1) as f64;
     let mut i = 0.0;
     for point in out {
-        // i / n, not a running sum of t, so that the last t is 1.
+        // i / n and not a running sum of t, so that the last t is 1.
         *point = eval(i / last);
         i += 1.0;
     }
 }
 
-/// Refuses 0 segments, and more than the limit on output allows.
+/// Returns an error for 0 segments, and for more than the limit on output allows.
 pub(crate) fn check_segments(segments: usize, dimension: usize) -> Result<(), Error> {
     let limit = MAX_OUTPUT_F64 / dimension - 1;
     if segments < 1 {

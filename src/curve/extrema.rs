@@ -1,4 +1,4 @@
-//! Where does a coordinate turn back, and where does it have a value?
+//! Extrema of a coordinate, and parameters at a given coordinate.
 
 use super::Curve;
 use crate::bernstein::roots::{contacts, crossings};
@@ -8,16 +8,18 @@ use crate::numeric::float::ulp;
 use crate::numeric::list::Scalars;
 
 impl<P: Point> Curve<P> {
-    /// The parameters inside (0, 1) where a coordinate (0 is x, 1 is y, 2 is z) has a local extremum, sorted.
+    /// The parameters inside (0, 1) where a coordinate (0 is x, 1 is y, 2 is z) has a local extremum, in ascending
+    /// order.
     ///
-    /// That is where its derivative, of degree n − 1, changes sign; where it only touches zero the coordinate runs on.
-    /// Turns that move the coordinate by less than its rounding are none. A constant coordinate has no extremum.
+    /// These are the sign changes of its derivative, of degree n − 1; where the derivative only touches zero, the
+    /// coordinate has no extremum. Extrema that change the coordinate by less than its rounding are ignored. A constant
+    /// coordinate has no extremum.
     ///
     /// # Errors
     /// [`Error::Index`] for an axis that the points do not have.
     ///
-    /// Source: Farin, *Curves and Surfaces for CAGD*, §5.3, for the derivative; Lane and Riesenfeld, BIT 21 (1981), for its
-    /// roots.
+    /// Source: Farin, *Curves and Surfaces for CAGD*, §5.3, for the derivative; Lane and Riesenfeld, BIT 21 (1981), for
+    /// its roots.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -31,11 +33,11 @@ impl<P: Point> Curve<P> {
         Ok(extrema_of(&self.coordinates(axis)?))
     }
 
-    /// All parameters in \[0, 1\] where a coordinate (0 is x, 1 is y, 2 is z) has a value, sorted.
+    /// All parameters in \[0, 1\] where a coordinate (0 is x, 1 is y, 2 is z) has a given value, in ascending order.
     ///
-    /// The roots of the polynomial Bₐ(t) − value: crossings, the ends, and touches, once each. A coordinate touches a value
-    /// that it misses by no more than its rounding, some ulps of the largest coordinate. Where it has the value everywhere,
-    /// the answer is 0 and 1, the ends of the range.
+    /// The roots of the polynomial Bₐ(t) − value: crossings, end points and tangential contacts, once each. A
+    /// coordinate also touches a value if it misses it by no more than its rounding, some ulps of the largest
+    /// coordinate. If the coordinate has the value everywhere, the result is 0 and 1, the ends of the range.
     ///
     /// # Errors
     /// [`Error::Index`] for an axis that the points do not have, [`Error::NotFinite`] for a value that is not finite.
@@ -81,14 +83,14 @@ pub(crate) fn extrema_of(values: &[f64]) -> Vec<f64> {
         .windows(2)
         .map(|pair| 0.5 * pair[1] - 0.5 * pair[0])
         .collect();
-    // Each of the two numbers was rounded, by half an ulp.
+    // Each of the two numbers is rounded by up to half an ulp.
     crossings(&slopes, 0.5 * ulp(largest(values))).to_vec()
 }
 
 /// See [`Curve::times_at_coordinate`].
 pub(crate) fn times_of(values: &[f64], value: f64) -> Vec<f64> {
     let heights: Scalars = values.iter().map(|v| 0.5 * v - 0.5 * value).collect();
-    // What n steps of interpolation may lose, halved as the heights are.
+    // The rounding error of n steps of interpolation; halved below because `heights` is halved.
     let rounding = values.len() as f64 * ulp(largest(values).max(value.abs()));
     contacts(&heights, 0.5 * rounding).map_or_else(|| vec![0.0, 1.0], |ts| ts.to_vec())
 }

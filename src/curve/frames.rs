@@ -1,9 +1,10 @@
-//! Which way up, along a curve in space? Frames that turn as little as can be.
+//! Rotation-minimizing frames along curves in space.
 //!
-//! The principal normal jumps at inflections and is not there on straight pieces. A *rotation-minimising* frame has the
-//! same tangent and does not turn about it: its normal moves only as the tangent makes it. Carrying it over a short step
-//! by two reflections errs with the fifth power of the step; steps are halved until that no longer shows. Source: Wang,
-//! Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM Transactions on Graphics 27 (2008).
+//! The principal normal jumps at inflections and is undefined on straight curves. A *rotation-minimizing* frame has the
+//! same tangent and does not rotate about it: its normal changes only as the change of the tangent requires. The double
+//! reflection method carries it over a short step with an error of the fifth power of the step; steps are halved until
+//! the error is negligible. Source: Wang, Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM
+//! Transactions on Graphics 27 (2008).
 
 use super::Curve;
 use super::eval::check_segments;
@@ -15,34 +16,38 @@ use crate::numeric::float::ratio;
 use casteljau_kernels::WorkLimit;
 use glam::DVec3;
 
-/// A step is short enough when the normal moves by less than this if it is halved; what is left is some 20 times less.
+/// A step is short enough if halving it moves the normal by less than this; the remaining error is about 20 times
+/// smaller.
 const CARRIED_APART: f64 = 1e-10;
 
-/// The cosine of the angle, 60°, that the tangent may turn in half a step.
+/// The cosine of the largest allowed angle, 60°, between the tangents of half a step.
 const GENTLE_COSINE: f64 = 0.5;
 
-/// A step so short in t that still turns sharply goes over a cusp.
+/// A step of t this short over which the tangent still turns sharply contains a cusp.
 const CUSP_STEP: f64 = 1e-10;
 
-/// Below this cosine the tangent counts as turned back.
+/// Below this cosine of the angle between two tangents, the direction counts as reversed.
 const BACK_COSINE: f64 = -0.9;
 
-/// A speed above this part of the greatest has a direction of its own; below, the limit is asked for.
+/// Above this part of the largest speed the tangent is the normalized derivative; below, it is the limit of the
+/// tangent.
 const CLEAR_SPEED: f64 = 1e-6;
 
-/// A chord below this is rounding; over so short a way the tangent all but goes straight to its new direction.
+/// A chord shorter than this is rounding noise. The normal is then rotated by the smallest rotation between the two
+/// tangents.
 const MIN_DISPLACEMENT: f64 = 1e-10;
 
 /// Derivatives count as parallel when the sine of their angle is below this.
 const PARALLELISM_SINE: f64 = 1e-9;
 
-/// Halvings of all ways together, and so many more for each frame: more than ten times what moderate curves need.
+/// Maximum number of halvings: a fixed part for all steps together, and a part for each frame. Moderate curves need
+/// less than a tenth.
 const MAX_HALVINGS: usize = 1 << 12;
 const MAX_HALVINGS_PER_FRAME: usize = 64;
 
-/// A place on a curve in space with three directions at right angles, each of length 1.
+/// A point on a curve in space with an orthonormal frame: tangent, normal and binormal.
 ///
-/// The binormal is tangent × normal. Of a curve that is a point the directions are zero.
+/// The binormal is tangent × normal. For a curve that is a point all directions are zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -56,16 +61,16 @@ pub struct Frame {
     pub point: DVec3,
     /// The unit tangent.
     pub tangent: DVec3,
-    /// The direction that turns as little as can be.
+    /// The unit normal of the rotation-minimizing frame.
     pub normal: DVec3,
     /// Tangent × normal.
     pub binormal: DVec3,
 }
 
 impl Curve<DVec3> {
-    /// `segments` + 1 rotation-minimising frames at t = i / `segments`.
+    /// `segments` + 1 rotation-minimizing frames at t = i / `segments`.
     ///
-    /// As [`frames_at`](Self::frames_at) with even steps of t and no wish for the first normal.
+    /// Same as [`frames_at`](Self::frames_at) with equal steps of t and no given first normal.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
@@ -75,21 +80,22 @@ impl Curve<DVec3> {
         self.frames_at(&ts, None)
     }
 
-    /// Rotation-minimising frames at the given parameters, each carried on from the one before.
+    /// Rotation-minimizing frames at the given parameters, each continued from the previous one.
     ///
-    /// N′ = −(N·T′) T: the normal does not turn about the tangent, to 10⁻⁹ however few frames are asked for. The first
-    /// normal is what of `normal` is at right angles to the tangent; without it, or where nothing is left, the principal
-    /// normal there; on a straight piece the axis that is farthest from the tangent, made so. Straight pieces and inflections
-    /// change nothing; over a cusp the frame turns by 180° in the plane of the cusp, and over a turn-back on a line
-    /// about its normal.
+    /// N′ = −(N·T′) T: the normal does not rotate about the tangent, with an error of at most 10⁻⁹ for any number of
+    /// frames. The first normal is the component of `normal` perpendicular to the tangent, normalized. If `normal` is
+    /// not given or is parallel to the tangent, the first normal is the principal normal; where the curve is straight,
+    /// it comes from the coordinate axis that is farthest from the tangent. Straight segments and inflections do not
+    /// change the frame. At a cusp the frame rotates by 180° in the plane of the cusp; where a straight curve reverses,
+    /// it rotates by 180° about its normal.
     ///
-    /// Steps are halved up to 4096 + 64 times the number of frames in all. Only curves whose direction is rounding, on
-    /// long stretches, need more; from there on the steps are as long as the way from frame to frame.
+    /// Steps are halved at most 4096 + 64 × (number of frames) times in total. Only curves whose direction is rounding
+    /// noise over long ranges need more; after this limit each step goes from frame to frame.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec3};
     ///
-    /// // A camera that flies at an even pace and starts upright.
+    /// // A camera that flies at constant speed and starts upright.
     /// let path = [(0., 0., 0.), (4., 0., 1.), (4., 4., 2.), (0., 4., 0.)].map(DVec3::from);
     /// let path = Curve::new(&path)?;
     /// let flight = path.frames_at(&path.equidistant_times(100)?, Some(DVec3::Z))?;
@@ -104,12 +110,12 @@ impl Curve<DVec3> {
     }
 }
 
-/// t, point and three directions: what a frame holds, in numbers of f64.
+/// The size of a frame in numbers of f64: t, the point and three directions.
 pub(crate) const FRAME_NUMBERS: usize = 13;
 
-/// Curves one after the other.
+/// A sequence of consecutive curves.
 pub(crate) trait FrameSequence {
-    /// The curve of a t and the parameter on it.
+    /// The index of the curve that contains t, and the local parameter.
     fn segment_at(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
     fn link(&self, k: usize) -> Curve<DVec3>;
@@ -124,7 +130,7 @@ impl FrameSequence for Curve<DVec3> {
     }
 }
 
-/// Frames along a chain; see [`Curve::frames_at`].
+/// Frames along a sequence of curves; see [`Curve::frames_at`].
 pub(crate) fn frames_along(
     sequence: &dyn FrameSequence,
     ts: &[f64],
@@ -137,7 +143,7 @@ pub(crate) fn frames_along(
     };
     let (mut k, mut at) = sequence.segment_at(first);
     let mut frame_curve = FrameCurve::new(sequence.link(k));
-    // The last direction: a curve of a chain that is a point has none of its own.
+    // The last direction: a curve of the sequence that is a single point has no direction of its own.
     let mut direction = frame_curve.tangent(at);
     let mut carried = frame_curve.first_normal(at, normal);
     let mut work = WorkLimit::new(
@@ -146,7 +152,7 @@ pub(crate) fn frames_along(
     for &t in ts {
         let (to, rest) = sequence.segment_at(t);
         while k != to {
-            // To the end of this curve, and round the corner.
+            // Continue to the end of this curve, then rotate into the start of the next.
             let (end, start, next) = if k < to {
                 (1.0, 0.0, k + 1)
             } else {
@@ -181,14 +187,14 @@ fn check_all_finite(ts: &[f64], normal: Option<DVec3>) -> Result<(), Error> {
     crate::geometry::check::check_finite("normal", normal.as_slice())
 }
 
-/// A curve as a rail for frames; also moved to the origin and to a moderate size.
+/// A curve for frames. `unit` is a copy with the start at the origin and a moderate size.
 struct FrameCurve {
     curve: Curve<DVec3>,
     unit: Curve<DVec3>,
     slopes: crate::numeric::list::Points<DVec3>,
 }
 
-/// What a step needs to know of its ends.
+/// The data that a step needs of one of its ends.
 #[derive(Clone, Copy)]
 struct FrameSample {
     t: f64,
@@ -214,7 +220,7 @@ impl FrameCurve {
 
     fn tangent(&self, t: f64) -> DVec3 {
         let slope = evaluate(&self.slopes, t);
-        // The slopes have a largest coordinate of 1 to 2.
+        // The largest coordinate of the slopes is between 1 and 2.
         if slope.max_abs() > CLEAR_SPEED {
             Point::normalize_or_zero(slope)
         } else {
@@ -230,7 +236,7 @@ impl FrameCurve {
         }
     }
 
-    /// The tangent, or what it was before where there is none.
+    /// The tangent, or `before` where there is none.
     fn direction(&self, t: f64, before: DVec3) -> DVec3 {
         let tangent = self.tangent(t);
         if tangent == DVec3::ZERO {
@@ -250,7 +256,7 @@ impl FrameCurve {
             .into_iter()
             .min_by(|a, b| a.dot(tangent).abs().total_cmp(&b.dot(tangent).abs()));
         let all = [wanted, Some(self.unit.normal(t)), farthest];
-        // What is along the tangent but for rounding is no wish.
+        // Ignore a requested normal that is parallel to the tangent.
         let clear = |v: &DVec3| {
             Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLELISM_SINE
         };
@@ -260,7 +266,7 @@ impl FrameCurve {
             .map_or(DVec3::ZERO, across)
     }
 
-    /// The normal at t₀ carried to t₁.
+    /// Carries the normal from t₀ to t₁.
     fn carried(&self, normal: DVec3, t0: f64, t1: f64, work: &mut WorkLimit) -> DVec3 {
         if t0 == t1 || self.slopes.iter().all(|&slope| slope == DVec3::ZERO) {
             return normal;
@@ -296,7 +302,7 @@ impl FrameCurve {
         self.in_steps(&middle, half, to, work)
     }
 
-    /// The normal of the plane in which a cusp lies; zero where there is none.
+    /// The normal of the plane in which a cusp lies; zero if there is none.
     fn axis(&self, t: f64) -> DVec3 {
         let derivative = |k: usize| Point::normalize_or_zero(self.unit.derivative_at(t, k));
         let second = derivative(2);
@@ -307,7 +313,8 @@ impl FrameCurve {
     }
 }
 
-/// The double reflection: in the plane amid both points, then in that which takes the reflected tangent to the new one.
+/// Double reflection: first in the bisecting plane of both points, then in the plane that maps the reflected tangent to
+/// the new one.
 fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     let displacement = to.point - from.point;
     if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
@@ -321,8 +328,8 @@ fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     Point::normalize_or_zero(normal - to.tangent * to.tangent.dot(normal))
 }
 
-/// The normal after the tangent has turned from `before` to `after` at one place, the short way; `axis` says about what
-/// it has turned if it points back, and is zero if that is not known: then the normal stays.
+/// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is
+/// the rotation axis for a reversed tangent; if it is zero (unknown), the normal stays.
 fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
     let (mut before, mut normal) = (before, normal);
     if before.dot(after) < BACK_COSINE && (axis != DVec3::ZERO || before.dot(after) < -1.0 + 1e-12)

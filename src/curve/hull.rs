@@ -4,9 +4,10 @@ use super::Curve;
 use glam::DVec2;
 
 impl Curve<DVec2> {
-    /// The corners of the convex hull of the control points, counter-clockwise (x right, y up), from the leftmost.
+    /// The vertices of the convex hull of the control points, counter-clockwise (x right, y up), starting with the
+    /// leftmost.
     ///
-    /// The curve lies inside. Points on a side are left out; collinear control points give the two outermost,
+    /// The curve lies inside. Points on an edge are left out; collinear control points give the two outermost,
     /// coincident ones a single point. Source: Andrew, "Another efficient algorithm for convex hulls", 1979.
     pub fn hull(&self) -> Vec<DVec2> {
         let scale = self.max_abs().max(f64::MIN_POSITIVE);
@@ -22,7 +23,8 @@ impl Curve<DVec2> {
     }
 }
 
-/// By x, then by y. At most 65 points: insertion is as fast as a sort, and a small part of its code.
+/// The points ordered by x, then by y, without duplicates. For at most 65 points, insertion is as fast as a sort with
+/// much less code.
 fn sorted_without_repeats(points: &[DVec2]) -> Vec<DVec2> {
     let mut sorted: Vec<DVec2> = Vec::with_capacity(points.len());
     for &p in points {
@@ -34,7 +36,7 @@ fn sorted_without_repeats(points: &[DVec2]) -> Vec<DVec2> {
     sorted
 }
 
-/// One chain of the hull: only left turns, both ends kept.
+/// The lower or upper half of the hull (Andrew's monotone chain): only left turns, both ends kept.
 fn half_hull(points: impl Iterator<Item = DVec2>, scale: f64) -> Vec<DVec2> {
     let mut chain: Vec<DVec2> = Vec::new();
     for p in points {

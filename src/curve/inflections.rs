@@ -1,4 +1,4 @@
-//! Where does the curve change the side to which it bends, where does it stop, and where does it point at a place?
+//! Inflections, cusps, and tangent lines through a point.
 
 use super::Curve;
 use super::nearest::unit_for;
@@ -14,17 +14,17 @@ use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
-/// How far about a place with B′ = 0 to look for the way in and the way out.
+/// The step in t on both sides of a zero of B′ at which the incoming and the outgoing direction are compared.
 const ASIDE: f64 = 1e-4;
 
-/// Roots of multiplicity two are known to about the root of the rounding.
+/// Double roots are accurate to about the square root of the rounding error.
 const HALF_THE_DIGITS: f64 = 1e-7;
 
 impl Curve<DVec2> {
-    /// The parameters inside (0, 1) where the curve changes the side to which it bends, sorted.
+    /// The parameters inside (0, 1) of inflections, where the curvature changes sign, in ascending order.
     ///
-    /// That is where B′×B″, of degree 2n − 4, changes sign beyond what rounding of the control points can do; at most two
-    /// for a cubic. A cusp is none (see [`cusps`](Self::cusps)), and straight curves and points have none.
+    /// These are the sign changes of B′×B″, of degree 2n − 4, that rounding of the control points cannot cause; a cubic
+    /// has at most two. A cusp is not an inflection (see [`cusps`](Self::cusps)); straight curves and points have none.
     ///
     /// Source: Stone and DeRose, "A geometric characterization of parametric cubic curves", ACM TOG 8 (1989).
     ///
@@ -39,18 +39,18 @@ impl Curve<DVec2> {
         inflections_of(&self.points, ulp(self.max_abs())).to_vec()
     }
 
-    /// All parameters in \[0, 1\] at which the tangent line passes through p, sorted.
+    /// All parameters in \[0, 1\] at which the tangent line passes through p, in ascending order.
     ///
-    /// The roots of (B − p)×B′, of degree 2n − 2; where it only touches zero, as at p itself if p is on the curve, once
-    /// each. Where the curve stops (|B′| below 10⁻⁷ of the largest control vector of B′) the tangent itself must pass
-    /// through p, within 10⁻⁷ of the size. If every tangent passes through p, the curve being straight or a point, the
-    /// answer is 0 and 1, the ends of the range.
+    /// The roots of (B − p)×B′, of degree 2n − 2; double roots, as at p itself if p is on the curve, are listed once.
+    /// Where the curve stops (|B′| below 10⁻⁷ of the largest control vector of B′) the tangent itself must pass through
+    /// p, within 10⁻⁷ of the size. If every tangent passes through p because the curve is straight or a point, the
+    /// result is 0 and 1, the ends of the range.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     ///
-    /// Source: Farin, *Curves and Surfaces for CAGD*, §5.3, for the derivative; Lane and Riesenfeld, BIT 21 (1981), for the
-    /// roots.
+    /// Source: Farin, *Curves and Surfaces for CAGD*, §5.3, for the derivative; Lane and Riesenfeld, BIT 21 (1981), for
+    /// the roots.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -66,10 +66,11 @@ impl Curve<DVec2> {
 }
 
 impl<P: Point> Curve<P> {
-    /// The parameters inside (0, 1) of cusps, sorted: where the curve stops and goes back, B′ = 0.
+    /// The parameters inside (0, 1) of cusps, in ascending order: B′ = 0, and the direction reverses.
     ///
-    /// At a cusp |B′|² has a minimum, a root of B′·B″, at which |B′| is no more than rounding of the control points can
-    /// make it. A straight curve that turns back has a cusp there. Where the curve stops and goes on there is none.
+    /// At a cusp |B′|² has a minimum, a root of B′·B″, at which |B′| is no larger than rounding of the control points
+    /// can make it. A straight curve that reverses its direction has a cusp at that point. Where B′ = 0 but the
+    /// direction does not reverse, there is no cusp.
     ///
     /// Source: Stone and DeRose, "A geometric characterization of parametric cubic curves", ACM TOG 8 (1989).
     ///
@@ -84,7 +85,7 @@ impl<P: Point> Curve<P> {
         cusps_of(&self.points, ulp(self.max_abs())).to_vec()
     }
 
-    /// [`tangents_from`](Curve::tangents_from) as seen along z, for a point that is finite.
+    /// [`tangents_from`](Curve::tangents_from) of the projection along z, for a finite point.
     pub(crate) fn tangents_through(&self, p: P) -> Vec<f64> {
         let size = self.max_abs().max(p.max_abs());
         let unit = unit_for(size);
@@ -103,7 +104,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// See [`Curve::inflections`]; seen along z. `rounding` is what a coordinate may be off by.
+/// See [`Curve::inflections`]; of the projection along z. `rounding` is the error bound of a coordinate.
 pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     let (slopes, unit) = hodograph(points);
     if unit == 0.0 {
@@ -113,7 +114,7 @@ pub(crate) fn inflections_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     crossings(&turning, slack)
 }
 
-/// See [`Curve::cusps`]. `rounding` is what a coordinate may be off by.
+/// See [`Curve::cusps`]. `rounding` is the error bound of a coordinate.
 pub(crate) fn cusps_of<P: Point>(points: &[P], rounding: f64) -> Scalars {
     let (slopes, unit) = hodograph(points);
     let m = slopes.len() - 1;

@@ -1,4 +1,4 @@
-//! Which curve passes through points?
+//! Interpolation: the curve through given points.
 
 use super::Curve;
 use crate::geometry::check::check_finite;
@@ -8,23 +8,24 @@ use crate::numeric::float::ratio;
 use crate::numeric::list::points_of;
 use crate::numeric::list::{Points, Scalars};
 
-/// Rounds in which what rounding has left between the curve and the points is interpolated and added.
+/// Rounds of iterative refinement: the remaining differences between curve and points are interpolated and added.
 const REFINEMENTS: usize = 2;
 
 impl<P: Point> Curve<P> {
-    /// The curve of degree n − 1 that passes n points at given parameters, P(tᵢ) = pᵢ.
+    /// The curve of degree n − 1 through n points at given parameters, P(tᵢ) = pᵢ.
     ///
-    /// 2 to 65 points. Without parameters they go with the length of the chords from 0 to 1, or evenly where two neighbours
-    /// coincide. Given ones may lie anywhere, in any order. Points at t = 0 and t = 1 are control points, exactly; the others are
-    /// met to some ulps of the largest control point (checked up to 16 points). That is much larger than the points where many are interpolated: above ten
-    /// or so, even parameters make the curve swing out between the points (Runge), and a spline through them is the better answer;
-    /// parameters that crowd toward the ends, ½ − ½cos(πi/(n−1)), do not. Source: Newton's interpolation with the products
-    /// in Bernstein form; Ainsworth and Sánchez, "Computing the Bézier control points of the Lagrangian interpolant in
-    /// arbitrary dimension", SIAM J. Sci. Comput. 38 (2016).
+    /// n is 2 to 65. Without given parameters, they are chord-length parameters from 0 to 1, or uniform if two
+    /// neighbouring points coincide. Given parameters may have any value and order. Points at t = 0 and t = 1 are
+    /// exact, as control points; the others are interpolated with an error of some ulps of the largest control point
+    /// (checked up to 16 points). The control points are much larger than the points if many points are interpolated:
+    /// above about ten, uniform parameters make the curve oscillate between the points (Runge's phenomenon), and an
+    /// interpolating spline is the better choice. Parameters that are denser toward the ends, ½ − ½cos(πi/(n−1)), avoid
+    /// this. Source: Newton's interpolation with the products in Bernstein form; Ainsworth and Sánchez, "Computing the
+    /// Bézier control points of the Lagrangian interpolant in arbitrary dimension", SIAM J. Sci. Comput. 38 (2016).
     ///
     /// # Errors
-    /// [`Error::Count`] unless there are 2 to 65 points and as many parameters, [`Error::NotFinite`] for a NaN or an infinity,
-    /// [`Error::Range`] for equal parameters.
+    /// [`Error::Count`] unless there are 2 to 65 points and as many parameters, [`Error::NotFinite`] for a NaN or an
+    /// infinity, [`Error::Range`] for equal parameters.
     pub fn interpolate(points: &[P], ts: Option<&[f64]>) -> Result<Self, Error> {
         check_finite("points", points)?;
         let ts = ts.map_or_else(|| chord_lengths(points), Scalars::from);
@@ -89,7 +90,7 @@ fn check_interpolation(count: usize, ts: &[f64]) -> Result<(), Error> {
     }
 }
 
-/// Parameters from 0 to 1 in proportion to the length of the chords; even ones where a chord has none.
+/// Chord-length parameters from 0 to 1; uniform ones if a chord has length 0.
 fn chord_lengths<P: Point>(points: &[P]) -> Scalars {
     let quarter = |pair: &[P]| (pair[1] * 0.25 - pair[0] * 0.25).length() / 128.0;
     let total: f64 = points.windows(2).map(quarter).sum();
@@ -107,7 +108,7 @@ fn chord_lengths<P: Point>(points: &[P]) -> Scalars {
     (0..=last).map(|i| ratio(i, last.max(1))).collect()
 }
 
-/// Newton's interpolation: p(k) = p(k−1) + [p₀ … pₖ] (t − t₀) … (t − t(k−1)), everything in Bernstein form.
+/// Newton interpolation: p(k) = p(k−1) + [p₀ … pₖ] (t − t₀) … (t − t(k−1)), with all polynomials in Bernstein form.
 fn interpolate<P: Point>(points: &[P], ts: &[f64]) -> Points<P> {
     let mut divided: Points<P> = points_of(points);
     for level in 1..points.len() {
@@ -119,7 +120,7 @@ fn interpolate<P: Point>(points: &[P], ts: &[f64]) -> Points<P> {
     let mut product: Scalars = [1.0].into_iter().collect();
     for k in 1..points.len() {
         let (root, old) = (ts[k - 1], product);
-        // (t − r) q has the coefficients of i/k (1 − r) q(i−1) − (1 − i/k) r q(i).
+        // (t − r) q has the coefficients i/k (1 − r) q(i−1) − (1 − i/k) r q(i).
         let mixed = |i: usize, low: &dyn Fn(usize) -> f64, a: f64, b: f64| {
             let part = ratio(i, k);
             let upper = if i > 0 { part * a * low(i - 1) } else { 0.0 };

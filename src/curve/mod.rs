@@ -1,7 +1,7 @@
 //! One Bézier curve of any degree, in the plane or in space.
 //!
-//! Each file answers one question: where is the point ([`eval`](Curve::eval)), which way does it go
-//! ([`tangent`](Curve::tangent)), which polyline is close enough ([`flatten`](Curve::flatten)) …
+//! Each file implements one operation or query: evaluation ([`eval`](Curve::eval)), tangents
+//! ([`tangent`](Curve::tangent)), flattening ([`flatten`](Curve::flatten)) …
 
 pub(crate) mod arc_length;
 pub(crate) mod area;
@@ -52,9 +52,9 @@ use crate::numeric::list::{Points, points_of};
 
 /// A Bézier curve of degree 1 to 64.
 ///
-/// B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ with the control points P₀ … Pₙ. The parameter t runs from 0 to 1; values
-/// outside extrapolate. The curve starts at P₀ and ends at Pₙ, exactly, and lies in the convex hull of its control
-/// points. A curve is a value: every change returns a new one.
+/// B(t) = Σ C(n, i) (1 − t)ⁿ⁻ⁱ tⁱ Pᵢ with the control points P₀ … Pₙ. The parameter t runs from 0 to 1; values outside
+/// extrapolate. The curve starts at P₀ and ends at Pₙ, exactly, and lies in the convex hull of its control points. A
+/// curve is immutable: every operation returns a new one.
 ///
 /// ```
 /// use casteljau::{Curve, glam::DVec2};
@@ -69,9 +69,9 @@ pub struct Curve<P: Point> {
 }
 
 impl<P: Point> Curve<P> {
-    /// A curve from its control points P₀ … Pₙ, the degree being their number less one.
+    /// Makes a curve from its control points P₀ … Pₙ. The degree is their number minus one.
     ///
-    /// Coincident points are allowed: the curve may be a point.
+    /// Coincident points are allowed; the curve may be a single point.
     ///
     /// # Errors
     /// [`Error::Count`] unless there are 2 to 65 points, [`Error::NotFinite`] for a NaN or an infinity.
@@ -87,7 +87,7 @@ impl<P: Point> Curve<P> {
         Ok(Self::from_slice(points))
     }
 
-    /// A curve from points that were checked before.
+    /// Makes a curve from points that are already checked.
     #[inline]
     pub(crate) fn from_slice(points: &[P]) -> Self {
         Self {
@@ -95,7 +95,7 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// A curve from points that were checked before, without a copy.
+    /// Makes a curve from points that are already checked, without a copy.
     pub(crate) fn from_points(points: Points<P>) -> Self {
         Self { points }
     }
@@ -126,8 +126,8 @@ impl<P: Point> Curve<P> {
 
     /// Whether both curves have the same degree and every control point lies within `tolerance` of its counterpart.
     ///
-    /// A tolerance of 0 asks for equal numbers. Equal shapes with other control points (another degree, a reversed
-    /// direction) are not equal.
+    /// A tolerance of 0 requires equal numbers. Curves of equal shape but different control points (another degree,
+    /// reversed direction) are not equal.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         self.points.len() == other.points.len()
             && self
@@ -137,7 +137,7 @@ impl<P: Point> Curve<P> {
                 .all(|(&a, &b)| a == b || (a - b).length() <= tolerance)
     }
 
-    /// The same curve run through backwards: B(1 − t).
+    /// The curve in the opposite direction: B(1 − t).
     #[must_use]
     pub fn reverse(&self) -> Self {
         Self {

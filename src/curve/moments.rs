@@ -1,4 +1,4 @@
-//! Area, centre of mass and inertia of what a curve of the plane sweeps.
+//! Moments of the region swept by a plane curve: area, centre of mass, inertia.
 
 use super::Curve;
 use crate::bernstein::evaluate::evaluate;
@@ -9,10 +9,10 @@ use casteljau_kernels::{GAUSS_8, GAUSS_16, GAUSS_32, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// Integrals over the region that the segment from the origin to the curve's point sweeps, as the point runs along the
-/// curve; counted positive while it turns counter-clockwise (x right, y up).
+/// Integrals over the region that the segment from the origin to B(t) sweeps as t goes from 0 to 1. Counter-clockwise
+/// sweeps (x right, y up) count as positive.
 ///
-/// Those of pieces that follow each other add up; over a closed outline the sum is the integral over its inside.
+/// The moments of consecutive curves add up; over a closed outline the sum is the integral over the enclosed region.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -35,9 +35,9 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Those of the same area, so many times as large.
+    /// The moments of the region scaled by a factor.
     pub(crate) fn enlarged(self, factor: f64) -> Self {
-        // One factor after the other: each is finite, and 0 stays 0.
+        // One multiplication after the other, because the power may overflow: each factor is finite, and 0 stays 0.
         let scaled =
             |value: f64, power: usize| (0..power).fold(value, |product, _| product * factor);
         Self {
@@ -63,20 +63,20 @@ impl std::ops::AddAssign for Moments {
 }
 
 impl Curve<DVec2> {
-    /// Area, first and second moments of what the segment from the origin to the curve's point sweeps.
+    /// Area, first and second moments of the region that the segment from the origin to B(t) sweeps.
     ///
-    /// See [`Moments`]. Exact but for rounding, at any degree; zero for a point, and for a line through the origin. Source:
-    /// Green's theorem for functions that are homogeneous: ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx).
+    /// See [`Moments`]. Exact up to rounding at any degree; zero for a point, and for a line through the origin.
+    /// Source: Green's theorem for homogeneous functions f of degree k: ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx).
     pub fn moments(&self) -> Moments {
         moments(&self.points)
     }
 }
 
-/// The moments of one curve with these control points (at least two).
+/// The moments of one curve with the given control points (at least two).
 ///
-/// By Green's theorem ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx) for an f that is homogeneous of degree k. The integrand is a
-/// polynomial of degree 4n − 2, for which a Gauss–Legendre rule of 2n points is exact. Beyond the range of f64 the
-/// results are infinite, or zero.
+/// By Green's theorem ∬ f = 1/(k + 2) ∫ f(B) (x dy − y dx) for a homogeneous f of degree k. The integrand is a
+/// polynomial of degree 4n − 2, for which a Gauss–Legendre rule of 2n points is exact. Results beyond the range of f64
+/// are infinite or zero.
 pub(crate) fn moments(points: &[DVec2]) -> Moments {
     let size = max_abs(points);
     if size == 0.0 {
@@ -101,7 +101,7 @@ pub(crate) fn moments(points: &[DVec2]) -> Moments {
     sum.enlarged(size)
 }
 
-/// Nodes and weights on [0, 1] of a rule of at least `count` points.
+/// Visits the nodes and weights on [0, 1] of a Gauss–Legendre rule of at least `count` points.
 fn for_each_node(count: usize, mut visit: impl FnMut(f64, f64)) {
     let mut pairs = |nodes: &[f64], weights: &[f64]| {
         for (z, weight) in nodes.iter().zip(weights) {
@@ -120,7 +120,8 @@ fn for_each_node(count: usize, mut visit: impl FnMut(f64, f64)) {
     }
 }
 
-/// The positive half of a rule of an even count: Newton's method on the Legendre polynomial from Tricomi's first guess.
+/// The positive half of a Gauss–Legendre rule of even count: Newton's method on the Legendre polynomial, started from
+/// Tricomi's approximation.
 fn computed_rule(count: usize) -> (Vec<f64>, Vec<f64>) {
     let n = count as f64;
     (1..=count / 2)
@@ -137,7 +138,7 @@ fn computed_rule(count: usize) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-/// Pₙ(z) and Pₙ′(z) by the recurrence of three terms.
+/// Pₙ(z) and Pₙ′(z) by the three-term recurrence.
 fn legendre(n: usize, z: f64) -> (f64, f64) {
     let (mut before, mut last) = (1.0, z);
     for k in 2..=n {

@@ -1,10 +1,10 @@
-//! Which curve runs beside?
+//! Offset curves of a curve.
 //!
-//! The parallel at a distance d is O(t) = B(t) + d·N(t), N being the tangent turned by +90°. It is no Bézier curve in
-//! general, so cubics take its place, within a tolerance. It goes on where the curve bends too sharply for it: there
-//! O′ = (1 − κd)·B′ changes its direction and O has a cusp (it runs back and forth in a swallowtail; nothing is trimmed).
-//! Where the curve itself turns back, at a cusp or at an end of a straight way back and forth, N jumps to the other
-//! side; a half circle about that point, around its outside, leads from one to the other.
+//! The offset curve at a distance d is O(t) = B(t) + d·N(t), with N the tangent rotated by +90°. In general it is not a
+//! Bézier curve, so cubics approximate it within a tolerance. The offset continues where |κd| exceeds 1: there O′ = (1
+//! − κd)·B′ reverses its direction and O has cusps (a swallowtail; nothing is trimmed). Where the curve itself
+//! reverses, at a cusp or at a turn of a straight curve, N jumps to the other side; a half circle about that point,
+//! around its outside, joins the two sides.
 
 use super::Curve;
 use crate::geometry::check::check_tolerance;
@@ -16,51 +16,52 @@ use casteljau_kernels::{OffsetCurve, Plane, Source, WorkLimit, arc_pieces, cos_s
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// The tolerance by default, as a part of the diagonal of the control points' box.
+/// The default tolerance, as a part of the diagonal of the control points' box.
 const DEFAULT_RATIO: f64 = 1e-4;
 
-/// And at least this part of the largest coordinate and the distance.
+/// The default tolerance is at least this part of the largest coordinate plus the distance.
 const MIN_DEFAULT: f64 = 1e-12;
 
-/// What rounding leaves of a distance, as a part of it and the curve's size.
+/// Rounding error of a distance, relative to the distance and the size of the curve.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The most steps for one curve: pieces tried and bounds evaluated. A cubic at a tolerance of 10⁻¹² of its size takes
-/// some thousands.
+/// Maximum number of steps for one curve: attempted pieces and evaluated bounds. A cubic at a tolerance of 10⁻¹² of its
+/// size takes some thousands.
 const MAX_STEPS: usize = 1 << 17;
 
-/// The part of the tolerance that the pieces may use; the rest is for rounding.
+/// The part of the tolerance for the approximation; the rest is for rounding.
 const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
 
-/// Up to this distance, in sizes of the curve, its own size is told from a point: beyond, it is far below an ulp.
+/// Larger distances, in sizes of the curve, are clamped to this one: beyond it the curve is far smaller than an ulp of
+/// the offset.
 const FARTHEST: f64 = 1e30;
 
 impl Curve<DVec2> {
-    /// The parallel curve at a distance along the normal, as a spline of lines and cubics.
+    /// The offset curve at a distance along the normal, as a spline of lines and cubics.
     ///
-    /// O(t) = B(t) + d·N(t), N the tangent turned by +90°; a negative distance lies on the other side. `tolerance`
-    /// is the greatest distance from any point of O to the spline and from any point of the spline to O, in the
-    /// input's unit; by default 10⁻⁴ of the diagonal of the control points' box, and at least 10⁻¹² of the largest coordinate
-    /// plus the distance. Ends and end tangents are exact, and
-    /// the pieces share their ends.
+    /// O(t) = B(t) + d·N(t), with N the tangent rotated by +90°; a negative distance gives the other side. `tolerance`
+    /// is the maximum distance from any point of O to the spline and from any point of the spline to O, in the unit of
+    /// the input. The default is 10⁻⁴ of the diagonal of the control points' box, and at least 10⁻¹² of the largest
+    /// coordinate plus the distance. End points and end tangents are exact, and adjacent pieces share their ends.
     ///
-    /// Where |κd| passes 1 the parallel has a cusp, and so has the spline; nothing is trimmed. Where the curve turns
-    /// back (a cusp, a straight way back and forth) a half circle about that point joins the two sides. Lines stay
-    /// lines. Where the derivative is so small that rounding it moves the offset by more than the tolerance, the tolerance
-    /// holds for a curve with control points that differ by rounding. A distance of 0 gives the curve itself. A curve that is a point has no normal: it comes back as it is.
+    /// Where |κd| passes 1 the offset curve has a cusp, and so has the spline; nothing is trimmed. Where the curve
+    /// reverses (a cusp, a turn of a straight curve), a half circle about that point joins the two sides. Lines stay
+    /// lines. Where the derivative is so small that its rounding moves the offset by more than the tolerance, the
+    /// tolerance holds for a curve whose control points differ by rounding. A distance of 0 gives the curve itself. A
+    /// curve that is a point has no normal and is returned unchanged.
     ///
     /// # Errors
-    /// [`Error::Range`] for a distance that is not finite, or with which coordinates would not be, and unless the
-    /// tolerance is above 0; [`Error::Tolerance`] when it is below 4 ulps of the largest coordinate and the distance;
-    /// [`Error::TooMany`] when more than 2¹⁷ steps (pieces tried and bounds evaluated) would be needed.
+    /// [`Error::Range`] for a distance that is not finite or makes coordinates infinite, and for a tolerance that is
+    /// not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the largest coordinate plus the distance;
+    /// [`Error::TooMany`] if more than 2¹⁷ steps (attempted pieces and evaluated bounds) would be needed.
     ///
-    /// Source: Levien, "OffsetCurve curves of cubic Béziers" (2022), for the idea; the bound on the distance is ours.
+    /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is our own.
     pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
         self.offset_builder(distance, tolerance)
             .map(SplineBuilder::spline)
     }
 
-    /// As [`offset`](Self::offset), not yet a spline.
+    /// Same as [`offset`](Self::offset), but returns the builder of the spline.
     pub(crate) fn offset_builder(
         &self,
         distance: f64,
@@ -74,7 +75,8 @@ impl Curve<DVec2> {
     }
 }
 
-/// Refuses what cannot be done; the tolerance that was given or that of a size.
+/// The given tolerance after its checks, or the default for the size of the curve; returns an error for an invalid
+/// distance or tolerance.
 pub(crate) fn offset_tolerance(
     distance: f64,
     requested: Option<f64>,
@@ -97,7 +99,7 @@ pub(crate) fn offset_tolerance(
     }
 }
 
-/// A spline in the making: its points, and the degree of each segment.
+/// A spline under construction: its points, and the degree of each segment.
 #[derive(Default)]
 pub(crate) struct SplineBuilder {
     pub(crate) points: Vec<DVec2>,
@@ -110,7 +112,7 @@ impl SplineBuilder {
         Spline::from_parts(self.points, &self.degrees, self.closed)
     }
 
-    /// The start, unless the chain has one.
+    /// Adds the start point if the spline is empty.
     fn start(&mut self, p: DVec2) {
         if self.points.is_empty() {
             self.points.push(p);
@@ -122,7 +124,7 @@ impl SplineBuilder {
         self.degrees.push(1);
     }
 
-    /// Appends the parallel of a curve; a chain that is not empty ends at its start.
+    /// Appends the offset curve of a curve. A spline that is not empty ends at the start of that offset curve.
     pub(crate) fn add_offset(
         &mut self,
         curve: &Curve<DVec2>,
@@ -142,7 +144,8 @@ impl SplineBuilder {
         Ok(())
     }
 
-    /// Lines there and back, and half circles about the points where the curve turns.
+    /// Appends the offset of a straight curve: lines in both directions, and half circles about the points where the
+    /// curve reverses.
     fn add_offset_of_straight(
         &mut self,
         curve: &Curve<DVec2>,
@@ -152,7 +155,7 @@ impl SplineBuilder {
     ) {
         let mut turns = curve.turns_along(direction);
         turns.push(1.0);
-        // Signs are those of the derivative: points that differ may be equal when rounded.
+        // The signs come from the derivative, because different points may be equal after rounding.
         let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
         let (mut t, mut from) = (0.0, curve.start());
         for &next in &turns {
@@ -185,7 +188,7 @@ impl SplineBuilder {
         }
     }
 
-    /// Appends an arc about a point, as the normal turns from one tangent to another by at most 180°; a full half turn
+    /// Appends an arc about a point, as the normal rotates from one tangent to another by at most 180°. A half turn
     /// goes around the outside.
     pub(crate) fn turn(
         &mut self,
@@ -225,18 +228,18 @@ impl SplineBuilder {
     }
 }
 
-/// Tangents this close to opposite, as a sine, are opposite: rounding of unit vectors.
+/// Tangents whose angle differs from 180° by at most this sine count as opposite; this is the rounding of unit vectors.
 const REVERSED_SINE: f64 = 1e-12;
 
-/// A curve that bends, scaled to a size of about 1.
+/// A curve that is not straight, scaled to a size of about 1.
 struct NormalizedCurve<'a> {
     curve: &'a Curve<DVec2>,
     source: Source,
     distance: f64,
     tolerance: f64,
-    /// The distance and the tolerance as scaled.
+    /// The scaled distance and tolerance.
     scaled: (f64, f64),
-    /// Back to the caller's unit.
+    /// The factor back to the unit of the caller.
     unit: f64,
 }
 
@@ -256,7 +259,7 @@ impl<'a> NormalizedCurve<'a> {
             source: Source::new(bytemuck::cast_slice(&points)),
             distance,
             tolerance,
-            // Distances cannot be told to less than rounding.
+            // The tolerance is at least the rounding of distances.
             scaled: (
                 scaled,
                 (FITTED_PART * tolerance / unit).max(ROUNDING * (1.0 + scaled.abs())),
@@ -299,7 +302,7 @@ impl<'a> NormalizedCurve<'a> {
         Ok(())
     }
 
-    /// A piece between two cusps of the curve.
+    /// Appends the offset of the curve between two cusps.
     fn add_run(
         &self,
         builder: &mut SplineBuilder,
@@ -321,7 +324,7 @@ impl<'a> NormalizedCurve<'a> {
         builder
             .degrees
             .extend(std::iter::repeat_n(3, out.len() / 3));
-        // Not what scaling has left of it.
+        // The exact end point, without the rounding of the scaling.
         if let Some(p) = builder.points.last_mut() {
             *p = end + normal(tangents[1]);
         }
@@ -332,7 +335,7 @@ fn vector(p: Plane) -> DVec2 {
     DVec2::new(p.x, p.y)
 }
 
-/// The greatest difference of a coordinate from the start.
+/// The largest difference of a coordinate from that of the start.
 fn farthest(curve: &Curve<DVec2>) -> f64 {
     let start = curve.start() * 0.5;
     let half = curve
@@ -342,7 +345,7 @@ fn farthest(curve: &Curve<DVec2>) -> f64 {
     2.0 * half.min(f64::MAX / 4.0)
 }
 
-/// About 1/x, a power of two whose inverse is finite.
+/// A power of two of about 1/x whose inverse is finite.
 fn power_of_two(x: f64) -> f64 {
     (-x.log2().round()).clamp(-1000.0, 1000.0).exp2()
 }

@@ -1,8 +1,8 @@
-//! Which curve of one degree less is closest?
+//! Degree reduction by one.
 //!
-//! Two curves of degrees n and n − 1 differ by a polynomial whose leading coefficient is that of the first, ΔⁿP₀. Of
-//! all polynomials with this leading coefficient that vanish at both ends, the Chebyshev polynomial Tₙ, stretched until
-//! its outermost zeros are the ends, has the least maximum. Taking that one away leaves the best curve there is.
+//! Two curves of degrees n and n − 1 differ by a polynomial whose leading coefficient ΔⁿP₀ is that of the first. Of all
+//! polynomials with this leading coefficient that vanish at both ends, the Chebyshev polynomial Tₙ, stretched until its
+//! outermost zeros are the ends, has the smallest maximum. Subtracting it gives the best approximation.
 
 use super::Curve;
 use crate::geometry::point::Point;
@@ -11,7 +11,7 @@ use crate::numeric::list::points_of;
 use crate::numeric::list::{Points, Scalars};
 use std::f64::consts::FRAC_PI_2;
 
-/// A curve of a lower degree in the place of another.
+/// A degree-reduced curve and its error.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -19,19 +19,20 @@ use std::f64::consts::FRAC_PI_2;
     serde(rename_all = "camelCase")
 )]
 pub struct Reduced<P: Point> {
-    /// The curve of degree n − 1, with the same ends.
+    /// The curve of degree n − 1, with the same end points.
     pub curve: Curve<P>,
-    /// The greatest distance between points of both curves at equal t, which bounds that between the curves.
+    /// The maximum distance between points of both curves at equal t, which bounds the distance between the curves.
     pub error: f64,
 }
 
 impl<P: Point> Curve<P> {
-    /// The curve of degree n − 1 with the same ends that is closest at equal t, and its greatest distance.
+    /// The curve of degree n − 1 with the same end points that is closest at equal t, and its maximum distance.
     ///
-    /// B(t) − R(t) = e·C(t) with C(t) = Tₙ((2t − 1) cos(π/2n)), which runs n − 1 times between −1 and 1, and e = Δⁿ / (2²ⁿ⁻¹
-    /// cosⁿ(π/2n)), Δⁿ being the n-th difference of the control points: the greatest distance is |e| exactly, and no other curve of
-    /// this degree with these ends has a smaller one. An elevated curve comes back with an error of rounding size; a line reduces to
-    /// itself, with the error 0. Source: Lachance, "Chebyshev economization for parametric surfaces", CAGD 5 (1988).
+    /// B(t) − R(t) = e·C(t) with C(t) = Tₙ((2t − 1) cos(π/2n)), which has n − 1 alternating extrema ±1, and e = Δⁿ /
+    /// (2²ⁿ⁻¹ cosⁿ(π/2n)), where Δⁿ is the n-th difference of the control points. The maximum distance is exactly |e|,
+    /// and no other curve of this degree with these end points has a smaller one. For an elevated curve the result is
+    /// the original curve, with an error of rounding size; a line reduces to itself, with the error 0. Source:
+    /// Lachance, "Chebyshev economization for parametric surfaces", CAGD 5 (1988).
     #[must_use]
     pub fn reduce(&self) -> Reduced<P> {
         let n = self.degree();
@@ -56,7 +57,7 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// Δⁿ / (2²ⁿ⁻¹ stretchⁿ), halved along the way so that nothing overflows.
+    /// Δⁿ / (2²ⁿ⁻¹ stretchⁿ), scaled in each step so that nothing overflows.
     fn top_difference(&self, stretch: f64) -> P {
         let mut row = self.points.clone();
         for last in (1..row.len()).rev() {
@@ -68,8 +69,8 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The Bernstein coefficients of Tₙ(stretch · (2t − 1)), by T(k+1) = 2x T(k) − T(k−1); those of the ends are 0 for the
-/// stretch that is used here.
+/// The Bernstein coefficients of Tₙ(stretch · (2t − 1)), by T(k+1) = 2x T(k) − T(k−1). The first and the last one are 0
+/// for the stretch that is used here.
 fn stretched_chebyshev(n: usize, stretch: f64) -> Scalars {
     let mut before: Scalars = [1.0].into_iter().collect();
     let mut now: Scalars = [-stretch, stretch].into_iter().collect();
@@ -102,7 +103,8 @@ fn raise(low: &[f64]) -> Scalars {
         .collect()
 }
 
-/// The control points of a curve that was elevated: from both ends to the middle, where errors do not grow.
+/// The control points of the curve whose elevation is given, computed from both ends to the middle, where errors do not
+/// grow.
 fn unelevated<P: Point>(high: &[P]) -> Points<P> {
     let n = high.len() - 1;
     let mut low: Points<P> = points_of(&high[..n]);

@@ -20,10 +20,10 @@ impl<P: Point> Curve<P> {
         levels
     }
 
-    /// The two pieces before and after t, as curves of the same degree.
+    /// Splits the curve at t into two curves of the same degree.
     ///
-    /// They join at B(t), where they share one point, and keep the outer ends exactly. t outside [0, 1] gives a piece
-    /// that reaches beyond the curve and one that runs back.
+    /// Both share the point B(t), and the outer ends are exact. For t outside [0, 1], one result extends beyond the
+    /// curve and the other runs backwards.
     #[inline]
     pub fn split(&self, t: f64) -> (Self, Self) {
         if let [p0, p1, p2, p3] = *self.points {
@@ -43,16 +43,16 @@ impl<P: Point> Curve<P> {
 
     /// The two halves at t = ½.
     ///
-    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: sums and halvings
-    /// only, and powers of two round nothing.
+    /// For a cubic these are (P₀+P₁)/2, (P₀+2P₁+P₂)/4, (P₀+3P₁+3P₂+P₃)/8 and their mirror images: only sums and
+    /// divisions by powers of two, which do not round.
     #[inline]
     pub fn halve(&self) -> (Self, Self) {
         self.split(0.5)
     }
 
-    /// The piece from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives it backwards.
+    /// The segment from t₀ to t₁, as a curve of the same degree; t₀ > t₁ gives the reversed segment.
     ///
-    /// Its ends are B(t₀) and B(t₁). With t₀ = t₁ the piece is a point.
+    /// Its end points are B(t₀) and B(t₁). For t₀ = t₁ it is a point.
     #[must_use]
     pub fn subsegment(&self, t0: f64, t1: f64) -> Self {
         if t0 > t1 {
@@ -60,7 +60,7 @@ impl<P: Point> Curve<P> {
         }
         let mut piece = self.points.clone();
         blossom_piece(&mut piece, t0, t1);
-        // The same numbers as eval gives, so that pieces made apart join without a gap.
+        // The same bits as `eval` gives, so that separately computed segments join without a gap.
         let last = piece.len() - 1;
         piece[0] = self.eval(t0);
         piece[last] = self.eval(t1);

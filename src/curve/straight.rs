@@ -1,4 +1,4 @@
-//! Curves that are straight, all control points being on one line.
+//! Straight curves: all control points lie on one line.
 
 use super::Curve;
 use crate::bernstein::roots::roots_inside;
@@ -7,17 +7,17 @@ use crate::numeric::float::ulp;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
 
-/// Control points this close to a line, in ulps of the largest coordinate, are on it, but for curves so short that this
-/// would be much of their length.
+/// Control points this close to the line, in ulps of the largest coordinate, count as on it. The distance is limited to
+/// a part of the length, for very short curves.
 const ULPS: f64 = 4.0;
 const LARGEST_PART: f64 = 1e-10;
 
-/// A difference of at most this part of the longest, times the degree, has no direction.
+/// A difference of at most this part of the largest one, times the degree, counts as zero.
 const NO_SLOPE: f64 = 1e-15;
 
 impl Curve<DVec2> {
-    /// The unit vector along a straight curve, from its start to its farthest control point; `None` if it bends or is a
-    /// point.
+    /// The unit vector along a straight curve, from its start to the farthest control point; `None` if the curve bends
+    /// or is a point.
     pub(crate) fn straight_direction(&self) -> Option<DVec2> {
         let start = self.start() * 0.5;
         let from_start = |p: &DVec2| *p * 0.5 - start;
@@ -39,12 +39,12 @@ impl Curve<DVec2> {
         straight.then_some(direction)
     }
 
-    /// The parameters inside (0, 1) at which the curve stops along a direction, sorted.
+    /// The parameters inside (0, 1) at which the derivative along a direction is zero, in ascending order.
     pub(crate) fn turns_along(&self, direction: DVec2) -> Scalars {
         roots_inside(&self.slopes_along(direction))
     }
 
-    /// The sign of the derivative along a direction; 0 for none.
+    /// The sign of the derivative along a direction; 0 for a zero derivative.
     pub(crate) fn sign_along(&self, direction: DVec2, t: f64) -> f64 {
         let mut row = self.slopes_along(direction);
         for last in (1..row.len()).rev() {
@@ -55,7 +55,7 @@ impl Curve<DVec2> {
         if row[0] == 0.0 { 0.0 } else { row[0].signum() }
     }
 
-    /// The differences of neighbours along a direction; those that rounding makes are none.
+    /// The differences of neighbouring control points along a direction; differences of rounding size are set to 0.
     fn slopes_along(&self, direction: DVec2) -> Scalars {
         let slope = |pair: &[DVec2]| (pair[1] * 0.5 - pair[0] * 0.5).dot(direction);
         let mut slopes: Scalars = self.points.windows(2).map(slope).collect();

@@ -1,14 +1,14 @@
-//! The recursive half-split of the tutorials, as a tree to look at.
+//! Recursive subdivision at t = ½ as a tree, for teaching.
 
 use super::Curve;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 
-/// The most leaves of a tree.
+/// Maximum number of leaves of a tree.
 const MAX_LEAVES: usize = 1 << 16;
 
-/// A piece of a curve in the tree of recursive halving.
+/// A node of the tree of recursive halving: a segment of the curve.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -16,31 +16,31 @@ const MAX_LEAVES: usize = 1 << 16;
     serde(rename_all = "camelCase")
 )]
 pub struct Subdivision<P: Point> {
-    /// The piece.
+    /// The segment.
     pub curve: Curve<P>,
-    /// Where it starts on the whole curve.
+    /// The parameter of its start on the whole curve.
     pub t0: f64,
-    /// Where it ends.
+    /// The parameter of its end on the whole curve.
     pub t1: f64,
     /// D1, the length of its control polygon.
     pub polygon_length: f64,
     /// D2, the length of its chord.
     pub chord_length: f64,
-    /// The two halves; none for a leaf, which counts as straight.
+    /// The two halves; `None` for a leaf, which counts as straight.
     pub halves: Option<Box<[Subdivision<P>; 2]>>,
 }
 
 impl<P: Point> Subdivision<P> {
-    /// A bound on the distance of the piece from its chord: ½√(D1² − D2²).
+    /// A bound on the distance of the segment from its chord: ½√(D1² − D2²).
     ///
-    /// The polygon, and with it the curve, lies in the ellipse around the chord's ends whose points have distances
-    /// that sum to at most D1. D1 − D2 itself is no distance.
+    /// The polygon, and with it the curve, lies in the ellipse whose foci are the ends of the chord and whose distances
+    /// sum to D1. D1 − D2 itself is not a distance.
     pub fn deviation_bound(&self) -> f64 {
         let (d1, d2) = (self.polygon_length, self.chord_length);
         0.5 * ((d1 - d2).max(0.0) * (d1 + d2)).sqrt()
     }
 
-    /// The leaves from start to end: their chords are the polyline that the recursion draws.
+    /// The leaves from start to end; their chords are the polyline of the recursion.
     pub fn leaves(&self) -> Vec<&Self> {
         match &self.halves {
             None => vec![self],
@@ -50,15 +50,15 @@ impl<P: Point> Subdivision<P> {
 }
 
 impl<P: Point> Curve<P> {
-    /// Halves the curve until D1 − D2 < `tolerance` for every piece, D1 being the length of its control polygon and
-    /// D2 that of its chord.
+    /// Halves the curve until D1 − D2 < `tolerance` for every segment, where D1 is the length of its control polygon
+    /// and D2 the length of its chord.
     ///
-    /// For teaching: D1 − D2 is no distance; [`Subdivision::deviation_bound`] is one, and
-    /// [`flatten`](Self::flatten) keeps a tolerance. Source: Angel and Shreiner, *Interactive Computer Graphics*, 7th
-    /// ed., §10.
+    /// This is for teaching: D1 − D2 is not a distance. [`Subdivision::deviation_bound`] bounds the distance, and
+    /// [`flatten`](Self::flatten) guarantees a tolerance. Source: Angel and Shreiner, *Interactive Computer Graphics*,
+    /// 7th ed., §10.
     ///
     /// # Errors
-    /// As [`flatten`](Self::flatten) for the tolerance; [`Error::TooMany`] above 2¹⁶ leaves.
+    /// Same as [`flatten`](Self::flatten) for the tolerance; [`Error::TooMany`] above 2¹⁶ leaves.
     pub fn subdivide(&self, tolerance: f64) -> Result<Subdivision<P>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
         let mut leaves = 0;
@@ -70,8 +70,8 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The tree of one piece; `None` once there are too many leaves. Its depth is that of t, at most 1100 halvings, and in
-/// practice under 60, since the length halves with t.
+/// The tree of one segment; `None` if there are too many leaves. The depth is limited by the halvings of t, at most
+/// 1100; in practice it is below 60, since the length halves with t.
 fn grow<P: Point>(
     curve: Curve<P>,
     t0: f64,

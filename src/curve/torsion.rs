@@ -1,4 +1,4 @@
-//! How does the curve twist out of its plane?
+//! Torsion of curves in space.
 
 use super::Curve;
 use super::derivative::VANISHING_RATIO;
@@ -8,10 +8,10 @@ use std::cmp::Ordering;
 impl<P: Point> Curve<P> {
     /// The torsion τ = (B′ × B″)·B‴ / |B′ × B″|² at t, in 1 / unit of length.
     ///
-    /// The rate, by length, at which the plane of the bend turns about the tangent: positive like a right-handed screw. In
-    /// the plane, and of a plane or straight curve in space, it is 0. Where B′ × B″ vanishes (an inflection, a
-    /// zero-length handle, a cusp) it is the limit, which is finite where B′ is not zero, and may be infinite where it
-    /// is. Source: Farin, *Curves and Surfaces for CAGD*, §11.2; the limit by Taylor's theorem.
+    /// The rate per unit of arc length at which the osculating plane rotates about the tangent, positive for a
+    /// right-handed screw. It is 0 in the plane, and for a plane or straight curve in space. Where B′ × B″ vanishes (an
+    /// inflection, a zero-length handle, a cusp) it is the limit, which is finite where B′ is not zero, and may be
+    /// infinite where B′ is zero. Source: Farin, *Curves and Surfaces for CAGD*, §11.2; the limit by Taylor's theorem.
     pub fn torsion(&self, t: f64) -> f64 {
         if P::DIMENSION == 2 {
             return 0.0;
@@ -31,7 +31,8 @@ impl<P: Point> Curve<P> {
         let Some(twist) = (bend + 1..=self.degree()).find(out_of_plane) else {
             return 0.0;
         };
-        // With B ≈ A tᵃ + C tᵇ + E tᶜ the torsion is det(A, C, E)/|A×C|² · c(c−a)(c−b)/(ab(b−a)) · t to the power c − a − b.
+        // With B ≈ A tᵃ + C tᵇ + E tᶜ the torsion is
+        // det(A, C, E)/|A×C|² · c(c−a)(c−b)/(ab(b−a)) · t to the power c − a − b.
         let [a, b, c] = [local.first, bend, twist].map(|order| order as f64);
         let size = plane.size();
         let part = (plane / size).dot(term(twist).to_3d()) / size;

@@ -1,4 +1,4 @@
-//! Handing a curve to something that draws lines, quadratics and cubics.
+//! Output of a curve as path commands: lines, quadratics and cubics.
 
 use super::Curve;
 use crate::bernstein::polynomials::binomials;
@@ -7,7 +7,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use glam::DVec2;
 
-/// Receives path commands: an HTML canvas, a path builder, a plotter.
+/// Receives path commands; for example an HTML canvas, a path builder or a plotter.
 pub trait PathSink {
     /// Begins a subpath at `p`.
     fn move_to(&mut self, p: DVec2);
@@ -22,13 +22,13 @@ pub trait PathSink {
 }
 
 impl Curve<DVec2> {
-    /// Sends the curve to `sink`, from a `move_to` its start.
+    /// Sends the curve to `sink`, beginning with a `move_to` its start.
     ///
-    /// Degrees 1 to 3 go out as they are. Higher degrees become cubics with the same end tangents, none farther from
-    /// the curve than `tolerance` (by default 10⁻⁴ of the diagonal of the control points' box).
+    /// Degrees 1 to 3 are sent unchanged. Higher degrees become cubics with the same end tangents, whose distance from
+    /// the curve is at most `tolerance` (by default 10⁻⁴ of the diagonal of the control points' box).
     ///
     /// # Errors
-    /// As [`flatten`](Self::flatten) for the tolerance.
+    /// Same as [`flatten`](Self::flatten) for the tolerance.
     pub fn trace(&self, sink: &mut impl PathSink, tolerance: Option<f64>) -> Result<(), Error> {
         self.check_trace(tolerance)?;
         sink.move_to(self.start());
@@ -38,14 +38,14 @@ impl Curve<DVec2> {
 }
 
 impl<P: Point> Curve<P> {
-    /// Refuses a tolerance that cannot be kept.
+    /// Returns an error for an invalid tolerance.
     pub(crate) fn check_trace(&self, tolerance: Option<f64>) -> Result<(), Error> {
         tolerance.map_or(Ok(()), |tolerance| {
             crate::geometry::check::check_tolerance(tolerance, self.max_abs())
         })
     }
 
-    /// Continues from the current point, with the projection of the curve along z.
+    /// Continues from the current point with the projection of the curve along z.
     pub(crate) fn trace_on(&self, sink: &mut impl PathSink, tolerance: Option<f64>) {
         match *self.points {
             [_, p1] => sink.line_to(p1.to_2d()),
@@ -58,7 +58,7 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// Halves until a cubic fits.
+    /// Halves the curve until a cubic is within the tolerance.
     fn trace_cubics(&self, sink: &mut impl PathSink, tolerance: f64, halvings: usize) {
         let cubic = self.cubic_of_same_tangents();
         if halvings == 0 || self.distance_of_controls(&cubic) <= tolerance {
@@ -70,7 +70,7 @@ impl<P: Point> Curve<P> {
         right.trace_cubics(sink, tolerance, halvings - 1);
     }
 
-    /// The cubic with the same ends and the same derivatives there.
+    /// The cubic with the same end points and the same end derivatives.
     pub(crate) fn cubic_of_same_tangents(&self) -> Self {
         let n = self.degree();
         let reach = ratio(n, 3);
@@ -84,10 +84,11 @@ impl<P: Point> Curve<P> {
         ])
     }
 
-    /// A bound on the distance to a curve of a lower degree m: the greatest one between control points at equal degree.
+    /// A bound on the distance to a curve of a lower degree m: the maximum distance between control points after
+    /// elevation to the same degree.
     ///
-    /// The other's control points at degree n are Σᵢ C(m, i) C(n − m, k − i) / C(n, k) Qᵢ (Farin, *Curves and Surfaces for
-    /// CAGD*, section 6.1, repeated).
+    /// The control points of `other` at degree n are Σᵢ C(m, i) C(n − m, k − i) / C(n, k) Qᵢ (Farin, *Curves and
+    /// Surfaces for CAGD*, section 6.1, repeated).
     pub(crate) fn distance_of_controls(&self, other: &Self) -> f64 {
         let (n, m) = (self.degree(), other.degree());
         let [of_n, of_m, of_rest] = [n, m, n - m].map(binomials);
@@ -104,5 +105,5 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The cubic's error falls by 16 with each halving: 13 exhaust the 52 bits of f64.
+/// The error of the cubic falls by a factor of 16 with each halving: 13 halvings exhaust the 52 bits of f64.
 const MAX_HALVINGS: usize = 13;

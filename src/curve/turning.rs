@@ -1,15 +1,15 @@
-//! The cross product of a curve with its own derivative: what bends, and what points at a place.
+//! The cross product of a curve with its own derivative, for inflections and tangents through a point.
 
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels::binomial;
 use glam::DVec2;
 
-/// V×V′ for the curve V with these control points, seen along z, as Bernstein coefficients, and what they can be off by if each
-/// coordinate is off by `rounding`.
+/// The Bernstein coefficients of V×V′ for the curve V with the given control points, projected along z, and a bound on
+/// their error if each coordinate has an error of `rounding`.
 ///
-/// Since V×V = 0, a pair i < j contributes only vᵢ×vⱼ · C(m, i) C(m, j) (j − i) tᵏ (1 − t)²ᵐ⁻²⁻ᵏ with k = i + j − 1, so the
-/// degree is 2m − 2 and not 2m − 1. A single point has none.
+/// Since V×V = 0, a pair i < j contributes only vᵢ×vⱼ · C(m, i) C(m, j) (j − i) tᵏ (1 − t)²ᵐ⁻²⁻ᵏ with k = i + j − 1, so
+/// the degree is 2m − 2 and not 2m − 1. The result for a single point is zero.
 pub(crate) fn turning<P: Point>(v: &[P], rounding: f64) -> (Scalars, f64) {
     let v: Points<DVec2> = v.iter().map(|p| p.to_2d()).collect();
     let m = v.len() - 1;

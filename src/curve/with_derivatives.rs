@@ -4,7 +4,6 @@ use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 
-/// A curve and its derivatives.
 pub(crate) struct CurveWithDerivatives<'a, P: Point> {
     pub(crate) points: &'a [P],
     first: Points<P>,

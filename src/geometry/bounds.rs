@@ -1,8 +1,8 @@
-//! Axis-parallel boxes.
+//! Axis-aligned bounding boxes.
 
 use super::point::Point;
 
-/// An axis-parallel box: all points p with min ≤ p ≤ max in each coordinate.
+/// An axis-aligned box: all points p with min ≤ p ≤ max in each coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -10,14 +10,14 @@ use super::point::Point;
     serde(rename_all = "camelCase")
 )]
 pub struct Bounds<P> {
-    /// The least coordinates.
+    /// The smallest coordinates.
     pub min: P,
-    /// The greatest coordinates.
+    /// The largest coordinates.
     pub max: P,
 }
 
 impl<P: Point> Bounds<P> {
-    /// The smallest box around this one and a point.
+    /// The smallest box that contains this one and a point.
     #[must_use]
     pub(crate) fn including(self, p: P) -> Self {
         Self {
@@ -26,7 +26,7 @@ impl<P: Point> Bounds<P> {
         }
     }
 
-    /// The smallest box that contains both.
+    /// The smallest box that contains both boxes.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
         Self {
@@ -35,7 +35,8 @@ impl<P: Point> Bounds<P> {
         }
     }
 
-    /// The box of the points that both contain; `None` if there are none. Boxes that touch share a box without a width.
+    /// The box of the points that both boxes contain; `None` if there are none. Boxes that touch share a box of zero
+    /// width.
     pub fn intersection(self, other: Self) -> Option<Self> {
         let (min, max) = (self.min.max(other.min), self.max.min(other.max));
         (0..P::DIMENSION)
@@ -43,14 +44,14 @@ impl<P: Point> Bounds<P> {
             .then_some(Self { min, max })
     }
 
-    /// Whether the point lies inside of the box or on its boundary.
+    /// Whether the point lies inside the box or on its boundary.
     pub fn contains(self, p: P) -> bool {
         self.min.min(p) == self.min && self.max.max(p) == self.max
     }
 
     /// The length of the diagonal.
     pub fn diagonal(&self) -> f64 {
-        // Halves first: max − min of ±1e308 would overflow.
+        // Halved first, because max − min of ±1e308 would overflow.
         (self.max * 0.5 - self.min * 0.5).length() * 2.0
     }
 }

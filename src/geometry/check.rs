@@ -11,7 +11,7 @@ pub(crate) fn max_abs<P: Point>(points: &[P]) -> f64 {
         .fold(0.0, |largest: f64, p| largest.max(p.max_abs()))
 }
 
-/// Refuses the first point with a NaN or an infinity.
+/// Returns an error for the first point with a NaN or an infinity.
 pub(crate) fn check_finite<P: Point>(what: &'static str, points: &[P]) -> Result<(), Error> {
     match points.iter().position(|p| !p.is_finite()) {
         Some(index) => Err(Error::NotFinite {
@@ -29,7 +29,8 @@ fn first_not_finite<P: Point>(point: P) -> f64 {
     coordinates.find(|x| !x.is_finite()).unwrap_or(f64::NAN)
 }
 
-/// Refuses a tolerance that is not positive or finer than the coordinates can resolve: 4 ulps of the largest.
+/// Returns an error for a tolerance that is not positive and finite, or finer than the coordinates can resolve: 4 ulps
+/// of the largest coordinate.
 ///
 /// Below that, rounding alone moves points farther than the tolerance allows.
 pub(crate) fn check_tolerance(tolerance: f64, largest_coordinate: f64) -> Result<(), Error> {

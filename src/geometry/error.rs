@@ -1,4 +1,4 @@
-//! What can be refused, always with the offending value.
+//! The error type; every error carries the offending value.
 
 use Part::{Number, Text};
 use std::fmt;
@@ -6,20 +6,20 @@ use std::fmt;
 /// The highest degree of a curve, and of a patch in either direction.
 pub const MAX_DEGREE: usize = 64;
 
-/// A refusal: the caller's input is not what the function works on.
+/// An invalid argument.
 ///
-/// Degenerate geometry is never an error. Every variant carries what was expected and what came, so that the
-/// message can name both.
+/// Degenerate geometry is never an error. Every variant carries the expected and the actual value, so that the message
+/// can name both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
-    /// A number of control points (or of values) that does not fit.
+    /// A wrong number of control points or values.
     Count {
-        /// What was counted.
+        /// The counted items.
         what: &'static str,
-        /// The rule that the count must follow.
+        /// The rule for the count.
         expected: &'static str,
-        /// The count that came.
+        /// The actual count.
         got: usize,
     },
     /// A NaN or an infinite value.
@@ -28,94 +28,94 @@ pub enum Error {
         what: &'static str,
         /// The index of the first such value or point.
         index: usize,
-        /// The value that came.
+        /// The actual value.
         got: f64,
     },
-    /// An index past the end.
+    /// An index out of range.
     Index {
-        /// What is indexed.
+        /// The indexed items.
         what: &'static str,
         /// The first allowed index.
         first: usize,
         /// The last allowed index.
         last: usize,
-        /// The index that came.
+        /// The actual index.
         got: usize,
     },
-    /// A patch that names a vertex which is not there.
+    /// A patch with a vertex index out of range.
     Vertex {
-        /// The patch.
+        /// The index of the patch.
         patch: usize,
         /// The number of vertices.
         count: usize,
-        /// The index that came.
+        /// The invalid vertex index.
         got: usize,
     },
-    /// A value outside of its range.
+    /// A value outside its range.
     Range {
         /// The argument.
         what: &'static str,
         /// The range in words.
         expected: &'static str,
-        /// The value that came.
+        /// The actual value.
         got: f64,
     },
-    /// One value of a list that does not fit.
+    /// One invalid value of a list.
     Item {
         /// The argument.
         what: &'static str,
-        /// The index of the first such value.
+        /// The index of the first invalid value.
         index: usize,
-        /// What would fit, in words.
+        /// The allowed values in words.
         expected: &'static str,
-        /// The value that came.
+        /// The actual value.
         got: f64,
     },
-    /// A tolerance below what the coordinates can resolve.
+    /// A tolerance finer than the coordinates can resolve.
     Tolerance {
-        /// The least tolerance for this input, in the input's unit.
+        /// The smallest tolerance for this input, in the unit of the input.
         min: f64,
-        /// The tolerance that came.
+        /// The actual tolerance.
         got: f64,
     },
-    /// A size below what the numbers of a mesh can show.
+    /// A size below the resolution of the numbers of a mesh.
     TooSmall {
         /// The argument.
         what: &'static str,
-        /// The least value for this input, in the input's unit.
+        /// The smallest value for this input, in the unit of the input.
         min: f64,
-        /// The value that came.
+        /// The actual value.
         got: f64,
     },
-    /// A result that would pass a limit; nothing was allocated for it.
+    /// A result above a limit; nothing was allocated for it.
     TooMany {
-        /// What would be made.
+        /// The items of the result.
         what: &'static str,
-        /// The greatest allowed number.
+        /// The largest allowed number.
         limit: usize,
-        /// The number that the request needs (the limit plus one where counting stopped there).
+        /// The required number (the limit plus one if counting stopped there).
         needed: usize,
     },
-    /// Curves that should join end to end and do not.
+    /// Curves that should join end to end but do not.
     Gap {
-        /// The index of the curve that does not start where the one before it ends.
+        /// The index of the curve that does not start at the end of the previous one.
         index: usize,
         /// The distance between the two ends.
         got: f64,
     },
 }
 
-/// A part of a message. Whoever shows the message formats the numbers.
+/// A part of a message. The caller that displays the message formats the numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Part {
-    /// Words.
+    /// Text.
     Text(&'static str),
     /// A number.
     Number(f64),
 }
 
 impl Error {
-    /// Refuses the first of some numbers that is a NaN or an infinity.
+    /// Returns an error for the first number that is a NaN or an infinity.
     pub(crate) fn unless_finite(what: &'static str, numbers: &[f64]) -> Result<(), Self> {
         match numbers.iter().position(|x| !x.is_finite()) {
             Some(index) => Err(Self::NotFinite {
@@ -127,8 +127,8 @@ impl Error {
         }
     }
 
-    /// The message in parts: subject, ": expected ", expectation, ", got ", value. One wording serves `Display` and
-    /// JavaScript, which formats its own numbers (code that prints an f64 would be a tenth of the wasm module).
+    /// The message in parts: subject, ": expected ", expectation, ", got ", value. `Display` and JavaScript share this
+    /// text; JavaScript formats the numbers itself (code that prints an f64 would be a tenth of the wasm module).
     pub(crate) fn parts(&self) -> [Part; 11] {
         let [s0, s1, s2, s3] = self.subject();
         let [e0, e1, e2, e3] = self.expectation();
@@ -149,7 +149,7 @@ impl Error {
         ]
     }
 
-    /// What does not fit.
+    /// The invalid item.
     fn subject(&self) -> [Part; 4] {
         let item = |what, index: usize| [Text(what), Text("["), count(index), Text("]")];
         match *self {
@@ -167,7 +167,7 @@ impl Error {
         }
     }
 
-    /// What would fit.
+    /// The expectation.
     fn expectation(&self) -> [Part; 4] {
         let text = |text| [Text(text), NONE, NONE, NONE];
         let minimum = |min, why| [Text("at least "), Number(min), Text(why), NONE];
@@ -188,7 +188,7 @@ impl Error {
         }
     }
 
-    /// The value that came, and the words before it.
+    /// The actual value, and the words before it.
     fn value(&self) -> (&'static str, Part) {
         match *self {
             Self::Count { got, .. } | Self::Index { got, .. } | Self::Vertex { got, .. } => {
@@ -205,7 +205,7 @@ impl Error {
     }
 }
 
-/// A part without words.
+/// An empty part.
 const NONE: Part = Text("");
 
 fn count(n: usize) -> Part {
@@ -216,7 +216,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.parts().iter().try_for_each(|part| match part {
             Part::Text(text) => f.write_str(text),
-            // Counts without a decimal point, measures with an exponent where they need one.
+            // Integers without a decimal point, other numbers with an exponent if necessary.
             Part::Number(n) if n.fract() == 0.0 && n.abs() < 1e15 => write!(f, "{n:.0}"),
             Part::Number(n) => write!(f, "{n:?}"),
         })

@@ -1,4 +1,4 @@
-//! What curves need of a point: the sealed trait [`Point`] for `DVec2` and `DVec3`.
+//! The sealed trait [`Point`] for `DVec2` and `DVec3`: the operations that curves need.
 
 use glam::{DAffine2, DAffine3, DVec2, DVec3};
 use std::fmt::Debug;
@@ -10,7 +10,7 @@ mod sealed {
     impl Sealed for glam::DVec3 {}
 }
 
-/// A point or a vector in the plane or in space: glam's `DVec2` or `DVec3`, and nothing else.
+/// A point or a vector in the plane or in space: glam's `DVec2` or `DVec3`. The trait is sealed.
 pub trait Point:
     sealed::Sealed
     + Copy
@@ -26,16 +26,16 @@ pub trait Point:
     + Neg<Output = Self>
     + 'static
 {
-    /// 2 or 3.
+    /// The number of coordinates, 2 or 3.
     const DIMENSION: usize;
     /// The affine maps of this space.
     type Affine: Copy + Debug;
-    /// A×B: the signed area in the plane (a number), the vector product in space.
+    /// The type of A×B: a number in the plane (the signed area), a vector in space.
     type CrossProduct: CrossProduct;
 
-    /// The point itself in space; a point of the plane at z = 0.
+    /// The point in space; z = 0 for a plane point.
     fn to_3d(self) -> DVec3;
-    /// The point itself in the plane; a point of space without its z.
+    /// The point in the plane; drops the z of a point in space.
     fn to_2d(self) -> DVec2;
     /// One coordinate: 0 is x, 1 is y, 2 is z.
     fn coordinate(self, axis: usize) -> f64;
@@ -48,9 +48,9 @@ pub trait Point:
     fn cross(self, other: Self) -> Self::CrossProduct;
     /// The largest absolute coordinate.
     fn max_abs(self) -> f64;
-    /// The smaller of each coordinate.
+    /// The component-wise minimum.
     fn min(self, other: Self) -> Self;
-    /// The larger of each coordinate.
+    /// The component-wise maximum.
     fn max(self, other: Self) -> Self;
     /// Σ wᵢ pᵢ of three points.
     fn blend3(points: [Self; 3], weights: [f64; 3]) -> Self;
@@ -58,17 +58,17 @@ pub trait Point:
     fn blend4(points: [Self; 4], weights: [f64; 4]) -> Self;
     /// The image of this point under an affine map.
     fn transform(self, map: &Self::Affine) -> Self;
-    /// The tangent turned into a normal: by +90° in the plane; in space the unit part of `bend` that is perpendicular
-    /// to it (zero if there is none).
+    /// The normal of a unit tangent: the tangent rotated by +90° in the plane; in space the normalized component of
+    /// `bend` perpendicular to the tangent (zero if there is none).
     fn normal_of(tangent: Self, bend: Self) -> Self;
 
-    /// (1 − t)·self + t·other, which is exact at both ends and cannot overflow for t in [0, 1].
+    /// (1 − t)·self + t·other, exact at both ends; cannot overflow for t in [0, 1].
     #[inline]
     fn lerp(self, other: Self, t: f64) -> Self {
         self * (1.0 - t) + other * t
     }
 
-    /// The Euclidean length; it neither overflows nor vanishes before the true value does.
+    /// The Euclidean length; it overflows or underflows only if the true value does.
     #[inline]
     fn length(self) -> f64 {
         let square = self.dot(self);
@@ -101,11 +101,11 @@ pub trait Point:
     }
 }
 
-/// The result of a cross product, of which the algorithms only need the size and linear combinations.
+/// The result of a cross product; the algorithms use only its size and linear combinations.
 pub trait CrossProduct: Copy + Debug + Add<Output = Self> + Mul<f64, Output = Self> {
     /// The size: absolute value or length.
     fn size(self) -> f64;
-    /// The curvature numerator that is reported: signed in the plane, not negative in space.
+    /// The sign of the curvature: ±1 in the plane, 1 in space.
     fn curvature_sign(self) -> f64;
     /// The square of the size.
     fn size_squared(self) -> f64;
@@ -196,7 +196,7 @@ impl Point for DVec2 {
     fn max(self, other: Self) -> Self {
         DVec2::max(self, other)
     }
-    // Written out: a build for small size would call every operator.
+    // Written out, because a build optimized for size would call every operator.
     #[inline(always)]
     fn blend3([a, b, c]: [Self; 3], [u, v, w]: [f64; 3]) -> Self {
         Self {
@@ -291,12 +291,13 @@ impl Point for DVec3 {
     #[inline]
     fn normal_of(tangent: Self, bend: Self) -> Self {
         let across = |v: Self| Point::normalize_or_zero(v - tangent * v.dot(tangent));
-        // Of a bend almost along the tangent, rounding leaves some of it: twice is enough (Kahan).
+        // If `bend` is almost parallel to the tangent, rounding leaves a component along the tangent; a second
+        // projection removes it ("twice is enough", Kahan).
         across(across(Point::normalize_or_zero(bend)))
     }
 }
 
-/// The larger of two numbers, NaN if either is NaN (f64::max would hide it).
+/// The larger of two numbers, or NaN if either is NaN (`f64::max` would ignore it).
 #[inline]
 fn nan_max(a: f64, b: f64) -> f64 {
     if a > b || a.is_nan() { a } else { b }

@@ -1,6 +1,6 @@
-//! Numbers: small ratios and the spacing of f64.
+//! Ratios of integers and the spacing of f64.
 
-/// i / n as a number; both are small counts.
+/// i / n as f64; both are small counts.
 #[inline]
 pub(crate) fn ratio(i: usize, n: usize) -> f64 {
     i as f64 / n as f64

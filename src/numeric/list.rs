@@ -1,4 +1,4 @@
-//! Short lists: natively without an allocation; in wasm, where size counts and allocating is cheap, plain vectors.
+//! Short lists: inline storage natively; plain vectors in wasm, where code size matters and allocation is cheap.
 
 use glam::DVec3;
 
@@ -10,13 +10,13 @@ type List<T, const N: usize> = Vec<T>;
 /// The control points of a curve.
 pub(crate) type Points<P> = List<P, 4>;
 
-/// Numbers that go with control points: coefficients, roots.
+/// Numbers that belong to control points: coefficients, roots.
 pub(crate) type Scalars = List<f64, 4>;
 
 /// The control points of a patch.
 pub(crate) type Net = List<DVec3, 16>;
 
-/// The control points of a slice; natively a copy of bytes where `From` would go point by point.
+/// The control points of a slice; natively a copy of bytes, where `From` would copy point by point.
 #[inline]
 pub(crate) fn points_of<P: Copy>(slice: &[P]) -> Points<P> {
     #[cfg(not(target_family = "wasm"))]

@@ -1,4 +1,4 @@
-//! Numbers, lists and sorting, which know nothing of geometry.
+//! Numbers, lists and sorting, independent of geometry.
 
 pub(crate) mod float;
 pub(crate) mod list;

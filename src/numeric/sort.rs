@@ -1,11 +1,12 @@
-//! Sorting. std's sorts take 3 kB of the module for each type of item; this one takes a tenth of that.
+//! A stable merge sort. The sorts of std take 3 kB of the wasm module for each item type; this one takes a tenth of
+//! that.
 
 use std::cmp::Ordering;
 
-/// Up to here items are inserted one by one, without a buffer.
+/// Runs of this length are sorted by insertion, without a buffer.
 const FEW: usize = 16;
 
-/// Sorts; items that compare equal keep their order. O(n log n).
+/// Sorts stably in O(n log n): items that compare equal keep their order.
 pub(crate) fn sort_by<T: Copy>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
     for run in items.chunks_mut(FEW) {
         insert_each(run, &order);

@@ -1,22 +1,22 @@
-//! Two pieces that run in about the same direction, compared as graphs over that direction.
+//! Contacts of two segments with about the same direction, compared as graphs over that direction.
 //!
-//! Let x be measured along the direction and y across, and let both pieces span the same x. At equal parameters s the
-//! curve B is ahead of A by B_x − A_x, and its slope is between those of its control edges, so the height of A over B at
-//! the x of A(s) is (A_y − B_y) − slope · (A_x − B_x). With a mean slope that is a polynomial in s, bounded by its
-//! Bernstein coefficients; what remains is half the range of slopes times |A_x − B_x|, and both shrink as pieces get
-//! shorter. Where the whole height is rounding, the pieces are in contact; two curves that share a piece show it at once,
-//! since their parameters correspond.
+//! Let x be the coordinate along the direction and y the coordinate across it, and let both segments span the same x.
+//! At equal parameters s, the curve B is ahead of A by B_x − A_x, and its slope is between those of its control edges,
+//! so the height of A over B at the x of A(s) is (A_y − B_y) − slope · (A_x − B_x). With a mean slope this is a
+//! polynomial in s, bounded by its Bernstein coefficients; the remainder is half the range of slopes times |A_x − B_x|.
+//! Both shrink as the segments get shorter. If the whole height is below rounding, the segments are in contact. Two
+//! curves with a common segment are detected immediately, since their parameters correspond.
 
 use super::cross::cross;
 use super::piece::{Piece, Row, range, time_at};
 use super::solver::{ClippingSolver, Contact, SPLIT};
 
-/// Heights up to so many times the slack count as contact where a piece cannot be thrown away. Above 1, so that halving
-/// ends.
+/// Heights up to this many times the slack count as contact if a segment cannot be discarded. The factor is above 1 so
+/// that halving terminates.
 const CONTACT: f64 = 4.0;
 
 impl<R: Row> ClippingSolver<R> {
-    /// Looks for contacts if the pieces run in about the same direction (or the opposite one), else returns false.
+    /// Finds the contacts if the segments have about the same direction (or the opposite one); otherwise returns false.
     pub(super) fn run_along(&mut self, a: &Piece<R>, b: &Piece<R>) -> bool {
         let Some((direction, forwards)) = common_direction(a, b, self.slack) else {
             return false;
@@ -35,7 +35,7 @@ impl<R: Row> ClippingSolver<R> {
         true
     }
 
-    /// Two pieces that span the same x.
+    /// Finds the contacts of two segments that span the same x.
     fn matched(&mut self, a: &Piece<R>, b: &Piece<R>) {
         if !self.work.spend(1) {
             return self.note(a, b);
@@ -61,7 +61,7 @@ impl<R: Row> ClippingSolver<R> {
         self.matched(&after_a, &after_b);
     }
 
-    /// Two pieces whose height difference grows all the way or falls all the way; false where it is not clear.
+    /// Handles two segments whose height difference is monotone; returns false if the result is unclear.
     fn monotone(&mut self, a: &Piece<R>, b: &Piece<R>, heights: &Heights) -> bool {
         let (start, end) = (heights.start, heights.end);
         if start * end < 0.0 {
@@ -86,8 +86,8 @@ impl<R: Row> ClippingSolver<R> {
     }
 }
 
-/// A unit vector from which no control edge of either piece turns away by more than 45°, those of `b` being reversed if
-/// the second value is false.
+/// A unit vector from which no control edge of either segment deviates by more than 45°; the edges of `b` are reversed
+/// if the second value is false.
 fn common_direction<R: Row>(a: &Piece<R>, b: &Piece<R>, slack: f64) -> Option<([f64; 2], bool)> {
     let (unit_a, unit_b) = (unit(a.chord())?, unit(b.chord())?);
     let forwards = unit_a[0] * unit_b[0] + unit_a[1] * unit_b[1] >= 0.0;
@@ -108,16 +108,16 @@ fn unit([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     (length > 0.0).then(|| [x / length, y / length])
 }
 
-/// The least and the greatest slope of the control edges, between which those of the curve are.
+/// The smallest and the largest slope of the control edges, which bound the slopes of the curve.
 #[inline(always)]
 fn slopes<R: Row>(p: &Piece<R>) -> (f64, f64) {
     let edges = (0..p.last()).map(|i| p.edge(i));
     let (min, max) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
-    // All edges without an extent: as good as level.
+    // All edges have zero extent: treat the segment as level.
     if min > max { (0.0, 0.0) } else { (min, max) }
 }
 
-/// The height of one piece over the other: bounds, and the values at the two ends.
+/// The height of one segment over the other: bounds, and the values at the two ends.
 struct Heights {
     min: f64,
     max: f64,
@@ -127,7 +127,7 @@ struct Heights {
 
 #[inline(always)]
 fn heights<R: Row>(a: &Piece<R>, b: &Piece<R>, sa: (f64, f64), sb: (f64, f64)) -> Heights {
-    // Either curve may be the one over whose slopes the other is moved: the straighter one bounds better.
+    // The slopes of either curve may be used; those of the straighter one give a tighter bound.
     let (low, high) = if sa.1 - sa.0 < sb.1 - sb.0 { sa } else { sb };
     let (mean, spread) = (0.5 * (low + high), 0.5 * (high - low));
     let mut ahead = 0.0;

@@ -1,19 +1,20 @@
-//! What of a curve can meet another one?
+//! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
 
 use super::piece::{Piece, Row, range};
 
-/// A clip that leaves more than this is not worth another one: then a piece is halved. Source: Sederberg and Nishita.
+/// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
+/// and Nishita.
 const WORTH_CLIPPING: f64 = 0.8;
 
-/// Cuts from `b` what is outside the strip of lines parallel to the chord of `a` that holds `a`, and returns how much of
-/// it is left, 1 for all; `None` where nothing is left.
+/// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
+/// remaining part, 1 for all; `None` if nothing remains.
 #[inline(always)]
 pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option<f64> {
     let n = a.last();
     let [x0, y0] = a.point(0);
     let [mut dx, mut dy] = a.chord();
     if dx == 0.0 && dy == 0.0 {
-        // A closed piece: any direction will do; that of the first edge is likely to be a good one.
+        // A closed segment: any direction is valid; that of the first edge is likely to be a good one.
         [dx, dy] = a.edge(0);
         if dx == 0.0 && dy == 0.0 {
             dx = 1.0;
@@ -45,7 +46,7 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     }
     let n = row.len() - 1;
     let (mut lo, mut hi) = (0.0, 1.0);
-    // The sign that takes an end outside to below the height that is to be reached.
+    // The sign that maps an end outside to one below the height to be reached, and this height.
     let below = |end: f64| {
         if end < low {
             Some((1.0, low))
@@ -61,11 +62,11 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     if let Some((sign, height)) = below(row[n]) {
         hi = 1.0 - entry(n, |i| sign * row[n - i] - height);
     }
-    // Rounding may turn a single parameter around.
+    // Rounding may swap the ends of an interval that is a single parameter.
     Some((lo, if hi < lo { lo } else { hi }))
 }
 
-/// The first parameter where the upper hull of points that start below 0 gets to 0, or 1 at the last.
+/// The first parameter where the upper hull of points that start below 0 reaches 0, or 1 if it does not.
 ///
 /// The hull goes from each of its points to the one in the steepest direction.
 #[inline(always)]
@@ -91,7 +92,7 @@ fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
     }
 }
 
-/// The same written out.
+/// [`entry`] for degree 3, unrolled.
 #[inline(always)]
 fn entry_of_cubic([a, b, c, d]: [f64; 4]) -> f64 {
     let third = 1.0 / 3.0;

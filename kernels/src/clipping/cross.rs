@@ -1,30 +1,31 @@
-//! Two pieces that meet at most once, and where.
+//! Crossings of two segments that intersect at most once.
 
 use super::piece::{Piece, Row};
 use super::solver::{ClippingSolver, Contact};
 
 pub(super) enum Crossing {
-    /// They meet once, here.
+    /// The segments intersect once, at this contact.
     Found(Contact),
-    /// They meet once or not at all, and it is not clear yet.
+    /// The segments intersect at most once, but it is not yet clear whether they do.
     Unclear,
-    /// They may meet more than once.
+    /// The segments may intersect more than once.
     Many,
 }
 
-/// Newton's method doubles the digits with each step; what takes longer is not where it is looked for.
+/// Newton's method doubles the number of digits with each step; if it needs more steps, there is no crossing nearby.
 const NEWTON_STEPS: usize = 8;
 
-/// A step so small, in parameters of the piece, is followed by one of its square, and that is the last one.
+/// After a step this small, in parameters of the segment, the next step is of the order of its square and is the last
+/// one.
 const NEARLY: f64 = 1e-4;
 
-/// So far out of its piece, in parameters of the piece, a search is given up.
+/// The search is abandoned if a parameter leaves the segment by more than this, in parameters of the segment.
 const ASTRAY: f64 = 0.5;
 
-/// The last step, on the whole curves, is shorter.
+/// The last step, on the whole curves, is shorter than this.
 const NEARBY: f64 = 1e-8;
 
-/// Crossings at a flatter angle are looked at again.
+/// Crossings at a smaller angle are examined again.
 const FLAT: f64 = 1e-5;
 
 #[inline(always)]
@@ -32,9 +33,9 @@ pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     ax * by - ay * bx
 }
 
-/// Whether A′ × B′ keeps its sign for all pairs of parameters: its Bernstein coefficients are the cross products of the
-/// control edges. Then A(t) − B(u) = 0 has at most one solution, for between two of them A and B would have to
-/// advance by the same vector.
+/// Whether A′ × B′ has the same sign for all pairs of parameters: its Bernstein coefficients are the cross products of
+/// the control edges. Then A(t) − B(u) = 0 has at most one solution, because between two solutions A and B would have
+/// to advance by the same vector.
 #[inline(always)]
 fn turns_to_one_side<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
     let (mut left, mut right) = (false, false);
@@ -59,7 +60,7 @@ impl<R: Row> ClippingSolver<R> {
             .map_or(Crossing::Unclear, Crossing::Found)
     }
 
-    /// The crossing of two pieces that meet at most once, where Newton's method finds it.
+    /// The crossing of two segments that intersect at most once, if Newton's method finds it.
     #[inline(always)]
     pub(super) fn newton(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
         let (mut s, mut r) = (s, r);
@@ -76,7 +77,7 @@ impl<R: Row> ClippingSolver<R> {
         None
     }
 
-    /// A solution that Newton's method has found is one where it is in both pieces, but for rounding.
+    /// Accepts a solution of Newton's method if it lies in both segments, up to rounding.
     #[inline(always)]
     fn converged(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
         let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
@@ -84,7 +85,7 @@ impl<R: Row> ClippingSolver<R> {
         let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));
         let gap = [b[0] - a[0], b[1] - a[1]];
         let turn = cross(da, db);
-        // The numbers of the whole curve have not been rounded as often.
+        // The control points of the whole curves have smaller rounding errors.
         let (finer_t, finer_u) = (t + cross(gap, db) / turn, u + cross(gap, da) / turn);
         let fits = |x: f64, from: f64| (x - from).abs() < NEARBY && (0.0..=1.0).contains(&x);
         if fits(finer_t, t) && fits(finer_u, u) {

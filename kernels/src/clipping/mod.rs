@@ -1,10 +1,11 @@
-//! Where two plane curves meet.
+//! Intersections of two plane curves by fat-line clipping.
 //!
-//! Pairs of pieces are cut down until each holds one crossing for sure, or runs along the other one. [`clip`] throws away
-//! what cannot meet: a curve lies between two lines parallel to its chord, so the other one matters only where it
-//! is between them too. Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990).
-//! [`cross`] sees that two pieces meet at most once, and finds where. [`along`] compares two pieces that run in about the
-//! same direction as graphs over that direction; it serves tangencies of any order and shared pieces.
+//! Pairs of segments are cut down until each certainly contains one crossing, or runs along the other one. [`clip`]
+//! discards parts that cannot intersect: a curve lies between two lines parallel to its chord (its fat line), so only
+//! the part of the other curve between these lines matters. Source: Sederberg and Nishita, "Curve intersection using
+//! Bézier clipping", CAD 22 (1990). [`cross`] detects that two segments intersect at most once, and computes the
+//! crossing. [`along`] compares two segments with about the same direction as graphs over that direction; it handles
+//! tangencies of any order and overlaps.
 
 mod along;
 mod clip;
@@ -19,11 +20,11 @@ use clip::clip;
 use cross::Crossing;
 use solver::SPLIT;
 
-/// Where both pieces keep more than this they are halved at once.
+/// If clipping leaves more than this part of both segments, they are halved instead.
 const WORTH_GOING_ON: f64 = 0.6;
 
 impl<R: Row> ClippingSolver<R> {
-    /// Looks for all contacts of the two curves between some of their parameters.
+    /// Finds all contacts of the two curves between the given parameters.
     #[inline(always)]
     pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
         let [a, b] = &self.whole;
@@ -55,7 +56,7 @@ impl<R: Row> ClippingSolver<R> {
         }
     }
 
-    /// Goes on with the halves of the longer piece; two pieces without an extent are a contact.
+    /// Continues with the halves of the larger segment; two segments without an extent are a contact.
     fn halve(&mut self, a: &Piece<R>, b: &Piece<R>) {
         let (size_a, size_b) = (a.extent(), b.extent());
         if a.is_off(b, self.slack) {

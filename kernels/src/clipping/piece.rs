@@ -1,10 +1,10 @@
-//! A piece of a curve, and what is asked of one coordinate of it.
+//! A segment of a plane curve, and operations on one of its coordinates.
 
-/// The Bernstein coefficients of one coordinate: an array where the degree is known, a vector where it is not.
+/// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
 pub trait Row: Clone {
     /// The coefficients.
     fn get(&self) -> &[f64];
-    /// The coefficients, to be changed.
+    /// The coefficients, mutable.
     fn get_mut(&mut self) -> &mut [f64];
 }
 
@@ -28,16 +28,16 @@ impl Row for Vec<f64> {
     }
 }
 
-/// The piece of a plane curve between two of its parameters; `from` > `to` where it runs backwards.
+/// The segment of a plane curve between two parameters; `from` > `to` if it runs backwards.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece<R> {
-    /// The x of the control points.
+    /// The x coordinates of the control points.
     pub x: R,
-    /// Their y.
+    /// The y coordinates of the control points.
     pub y: R,
-    /// The curve's parameter at the start of the piece.
+    /// The parameter of the curve at the start of the segment.
     pub from: f64,
-    /// The curve's parameter at its end.
+    /// The parameter of the curve at the end of the segment.
     pub to: f64,
 }
 
@@ -48,7 +48,7 @@ impl<R: Row> Piece<R> {
         self.x.get().len() - 1
     }
 
-    /// The curve's parameter at the piece's parameter; the ends exactly.
+    /// The parameter of the curve at parameter s of the segment; exact at the ends.
     #[inline(always)]
     pub(super) fn at(&self, s: f64) -> f64 {
         if s == 1.0 {
@@ -87,7 +87,7 @@ impl<R: Row> Piece<R> {
         spread(self.x.get()).max(spread(self.y.get()))
     }
 
-    /// Whether the boxes of the control points are farther apart than the slack.
+    /// Whether the bounding boxes of the control points are farther apart than the slack.
     pub(super) fn is_off(&self, other: &Self, slack: f64) -> bool {
         let apart = |a: &[f64], b: &[f64]| {
             let (a, b) = (range(a.iter().copied()), range(b.iter().copied()));
@@ -104,7 +104,7 @@ impl<R: Row> Piece<R> {
         ([x, y], [dx, dy])
     }
 
-    /// The piece between two parameters of this one, s₀ ≤ s₁.
+    /// The segment between two parameters of this one, s₀ ≤ s₁.
     #[inline]
     pub(super) fn between(&self, s0: f64, s1: f64) -> Self {
         let mut piece = self.clone();
@@ -127,7 +127,7 @@ impl<R: Row> Piece<R> {
         piece
     }
 
-    /// The pieces before and after s.
+    /// The segments before and after s.
     pub(super) fn split(&self, s: f64) -> (Self, Self) {
         let (mut left, mut right) = (self.clone(), self.clone());
         left.to = self.at(s);
@@ -137,7 +137,7 @@ impl<R: Row> Piece<R> {
         (left, right)
     }
 
-    /// The same piece run through backwards.
+    /// The segment in the opposite direction.
     pub(super) fn reversed(&self) -> Self {
         let mut piece = self.clone();
         piece.x.get_mut().reverse();
@@ -146,7 +146,7 @@ impl<R: Row> Piece<R> {
         piece
     }
 
-    /// The piece in axes along a unit vector and across it.
+    /// The segment in coordinates along a unit vector and across it.
     pub(super) fn turned(&self, [dx, dy]: [f64; 2]) -> Self {
         let mut piece = self.clone();
         let both = piece.x.get_mut().iter_mut().zip(piece.y.get_mut());
@@ -155,12 +155,12 @@ impl<R: Row> Piece<R> {
     }
 }
 
-/// The least and the greatest of some numbers.
+/// The minimum and the maximum.
 #[inline(always)]
 pub(super) fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
     let start = (f64::INFINITY, f64::NEG_INFINITY);
     numbers.fold(start, |(min, max), v| {
-        // Comparisons, not `min`, which would look for NaN.
+        // Comparisons instead of `f64::min`, which would check for NaN.
         (if v < min { v } else { min }, if v > max { v } else { max })
     })
 }
@@ -210,7 +210,7 @@ fn keep_before(row: &mut [f64], t: f64) {
     }
 }
 
-/// Both rows are the whole before, and its pieces before and after s afterwards.
+/// Splits at s. Both rows hold the whole row at first, and the parts before and after s afterwards.
 #[inline(always)]
 fn split(left: &mut [f64], right: &mut [f64], s: f64) {
     for (level, first) in left.iter_mut().enumerate() {
@@ -221,7 +221,7 @@ fn split(left: &mut [f64], right: &mut [f64], s: f64) {
     }
 }
 
-/// Where a coordinate that does not fall takes a value between those of its ends.
+/// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.
 pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
     let n = row.len() - 1;
     if value <= row[0] {

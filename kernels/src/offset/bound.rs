@@ -1,31 +1,33 @@
-//! A bound on the distance between a cubic and the parallel.
+//! A bound on the distance between a cubic and the offset curve.
 //!
-//! Between two pairs of places that see each other, let u run from 0 to 1 on both curves: Q(u) on the cubic, B(u) on the
-//! source. E = Q − B is a cubic in u, so |E|², E·B′ and |B′|² − E·B″ are polynomials, and lie between their least and
-//! greatest Bernstein coefficients. They tell how far |E| is from the distance asked for, how far E leans from the
-//! normal, and how far the foot of the perpendicular can be from B(u): with δ the leaning part of E, either
+//! Take two pairs, each of a point of the cubic and the foot of its perpendicular on the source. Between them let u run
+//! from 0 to 1 on both curves: Q(u) on the cubic, B(u) on the source. E = Q − B is a cubic in u, so |E|², E·B′ and
+//! |B′|² − E·B″ are polynomials, which lie between their smallest and their largest Bernstein coefficient. They bound
+//! the difference of |E| from the given distance, the deviation of E from the normal, and the distance of the foot of
+//! the perpendicular from B(u). With δ the tangential component of E, either
 //!
 //!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
 //!
-//! bounds the distance from Q(u) to the parallel, if E points to the side of the parallel. |E| is the same on the other
-//! side, and tolerances of more than d accept single points there, so the side is checked at the first pair: E cannot
-//! change sides without passing B′. The foot moves along with u from one end to the other, so every point
-//! of the parallel is as near to the cubic. Pieces that are not near enough by these bounds are halved: δ falls by four.
+//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. |E| is the same on
+//! the other side, and tolerances of more than d accept single points there, so the side is checked at the first pair:
+//! E cannot change sides without passing B′. The foot moves along with u from one end to the other, so every point of
+//! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
+//! a factor of four.
 
 use super::fit::Pair;
 use super::vector::Plane;
 use super::{OffsetCurve, VANISHING_SPEED};
 use crate::WorkLimit;
 
-/// Bounds evaluated for one cubic before it is rejected; a cubic that keeps the tolerance needs 4 to 40.
+/// Maximum number of bounds evaluated for one cubic before it is rejected; a cubic within the tolerance needs 4 to 40.
 const MAX_BOUNDS: usize = 96;
 
-/// What the foot may add, as a multiple of its first estimate: |B′|² − E·B″ is bounded for the pairs (u, u) only, and the
-/// foot is a little beside.
+/// The contribution of the foot, as a multiple of its first estimate: |B′|² − E·B″ is bounded only for the pairs (u,
+/// u), and the foot is at a slightly different parameter.
 const FOOT_SAFETY: f64 = 2.0;
 
 impl OffsetCurve<'_> {
-    /// Whether the cubic is known to keep the tolerance everywhere, after at most `MAX_BOUNDS` bounds.
+    /// Whether the cubic is proved to be within the tolerance everywhere, with at most `MAX_BOUNDS` bounds.
     pub(super) fn holds(
         &self,
         cubic: &[Plane; 4],
@@ -63,7 +65,7 @@ impl OffsetCurve<'_> {
             && self.holds_between(cubic, &middle, to, last, work)
     }
 
-    /// Whether the cubic and the parallel between two pairs are so short that they cannot be farther apart than the
+    /// Whether the cubic and the offset curve between two pairs are so short that their distance cannot exceed the
     /// tolerance.
     fn near(&self, from: &Pair, to: &Pair) -> bool {
         let there = (to.q - from.q).length() + (to.s - from.s) * (from.w.length() + to.w.length());
@@ -73,17 +75,17 @@ impl OffsetCurve<'_> {
         a.t <= b.t && apart(from).max(apart(to)) + there + back <= self.tolerance
     }
 
-    /// The bound between two pairs; infinite where nothing is known.
+    /// The bound between two pairs; infinite if there is none.
     fn bound(&self, from: &Pair, to: &Pair) -> f64 {
         let distance = self.distance.abs();
         let (ds, dt) = (to.s - from.s, to.foot.t - from.foot.t);
-        // How far a cubic with the same ends and derivatives there may be from the source.
+        // A bound on the distance of the source from a cubic with the same end points and end derivatives.
         let rest = self.fourth * (dt * dt) * (dt * dt) / 384.0;
         if dt.is_nan() || dt <= 0.0 || rest > REMAINDER_SHARE * self.tolerance {
             return f64::INFINITY;
         }
         let (v0, v2) = (from.foot.v * dt, to.foot.v * dt);
-        // The mean of both ends' tangent lines to B′: differences of points would lose digits as dt gets small.
+        // The mean of the tangent lines to B′ at both ends: differences of points would lose digits for a small dt.
         let bend = (from.foot.a - to.foot.a) * (0.5 * dt);
         let v1 = (from.foot.v + to.foot.v + bend) * (0.5 * dt);
         let (e0, e3) = (from.q - from.foot.b, to.q - to.foot.b);
@@ -107,7 +109,7 @@ impl OffsetCurve<'_> {
         self.with_foot(&e, [v0, v1, v2], &d, (low, high), rest)
     }
 
-    /// The same with what the leaning of E adds.
+    /// The bound including the contribution of the tangential component of E.
     fn with_foot(
         &self,
         e: &[Plane; 4],
@@ -149,7 +151,8 @@ impl OffsetCurve<'_> {
         (across * across + delta_squared).sqrt()
     }
 
-    /// A quadratic field with the directions of B′dt: B′dt itself, or, where it vanishes at an end, divided by u or 1 − u.
+    /// A quadratic field with the directions of B′dt: B′dt itself, or, if it vanishes at an end, B′dt divided by u or 1
+    /// − u.
     fn direction(v: [Plane; 3]) -> [Plane; 3] {
         let [v0, v1, v2] = v;
         let max = v0.square().max(v1.square()).max(v2.square());
@@ -170,7 +173,7 @@ impl OffsetCurve<'_> {
     }
 }
 
-/// A cubic in the place of a piece of a higher degree may be off by this part of the tolerance.
+/// A cubic that replaces a segment of a higher degree may have an error of this part of the tolerance.
 const REMAINDER_SHARE: f64 = 0.02;
 
 fn range(coefficients: &[f64]) -> (f64, f64) {

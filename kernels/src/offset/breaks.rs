@@ -1,20 +1,21 @@
-//! Where a curve must be cut before parallels of its pieces can be smooth: at its own cusps, and at those of the
-//! parallel.
+//! Cusps of the source and of the offset curve, at which a curve must be cut before the offsets of its parts are
+//! smooth.
 
 use super::vector::Plane;
 use super::{End, OffsetCurve, Source};
 use crate::WorkLimit;
 
-/// Halvings in the search for a zero of B′; what is left of the interval then is refined.
+/// Halvings in the search for a zero of B′; the remaining interval is refined.
 const MAX_HALVINGS: usize = 30;
 
-/// Below this part of the largest speed a second derivative gives no direction.
+/// A second derivative below this part of the largest speed gives no direction.
 const VANISHING_BEND: f64 = 1e-9;
 
-/// How far to look beside a place where no derivative gives a direction, and where the way of the parallel is asked.
+/// The step in t to a neighbouring point. Its square root is used if no derivative gives a direction; times the length
+/// of the piece, it is used to evaluate the direction of the offset curve.
 const BESIDE: f64 = 1.0 / (1_u32 << 20) as f64;
 
-/// Steps in which cusps of the parallel are looked for; what they miss is cut when no cubic fits.
+/// Steps of the search for cusps of the offset curve; a cusp that it misses is cut when no cubic fits.
 const CUSP_STEPS: usize = 12;
 
 impl Source {
@@ -39,7 +40,7 @@ impl Source {
         found
     }
 
-    /// Halves until all vectors point into one half-plane, so that none between them vanishes.
+    /// Halves until all control vectors of B′ lie in one half-plane, so that B′ does not vanish.
     fn search<const N: usize>(
         &self,
         vectors: &[Plane; N],
@@ -72,7 +73,7 @@ impl Source {
         self.search(&right, n, (t, t1), halvings - 1, found);
     }
 
-    /// The zero of B′ next to t, if there is one: Gauss and Newton's step for the least |B′|².
+    /// The zero of B′ near t, if there is one: Gauss–Newton steps for the minimum of |B′|².
     fn refined(&self, mut t: f64) -> Option<f64> {
         for _ in 0..4 {
             let sample = self.at(t);
@@ -85,7 +86,7 @@ impl Source {
             return None;
         }
         let zero = self.is_still(&self.at(t));
-        // Next to handles without a length B′ is small, too, but does not turn back.
+        // Next to zero-length handles B′ is also small, but does not reverse.
         let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
         let turns = self.at(t - beside).v.dot(self.at(t + beside).v) < 0.0;
         (zero && turns).then_some(t)
@@ -109,8 +110,8 @@ impl Source {
 
 impl OffsetCurve<'_> {
     /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
-    /// tangents are those seen from inside. The first point is there already. Once the work limit is exceeded the rest is
-    /// missing.
+    /// tangents are the limits from inside. The first point is already present. If the work limit is exceeded, the rest
+    /// is missing.
     pub fn run(
         &self,
         (t0, t1): (f64, f64),
@@ -131,7 +132,7 @@ impl OffsetCurve<'_> {
         self.cover(&from, &to, out, work);
     }
 
-    /// Covers the way to a cusp between two places, if there is one.
+    /// If there is a cusp between two ends, appends the cubics up to the cusp and continues behind it.
     fn pass(
         &self,
         from: &mut End,
@@ -159,7 +160,7 @@ impl OffsetCurve<'_> {
         End { tangent, ..end }
     }
 
-    /// Whether a glance at the control points says that the parallel has no cusp. Only for degree 3.
+    /// Whether a quick test of the control points proves that the offset curve has no cusp. Up to degree 3 only.
     fn surely_forward(&self, (t0, t1): (f64, f64)) -> bool {
         if self.source.degree() > 3 || (t0, t1) != (0.0, 1.0) {
             return false;

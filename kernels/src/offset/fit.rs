@@ -1,29 +1,29 @@
-//! The lengths of the handles.
+//! Fitting of the handle lengths by least squares.
 
 use super::vector::Plane;
 use super::{End, OffsetCurve, OffsetSample};
 use crate::WorkLimit;
 
-/// Where distances are measured.
+/// The parameters at which distances are measured.
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
-/// Rounds of least squares; the last ones gain digits where the tolerance is far below the first error.
+/// Maximum number of least-squares rounds; the last ones gain digits if the tolerance is far below the first error.
 const MAX_ROUNDS: usize = 5;
 
-/// An error at the samples below this part of the tolerance cannot be what a bound fails for.
+/// If the error at the samples is below this part of the tolerance, it cannot be the reason why a bound fails.
 const SMALL_PART: f64 = 0.01;
 
-/// Added to the diagonal of the normal equations, as a part of its trace: where the cubic is nearly straight the handles
-/// have no influence on the distances.
+/// The damping added to the diagonal of the normal equations, as a part of the trace: if the cubic is nearly straight,
+/// the handles do not influence the distances.
 const DAMPING: f64 = 1e-9;
 
-/// The least damping; the entries of the matrix are at most 1.
+/// The minimum damping; the entries of the matrix are at most 1.
 const MIN_DAMPING: f64 = 1e-18;
 
-/// A place on the cubic: its parameter, point and derivative, and the place of the source from which it is seen.
+/// A point of the cubic (parameter, point and derivative) and the foot of its perpendicular on the source.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Pair {
-    /// The unit normal there.
+    /// The unit normal at the foot.
     pub(super) n: Plane,
     pub(super) s: f64,
     pub(super) q: Plane,
@@ -32,7 +32,7 @@ pub(super) struct Pair {
 }
 
 impl OffsetCurve<'_> {
-    /// The cubic from one end to the other, if one keeps the tolerance.
+    /// A cubic from one end to the other within the tolerance, if one is found.
     pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[Plane; 4]> {
         let (start, end) = (self.point(from), self.point(to));
         let (mut a, mut b) = self.first_handles(from, to);
@@ -84,7 +84,7 @@ impl OffsetCurve<'_> {
         None
     }
 
-    /// Those of the source's piece, and of the arc of the normal: 4/3 tan(θ/4).
+    /// The sums of the handles of the source's segment and of the arc of the normal, 4/3 tan(θ/4).
     fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
         let third = (to.sample.t - from.sample.t) / 3.0;
         let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
@@ -109,7 +109,7 @@ impl OffsetCurve<'_> {
         pairs
     }
 
-    /// Evaluates the cubic and looks for the place of the source from which its point is seen along the normal.
+    /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies.
     pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
         (pair.q, pair.w) = at(cubic, pair.s);
         for _ in 0..steps {
@@ -127,7 +127,7 @@ impl OffsetCurve<'_> {
         pair.n = pair.foot.v.unit().turned();
     }
 
-    /// How much farther from the source than asked for.
+    /// The signed distance from the source minus the given distance.
     pub(super) fn error(&self, pair: &Pair) -> f64 {
         (pair.q - pair.foot.b).dot(pair.n) - self.distance
     }

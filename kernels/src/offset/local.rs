@@ -1,26 +1,27 @@
-//! What is known of the source on one piece: bounds on its higher derivatives, and how far rounding moves the offset.
+//! Bounds for one piece: the higher derivatives of the source, and the effect of rounding on the offset.
 
 use super::source::MAX_POINTS;
 use super::vector::Plane;
 use super::{End, OffsetCurve, OffsetSample, Source, VANISHING_SPEED};
 
-/// What rounding leaves of B′, as a part of the sum of its terms' lengths.
+/// Rounding error of B′, as a part of the sum of its terms' lengths.
 const SLOPE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Bounds of degrees above 3 are tightened on pieces up to this length; on longer ones the whole curve's bounds serve.
+/// For degrees above 3, bounds are tightened on pieces up to this length; longer ones use the bounds of the whole
+/// curve.
 const SHORT_PIECE: f64 = 0.125;
 
-/// Pieces above this length are well enough known.
+/// On pieces above this length, the rounding error is negligible.
 const NOISY_PIECE: f64 = 1e-3;
 
-/// The largest part of the distance that rounding may take of the tolerance.
+/// The tolerance is raised because of rounding to at most this part of the distance.
 const MAX_NOISE: f64 = 0.01;
 
 impl OffsetCurve<'_> {
-    /// The same offset with the bounds and the tolerance that hold on a piece.
+    /// The offset curve with the bounds and the tolerance for one piece.
     ///
     /// Where B′ is small against its terms, rounding changes the direction of the normal. An offset closer to the true
-    /// one than d times that change cannot be told from others, so the tolerance is not below it.
+    /// one than d times that change cannot be distinguished from others, so the tolerance is at least that.
     pub(super) fn on_piece(&self, from: &End, to: &End) -> Self {
         let mut local = Self {
             source: self.source,
@@ -39,7 +40,7 @@ impl OffsetCurve<'_> {
         local
     }
 
-    /// How far rounding of B′ moves the point of the offset.
+    /// The distance by which rounding of B′ moves the point of the offset.
     pub(super) fn noise(&self, at: &OffsetSample) -> f64 {
         let terms = self.source.slope_terms(at.t);
         self.distance.abs() * SLOPE_ROUNDING * terms / at.v.length()
@@ -47,7 +48,7 @@ impl OffsetCurve<'_> {
 }
 
 impl Source {
-    /// Whether B′ is zero but for rounding.
+    /// Whether B′ is zero up to rounding.
     pub(super) fn is_still(&self, at: &OffsetSample) -> bool {
         at.v.length() <= VANISHING_SPEED * self.slope_terms(at.t)
     }
@@ -105,10 +106,10 @@ impl Source {
     }
 }
 
-/// Replaces control points by those of the part between two parameters: two subdivisions.
+/// Replaces control points by those of the segment between two parameters, by two subdivisions.
 fn restrict(row: &mut [Plane], t0: f64, t1: f64) {
     let n = row.len();
-    // The part before t1 takes the first point of each level, the part of that after t0 the last one.
+    // The segment before t1 consists of the first points of each level; the part of it after t0 of the last ones.
     for level in 1..n {
         for i in (level..n).rev() {
             row[i] = row[i - 1] * (1.0 - t1) + row[i] * t1;

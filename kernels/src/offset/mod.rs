@@ -1,10 +1,10 @@
-//! OffsetCurve curves: cubics within a tolerance of B(t) + d·N(t), N being the unit normal.
+//! Offset curves: approximation of B(t) + d·N(t) by cubics within a tolerance, where N is the unit normal.
 //!
-//! A piece is replaced by one cubic with its exact ends and end tangents, so two numbers are left to choose: the
-//! lengths of the handles. The first guess adds the handles of the source's piece to those of the circular arc that the
-//! normal describes; a few steps of least squares on the distances at three places improve it (`fit`). Then the
-//! distance is bounded, not sampled (`bound`). Where the bound fails the piece is cut, at cusps of the parallel first.
-//! Idea: Levien, "OffsetCurve curves of cubic Béziers" (2022).
+//! A piece is replaced by one cubic with its exact end points and end tangents, so two numbers are free: the lengths of
+//! the handles. The first guess adds the handles of the source's segment to those of the circular arc that the normal
+//! describes; a few least-squares steps on the distances at three parameters improve it (`fit`). Then the distance is
+//! bounded, not sampled (`bound`). If the bound fails, the piece is cut, at cusps of the offset curve first. Idea:
+//! Levien, "Parallel curves of cubic Béziers" (2022).
 
 mod bound;
 mod breaks;
@@ -19,13 +19,13 @@ pub use vector::Plane;
 use crate::{WorkLimit, cos_sin};
 use source::OffsetSample;
 
-/// How often a piece may be cut in two.
+/// Maximum depth of cutting a piece in two.
 const MAX_CUTS: usize = 48;
 
-/// A piece whose length is this part of the tolerance needs no bound.
+/// A piece whose length is at most this part of the tolerance needs no bound.
 const TINY_PART: f64 = 0.25;
 
-/// A piece this short, in t, is a point as far as numbers tell.
+/// A piece this short, in t, is a point up to rounding.
 const SHORTEST: f64 = 1e-12;
 
 /// The largest angle, in radians, by which a normal may leave the angle between its ends.
@@ -34,8 +34,8 @@ const MAX_EXCESS: f64 = 0.1;
 /// A derivative below this part of the sum of its terms' lengths is only rounding.
 const VANISHING_SPEED: f64 = 1e-14;
 
-/// An end of a piece: the place, the unit tangent as seen from inside the piece, and the way the parallel goes there:
-/// 1 along the tangent, −1 against it (where it has passed its cusp), as found at the parameter `sign_t`.
+/// An end of a piece: the sample, the unit tangent in the limit from inside the piece, and the direction of the offset
+/// curve: 1 along the tangent, −1 against it (past its cusp), as evaluated at the parameter `sign_t`.
 #[derive(Clone, Copy, Debug)]
 struct End {
     sample: OffsetSample,
@@ -44,7 +44,7 @@ struct End {
     sign_t: f64,
 }
 
-/// A parallel of a curve.
+/// An offset curve of a curve.
 pub struct OffsetCurve<'a> {
     source: &'a Source,
     distance: f64,
@@ -55,7 +55,7 @@ pub struct OffsetCurve<'a> {
 }
 
 impl<'a> OffsetCurve<'a> {
-    /// At a distance along the normal, which is the tangent turned by +90°.
+    /// The offset curve at a distance along the normal, which is the tangent rotated by +90°.
     pub fn new(source: &'a Source, distance: f64, tolerance: f64) -> Self {
         Self {
             source,
@@ -82,21 +82,21 @@ impl<'a> OffsetCurve<'a> {
         }
     }
 
-    /// |B′|³(1 − κd): positive where the parallel goes along the tangent.
+    /// |B′|³(1 − κd): positive where the offset curve has the direction of the tangent.
     #[inline]
     fn forwardness(&self, at: &OffsetSample) -> f64 {
         let square = at.v.square();
         square * square.sqrt() - self.distance * at.v.cross(at.a)
     }
 
-    /// The point of the parallel at an end.
+    /// The point of the offset curve at an end.
     #[inline]
     fn point(&self, end: &End) -> Plane {
         end.sample.b + end.tangent.turned() * self.distance
     }
 
-    /// Appends three control points for each cubic from one end to the other, without looking for cusps before. Appends
-    /// no more once the work limit is exceeded.
+    /// Appends three control points for each cubic from one end to the other, without a prior search for cusps. Appends
+    /// nothing more once the work limit is exceeded.
     fn cover(&self, from: &End, to: &End, out: &mut Vec<Plane>, work: &mut WorkLimit) {
         self.cover_deep(from, to, MAX_CUTS, out, work);
     }
@@ -137,13 +137,13 @@ impl<'a> OffsetCurve<'a> {
         self.cover_deep(&middle, to, cuts - 1, out, work);
     }
 
-    /// Whether the parallel of a piece is shorter than a part of the tolerance.
+    /// Whether the offset of a piece is shorter than a part of the tolerance.
     fn tiny(&self, from: &End, to: &End) -> bool {
         self.length_bound(&from.sample, &to.sample) <= TINY_PART * self.tolerance
     }
 
-    /// Whether the source is a point as far as the tolerance tells, and the normal turns about it without leaving the
-    /// angle between its ends; where the normal is only rounding, no angle is left.
+    /// Whether the source is a point within the tolerance, and the normal rotates about it without leaving the angle
+    /// between its ends. If the normal is only rounding, the angle is not tested.
     fn pivots(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
         let distance_along = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
@@ -155,7 +155,7 @@ impl<'a> OffsetCurve<'a> {
         }
         let side = from.tangent.cross(to.tangent);
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
-        // Beyond 90° an excess could hide that the normal turns the other way around.
+        // Above 90° an excess could hide that the normal rotates the other way around.
         let excess = if from.tangent.dot(to.tangent) > 0.0 {
             -(TINY_PART * self.tolerance / self.distance.abs()).min(MAX_EXCESS)
         } else {
@@ -169,10 +169,10 @@ impl<'a> OffsetCurve<'a> {
         })
     }
 
-    /// A bound on the length of the parallel between two places; infinite where B′ may vanish between them.
+    /// A bound on the length of the offset curve between two samples; infinite if B′ may vanish between them.
     ///
-    /// O′ = (1 − κd) B′ has the length |f| / |B′|² with f = |B′|³ − d (B′ × B″), and
-    /// |f′| ≤ 3 |B′|² |B″| + |d| |B′| |B‴|. Near a cusp of the parallel this is far shorter than the piece of the source.
+    /// O′ = (1 − κd) B′ has the length |f| / |B′|² with f = |B′|³ − d (B′ × B″), and |f′| ≤ 3 |B′|² |B″| + |d| |B′|
+    /// |B‴|. Near a cusp of the offset curve this is far shorter than the segment of the source.
     fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
         let bend = a.a.length().max(b.a.length()) + h * third;
@@ -186,13 +186,13 @@ impl<'a> OffsetCurve<'a> {
         h * f / (slowest * slowest)
     }
 
-    /// Arcs about a source that is a point as far as the tolerance tells.
+    /// Appends arcs about a source that is a point within the tolerance.
     fn arc(&self, from: &End, to: &End, out: &mut Vec<Plane>) {
         let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
         let angle = sin.atan2(cos);
         let pieces = arc_pieces(angle, self.distance.abs(), TINY_PART * self.tolerance);
         let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        // The normal turns against the tangent: N′ = −θ′T.
+        // The derivative of the normal is opposite to the tangent: N′ = −θ′T.
         let handle = -self.distance * (4.0 / 3.0) * (sin / cos);
         let (mut last, mut k) = (*from, 1.0);
         while k <= pieces {
@@ -210,8 +210,8 @@ impl<'a> OffsetCurve<'a> {
         }
     }
 
-    /// The cusp of the parallel between two ends that differ in their signs. Next to a cusp of the source, where the sign
-    /// is found some way inside, the sign between is only rounding.
+    /// The cusp of the offset curve between two ends with different signs. Next to a cusp of the source, where the sign
+    /// is evaluated at some distance inside, the sign in between is only rounding.
     fn cusp(&self, from: &End, to: &End) -> Option<(End, End)> {
         let (t0, t1) = (from.sign_t, to.sign_t);
         let t = self.zero(t0, t1, from.sign, |sample| self.forwardness(sample))?;
@@ -226,7 +226,8 @@ impl<'a> OffsetCurve<'a> {
         Some((before, after))
     }
 
-    /// Where to cut: at an inflection, or where the tangent has turned half the way, or amid the parameters.
+    /// The point at which a piece is cut: an inflection, or the parameter where the tangent has rotated by half the
+    /// angle, or the middle parameter.
     fn cut(&self, from: &End, to: &End) -> End {
         let (t0, t1) = (from.sample.t, to.sample.t);
         let bend = |sample: &OffsetSample| sample.v.cross(sample.a);
@@ -245,8 +246,8 @@ impl<'a> OffsetCurve<'a> {
         self.end(t.unwrap_or(0.5 * (t0 + t1)))
     }
 
-    /// A zero strictly between two parameters of a function with the sign `sign` at the first and the other one at the second: bisection,
-    /// sped up by regula falsi (Illinois).
+    /// A zero strictly between two parameters of a function with the sign `sign` at the first and the opposite one at
+    /// the second: bisection, accelerated by regula falsi (Illinois algorithm).
     fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&OffsetSample) -> f64) -> Option<f64> {
         let (mut lo, mut hi) = (t0, t1);
         let value = |t: f64| sign * f(&self.source.at(t));
@@ -279,18 +280,18 @@ impl<'a> OffsetCurve<'a> {
     }
 }
 
-/// Turns below this (as a sine) are too small to halve by direction.
+/// Angles below this (as a sine) are too small to be halved by direction.
 const MIN_TURN: f64 = 0.05;
 
-/// A cut this near to an end, as a part of the piece, would not be one.
+/// A cut this close to an end, as a part of the piece, is replaced by one in the middle.
 const MIN_PART: f64 = 1e-3;
 
-/// A root is known when its interval is this part of it.
+/// A root is accurate enough when the width of its interval is this part of it.
 const ROOT_WIDTH: f64 = 1e-13;
 
-/// How many cubics an arc needs: one of the angle θ with handles 4/3 tan(θ/4) is off by (2/27) sin⁶(θ/4)/cos²(θ/4) of the
-/// radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by curvature-continuous Bézier curves",
-/// CAGD 7 (1990).
+/// The number of cubics for an arc: a cubic for the angle θ with handles 4/3 tan(θ/4) has an error of (2/27)
+/// sin⁶(θ/4)/cos²(θ/4) of the radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by
+/// curvature-continuous Bézier curves", CAGD 7 (1990).
 pub fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
     let error = |pieces: f64| {
         let (cos, sin) = cos_sin(0.25 * angle / pieces);
@@ -304,5 +305,5 @@ pub fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
     pieces
 }
 
-/// A half circle in pieces of this number is off by less than rounding.
+/// A half circle in this many pieces has an error below rounding.
 const MAX_ARC_PIECES: f64 = 512.0;

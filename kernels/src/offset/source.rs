@@ -1,23 +1,23 @@
-//! The curve of which parallels are made.
+//! The source curve of an offset.
 
 use super::vector::Plane;
 
-/// The most control points of a curve.
+/// Maximum number of control points of a curve.
 pub(super) const MAX_POINTS: usize = 65;
 
-/// A handle of at most this part of the largest difference has no direction: rounding moves its end as far.
+/// A handle of at most this part of the largest difference has no direction, because rounding moves its end by as much.
 const NO_HANDLE: f64 = 1e-15;
 
-/// A curve, ready to be asked for points and derivatives; points are told from its start.
+/// A curve prepared for evaluation of points and derivatives. Points are relative to its start.
 pub struct Source {
-    /// The control points, and the differences of neighbours, of a degree above 3.
+    /// The control points, and the differences of neighbours, for a degree above 3.
     many: Vec<Plane>,
     differences: Vec<Plane>,
     count: usize,
-    /// Taylor coefficients at t = 0 in t, and at t = 1 in 1 − t, where the degree is at most 3: next to an end only
-    /// those of that end keep the digits of short handles.
+    /// For a degree of at most 3, the Taylor coefficients at t = 0 in t, and at t = 1 in 1 − t: next to an end only the
+    /// expansion at that end keeps the digits of short handles.
     powers: [[Plane; 4]; 2],
-    /// The control points of B′ as a quadratic, there.
+    /// For a degree of at most 3, the control points of B′ as a quadratic.
     slopes: [Plane; 3],
     tangents: [Plane; 2],
     /// A bound on the fourth derivative: 0 up to degree 3.
@@ -28,7 +28,7 @@ pub struct Source {
     speed: f64,
 }
 
-/// A place on the curve: the parameter, the point, the first two derivatives.
+/// A sample of the curve: the parameter, the point, the first two derivatives.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct OffsetSample {
     pub(crate) t: f64,
@@ -38,7 +38,7 @@ pub(crate) struct OffsetSample {
 }
 
 impl Source {
-    /// From 2 to 65 control points, of a size of about 1.
+    /// Expects 2 to 65 control points of a size of about 1.
     pub fn new(control_points: &[[f64; 2]]) -> Self {
         let count = control_points.len().clamp(1, MAX_POINTS);
         let mut all = [Plane::default(); MAX_POINTS];
@@ -84,7 +84,7 @@ impl Source {
         source
     }
 
-    /// The tangents at both ends: toward the first control point that is not the end itself.
+    /// The tangents at both ends: the directions to the first control point that differs from the end.
     fn tangents_of(&self, points: &[Plane]) -> [Plane; 2] {
         let min = NO_HANDLE * self.speed;
         let toward = |end: Plane, p: &Plane| {
@@ -117,7 +117,7 @@ impl Source {
         self.count - 1
     }
 
-    /// The differences of neighbours, for degrees above 3.
+    /// The differences of neighbouring control points, for degrees above 3.
     pub(crate) fn differences(&self) -> &[Plane] {
         &self.differences
     }
@@ -132,7 +132,7 @@ impl Source {
         self.tangents
     }
 
-    /// The place at t.
+    /// The sample at t.
     #[inline]
     pub(crate) fn at(&self, t: f64) -> OffsetSample {
         if self.count > 4 {
@@ -153,8 +153,8 @@ impl Source {
         }
     }
 
-    /// By de Casteljau's algorithm; derivatives from the differences, so that they keep their digits next to handles
-    /// without a length.
+    /// The sample by de Casteljau's algorithm. Derivatives are computed from the differences, so that they keep their
+    /// digits next to zero-length handles.
     fn at_by_casteljau(&self, t: f64) -> OffsetSample {
         let mut row = [Plane::default(); MAX_POINTS];
         let mut slopes = row;
@@ -182,14 +182,14 @@ impl Source {
     }
 }
 
-/// Taylor coefficients of a curve from its start and the differences of its n + 1 control points.
+/// The Taylor coefficients of a curve, computed from its start and the differences of its n + 1 control points.
 fn powers(e: [Plane; 3], n: usize, start: Plane) -> [Plane; 4] {
     let second = (e[1] - e[0]) * [0.0, 0.0, 1.0, 3.0][n];
     let third = ((e[2] - e[1]) - (e[1] - e[0])) * if n == 3 { 1.0 } else { 0.0 };
     [start, e[0] * n as f64, second, third]
 }
 
-/// The differences when the curve runs the other way.
+/// The differences of the reversed curve.
 fn reversed(mut e: [Plane; 3], n: usize) -> [Plane; 3] {
     e[..n].reverse();
     e.map(|e| -e)

@@ -1,13 +1,13 @@
-//! Vectors of the plane.
+//! Plane vectors.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A point or a vector of the plane.
+/// A point or a vector in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {
-    /// To the right.
+    /// The x coordinate, to the right.
     pub x: f64,
-    /// Up.
+    /// The y coordinate, up.
     pub y: f64,
 }
 
@@ -33,7 +33,7 @@ impl Plane {
     pub(crate) fn length(self) -> f64 {
         self.square().sqrt()
     }
-    /// Turned by +90°.
+    /// The vector rotated by +90°.
     #[inline(always)]
     pub(crate) fn turned(self) -> Self {
         Self {
@@ -41,7 +41,7 @@ impl Plane {
             y: self.x,
         }
     }
-    /// Of length 1; zero for the zero vector.
+    /// The unit vector; zero for the zero vector.
     #[inline(always)]
     pub(crate) fn unit(self) -> Self {
         let length = self.length();

@@ -1,4 +1,4 @@
-//! The arc of a curve of any degree: its length up to t, and the t of a length.
+//! Arc length by numerical integration for any degree, and its inverse.
 
 use crate::bernstein::casteljau::blossom_piece;
 use crate::bernstein::evaluate::evaluate;
@@ -8,55 +8,56 @@ use crate::numeric::list::Points;
 use casteljau_kernels::{WorkLimit, binomial, speed_integral};
 use glam::DVec3;
 
-/// The error that is aimed at, as a part of the length; 10⁻¹² is promised.
+/// Target error as a part of the length; the documented guarantee is 10⁻¹².
 const USUAL_PART: f64 = 1e-14;
 
-/// More halvings than f64 can tell apart.
+/// Maximum depth of halving; f64 cannot distinguish more parameters.
 const MAX_CUTS: usize = 56;
 
-/// Of the search for a t; bisection alone takes as many.
+/// Maximum number of steps of the search for t; bisection alone needs as many.
 const MAX_STEPS: usize = 64;
 
 /// Every interval is halved at least this often at degrees of 25 and more.
 const MAX_MIN_DEPTH: usize = 6;
 
-/// Intervals that are looked at, more than ten times what curves of moderate numbers need; past them the rest is taken as
-/// it is.
+/// Maximum number of intervals, more than ten times what curves with moderate numbers need. After it, the remaining
+/// intervals are accepted without a check.
 const MAX_INTERVALS: usize = 1 << 12;
 
-/// A cut is moved to the least speed where that is this far from both ends, as a part of the interval.
+/// An interval is cut at its minimum speed if that is at least this part of the interval away from both ends.
 const OFF_THE_ENDS: f64 = 0.03;
 
-/// Between the end of an interval and its rule's first node; a little more. There a hook could hide.
+/// The distance from the end of an interval to the first node of its rule, rounded up, as a part of the interval. A
+/// sharp turn in this range would not be sampled.
 const BEFORE_FIRST_NODE: f64 = 0.006;
 
-/// Of the angle, 25°, by which the direction may turn there.
+/// Cosine of the largest allowed change of direction (25°) before the first node.
 const SHARP_COSINE: f64 = 0.9;
 
-/// A piece that one rule integrates: where it ends, and the length up to there.
+/// An interval that one rule integrates: its end, and the arc length up to that end.
 #[derive(Clone, Copy)]
 struct Piece {
     t: f64,
     length: f64,
 }
 
-/// The speed of a curve, in space, cut into pieces that one rule integrates well.
+/// The speed of a curve, cut into intervals that one rule integrates accurately.
 pub(crate) struct ArcLengthTable {
     slopes: Points<DVec3>,
-    /// `slopes` times their binomials.
+    /// `slopes` times their binomial coefficients.
     weighted: Points<DVec3>,
     pieces: Vec<Piece>,
-    /// Counts the intervals that are looked at.
+    /// Counts the intervals.
     work: WorkLimit,
     tolerance: f64,
-    /// What rounding may do to an integral over [0, 1].
+    /// Rounding error of an integral over [0, 1].
     noise: f64,
 }
 
 impl ArcLengthTable {
-    /// From the differences of control points, of moderate size and not all zero. `tolerance`, infinite for none, is
-    /// looked at where it asks for more than is usual. Less is never done: where rules of a few points agree by chance, a
-    /// large error would go unseen.
+    /// Makes the table from the differences of the control points, which are of moderate size and not all zero.
+    /// `tolerance`, infinite for none, is used only if it is finer than the usual target. A coarser tolerance does not
+    /// reduce the work: rules of a few points may agree by chance, and a large error would not be detected.
     pub(crate) fn new<P: Point>(slopes: &[P], tolerance: f64) -> Self {
         let degree = slopes.len() as f64;
         let slopes: Points<DVec3> = slopes.iter().map(|p| p.to_3d() * degree).collect();
@@ -76,14 +77,14 @@ impl ArcLengthTable {
         arc
     }
 
-    /// The whole length.
+    /// The arc length of the whole curve.
     pub(crate) fn length(&self) -> f64 {
         self.pieces.last().map_or(0.0, |piece| piece.length)
     }
 
-    /// The t up to which the length is s, for 0 ≤ s ≤ the whole, `slack` being the error in s that is allowed.
+    /// The t up to which the arc length is s, for 0 ≤ s ≤ the whole length; `slack` is the allowed error of s.
     ///
-    /// Newton's method inside of a piece, with bisection where it leaves the interval that is known to hold t.
+    /// Newton's method inside an interval of the table, with bisection where it leaves the bracket that contains t.
     pub(crate) fn time(&self, s: f64, slack: f64) -> f64 {
         let last = self.pieces.len() - 1;
         let k = self
@@ -122,7 +123,8 @@ impl ArcLengthTable {
         t
     }
 
-    /// The cubic through both ends of a piece with the slopes there, as t over the part x of the length.
+    /// First guess of t: the cubic Hermite interpolant of t over the part x of the length, with the derivatives at both
+    /// ends.
     fn first_guess(&self, lo: f64, hi: f64, x: f64, length: f64) -> f64 {
         let even = length / (hi - lo);
         let [first, second] = [lo, hi].map(|t| even / self.speed(t) - 1.0);
@@ -140,7 +142,8 @@ impl ArcLengthTable {
         speed_integral(bytemuck::cast_slice(&self.weighted), lo, hi)
     }
 
-    /// Cuts an interval until both parts together agree with the whole: then each of them is good.
+    /// Cuts an interval until the integrals over both parts together agree with the integral over the whole; then each
+    /// part is accurate.
     fn refine(&mut self, lo: f64, hi: f64, whole: f64, depth: usize) {
         let cut = self.location_of_cut(lo, hi, depth);
         let (left, right) = (self.between(lo, cut), self.between(cut, hi));
@@ -159,20 +162,20 @@ impl ArcLengthTable {
         }
     }
 
-    /// High degrees may hide a wave between the nodes of the first rules.
+    /// High degrees may oscillate between the nodes of the first rules.
     fn min_depth(&self) -> usize {
         (self.slopes.len() / 4).min(MAX_MIN_DEPTH)
     }
 
-    /// Whether the curve may turn back between the nodes of a rule, which then does not see it.
+    /// Whether the curve may reverse between the nodes of a rule, which would not detect it.
     fn turns_back(&self, lo: f64, hi: f64) -> bool {
         let slopes = self.piece(lo, hi);
         let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
         self.deviates(&slopes, chord, 0.0, hi - lo)
     }
 
-    /// Whether the curve turns so sharply near an end that neither rule has seen it. At the end itself the derivative may be
-    /// zero.
+    /// Whether the curve turns sharply between an end and the first node, where no rule samples it. At the end itself
+    /// the derivative may be zero.
     fn turns_near(&self, end: f64, cut: f64) -> bool {
         let node = end + BEFORE_FIRST_NODE * (cut - end);
         let (lo, hi) = (end.min(node), end.max(node));
@@ -181,8 +184,9 @@ impl ArcLengthTable {
         self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
     }
 
-    /// Whether one of the derivative's control points on a piece, in whose convex hull the derivative lies, deviates from a
-    /// direction by an angle with a smaller cosine, by more than the tolerance on the width of the piece.
+    /// Whether one of the derivative's control points on an interval deviates from a direction by an angle whose cosine
+    /// is below `cosine`, and contributes more than the tolerance over the width. The derivative lies in the convex
+    /// hull of these points.
     fn deviates(&self, slopes: &[DVec3], direction: DVec3, cosine: f64, width: f64) -> bool {
         let hidden = self.tolerance.max(self.noise * width);
         let size = cosine * Point::length(direction);
@@ -192,7 +196,7 @@ impl ArcLengthTable {
         })
     }
 
-    /// The control points of the derivative on a piece.
+    /// The control points of the derivative on an interval.
     fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
         let mut slopes = self.slopes.clone();
         blossom_piece(&mut slopes, lo, hi);
@@ -207,7 +211,7 @@ impl ArcLengthTable {
         });
     }
 
-    /// The middle; once that did not help, the least speed inside.
+    /// The middle; at depth 2 and more the minimum of the speed, if it is inside.
     fn location_of_cut(&self, lo: f64, hi: f64, depth: usize) -> f64 {
         let middle = 0.5 * (lo + hi);
         if depth < 2 {
@@ -222,7 +226,7 @@ impl ArcLengthTable {
         }
     }
 
-    /// Where the speed has a minimum inside, by regula falsi (Illinois) on B′·B″; else an end.
+    /// The parameter of a minimum of the speed inside, by regula falsi (Illinois algorithm) on B′·B″; otherwise an end.
     fn min_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
         let bend: Points<DVec3> = self
             .slopes

@@ -1,4 +1,4 @@
-//! Where on the curve is the point that is so far along it?
+//! The parameter at a given arc length.
 
 use super::integral::ArcLengthTable;
 use super::length::hodograph;
@@ -9,21 +9,21 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
-/// Without a tolerance, lengths are met to this part of the whole: a few roundings of its sum.
+/// Without a tolerance, the error of a length is this part of the whole: a few roundings of its sum.
 const DEFAULT_SLACK: f64 = 4.0 * f64::EPSILON;
 
-/// A curve that is asked for the t of lengths: its table is made once.
+/// The inverse of the arc length of one curve; the table is computed once.
 pub(crate) struct ArcLengthInverse {
     arc: Option<ArcLengthTable>,
     /// The curve's length.
     length: f64,
-    /// The same as the table has it; it may differ by some roundings.
+    /// The length according to the table; it may differ by some roundings.
     in_table: f64,
     slack: f64,
 }
 
 impl ArcLengthInverse {
-    /// For a tolerance that was checked.
+    /// Expects a checked tolerance.
     pub(crate) fn new<P: Point>(curve: &Curve<P>, tolerance: Option<f64>) -> Self {
         let (slopes, unit) = hodograph(curve.control_points());
         let arc = (unit > 0.0).then(|| ArcLengthTable::new(&slopes, f64::INFINITY));
@@ -36,7 +36,7 @@ impl ArcLengthInverse {
         }
     }
 
-    /// The t up to which the length is s; an end for an s beyond it.
+    /// The t up to which the arc length is s; 0 or 1 for an s outside the range.
     pub(crate) fn time(&self, s: f64) -> f64 {
         let Some(arc) = self.arc.as_ref().filter(|_| s > 0.0) else {
             return 0.0;
@@ -44,21 +44,21 @@ impl ArcLengthInverse {
         if s >= self.length {
             return 1.0;
         }
-        // A length may be infinite where its parts are not.
+        // The length may be infinite although the length in the table is finite.
         let part = s / self.length;
         arc.time(part.min(1.0) * self.in_table, self.slack)
     }
 }
 
 impl<P: Point> Curve<P> {
-    /// The t at which the curve has the length s behind it: the inverse of the length from 0 to t.
+    /// The parameter t at a given arc length s: the inverse of the length from 0 to t.
     ///
-    /// s runs from 0 to the whole length; outside of it the nearer end comes back: 0, or 1. Of a curve that is a point
-    /// it is 0. `tolerance` is the greatest error, as a length in the unit of the points; without one it is 10⁻¹² of the
-    /// whole length. By Newton's method on the rest of the length, kept inside of an interval that shrinks.
+    /// s runs from 0 to the whole length; outside this range the result is the nearer end, 0 or 1. For a curve that is
+    /// a point it is 0. `tolerance` is the maximum error, as a length in the unit of the points; the default is 10⁻¹²
+    /// of the whole length. The method is Newton's, safeguarded by bisection.
     ///
     /// # Errors
-    /// [`Error::Range`] for an s that is not finite; for a tolerance as [`length`](Self::length).
+    /// [`Error::Range`] for an s that is not finite; for a tolerance the same as [`length`](Self::length).
     pub fn time_at_length(&self, s: f64, tolerance: Option<f64>) -> Result<f64, Error> {
         check_length(s)?;
         if let Some(tolerance) = tolerance {
@@ -67,10 +67,10 @@ impl<P: Point> Curve<P> {
         Ok(ArcLengthInverse::new(self, tolerance).time(s))
     }
 
-    /// `segments` + 1 parameters that divide the curve into arcs of one length; the first is 0, the last 1.
+    /// `segments` + 1 parameters that divide the curve into segments of equal arc length; the first is 0, the last 1.
     ///
-    /// The arcs are equal to 10⁻¹² of the whole length. Of a curve that is a point: even steps of t. The work grows with
-    /// `segments` alone, the curve's table being made once.
+    /// The arc lengths are equal to within 10⁻¹² of the whole length. For a curve that is a point, the steps of t are
+    /// equal. The table of the curve is computed once, so the cost grows only with `segments`.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above 1 GiB of numbers.
@@ -92,7 +92,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// Refuses a length that is not finite.
+/// Returns an error for a length that is not finite.
 pub(crate) fn check_length(s: f64) -> Result<(), Error> {
     if s.is_finite() {
         return Ok(());

@@ -1,7 +1,8 @@
-//! How long is the curve?
+//! Arc length of a curve.
 //!
-//! The length is ∫ |B′(t)| dt. For lines and quadratics it has a closed form. Else Gauss–Legendre rules integrate the
-//! speed, which they do very well where it is smooth and badly where the curve all but stops; so the curve is cut there.
+//! The length is ∫ |B′(t)| dt. For lines and quadratics it has a closed form. For other curves, Gauss–Legendre rules
+//! integrate the speed. They converge fast where the speed is smooth and slowly where it is close to zero, so the curve
+//! is cut at the minima of the speed.
 
 use super::integral::ArcLengthTable;
 use crate::curve::Curve;
@@ -14,10 +15,12 @@ use casteljau_kernels::plane_cubic_length;
 impl<P: Point> Curve<P> {
     /// The length of the curve from t = 0 to 1.
     ///
-    /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, else by Gauss–Legendre rules on pieces that end where the
-    /// speed is least. It is right to 10⁻¹² of itself, at cusps and turn-backs too. `tolerance` is the greatest error, in
-    /// the unit of the points, and makes sense where it asks for more than that; below some roundings of the length
-    /// nothing gets better. At most 4096 intervals are looked at, of which moderate numbers need less than a tenth. A curve that is a point has length 0, exactly; beyond the range of f64 the length is infinite.
+    /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, otherwise by Gauss–Legendre rules on intervals that are
+    /// cut at the minima of the speed. The relative error is at most 10⁻¹², also for curves with cusps and reversals.
+    /// `tolerance` is the maximum error, in the unit of the points; it has an effect only if it is finer than the
+    /// default, and no accuracy is gained below some roundings of the length. At most 4096 intervals are integrated;
+    /// curves with moderate numbers need less than a tenth of them. A curve that is a point has length exactly 0;
+    /// beyond the range of f64 the length is infinite.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -28,7 +31,8 @@ impl<P: Point> Curve<P> {
     /// ```
     ///
     /// # Errors
-    /// For a tolerance: [`Error::Range`] unless it is above 0, [`Error::Tolerance`] below 4 ulps of the largest coordinate.
+    /// [`Error::Range`] for a tolerance that is not above 0, [`Error::Tolerance`] for one below 4 ulps of the largest
+    /// coordinate.
     ///
     /// Source: Gravesen, "Adaptive subdivision and the length and energy of Bézier curves", Computational Geometry 8
     /// (1997); Trefethen, *Approximation Theory and Approximation Practice*, ch. 19, for the error of the rules.
@@ -39,7 +43,7 @@ impl<P: Point> Curve<P> {
         Ok(self.arc_length(tolerance.unwrap_or(f64::INFINITY)))
     }
 
-    /// The same; the tolerance was checked before, and is infinite if there is none.
+    /// [`length`](Curve::length) for a tolerance that is already checked, or infinite if there is none.
     pub(crate) fn arc_length(&self, tolerance: f64) -> f64 {
         if let Some(points) = self.plane_cubic() {
             let length = plane_cubic_length(&points);
@@ -60,11 +64,11 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// What the kernel for plane cubics may be off, as a part of the length.
+/// Relative error bound of the kernel for plane cubics.
 const KERNEL_PART: f64 = 5e-13;
 
 impl<P: Point> Curve<P> {
-    /// The points of a cubic of the plane, or of space at z = 0.
+    /// The points of a cubic in the plane, or in space with z = 0.
     #[inline]
     fn plane_cubic(&self) -> Option<[[f64; 2]; 4]> {
         match *self.points {
@@ -76,10 +80,10 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The differences Pᵢ₊₁ − Pᵢ in a unit, a power of two, that makes the largest coordinate 1 to 2; the unit is 0 if all
-/// points coincide.
+/// The differences Pᵢ₊₁ − Pᵢ divided by a unit. The unit is the power of two that makes the largest coordinate 1 to 2;
+/// it is 0 if all points coincide.
 pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
-    // The distance of ±1e308 is no number; that of their halves is.
+    // The difference of ±1e308 overflows; that of their halves does not.
     let part = if max_abs(points) < 1e300 { 1.0 } else { 0.5 };
     let mut slopes: Points<P> = points
         .windows(2)
@@ -92,7 +96,7 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
     (slopes, unit / part)
 }
 
-/// The largest power of two that is not above x, but a normal number; 0 for 0.
+/// The largest power of two that is at most x, but at least the smallest normal number; 0 for 0.
 fn power_of_two(x: f64) -> f64 {
     if x == 0.0 {
         return 0.0;
@@ -100,16 +104,16 @@ fn power_of_two(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE)
 }
 
-/// 2 ∫ |d (1 − t) + e t| dt over [0, 1]: the length of the quadratic with these differences.
+/// 2 ∫ |d (1 − t) + e t| dt over [0, 1]: the length of the quadratic with the differences d and e.
 ///
-/// With a = |e − d|, h the distance of the line through d and e from 0, and s the place along it, from `s₀` at d to
-/// s₁ = s₀ + a at e, it is [s √(s² + h²) + h² arsinh(s/h)] / a. Both differences are taken without cancellation, so that
-/// neither a nearly even speed nor a turn-back (h = 0) does harm.
+/// With a = |e − d|, h the distance of the line through d and e from 0, and s the coordinate along it, from `s₀` at d
+/// to s₁ = s₀ + a at e, it is [s √(s² + h²) + h² arsinh(s/h)] / a. Both differences are computed without cancellation,
+/// so that the result is accurate for a nearly constant speed and for a reversal (h = 0).
 fn line_integral<P: Point>(d: P, e: P) -> f64 {
     let (r0, r1) = (d.length(), e.length());
     let chord = e - d;
     let a = chord.length();
-    // The speed is even but for the square of a.
+    // The speed is constant up to terms of a².
     if a <= 1e-9 * (r0 + r1) {
         return r0 + r1;
     }
@@ -123,11 +127,11 @@ fn line_integral<P: Point>(d: P, e: P) -> f64 {
     let [r0, r1] = [s0, s1].map(|s| (s * s + square).sqrt());
     let ratio = (s0 + s1) / (r0 + r1);
     let lengths = 0.5 * ((r0 + r1) + (s0 + s1) * ratio);
-    // Too near to the line to be seen, and to be known.
+    // h² is below rounding: its term is negligible, and its value is not known.
     if square < 1e-30 * r1 * r1 {
         return lengths;
     }
-    // (s₁ + r₁) / (s₀ + r₀) − 1; a negative s₀ would cancel.
+    // (s₁ + r₁) / (s₀ + r₀) − 1; the sum s₀ + r₀ would cancel for a negative s₀.
     let start = if s0 < 0.0 {
         square / (r0 - s0)
     } else {
@@ -136,8 +140,8 @@ fn line_integral<P: Point>(d: P, e: P) -> f64 {
     lengths + square * log_of_one_more(a * (1.0 + ratio) / start) / a
 }
 
-/// ln(1 + x) for x ≥ 0, to a few ulps also where x is small. Source: Goldberg, "What every computer scientist should
-/// know about floating-point arithmetic", ACM Computing Surveys 23 (1991), theorem 4.
+/// ln(1 + x) for x ≥ 0, accurate to a few ulps also for small x. Source: Goldberg, "What every computer scientist
+/// should know about floating-point arithmetic", ACM Computing Surveys 23 (1991), theorem 4.
 fn log_of_one_more(x: f64) -> f64 {
     let sum = 1.0 + x;
     if sum == 1.0 {

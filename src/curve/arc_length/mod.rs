@@ -1,4 +1,4 @@
-//! The length of a curve up to a parameter, and the parameter at a length.
+//! Arc length up to a parameter, and the parameter at a given arc length.
 
 pub(crate) mod integral;
 pub(crate) mod inverse;

@@ -1,8 +1,9 @@
-//! Flattening of a degree above 3 at a fine tolerance: cubics replace the curve first.
+//! Replacement of a curve of degree above 3 by cubics, for flattening at fine tolerances.
 //!
-//! The cubic with the same ends and end derivatives differs from a piece of the curve by at most max |B⁗| / 384, where
-//! the piece is run through in unit time. Where a cubic that is close enough spans many chords, measuring the chords on
-//! the cubic is some fifty times faster than on the curve itself. The vertices are points of the curve all the same.
+//! The cubic with the same end points and end derivatives differs from a segment of the curve by at most max |B⁗| /
+//! 384, where the segment is parametrized over unit time. If a sufficiently close cubic spans many chords, measuring
+//! the chords on the cubic is about fifty times faster than on the curve itself. The vertices are still points of the
+//! curve.
 
 use crate::curve::Curve;
 use crate::geometry::error::Error;
@@ -10,22 +11,23 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use glam::DVec3;
 
-/// A cubic differs from the curve by at most this part of the tolerance.
+/// A cubic may differ from the curve by at most this part of the tolerance.
 const ERROR_PART: f64 = 1.0 / 32.0;
 
-/// What remains for the chords: the curve is as far from the cubic at a vertex and between vertices.
+/// The part of the tolerance that remains for chords; the error of the cubic counts twice, at a vertex and between
+/// vertices.
 const CHORD_PART: f64 = 1.0 - 2.0 * ERROR_PART;
 
-/// With this many chords on each cubic the additional vertices at the cubics' ends are few.
+/// With at least this many chords on each cubic, the additional vertices at the ends of cubics are few.
 const MIN_CHORDS: f64 = 24.0;
 
-/// The most cubics that are tried.
+/// Maximum number of cubics.
 const MAX_CUBICS: usize = 1 << 16;
 
-/// Halvings after which a piece is a point but for rounding.
+/// Halvings after which a segment is a point up to rounding.
 const MAX_HALVINGS: u32 = 48;
 
-/// A cubic in the place of a piece of a curve.
+/// A cubic that replaces a segment of a curve.
 pub(crate) struct CubicPiece {
     /// Its control points.
     pub(crate) points: [DVec3; 4],
@@ -34,8 +36,8 @@ pub(crate) struct CubicPiece {
     pub(crate) to: f64,
 }
 
-/// A piece of the curve, with its fourth differences as parts of the whole curve's: those of the piece's own points would
-/// be only rounding.
+/// A segment of the curve. `fourth` is the fourth derivative, subdivided from that of the whole curve, because fourth
+/// differences of the segment's own control points would be only rounding.
 struct Piece {
     curve: Curve<DVec3>,
     fourth: Curve<DVec3>,
@@ -43,7 +45,7 @@ struct Piece {
     from: f64,
 }
 
-/// Cubics in the place of a curve, and the tolerance for chords on them; `None` where chords on the curve itself are few.
+/// Cubics that replace a curve, and the tolerance for chords on them; `None` if there are few chords for each cubic.
 ///
 /// # Errors
 /// [`Error::TooMany`] above 2¹⁶ cubics.
@@ -94,14 +96,14 @@ impl Piece {
         (-f64::from(self.halvings)).exp2()
     }
 
-    /// A bound on the distance from the cubic, point by point.
+    /// A bound on the distance between the segment and its cubic at equal parameters.
     fn error(&self) -> f64 {
         let length = |p: &DVec3| Point::length(*p);
         let max = self.fourth.control_points().iter().map(length);
         max.fold(0.0, f64::max) * self.length().powi(4) / 384.0
     }
 
-    /// The cubic with the same ends and derivatives there.
+    /// The cubic with the same end points and end derivatives.
     fn cubic(&self) -> CubicPiece {
         let p = self.curve.control_points();
         let n = p.len() - 1;
@@ -144,7 +146,8 @@ impl Piece {
     }
 }
 
-/// About how many chords a cubic needs: even steps of a second derivative D are within D/(8 N²) of the curve.
+/// Estimate of the number of chords of a cubic: with a second derivative D, N equal steps are within D/(8 N²) of the
+/// curve.
 fn chord_count(p: &[DVec3; 4], tolerance: f64) -> f64 {
     let second = |i: usize| Point::length(p[i + 2] - p[i + 1] * 2.0 + p[i]);
     let bend = 3.0 * (second(0) + second(1));

@@ -1,12 +1,13 @@
-//! How far is a piece of a quadratic or cubic from its chord?
+//! Deviation of a segment of a quadratic or cubic from its chord.
 //!
-//! Let B(t₀ + τ) = B(t₀) + D₁τ + D₂τ² + D₃τ³. Crossed with its chord of step h, the piece is, with s = τ/h,
+//! Let B(t₀ + τ) = B(t₀) + D₁τ + D₂τ² + D₃τ³. With s = τ/h, the cross product of the segment with its chord of step h
+//! is
 //!
 //!   h³ s (1 − s) [ (a + bh) + s h (b + ch) ],   a = D₁×D₂, b = D₁×D₃, c = D₂×D₃:
 //!
 //! s(1−s) times a linear function. Divided by the length of the chord, h|u| with u = D₁ + hD₂ + h²D₃, it is the
-//! distance from the chord's line, whose maximum has a closed form. Where the piece runs past the ends of its chord,
-//! the overshoot counts too.
+//! distance from the line of the chord, whose maximum has a closed form. Where the segment extends past the ends of its
+//! chord, the overshoot is included.
 
 use super::deviation::{Deviation, Fraction, fourth_root};
 use crate::bernstein::roots::roots_inside;
@@ -15,17 +16,17 @@ use crate::geometry::point::{CrossProduct, Point};
 /// 16 · 0.92: h⁴ |D₁×D₂|² / |D₁|² for a parabola that uses 0.92 of the squared tolerance.
 const AIMED_BEND: f64 = 14.7;
 
-/// When no more chords than these are left by the guess, the whole rest is tried first.
+/// If the guess leaves at most this many chords, the whole rest is tried first.
 const FEW_CHORDS: f64 = 3.0;
 
-/// (chord / speed)² below which the chord of a loop is only rounding and has no direction.
+/// The value of (chord / speed)² below which the chord of a loop is only rounding and has no direction.
 const CLOSED_RATIO: f64 = 1e-20;
 
 /// [`Deviation`] of a curve of degree 1 to 3.
 pub(crate) struct CubicDeviation<P: Point> {
     /// The Taylor coefficients at t = 0.
     taylor: [P; 3],
-    /// The same at the current start, with their cross products.
+    /// The Taylor coefficients at the current start, and their cross products.
     d: [P; 3],
     a: P::CrossProduct,
     b: P::CrossProduct,
@@ -34,7 +35,7 @@ pub(crate) struct CubicDeviation<P: Point> {
 }
 
 impl<P: Point> CubicDeviation<P> {
-    /// `points`: 2 to 4 control points of moderate size.
+    /// Expects 2 to 4 control points of moderate size.
     pub(crate) fn new(points: &[P], tolerance: f64) -> Self {
         let taylor = match *points {
             [p0, p1] => [p1 - p0, P::default(), P::default()],
@@ -57,7 +58,7 @@ impl<P: Point> CubicDeviation<P> {
         }
     }
 
-    /// The square of the greatest distance from the chord's line, times |u|².
+    /// The square of the maximum distance from the line of the chord, times |u|².
     #[inline]
     fn across_squared(&self, h: f64) -> f64 {
         let first = self.a + self.b * h;
@@ -66,7 +67,8 @@ impl<P: Point> CubicDeviation<P> {
         square * square * greatest_squared(first, last)
     }
 
-    /// The whole deviation, as a part of the tolerance and squared, of a piece that may run past the ends of its chord.
+    /// The squared total deviation, in squares of the tolerance, of a segment that may extend past the ends of its
+    /// chord.
     fn squared_past_ends(&self, h: f64, u: P, end: P) -> f64 {
         let d1 = self.d[0];
         let length = u.dot(u);
@@ -74,12 +76,12 @@ impl<P: Point> CubicDeviation<P> {
             let across = self.across_squared(h) / length;
             return (across + self.overshoot_squared(h, u)) * self.per_squared_tolerance;
         }
-        // The chord is next to nothing; the piece is no farther from it than its control points.
+        // The chord is negligible; the distance of the segment is at most that of its control points.
         let farthest = (d1.length() / 3.0).max((u - end * (1.0 / 3.0)).length()) * h;
         farthest * farthest * self.per_squared_tolerance
     }
 
-    /// The overshoot past the ends of the chord, squared.
+    /// The squared overshoot past the ends of the chord.
     fn overshoot_squared(&self, h: f64, u: P) -> f64 {
         let [d1, d2, d3] = self.d;
         let direction = u.normalize_or_zero();
@@ -90,7 +92,7 @@ impl<P: Point> CubicDeviation<P> {
         );
         let length = a + b + c;
         let along = |s: f64| ((c * s + b) * s + a) * s;
-        // B′ along the chord in Bernstein form.
+        // The component of B′ along the chord in Bernstein form.
         let turns = roots_inside(&[a, a + b, a + 2.0 * b + 3.0 * c]);
         turns
             .iter()
@@ -119,7 +121,7 @@ impl<P: Point> Deviation for CubicDeviation<P> {
         let end = d1 + (d2 * 2.0 + d3 * (3.0 * h)) * h;
         let length = u.dot(u);
         let (along_start, along_end) = (d1.dot(u), end.dot(u));
-        // The inner control points project into the chord: then so does the piece.
+        // If the inner control points project into the chord, the segment does so too.
         let inside =
             along_start.min(along_end) >= 0.0 && along_start.max(along_end) <= 3.0 * length;
         if inside && length > 0.0 {
@@ -136,7 +138,7 @@ impl<P: Point> Deviation for CubicDeviation<P> {
 
     #[inline]
     fn guess(&self, expected: f64) -> f64 {
-        // About the middle of the step the piece is nearly a parabola: h²|D₁×D₂| / (4|D₁|) is the tolerance.
+        // Around the middle of the step the segment is nearly a parabola: h²|D₁×D₂| / (4|D₁|) equals the tolerance.
         let [d1, d2, d3] = self.d;
         let x = 0.5 * expected;
         let bend = d2 + d3 * (3.0 * x);
@@ -166,9 +168,10 @@ impl<P: Point> Deviation for CubicDeviation<P> {
 
 /// The square of the maximum over [0, 1] of |s(1−s)((1−s)·first + s·last)|, or up to 1.5 % more.
 ///
-/// Where the two point the same way, K(E(|first|² + |last|²) + 2M first·last) bounds it without a root: each
-/// s²(1−s)²|…|² is linear in the three products, so it is enough that the bound holds for orthogonal vectors, where E
-/// is the maximum, and for parallel ones, where M makes it exact for equal vectors and K is the largest ratio.
+/// If the two vectors have a non-negative scalar product, K(E(|first|² + |last|²) + 2M first·last) bounds it without a
+/// square root: each s²(1−s)²|…|² is linear in the three products, so it is sufficient that the bound holds for
+/// orthogonal vectors, where E is the maximum, and for parallel ones, where M makes it exact for equal vectors and K is
+/// the largest ratio.
 #[inline]
 pub(crate) fn greatest_squared<C: CrossProduct>(first: C, last: C) -> f64 {
     const E: f64 = LOBE_OF_ONE_END * LOBE_OF_ONE_END;
@@ -181,7 +184,7 @@ pub(crate) fn greatest_squared<C: CrossProduct>(first: C, last: C) -> f64 {
     greatest_squared_of_opposed(first, last)
 }
 
-/// The same for vectors that point against each other, as about an inflection: exact for parallel ones.
+/// [`greatest_squared`] for vectors with a negative scalar product, as around an inflection; exact for parallel ones.
 fn greatest_squared_of_opposed<C: CrossProduct>(first: C, last: C) -> f64 {
     let (large, small) = if first.size_squared() >= last.size_squared() {
         (first, last)

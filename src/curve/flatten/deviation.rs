@@ -1,19 +1,19 @@
-//! What flattening asks of a curve: how far a piece deviates from its chord.
+//! The interface between flattening and the deviation of a curve from its chords.
 
-/// What the walk asks of a curve.
+/// The deviation of a segment of a curve from its chord.
 pub(crate) trait Deviation {
     /// Prepares for chords that start at `t`.
     fn start_at(&mut self, t: f64);
-    /// (greatest distance of the piece from its chord / tolerance)², or a close upper bound, for a step `h`.
+    /// (maximum distance of the segment from its chord / tolerance)², or a close upper bound, for a step `h`.
     fn squared(&mut self, h: f64) -> Fraction;
-    /// About how long a step may be, a first idea being given (0 at the start).
+    /// An estimate of the step length, from a first guess (0 at the start).
     fn guess(&self, last: f64) -> f64;
-    /// The first step to try where one of about `guess` is expected. It may be longer: a curve may bend away and come
-    /// back to a chord that is much longer than the longest one that fails.
+    /// The first step to try if a step of about `guess` is expected. It may be longer: a curve may bend away and return
+    /// to a chord that is much longer than the longest one that fails.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64;
 }
 
-/// A number not yet divided: most chords are kept without its value.
+/// An undivided fraction: for most chords the comparison needs no division.
 #[derive(Clone, Copy)]
 pub(crate) struct Fraction {
     pub(crate) over: f64,
@@ -27,8 +27,8 @@ impl Fraction {
     }
 }
 
-/// (a/b)^¼, since the squared deviation grows with h⁴: near 1 its Padé approximant, else within reason. NaN, of an
-/// overflow, shrinks.
+/// (a/b)^¼, because the squared deviation grows with h⁴: near 1 by its Padé approximant, otherwise clamped to [0.01,
+/// 4]. NaN, after an overflow, gives 0.01.
 #[inline]
 pub(crate) fn fourth_root(a: f64, b: f64) -> f64 {
     if b > 0.25 * a && b < 4.0 * a {

@@ -1,8 +1,8 @@
-//! How far is a piece of a curve of any degree from its chord?
+//! Deviation of a segment of a curve of any degree from its chord.
 //!
-//! Relative to its chord a piece has control points fᵢ with f₀ = fₙ = 0, so it is s(1−s) Σ gᵢ Bᵢⁿ⁻²(s) with
-//! gᵢ = n(n−1) / ((i+1)(n−1−i)) · fᵢ₊₁. As the piece gets shorter the gᵢ approach a linear function; the bound is the
-//! exact maximum for that linear function plus what the gᵢ differ from it.
+//! Relative to the chord, a segment has control points fᵢ with f₀ = fₙ = 0, so it is s(1−s) Σ gᵢ Bᵢⁿ⁻²(s) with gᵢ =
+//! n(n−1) / ((i+1)(n−1−i)) · fᵢ₊₁. As the segment gets shorter, the gᵢ approach a linear function; the bound is the
+//! exact maximum for that linear function plus the deviation of the gᵢ from it.
 
 use super::cubic_deviation::greatest_squared;
 use super::deviation::{Deviation, Fraction};
@@ -15,7 +15,7 @@ use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec3;
 
-/// After four, the bound of a parabola is 0.4 % above its height.
+/// After four halvings the bound of a parabola is 0.4 % above its height.
 const MAX_HALVINGS: usize = 4;
 
 /// [`Deviation`] of a curve of degree 2 to 64.
@@ -28,7 +28,7 @@ pub(crate) struct PieceDeviation {
 }
 
 impl PieceDeviation {
-    /// `points`: control points of moderate size. Those of the plane are looked at in space: one code for both.
+    /// Expects control points of moderate size. Plane points are converted to space, so that the code is compiled once.
     pub(crate) fn new(points: Points<DVec3>, tolerance: f64) -> Self {
         Self {
             start: 0.0,
@@ -38,7 +38,7 @@ impl PieceDeviation {
         }
     }
 
-    /// The greatest distance of the piece from the line through its chord; `direction` has length 1.
+    /// An upper bound on the distance of the segment from the line through its chord; `direction` has length 1.
     fn across(&self, piece: &[DVec3], direction: DVec3) -> f64 {
         let distances: Points<DVec3> = piece
             .iter()
@@ -54,7 +54,7 @@ impl PieceDeviation {
         }
     }
 
-    /// Whether one of a few points of the piece is farther from its chord than the tolerance: a quick no.
+    /// Quick test: whether one of three points of the segment is farther from its chord than the tolerance.
     fn leaves_chord(&self, h: f64) -> bool {
         let at = |part: f64| evaluate(&self.points, (self.start + h * part).min(1.0)) - self.from;
         let direction = Point::normalize_or_zero(at(1.0));
@@ -63,7 +63,7 @@ impl PieceDeviation {
             .any(|&part| Point::length(direction.cross(at(part))) > self.tolerance)
     }
 
-    /// How far the piece runs past the ends of its chord.
+    /// The overshoot of the segment past the ends of its chord.
     fn overshoot(piece: &[DVec3], direction: DVec3, length: f64) -> f64 {
         let along: Scalars = piece
             .iter()
@@ -81,7 +81,7 @@ impl PieceDeviation {
     }
 }
 
-/// A bound on Σ fᵢ Bᵢ(s) with f₀ = fₙ = 0, which is the closer the nearer the curve is to a cubic.
+/// A bound on Σ fᵢ Bᵢ(s) with f₀ = fₙ = 0; the closer the curve is to a cubic, the tighter the bound.
 fn nearly_cubic_bound(f: &[DVec3]) -> f64 {
     let n = f.len() - 1;
     let bend = |i: usize| f[i + 1] * ratio(n * (n - 1), (i + 1) * (n - 1 - i));
@@ -91,7 +91,8 @@ fn nearly_cubic_bound(f: &[DVec3]) -> f64 {
     greatest_squared(first, last).sqrt() + 0.25 * (1..n - 1).map(beside_linear).fold(0.0, f64::max)
 }
 
-/// The greatest control point after some halvings; each brings it four times nearer to the curve.
+/// The largest control point after some halvings; each halving brings the control points four times closer to the
+/// curve.
 fn halved_bound(f: &[DVec3], halvings: usize) -> f64 {
     if halvings == 0 {
         return f.iter().map(|&p| Point::length(p)).fold(0.0, f64::max);
@@ -134,14 +135,14 @@ impl Deviation for PieceDeviation {
         if expected > 0.0 {
             return expected;
         }
-        // The whole curve's second differences, as if they were those of the start.
+        // The second differences of the whole curve, as an estimate for the start.
         let n = ratio(self.points.len() - 1, 1);
         let second = |w: &[DVec3]| Point::length((w[2] - w[1]) - (w[1] - w[0]));
         let bend = self.points.windows(3).map(second).fold(0.0, f64::max) * n * (n - 1.0);
         (8.0 * self.tolerance / bend).sqrt().min(1.0)
     }
 
-    /// A curve of a high degree may come back more than once: from the whole rest down.
+    /// A curve of high degree may return to its chord more than once, so steps are tried from the whole rest downwards.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
         let mut h = rest;
         while h > 2.0 * guess && (self.leaves_chord(h) || !self.squared(h).bounded_by(1.0)) {

@@ -1,10 +1,10 @@
-//! Which polyline is close enough?
+//! Flattening: approximation of a curve by a polyline.
 //!
-//! Flattening replaces a curve by chords. A tolerance promises that no point of the curve is farther from the
-//! polyline than that; it costs about √(size / tolerance) chords. The walk here takes, from each vertex, a chord that
-//! is nearly as long as the tolerance allows: the greatest distance of the piece from its chord is known in closed
-//! form up to degree 3 (see `deviation`) and bounded closely above (see `flatten_any`), so a guess is corrected
-//! once or twice and then kept. Uneven curvature, inflections, cusps and turn-backs need no cases of their own.
+//! Flattening replaces a curve by chords. The tolerance is the maximum distance of any point of the curve from the
+//! polyline; the number of chords is about √(size / tolerance). The algorithm takes, from each vertex, a chord that is
+//! nearly as long as the tolerance allows. The maximum distance of the curve segment from its chord is known in closed
+//! form up to degree 3 (see `deviation`) and has a close bound above (see `high_degree`), so a guessed step is
+//! corrected once or twice and then accepted. Uneven curvature, inflections, cusps and reversals need no special cases.
 
 mod as_cubics;
 mod cubic_deviation;
@@ -22,25 +22,26 @@ use deviation::{Deviation, Fraction, fourth_root};
 use glam::DVec3;
 use high_degree::PieceDeviation;
 
-/// The most vertices that flattening returns.
+/// Maximum number of vertices that flattening returns.
 pub(crate) const MAX_VERTICES: usize = 1 << 24;
 
-/// A chord is kept when its squared deviation, as a part of the squared tolerance, is at least this: chords grow with
-/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as could be. A correction aims
-/// a little below the tolerance.
+/// A chord is accepted if its squared deviation, as a part of the squared tolerance, is at least this. Chords grow with
+/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as necessary. A correction aims
+/// slightly below the tolerance.
 const KEPT_FROM: f64 = 0.72;
 const AIMED_AT: f64 = 0.92;
 
-/// Corrections of one chord before the best safe one is taken.
+/// Maximum number of corrections of one chord; after them the longest safe step is taken.
 const MAX_CORRECTIONS: usize = 8;
 
-/// Steps of the rule that forecasts the number of chords.
+/// Steps of the midpoint rule that estimates the number of chords.
 const FORECAST_STEPS: usize = 1024;
 
-/// Outside of this range of coordinates, squares of products leave the range of f64 and a scaled copy is measured.
+/// Outside this range of coordinates, squares of products leave the range of f64, and a scaled copy of the curve is
+/// used.
 const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
 
-/// A polyline on a curve.
+/// A polyline that approximates a curve.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -48,27 +49,28 @@ const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
     serde(rename_all = "camelCase")
 )]
 pub struct Polyline<P> {
-    /// The vertices: the curve's start, points of the curve, its end.
+    /// The vertices: the start of the curve, points of the curve, its end.
     pub points: Vec<P>,
-    /// The parameters of the vertices: 0, increasing, 1.
+    /// The parameters of the vertices, increasing from 0 to 1.
     pub ts: Vec<f64>,
 }
 
 impl<P: Point> Curve<P> {
-    /// A polyline from which the curve is nowhere farther than `tolerance`, in the input's unit.
+    /// A polyline whose distance from every point of the curve is at most `tolerance`, in the unit of the input.
     ///
-    /// The number of chords is at most one more, or a tenth more, than the fewest by longest-chord search. The first
-    /// and the last vertex are the end points; where a straight curve turns back there is a vertex (unless a vertex
-    /// lies within the tolerance of it). A curve that is a point gives that point twice. Source of the distance: the
-    /// cubic relative to its chord is s(1−s) times a linear function; see Filip, Magedson and Markot, "Surface
-    /// algorithms using bounds on derivatives", CAGD 3 (1986), for bounds of this kind.
+    /// The number of chords is at most one more, or a tenth more, than the minimum by longest-chord search. The first
+    /// and the last vertex are the end points. Where a straight curve reverses there is a vertex (unless another vertex
+    /// lies within the tolerance). A curve that is a point gives that point twice. Source of the distance: the cubic
+    /// relative to its chord is s(1−s) times a linear function; see Filip, Magedson and Markot, "Surface algorithms
+    /// using bounds on derivatives", CAGD 3 (1986), for bounds of this kind.
     ///
     /// # Errors
-    /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] where more than 2²⁴ vertices are to be expected (a forecast, right to some per cent).
+    /// [`Error::Range`] for a tolerance that is not above 0, [`Error::Tolerance`] for one below 4 ulps of the largest
+    /// coordinate, [`Error::TooMany`] if more than 2²⁴ vertices are expected (an estimate, accurate to some per cent).
     ///
-    /// Cost: up to degree 3 some 50 ns for each vertex. Above, n² steps for each piece that a cubic replaces, and the same
-    /// for each vertex; where the tolerance is so coarse that cubics bring nothing, some 20 n² steps for each vertex.
+    /// Cost: up to degree 3 about 50 ns for each vertex. Above degree 3, n² steps for each segment that a cubic
+    /// replaces, and n² for each vertex; if the tolerance is so coarse that replacement by cubics does not pay, about
+    /// 20 n² steps for each vertex.
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
         let mut line = Polyline::default();
@@ -79,22 +81,23 @@ impl<P: Point> Curve<P> {
         Ok(line)
     }
 
-    /// As [`flatten`](Self::flatten), handing each vertex to `vertex` instead of collecting them.
+    /// Same as [`flatten`](Self::flatten), but passes each vertex to `vertex` instead of collecting them.
     ///
     /// # Errors
-    /// As `flatten`, all before the first vertex.
+    /// Same as `flatten`, all before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
         self.walk(tolerance, MAX_VERTICES, vertex)
     }
 
-    /// Refuses what would fail, before anything is allocated.
+    /// Returns an error before anything is allocated.
     fn check_flatten(&self, tolerance: f64) -> Result<(), Error> {
         check_tolerance(tolerance, self.max_abs())?;
         check_vertices(|| std::iter::once(self.clone()), tolerance)
     }
 
-    /// As [`flatten`](Self::flatten) with a lower limit on the number of vertices, for a tolerance that was checked.
+    /// Same as [`flatten`](Self::flatten) with a lower limit on the number of vertices, for a tolerance that is already
+    /// checked.
     pub(crate) fn flatten_within(
         &self,
         tolerance: f64,
@@ -109,8 +112,8 @@ impl<P: Point> Curve<P> {
         Ok(line)
     }
 
-    /// About how many chords a fine tolerance needs: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint rule; to some
-    /// per cent.
+    /// Estimate of the number of chords at a fine tolerance: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint
+    /// rule; accurate to some per cent.
     fn expected_chords(&self, tolerance: f64) -> f64 {
         let size = self.max_abs();
         let scaled: crate::numeric::list::Points<P> =
@@ -148,7 +151,7 @@ impl<P: Point> Curve<P> {
             return Ok(());
         }
         let mut inside = |t: f64| vertex(t, if t == 1.0 { self.end() } else { self.eval(t) });
-        // Rounding of a vertex takes its share of the tolerance first.
+        // Reserve a part of the tolerance for the rounding of vertices.
         let budget = tolerance - 2.0 * ulp(size);
         if plain {
             walk_points(&self.points, budget, limit, &mut inside)
@@ -159,8 +162,8 @@ impl<P: Point> Curve<P> {
         }
     }
 
-    /// Whether some control point is farther than a distance from the line through the ends: a quick answer to whether a
-    /// curve is straight, which may be no where the ends are close.
+    /// Whether some control point is farther than a distance from the line through the end points. This is a quick test
+    /// that a curve is not straight; it may fail to detect it if the end points are close.
     fn deviates_by(&self, distance: f64) -> bool {
         let start = self.start();
         let chord = self.end() - start;
@@ -170,9 +173,9 @@ impl<P: Point> Curve<P> {
             .any(|&p| chord.cross(p - start).size_squared() > min)
     }
 
-    /// The parameters at which a straight curve turns back, or `None` for a curve that is not straight.
+    /// The parameters at which a straight curve reverses, or `None` for a curve that is not straight.
     fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
-        // Rounding of points on a line, and of this test: up to 8 ulps. It takes its share of the tolerance.
+        // Rounding of points on a line, and of this test, is up to 8 ulps; it is subtracted from the tolerance.
         let noise = (8.0 * ulp(self.max_abs())).min(0.5 * tolerance);
         let tolerance = tolerance - noise;
         let (start, end) = (self.start(), self.end());
@@ -189,14 +192,14 @@ impl<P: Point> Curve<P> {
         if self.points.iter().any(|&p| across(p) > noise) {
             return None;
         }
-        // Along the line only one coordinate is needed: the one that varies most.
+        // Along the line only the coordinate that varies most is needed.
         let axis = (0..P::DIMENSION).max_by(|&a, &b| {
             direction
                 .coordinate(a)
                 .abs()
                 .total_cmp(&direction.coordinate(b).abs())
         })?;
-        // Each turn that is left out lies within the tolerance of the end of its own chord.
+        // Each reversal that is left out lies within the tolerance of an end of its chord.
         let mut turns = self.extrema_on(axis).to_vec();
         let near = |t: f64, p: P| (self.eval(t) - p).length() <= tolerance;
         while turns.last().is_some_and(|&t| near(t, end)) {
@@ -214,7 +217,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// Refuses to flatten curves together where more vertices are to be expected than the limit allows.
+/// Returns an error if flattening all curves is expected to give more vertices than the limit.
 pub(crate) fn check_vertices<P: Point, I: Iterator<Item = Curve<P>>>(
     curves: impl Fn() -> I,
     tolerance: f64,
@@ -227,7 +230,8 @@ fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
     tolerance: f64,
     limit: usize,
 ) -> Result<(), Error> {
-    // √(n(n−1)/8 · |Δ²P| / tolerance) even steps are enough (Wang, 1984), and |Δ²P| ≤ 4√3 size: often far too many.
+    // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
+    // large overestimate.
     let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
     let max = limit as f64;
     if curves().map(enough).sum::<f64>() <= max
@@ -279,7 +283,7 @@ fn walk_points<P: Point>(
     Ok(())
 }
 
-/// From vertex to vertex until t = 1; `left` is the number of vertices still allowed.
+/// Advances from vertex to vertex until t = 1; `left` is the number of vertices still allowed.
 fn walk_chords(
     deviation: &mut impl Deviation,
     left: &mut usize,
@@ -291,7 +295,7 @@ fn walk_chords(
     while *left > 0 {
         *left -= 1;
         let rest = 1.0 - t;
-        // The change of the last two steps goes on, within reason.
+        // Extrapolate the ratio of the last two steps, within limits.
         let expected = step * (step / previous).clamp(0.6, 1.6);
         previous = step;
         step = longest_step(deviation, deviation.guess(expected), rest);
@@ -311,7 +315,7 @@ fn walk_chords(
     })
 }
 
-/// A step that keeps the tolerance and uses most of it, or the whole rest.
+/// A step that respects the tolerance and uses most of it, or the whole rest.
 #[inline]
 fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
     let h = deviation.first_try(guess, rest);
@@ -322,7 +326,7 @@ fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
     corrected_step(deviation, h, squared, rest)
 }
 
-/// The same after a first step `h` that was too long or too short.
+/// [`longest_step`] after a first step `h` that was too long or too short.
 fn corrected_step(
     deviation: &mut impl Deviation,
     mut h: f64,

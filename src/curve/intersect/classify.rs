@@ -1,4 +1,4 @@
-//! What is an interval of contact?
+//! Classification of contact intervals as crossings, tangencies or overlaps.
 
 use super::super::Curve;
 use super::contact_interval::ContactInterval;
@@ -10,24 +10,26 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
 
-/// An end is looked for this near to a parameter.
+/// Maximum difference of a parameter from an end to which it is snapped.
 const NEAR_END: f64 = 1e-5;
 
-/// A shared piece is longer than this many times what rounding may move; a shorter one is a point.
+/// An overlap is longer than this many times the slack; a shorter one is a point.
 const MIN_OVERLAP: f64 = 64.0;
 
-/// The ends of a shared piece are closer together than this many times the slack. Heights up to four times the slack count
-/// as contact, in an axis that may be oblique to the coordinates (√2); rounding of the parameters adds up to two.
+/// The two points at an end of an overlap are closer together than this many times the slack. Heights up to four times
+/// the slack count as contact, in an axis that may be oblique to the coordinates (√2); rounding of the parameters adds
+/// up to a factor of two.
 const SHARED_END: f64 = 8.0;
 
-/// Two crossings in one interval are two if they are farther apart than this.
+/// Two crossings in one interval are distinct if they are farther apart than this.
 const TWO_CROSSINGS: f64 = 1e-10;
 
-/// Directions closer than this are equal where rounding hides them: next to cusps, 1e-8 from which they turn by as much.
+/// Directions closer than this count as equal where rounding hides the difference: at a distance of 1e-8 from a cusp,
+/// directions change by as much.
 const HIDDEN_TURN: f64 = 1e-6;
 
 impl NormalizedPair {
-    /// Says what an interval is.
+    /// Appends the intersections of an interval with their kinds.
     pub(crate) fn classify(
         &self,
         interval: &ContactInterval,
@@ -62,7 +64,7 @@ impl NormalizedPair {
                 locations.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
             }
             [Some((t, u)), _] | [None, Some((t, u))] => locations.push((t, u, self.kind(t, u))),
-            // A contact of higher order, or a cusp, that Newton's method does not sharpen.
+            // A contact of higher order, or a cusp, that Newton's method does not refine.
             [None, None] => {
                 let (t, u) = self.opposite(middle.0, middle.1);
                 if self.one((t, u)) {
@@ -72,7 +74,7 @@ impl NormalizedPair {
         }
     }
 
-    /// The same place, at an end where only rounding keeps it from it.
+    /// Moves each parameter to an end of its curve if only rounding separates the two points.
     pub(crate) fn snapped(&self, (t, u): (f64, f64)) -> (f64, f64) {
         let snapped = |curve: usize, t: f64| {
             let end = t.round();
@@ -86,7 +88,8 @@ impl NormalizedPair {
         (snapped(0, t), snapped(1, u))
     }
 
-    /// The ends of an interval; of one too small to know its direction, as they are closer together.
+    /// The ends of an interval. If the interval is too small for a known direction, the pairing with the smaller
+    /// distances.
     fn paired(&self, interval: &ContactInterval) -> [(f64, f64); 2] {
         let ends = interval.ends();
         let crossed = [(ends[0].0, ends[1].1), (ends[1].0, ends[0].1)];
@@ -100,7 +103,7 @@ impl NormalizedPair {
         }
     }
 
-    /// A interval that has a length and ends where a curve does is a shared piece.
+    /// An interval is an overlap if it has a length and if each of its ends is at an end of a curve.
     fn overlap(&self, interval: &ContactInterval) -> Option<ClassifiedPoint> {
         if !(self.is_long(0, interval.t) && self.is_long(1, interval.u)) {
             return None;
@@ -115,7 +118,7 @@ impl NormalizedPair {
         shared.then_some((t, u, IntersectionKind::Overlap { t_end, u_end }))
     }
 
-    /// Whether a piece of a curve is longer than what rounding moves.
+    /// Whether a segment of a curve is longer than the effect of rounding.
     fn is_long(&self, curve: usize, [from, to]: [f64; 2]) -> bool {
         let points = &self.curves[curve];
         let start = evaluate(points, from);
@@ -125,7 +128,8 @@ impl NormalizedPair {
         })
     }
 
-    /// A place where a curve ends, made exact on the other; `None` where no end of a curve lies on the other curve.
+    /// The intersection at an end of a curve, refined on the other curve; `None` if no end of a curve lies on the other
+    /// curve.
     fn at_end(&self, interval: &ContactInterval, location: (f64, f64)) -> Option<(f64, f64)> {
         let both = |&(t, u): &(f64, f64)| self.ends(0).contains(&t) && self.ends(1).contains(&u);
         let met = |&(t, u): &(f64, f64)| self.apart(t, u) <= SHARED_END * self.slack;
@@ -136,10 +140,10 @@ impl NormalizedPair {
         all.find(met)
     }
 
-    /// Candidates for the place that corresponds to an end of a curve, which is at `t` or at `u`.
+    /// Candidates for the intersection at an end of a curve, which is at `t` or at `u`.
     ///
-    /// The interval may be longer than the shared piece: where both curves are straight, gaps between contacts are not
-    /// seen. So the search for the nearest place on the other curve starts also at both ends of the interval.
+    /// The interval may be longer than the overlap: where both curves are straight, gaps between contacts are not
+    /// detected. So the search for the nearest point on the other curve also starts at both ends of the interval.
     fn opposite_ends(&self, interval: &ContactInterval, (t, u): (f64, f64)) -> Vec<(f64, f64)> {
         let (t_ends, u_ends) = (self.ends(0), self.ends(1));
         let inside = |x: &f64, [from, to]: [f64; 2]| *x >= from && *x <= to;
@@ -157,7 +161,7 @@ impl NormalizedPair {
         locations
     }
 
-    /// Where a curve starts, ends or stops.
+    /// The parameters of the start, the end and the stops of a curve.
     fn ends(&self, curve: usize) -> Scalars {
         self.stops[curve]
             .iter()
@@ -166,7 +170,7 @@ impl NormalizedPair {
             .collect()
     }
 
-    /// A place of the interval where a curve ends: both if there is one.
+    /// An intersection in the interval at an end of a curve; preferably at ends of both curves.
     fn end_in(&self, interval: &ContactInterval) -> Option<(f64, f64)> {
         let within = |curve: usize, [from, to]: [f64; 2]| -> Scalars {
             let inside = |&t: &f64| t >= from && t <= to;
@@ -185,7 +189,7 @@ impl NormalizedPair {
             .find(|&location| self.one(location))
     }
 
-    /// Tangent where the directions differ by no more than rounding can turn them.
+    /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.
     pub(crate) fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];

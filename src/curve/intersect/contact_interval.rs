@@ -1,4 +1,4 @@
-//! Contacts that belong together.
+//! Contact intervals: contacts that belong together, joined.
 
 use super::pair::NormalizedPair;
 use crate::bernstein::evaluate::evaluate;
@@ -6,40 +6,41 @@ use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 use casteljau_kernels::Contact;
 
-/// Gaps between contacts that are looked into; what is farther apart in either parameter is another place.
+/// Largest gap between contacts that may be joined, in either parameter.
 const LARGEST_GAP: f64 = 0.05;
 
-/// Parameters so close are one for sure: some roundings.
+/// Parameters this close are equal; some roundings.
 const SAME: f64 = 1e-13;
 
-/// A curve that turns back farther from both ends of a gap than this, in slacks, leaves the other curve there: shared
-/// pieces longer than this are told from points.
+/// If a curve reverses at a point farther than this, in slacks, from both ends of a gap, it leaves the other curve
+/// there. Overlaps longer than this are distinguished from points.
 const TURN_BACK: f64 = 64.0;
 
-/// A crossing that two pieces share is found by both, with some roundings between.
+/// A crossing at a common end of two segments is found in both, with a difference of some roundings.
 const ONE_CROSSING: f64 = 1e-12;
 
-/// The ends of contacts correspond only roughly, so the boxes of the pieces between them are widened by their size and this.
+/// The ends of contacts correspond only roughly, so the boxes of the segments between them are widened by their size
+/// and this.
 const BOX_MARGIN: f64 = 1e-6;
 
-/// A stretch on which two curves cannot be told apart.
+/// A parameter interval on which two curves cannot be distinguished.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactInterval {
     pub(crate) t: [f64; 2],
-    /// The least and the greatest parameter on the second curve.
+    /// The smallest and the largest parameter on the second curve.
     pub(crate) u: [f64; 2],
-    /// 1 where u grows with t, −1 where it falls, 0 where it is not known.
+    /// 1 if u increases with t, −1 if it decreases, 0 if unknown.
     pub(crate) direction: f64,
-    /// It is nothing but one crossing.
+    /// Whether the interval is only one crossing.
     pub(crate) crossing: bool,
-    /// The last contact that was joined to it.
+    /// The last contact that was joined to the interval.
     last: Contact,
 }
 
 impl ContactInterval {
     fn new(contact: Contact) -> Self {
         let [u0, u1] = contact.u;
-        // A box of a few roundings says nothing of a direction.
+        // A box of the size of some roundings does not define a direction.
         let wide = contact.t[1] - contact.t[0] > 1e-6;
         Self {
             t: contact.t,
@@ -50,7 +51,7 @@ impl ContactInterval {
         }
     }
 
-    /// Both ends, u in the order of t.
+    /// Both ends, with u in the order of t.
     pub(crate) fn ends(&self) -> [(f64, f64); 2] {
         let [u0, u1] = self.u;
         if self.direction < 0.0 {
@@ -60,7 +61,7 @@ impl ContactInterval {
         }
     }
 
-    /// Whether a place is in it, give or take its width.
+    /// Whether an intersection lies in the interval, widened by its width on each side.
     pub(crate) fn holds(&self, (t, u): (f64, f64)) -> bool {
         let within = |[from, to]: [f64; 2], x: f64| {
             let margin = (to - from) + 1e-7;
@@ -69,7 +70,8 @@ impl ContactInterval {
         within(self.t, t) && within(self.u, u)
     }
 
-    /// The parameters on the second curve where it starts and ends; all of them where its direction is not known.
+    /// The ranges of the parameter on the second curve at the start and at the end; the whole range if the direction is
+    /// unknown.
     fn edges(&self) -> [[f64; 2]; 2] {
         let [u0, u1] = self.u;
         if self.direction == 0.0 {
@@ -79,7 +81,7 @@ impl ContactInterval {
         }
     }
 
-    /// Whether a contact that starts later is a part or the continuation of this one.
+    /// Whether a contact that starts later is a part or a continuation of this one.
     fn takes(&self, pair: &NormalizedPair, next: &ContactInterval) -> bool {
         if self.direction * next.direction < 0.0 {
             return false;
@@ -91,7 +93,7 @@ impl ContactInterval {
             ..
         } = self.last;
         if t < last_t[1] - SAME {
-            // Within it: at the place that corresponds?
+            // Inside the last contact: compare with the corresponding parameter.
             let width = last_u[1] - last_u[0];
             let expected_u = last_u[0] + width * (t - last_t[0]) / (last_t[1] - last_t[0]);
             return distance([expected_u, expected_u], start).abs() <= 0.01 * width * width + 1e-7;
@@ -129,8 +131,8 @@ impl ContactInterval {
 }
 
 impl NormalizedPair {
-    /// Whether a curve moves away between two parameters and turns back. Heights do not show that where both curves run
-    /// along one line: the height is measured from the tangent.
+    /// Whether a curve moves away between two parameters and turns back. If both curves lie on one line, heights do not
+    /// show this, because the height is measured from the tangent.
     fn turns_back(&self, curve: usize, from: f64, to: f64) -> bool {
         let points = &self.curves[curve];
         let away = |stop: f64, t: f64| {
@@ -144,12 +146,12 @@ impl NormalizedPair {
     }
 }
 
-/// How far the second interval lies above the first; 0 where they meet.
+/// The signed gap from the first interval to the second; 0 if they overlap.
 fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
     (second[0] - first[1]).max(0.0) + (second[1] - first[0]).min(0.0)
 }
 
-/// The contacts in order, joined where they belong together.
+/// Sorts the contacts and joins those that belong together.
 pub(crate) fn joined(pair: &NormalizedPair, mut contacts: Vec<Contact>) -> Vec<ContactInterval> {
     sort_by(&mut contacts, |p, q| {
         p.t[0].total_cmp(&q.t[0]).then(p.u[0].total_cmp(&q.u[0]))

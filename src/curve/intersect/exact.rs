@@ -1,5 +1,5 @@
-//! Last looks at the places that two curves share: ends and stops that meet are met exactly, what rounding makes several
-//! places is one, and two lines are judged by their ends.
+//! Final corrections of intersections: makes intersections at ends and stops exact, merges intersections that rounding
+//! separates, and handles pairs of lines.
 
 use super::intersection::IntersectionKind;
 use super::near::taylor;
@@ -8,28 +8,28 @@ use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
 
-/// Places closer than this, at size 1, are one where an end or a stop lies between them.
+/// Intersections closer than this, at size 1, are one if an end or a stop lies between them.
 const SAME_POINT: f64 = 1e-8;
 
-/// And no farther apart than this in the parameter.
+/// The largest parameter difference of such intersections.
 const NEARBY: f64 = 1e-4;
 
-/// Gaps that are looked into, in either parameter.
+/// Largest gap that is examined, in either parameter.
 const LARGEST_GAP: f64 = 0.05;
 
-/// Heights up to so many times the slack are none: those of both curves, and their difference.
+/// Heights up to this many times the slack count as 0: the slack of both curves, and of their difference.
 const NO_HEIGHT: f64 = 4.0;
 
-/// A shared piece of two lines is longer than this many times the slack.
+/// An overlap of two lines is longer than this many times the slack.
 const MIN_OVERLAP: f64 = 64.0;
 
 impl NormalizedPair {
-    /// Whether both are lines with a length.
+    /// Whether both curves are lines of non-zero length.
     pub(crate) fn is_of_lines(&self) -> bool {
         self.curves.iter().all(|c| c.len() == 2 && c[0] != c[1])
     }
 
-    /// What two lines share. Wherever they run along each other an end lies on the other line.
+    /// The intersections of two lines. If they overlap, the ends of the overlap are ends of the lines.
     pub(crate) fn lines(&self) -> Vec<ClassifiedPoint> {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
@@ -53,7 +53,7 @@ impl NormalizedPair {
                 let (t_end, u_end) = last;
                 return vec![(first.0, first.1, IntersectionKind::Overlap { t_end, u_end })];
             }
-            // Where both ends meet, that is the place.
+            // Prefer an intersection at ends of both lines.
             let both = |&(t, u): &(f64, f64)| t.fract() == 0.0 && u.fract() == 0.0;
             let (t, u) = ends.iter().copied().find(both).unwrap_or(first);
             return vec![(t, u, self.kind(t, u))];
@@ -64,8 +64,8 @@ impl NormalizedPair {
             .collect()
     }
 
-    /// Where two lines cross: the ends of each lie on both sides of the other. What is left of nearly parallel ones where
-    /// rounding decides is no place.
+    /// The crossing of two lines: the ends of each lie on both sides of the other. A crossing of nearly parallel lines
+    /// whose points do not agree up to rounding is discarded.
     fn lines_crossing(&self) -> Option<(f64, f64)> {
         let part = |line: usize| {
             let (ours, other) = (&self.curves[line], &self.curves[1 - line]);
@@ -80,7 +80,7 @@ impl NormalizedPair {
             .find(|&location| self.one(location))
     }
 
-    /// The place where an end of the other line is nearest to a line, `curve`.
+    /// The parameters of an end of the other line and of its nearest point on the line `curve`.
     fn foot(&self, curve: usize, end: f64) -> (f64, f64) {
         let line = &self.curves[curve];
         let along = line[1] - line[0];
@@ -93,7 +93,7 @@ impl NormalizedPair {
         }
     }
 
-    /// The same places with those at ends and stops exact, and each once.
+    /// The intersections with exact parameters at ends and stops, and without duplicates.
     pub(crate) fn exact(&self, mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
         if self.curves.iter().any(|c| c.iter().all(|&p| p == c[0])) {
             return locations; // a point has no ends of its own
@@ -115,8 +115,8 @@ impl NormalizedPair {
         locations
     }
 
-    /// Moves the places next to a stop to the stop. Each of them is looked at once: the place that replaces it may lie too
-    /// far from it on the other curve to take it away.
+    /// Moves the intersections next to a stop to the stop. Each of them is processed once: the replacement may be too
+    /// far from it on the other curve to remove it.
     fn merge_at_stop(&self, locations: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
         let near = |location: &&ClassifiedPoint| {
             is_point(location) && self.is_next_to(curve, location, stop)
@@ -134,7 +134,7 @@ impl NormalizedPair {
         }
     }
 
-    /// Whether a place is not at a parameter of a curve, but next to it.
+    /// Whether the parameter of an intersection on a curve is next to a given one, but not equal.
     fn is_next_to(&self, curve: usize, location: &ClassifiedPoint, at: f64) -> bool {
         let t = if curve == 0 { location.0 } else { location.1 };
         t != at && self.is_near(curve, t, at)
@@ -149,8 +149,8 @@ impl NormalizedPair {
                 <= SAME_POINT
     }
 
-    /// Puts one place where others are next to it; with `always` also where none is, unless a shared piece ends there.
-    /// Whether it replaced any.
+    /// Replaces the intersections next to (t, u) by one at (t, u). With `always`, inserts it even if none is near,
+    /// unless an overlap ends there. Returns whether any were replaced.
     fn merge(
         &self,
         locations: &mut Vec<ClassifiedPoint>,
@@ -163,7 +163,7 @@ impl NormalizedPair {
             let IntersectionKind::Overlap { t_end, u_end } = &mut location.2 else {
                 continue;
             };
-            // A shared piece that is as short as that keeps its two ends.
+            // An overlap that is shorter than the distance keeps its two ends.
             if near(location.0, location.1) && *t_end > t && *u_end != u {
                 (location.0, location.1, ends_piece) = (t, u, true);
             } else if near(*t_end, *u_end) && location.0 < t && location.1 != u {
@@ -180,7 +180,8 @@ impl NormalizedPair {
         replaced
     }
 
-    /// Crossings between which nothing but rounding keeps the curves apart are one, or a touch if both sides are the same.
+    /// Merges consecutive crossings between which the curves are separated only by rounding. The result is a crossing,
+    /// or a tangency if the curves are on the same side before and after.
     fn one_crossing_each(&self, locations: &mut Vec<ClassifiedPoint>) {
         let mut k = 1;
         let mut first = 0;
@@ -205,8 +206,9 @@ impl NormalizedPair {
         }
     }
 
-    /// A place amid two others between which the curves are as one. Where they run at different paces, as next to a
-    /// turn-back, equal shares of both parameters are no place: then that of one curve is looked for, from the other's.
+    /// An intersection between two others, if the curves coincide between them. If the curves have different speeds, as
+    /// next to a reversal, the mean parameters may not match; then the nearest point of one curve to the other's is
+    /// used.
     fn between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> (f64, f64) {
         let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
         if self.one(middle) {
@@ -223,7 +225,7 @@ impl NormalizedPair {
 
     fn is_continued(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> bool {
         let (gap_t, gap_u) = (q.0 - p.0, q.1 - p.1);
-        // A place that a curve passes twice is two.
+        // A point that a curve passes twice gives two intersections.
         let [a, _] = &self.curves;
         let same = (evaluate(a, p.0) - evaluate(a, q.0)).abs().max_element() <= self.slack;
         is_crossing(&p)
@@ -236,7 +238,7 @@ impl NormalizedPair {
             })
     }
 
-    /// Where the sides before and after differ, a crossing.
+    /// A crossing if the sides before and after differ, otherwise a tangency.
     fn kind_between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> IntersectionKind {
         let (before, after) = (self.side(p, p.0 - q.0), self.side(q, q.0 - p.0));
         if before * after > 0.0 {
@@ -246,7 +248,8 @@ impl NormalizedPair {
         }
     }
 
-    /// On which side of the second curve the first one is, some way from a place; 0 where it ends before that shows.
+    /// The side of the second curve on which the first one is, at some distance from an intersection; 0 if the curve
+    /// ends before the distance exceeds rounding.
     fn side(&self, (t, u, _): ClassifiedPoint, mut step: f64) -> f64 {
         loop {
             step *= 2.0;

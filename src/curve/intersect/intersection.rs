@@ -1,8 +1,8 @@
-//! What intersections of curves are reported as.
+//! The result types of curve intersection.
 
 use glam::DVec2;
 
-/// A place that two curves share.
+/// An intersection of two curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -10,17 +10,17 @@ use glam::DVec2;
     serde(rename_all = "camelCase")
 )]
 pub struct Intersection {
-    /// The parameter on the first curve; of an overlap that of its start.
+    /// The parameter on the first curve; for an overlap, of its start.
     pub t: f64,
-    /// The parameter on the second curve at the same place.
+    /// The parameter on the second curve.
     pub u: f64,
-    /// The point.
+    /// The point of intersection.
     pub point: DVec2,
-    /// How they meet.
+    /// The kind of the intersection.
     pub kind: IntersectionKind,
 }
 
-/// How two curves meet.
+/// The kind of an intersection of two curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -28,15 +28,17 @@ pub struct Intersection {
     serde(rename_all = "kebab-case", rename_all_fields = "camelCase")
 )]
 pub enum IntersectionKind {
-    /// At an angle. An end that lies on the other curve is of this kind too, and a curve that is a point.
+    /// The curves cross at an angle. An end point that lies on the other curve also has this kind, and so has a curve
+    /// that is a point.
     Cross,
-    /// With the same direction or the opposite one.
+    /// The curves have the same or opposite directions.
     Tangent,
-    /// They share a piece, from (t, u) to this place; u runs backwards where the curves do so against each other.
+    /// The curves share a segment from (t, u) to (`t_end`, `u_end`). u decreases if the curves have opposite
+    /// directions.
     Overlap {
-        /// The parameter on the first curve at its end.
+        /// The parameter on the first curve at the end of the overlap.
         t_end: f64,
-        /// The parameter on the second curve there.
+        /// The parameter on the second curve at the end of the overlap.
         u_end: f64,
     },
 }
@@ -49,9 +51,9 @@ pub enum IntersectionKind {
     serde(rename_all = "camelCase")
 )]
 pub struct SelfIntersection {
-    /// The parameter of the first time.
+    /// The parameter of the first pass.
     pub t: f64,
-    /// The parameter of the second time; t < u.
+    /// The parameter of the second pass; t < u.
     pub u: f64,
     /// The point.
     pub point: DVec2,

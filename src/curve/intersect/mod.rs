@@ -1,9 +1,9 @@
-//! Where do two curves meet?
+//! Intersections of two curves.
 //!
-//! [`pair`] moves both curves to the origin and to size 1, so that one small distance, the slack, says what rounding may
-//! have moved. The search in `kernels/src/clipping` cuts the curves down to crossings and to zones of contact; [`interval`] joins
-//! what belongs together and [`classify`] says what an interval is: a tangency, a shared piece, or crossings too close for the
-//! search.
+//! [`pair`] moves both curves to the origin and scales them to size 1, so that one small distance, the slack, bounds
+//! the effect of rounding. The search in `kernels/src/clipping` cuts the curves down to crossings and to intervals of
+//! contact; [`contact_interval`] joins contacts that belong together, and [`classify`] decides what an interval is: a
+//! tangency, an overlap, or crossings that are too close for the search.
 
 mod classify;
 mod contact_interval;
@@ -22,21 +22,21 @@ use glam::DVec2;
 use pair::NormalizedPair;
 
 impl Curve<DVec2> {
-    /// All places that this curve shares with another one, sorted by t, then by u.
+    /// All intersections of this curve with another one, sorted by t, then by u.
     ///
-    /// A(t) = B(u) with t and u in [0, 1]; ends count. Each place comes once for each pair of parameters: where a curve
-    /// passes a point twice, two. A shared piece is one [`IntersectionKind::Overlap`] with its two ends.
+    /// A(t) = B(u) with t and u in [0, 1], end points included. There is one entry for each pair of parameters: two
+    /// where a curve passes a point twice. A shared segment is one [`IntersectionKind::Overlap`] with its two ends.
     ///
-    /// Curves count as meeting where they are closer than rounding can tell: some (n + 2)·1e-15 of the largest coordinate,
-    /// n being the higher degree, also where the curves are small and far from the origin. So two crossings closer
-    /// together than about 1e-8 of the curves' size come back as one tangency. A(t) and B(u) are at most 64 (n + 2) ulps of
-    /// the largest coordinate apart.
+    /// Curves intersect where their distance is below rounding: about (n + 2)·1e-15 of the largest coordinate, where n
+    /// is the higher degree, also if the curves are small and far from the origin. So two crossings closer together
+    /// than about 1e-8 of the size of the curves are reported as one tangency. A(t) and B(u) are at most 64 (n + 2)
+    /// ulps of the largest coordinate apart.
     ///
-    /// At most 4096 pairs of pieces are looked at, and 256 more for each degree above 3, at a cost of the square of the
-    /// degree each. Only curves that rounding makes hard to tell apart on long stretches need more: what is undecided then
-    /// is not cut any further, and each such pair of pieces counts as one place at most.
+    /// The search processes at most 4096 pairs of segments, and 256 more for each degree above 3; the cost of each is
+    /// the square of the degree. Only curves that nearly coincide over long ranges need more. After the limit,
+    /// undecided pairs of segments are not cut any further, and each of them gives at most one intersection.
     ///
-    /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for what crosses.
+    /// Source: Sederberg and Nishita, "Curve intersection using Bézier clipping", CAD 22 (1990), for crossings.
     pub fn intersections(&self, other: &Self) -> Vec<Intersection> {
         NormalizedPair::new(&self.points, &other.points)
             .map_or_else(Vec::new, |pair| pair.solve(self, other))

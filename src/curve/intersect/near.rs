@@ -1,4 +1,4 @@
-//! Distances between two curves, and the places where they are least.
+//! Distances between two curves, and local searches for nearest points, crossings and tangencies.
 
 use super::pair::NormalizedPair;
 use crate::bernstein::casteljau::blossom_piece;
@@ -10,29 +10,30 @@ use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use glam::DVec2;
 
-/// Newton's method goes halfway, or a little more, to a contact of higher order with each step.
+/// At a contact of higher order each step of Newton's method halves the error, or does slightly better.
 const TANGENCY_STEPS: usize = 60;
 
-/// From a place nearby it ends much sooner.
+/// From a good starting point, Newton's method for crossings ends much sooner.
 const CROSSING_STEPS: usize = 20;
 
 /// The search for a nearest point may halve its steps.
 const NEAREST_STEPS: usize = 40;
 
-/// A step below this changes nothing: some roundings of a parameter.
+/// A smaller step changes nothing: some roundings of a parameter.
 const LAST_STEP: f64 = 1e-15;
 
-/// Directions closer than this are equal but for rounding.
+/// Directions closer than this are equal up to rounding.
 const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
-/// Points of a shared piece are outside of its box by no more than this many times the slack: four times as a contact,
-/// twice that for an end.
+/// Points of an overlap lie outside its box by at most this many times the slack: four times for a contact, twice that
+/// for an end.
 const SAME_BOX: f64 = 8.0;
 
-/// A piece is divided into so many parts to compare it with a box.
+/// Number of parts of a segment for the comparison with a box.
 const BOX_SAMPLES: usize = 8;
 
-/// What is left of the angle where a contact of higher order is met as well as it can be.
+/// The largest sine of the angle between the directions at a contact of higher order after Newton's method has
+/// converged.
 const NEARLY_PARALLEL: f64 = 1e-7;
 
 /// The point and the first two derivatives.
@@ -53,12 +54,12 @@ fn differences(points: &[DVec2]) -> Points<DVec2> {
 }
 
 impl NormalizedPair {
-    /// The distance between two points, by the larger coordinate.
+    /// The distance between A(t) and B(u) in the maximum norm.
     pub(crate) fn apart(&self, t: f64, u: f64) -> f64 {
         (evaluate(&self.curves[0], t) - evaluate(&self.curves[1], u)).max_abs()
     }
 
-    /// Whether two points are one but for rounding.
+    /// Whether the points A(t) and B(u) are equal up to rounding.
     pub(crate) fn one(&self, (t, u): (f64, f64)) -> bool {
         self.apart(t, u) <= 2.0 * self.slack
     }
@@ -74,8 +75,8 @@ impl NormalizedPair {
         }
     }
 
-    /// Whether points of each piece lie in the box of the other one's control points, as they do if the pieces are the same.
-    /// `margin` says by how much the boxes are widened, given their size.
+    /// Whether points of each segment lie in the box of the other one's control points, as they do if the segments are
+    /// the same. `margin` is the amount by which a box is widened, as a function of its size.
     pub(crate) fn have_equal_boxes(
         &self,
         t: [f64; 2],
@@ -96,15 +97,15 @@ impl NormalizedPair {
         inside(0, t, 1, u) && inside(1, u, 0, t)
     }
 
-    /// The box of the control points of a piece; its ends may be in any order.
+    /// The box of the control points of a segment; its ends may be in any order.
     fn bounds_of(&self, curve: usize, [from, to]: [f64; 2]) -> Bounds<DVec2> {
         let mut piece = Points::from(&self.curves[curve][..]);
         blossom_piece(&mut piece, from.min(to), from.max(to));
         Curve::from_points(piece).control_bounds()
     }
 
-    /// The parameter on one curve that is nearest to a point, from a parameter nearby. Steps that lead farther away are
-    /// halved.
+    /// The parameter on one curve that is nearest to a point, found from a nearby parameter. Steps that increase the
+    /// distance are halved.
     pub(crate) fn nearest(&self, curve: usize, point: DVec2, near: f64) -> f64 {
         let (mut best, mut min) = (near, f64::INFINITY);
         let mut t = near;
@@ -120,7 +121,7 @@ impl NormalizedPair {
                 continue;
             }
             (best, min) = (t, distance);
-            // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, else a step along the tangent.
+            // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, otherwise a step along the tangent.
             let bend = d.length_squared() + gap.dot(dd);
             let slope = if bend > 0.5 * d.length_squared() {
                 bend
@@ -136,17 +137,17 @@ impl NormalizedPair {
         best
     }
 
-    /// The place on the second curve that is nearest to A(t).
+    /// The parameters of A(t) and of the nearest point on the second curve.
     pub(crate) fn opposite(&self, t: f64, u: f64) -> (f64, f64) {
         (t, self.nearest(1, evaluate(&self.curves[0], t), u))
     }
 
-    /// The place on the first curve that is nearest to B(u).
+    /// The parameters of B(u) and of the nearest point on the first curve.
     pub(crate) fn across(&self, t: f64, u: f64) -> (f64, f64) {
         (self.nearest(0, evaluate(&self.curves[1], u), t), u)
     }
 
-    /// The crossing that Newton's method finds from here.
+    /// The crossing to which Newton's method converges from here.
     pub(crate) fn crossing(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
         for _ in 0..CROSSING_STEPS {
             let [a, da, _] = taylor(&self.curves[0], t);
@@ -164,7 +165,8 @@ impl NormalizedPair {
         Some((t, u)).filter(|&location| self.one(location))
     }
 
-    /// Where both have the same direction and are nearest to each other: A′ × B′ = 0 and (A − B) · A′ = 0.
+    /// The tangency near the given parameters, where both curves have the same direction and are nearest to each other:
+    /// A′ × B′ = 0 and (A − B) · A′ = 0.
     pub(crate) fn tangency(&self, (mut t, mut u): (f64, f64)) -> Option<(f64, f64)> {
         for _ in 0..TANGENCY_STEPS {
             let [a, da, dda] = taylor(&self.curves[0], t);
@@ -173,7 +175,7 @@ impl NormalizedPair {
             if turn.abs() <= PARALLEL * Point::length(da) * Point::length(db)
                 && ahead.abs() <= self.slack * Point::length(da)
             {
-                // A root that is not simple is not to be had nearer.
+                // A multiple root cannot be determined more accurately.
                 break;
             }
             let (turn_t, turn_u) = (dda.perp_dot(db), da.perp_dot(ddb));

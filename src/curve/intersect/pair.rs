@@ -1,4 +1,4 @@
-//! Two curves made comparable.
+//! Normalization of a pair of curves to a common origin and size 1.
 
 use super::intersection::IntersectionKind;
 use super::pieces::stops;
@@ -8,31 +8,32 @@ use casteljau_kernels as kernels;
 use casteljau_kernels::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
 
-/// Pairs of pieces that are looked at, and so many more for each degree above 3: more than ten times what 999 of 1000
-/// curves of moderate numbers need, also where one of them is nearly the other.
+/// Maximum number of pairs of segments: a fixed number, and an additional one for each degree above 3. This is more
+/// than ten times what 999 of 1000 curves with moderate numbers need, also if one of them nearly coincides with the
+/// other.
 const MAX_PAIRS: usize = 4096;
 const MAX_PAIRS_PER_DEGREE: usize = 256;
 
-/// The rounding of a coordinate of the input, which moves a curve by up to one ulp in each coordinate of both curves.
+/// The rounding of an input coordinate: up to one ulp in each coordinate of both curves.
 const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// What evaluating and cutting adds at size 1, for each degree.
+/// Rounding of evaluation and subdivision at size 1, for each degree.
 const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// A place by its parameters, and what it is.
+/// The parameters of an intersection, and its kind.
 pub(crate) type ClassifiedPoint = (f64, f64, IntersectionKind);
 
-/// Two curves moved to the origin and scaled to size 1.
+/// Two curves translated to the origin and scaled to size 1.
 pub(crate) struct NormalizedPair {
     pub(crate) curves: [Points<DVec2>; 2],
-    /// Points closer than this are one point.
+    /// Points closer than this are equal.
     pub(crate) slack: f64,
-    /// Where they stop: cusps, and where a straight curve turns back.
+    /// Parameters where the derivative vanishes: cusps, and reversals of a straight curve.
     pub(crate) stops: [Scalars; 2],
 }
 
 impl NormalizedPair {
-    /// `None` where the boxes of the control points are apart.
+    /// `None` if the boxes of the control points do not overlap.
     pub(crate) fn new(a: &[DVec2], b: &[DVec2]) -> Option<Self> {
         let (min_a, max_a) = corners(a);
         let (min_b, max_b) = corners(b);
@@ -43,7 +44,7 @@ impl NormalizedPair {
         if gap.max_element() > nearest {
             return None;
         }
-        // Halves, so that no difference overflows; powers of two, so that nothing is rounded.
+        // Halved, so that no difference overflows; powers of two, so that nothing is rounded.
         let unit = power_of_two(largest);
         let origin = a[0] * unit;
         let spread = ((max * unit - origin).abs())
@@ -63,7 +64,7 @@ impl NormalizedPair {
         })
     }
 
-    /// The contacts of some pieces with some others, in no order; the pieces lie between cuts.
+    /// The contacts of the given pairs of segments, unsorted; the segments lie between cuts.
     pub(crate) fn search(
         &self,
         cuts_a: &[f64],
@@ -105,7 +106,7 @@ fn corners(points: &[DVec2]) -> (DVec2, DVec2) {
         })
 }
 
-/// 2ᵏ so that x · 2ᵏ is in [½, 1); for the largest numbers up to 4, for the smallest below.
+/// 2ᵏ so that x · 2ᵏ is in [½, 1); up to 4 for the largest numbers, below ½ for the smallest.
 fn power_of_two(x: f64) -> f64 {
     if x == 0.0 {
         return 1.0;
@@ -139,7 +140,7 @@ fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {
     }
 }
 
-/// The curve in a higher degree.
+/// The curve elevated to a given degree.
 fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
     let mut points = Points::from(points);
     while points.len() <= degree {
@@ -158,7 +159,7 @@ fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
     }
 }
 
-/// By insertion: the lists are short, or nearly in order.
+/// Insertion sort: the lists are short, or nearly sorted.
 pub(crate) fn sort(
     locations: &mut [ClassifiedPoint],
     before: impl Fn(&ClassifiedPoint, &ClassifiedPoint) -> bool,

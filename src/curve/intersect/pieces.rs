@@ -1,4 +1,4 @@
-//! Pieces that do not turn back.
+//! Zeros of the derivative, and segments without reversals.
 
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
@@ -7,16 +7,16 @@ use crate::numeric::list::{Points, Scalars};
 use crate::numeric::sort::sort_by;
 use glam::DVec2;
 
-/// The derivative vanishes where it is below this part of its largest coefficient: a root is known to some roundings.
+/// The derivative counts as zero below this part of its largest coefficient: a root is accurate to some roundings.
 const VANISHING_RATIO: f64 = 1e-12;
 
-/// A resultant above this part of what it could be is not 0: far above its rounding.
+/// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
 const NEVER_RATIO: f64 = 1e-9;
 
-/// Parameters closer than this are one: what is left of a double root.
+/// Parameters closer than this are one: the accuracy of a double root.
 const ONE_ROOT: f64 = 1e-7;
 
-/// The parameters inside (0, 1) where the derivative vanishes: cusps, and where a straight curve turns back.
+/// The parameters inside (0, 1) where the derivative vanishes: cusps, and reversals of a straight curve.
 pub(crate) fn stops(points: &[DVec2]) -> Scalars {
     let mut found = Scalars::new();
     if runs_forward(points) || never_stops(points) {
@@ -34,8 +34,8 @@ pub(crate) fn stops(points: &[DVec2]) -> Scalars {
     found
 }
 
-/// Whether the derivative of a quadratic or a cubic vanishes nowhere, for sure: the resultant of its coordinates, in
-/// cross products of the control edges, is not 0.
+/// Whether the derivative of a quadratic or a cubic certainly vanishes nowhere: the resultant of its coordinates,
+/// computed from cross products of the control edges, is not 0.
 fn never_stops(points: &[DVec2]) -> bool {
     let edge = |i: usize| points[i + 1] - points[i];
     let (resultant, size) = match points.len() {
@@ -52,13 +52,13 @@ fn never_stops(points: &[DVec2]) -> bool {
     resultant.abs() > NEVER_RATIO * size.abs()
 }
 
-/// Whether no control edge runs against the chord: then the curve passes no point twice.
+/// Whether no control edge points against the chord; then the curve passes no point twice.
 pub(crate) fn runs_forward(points: &[DVec2]) -> bool {
     let chord = points[points.len() - 1] - points[0];
     chord != DVec2::ZERO && points.windows(2).all(|p| (p[1] - p[0]).dot(chord) >= 0.0)
 }
 
-/// 0, some parameters, 1: the ends of the pieces between them.
+/// The given parameters with 0 and 1 added: the ends of the segments between them.
 pub(crate) fn with_ends(inside: &[f64]) -> Vec<f64> {
     let mut all = vec![0.0];
     all.extend(inside);

@@ -1,4 +1,4 @@
-//! Where does a curve meet itself?
+//! Self-intersections of a curve.
 
 use super::super::Curve;
 use super::intersection::{IntersectionKind, SelfIntersection};
@@ -10,23 +10,23 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use glam::DVec2;
 
-/// A loop shorter than this, in parameters, is a cusp but for rounding, from whose root the branches part with the third
-/// power.
+/// A loop shorter than this, in parameters, is a cusp up to rounding: next to a cusp the branches separate with the
+/// third power of the parameter.
 const MIN_LOOP: f64 = 2e-5;
 
-/// Halvings after which a piece that still turns back is left alone: a cusp is smaller than rounding then.
+/// Maximum depth of halving; a segment that still reverses then contains a cusp smaller than rounding.
 const HALVINGS: usize = 30;
 
 impl Curve<DVec2> {
     /// The points that the curve passes twice, sorted by t: B(t) = B(u) with 0 ≤ t < u ≤ 1.
     ///
-    /// Ends count: a closed curve passes its start again, t = 0 and u = 1. A point that it passes three times comes as
-    /// three pairs. A cusp is no such point, and neither is a piece that is run through again: the list holds single points
-    /// only, and a straight curve that turns back has none.
+    /// End points are included: a closed curve passes its start again, with t = 0 and u = 1. A point that the curve
+    /// passes three times gives three pairs. A cusp is not a self-intersection, nor is a segment that the curve passes
+    /// again: the list contains only isolated points, and a straight curve that reverses its direction has none.
     ///
-    /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) =
-    /// a(σ² − π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut where they turn,
-    /// and their pieces intersected, within the limit of [`intersections`](Self::intersections).
+    /// A cubic has at most one: with B = a t³ + b t² + c t + P₀ and σ = t + u, π = tu, (B(t) − B(u)) / (t − u) = a(σ² −
+    /// π) + bσ + c vanishes for σ = −(a×c)/(a×b) and σ² − π = (b×c)/(a×b). Other curves are cut into segments without
+    /// reversals, which are intersected with each other within the limit of [`intersections`](Self::intersections).
     pub fn self_intersections(&self) -> Vec<SelfIntersection> {
         if self.degree() < 3 || runs_forward(&self.points) {
             return Vec::new();
@@ -76,14 +76,14 @@ fn double_point(pair: &NormalizedPair) -> Option<(f64, f64)> {
     let spread = (4.0 * bc * ab - 3.0 * ac * ac).sqrt() / ab.abs();
     let middle = -0.5 * ac / ab;
     let (t, u) = (middle - 0.5 * spread, middle + 0.5 * spread);
-    // An end that rounding has moved out is still an end.
+    // An end that rounding has moved outside is still an end.
     let near = |t: f64| t > -MIN_LOOP && t < 1.0 + MIN_LOOP;
     (spread > MIN_LOOP && near(t) && near(u))
         .then(|| pair.crossing((t.clamp(0.0, 1.0), u.clamp(0.0, 1.0))))?
         .map(|location| pair.snapped(location))
 }
 
-/// The same for any degree.
+/// The self-intersections of a curve of any degree.
 fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     let mut cuts = vec![0.0];
     let mut from = 0.0;
@@ -107,7 +107,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     let pairs = (0..last).flat_map(|i| (i + 1..last).map(move |j| (i, j)));
     let pairs = pairs.filter(touch);
     let found = pair.search(&cuts, &cuts, pairs);
-    // The pieces before and after a cut meet there, which is no news; the caller leaves it out.
+    // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
         .filter(|location| !matches!(location.2, IntersectionKind::Overlap { .. }))
@@ -115,7 +115,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Cuts a piece until its parts run forward, and notes where they end.
+/// Cuts a segment until its parts have no reversals, and appends their ends.
 fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
     let mut piece = Points::from(&pair.curves[0][..]);
     blossom_piece(&mut piece, from, to);

@@ -1,4 +1,4 @@
-//! All intersections of a pair of curves: search, classification, one entry for each.
+//! The complete intersection of a pair of curves: search, classification, removal of duplicates.
 
 use super::super::Curve;
 use super::contact_interval::joined;
@@ -8,17 +8,17 @@ use super::pieces::with_ends;
 use casteljau_kernels as kernels;
 use glam::DVec2;
 
-/// Parameters so close are the same: a few roundings of numbers up to 1.
+/// Parameters this close are equal: a few roundings of numbers up to 1.
 const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
 
-/// A crossing that two pieces share is found by both, with some roundings between.
+/// A crossing at a common end of two segments is found in both, with a difference of some roundings.
 const SAME_POINT: f64 = 1e-10;
 
-/// A contact so near to an end of a shared piece is that end.
+/// A contact this close to an end of an overlap is that end.
 const ONE_END: f64 = 1e-7;
 
 impl NormalizedPair {
-    /// Everything that the curves share, in order.
+    /// All intersections of the curves, in order.
     pub(crate) fn solve(&self, a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<Intersection> {
         let locations = if self.is_of_lines() {
             self.lines()
@@ -48,7 +48,7 @@ impl NormalizedPair {
         }
     }
 
-    /// What the contacts are, in order.
+    /// The classified intersections of contacts, in order.
     pub(crate) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
         let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
@@ -69,7 +69,8 @@ impl NormalizedPair {
     }
 }
 
-/// Sorted by t, then by u, parameters that differ by rounding made one, and each place once.
+/// The intersections sorted by t, then by u, with parameters that differ by rounding made equal, and without
+/// duplicates.
 fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
     sort(&mut locations, |p, q| p.0 < q.0);
     for k in 1..locations.len() {
@@ -99,7 +100,7 @@ fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
     (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
 }
 
-/// Whether a place is an end of a shared piece.
+/// Whether an intersection is an end of an overlap.
 fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
@@ -109,7 +110,7 @@ fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     })
 }
 
-/// The point of both; where one of them ends there, its end as it was given.
+/// The point of the intersection; if a curve ends at it, the exact end point.
 fn point_at(a: &Curve<DVec2>, b: &Curve<DVec2>, t: f64, u: f64) -> DVec2 {
     if (u == 0.0 || u == 1.0) && t != 0.0 && t != 1.0 {
         b.eval(u)

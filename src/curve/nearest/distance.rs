@@ -1,8 +1,9 @@
-//! How far are two curves apart?
+//! Minimum distance of two curves.
 //!
-//! Two pieces are at least as far apart as their control points are along any direction: with the direction from one piece
-//! to the other, this bound misses the truth by the square of the pieces' length. So pairs of pieces that cannot be
-//! nearer than what was found are dropped, and the others halved. Newton's method finds the places exactly.
+//! The distance of two segments is at least the gap between their control points along any direction. With the
+//! direction from one segment to the other, the error of this lower bound is of second order in the length of the
+//! segments. Pairs of segments that cannot be nearer than the best distance found are dropped, and the others are
+//! halved. Newton's method finds the exact parameters.
 
 use super::{counted_parameter, unit_for};
 use crate::bernstein::evaluate::evaluate;
@@ -16,7 +17,7 @@ use casteljau_kernels::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Where two curves are nearest to each other.
+/// The minimum distance of two curves and the parameters where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -24,7 +25,7 @@ use std::collections::BinaryHeap;
     serde(rename_all = "camelCase")
 )]
 pub struct Distance {
-    /// The distance in the unit of the points; 0 where the curves meet.
+    /// The distance in the unit of the points; 0 if the curves intersect.
     pub distance: f64,
     /// The parameter on the first curve.
     pub t: f64,
@@ -32,29 +33,31 @@ pub struct Distance {
     pub u: f64,
 }
 
-/// Pairs of pieces that are looked at, at most. Only curves that all but keep their distance along a bend need more.
+/// Maximum number of pairs of segments. Only curves with a nearly constant distance along a bend need more.
 const MAX_PAIRS: usize = 1536;
 
-/// Pairs, steps of Newton's method and pieces of searches for nearest points, together at most.
+/// Maximum total of pairs, steps of Newton's method, and segments in searches for nearest points.
 const MAX_STEPS: usize = 16_384;
 
-/// How many places are looked from where curves run along each other.
+/// Number of parameters that are sampled if the distance of the curves is nearly constant.
 const ALONG: usize = 64;
 
-/// What a found distance may be too large by, relative to itself.
+/// Maximum relative error of a distance that is found.
 const ACCURACY: f64 = 1e-12;
 
-/// Steps of Newton's method; where the curves touch it gains one bit a step.
+/// Maximum number of steps of Newton's method in one descent; where the curves touch, each step gains one bit.
 const MAX_TOTAL_STEPS: usize = 60;
 
 impl<P: Point> Curve<P> {
-    /// The least distance between the points of two curves, and where: |A(t) − B(u)| for t and u in \[0, 1\], ends included.
+    /// The minimum distance of two curves and its parameters: the minimum of |A(t) − B(u)| for t and u in \[0, 1\], end
+    /// points included.
     ///
-    /// The least of all, not of a neighbourhood, to 10⁻¹² of itself or 2 (n + m + 2) ulps of the largest coordinate,
-    /// whichever is more; not above those ulps the curves meet and the distance is 0. Of several such places any one is
-    /// given. Points and straight curves are curves like others. Where curves run side by side in all but the same
-    /// distance, the search ends after 1536 pairs of pieces, or after 16384 steps that it counts (pairs, steps of Newton's
-    /// method, pieces in searches for nearest points), with the least distance seen.
+    /// It is the global minimum, not a local one. The error is at most 10⁻¹² of the distance or 2 (n + m + 2) ulps of
+    /// the largest coordinate, whichever is larger; a distance of at most those ulps counts as an intersection and is
+    /// 0. If the minimum occurs more than once, the result is any one of them. Points and straight curves are allowed.
+    /// For curves with a nearly constant distance, the search ends after 1536 pairs of segments, or after 16384 counted
+    /// steps (pairs, steps of Newton's method, segments in searches for nearest points), with the smallest distance
+    /// found.
     ///
     /// Source: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA 1998.
     ///
@@ -73,7 +76,7 @@ impl<P: Point> Curve<P> {
         let start = self.start() * unit;
         let about = |curve: &Self| curve.points.iter().map(|&p| p * unit - start).collect();
         let (a, b): (Points<P>, Points<P>) = (about(self), about(other));
-        // What a difference of two points may be off by, in ulps.
+        // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
         let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
         search.find_intersection();
@@ -81,7 +84,7 @@ impl<P: Point> Curve<P> {
             search.run();
         }
         let (t, u) = (search.t, search.u);
-        // Halves: the difference of ±1e308 would overflow.
+        // Halved, because the difference of ±1e308 would overflow.
         let distance = (self.eval(t) * 0.5 - other.eval(u) * 0.5).length() * 2.0;
         Distance {
             distance: if distance <= ulps * ulp(size) {
@@ -95,7 +98,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The pieces of a curve, as they are made: a tree of halves.
+/// The segments of a curve as a binary tree, created on demand.
 struct Pieces<P: Point>(Vec<Piece<P>>);
 
 struct Piece<P: Point> {
@@ -103,9 +106,9 @@ struct Piece<P: Point> {
     lo: f64,
     hi: f64,
     middle: P,
-    /// The greatest difference of a coordinate from the start.
+    /// The largest difference of a coordinate from the start.
     size: f64,
-    /// The index of the first half, the second follows; 0 before they are made.
+    /// The index of the first half, followed by the second; 0 before the halves are created.
     halves: usize,
 }
 
@@ -127,7 +130,7 @@ impl<P: Point> Piece<P> {
         0.5 * (self.lo + self.hi)
     }
 
-    /// The least and the greatest place along a direction.
+    /// The minimum and the maximum of the control points along a direction.
     fn along(&self, direction: P) -> (f64, f64) {
         let projections = self.points.iter().map(|&p| p.dot(direction));
         projections.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
@@ -135,13 +138,13 @@ impl<P: Point> Piece<P> {
         })
     }
 
-    /// The part of a vector that is perpendicular to the chord.
+    /// The component of a vector perpendicular to the chord.
     fn across(&self, vector: P) -> P {
         let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
         vector - chord * vector.dot(chord)
     }
 
-    /// A distance that no two points of the two pieces are below.
+    /// A lower bound on the distance of two segments.
     fn apart(&self, other: &Self) -> f64 {
         let vector = self.middle - other.middle;
         let bound = |vector: P| {
@@ -173,7 +176,7 @@ impl<P: Point> Pieces<P> {
     }
 }
 
-/// Something with a bound; the least bound comes first in a heap.
+/// An item with a lower bound; the smallest bound comes first in a heap.
 pub(crate) struct Apart<T> {
     pub(crate) min: f64,
     pub(crate) of: T,
@@ -201,7 +204,7 @@ impl<T> PartialOrd for Apart<T> {
     }
 }
 
-/// The search for the least distance of two curves, made about 1 in size.
+/// The search for the minimum distance of two curves that are scaled to a size of about 1.
 struct Search<'a, P: Point> {
     a: CurveWithDerivatives<'a, P>,
     b: CurveWithDerivatives<'a, P>,
@@ -209,9 +212,9 @@ struct Search<'a, P: Point> {
     distance: f64,
     t: f64,
     u: f64,
-    /// Counts pairs, steps of Newton's method, and the pieces of searches for nearest points.
+    /// Counts pairs, steps of Newton's method, and the segments of searches for nearest points.
     work: WorkLimit,
-    /// Whether the work is within its limit.
+    /// Whether the work is still within its limit.
     within: bool,
 }
 
@@ -229,9 +232,9 @@ impl<'a, P: Point> Search<'a, P> {
         }
     }
 
-    /// In the plane the intersections tell whether there is a distance; close crossings of curves that run along each
-    /// other are their business. The points of an intersection may be farther apart than rounding, so the search goes on
-    /// where no intersection is exact.
+    /// Starts with the intersections of plane curves, which handle close crossings of nearly coincident curves. The two
+    /// points of an intersection may be farther apart than rounding, so the search continues unless an intersection is
+    /// exact.
     fn find_intersection(&mut self) {
         let flat = |points: &[P]| points.iter().all(|p| p.to_3d().z == 0.0);
         if !(flat(self.a.points) && flat(self.b.points)) {
@@ -244,7 +247,7 @@ impl<'a, P: Point> Search<'a, P> {
     }
 
     fn run(&mut self) {
-        // The ends first: they settle what begins, ends or overlaps.
+        // End points first: they decide the cases where the minimum is at an end.
         for end in [0.0, 1.0] {
             let u = self.foot(self.b.points, self.a.at(end));
             self.consider(end, u);
@@ -261,7 +264,7 @@ impl<'a, P: Point> Search<'a, P> {
             if !self.within {
                 return;
             }
-            // The pair that may be nearest; when it is not near enough, none is.
+            // The pair with the smallest lower bound; if it cannot improve the result, no pair can.
             let Some(Apart { min, of: (i, j) }) = pairs.pop() else {
                 return;
             };
@@ -289,20 +292,20 @@ impl<'a, P: Point> Search<'a, P> {
         self.walk_along();
     }
 
-    /// The parameter on a curve that is nearest to a point.
+    /// The parameter of the nearest point on a curve.
     fn foot(&mut self, points: &[P], p: P) -> f64 {
         let (t, steps) = counted_parameter(points, p);
         self.within &= self.work.spend(steps);
         t
     }
 
-    /// Whether a distance that is possible yet is worth a look.
+    /// Whether a lower bound allows a significant improvement.
     fn may_improve(&self, min: f64) -> bool {
         min < self.distance * (1.0 - ACCURACY) - self.rounding
     }
 
-    /// What is left for curves that run along each other: the places that are nearest to some of the one, then thirds
-    /// about the best of them.
+    /// Fallback for curves with a nearly constant distance: samples the first curve, then refines the best sample by
+    /// ternary search.
     fn walk_along(&mut self) {
         for k in 1..ALONG {
             if !self.within {
@@ -339,7 +342,7 @@ impl<'a, P: Point> Search<'a, P> {
         }
     }
 
-    /// Newton's method for the least |A(t) − B(u)|², kept within the ranges and to steps that make it smaller.
+    /// Newton's method for the minimum of |A(t) − B(u)|², restricted to [0, 1] and to steps that reduce the distance.
     fn descend(&mut self, mut t: f64, mut u: f64) {
         for _ in 0..MAX_TOTAL_STEPS {
             self.consider(t, u);
@@ -369,13 +372,13 @@ impl<'a, P: Point> Search<'a, P> {
         self.consider(t, u);
     }
 
-    /// The step from t and u, `vector` being A(t) − B(u): that of Newton where the second derivatives allow it, else without
-    /// them (Gauss).
+    /// The step from t and u, where `vector` is A(t) − B(u): a Newton step if the second derivatives make it a descent
+    /// step, otherwise a Gauss–Newton step.
     fn newton(&self, vector: P, t: f64, u: f64) -> (f64, f64) {
         let ([a1, a2], [b1, b2]) = (self.a.derivatives(t), self.b.derivatives(u));
         let (g, h) = (vector.dot(a1), -vector.dot(b1));
         let (aa, bb, ab) = (a1.dot(a1), b1.dot(b1), -a1.dot(b1));
-        // At an end that the step would leave, only the other moves.
+        // If a step would leave the range at an end, only the other parameter moves.
         let fixed = |x: f64, slope: f64| x <= 0.0 && slope >= 0.0 || x >= 1.0 && slope <= 0.0;
         let (p, q) = (aa + vector.dot(a2), bb - vector.dot(b2));
         let root_of_one = |slope: f64, full: f64, half: f64| {

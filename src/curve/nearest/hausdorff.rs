@@ -1,4 +1,4 @@
-//! How different are two curves, as sets of points?
+//! Hausdorff distance of two curves.
 
 use super::distance::{Apart, Heap};
 use super::{counted_parameter, nearest_parameter, unit_for};
@@ -9,25 +9,25 @@ use crate::numeric::float::ulp;
 use crate::numeric::list::Points;
 use casteljau_kernels::WorkLimit;
 
-/// Nearest points that are looked for, at most. Only curves that run along each other at another pace need more.
+/// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
 const MAX_LOCATIONS: usize = 600;
 
-/// Pieces that the searches for nearest points may look at together, in each direction.
+/// Maximum total of segments in the searches for nearest points, in each direction.
 const MAX_STEPS: usize = 6000;
 
-/// What a distance may be too small by, relative to itself.
+/// Relative amount by which the result may be too small.
 const ACCURACY: f64 = 1e-9;
 
 impl<P: Point> Curve<P> {
-    /// The Hausdorff distance of two curves: the greatest distance that a point of either has from the other curve.
+    /// The Hausdorff distance of two curves: the maximum distance of a point of either curve from the other curve.
     ///
-    /// max(maxₜ minᵤ |A(t) − B(u)|, maxᵤ minₜ |A(t) − B(u)|), symmetric, in the unit of the points: 0 says that the curves
-    /// are the same set of points, whatever their parameters. Not less than the truth by more than 10⁻⁹ of it or some ulps
-    /// of the largest coordinate, and never more: pieces are halved until the distance of two pieces, run through side by
-    /// side, proves that. The proof is given up after 600 nearest points, or where the searches for them have looked at
-    /// 6000 pieces, in either direction, which takes curves that run along each other at
-    /// another pace, above degree 3 or all but straight; the greatest distance seen is given. Points and straight curves
-    /// are curves like others.
+    /// max(maxₜ minᵤ |A(t) − B(u)|, maxᵤ minₜ |A(t) − B(u)|), symmetric, in the unit of the points. 0 means that the
+    /// curves are the same set of points, whatever their parametrization. The result is never too large, and too small
+    /// by at most 10⁻⁹ of the distance or some ulps of the largest coordinate: segments are halved until the distance
+    /// of two segments at equal parameters proves this. The proof is abandoned after 600 nearest points, or after 6000
+    /// segments in the searches for them, in either direction. This happens only for curves that nearly coincide with
+    /// different parametrizations and are above degree 3 or nearly straight; the result is then the largest distance
+    /// found. Points and straight curves are allowed.
     ///
     /// Source: Alt and Scharf, "Computing the Hausdorff distance between curved objects", IJCGA 18 (2008).
     ///
@@ -62,7 +62,7 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// A straight curve is the segment between its farthest points, at whatever pace it is run through.
+/// Replaces a straight curve by the segment between its extreme points, whatever its parametrization.
 fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     let start = points[0];
     let longest = |longest_so_far: P, &p: &P| {
@@ -101,7 +101,7 @@ fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
     [low, high].into_iter().collect()
 }
 
-/// Both curves with the degree of the higher one.
+/// Both curves, elevated to the higher of their degrees.
 fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<P>) {
     let raised = |points: &Points<P>, count: usize| {
         let mut curve = Curve::from_slice(points);
@@ -113,15 +113,15 @@ fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<
     (raised(a, b.len()), raised(b, a.len()))
 }
 
-/// A piece of A with the parameters of the points of B that are nearest to its ends.
+/// A segment of A with the parameters of the points of B that are nearest to its ends.
 struct Piece<P: Point> {
     points: Points<P>,
     from: f64,
     to: f64,
 }
 
-/// The greatest distance of a point of A from B, if it is above `greatest`. Both come twice: as they are, and with the
-/// degree of the higher one.
+/// The maximum distance of a point of A from B, if it is above `greatest`. Each curve is given twice: unchanged, and
+/// elevated to the higher degree.
 fn farthest<P: Point>(
     [original, a]: [&Points<P>; 2],
     [b, high]: [&Points<P>; 2],
@@ -150,7 +150,7 @@ fn farthest<P: Point>(
         of: whole,
     });
     for _ in 0..MAX_LOCATIONS {
-        // The piece that may be farthest; when it is not far enough, none is.
+        // The segment with the largest upper bound; if it cannot increase the result, none can.
         let Some(Apart { min, of: piece }) = pieces.pop() else {
             break;
         };
@@ -184,8 +184,9 @@ fn farthest<P: Point>(
 }
 
 impl<P: Point> Piece<P> {
-    /// A distance that no point of the piece is above from B: run through side by side with the piece of B between the
-    /// nearest points, or seen from one of those. Straight pieces need no equal pace.
+    /// An upper bound on the distance of the segment's points from B: the maximum distance at equal parameters from the
+    /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
+    /// depend on the parametrization.
     fn max(&self, b: &Curve<P>, straight: [bool; 2]) -> f64 {
         let along = b.subsegment(self.from, self.to);
         let beside = match straight {
@@ -207,15 +208,16 @@ impl<P: Point> Piece<P> {
             .min(beside)
     }
 
-    /// The greatest distance of a control point from a segment: the distance from a convex set is a convex function.
+    /// The maximum distance of a control point from a line segment: the distance from a convex set is a convex
+    /// function.
     fn distance_from_segment(&self, b: &Curve<P>) -> f64 {
         let segment = [b.start(), b.end()];
         let away = |&p: &P| (p - evaluate(&segment, nearest_parameter(&segment, p))).length();
         self.points.iter().map(away).fold(0.0, f64::max)
     }
 
-    /// The same for a straight piece: the other one passes beside each of its points, no farther from the line than its
-    /// control points are, or ends before.
+    /// The bound for a straight segment: the other one passes each of its points at most as far from the line as its
+    /// control points are, or it ends before; then the missing length is added.
     fn straight_distance_from(&self, along: &Curve<P>) -> f64 {
         let (start, end) = (self.points[0], self.points[self.points.len() - 1]);
         let direction = (end - start).normalize_or_zero();

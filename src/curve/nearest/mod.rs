@@ -1,8 +1,8 @@
-//! Which point of the curve is nearest?
+//! Nearest point of a curve.
 //!
-//! At the nearest point the way to the query is perpendicular to the curve, or the curve ends there. So: all roots of
-//! (B(t) − q)·B′(t) = 0, found by isolation and not by sampling, and both ends. Plane and space go the same way; degrees
-//! up to 3 have a kernel of their own, which looks at minima only.
+//! At the nearest point the vector to the query is perpendicular to the curve, or the curve ends. The candidates are
+//! therefore all roots of (B(t) − q)·B′(t) = 0, found by root isolation and not by sampling, and both end points. Plane
+//! and space share the algorithm; degrees up to 3 have their own kernel, which considers only minima.
 
 pub(crate) mod distance;
 mod hausdorff;
@@ -30,40 +30,41 @@ pub struct Nearest<P> {
     pub t: f64,
     /// The point at t.
     pub point: P,
-    /// Its distance from the point that was asked for.
+    /// The distance from the query point.
     pub distance: f64,
 }
 
-/// Halvings after which several roots count as one: squared distances differ by the square of the width there.
+/// Halvings after which several roots count as one: their squared distances then differ by the square of the width.
 const MAX_HALVINGS: usize = 26;
 
-/// Pieces that are looked at, and so many more for each degree: more than ten times what curves of moderate numbers need.
+/// Maximum number of segments: a fixed number, and an additional one for each degree. More than ten times what curves
+/// with moderate numbers need.
 const MAX_PIECES: usize = 64;
 const MAX_PIECES_PER_DEGREE: usize = 16;
 
-/// What a search on a quadratic or a cubic counts as, in pieces.
+/// The work of a search on a quadratic or a cubic, in segments.
 const STEPS_OF_CUBIC: usize = 8;
 
-/// Steps of Newton's method after a root was found; one or two at most places.
+/// Maximum number of steps of Newton's method after a root is found; usually one or two are needed.
 const MAX_STEPS: usize = 12;
 
 impl<P: Point> Curve<P> {
-    /// The point of the curve that is nearest to p: the least |B(t) − p| for t in \[0, 1\], ends included.
+    /// The point of the curve that is nearest to p: the minimum of |B(t) − p| for t in \[0, 1\], end points included.
     ///
-    /// It is the least of all, not of a neighbourhood: every root of the polynomial (B(t) − p)·B′(t), of degree 2n − 1, is
-    /// isolated by its Bernstein coefficients. Distances that differ by less than a few ulps of the largest coordinate of
-    /// B − p count as equal; of equally near points the one with the smallest t is given. Of a curve that is a point: t = 0.
-    /// The distance is in the unit of the points.
+    /// It is the global minimum, not a local one: every root of the polynomial (B(t) − p)·B′(t), of degree 2n − 1, is
+    /// isolated by its Bernstein coefficients. Distances that differ by less than a few ulps of the largest coordinate
+    /// of B − p count as equal; of equally near points the result is the one with the smallest t. For a curve that is a
+    /// point, t = 0. The distance is in the unit of the points.
     ///
-    /// Up to degree 3 at most 256 pieces of the polynomial are looked at, above 64 + 16 n; pieces that are farther away than a
-    /// point found before are left out. Only distances that are constant but for rounding need more pieces; those that are
-    /// left are then not halved any more.
+    /// The search processes at most 256 segments of the polynomial up to degree 3, and 64 + 16 n above; segments that
+    /// are farther away than a point already found are skipped. Only distances that are constant up to rounding need
+    /// more segments; after the limit, the remaining ones are not halved any more.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
     ///
-    /// Source: Schneider, "Solving the nearest-point-on-curve problem", *Graphics Gems* (1990), for the polynomial; Lane
-    /// and Riesenfeld, BIT 21 (1981), for the isolation.
+    /// Source: Schneider, "Solving the nearest-point-on-curve problem", *Graphics Gems* (1990), for the polynomial;
+    /// Lane and Riesenfeld, BIT 21 (1981), for the isolation.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec2};
@@ -79,21 +80,21 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The nearest point of the curve with these control points; all is finite.
+/// The nearest point of the curve with the given control points; all numbers are finite.
 pub(crate) fn nearest_on<P: Point>(points: &[P], p: P) -> Nearest<P> {
     let t = nearest_parameter(points, p);
     let point = evaluate(points, t);
-    // Halves: the difference of ±1e308 would overflow.
+    // Halved, because the difference of ±1e308 would overflow.
     let distance = (point * 0.5 - p * 0.5).length() * 2.0;
     Nearest { t, point, distance }
 }
 
-/// The parameter of the nearest point of the curve with these control points.
+/// The parameter of the nearest point of the curve with the given control points.
 pub(crate) fn nearest_parameter<P: Point>(points: &[P], p: P) -> f64 {
     counted_parameter(points, p).0
 }
 
-/// The same, with the number of pieces that were looked at; up to degree 3 a number that stands for them.
+/// The parameter of the nearest point and the number of processed segments; up to degree 3 an equivalent number.
 pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
@@ -108,7 +109,7 @@ pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
         .map_or_else(|| of_any_degree(&about), |t| (t, STEPS_OF_CUBIC))
 }
 
-/// A power of two that makes the size about 1.
+/// A power of two that scales the size to about 1.
 pub(crate) fn unit_for(size: f64) -> f64 {
     let exponent = size.to_bits() >> 52;
     f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
@@ -118,7 +119,7 @@ pub(crate) fn unit_for(size: f64) -> f64 {
 fn on_segment<P: Point>(a: P, b: P) -> f64 {
     let chord = b - a;
     let t = -a.dot(chord) / chord.dot(chord);
-    // Of two points in one place: 0/0.
+    // The quotient is 0/0 if both points coincide.
     if t > 0.0 { t.min(1.0) } else { 0.0 }
 }
 
@@ -134,7 +135,7 @@ fn as_cubic<P: Point>(points: &[P]) -> Option<[P; 4]> {
 
 #[inline]
 fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
-    // In wasm one kernel is enough.
+    // In wasm one kernel serves both dimensions.
     if P::DIMENSION == 2 && cfg!(not(target_family = "wasm")) {
         let flat = |p: P| p.to_2d().to_array();
         nearest_in_plane(&points.map(flat), &flat(p))
@@ -144,7 +145,7 @@ fn on_cubic<P: Point>(points: [P; 4], p: P) -> Option<f64> {
     }
 }
 
-/// The same for points given from the query, through the roots of B·B′.
+/// The parameter for points relative to the query, by the roots of B·B′, and the number of processed segments.
 fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
     let n = points.len() - 1;
     let mut search = Search {
@@ -165,12 +166,12 @@ fn of_any_degree<P: Point>(points: &[P]) -> (f64, usize) {
 struct Search<'a, P: Point> {
     chord: CurveWithDerivatives<'a, P>,
     binomials: Binomials,
-    /// Distances that differ by less are equal.
+    /// Distances that differ by less than this are equal.
     slack: f64,
     t: f64,
     /// The distance at t.
     min: f64,
-    /// The distance of the curve's end.
+    /// The distance of the end point.
     end: f64,
     work: WorkLimit,
 }
@@ -183,8 +184,9 @@ impl<P: Point> Search<'_, P> {
         }
     }
 
-    /// The places where B·B′ changes sign from − to +, from left to right. The control points are halved and not the
-    /// coefficients: where roots lie close together those are small, and so is their rounding then.
+    /// Considers the parameters where B·B′ changes sign from − to +, from left to right. The control points are halved,
+    /// and not the coefficients of B·B′: where roots lie close together, the coefficients of the halves are small, and
+    /// so is their rounding.
     fn run(&mut self, points: &[P], [lo, hi]: [f64; 2], halvings: usize) {
         let within = self.work.spend(1);
         let bound = distance_of_box(points);
@@ -200,7 +202,7 @@ impl<P: Point> Search<'_, P> {
         }
         let mid = 0.5 * (lo + hi);
         if (points.len() - 1) as f64 * max_of(&rate) <= self.slack * bound {
-            // B·B′ / |B| is the derivative of the distance, which is constant here but for rounding.
+            // B·B′ / |B| is the derivative of the distance, which is constant here up to rounding.
             return self.consider(mid);
         }
         if changes == 1 || halvings == 0 || !within {
@@ -216,20 +218,21 @@ impl<P: Point> Search<'_, P> {
     }
 }
 
-/// The distance of the origin from the box of some points.
+/// The distance of the origin from the bounding box of points.
 fn distance_of_box<P: Point>(points: &[P]) -> f64 {
     let around = |(low, high): (P, P), &q: &P| (low.min(q), high.max(q));
     let (low, high) = points[1..].iter().fold((points[0], points[0]), around);
     low.max(high * -1.0).max(P::default()).length()
 }
 
-/// The greatest absolute value of some numbers.
+/// The largest absolute value.
 fn max_of(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
-/// Newton's method on the control points themselves, while it makes the distance from the origin smaller: where the curve
-/// hardly moves the roots of B·B′ are not known well. The parameter and the distance.
+/// The parameter and the distance after Newton's method, which is continued as long as it reduces the distance from the
+/// origin. It uses the control points themselves, because the roots of B·B′ are inaccurate where the curve hardly
+/// moves.
 fn closer<P: Point>(chord: &CurveWithDerivatives<P>, mut t: f64) -> (f64, f64) {
     let mut p = chord.at(t);
     for _ in 0..MAX_STEPS {
