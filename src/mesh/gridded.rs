@@ -36,7 +36,7 @@ impl Surface {
     /// As [`grid_into`](Self::grid_into), by either method.
     ///
     /// With [`GridMethod::ForwardDifference`] corners are exact too, but edges are not bit-identical, and on grids with
-    /// very many segments positions may be off by more than 4 ulps; see there.
+    /// very many segments positions may be off by more than 4 ulps.
     ///
     /// # Errors
     /// As `grid`; the mesh is then unchanged.

@@ -48,7 +48,7 @@ fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
     rings.iter().map(ring).fold(f64::INFINITY, f64::min)
 }
 
-/// Queries random points, points at the heights of joints, and the joints themselves with shifts along the axes.
+/// Queries random points, points with the x or y of a control point or of the bounds, and points beside control points.
 fn ask(path: &Path, rng: &mut Rng, questions: usize) {
     let bounds = path.control_bounds().expect("not empty");
     let size = bounds.diagonal();
