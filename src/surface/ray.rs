@@ -18,9 +18,9 @@ use crate::patch::Patch;
 use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
-/// A hit nearer than this to an edge, in u or v, counts as a hit on the edge. Two hits on edges that are farther apart
-/// than this fraction of the scene's size are always distinct. This is the square root of rounding, the uncertainty of
-/// a hit where the ray is tangent to the surface.
+/// A hit nearer than this to an edge, in u or v, counts as a hit on the edge. Two hits on edges are always distinct if
+/// their distance exceeds this fraction of the scene's size. This is the square root of rounding, the uncertainty of a
+/// hit where the ray is tangent to the surface.
 const ON_SIDE: f64 = 1.0 / 8_388_608.0;
 
 impl Patch {
