@@ -1,4 +1,4 @@
-//! Meshes without cracks, as fine as asked for.
+//! Crack-free tessellation of surfaces: by segments, tolerance or pixels.
 
 use super::Mesh;
 use super::buffers::to_f32;
@@ -15,8 +15,8 @@ use crate::surface::network::Surface;
 use casteljau_kernels::{Cell, SecondDifferences};
 use glam::DVec3;
 
-/// The most cells of one mesh: each makes two triangles of three indices and, nearly, one vertex of nine numbers, in
-/// 1 GiB. Half as many where addresses have 32 bits: while it is made, a mesh takes some 350 bytes a cell.
+/// The maximum number of cells of one mesh in 1 GiB: each cell makes two triangles of three indices and almost one
+/// vertex of nine numbers. With 32-bit addresses half of it: during construction a mesh takes about 350 bytes per cell.
 const MAX_CELLS: usize =
     (1 << if cfg!(target_pointer_width = "32") {
         29
@@ -24,25 +24,26 @@ const MAX_CELLS: usize =
         30
     }) / ((6 + 9) * 4);
 
-/// The most cells of a mesh by tolerance or pixels. On thin patches nearly every cell has vertices of its own, and a mesh in the
-/// making takes some 3 kB a cell, of the 4 GiB that addresses of 32 bits allow.
+/// The maximum number of cells of a mesh by tolerance or pixels. With 32-bit addresses it is lower: on thin patches
+/// nearly every cell has its own vertices, and during construction a mesh takes about 3 kB per cell of the 4 GiB
+/// address space.
 const MAX_CUT_CELLS: usize = if cfg!(target_pointer_width = "32") {
     1 << 20
 } else {
     MAX_CELLS
 };
 
-/// A forecast of too many cells is believed if this share of it is too many, and if it is no less than this share of the
-/// forecast before.
+/// A forecast of too many cells is accepted if this fraction of it exceeds the limit and if it is at least this
+/// fraction of the previous forecast.
 const CLOSE_SHARE: f64 = 7.0 / 8.0;
 
-/// The least tolerance is four ulps of the largest coordinate.
+/// The smallest tolerance, in ulps of the largest coordinate.
 const MIN_ULPS: f64 = 4.0;
 
-/// A mesh's type of numbers.
+/// The properties of a mesh's number type.
 #[derive(Clone, Copy)]
 struct Precision {
-    /// The distance of 1 from the next larger number, and the least number above 0.
+    /// The distance from 1 to the next larger number (`ulp`) and the smallest number above 0 (`tiny`).
     ulp: f64,
     tiny: f64,
     /// The largest number.
@@ -65,12 +66,13 @@ const DOUBLE: Precision = Precision {
 };
 
 impl Surface {
-    /// A mesh without cracks and T-junctions: every edge inside of the surface has exactly two triangles.
+    /// A mesh without cracks and T-junctions: every edge inside the surface belongs to exactly two triangles.
     ///
-    /// With [`Detail::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is cut
-    /// where its second derivatives say so, and rounding to f32 takes its share first. Patches that share a side share
-    /// its vertices, whatever each needs. Normals are those of the patches, limits where a side has collapsed. Triangles
-    /// with two corners at one place are left out; a patch that is a curve or a point gives none.
+    /// With [`Detail::Tolerance`] no point of the surface is farther from the mesh than that distance: each patch is
+    /// subdivided according to its second derivatives, and the error of rounding to f32 is subtracted from the
+    /// tolerance first. Patches that share an edge share its vertices, even if they are subdivided differently. Normals
+    /// are those of the patches, and limits at collapsed edges. Triangles with two coincident corners are omitted; a
+    /// patch that is a curve or a point gives no triangles.
     ///
     /// Source of the bound: Filip, Magedson and Markot, CAGD 3 (1986).
     ///
@@ -85,12 +87,13 @@ impl Surface {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Range`] for 0 segments, a tolerance or a number of pixels that is not above 0; [`Error::Tolerance`] for
-    /// one below 4 ulps (of f32) of the largest coordinate; [`Error::NotFinite`] for a matrix; [`Error::TooMany`] when the
-    /// mesh would take more than 1 GiB (half of that where addresses have 32 bits, as in WebAssembly). By tolerance or
-    /// pixels, a surface with patches of high degrees m and n may have fewer triangles: 2³¹ / ((m − 1)(n + 1) + mn +
-    /// (m + 1)(n − 1)), some 1.2 million at degree 24, which take seconds. Most meshes that are too large are refused
-    /// by an estimate, before cells are made.
+    /// [`Error::Range`] for 0 segments, and for a tolerance or a number of pixels that is not above 0;
+    /// [`Error::Tolerance`] for a tolerance below 4 ulps (of f32) of the largest coordinate; [`Error::NotFinite`] for a
+    /// matrix with a NaN or an infinity; [`Error::TooMany`] when the mesh would take more than 1 GiB (half of that with
+    /// 32-bit addresses, as in WebAssembly). By tolerance or pixels, the limit for a surface with patches of high
+    /// degrees m and n may be lower: 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1)) triangles, about 1.2 million at
+    /// degree 24, which take seconds. Most meshes that are too large are rejected by an estimate, before cells are
+    /// made.
     pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
         let mut mesh = Mesh::default();
         self.tessellate_with(SINGLE, options, &mut mesh)?;
@@ -128,7 +131,7 @@ impl Surface {
                 got: size,
             });
         }
-        // Half an ulp along each axis is what rounding moves a vertex: less than one ulp in all.
+        // Rounding moves a vertex by half an ulp along each axis: by less than one ulp in total.
         let ulp = (precision.ulp * size).max(precision.tiny);
         match detail {
             Detail::Segments(grid) => return self.cut_evenly(*grid),
@@ -165,7 +168,7 @@ impl Surface {
         })
     }
 
-    /// Refuses more cells than the limit before any are made.
+    /// Returns an error if more cells than the limit are expected, before any are made.
     fn foresee(&self, subdivider: &mut AdaptiveSubdivider) -> Result<(), Error> {
         let limit = subdivider.limit as f64;
         for depth in FORECAST_DEPTHS {
@@ -177,7 +180,7 @@ impl Surface {
         if subdivider.expected > limit {
             return Err(subdivider.too_many());
         }
-        // Halvings do not end exactly at the tolerance, so there will be more cells than are needed at least.
+        // Halvings do not end exactly at the tolerance, so there will be more cells than the minimum.
         let mut before = f64::INFINITY;
         for depth in CLOSE_FORECAST_DEPTHS {
             if subdivider.expected_max <= limit {
@@ -195,7 +198,7 @@ impl Surface {
         Ok(())
     }
 
-    /// Counts the cells that pieces of this depth let expect.
+    /// Counts the cells that are expected from the pieces of this depth.
     fn forecast(&self, subdivider: &mut AdaptiveSubdivider, depth: u32) -> Result<(), Error> {
         subdivider.forecast = Some(depth);
         (subdivider.expected, subdivider.expected_max) = (0.0, 0.0);
@@ -205,7 +208,7 @@ impl Surface {
         Ok(())
     }
 
-    /// The most cells of a mesh by tolerance: fewer at degrees at which cutting would take long.
+    /// The maximum number of cells of a mesh by tolerance: fewer for degrees at which the subdivision would take long.
     fn max_cells(&self) -> usize {
         (0..self.patch_count())
             .filter_map(|patch| self.degrees(patch))
@@ -213,7 +216,7 @@ impl Surface {
             .fold(MAX_CUT_CELLS, usize::min)
     }
 
-    /// Cells of the same size; where a side with more segments meets one with fewer, it gets the samples of both.
+    /// Cells of equal size; an edge between patches with different numbers of segments gets the samples of both.
     fn cut_evenly(&self, grid: Grid) -> Result<SurfaceCells, Error> {
         grid.check(self.patch_count())?;
         let per_patch = grid.segments_u * grid.segments_v;
@@ -227,7 +230,7 @@ impl Surface {
         }
         let common = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         let (segments_u, segments_v) = (common(grid.segments_u), common(grid.segments_v));
-        // Within u32: the grid's vertices were counted.
+        // This does not overflow u32, since the number of vertices of the grid is limited.
         let full = segments_u / divisor(segments_u, segments_v) * segments_v;
         let (du, dv) = (full / segments_u, full / segments_v);
         let grid_cells = || {
@@ -261,7 +264,7 @@ impl Patch {
     /// A mesh of the patch; see [`Surface::tessellate`].
     ///
     /// # Errors
-    /// As there.
+    /// As [`Surface::tessellate`].
     pub fn tessellate(&self, options: &TessellationOptions) -> Result<Mesh, Error> {
         self.as_surface().tessellate(options)
     }
@@ -269,13 +272,13 @@ impl Patch {
     /// As [`tessellate`](Self::tessellate), with positions and normals in f64.
     ///
     /// # Errors
-    /// As there.
+    /// As [`Surface::tessellate_f64`].
     pub fn tessellate_f64(&self, options: &TessellationOptions) -> Result<Mesh<f64>, Error> {
         self.as_surface().tessellate_f64(options)
     }
 }
 
-/// Refuses a tolerance that is not above 0, or that the mesh's numbers cannot keep.
+/// Returns an error for a tolerance that is not above 0 or below the precision of the mesh's number type.
 fn check_min(tolerance: f64, min: f64) -> Result<(), Error> {
     check_tolerance(tolerance, 0.0)?;
     if tolerance < min {
@@ -287,7 +290,7 @@ fn check_min(tolerance: f64, min: f64) -> Result<(), Error> {
     Ok(())
 }
 
-/// The greatest common divisor (Euclid).
+/// The greatest common divisor (Euclidean algorithm).
 fn divisor(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { divisor(b, a % b) }
 }

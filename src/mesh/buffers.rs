@@ -1,15 +1,15 @@
-//! What is drawn: plain buffers.
+//! Vertex and index buffers of meshes.
 
 use glam::DVec3;
 
-/// The most vertices that 16 bits can number.
+/// The maximum number of vertices with 16-bit indices.
 pub(crate) const MAX_U16_VERTICES: usize = 1 << 16;
 
-/// A triangle mesh as plain data, ready for a graphics card.
+/// A triangle mesh as plain buffers, ready for a GPU.
 ///
-/// With `n` vertices and `t` triangles: `positions` and `normals` hold 3n numbers, `uvs` 2n, `patch_ids` n, `indices`
-/// 3t. Triangles run counter-clockwise as seen from the side that ∂u × ∂v points to. `uvs` and `patch_ids` are empty
-/// where patches share vertices. `T` is f32, or f64 where that was asked for.
+/// With `n` vertices and `t` triangles, `positions` and `normals` hold 3n numbers, `uvs` 2n, `patch_ids` n and
+/// `indices` 3t. Triangles are counter-clockwise as seen from the side to which ∂u × ∂v points. `uvs` and `patch_ids`
+/// are empty where patches share vertices. `T` is f32 or f64.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -21,19 +21,19 @@ pub struct Mesh<T = f32> {
     pub positions: Vec<T>,
     /// The unit normal of each vertex.
     pub normals: Vec<T>,
-    /// u, v of each vertex in its patch.
+    /// The parameters u, v of each vertex in its patch.
     pub uvs: Vec<f32>,
-    /// The patch that each vertex belongs to.
+    /// The index of the patch to which each vertex belongs.
     pub patch_ids: Vec<u32>,
-    /// Three vertices per triangle.
+    /// Three vertex indices per triangle.
     pub indices: Indices,
-    /// Four vertices per face, where they were asked for.
+    /// Four vertex indices per quad, if requested.
     pub quads: Option<Indices>,
-    /// Where each patch lies in the buffers.
+    /// The range of each patch in the buffers.
     pub patch_ranges: Vec<PatchRange>,
 }
 
-/// The part of a mesh that one patch has filled.
+/// The part of a mesh that belongs to one patch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -45,13 +45,13 @@ pub struct PatchRange {
     pub first_vertex: u32,
     /// Its number of vertices; 0 where patches share vertices.
     pub vertices: u32,
-    /// Where its first triangle starts in `indices`.
+    /// The position of its first triangle in `indices`.
     pub first_index: u32,
     /// Its number of entries in `indices`, three per triangle.
     pub indices: u32,
 }
 
-/// Vertex numbers in the smallest type that fits: 16 bits up to 65,536 vertices.
+/// Vertex indices in the smallest type that fits: 16 bits up to 65,536 vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -59,9 +59,9 @@ pub struct PatchRange {
     serde(rename_all = "lowercase")
 )]
 pub enum Indices {
-    /// Of a mesh with at most 65,536 vertices.
+    /// Indices of a mesh with at most 65,536 vertices.
     U16(Vec<u16>),
-    /// Of a larger mesh.
+    /// Indices of a larger mesh.
     U32(Vec<u32>),
 }
 
@@ -78,7 +78,7 @@ impl<T> Mesh<T> {
 }
 
 impl Mesh<f64> {
-    /// Empties all buffers and keeps their memory.
+    /// Clears all buffers and keeps their memory.
     pub(crate) fn clear(&mut self) {
         self.positions.clear();
         self.normals.clear();
@@ -89,7 +89,7 @@ impl Mesh<f64> {
         self.patch_ranges.clear();
     }
 
-    /// One more vertex.
+    /// Appends a vertex.
     pub(crate) fn push(&mut self, position: DVec3, normal: DVec3) {
         self.positions.extend(position.to_array());
         self.normals.extend(normal.to_array());
@@ -117,16 +117,19 @@ impl Default for Indices {
 }
 
 impl Indices {
-    /// Numbers below `vertices`, in the smallest type that fits.
+    /// Indices below `vertices`, in the smallest type that fits.
     pub(crate) fn smallest(numbers: Vec<u32>, vertices: usize) -> Self {
         if vertices > MAX_U16_VERTICES {
             return Self::U32(numbers);
         }
-        #[allow(clippy::cast_possible_truncation, reason = "they are below 65,536")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "the indices are below 65,536"
+        )]
         Self::U16(numbers.into_iter().map(|number| number as u16).collect())
     }
 
-    /// How many numbers there are.
+    /// The number of indices.
     pub fn len(&self) -> usize {
         match self {
             Self::U16(list) => list.len(),
@@ -134,12 +137,12 @@ impl Indices {
         }
     }
 
-    /// Whether there are none.
+    /// Whether there are no indices.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The number at a place; `None` past the end.
+    /// The index at a position; `None` past the end.
     pub fn get(&self, index: usize) -> Option<usize> {
         match self {
             Self::U16(list) => list.get(index).map(|&i| usize::from(i)),
@@ -147,7 +150,7 @@ impl Indices {
         }
     }
 
-    /// All numbers in turn.
+    /// All indices in order.
     pub fn iter(&self) -> impl Iterator<Item = usize> {
         (0..self.len()).map_while(|index| self.get(index))
     }
@@ -156,7 +159,7 @@ impl Indices {
 /// The nearest f32.
 #[allow(
     clippy::cast_possible_truncation,
-    reason = "rounding to f32 is what meshes are for"
+    reason = "rounding to f32 is intended"
 )]
 #[inline(always)]
 pub(crate) const fn to_f32(number: f64) -> f32 {

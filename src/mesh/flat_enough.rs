@@ -1,4 +1,4 @@
-//! The recursive split of the tutorials: until pieces are flat enough.
+//! Recursive subdivision until the pieces are flat enough, for teaching.
 
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -9,10 +9,11 @@ use crate::surface::network::Surface;
 use casteljau_kernels::WorkLimit;
 use glam::DVec3;
 
-/// The most leaves of one surface.
+/// The maximum number of leaves of one surface.
 const MAX_LEAVES: usize = 1 << 18;
 
-/// The most control points of all pieces on the way to them: up to degree 5, more than 2¹⁸ leaves have.
+/// The maximum number of control points of all pieces together, leaves and split pieces. Up to degree 5, 2¹⁸ leaves
+/// need fewer.
 const MAX_STEPS: usize = 1 << 24;
 
 /// A piece of a patch that counts as flat.
@@ -23,22 +24,22 @@ const MAX_STEPS: usize = 1 << 24;
     serde(rename_all = "camelCase")
 )]
 pub struct FlatPiece {
-    /// The patch.
+    /// The index of the patch.
     pub patch: usize,
-    /// Where the piece starts in u.
+    /// The start of the piece in u.
     pub u0: f64,
-    /// Where it ends in u.
+    /// The end of the piece in u.
     pub u1: f64,
-    /// Where it starts in v.
+    /// The start of the piece in v.
     pub v0: f64,
-    /// Where it ends in v.
+    /// The end of the piece in v.
     pub v1: f64,
-    /// S(u0, v0), S(u1, v0), S(u1, v1), S(u0, v1). The recursion draws the triangles 0 1 2 and 0 2 3.
+    /// S(u0, v0), S(u1, v0), S(u1, v1), S(u0, v1). The triangles are 0 1 2 and 0 2 3.
     pub corners: [DVec3; 4],
 }
 
 impl FlatPiece {
-    /// The two triangles that stand for the piece, counter-clockwise as seen from the side that ∂u × ∂v points to.
+    /// The two triangles that approximate the piece, counter-clockwise as seen from the side to which ∂u × ∂v points.
     pub fn triangles(&self) -> [[DVec3; 3]; 2] {
         let [a, b, c, d] = self.corners;
         [[a, b, c], [a, c, d]]
@@ -46,20 +47,21 @@ impl FlatPiece {
 }
 
 impl Surface {
-    /// Splits every patch in four, and the pieces again, until the control points of each piece are within `tolerance`
-    /// of the plane of three of its corners: those with the largest triangle.
+    /// Splits every patch into four pieces, and these again, until the control points of each piece are within
+    /// `tolerance` of the plane of three of its corners: those with the largest triangle.
     ///
-    /// Where the corners lie on a line, control points must be as near to that line; where they are one point, to that
-    /// point. For teaching: neighbours that were split differently do not meet along their side (cracks), and the
-    /// tolerance bounds the distance of the control points from a plane, not that of the surface from the two
-    /// triangles, as the fourth corner and the outline may be off. [`tessellate`](Self::tessellate) has no cracks and
-    /// keeps its tolerance. The pieces come patch by patch, each as its quarters before u and v, after u, after v,
-    /// after both. Source: Angel and Shreiner, *Interactive Computer Graphics*, 7th ed., §10.
+    /// If the corners lie on a line, the control points must be within `tolerance` of that line; if the corners
+    /// coincide, of that point. This function is for teaching. Neighbours that are split differently do not fit
+    /// together along their edge (cracks). The tolerance bounds the distance of the control points from a plane, not
+    /// that of the surface from the two triangles, since the fourth corner and the outline may deviate.
+    /// [`tessellate`](Self::tessellate) has no cracks and keeps its tolerance. The pieces are sorted by patch; the
+    /// quarters of a split piece are in the order before u and v, after u, after v, after both. Source: Angel and
+    /// Shreiner, *Interactive Computer Graphics*, 7th ed., §10.
     ///
     /// # Errors
     /// [`Error::Range`] unless the tolerance is above 0, [`Error::Tolerance`] when it is below 4 ulps of the largest
-    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces, and when all pieces, split ones included, together have more than
-    /// 2²⁴ control points (at degrees above 5 that comes first).
+    /// coordinate, [`Error::TooMany`] above 2¹⁸ pieces, and when all pieces, including those that are split, have more
+    /// than 2²⁴ control points together (above degree 5 this limit is reached first).
     pub fn subdivide(&self, tolerance: f64) -> Result<Vec<FlatPiece>, Error> {
         let size = self.control_bounds();
         check_tolerance(tolerance, size.map_or(0.0, |b| max_abs(&[b.min, b.max])))?;
@@ -86,8 +88,8 @@ impl Surface {
     }
 }
 
-/// Adds the leaves of one piece; false at once when there are too many or the limit on the work is passed. The depth is
-/// that of the parameters: some 52 halvings, after which a piece is a point.
+/// Adds the leaves of one piece; returns `false` as soon as there are too many or the work limit is exceeded. The
+/// recursion depth is limited by the parameters: about 52 halvings, after which a piece is a point.
 fn split(
     patch: usize,
     piece: &Patch,
@@ -124,15 +126,16 @@ fn split(
     quarters.all(|(quarter, index)| split(patch, quarter, index, tolerance, leaves, work))
 }
 
-/// The corners of a net, around it.
+/// The corners of a net, in cyclic order.
 fn corners(net: &[DVec3], columns: usize) -> [DVec3; 4] {
     let last = net.len() - columns;
     [0, columns - 1, net.len() - 1, last].map(|index| net[index])
 }
 
-/// Whether all points are within the tolerance of the plane of three corners (of a line, of a point).
+/// Whether all points are within the tolerance of the plane of three corners (or of a line, or of a point).
 fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
-    // Of moderate size, so that products neither overflow nor vanish; halves first, for coordinates of ±1e308.
+    // The points are scaled to size 1, so that products neither overflow nor underflow; they are halved first, for
+    // coordinates of ±1e308.
     let origin = corners[0] * 0.5;
     let mut around: Net = net.iter().map(|&p| p * 0.5 - origin).collect();
     let scale = max_abs(&around);
@@ -162,7 +165,7 @@ fn is_flat(net: &[DVec3], corners: [DVec3; 4], tolerance: f64) -> bool {
     })
 }
 
-/// Keeps the place of the longer vector, and it.
+/// Keeps the longer vector together with its origin.
 fn keep_longer(kept: &mut [DVec3; 2], index: [DVec3; 2]) {
     if Point::length(index[1]) > Point::length(kept[1]) {
         *kept = index;

@@ -1,19 +1,19 @@
-//! Forward differencing: a polynomial at even steps by additions alone.
+//! Forward differencing: a polynomial at equal steps by additions only.
 
 use crate::numeric::float::ratio;
 use crate::patch::normal::binomial;
 use glam::DVec3;
 
-/// A Bézier curve's value at the present step, and its differences of order 1 to m for that step.
+/// The value of a Bézier curve at the current step, and its differences of order 1 to m for the next steps.
 pub(crate) struct Stepper {
     differences: Vec<DVec3>,
 }
 
 impl Stepper {
-    /// At t = 0, for steps of 1/`segments`.
+    /// Starts at t = 0, for steps of 1/`segments`.
     ///
-    /// With the coefficients aⱼ = C(m, j) ΔʲP₀ of tʲ and h = 1/n the difference of order k is Σⱼ aⱼ hʲ·Tⱼₖ, where
-    /// Tⱼₖ = Δᵏxʲ at x = 0: T₀₀ = 1 and Tⱼₖ = k (Tⱼ₋₁,ₖ + Tⱼ₋₁,ₖ₋₁).
+    /// With the coefficients aⱼ = C(m, j) ΔʲP₀ of tʲ and h = 1/n, the difference of order k is Σⱼ aⱼ hʲ·Tⱼₖ, where Tⱼₖ
+    /// = Δᵏxʲ at x = 0: T₀₀ = 1 and Tⱼₖ = k (Tⱼ₋₁,ₖ + Tⱼ₋₁,ₖ₋₁).
     pub(crate) fn new(points: &[DVec3], segments: usize) -> Self {
         let degree = points.len() - 1;
         let mut across = points.to_vec();
@@ -38,7 +38,7 @@ impl Stepper {
         Self { differences }
     }
 
-    /// The value, and a step on.
+    /// Returns the current value and advances by one step.
     pub(crate) fn next(&mut self) -> DVec3 {
         let value = self.differences[0];
         for k in 1..self.differences.len() {

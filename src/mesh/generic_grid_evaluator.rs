@@ -1,9 +1,9 @@
-//! Patches of any degrees on a grid, by either method.
+//! Grid evaluation of patches of any degrees, by either method.
 //!
 //! For each v the rows of the net are blended into one curve in u, then that curve is evaluated along u. Weights are
-//! computed once per grid. The arithmetic is f64; only results are rounded to f32. Weights are built and summed so
-//! that t and 1 − t exchange their roles exactly: two patches that share a side, in the same direction or reversed,
-//! get bit-identical samples there.
+//! computed once per grid. All arithmetic is in f64; only results are rounded to f32. Weights are computed and summed
+//! so that t and 1 − t are exactly symmetric: two patches that share an edge, in the same direction or reversed, get
+//! bit-identical samples there.
 
 use super::buffers::to_f32;
 use super::forward::Stepper;
@@ -13,30 +13,31 @@ use crate::patch::tensor_product::{REGULAR_RATIO, directions};
 use casteljau_kernels::weights;
 use glam::DVec3;
 
-/// The square of the length below which a normal is not regular.
+/// The square of the length of ∂u × ∂v below which a point is not regular.
 const MIN_SQUARE: f32 = to_f32(REGULAR_RATIO * REGULAR_RATIO);
 
-/// From here on differences might overflow, and f32 cannot tell the difference.
+/// From this coordinate on, differences might overflow; such coordinates exceed the range of f32 anyway.
 const TOO_LARGE_TO_STEP: f64 = 1e39;
 
-/// Evaluates patches on one grid; weights are kept while the degrees stay.
+/// Evaluates patches on one grid; reuses the weights while the degrees stay the same.
 pub(crate) struct GenericGridEvaluator {
     grid: Grid,
     method: GridMethod,
-    /// Weights along u and along v, for the degree and for the derivative's.
+    /// Weights along u and along v, each for the degree and for the degree of the derivative.
     u: [Weights; 2],
     v: [Weights; 2],
     row: Row,
 }
 
-/// The Bernstein weights of one degree at k/n, k = 0 … n: `degree` + 1 of them for each k.
+/// The Bernstein weights of one degree at k/n for k = 0 … n: `degree` + 1 weights for each k.
 #[derive(Default)]
 struct Weights {
     degree: usize,
     values: Vec<f64>,
 }
 
-/// The patch along one line of constant v: control points in u of the position and of both derivatives' directions.
+/// The patch along one line of constant v: control points in u of the position and of the directions of both
+/// derivatives.
 #[derive(Default)]
 struct Row {
     points: Vec<DVec3>,
@@ -55,7 +56,7 @@ impl GenericGridEvaluator {
         }
     }
 
-    /// Positions and normals of one patch. True if some normal is missing, which is then left at zero.
+    /// Computes positions and normals of one patch. Returns `true` if some normal is missing; such a normal is zero.
     pub(crate) fn fill(
         &mut self,
         net: &[DVec3],
@@ -102,7 +103,7 @@ impl GenericGridEvaluator {
         }
     }
 
-    /// The same by forward differences; the last sample is the end of the line.
+    /// As `evaluate_along`, by forward differences; the last sample is the end point of the line.
     fn step_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
         let curves = [&self.row.points, &self.row.along_u, &self.row.along_v];
         let mut steppers = curves.map(|points| Stepper::new(points, self.grid.segments_u));
@@ -118,7 +119,7 @@ impl GenericGridEvaluator {
     }
 }
 
-/// Makes the vectors ∂u × ∂v unit normals. True if one is not regular, which becomes zero.
+/// Normalises the vectors ∂u × ∂v. Returns `true` if one of them is not regular; it becomes zero.
 fn make_unit(facings: &mut [[f32; 3]]) -> bool {
     let mut missing = false;
     for cross_product in facings {
@@ -129,19 +130,19 @@ fn make_unit(facings: &mut [[f32; 3]]) -> bool {
     missing
 }
 
-/// The nearest f32, 0 for −0: neighbours may come to a zero from different sides.
+/// The nearest f32, with 0 for −0, since neighbouring patches may compute zeros of different sign.
 fn round(p: DVec3) -> [f32; 3] {
     p.to_array().map(|x| to_f32(x) + 0.0)
 }
 
-/// The unit vector; none where the point is not regular.
+/// The unit vector; `None` where the point is not regular.
 fn unit([x, y, z]: [f32; 3]) -> Option<[f32; 3]> {
     let square = x * x + y * y + z * z;
     let factor = 1.0 / square.sqrt();
     (square > MIN_SQUARE).then_some([x * factor, y * factor, z * factor])
 }
 
-/// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same.
+/// Σ wᵢ·Pᵢ, summed from both ends towards the middle, so that reversed weights and points give the same bits.
 fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
     let mut sum = DVec3::ZERO;
     let mut terms = weights.iter().zip(points).map(|(&w, &p)| p * w);
@@ -151,7 +152,7 @@ fn blend(weights: &[f64], points: &[DVec3]) -> DVec3 {
     sum
 }
 
-/// Brings the weights of a degree and of the one below up to date.
+/// Recomputes the weights of a degree and of the degree below if the degree has changed.
 fn prepare(pair: &mut [Weights; 2], degree: usize, segments: usize) {
     if pair[0].degree != degree {
         *pair = [degree, degree - 1].map(|degree| Weights {
@@ -162,7 +163,7 @@ fn prepare(pair: &mut [Weights; 2], degree: usize, segments: usize) {
 }
 
 impl Weights {
-    /// Blends the rows of a net at sample k: one point per column, summed like [`blend`].
+    /// Blends the rows of a net at sample k: one point per column, summed in the same order as in [`blend`].
     fn blend_rows(&self, k: usize, net: &[DVec3], columns: usize, out: &mut Vec<DVec3>) {
         let weights = &self.values[k * (self.degree + 1)..][..=self.degree];
         out.clear();

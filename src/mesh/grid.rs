@@ -1,13 +1,12 @@
-//! The layout of a grid of samples: which vertices, which faces. It knows no points.
+//! Layout of a grid of samples: its vertices and faces, without points.
 
 use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
 
-/// A grid over a patch: `segments_u` × `segments_v` cells, their corners at even steps of u and v.
+/// A grid over a patch: `segments_u` × `segments_v` cells with their corners at equal steps of u and v.
 ///
-/// There are (segments_u + 1)·(segments_v + 1) vertices; the one at (iu, iv) has the number
-/// iv·(segments_u + 1) + iu. Two triangles make a cell. Faces run counter-clockwise as seen from the side that
-/// ∂u × ∂v points to.
+/// There are (segments_u + 1)·(segments_v + 1) vertices; the vertex at (iu, iv) has the index iv·(segments_u + 1) + iu.
+/// Each cell has two triangles. Faces are counter-clockwise as seen from the side to which ∂u × ∂v points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -15,13 +14,13 @@ use crate::numeric::float::ratio;
     serde(rename_all = "camelCase")
 )]
 pub struct Grid {
-    /// Cells along u, at least 1.
+    /// The number of cells along u, at least 1.
     pub segments_u: usize,
-    /// Cells along v, at least 1.
+    /// The number of cells along v, at least 1.
     pub segments_v: usize,
 }
 
-/// How the samples of a grid are computed.
+/// The method by which the samples of a grid are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -29,28 +28,28 @@ pub struct Grid {
     serde(rename_all = "kebab-case")
 )]
 pub enum GridMethod {
-    /// From the Bernstein polynomials: exact at corners, identical along shared sides.
+    /// By Bernstein polynomials: exact at corners, identical along shared edges.
     #[default]
     Bernstein,
-    /// Along u by adding up differences: for a curve of degree m that is cut into n steps, m additions per coordinate
-    /// and no multiplication. For comparison and teaching.
+    /// By forward differences along u: for a curve of degree m with n steps, m additions per coordinate and step and no
+    /// multiplication. For comparison and teaching.
     ///
     /// The value at 0 and its m differences for the step 1/n are computed once per line; each step then adds every
-    /// difference to the one of the next lower order. Rounding errors add up, too: in f64 to some n·3ᵐ·2⁻⁵³ of the
-    /// largest coordinate, which f32 does not show up to degree 10 or so. The last sample of a line is not added up but
-    /// taken from its control point. Source: Wallis, "Tutorial on forward differencing", Graphics Gems (1990), 594–603.
+    /// difference to that of the next lower order. Rounding errors accumulate: in f64 to about n·3ᵐ·2⁻⁵³ of the largest
+    /// coordinate, which is invisible in f32 up to a degree of about 10. The last sample of a line is its control
+    /// point. Source: Wallis, "Tutorial on forward differencing", Graphics Gems (1990), 594–603.
     ForwardDifference,
 }
 
-/// The most bytes that one mesh may take: 1 GiB.
+/// The maximum number of bytes of one mesh: 1 GiB.
 const MAX_MESH_BYTES: u64 = 1 << 30;
-/// Three positions, three normals, two parameters and a patch number, four bytes each.
+/// Three position and three normal coordinates, two parameters and a patch index, four bytes each.
 const VERTEX_BYTES: u64 = 9 * 4;
-/// Two triangles and a quad per cell, four bytes each; a grid has fewer cells than vertices.
+/// The indices of two triangles and a quad per cell, four bytes each; a grid has fewer cells than vertices.
 const CELL_BYTES: u64 = (6 + 4) * 4;
 
 impl From<usize> for Grid {
-    /// As many segments in both directions.
+    /// The same number of segments in both directions.
     fn from(segments: usize) -> Self {
         Self {
             segments_u: segments,
@@ -70,7 +69,7 @@ impl Grid {
         2 * self.segments_u * self.segments_v
     }
 
-    /// The number of the vertex at (iu, iv).
+    /// The index of the vertex at (iu, iv).
     pub fn vertex(&self, iu: usize, iv: usize) -> usize {
         iv * (self.segments_u + 1) + iu
     }
@@ -80,7 +79,7 @@ impl Grid {
         (ratio(iu, self.segments_u), ratio(iv, self.segments_v))
     }
 
-    /// The corners of the cell at (iu, iv), counter-clockwise from there.
+    /// The corners of the cell at (iu, iv), counter-clockwise from the vertex (iu, iv).
     pub fn quad(&self, iu: usize, iv: usize) -> [usize; 4] {
         let (near, far) = (self.vertex(iu, iv), self.vertex(iu, iv + 1));
         [near, near + 1, far + 1, far]
@@ -93,14 +92,14 @@ impl Grid {
             .flat_map(move |iv| (0..grid.segments_u).map(move |iu| grid.quad(iu, iv)))
     }
 
-    /// The triangles of all cells: a cell's quad a b c d gives a b c and a c d.
+    /// The triangles of all cells: a cell with the quad a b c d gives a b c and a c d.
     pub fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
         self.quads().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]])
     }
 
-    /// Refuses 0 segments, and grids whose mesh of `patches` patches would take more than 1 GiB.
+    /// Returns an error for 0 segments, and for grids whose mesh of `patches` patches would take more than 1 GiB.
     ///
-    /// The error's limit holds for the greater number of segments, given the lesser one.
+    /// The limit in the error applies to the larger number of segments, given the smaller one.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] above the limit.

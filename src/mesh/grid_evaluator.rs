@@ -1,8 +1,8 @@
 //! Positions and normals of patches on a grid.
 //!
-//! Bicubic patches, the common ones, go through a crate of their own that is compiled for speed; all others, and other
-//! methods than the usual one, through [`GenericGridEvaluator`]. Both leave a normal at zero where ∂u × ∂v vanishes; what is there
-//! comes from the normal net.
+//! Bicubic patches, the most common ones, are evaluated in the crate `casteljau-kernels`, which is compiled for speed.
+//! All others, and the method of forward differences, use [`GenericGridEvaluator`]. Both leave a normal at zero where
+//! ∂u × ∂v vanishes; such normals are then computed from the normal net.
 
 use super::buffers::to_f32;
 use super::generic_grid_evaluator::GenericGridEvaluator;
@@ -12,7 +12,7 @@ use crate::patch::tensor_product::directions;
 use casteljau_kernels::BicubicGrid;
 use glam::DVec3;
 
-/// Evaluates patches on one grid; weights and buffers are kept from patch to patch.
+/// Evaluates patches on one grid; weights and buffers are reused from patch to patch.
 pub(crate) struct GridEvaluator {
     grid: Grid,
     method: GridMethod,
@@ -30,7 +30,7 @@ impl GridEvaluator {
         }
     }
 
-    /// Fills the buffers of one patch, each 3 × the number of the grid's vertices long.
+    /// Fills the buffers of one patch; the length of each is three times the number of vertices of the grid.
     pub(crate) fn fill(
         &mut self,
         net: &[DVec3],
@@ -55,7 +55,7 @@ impl GridEvaluator {
         }
     }
 
-    /// Puts limits where normals are missing.
+    /// Replaces missing normals by their limits.
     #[cold]
     fn repair(&self, net: &[DVec3], degree_u: usize, degree_v: usize, normals: &mut [[f32; 3]]) {
         let (du, dv) = directions(net, degree_u + 1);
@@ -73,7 +73,7 @@ impl GridEvaluator {
     }
 }
 
-/// The net, if it is that of a bicubic patch and f32 holds its coordinates.
+/// The net of a bicubic patch whose coordinates fit into f32; `None` for other patches.
 fn bicubic(net: &[DVec3], degree_u: usize) -> Option<&[[f64; 3]; 16]> {
     let points = bytemuck::cast_slice(net).try_into().ok()?;
     (degree_u == 3 && BicubicGrid::fits(points)).then_some(points)

@@ -1,4 +1,4 @@
-//! Filling a mesh: one grid per patch.
+//! Construction of meshes with one grid per patch.
 
 use super::buffers::MAX_U16_VERTICES;
 use super::grid::{Grid, GridMethod};
@@ -9,12 +9,12 @@ use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill
 use glam::DVec3;
 use std::ops::Range;
 
-/// What a part of a mesh takes at most, unless a single patch takes more: it should stay in the processor's cache until
-/// it was copied.
+/// The maximum number of bytes of a part of a mesh, unless a single patch takes more: a part should stay in the
+/// processor's cache until it is copied.
 #[cfg(feature = "wasm")]
 const PART_BYTES: usize = 5 << 17;
 
-/// Fills meshes with one grid for each of so many patches: all at once, or part by part.
+/// Fills meshes with one grid for each patch: all patches at once, or part by part.
 pub(crate) struct GridMeshBuilder {
     patches: usize,
     grid: Grid,
@@ -40,7 +40,7 @@ impl GridMeshBuilder {
         })
     }
 
-    /// How many patches make a part of the mesh that is not too large.
+    /// The patches from `first` that make a part of the mesh within `PART_BYTES`.
     #[cfg(feature = "wasm")]
     pub(crate) fn part(&self, first: usize) -> Range<usize> {
         let per_cell = if self.quads { 6 + 4 } else { 6 };
@@ -48,21 +48,22 @@ impl GridMeshBuilder {
         first..self.patches.min(first + (PART_BYTES / patch).max(1))
     }
 
-    /// All that the layout of a part depends on.
+    /// All values on which the layout of a part depends.
     #[cfg(feature = "wasm")]
     pub(crate) fn layout(&self, part: Range<usize>) -> (Range<usize>, Grid, bool, bool) {
         (part, self.grid, self.quads, self.wide())
     }
 
-    /// Whether indices have 32 bits.
+    /// Whether indices need 32 bits.
     pub(crate) fn wide(&self) -> bool {
         self.patches * self.grid.vertex_count() > MAX_U16_VERTICES
     }
 
-    /// Fills the mesh with a part of the patches; `net_of` hands out their nets and degrees in u and v. With
-    /// `has_layout` the mesh holds a grid of the same counts already, and what depends on them only stays.
+    /// Fills the mesh with a part of the patches; `net_of` writes the net of a patch and returns its degrees in u and
+    /// v. With `has_layout` the mesh already holds a grid with the same counts, and everything that depends only on the
+    /// counts is kept.
     ///
-    /// Buffers that are large enough are reused, all others grow.
+    /// Buffers that are large enough are reused; the others grow.
     pub(crate) fn fill(
         &mut self,
         part: Range<usize>,
@@ -88,7 +89,7 @@ impl GridMeshBuilder {
         }
     }
 
-    /// Everything that depends on counts only.
+    /// Fills everything that depends only on the counts.
     fn fill_layout(&self, part: &Range<usize>, mesh: &mut Mesh) {
         let grid = self.grid;
         let count = grid.vertex_count();
@@ -115,7 +116,8 @@ impl GridMeshBuilder {
             }));
     }
 
-    /// The vertex numbers of all cells: those of the first one, in `cell`, moved along the rows and the patches.
+    /// The vertex indices of all cells: the indices of the first cell, in `cell`, shifted along the rows and the
+    /// patches.
     fn fill_indices(&self, part: &Range<usize>, cell: &[usize], indices: &mut Indices) {
         let grid = self.grid;
         let total = part.len() * grid.segments_u * grid.segments_v * cell.len();
@@ -150,12 +152,12 @@ impl GridMeshBuilder {
     }
 }
 
-/// A number below 2¹⁶; the caller has counted.
+/// Converts a number below 2¹⁶; the caller guarantees the range.
 fn to_u16(number: usize) -> u16 {
     u16::try_from(number).unwrap_or(u16::MAX)
 }
 
-/// A number below 2³²: a mesh of 1 GiB has fewer vertices and indices.
+/// Converts a number below 2³²; a mesh of 1 GiB has fewer vertices and indices.
 fn to_u32(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }

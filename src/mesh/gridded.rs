@@ -1,4 +1,4 @@
-//! Grids of samples over patches and surfaces.
+//! Meshes of patches and surfaces on uniform grids.
 
 use super::Mesh;
 use super::grid::{Grid, GridMethod};
@@ -11,11 +11,11 @@ use glam::DVec3;
 use std::ops::Range;
 
 impl Surface {
-    /// A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
+    /// A mesh of one grid per patch; each patch has its own vertices, also along shared edges.
     ///
-    /// Positions are exact at corners, bit-identical along shared sides and within 4 f32 ulps of the largest coordinate
-    /// elsewhere. Normals have the length 1 and point within 0.001° of ∂u × ∂v; they are limits where a side has
-    /// collapsed, and zero for a patch that is a point or a curve. With `quads` the mesh also lists four-sided faces.
+    /// Positions are exact at corners, bit-identical along shared edges and within 4 f32 ulps of the largest coordinate
+    /// elsewhere. Normals have the length 1 and point within 0.001° of ∂u × ∂v; they are limits at collapsed edges, and
+    /// zero for a patch that is a curve or a point. With `quads` the mesh also lists quads.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 segments, [`Error::TooMany`] when the mesh would take more than 1 GiB.
@@ -25,21 +25,21 @@ impl Surface {
         Ok(mesh)
     }
 
-    /// As [`grid`](Self::grid), into an earlier mesh whose buffers are reused where they are large enough.
+    /// As [`grid`](Self::grid), into an existing mesh whose buffers are reused where they are large enough.
     ///
     /// # Errors
-    /// As `grid`; the mesh is then as it was.
+    /// As `grid`; the mesh is then unchanged.
     pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
         self.grid_by(GridMethod::Bernstein, grid, quads, mesh)
     }
 
     /// As [`grid_into`](Self::grid_into), by either method.
     ///
-    /// By [`GridMethod::ForwardDifference`] corners are exact, too, but neither are sides identical bit by bit nor
-    /// positions within 4 ulps on grids of very many segments; see there.
+    /// With [`GridMethod::ForwardDifference`] corners are exact too, but edges are not bit-identical, and on grids with
+    /// very many segments positions may be off by more than 4 ulps.
     ///
     /// # Errors
-    /// As `grid`; the mesh is then as it was.
+    /// As `grid`; the mesh is then unchanged.
     pub fn grid_by(
         &self,
         method: GridMethod,
@@ -84,10 +84,10 @@ impl Patch {
         Ok(mesh)
     }
 
-    /// As [`grid`](Self::grid), into an earlier mesh.
+    /// As [`grid`](Self::grid), into an existing mesh.
     ///
     /// # Errors
-    /// As `grid`; the mesh is then as it was.
+    /// As `grid`; the mesh is then unchanged.
     pub fn grid_into(&self, grid: Grid, quads: bool, mesh: &mut Mesh) -> Result<(), Error> {
         self.grid_by(GridMethod::Bernstein, grid, quads, mesh)
     }
@@ -95,7 +95,7 @@ impl Patch {
     /// As [`grid_into`](Self::grid_into), by either method; see [`Surface::grid_by`].
     ///
     /// # Errors
-    /// As `grid`; the mesh is then as it was.
+    /// As `grid`; the mesh is then unchanged.
     pub fn grid_by(
         &self,
         method: GridMethod,

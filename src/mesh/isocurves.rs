@@ -1,4 +1,4 @@
-//! A surface as lines: curves of constant u and of constant v.
+//! Isocurves of a surface: curves of constant u and of constant v.
 
 use super::projected::Projection;
 use crate::curve::Curve;
@@ -12,25 +12,26 @@ use crate::surface::network::Surface;
 use crate::surface::topology::SIDES;
 use glam::{DMat4, DVec3};
 
-/// How far drawn lines may be from the true projection, where nothing else is asked for: less than a screen shows.
+/// The default tolerance of drawn lines in pixels, below what a screen shows.
 const TOLERANCE_PX: f64 = 0.1;
 
-/// A line on a patch.
+/// An isocurve of a patch.
 pub(crate) struct Isocurve<'a> {
     pub(crate) patch_number: usize,
     pub(crate) patch: &'a Patch,
-    /// Whether u is constant along it, else v.
+    /// Whether u is constant along the curve; otherwise v is.
     pub(crate) constant_u: bool,
-    /// The parameter that is.
+    /// The constant parameter.
     pub(crate) at: f64,
     pub(crate) curve: Curve<DVec3>,
 }
 
 impl Surface {
-    /// The isocurves that divide every patch into `lines` strips each way: at u and v = k / `lines`, sides included.
+    /// The isocurves that divide every patch into `lines` strips in each direction: at u and v = k / `lines`, edges
+    /// included.
     ///
-    /// A side that patches share comes once, a side that is a point not at all (see [`topology`](Self::topology)). For
-    /// each patch first the curves of constant u, then those of constant v.
+    /// An edge that patches share is included once; an edge that is a point is omitted (see
+    /// [`topology`](Self::topology)). Each patch contributes first its curves of constant u, then those of constant v.
     ///
     /// # Errors
     /// [`Error::Range`] for 0 lines, [`Error::TooMany`] above 1 GiB of numbers.
@@ -40,12 +41,13 @@ impl Surface {
         Ok(curves)
     }
 
-    /// Draws the [`isocurves`](Self::isocurves) as `matrix` projects them to a canvas: all lines in one call.
+    /// Draws the [`isocurves`](Self::isocurves), projected to a canvas by `matrix`.
     ///
-    /// `matrix` takes (x, y, z, 1) to (X, Y, ·, W), drawn at (X/W, Y/W) in pixels. Where W is constant along a curve,
-    /// as under every affine matrix, degrees 1 to 3 go out as they are. Other lines become cubics which stay within
-    /// `tolerance` pixels of the true ones (0.1 by default). What lies behind the eye, or nearer to it than a
-    /// thousandth of the farthest vertex's W, is left out, to within 1/4096 of a curve. The caller strokes.
+    /// `matrix` maps (x, y, z, 1) to (X, Y, ·, W), which is drawn at (X/W, Y/W) in pixels. Where W is constant along a
+    /// curve, as under every affine matrix, curves of degree 1 to 3 are drawn unchanged. Other curves are replaced by
+    /// cubics within `tolerance` pixels (0.1 by default). The parts behind the eye, or nearer to it than a thousandth
+    /// of the farthest vertex's W, are omitted, to within 1/4096 of a curve. The function only adds path segments; the
+    /// caller strokes the path.
     ///
     /// # Errors
     /// As `isocurves`; [`Error::NotFinite`] for the matrix, [`Error::Range`] for the tolerance.
@@ -65,7 +67,7 @@ impl Surface {
         self.each_isocurve(lines, &mut |line| projection.draw(&line.curve, sink))
     }
 
-    /// Hands out the isocurves one by one, by reference to one closure, so that the loop is compiled once.
+    /// Passes each isocurve to `draw`. The closure is a trait object, so that the loop is compiled once.
     pub(crate) fn each_isocurve(
         &self,
         lines: usize,
@@ -74,7 +76,7 @@ impl Surface {
         self.check_lines(lines)?;
         let uses = self.side_uses();
         for (patch_number, patch) in self.patches().enumerate() {
-            // A line that an earlier side has drawn, or a point, is left out.
+            // An edge that is a point, or that an earlier patch has drawn, is omitted.
             let [u0, u1, v0, v1] = [0, 1, 2, 3].map(|side| {
                 let number = SIDES * patch_number + side;
                 uses[number].first == number && !uses[number].collapsed
@@ -102,7 +104,7 @@ impl Surface {
         Ok(())
     }
 
-    /// Refuses 0 lines, and more than the limit on output allows.
+    /// Returns an error for 0 lines, and for more lines than the output limit allows.
     fn check_lines(&self, lines: usize) -> Result<(), Error> {
         if lines < 1 {
             return Err(Error::Range {

@@ -1,8 +1,8 @@
 //! Triangle meshes of patches and surfaces.
 //!
-//! A [`Grid`] knows the layout of samples and no points; a [`Mesh`] is buffers and nothing else. Meshes by a number of
-//! segments are one grid for each patch; meshes by a tolerance or by pixels are subdivided adaptively, and either is free of
-//! cracks. A surface can also be drawn as the tubes or ribbons of its isocurves.
+//! A [`Grid`] is the layout of samples without points; a [`Mesh`] consists of buffers. A mesh by a number of segments
+//! is one grid for each patch; a mesh by a tolerance or by pixels is subdivided adaptively. Both are free of cracks. A
+//! surface can also be drawn as the tubes or ribbons of its isocurves.
 
 pub(crate) mod adaptive;
 pub(crate) mod buffers;

@@ -1,4 +1,4 @@
-//! How fine must a mesh be?
+//! Options of the tessellation: level of detail and welding.
 
 use super::grid::Grid;
 use super::weld::Weld;
@@ -6,7 +6,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-/// How a surface becomes a mesh: how fine, and which vertices are joined.
+/// Options of a tessellation: the level of detail, and which vertices are joined.
 ///
 /// ```
 /// use casteljau::mesh::{TessellationOptions, Weld};
@@ -22,13 +22,13 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
     serde(rename_all = "camelCase")
 )]
 pub struct TessellationOptions {
-    /// How fine the mesh must be.
+    /// The level of detail of the mesh.
     pub detail: Detail,
-    /// Which points become one vertex; by default those with the same normal.
+    /// Which corners become one vertex; by default those with the same normal.
     pub weld: Weld,
 }
 
-/// How fine a mesh must be.
+/// The level of detail of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -40,11 +40,11 @@ pub enum Detail {
     Segments(Grid),
     /// The largest distance from the surface to the mesh, in the surface's unit.
     Tolerance(f64),
-    /// The largest distance on the screen, in pixels; what lies outside of the picture may be coarser.
+    /// The largest distance on the screen, in pixels; parts outside the viewport may be coarser.
     Pixels(View),
 }
 
-/// A tolerance as a camera sees it.
+/// A tolerance in pixels for a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -52,20 +52,20 @@ pub enum Detail {
     serde(rename_all = "camelCase")
 )]
 pub struct View {
-    /// The greatest distance in pixels.
+    /// The largest distance in pixels.
     pub pixels: f64,
-    /// From the surface's coordinates to clip space: (x, y, z, 1) to (X, Y, Z, W), seen at (X/W, Y/W) in −1 … 1.
+    /// Maps the surface's coordinates to clip space: (x, y, z, 1) to (X, Y, Z, W), projected to (X/W, Y/W) in −1 … 1.
     pub view_projection: DMat4,
-    /// Width and height of the picture in pixels.
+    /// Width and height of the viewport in pixels.
     pub viewport: DVec2,
 }
 
-/// What is nearer to the eye than this part of its own distance from there is treated as if it were no nearer: a piece
-/// that the eye looks out of would have to be infinitely fine.
+/// The smallest depth of a piece, as a fraction of its largest depth. Without this limit, a piece that contains the eye
+/// would have to be infinitely fine.
 const NEAR_RATIO: f64 = 1e-2;
 
 impl TessellationOptions {
-    /// This many segments along u and v of every patch: a [`Grid`], or one number for both.
+    /// This number of segments along u and v of every patch: a [`Grid`], or one number for both.
     pub fn segments(grid: impl Into<Grid>) -> Self {
         Detail::Segments(grid.into()).into()
     }
@@ -80,7 +80,7 @@ impl TessellationOptions {
         Detail::Pixels(view).into()
     }
 
-    /// The same with another rule for vertices.
+    /// The same options with another welding rule.
     #[must_use]
     pub fn weld(self, weld: Weld) -> Self {
         Self { weld, ..self }
@@ -97,7 +97,7 @@ impl From<Detail> for TessellationOptions {
 }
 
 impl Detail {
-    /// Whether [`tolerance_for`](Self::tolerance_for) looks at the piece.
+    /// Whether [`tolerance_for`](Self::tolerance_for) depends on the position of the piece.
     pub(crate) fn depends_on_position(&self) -> bool {
         matches!(self, Self::Pixels(_))
     }
@@ -113,7 +113,7 @@ impl Detail {
 }
 
 impl View {
-    /// Refuses what is no view.
+    /// Returns an error for an invalid view.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let positive = |what, got: f64| {
             if got > 0.0 && got.is_finite() {
@@ -131,13 +131,14 @@ impl View {
         Error::unless_finite("view_projection", &self.view_projection.to_cols_array())
     }
 
-    /// The distance in space that is seen as at most `pixels` everywhere in the piece: by the derivative of the
-    /// projection at the piece's middle, at the least W in the sphere around its box. Infinite outside of the picture.
+    /// The distance in space that is projected to at most `pixels` everywhere in the piece. It follows from the
+    /// derivative of the projection at the piece's middle, at the smallest W in the sphere around its bounding box.
+    /// Infinite outside the viewport.
     fn tolerance_for(&self, [low, high]: [DVec3; 2]) -> f64 {
         let [x, y, w] = [0, 1, 3].map(|row| self.view_projection.row(row));
         let middle = low * 0.5 + high * 0.5;
         let radius = Point::length(high - middle);
-        // Outside of one of these half-spaces nothing is seen, neither of the piece nor of triangles between its points.
+        // Outside one of these half-spaces neither the piece nor triangles between its points are visible.
         let unseen = |plane: DVec4| {
             plane.dot(middle.extend(1.0)) + radius * Point::length(plane.truncate()) <= 0.0
         };
@@ -148,7 +149,7 @@ impl View {
         let reach = radius * Point::length(w.truncate());
         let near = (depth - reach).max((depth + reach) * NEAR_RATIO);
         let slope = |row: DVec4, half: f64| {
-            // ∂(X/W) = (∂X − X/W·∂W)/W; what is outside of the picture counts as on its rim.
+            // ∂(X/W) = (∂X − X/W·∂W)/W; points outside the viewport are clamped to its border.
             let projected = row.dot(middle.extend(1.0)) / depth.max(near);
             (row - w * projected.clamp(-1.0, 1.0)).truncate() * (half / near)
         };
@@ -157,7 +158,7 @@ impl View {
             slope(y, self.viewport.y / 2.0),
         );
         let tolerance = self.pixels / stretch;
-        // Not a number where the matrix's own numbers overflow: nothing can be seen then.
+        // The tolerance is NaN if the numbers of the matrix overflow; nothing is visible then.
         if tolerance.is_nan() {
             f64::INFINITY
         } else {
@@ -166,7 +167,7 @@ impl View {
     }
 }
 
-/// The length of the longest image of a unit vector under the map with these two rows: its spectral norm.
+/// The spectral norm of the map with these two rows: the length of the longest image of a unit vector.
 fn longest(x: DVec3, y: DVec3) -> f64 {
     let (a, b, c) = (x.dot(x), x.dot(y), y.dot(y));
     (f64::midpoint(a, c) + ((a - c) / 2.0).hypot(b)).sqrt()

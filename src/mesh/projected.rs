@@ -1,9 +1,10 @@
-//! Drawing a curve in space as a projection shows it.
+//! Drawing of space curves under a projection.
 //!
-//! A projection takes the control points Pᵢ to (Xᵢ, Yᵢ, Wᵢ), and the curve to the rational one (ΣBᵢXᵢ, ΣBᵢYᵢ) / ΣBᵢWᵢ.
-//! Canvases draw cubics, so it is halved until the cubic with the same ends and end tangents is close enough. With the
-//! numerator N, the denominator W and the cubic C the error is (N − C·W) / W; the numerator is a polynomial, and the
-//! largest of its Bernstein coefficients over the smallest Wᵢ bounds it. It falls by 16 with each halving.
+//! A projection maps the control points Pᵢ to (Xᵢ, Yᵢ, Wᵢ), and the curve to the rational curve (ΣBᵢXᵢ, ΣBᵢYᵢ) / ΣBᵢWᵢ.
+//! Canvases draw cubics, so the curve is halved until the cubic with the same ends and end tangents is close enough.
+//! With the numerator N, the denominator W and the cubic C, the error is (N − C·W) / W. Its numerator is a polynomial,
+//! so the largest of its Bernstein coefficients divided by the smallest Wᵢ is a bound. The error falls to 1/16 with
+//! each halving.
 
 use crate::bernstein::polynomials::binomials;
 use crate::curve::Curve;
@@ -13,21 +14,21 @@ use crate::numeric::float::{ratio, ulp};
 use crate::numeric::list::Points;
 use glam::{DMat4, DVec3, DVec4};
 
-/// What is nearer to the eye than this part of the farthest distance is not drawn.
+/// The smallest depth that is drawn, as a fraction of the largest depth.
 const NEAR_RATIO: f64 = 1e-3;
 
-/// A curve is halved no more often than this: into pieces of 1/4096.
+/// The maximum number of halvings of a curve: into pieces of 1/4096.
 const MAX_HALVINGS: usize = 12;
 
-/// A map to a canvas, with what to leave out.
+/// A projection to a canvas.
 pub(crate) struct Projection {
     matrix: DMat4,
-    /// The least W that is drawn; above 0.
+    /// The smallest W that is drawn; above 0.
     near: f64,
     tolerance: f64,
 }
 
-/// A sink, and whether its current point is the end of the piece before.
+/// A sink, and whether its current point is the end of the previous piece.
 struct ProjectedSubpath<'a, T> {
     sink: &'a mut T,
     down: bool,
@@ -46,7 +47,7 @@ impl Projection {
         }
     }
 
-    /// Draws one curve, or what of it lies before the eye.
+    /// Draws the part of a curve that lies in front of the eye.
     pub(crate) fn draw(&self, curve: &Curve<DVec3>, sink: &mut impl PathSink) {
         let points = curve.control_points().iter();
         let image = points.map(|&p| homogeneous(&self.matrix, p)).collect();
@@ -77,7 +78,7 @@ impl Projection {
         self.draw_piece(&right, stroke, halvings - 1);
     }
 
-    /// The polynomial curve that is close enough to a piece before the eye, if there is one or if there must be.
+    /// The polynomial curve for a piece in front of the eye; `None` if it is not close enough, unless `must` is set.
     fn flat_curve(&self, piece: &Curve<DVec3>, must: bool) -> Option<Curve<DVec3>> {
         let points = piece.control_points();
         let flat: Points<DVec3> = points.iter().map(|&p| (p / p.z).with_z(1.0)).collect();
@@ -91,7 +92,7 @@ impl Projection {
 }
 
 impl<T: PathSink> ProjectedSubpath<'_, T> {
-    /// Draws a curve, joined to the one before if that was drawn; nothing where coordinates leave the numbers.
+    /// Draws a curve, joined to the previous one if that was drawn; nothing if coordinates overflow.
     fn draw(&mut self, flat: &Curve<DVec3>, tolerance: f64) {
         if !flat.max_abs().is_finite() {
             self.down = false;
@@ -100,20 +101,21 @@ impl<T: PathSink> ProjectedSubpath<'_, T> {
         if !self.down {
             self.sink.move_to(flat.start().to_2d());
         }
-        // A canvas has no use for less than the rounding of the coordinates, and no cubic comes nearer.
+        // A tolerance below the rounding of the coordinates is useless on a canvas, and no cubic can meet it.
         let min = 4.0 * ulp(flat.max_abs());
         flat.trace_on(self.sink, Some(tolerance.max(min)));
         self.down = true;
     }
 }
 
-/// (X, Y, W).
+/// The homogeneous coordinates (X, Y, W).
 fn homogeneous(matrix: &DMat4, p: DVec3) -> DVec3 {
     let DVec4 { x, y, w, .. } = *matrix * p.extend(1.0);
     DVec3::new(x, y, w)
 }
 
-/// The cubic with the ends and end derivatives of the rational curve: n·W₁/W₀·(p₁ − p₀) and its mirror image.
+/// The cubic with the ends and end derivatives of the rational curve: the first is n·W₁/W₀·(p₁ − p₀), the last its
+/// mirror image.
 fn cubic_of_same_tangents(points: &[DVec3], flat: &[DVec3]) -> [DVec3; 4] {
     let n = points.len() - 1;
     let reach = |end: usize, inner: usize| {
@@ -123,7 +125,7 @@ fn cubic_of_same_tangents(points: &[DVec3], flat: &[DVec3]) -> [DVec3; 4] {
 }
 
 /// A bound on the distance of the rational curve (X, Y, W) from a cubic, in pixels: the largest coefficient of N − C·W,
-/// over the least W.
+/// divided by the smallest W.
 fn error_bound(points: &[DVec3], cubic: &[DVec3; 4]) -> f64 {
     let (n, shares) = (points.len() - 1, [1.0, 3.0, 3.0, 1.0]);
     let (of_points, of_product) = (binomials(n), binomials(n + 3));

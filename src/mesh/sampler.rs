@@ -1,4 +1,4 @@
-//! Point and normal of one patch at many parameters.
+//! Points and normals of one patch at many parameters.
 
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
@@ -8,10 +8,10 @@ use bytemuck::cast_slice;
 use casteljau_kernels::Sampler as Samples;
 use glam::DVec3;
 
-/// A patch with what evaluating it over and over needs.
+/// A patch with precomputed data for repeated evaluation.
 pub(crate) struct Sampler {
     samples: Samples,
-    /// Differences along u and v, each brought to the size 1.
+    /// Differences along u and v, each scaled to size 1.
     du: Net,
     dv: Net,
     degree_u: usize,
@@ -31,14 +31,14 @@ impl Sampler {
         }
     }
 
-    /// Whether the patch has an inside: it is no curve and no point.
+    /// Whether the patch has an area, and is not a curve or a point.
     pub(crate) fn has_area(&mut self) -> bool {
-        // Nearly always the middle is regular.
+        // This suffices nearly always, since the middle is regular.
         is_regular(self.samples.sample(0.5, 0.5).1.into()) || !self.limits().vanishes()
     }
 
-    /// The point and the unit normal at (u, v), its limit where the patch is not regular. Calls with the same v in a row
-    /// are cheaper.
+    /// The point and the unit normal at (u, v); the normal is a limit where the patch is not regular. Consecutive calls
+    /// with the same v are cheaper.
     pub(crate) fn point_and_normal(&mut self, u: f64, v: f64) -> (DVec3, DVec3) {
         let (point, cross_product) = self.samples.sample(u, v);
         let cross_product = DVec3::from(cross_product);

@@ -1,8 +1,8 @@
-//! Cells of many patches become triangles that meet without cracks.
+//! Crack-free triangulation of the cells of all patches.
 //!
-//! Each line that patches share gets one list of samples: all that any of its patches needs. They are evaluated once,
-//! from the side's own control points, and belong to all its patches. A point of the surface that several patches
-//! share is one *node*; a *corner* is a node as one patch sees it, with its own u, v and normal.
+//! Each line that patches share gets one list of samples: all samples that any of its patches needs. They are evaluated
+//! once, from the control points of the edge, and are used by all patches at this line. A point of the surface that
+//! several patches share is one *node*; a *corner* is a node as part of one patch, with its own u, v and normal.
 
 use super::sampler::Sampler;
 use crate::bernstein::evaluate::evaluate;
@@ -12,14 +12,15 @@ use crate::surface::topology::{SIDES, SideUse};
 use casteljau_kernels::{Cell, CellTriangulator, first, index_of, pair, second, sort_distinct};
 use glam::DVec3;
 
-/// No node yet.
+/// Marks a vertex without a node.
 const NONE: u32 = u32::MAX;
 
-/// Where inside of a folded cell a corner is added, in parts of its lengths: at the first of these that works.
+/// Positions inside a folded cell at which a corner is added, in units of 1/`INNER_PARTS` of its lengths; the first
+/// position that works is used.
 const INNER_CORNERS: [[u32; 2]; 3] = [[4, 4], [3, 4], [4, 3]];
 const INNER_PARTS: u32 = 8;
 
-/// A node as one patch sees it.
+/// A node as part of one patch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corner {
     pub(crate) node: u32,
@@ -28,20 +29,20 @@ pub(crate) struct Corner {
     pub(crate) normal: DVec3,
 }
 
-/// Where the part of one patch ends.
+/// The ends of the part of one patch in the lists of corners and triangles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PatchEnd {
     pub(crate) corners: usize,
     pub(crate) triangles: usize,
 }
 
-/// The triangles of a surface before vertices are made of their corners.
+/// The triangles of a surface before their corners are welded to vertices.
 #[derive(Debug, Default)]
 pub(crate) struct StitchedMesh {
-    /// Where each node is.
+    /// The position of each node.
     pub(crate) nodes: Vec<DVec3>,
     pub(crate) corners: Vec<Corner>,
-    /// Three corners each.
+    /// The indices of three corners for each triangle.
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) ends: Vec<PatchEnd>,
 }
@@ -49,23 +50,23 @@ pub(crate) struct StitchedMesh {
 /// The cells of all patches.
 pub(crate) struct SurfaceCells {
     pub(crate) cells: Vec<Cell>,
-    /// Where the cells of each patch end.
+    /// The end of each patch's cells in `cells`.
     pub(crate) ends: Vec<usize>,
-    /// The whole number that stands for the parameter 1.
+    /// The integer that represents the parameter 1.
     pub(crate) full: u32,
-    /// Whether the mesh may have more vertices than the cells, to stay within a tolerance.
+    /// Whether corners may be added inside cells to keep a tolerance.
     pub(crate) has_tolerance: bool,
 }
 
-/// Work in progress.
+/// The state of the stitching.
 struct Stitcher<'a> {
     surface: &'a Surface,
     cut: &'a SurfaceCells,
     round: fn(DVec3) -> DVec3,
     uses: Vec<SideUse>,
-    /// The samples inside of shared lines, sorted: the line's first side, and the parameter along it.
+    /// The samples inside shared lines, sorted: the number of the line's first edge, and the parameter along it.
     samples: Vec<u64>,
-    /// The node of each vertex that is a corner of patches; the nodes of `samples` come first.
+    /// The node of each vertex that is a corner of patches; the nodes of `samples` precede these nodes.
     node_of_vertex: Vec<u32>,
     out: StitchedMesh,
 }
@@ -77,7 +78,7 @@ impl SurfaceCells {
     }
 }
 
-/// Stitches the cells together; `round` is what the mesh's type of numbers does to a point.
+/// Triangulates the cells of all patches; `round` rounds a point to the mesh's number type.
 pub(crate) fn stitch(
     surface: &Surface,
     cut: &SurfaceCells,
@@ -109,7 +110,7 @@ pub(crate) fn stitch(
 }
 
 impl Stitcher<'_> {
-    /// One node for each sample inside of a line.
+    /// Adds one node for each sample inside a line.
     fn sample_sides(&mut self) {
         for patch in 0..self.surface.patch_count() {
             for cell in self.cut.of_patch(patch) {
@@ -136,7 +137,7 @@ impl Stitcher<'_> {
         }
     }
 
-    /// The sides that a cell lies on, with the part of each that it covers.
+    /// The patch edges on which a cell lies, and the interval of each that it covers.
     fn sides_of(&self, cell: &Cell) -> [Option<(usize, u32, u32)>; SIDES] {
         let Cell { u, v, du, dv } = *cell;
         let full = self.cut.full;
@@ -148,7 +149,7 @@ impl Stitcher<'_> {
         ]
     }
 
-    /// The sample at k of a side; none at its ends and on a side that is a point.
+    /// The sample at k of an edge; `None` at its ends and on an edge that is a point.
     fn sample(&self, side: usize, k: u32) -> Option<u64> {
         let used = self.uses[side];
         if used.collapsed || k == 0 || k == self.cut.full {
@@ -158,7 +159,7 @@ impl Stitcher<'_> {
         Some(pair(number(used.first), along))
     }
 
-    /// (u, v) of all samples on the sides of a patch.
+    /// The (u, v) of all samples on the edges of a patch.
     fn side_vertices(&self, patch: usize) -> impl Iterator<Item = (u32, u32)> {
         let full = self.cut.full;
         (0..SIDES).flat_map(move |side| {
@@ -166,7 +167,7 @@ impl Stitcher<'_> {
             let line = number(used.first);
             let from = index_of(&self.samples, pair(line, 0));
             let to = index_of(&self.samples, pair(line + 1, 0));
-            // The list of a side that is a point is empty: it is the first of none.
+            // The list of an edge that is a point is empty, since such an edge has no samples.
             self.samples[from..to].iter().map(move |&sample| {
                 let along = second(sample);
                 let k = if used.reversed { full - along } else { along };
@@ -207,7 +208,7 @@ impl Stitcher<'_> {
         number(self.out.nodes.len() - 1)
     }
 
-    /// The node of a vertex on a side; none inside.
+    /// The node of a vertex on an edge; `None` for an inner vertex.
     fn shared_node(&mut self, patch: usize, u: u32, v: u32) -> Option<u32> {
         let full = self.cut.full;
         let inside = |k: u32| k != 0 && k != full;
@@ -234,7 +235,7 @@ impl Stitcher<'_> {
         Some(self.node_of_vertex[index])
     }
 
-    /// The triangles of a patch, without those that have two corners at one place.
+    /// Adds the triangles of a patch, except those with two coincident corners.
     fn add_triangles(
         &mut self,
         patch: usize,
@@ -262,11 +263,13 @@ impl Stitcher<'_> {
         }
     }
 
-    /// A corner inside of a cell that is not where a vertex of its outline is; none if this is rounding.
+    /// A corner inside a cell that coincides with no vertex of the cell's outline; `None` if the cell is too small or
+    /// all candidates coincide after rounding.
     ///
-    /// The outline of a folded cell may visit a point twice. Triangles between these visits have no area, and where the
-    /// surface is near such a triangle, it need not be near another one. The bound on the distance holds for all
-    /// triangles with corners in the cell, so also for those from a corner inside to the edges of the outline.
+    /// The outline of a folded cell may visit a point twice. Triangles between these visits have no area, and points of
+    /// the surface near such a triangle may be far from all other triangles. The bound on the distance holds for all
+    /// triangles with corners in the cell, so it also holds for the triangles from an inner corner to the edges of the
+    /// outline.
     fn inner_corner(
         &mut self,
         cell: &Cell,
@@ -299,7 +302,7 @@ impl Stitcher<'_> {
     }
 }
 
-/// A count that the limits keep below 2³².
+/// Converts a count that the limits keep below 2³².
 pub(crate) fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -1,11 +1,11 @@
-//! Into which pieces must a patch be cut so that flat triangles are close enough?
+//! Adaptive subdivision of patches into cells, by a bound on the distance of flat triangles.
 //!
 //! A piece of degrees m × n over its own unit square is within (M₁ + 2M₂ + M₃) / 8 of every linear interpolant whose
-//! corners lie in the square, with bounds on the second derivatives M₁ = m(m − 1) max |Δuu|, M₂ = mn max |ΔuΔv| and
-//! M₃ = n(n − 1) max |Δvv| (Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives", CAGD 3, 1986).
-//! So the bound holds for the triangles that join pieces of different sizes, too. A piece that is too large is halved
-//! along the direction that bends more; if the maxima over the two halves show that it was not too large, it stays whole.
-//! Cuts are at halves of halves: their parameters are exact.
+//! corners lie in the square, with the bounds on the second derivatives M₁ = m(m − 1) max |Δuu|, M₂ = mn max |ΔuΔv| and
+//! M₃ = n(n − 1) max |Δvv| (Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives", CAGD 3,
+//! 1986). So the bound also holds for the triangles that join pieces of different sizes. A piece that is too large is
+//! halved in the direction with the larger second derivative. If the maxima over the two halves show that the piece was
+//! not too large, it is not split. All cuts are at dyadic parameters, which are exact.
 
 use super::buffers::to_f32;
 use super::options::Detail;
@@ -16,45 +16,48 @@ use crate::patch::net::{differences_u, differences_v};
 use casteljau_kernels::{BEND_SLACK, Cell, SecondDifferences};
 use glam::DVec3;
 
-/// Parameters are whole numbers from 0 to this: pieces can be halved 30 times each way.
+/// Parameters are integers from 0 to this: pieces can be halved 30 times in each direction.
 pub(crate) const DYADIC: u32 = 1 << 30;
 
-/// After how many halvings pieces tell how many they will become: at first as they are, and only if that is too many
-/// from closer.
+/// The depths (numbers of halvings) at which the number of cells is forecast: first without halving, and at the second
+/// depth only if the first forecast is too large.
 pub(crate) const FORECAST_DEPTHS: [u32; 2] = [0, 8];
 
-/// After how many halvings pieces tell how many they will become when each is halved again and again, if that may be too
-/// many; when closer pieces tell nearly the same, it is.
+/// The depths at which the number of cells is forecast by repeated halving, if there may be too many cells. If a deeper
+/// forecast gives nearly the same number, it is accepted.
 pub(crate) const CLOSE_FORECAST_DEPTHS: [u32; 2] = [12, 14];
 
-/// The most vectors of all pieces, in halving all patches: for bicubic ones, more than the largest mesh needs.
+/// The maximum number of vectors of all pieces when all patches are subdivided; for bicubic patches this is more than
+/// the largest mesh needs.
 const MAX_VECTORS: usize = 1 << 31;
 
-/// A piece that may be too large: how much it bends along u, along both and along v, per unit of the patch's parameters.
+/// A piece that may be too large, with bounds on its second derivatives uu, uv and vv per unit of the patch's
+/// parameters.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     cell: Cell,
-    /// The cell's part of the patch's parameters, along u and v.
+    /// The cell's size in the patch's parameters, along u and v.
     lengths: [f64; 2],
     depth: u32,
     bend: [f64; 3],
 }
 
-/// Cuts patches into cells.
+/// Subdivides patches into cells.
 pub(crate) struct AdaptiveSubdivider<'a> {
     pub(crate) detail: &'a Detail,
-    /// The least tolerance that the mesh's numbers can keep, and the part of it that rounding takes.
+    /// The smallest tolerance for the mesh's number type (`min`), and the part of a tolerance that rounding takes.
     pub(crate) min: f64,
     pub(crate) rounding: f64,
-    /// The greatest number of cells in all.
+    /// The maximum total number of cells.
     pub(crate) limit: usize,
-    /// While cells are only counted: after how many halvings, and how many are to be expected so far.
+    /// While cells are only counted: the depth at which they are forecast, and the expected number of cells so far.
     pub(crate) forecast: Option<u32>,
     pub(crate) expected: f64,
-    /// … and how many if each piece is halved as if it bent everywhere as it does most: no fewer than there will be.
+    /// The expected number of cells if each piece is halved as if its second derivatives had their maxima everywhere:
+    /// an upper bound.
     pub(crate) expected_max: f64,
     pub(crate) cells: Vec<Cell>,
-    /// The vectors of the pieces that wait, in units of `size`.
+    /// The vectors of the pieces on the stack, in units of `size`.
     pub(crate) second_differences: SecondDifferences,
     pub(crate) size: f64,
 }
@@ -119,14 +122,14 @@ impl AdaptiveSubdivider<'_> {
         Ok(())
     }
 
-    /// Puts the second derivatives of a patch on the empty stack, as Bézier nets.
+    /// Pushes the second derivatives of a patch, as Bézier nets, onto the empty stack.
     fn start(&mut self, net: &[DVec3], columns: usize) {
         self.size = max_abs(net).max(f64::MIN_POSITIVE);
         let (m, n) = (columns - 1, net.len() / columns - 1);
         let (a, b) = (m as f64, n as f64);
         let net: Vec<DVec3> = net.iter().map(|&p| p / self.size).collect();
         let (du, dv) = (differences_u(&net, columns), differences_v(&net, columns));
-        // A direction of degree 1 has no second difference: the empty net.
+        // A direction of degree 1 has no second differences: its net is empty.
         let uu = if m > 1 {
             differences_u(&du, m)
         } else {
@@ -162,7 +165,7 @@ impl AdaptiveSubdivider<'_> {
         self.second_differences.start(sizes, vectors);
     }
 
-    /// How much the last piece but `before` bends.
+    /// Bounds on the second derivatives of the piece that is `before` entries below the top of the stack.
     fn bend(&self, before: usize) -> [f64; 3] {
         let scale = self.size * (1.0 + BEND_SLACK);
         self.second_differences
@@ -170,7 +173,7 @@ impl AdaptiveSubdivider<'_> {
             .map(|length| f64::from(length) * scale)
     }
 
-    /// The tolerance for the last piece.
+    /// The tolerance for the piece on top of the stack.
     fn tolerance(&self) -> f64 {
         let wanted = self.detail.tolerance_for(|| {
             self.second_differences
@@ -189,12 +192,12 @@ impl AdaptiveSubdivider<'_> {
         }
     }
 
-    /// Two triangles a cell.
+    /// The error with two triangles for each cell.
     pub(crate) fn too_many(&self) -> Error {
         #[allow(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
-            reason = "saturates, and is for people to read"
+            reason = "the cast saturates, and the number is only shown to people"
         )]
         let expected = self.expected as usize;
         Error::TooMany {
@@ -206,8 +209,8 @@ impl AdaptiveSubdivider<'_> {
 }
 
 impl Piece {
-    /// Whether to cut along u, the direction that bends more; where both bend alike, that which was cut less. None when
-    /// the parameters can be halved no more.
+    /// Whether to cut along u: the direction with the larger second derivative, or the direction that was cut less if
+    /// both are equal. `None` if the parameters cannot be halved again.
     fn longer_along_u(&self) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
         let [h, k] = self.lengths;
@@ -220,8 +223,8 @@ impl Piece {
         }
     }
 
-    /// How many cells it needs at least, if it bends alike everywhere: with i × j equal cells a/i² + b/(i·j) + c/j² must
-    /// be within the tolerance, so i·j is no less than any of these.
+    /// A lower bound on the number of cells if the second derivatives are constant: with i × j equal cells,
+    /// a/i² + b/(i·j) + c/j² must be within the tolerance, so i·j is at least each of the resulting lower bounds.
     fn min_cells(&self, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
         let [uu, uv, vv] = self.bend;
@@ -230,7 +233,8 @@ impl Piece {
         both.max((a.max(c) / tolerance).sqrt()).max(1.0)
     }
 
-    /// How many cells it becomes when it is halved until these are within the tolerance, if it bends alike everywhere.
+    /// The number of cells from repeated halving until they are within the tolerance, if the second derivatives are
+    /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
         while bound(self.lengths, self.bend) > tolerance {
@@ -243,7 +247,7 @@ impl Piece {
         cells
     }
 
-    /// Along which of the closed directions, if any, it still goes all the way round.
+    /// The closed direction, if any, in which the piece still covers the full range of the parameter.
     fn cell_closes(&self, [along_u, along_v]: [bool; 2]) -> Option<bool> {
         match (
             along_u && self.cell.du == DYADIC,
@@ -278,15 +282,15 @@ impl Piece {
     }
 }
 
-/// The most cells whose pieces together have no more vectors than [`MAX_VECTORS`]: there are about twice as many pieces as
-/// cells.
+/// The maximum number of cells whose pieces together have at most [`MAX_VECTORS`] vectors: there are about twice as
+/// many pieces as cells.
 pub(crate) fn cell_limit(degree_u: usize, degree_v: usize) -> usize {
     let (m, n) = (degree_u, degree_v);
     MAX_VECTORS / (2 * ((m - 1) * (n + 1) + m * n + (m + 1) * (n - 1)))
 }
 
-/// Whether a patch begins and ends at one place along u, and along v. However thin such a tube is, a single piece of it
-/// would have triangles without a third corner, and nothing would stand for it.
+/// Whether a patch is closed (starts and ends at the same point) along u, and along v. A single piece of such a tube,
+/// however thin, would have only triangles with two coincident corners, and nothing would represent it.
 fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
     let (last, end) = (net.len() - columns, net.len());
     let ring = |from: usize, to: usize, step: usize| {
@@ -299,12 +303,12 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
     ]
 }
 
-/// The greatest distance of flat triangles over a cell with these lengths.
+/// The maximum distance of flat triangles over a cell with these lengths.
 fn bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
     (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
 }
 
-/// Not `max`, which would be a call.
+/// The larger number. `f64::max` would be a function call.
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }

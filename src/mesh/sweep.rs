@@ -1,29 +1,29 @@
-//! A cross-section moved along a line: rows of vertices and the faces between them.
+//! Sweeps of a cross-section along a line: rows of vertices and the faces between them.
 
 use super::buffers::to_f32;
 use crate::numeric::float::ratio;
 use glam::DVec3;
 
-/// A whole turn.
+/// A full turn in radians.
 const TURN: f64 = std::f64::consts::TAU;
 
-/// What is moved along the line.
+/// The cross-section that is swept along the line.
 pub(crate) struct Section {
     /// The radius of a tube, half the width of a ribbon.
     half: f64,
-    /// The corners of a tube as (cos φ, sin φ); none for a ribbon.
+    /// The corners of a tube's cross-section as (cos φ, sin φ); none for a ribbon.
     corners: Vec<[f64; 2]>,
-    /// The rings of a cap between its line's end and its pole, as (cos, sin) of their elevation.
+    /// The rings of a cap between the end of the line and the cap's pole, as (cos, sin) of their elevation.
     rings: Vec<[f64; 2]>,
 }
 
-/// A place on a line.
+/// A point of a line with its frame.
 #[derive(Clone, Copy)]
 pub(crate) struct Frame {
     pub(crate) point: DVec3,
     /// The unit tangent.
     pub(crate) along: DVec3,
-    /// A unit vector perpendicular to it: a ribbon's normal, where a tube's corners start.
+    /// A unit vector perpendicular to the tangent: the normal of a ribbon, or the direction of a tube's first corner.
     pub(crate) side: DVec3,
 }
 
@@ -36,7 +36,7 @@ impl Section {
         }
     }
 
-    /// A tube with half spheres at its ends, whose rings are about as far apart as its corners.
+    /// A tube with hemispheres at its ends; the rings of a hemisphere are about as far apart as the corners.
     pub(crate) fn tube(radius: f64, sides: usize) -> Self {
         let steps = ((sides + 2) / 4).max(1);
         let mut corners = Vec::with_capacity(sides);
@@ -56,7 +56,7 @@ impl Section {
         }
     }
 
-    /// The vertices of a line with one place.
+    /// The number of vertices of a line with one sample.
     pub(crate) fn min_vertices(&self) -> usize {
         let rings = 1 + 2 * self.rings.len();
         self.columns() * rings + 2
@@ -66,14 +66,14 @@ impl Section {
         !self.corners.is_empty()
     }
 
-    /// The vertices of a row.
+    /// The number of vertices of a row.
     fn columns(&self) -> usize {
         self.corners.len().max(2)
     }
 }
 
-/// (cos φ, sin φ) of an angle up to a third of a turn, to the last digits: the series of e to the power iφ. The
-/// functions of the standard library would be a hundredth of the wasm module.
+/// (cos φ, sin φ) of an angle up to a third of a turn, accurate to the last digits, from the power series of e to the
+/// power iφ. The functions of the standard library would take a hundredth of the wasm module.
 pub(crate) fn turned(angle: f64) -> [f64; 2] {
     let mut sum = [1.0, 0.0];
     let mut term = 1.0;
@@ -86,20 +86,20 @@ pub(crate) fn turned(angle: f64) -> [f64; 2] {
     sum
 }
 
-/// What the next row is joined to.
+/// The row to which the next row is joined.
 #[derive(Clone, Copy)]
 enum Row {
     Nothing,
-    /// One vertex.
+    /// A single vertex: its index.
     Pole(u32),
-    /// As many as the section has.
+    /// A row of vertices of the section: the index of the first.
     Ring(u32),
 }
 
-/// Vertices and faces of a section that moves along lines.
+/// The vertices and faces of a section that is swept along lines.
 pub(crate) struct Sweep<'a> {
     section: &'a Section,
-    /// Whether anything is written; if not, vertices are only counted.
+    /// Whether vertices and faces are written; otherwise vertices are only counted.
     writes: bool,
     pub(crate) vertices: u32,
     pub(crate) positions: Vec<f32>,
@@ -110,7 +110,7 @@ pub(crate) struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    /// One that only counts.
+    /// A sweep that only counts vertices.
     pub(crate) fn new(section: &'a Section) -> Self {
         Self {
             section,
@@ -124,7 +124,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// One that writes so many vertices.
+    /// A sweep that writes this number of vertices.
     pub(crate) fn writing(section: &'a Section, vertices: usize) -> Self {
         Self {
             writes: true,
@@ -135,12 +135,12 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Where the next face starts among the indices.
+    /// The position of the next face in `indices`.
     pub(crate) fn first_index(&self) -> u32 {
         u32::try_from(self.indices.len()).unwrap_or(u32::MAX)
     }
 
-    /// The start of a line.
+    /// Starts a line.
     pub(crate) fn begin(&mut self, frame: &Frame) {
         self.row = Row::Nothing;
         self.start = self.vertices;
@@ -153,12 +153,12 @@ impl<'a> Sweep<'a> {
         self.add_ring(frame);
     }
 
-    /// The next place on the line.
+    /// Adds the next sample of the line.
     pub(crate) fn add_ring(&mut self, frame: &Frame) {
         self.ring(frame, [1.0, 0.0]);
     }
 
-    /// The end of the line, at its last place.
+    /// Ends the line at its last sample.
     pub(crate) fn end(&mut self, frame: &Frame) {
         if self.section.is_tube() {
             for &elevation in &self.section.rings {
@@ -166,15 +166,15 @@ impl<'a> Sweep<'a> {
             }
             self.pole(frame, 1.0);
         } else if self.vertices == self.start + 2 {
-            // A ribbon from nowhere to nowhere.
+            // A ribbon with a single row has no faces, so its vertices are removed.
             self.vertices = self.start;
             self.positions.truncate(3 * self.start as usize);
             self.normals.truncate(3 * self.start as usize);
         }
     }
 
-    /// A ring of a tube, its radius and its distance from the place along the line being those of the elevation; or the
-    /// two vertices of a ribbon, left and right.
+    /// Adds a ring of a tube, whose radius and offset along the line follow from the elevation, or the two vertices of
+    /// a ribbon, left and right.
     fn ring(&mut self, frame: &Frame, [c, s]: [f64; 2]) {
         let first = self.vertices;
         let across = frame.along.cross(frame.side);
@@ -205,7 +205,7 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// The faces between the row before and this one, counter-clockwise from outside.
+    /// Adds the faces between the previous row and this one, counter-clockwise as seen from outside.
     fn join(&mut self, next: Row) {
         let before = std::mem::replace(&mut self.row, next);
         if !self.writes {

@@ -1,4 +1,4 @@
-//! Walking along the lines of a surface: where are the places that a wire goes through, and how are they turned?
+//! Samples and frames along the isocurves of a surface, for tubes and ribbons.
 
 use super::isocurves::Isocurve;
 use super::sweep::{Frame, Sweep, turned};
@@ -11,27 +11,27 @@ use crate::surface::network::Surface;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// A ribbon follows its line as a tube of so many sides does.
+/// A ribbon follows its line as closely as a tube with this number of sides.
 const RIBBON_SIDES: usize = 8;
 
-/// The least tolerance is four ulps of the largest coordinate.
+/// The smallest tolerance, in ulps of the largest coordinate.
 const MIN_ULPS: f64 = 4.0;
 
-/// Walks along lines.
+/// Sweeps a cross-section along isocurves.
 pub(crate) struct Tracer {
     tolerance: f64,
-    /// The cosine of the greatest turn between two places.
+    /// The cosine of the largest angle between the tangents at two successive samples.
     turn: f64,
     ribbon: bool,
 }
 
-/// A place on a line before its frame is known.
+/// A sample of a line, before its frame is computed.
 #[derive(Clone, Copy)]
 struct LineSample {
     t: f64,
     point: DVec3,
     along: DVec3,
-    /// The surface's normal under a ribbon, else zero.
+    /// The surface normal for a ribbon, otherwise zero.
     normal: DVec3,
 }
 
@@ -65,7 +65,7 @@ impl Tracer {
         })
     }
 
-    /// Moves the section along one line.
+    /// Sweeps the section along one line.
     pub(crate) fn follow(&self, line: &Isocurve<'_>, sweep: &mut Sweep<'_>) -> Result<(), Error> {
         if line.curve.tangent(0.0) == DVec3::ZERO {
             return Ok(());
@@ -109,7 +109,7 @@ impl Tracer {
         (sample, frame)
     }
 
-    /// Goes on to the next place, over as many between as the turn asks for.
+    /// Advances to the next sample, with intermediate samples as the largest angle requires.
     fn advance(
         &self,
         line: &Isocurve<'_>,
@@ -132,7 +132,7 @@ impl Tracer {
         let middle = 0.5 * (from.t + to.t);
         let close = Point::length(to.point - from.point) <= self.tolerance;
         if close || middle <= from.t || middle >= to.t {
-            // A corner.
+            // The line has a corner here.
             sweep.end(&before);
             return self.start(to, sweep);
         }
@@ -142,7 +142,7 @@ impl Tracer {
     }
 }
 
-/// The frame at a place, its side as near to the given direction as may be.
+/// The frame at a sample, with its side direction as close as possible to the given direction.
 fn frame(sample: &LineSample, side: DVec3) -> Frame {
     let LineSample { point, along, .. } = *sample;
     let axis = if along.x.abs() < 0.5 {
@@ -151,7 +151,8 @@ fn frame(sample: &LineSample, side: DVec3) -> Frame {
         DVec3::Y
     };
     let across = |v: DVec3| Point::normalize_or_zero(v - along * v.dot(along));
-    // Of a side almost along the line, rounding leaves some of it: twice is enough (Kahan).
+    // If the given direction is almost parallel to the line, rounding leaves a component along the line; projecting
+    // twice is sufficient (Kahan).
     let side = across(across(side));
     let side = if side == DVec3::ZERO {
         across(across(axis))
@@ -161,8 +162,9 @@ fn frame(sample: &LineSample, side: DVec3) -> Frame {
     Frame { point, along, side }
 }
 
-/// The side of a frame, carried to the next place without a turn about the line: reflected in the plane amid both
-/// points, then in the one that takes the tangent to that of the next.
+/// The side direction of a frame, transported to the next sample without rotation about the line (double reflection):
+/// reflected in the bisecting plane of both points, then in the plane that maps the tangent to the tangent at the next
+/// sample.
 fn carried(from: &Frame, to: &LineSample) -> DVec3 {
     let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
     let chord = Point::normalize_or_zero(to.point - from.point);

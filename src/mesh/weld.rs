@@ -1,4 +1,4 @@
-//! Which corners of triangles become one vertex?
+//! Welding: which corners of triangles become one vertex.
 
 use super::buffers::to_f32;
 use super::stitched_mesh::{StitchedMesh, number};
@@ -6,7 +6,7 @@ use super::{Indices, Mesh, PatchRange};
 use crate::geometry::point::Point;
 use glam::DVec3;
 
-/// What becomes one vertex of a mesh. Positions are bit-identical in all three.
+/// Which corners become one vertex of a mesh. Positions are bit-identical for all three rules.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -14,35 +14,35 @@ use glam::DVec3;
     serde(rename_all = "lowercase")
 )]
 pub enum Weld {
-    /// One vertex for each point; where patches meet in a crease its normal is the mean of theirs, each weighted by the
-    /// angles of its triangles there.
+    /// One vertex for each point. Where patches meet in a crease, its normal is the mean of their normals, each
+    /// weighted by the angles of its triangles at the point.
     Position,
-    /// One vertex for each point and normal: patches share it unless their normals differ by more than 0.1°.
+    /// One vertex for each point and normal: patches share a vertex unless their normals differ by more than 0.1°.
     #[default]
     Normal,
-    /// Each patch has its own vertices, so that uvs and patch numbers hold.
+    /// Each patch has its own vertices, so that `uvs` and `patch_ids` are available.
     None,
 }
 
-/// Normals that differ by less than 0.1° share a vertex: the square of the chord of that angle.
+/// The square of the chord of 0.1°: normals that differ by less share a vertex.
 const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;
 
-/// How many normals at one node are compared, the latest first: where thousands of patches meet in a point, comparing
-/// each with all would take for ever. Some that agree may then stay apart.
+/// The maximum number of normals that are compared at one node, the latest first. Where thousands of patches meet in a
+/// point, comparing each with all others would take too long; some equal normals may then stay separate.
 const MAX_COMPARED: usize = 256;
 
-/// No vertex yet.
+/// Marks a node without a vertex.
 const NONE: u32 = u32::MAX;
 
 /// A vertex: a node and its normal.
 struct Vertex {
     node: u32,
     normal: DVec3,
-    /// The vertex before with the same node.
+    /// The previous vertex of the same node.
     before: u32,
 }
 
-/// Numbers vertices as triangles use them.
+/// Numbers vertices in the order in which triangles use them.
 struct Welder<'a> {
     stitched_mesh: &'a StitchedMesh,
     vertices: Vec<Vertex>,
@@ -51,7 +51,7 @@ struct Welder<'a> {
 }
 
 impl StitchedMesh {
-    /// The mesh with vertices shared in this way.
+    /// Writes the mesh with vertices shared according to the rule.
     pub(crate) fn weld(&self, weld: Weld, mesh: &mut Mesh<f64>) {
         mesh.clear();
         if weld == Weld::None {
@@ -77,7 +77,7 @@ impl StitchedMesh {
         self.fill_ranges(mesh, false);
     }
 
-    /// Every corner is a vertex.
+    /// Writes the mesh with one vertex for each corner.
     fn keep_corners(&self, mesh: &mut Mesh<f64>) {
         for corner in &self.corners {
             mesh.push(self.nodes[corner.node as usize], corner.normal);
@@ -94,7 +94,8 @@ impl StitchedMesh {
         self.fill_ranges(mesh, true);
     }
 
-    /// The triangles of each patch are in a row in any case, its vertices only where they are its own.
+    /// The triangles of a patch are always contiguous; its vertices are contiguous only if they belong to this patch
+    /// alone.
     fn fill_ranges(&self, mesh: &mut Mesh<f64>, own_vertices: bool) {
         let (mut corners, mut triangles) = (0, 0);
         for end in &self.ends {
@@ -139,7 +140,7 @@ impl Welder<'_> {
         new
     }
 
-    /// Replaces normals by the means of their corners' normals, weighted by the angles of the triangles.
+    /// Replaces normals by the mean of the normals of their corners, weighted by the angles of the triangles.
     fn average_normals(&mut self, numbers: &[u32]) {
         let mut sums = vec![DVec3::ZERO; self.vertices.len()];
         let corners = self.stitched_mesh.triangles.as_flattened();
@@ -156,7 +157,7 @@ impl Welder<'_> {
             }
         }
         for (vertex, sum) in self.vertices.iter_mut().zip(sums) {
-            // Normals that cancel leave the first one.
+            // If the normals cancel, the first one is kept.
             let mean = Point::normalize_or_zero(sum);
             if mean != DVec3::ZERO {
                 vertex.normal = mean;
@@ -165,7 +166,7 @@ impl Welder<'_> {
     }
 }
 
-/// The angle between unit vectors, accurate for small ones too: 2·atan(|a − b| / |a + b|) (Kahan).
+/// The angle between unit vectors, also accurate for small angles: 2·atan(|a − b| / |a + b|) (Kahan).
 fn angle(a: DVec3, b: DVec3) -> f64 {
     2.0 * Point::length(a - b).atan2(Point::length(a + b))
 }

@@ -1,6 +1,6 @@
-//! What the lines of a wireframe are made of.
+//! Options of wireframe meshes.
 
-/// What a [`Surface::wireframe`](crate::Surface::wireframe) is made of.
+/// The options of [`Surface::wireframe`](crate::Surface::wireframe).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -8,13 +8,13 @@
     serde(rename_all = "camelCase")
 )]
 pub struct WireframeOptions {
-    /// Strips per patch each way, at least 1.
+    /// The number of strips per patch in each direction, at least 1.
     pub lines: usize,
-    /// The body of each line.
+    /// The shape of the lines.
     pub wire: Wire,
 }
 
-/// The body of a line.
+/// The shape of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -24,20 +24,20 @@ pub struct WireframeOptions {
 pub enum Wire {
     /// A tube with round ends.
     Tube {
-        /// Of the circle around the line that the corners lie on, in the surface's unit.
+        /// The radius of the circle around the line on which the corners lie, in the surface's unit.
         radius: f64,
-        /// Corners of the cross-section, at least 3.
+        /// The number of corners of the cross-section, at least 3.
         sides: usize,
     },
-    /// A flat band in the surface's tangent planes.
+    /// A flat band in the tangent planes of the surface.
     Ribbon {
-        /// From edge to edge, in the surface's unit.
+        /// The width from edge to edge, in the surface's unit.
         width: f64,
     },
 }
 
 impl Default for WireframeOptions {
-    /// Four strips; tubes of eight sides and the radius 0.01.
+    /// Four strips, and tubes with eight sides and the radius 0.01.
     fn default() -> Self {
         Self {
             lines: 4,

@@ -1,4 +1,4 @@
-//! A surface as a mesh of its lines: tubes or ribbons along the isocurves.
+//! Wireframe meshes: tubes or ribbons along the isocurves of a surface.
 
 use super::sweep::{Section, Sweep};
 use super::tracer::Tracer;
@@ -8,20 +8,20 @@ use crate::geometry::error::Error;
 use crate::numeric::float::ratio;
 use crate::surface::network::Surface;
 
-/// The most vertices: each three positions, three normals and, nearly, two triangles of three indices, four bytes each,
-/// in 1 GiB.
+/// The maximum number of vertices in 1 GiB: each has three position and three normal coordinates and almost two
+/// triangles of three indices, four bytes each.
 const MAX_VERTICES: u32 = (1 << 30) / ((3 + 3 + 6) * 4);
 
 impl Surface {
     /// A mesh of the [`isocurves`](Self::isocurves): tubes, or ribbons that lie in the surface.
     ///
-    /// A line is followed as closely as a tube's cross-section follows its circle: to r (1 − cos(π / sides)), with
-    /// places between which it turns by at most 2π / sides (a ribbon as half as wide as a tube with eight sides). Where
-    /// it turns back within that distance, at a cusp, it ends and starts anew. Tubes are closed bodies with round ends,
-    /// which is how they meet where lines cross and patches end; their cross-sections do not twist about the line
-    /// (rotation-minimising frames by double reflection). Ribbons have the surface's normals and one side, that of ∂u ×
-    /// ∂v. A line that is a point gives nothing. `uvs` and `patch_ids` are empty; `patch_ranges` tell which patch has
-    /// drawn what.
+    /// The mesh follows a line as closely as a tube's cross-section approximates its circle: within r (1 − cos(π /
+    /// sides)), and with at most 2π / sides of turning between two samples. (A ribbon follows it as closely as a tube
+    /// with eight sides and a radius of half the ribbon's width.) Where a line turns back within that distance, at a
+    /// cusp, it ends and starts again. Tubes are closed bodies with hemispherical ends, so that they join where lines
+    /// cross and patches end; their cross-sections do not twist about the line (rotation-minimising frames by double
+    /// reflection). Ribbons have the surface's normals and are one-sided, on the side of ∂u × ∂v. A line that is a
+    /// point is omitted. `uvs` and `patch_ids` are empty; `patch_ranges` contains the range of each patch.
     ///
     /// Source of the frames: Wang, Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM
     /// Transactions on Graphics 27 (2008).
@@ -38,13 +38,13 @@ impl Surface {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Range`] for 0 lines, fewer than 3 sides, a radius or a width that is not above 0, [`Error::TooSmall`] for
-    /// one so small that f32 cannot show it, [`Error::TooMany`] above 1 GiB.
+    /// [`Error::Range`] for 0 lines, fewer than 3 sides, and a radius or a width that is not above 0;
+    /// [`Error::TooSmall`] for a radius or a width too small for the precision of f32; [`Error::TooMany`] above 1 GiB.
     pub fn wireframe(&self, options: &WireframeOptions) -> Result<Mesh, Error> {
         let section = options.wire.section()?;
         let tracer = Tracer::new(self, &options.wire)?;
         self.check_min_count(options.lines, &section)?;
-        // Counted first, so that nothing is allocated in vain.
+        // Vertices are counted first, so that nothing is allocated for a mesh that is too large.
         let mut sweep = Sweep::new(&section);
         let mut patch_ranges = vec![PatchRange::default(); self.patch_count()];
         self.draw_wires(options.lines, &tracer, &mut sweep, &mut patch_ranges)?;
@@ -87,7 +87,7 @@ impl Surface {
         outcome
     }
 
-    /// Refuses lines that must be too many, without looking at one of them.
+    /// Returns an error if the minimum number of vertices is above the limit, without examining the lines.
     fn check_min_count(&self, lines: usize, section: &Section) -> Result<(), Error> {
         let inside = lines
             .saturating_sub(1)
@@ -131,7 +131,7 @@ impl Wire {
         }
     }
 
-    /// The size by its name.
+    /// The size and its name.
     pub(crate) fn size(&self) -> (&'static str, f64) {
         match *self {
             Self::Tube { radius, .. } => ("radius", radius),

@@ -1,4 +1,4 @@
-//! How large is the surface?
+//! Surface area of patches and surfaces.
 
 use super::Patch;
 use super::tile_area::TileArea;
@@ -8,47 +8,47 @@ use crate::surface::frame::Frame;
 use crate::surface::network::Surface;
 use casteljau_kernels::WorkLimit;
 
-/// The error of an area that is aimed at: a tenth of what is promised.
+/// Relative error at which the integration of the area stops: a tenth of the documented error.
 const AREA_ERROR: f64 = 1e-9;
 
-/// In units of the patch's size squared, what is left of an area where there is none.
+/// Area below which a patch counts as having no area, in units of the square of the patch's size: rounding noise.
 const NO_AREA: f64 = 32.0 * f64::EPSILON;
 
-/// The most steps of an area, about one for each two multiplications. Only folds need so many, and patches of high degrees
-/// that have as many bends.
+/// The maximum number of steps of one area, about one step for each two multiplications. Only folds, and patches of
+/// high degree with many bends, need this many.
 const MAX_STEPS: usize = 1 << 22;
 
-/// Tiles are halved no more often than this in u and v.
+/// The maximum number of times that a tile is halved in u and v.
 const MAX_ROUNDS: usize = 40;
 
-/// A rectangle of parameters, with its area.
+/// A rectangle of parameters and its area.
 #[derive(Clone, Copy)]
 struct Tile {
     u: [f64; 2],
     v: [f64; 2],
     area: f64,
-    /// By how much the area of the tile that this is a quarter of changed when it was split.
+    /// The change of the parent tile's area when it was split into four, of which this tile is one.
     change_before: f64,
 }
 
-/// A tile that was split in four.
+/// A tile that is split into four.
 struct Split {
     quarters: [Tile; 4],
     area: f64,
-    /// An estimate of what the area is still off by.
+    /// An estimate of the remaining error of the area.
     error: f64,
 }
 
 impl Patch {
-    /// The area, ∫∫|∂u × ∂v| du dv, within 1e-8 of itself.
+    /// The surface area, ∫∫|∂u × ∂v| du dv, with a relative error of at most 1e-8.
     ///
-    /// Gauss and Legendre's rule on tiles, split in four until that changes little. What the patch covers twice counts
-    /// twice. Zero for a patch that is a curve or a point.
+    /// The method is Gauss–Legendre quadrature on tiles, which are split into four until the result changes little.
+    /// Regions that the patch covers twice count twice. The area of a patch that is a curve or a point is zero.
     ///
-    /// At most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back, or has
-    /// very different sizes along its axes, the result is the best estimate and the fifth digit may be off: the rule may
-    /// miss a fold that cuts a corner of a tile off, and folds may need more steps. Where coordinates differ by many
-    /// powers of ten, the fourth.
+    /// The function takes at most 2²² steps, about one for each two multiplications (some milliseconds). Where the
+    /// patch folds back, or has very different sizes along its axes, the result is the best estimate and its fifth
+    /// digit may be wrong: the quadrature may miss a fold that cuts off a corner of a tile, and folds may need more
+    /// steps. Where coordinates differ by many powers of ten, the fourth digit may be wrong.
     pub fn area(&self) -> f64 {
         let frame = Frame::around(self.control_bounds());
         let area = area_in_frame(&frame.image(self));
@@ -60,9 +60,9 @@ impl Patch {
 }
 
 impl Surface {
-    /// The area of all patches together, within 1e-8 of itself; 0 without patches. See [`Patch::area`].
+    /// The total area of all patches, with a relative error of at most 1e-8; 0 without patches. See [`Patch::area`].
     pub fn area(&self) -> f64 {
-        // Not `sum`, which begins with −0.
+        // `sum` would start with −0.
         self.patches().fold(0.0, |sum, patch| sum + patch.area())
     }
 }
@@ -122,7 +122,7 @@ impl Tile {
             [[from, middle], [middle, to]]
         };
         let ([u0, u1], [v0, v1]) = (halves(self.u), halves(self.v));
-        // Neighbours in this order share a range, which the rule makes use of.
+        // Neighbours in this order share a range of u or of v, which `TileArea` reuses.
         let mut quarters =
             [(u0, v0), (u0, v1), (u1, v1), (u1, v0)].map(|(u, v)| Tile::new(u, v, 0.0, rule));
         let area: f64 = quarters.iter().map(|quarter| quarter.area).sum();
@@ -130,7 +130,8 @@ impl Tile {
         for quarter in &mut quarters {
             quarter.change_before = change;
         }
-        // The area changes once more as it did last time, a quarter of that change having been this tile's.
+        // The next split is estimated to change the area in the same proportion as this split did; a quarter of the
+        // parent's change is attributed to this tile.
         let error = change * (4.0 * change / self.change_before).min(1.0);
         Split {
             quarters,

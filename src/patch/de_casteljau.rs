@@ -1,10 +1,10 @@
-//! De Casteljau's construction of a point of a patch, to look at.
+//! De Casteljau's algorithm on a patch, with all intermediate points, for drawing the construction.
 
 use super::Patch;
 use crate::curve::Curve;
 use glam::DVec3;
 
-/// Everything that de Casteljau's algorithm passes through on its way to S(u, v): rows, then a curve, then the point.
+/// All intermediate points of de Casteljau's algorithm for S(u, v): rows, then a curve, then the point.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -12,20 +12,20 @@ use glam::DVec3;
     serde(rename_all = "camelCase")
 )]
 pub struct PatchDeCasteljau {
-    /// For each row of the net all levels at u: the row itself first, its point last; see [`Curve::de_casteljau`].
+    /// All levels at u for each row of the net: the row itself first, its point last; see [`Curve::de_casteljau`].
     pub rows: Vec<Vec<Vec<DVec3>>>,
-    /// All levels at v of the curve u = constant, whose control points are the points of the rows.
+    /// All levels at v of the curve u = constant. Its control points are the points of the rows.
     pub column: Vec<Vec<DVec3>>,
-    /// The point S(u, v), which the last level of the column holds.
+    /// The point S(u, v), which is also the last level of the column.
     pub point: DVec3,
 }
 
 impl Patch {
-    /// De Casteljau's construction at (u, v).
+    /// De Casteljau's algorithm at (u, v), with all intermediate points.
     ///
-    /// Each of the n + 1 rows is a curve of degree m, drawn out at u; the last points of their constructions are the
-    /// control points of a curve of degree n, drawn out at v. Parameters outside [0, 1] extrapolate. Source: de Casteljau,
-    /// *Courbes et surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, 5th ed., §14.3.
+    /// Each of the n + 1 rows is a curve of degree m, evaluated at u. The resulting points are the control points of a
+    /// curve of degree n, evaluated at v. Parameters outside [0, 1] extrapolate. Source: de Casteljau, *Courbes et
+    /// surfaces à pôles* (Citroën, 1963); Farin, *Curves and Surfaces for CAGD*, 5th ed., §14.3.
     pub fn de_casteljau(&self, u: f64, v: f64) -> PatchDeCasteljau {
         let rows: Vec<_> = self
             .points
@@ -43,7 +43,7 @@ impl Patch {
     }
 }
 
-/// The one point of the last level.
+/// The only point of the last level.
 fn last(levels: &[Vec<DVec3>]) -> DVec3 {
     levels
         .last()

@@ -1,4 +1,4 @@
-//! How far is the patch from the two triangles of its corners?
+//! Flatness: a bound on the distance of a patch from the two triangles of its corners.
 
 use super::Patch;
 use super::net::{differences_u, differences_v};
@@ -8,17 +8,16 @@ use crate::numeric::list::Net;
 use glam::DVec3;
 
 impl Patch {
-    /// A bound on the distance of the patch from the two triangles that join its corners, whichever diagonal they
-    /// share.
+    /// An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal.
     ///
-    /// (M₁ + 2 M₂ + M₃)/8 with M₁ = m(m − 1) max|Δuu|, M₂ = m·n max|ΔuΔv| and M₃ = n(n − 1) max|Δvv|, the greatest second
-    /// derivatives by the second differences of the net. In units of length; it falls to a quarter when the patch is
-    /// split in both directions. Zero for a parallelogram whose control points lie on a lattice; points that lie in the
-    /// plane, but unevenly, count as a distance too, since the bound compares points of equal (u, v). For the bilinear
-    /// z = uv it is attained. Source: Filip, Magedson and Markot, "Surface algorithms using bounds on derivatives",
-    /// *Computer Aided Geometric Design* 3 (1986), 295–311.
+    /// (M₁ + 2 M₂ + M₃)/8 with M₁ = m(m − 1) max|Δuu|, M₂ = m·n max|ΔuΔv| and M₃ = n(n − 1) max|Δvv|, which bound the
+    /// second derivatives by the second differences of the net. The unit is length. The bound falls to a quarter when
+    /// the patch is split in both directions. It is zero for a parallelogram whose control points lie on a regular
+    /// grid. For unevenly spaced control points it is positive even if they lie in a plane, since it compares points of
+    /// equal (u, v). The bilinear patch z = uv attains it. Source: Filip, Magedson and Markot, "Surface algorithms
+    /// using bounds on derivatives", *Computer Aided Geometric Design* 3 (1986), 295–311.
     pub fn flatness(&self) -> f64 {
-        // Eighths first: they are wanted, and second differences of ±1e308 would overflow.
+        // The factor 1/8 is applied first, since second differences of ±1e308 would overflow.
         let eighths: Net = self.points.iter().map(|&p| p * 0.125).collect();
         let (m, n) = (ratio(self.degree_u(), 1), ratio(self.degree_v(), 1));
         let du = differences_u(&eighths, self.columns);

@@ -1,7 +1,7 @@
-//! One tensor-product Bézier patch.
+//! Tensor-product Bézier patches.
 //!
-//! A patch is a curve of curves: its net of control points has rows, each row is a curve in u, and the points of these
-//! curves at one u are the control points of a curve in v.
+//! The control net of a patch has rows. Each row is a curve in u, and the points of these curves at one u are the
+//! control points of a curve in v.
 
 mod area;
 mod curvature;

@@ -1,4 +1,4 @@
-//! Nets of control points as plain slices: rows run in u, the fast index; `columns` is their length.
+//! Control nets as slices: u is the fast index, and `columns` is the length of a row.
 
 use crate::bernstein::evaluate::evaluate;
 use crate::numeric::list::Points;
@@ -6,7 +6,7 @@ use glam::DVec3;
 
 pub(crate) use crate::numeric::list::Net;
 
-/// The point of the tensor product: each row at u, then the curve of these points at v.
+/// The point of the tensor product: each row is evaluated at u, then the curve of these points at v.
 pub(crate) fn evaluate_net(net: &[DVec3], columns: usize, u: f64, v: f64) -> DVec3 {
     evaluate(&curve_at_u(net, columns, u), v)
 }
@@ -23,7 +23,7 @@ pub(crate) fn transpose(net: &[DVec3], columns: usize) -> Net {
         .collect()
 }
 
-/// The differences of neighbours along u: one column fewer; of a single column, zeros.
+/// The differences of neighbouring points along u, which have one column fewer; zeros for a single column.
 pub(crate) fn differences_u(net: &[DVec3], columns: usize) -> Net {
     if columns < 2 {
         return std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
@@ -35,7 +35,7 @@ pub(crate) fn differences_u(net: &[DVec3], columns: usize) -> Net {
     differences
 }
 
-/// The differences of neighbours along v: one row fewer; of a single row, zeros.
+/// The differences of neighbouring points along v, which have one row fewer; zeros for a single row.
 pub(crate) fn differences_v(net: &[DVec3], columns: usize) -> Net {
     if net.len() <= columns {
         return std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
@@ -46,10 +46,11 @@ pub(crate) fn differences_v(net: &[DVec3], columns: usize) -> Net {
         .collect()
 }
 
-/// Differences brought to the size 1, for directions that neither overflow nor vanish; zeros if there are none.
+/// Scales differences so that their largest coordinate is ±1, so that their products neither overflow nor vanish.
+/// Differences that are all zero stay zero.
 pub(crate) fn unit_size(differences: &mut [DVec3]) {
     let size = crate::geometry::check::max_abs(differences);
-    // Below this the reciprocal is not finite; a shape of that size is a point.
+    // Below this size the reciprocal is not finite; a shape of that size counts as a point.
     let factor = if size < f64::MIN_POSITIVE * 8.0 {
         0.0
     } else {

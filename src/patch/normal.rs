@@ -1,10 +1,11 @@
-//! Which way does the surface face where ∂u × ∂v vanishes?
+//! The limit of the normal where ∂u × ∂v vanishes.
 //!
-//! N(u, v) = ∂S/∂u × ∂S/∂v is itself a polynomial, with vector coefficients of degrees 2m − 1 and 2n − 1: the normal
-//! net, 6 × 6 vectors for a bicubic patch. Where a side has collapsed into a point, the rows of this net along the side
-//! are exactly zero, and the first row that is not gives the limit of the normal's direction. So no step length has to
-//! be chosen, and no noise is normalised. Source: Yamaguchi, "Normal vectors of Bézier patches"; the formula is derived
-//! by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*, §6.9 for products).
+//! N(u, v) = ∂S/∂u × ∂S/∂v is itself a polynomial with vector coefficients, of degrees 2m − 1 and 2n − 1. Its
+//! coefficients are the normal net: 6 × 6 vectors for a bicubic patch. Where an edge is collapsed to a point, the rows
+//! of this net along the edge are exactly zero, and the first nonzero row gives the limit of the normal's direction. So
+//! no step length has to be chosen, and no noise is normalised. Source: Yamaguchi, "Normal vectors of Bézier patches";
+//! the formula is derived by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*,
+//! §6.9 for products).
 
 use super::net::transpose;
 use crate::bernstein::casteljau::blossom_piece;
@@ -14,11 +15,13 @@ use crate::numeric::list::Net;
 pub(crate) use casteljau_kernels::binomial;
 use glam::DVec3;
 
-/// A coefficient counts as zero below this length; those of the unit-sized differences carry noise of some 1e-16.
+/// A coefficient counts as zero below this length; the coefficients of the unit-sized differences carry noise of about
+/// 1e-16.
 const VANISHING: f64 = 1e-13;
 
-/// Limits are taken on the way to the middle of the patch. Where N vanishes on all of that way, as along a fold in the
-/// middle, the two sides disagree, and this other way chooses one.
+/// The parameters toward which limits are taken: first the middle of the patch. Where N vanishes on the whole line to
+/// the middle, as along a fold in the middle, the limits from both sides disagree, and the second point selects one of
+/// them.
 const INWARD: [[f64; 2]; 2] = [[0.5, 0.5], [0.375, 0.25]];
 
 /// The coefficients of N = ∂u × ∂v in Bernstein form, up to a positive factor.
@@ -30,7 +33,7 @@ pub(crate) struct NormalNet {
 }
 
 impl NormalNet {
-    /// From differences along u (m columns) and along v (m + 1 columns):
+    /// Computes the net from differences along u (m columns) and along v (m + 1 columns):
     /// N_kl = Σ C(m−1,i) C(n,j) C(m,i′) C(n−1,j′) / (C(2m−1,k) C(2n−1,l)) Δu_ij × Δv_i′j′ over i + i′ = k, j + j′ = l.
     pub(crate) fn new(du: &[DVec3], dv: &[DVec3], m: usize, n: usize) -> Self {
         let (degree_u, degree_v) = (2 * m - 1, 2 * n - 1);
@@ -54,12 +57,13 @@ impl NormalNet {
         }
     }
 
-    /// Whether N is zero everywhere: the patch is a point or a curve.
+    /// Whether N is zero everywhere, so that the patch is a point or a curve.
     pub(crate) fn vanishes(&self) -> bool {
         self.net.iter().all(|&p| direction(p).is_none())
     }
 
-    /// The unit vector that N's direction tends to at (u, v), coming from the middle of the patch; zero if N is zero.
+    /// The limit of N's direction at (u, v), approached from the middle of the patch, as a unit vector; zero if N is
+    /// zero.
     pub(crate) fn limit(&self, u: f64, v: f64) -> DVec3 {
         let inside = |t: f64| t > 0.0 && t < 1.0;
         let columns = self.degree_u + 1;
@@ -77,8 +81,9 @@ impl NormalNet {
             .unwrap_or(DVec3::ZERO)
     }
 
-    /// The first direction along the straight line from (u, v) to another point: that of the first coefficient of N on
-    /// this line which does not vanish. The coefficients of order k are those of k steps, in u and v together.
+    /// The limit of the direction at (u, v) along the straight line to another point: the direction of the first
+    /// coefficient of N on this line that does not vanish. The coefficient of order k combines the coefficients of N
+    /// with k steps in u and v together.
     fn toward(&self, u: f64, v: f64, [to_u, to_v]: [f64; 2]) -> Option<DVec3> {
         let columns = self.degree_u + 1;
         let rows = self.degree_v + 1;
@@ -97,7 +102,7 @@ impl NormalNet {
     }
 }
 
-/// The direction at t of the first row, or of the last one backwards, that does not vanish there.
+/// The direction at t of the first row that does not vanish there; the rows are searched backwards if `from_end`.
 fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DVec3> {
     let at = |row: &[DVec3]| {
         let some = row.iter().any(|&p| p != DVec3::ZERO);
@@ -110,8 +115,8 @@ fn first_row(net: &[DVec3], columns: usize, t: f64, from_end: bool) -> Option<DV
     }
 }
 
-/// Every row from t toward another parameter: the piece up to there, or from an end to ½ the whole row, which starts
-/// alike.
+/// Every row restricted to the interval from t to another parameter. From an end to ½ the whole row is returned, which
+/// has the same first directions.
 fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
     let mut rows = Net::from(net);
     for row in rows.chunks_mut(columns) {
@@ -127,12 +132,12 @@ fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
     rows
 }
 
-/// The unit vector, unless the length is noise.
+/// The unit vector; `None` if the length is noise.
 fn direction(vector: DVec3) -> Option<DVec3> {
     (vector.length_squared() > VANISHING * VANISHING).then(|| Point::normalize_or_zero(vector))
 }
 
-/// Each coefficient of a net of these degrees times its binomials.
+/// Each coefficient of a net of these degrees, multiplied by its binomial coefficients.
 fn weighted(net: &[DVec3], degree_u: usize, degree_v: usize) -> Net {
     let columns = degree_u + 1;
     net.iter()

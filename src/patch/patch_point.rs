@@ -1,8 +1,8 @@
-//! Points that queries of patches find.
+//! Results of point queries on patches.
 
 use glam::DVec3;
 
-/// A point of a patch, found by a question.
+/// A point of a patch, returned by a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -16,6 +16,6 @@ pub struct PatchPoint {
     pub v: f64,
     /// The point S(u, v).
     pub point: DVec3,
-    /// Its distance from the point that was asked for, or from the ray's origin.
+    /// Its distance from the query point or from the ray's origin.
     pub distance: f64,
 }

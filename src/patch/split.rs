@@ -1,4 +1,4 @@
-//! Curves on a patch and pieces of it, exactly.
+//! Isocurves, subdivision, degree elevation and change of basis of patches.
 
 use super::Patch;
 use super::net::{curve_at_u, transpose};
@@ -13,10 +13,10 @@ use glam::DVec3;
 impl Patch {
     /// The bicubic patch of sixteen geometry points in another basis.
     ///
-    /// S(u, v) = \[u³ u² u 1\]·M·G·Mᵀ·\[v³ v² v 1\]ᵀ; the geometry point Gᵢⱼ has the index 4j + i. So each row is taken to the
-    /// Bézier basis and then each column: of the Hermite basis, a row holds two points and two derivatives in u, and
-    /// the last two rows are derivatives in v. A singular matrix is allowed. Source: Foley et al., *Computer Graphics:
-    /// Principles and Practice*, 2nd ed., §11.3.
+    /// S(u, v) = \[u³ u² u 1\]·M·G·Mᵀ·\[v³ v² v 1\]ᵀ; the geometry point Gᵢⱼ has the index 4j + i. Each row is
+    /// converted to the Bézier basis, then each column. In the Hermite basis, a row holds two points and two
+    /// derivatives in u, and the last two rows are derivatives in v. A singular matrix is allowed. Source: Foley et
+    /// al., *Computer Graphics: Principles and Practice*, 2nd ed., §11.3.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity in the points or the matrix.
@@ -32,21 +32,22 @@ impl Patch {
         Self::new(&transpose(&across, 4), 3, 3)
     }
 
-    /// The curve u = constant: degree n, running in v from S(u, 0) to S(u, 1).
+    /// The curve u = constant, of degree n in v, from S(u, 0) to S(u, 1).
     pub fn isocurve_at_u(&self, u: f64) -> Curve<DVec3> {
         Curve::from_points(curve_at_u(&self.points, self.columns, u))
     }
 
-    /// The curve v = constant: degree m, running in u from S(0, v) to S(1, v).
+    /// The curve v = constant, of degree m in u, from S(0, v) to S(1, v).
     pub fn isocurve_at_v(&self, v: f64) -> Curve<DVec3> {
         let across = transpose(&self.points, self.columns);
         Curve::from_points(curve_at_u(&across, self.rows(), v))
     }
 
-    /// The two pieces before and after u, as patches of the same degrees.
+    /// Splits the patch at u into two patches of the same degrees: before u and after u.
     ///
-    /// Each row of the net is split by de Casteljau's algorithm. The pieces share the points of the isocurve at u and
-    /// keep the outer corners exactly; u outside [0, 1] gives one piece beyond the patch and one that runs back.
+    /// Each row of the net is split by de Casteljau's algorithm. Both patches have the same control points along the
+    /// isocurve at u and keep the outer corners exactly. For u outside [0, 1] one patch extends beyond the original and
+    /// the other is traversed backwards.
     pub fn split_u(&self, u: f64) -> (Self, Self) {
         let (before, after) = split_rows(&self.points, self.columns, u);
         (
@@ -55,7 +56,7 @@ impl Patch {
         )
     }
 
-    /// The two pieces before and after v; see [`split_u`](Self::split_u).
+    /// Splits the patch at v into two patches: before v and after v; see [`split_u`](Self::split_u).
     pub fn split_v(&self, v: f64) -> (Self, Self) {
         let across = transpose(&self.points, self.columns);
         let (before, after) = split_rows(&across, self.rows(), v);
@@ -63,14 +64,15 @@ impl Patch {
         (back(before), back(after))
     }
 
-    /// The four pieces around (u, v), in the order of net indices: before u and v, after u, after v, after both.
+    /// Splits the patch at (u, v) into four patches, in the order of net indices: before both u and v, after u, after
+    /// v, after both.
     pub fn split(&self, u: f64, v: f64) -> [Self; 4] {
         let (below, above) = self.split_v(v);
         let ((p00, p10), (p01, p11)) = (below.split_u(u), above.split_u(u));
         [p00, p10, p01, p11]
     }
 
-    /// The same patch with one more row and one more column of control points: degrees m + 1 and n + 1.
+    /// The same patch with one more row and one more column of control points: degree elevation to m + 1 and n + 1.
     ///
     /// Each row and then each column is elevated as a curve; see [`Curve::elevate`].
     ///

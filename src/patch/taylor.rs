@@ -4,20 +4,20 @@ use crate::bernstein::polynomials::bernstein_into;
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::float::ratio;
 
-/// The most coefficients of a row: the degree of a squared distance is twice that of a patch.
+/// The maximum number of coefficients of a row: the degree of a squared distance is twice that of a patch.
 pub(crate) const MAX_COUNT: usize = 2 * MAX_DEGREE + 1;
 
-/// From this number of coefficients on, a row is evaluated by its Bernstein weights and not by de Casteljau's algorithm.
+/// Rows with at least this many coefficients are evaluated with Bernstein weights instead of de Casteljau's algorithm.
 pub(crate) const LONG_ROW: usize = 9;
 
-/// The Bernstein weights of a row's degree at one parameter, and those of the two degrees below.
+/// The Bernstein weights at one parameter, for a row's degree and for the two degrees below it.
 pub(crate) struct Weights {
     count: usize,
     weights: [[f64; MAX_COUNT]; 3],
 }
 
 impl Weights {
-    /// `None` for rows so short that de Casteljau's algorithm is as quick, and outside of the unit interval.
+    /// `None` for rows so short that de Casteljau's algorithm is as fast, and for t outside the unit interval.
     pub(crate) fn new(count: usize, t: f64) -> Option<Self> {
         if count < LONG_ROW || !(0.0..=1.0).contains(&t) {
             return None;
@@ -36,7 +36,7 @@ impl Weights {
     }
 }
 
-/// Value, first and second derivative at t, by de Casteljau's algorithm, which passes all three.
+/// Value, first and second derivative at t by de Casteljau's algorithm, whose last levels give all three.
 pub(crate) fn taylor(coefficients: &[f64], t: f64) -> [f64; 3] {
     let mut row = [0.0; MAX_COUNT];
     let n = coefficients.len() - 1;

@@ -1,4 +1,4 @@
-//! One tensor-product Bézier patch: where is the point, and which way does the surface go there?
+//! The tensor-product Bézier patch: evaluation, partial derivatives and normals.
 
 use super::net::{self, evaluate_net};
 use super::normal::NormalNet;
@@ -12,10 +12,10 @@ use glam::{DAffine3, DVec3};
 
 /// A Bézier patch of degrees 1 to 64 in u and in v.
 ///
-/// S(u, v) = Σᵢ Σⱼ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the Bernstein polynomials B of degree m in u and n in v. The control point
-/// Pᵢⱼ has the index j·(m + 1) + i: u runs along the fast index. Both parameters run from 0 to 1; values outside
-/// extrapolate. The patch passes through its four corner points, exactly, and lies in the convex hull of its net. A
-/// patch is a value: every change returns a new one.
+/// S(u, v) = Σᵢ Σⱼ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the Bernstein polynomials B of degree m in u and n in v. The control point Pᵢⱼ
+/// has the index j·(m + 1) + i: u runs along the fast index. Both parameters run from 0 to 1; values outside
+/// extrapolate. The patch passes exactly through its four corner points and lies in the convex hull of its net. Patches
+/// are immutable: every change returns a new one.
 ///
 /// ```
 /// use casteljau::{Patch, glam::DVec3};
@@ -55,7 +55,7 @@ pub struct Partials {
 impl Patch {
     /// A patch from its net of (`degree_u` + 1)·(`degree_v` + 1) control points, u along the fast index.
     ///
-    /// Coincident points are allowed: a side, or the whole patch, may be a point.
+    /// Coincident points are allowed: an edge, or the whole patch, may be a point.
     ///
     /// # Errors
     /// [`Error::Range`] unless both degrees are 1 to 64, [`Error::Count`] for another number of points,
@@ -74,13 +74,13 @@ impl Patch {
         Ok(Self::from_net(Net::from(net), degree_u + 1))
     }
 
-    /// A patch from points that were checked before.
+    /// A patch from points that are already checked.
     #[cfg(feature = "wasm")]
     pub(crate) fn from_checked(net: &[DVec3], degree_u: usize) -> Self {
         Self::from_net(Net::from(net), degree_u + 1)
     }
 
-    /// A patch from a net that was checked before.
+    /// A patch from a net that is already checked.
     pub(crate) fn from_net(points: Net, columns: usize) -> Self {
         Self { points, columns }
     }
@@ -100,7 +100,7 @@ impl Patch {
         &self.points
     }
 
-    /// The box of the control points, which contains the patch.
+    /// The bounding box of the control points, which contains the patch.
     pub fn control_bounds(&self) -> Bounds<DVec3> {
         let corner = Bounds {
             min: self.points[0],
@@ -111,17 +111,18 @@ impl Patch {
 
     /// The point S(u, v).
     ///
-    /// Each row of the net at u, then the curve of these points at v. Corners come back exactly, and along the sides
-    /// the numbers are those of the side's curve. Source: Farin, *Curves and Surfaces for CAGD*, 5th ed., §14.3.
+    /// Each row of the net is evaluated at u, then the curve of the resulting points at v. Corners are exact, and along
+    /// an edge the coordinates equal those of the edge's curve. Source: Farin, *Curves and Surfaces for CAGD*, 5th
+    /// ed., §14.3.
     pub fn eval(&self, u: f64, v: f64) -> DVec3 {
         evaluate_net(&self.points, self.columns, u, v)
     }
 
     /// The partial derivatives of first and second order at (u, v), in units of length per unit of u and v.
     ///
-    /// ∂S/∂u = m Σ Bᵢ(u) Bⱼ(v) (Pᵢ₊₁ⱼ − Pᵢⱼ) with degree m − 1 in u, and so on: differences of the net, no finite
-    /// differences of points. Second derivatives along a direction of degree 1 are zero. Source: Farin, *Curves and
-    /// Surfaces for CAGD*, §14.6.
+    /// ∂S/∂u = m Σ Bᵢ(u) Bⱼ(v) (Pᵢ₊₁ⱼ − Pᵢⱼ) with degree m − 1 in u, and likewise for the others: they use differences
+    /// of control points, not finite differences of surface points. Second derivatives in a direction of degree 1 are
+    /// zero. Source: Farin, *Curves and Surfaces for CAGD*, §14.6.
     pub fn partials(&self, u: f64, v: f64) -> Partials {
         let (m, n) = (ratio(self.degree_u(), 1), ratio(self.degree_v(), 1));
         let du = net::differences_u(&self.points, self.columns);
@@ -139,11 +140,11 @@ impl Patch {
 
     /// The unit normal at (u, v): the direction of ∂S/∂u × ∂S/∂v.
     ///
-    /// Where that product vanishes, as at a collapsed side, the normal is the limit, from the side of the patch's
-    /// middle. Zero where there is none: for a patch that is a point or a curve. The product counts as vanishing below
-    /// 10⁻¹³ m n |Δu| |Δv|, where Δu and Δv are the largest differences of neighbouring control points along u and v, and m
-    /// and n the degrees: rounding decides the direction of a shorter one. Source of the limit: the normal net, see
-    /// `normal.rs`.
+    /// Where this cross product vanishes, as at a collapsed edge, the normal is the limit from the middle of the patch.
+    /// It is zero where there is no limit: for a patch that is a point or a curve. The cross product counts as
+    /// vanishing below 10⁻¹³ m n |Δu| |Δv|, where Δu and Δv are the largest differences of neighbouring control points
+    /// along u and v, and m and n are the degrees: rounding decides the direction of a shorter one. Source of the
+    /// limit: the normal net, see `normal.rs`.
     pub fn normal(&self, u: f64, v: f64) -> DVec3 {
         let (du, dv) = directions(&self.points, self.columns);
         let along_u = evaluate_net(&du, self.columns - 1, u, v);
@@ -155,7 +156,7 @@ impl Patch {
         NormalNet::new(&du, &dv, self.degree_u(), self.degree_v()).limit(u, v)
     }
 
-    /// The image of the patch under an affine map, which is the patch of the mapped control points.
+    /// The image of the patch under an affine map: the patch of the mapped control points.
     #[must_use]
     pub fn transform(&self, map: &DAffine3) -> Self {
         let points = self.points.iter().map(|p| p.transform(map)).collect();
@@ -165,7 +166,7 @@ impl Patch {
     /// The patch with one control point moved.
     ///
     /// # Errors
-    /// [`Error::Index`] for an index past the net, [`Error::NotFinite`] for a target with a NaN or an infinity.
+    /// [`Error::Index`] for an index outside the net, [`Error::NotFinite`] for a target with a NaN or an infinity.
     pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
         let mut moved = self.clone();
         *checked_point(&mut moved.points, index, to)? = to;
@@ -174,7 +175,7 @@ impl Patch {
 
     /// Whether both patches have the same degrees and every control point lies within `tolerance` of its counterpart.
     ///
-    /// A tolerance of 0 asks for equal numbers.
+    /// With a tolerance of 0 the coordinates must be equal.
     pub fn approx_eq(&self, other: &Self, tolerance: f64) -> bool {
         self.columns == other.columns
             && self.points.len() == other.points.len()
@@ -186,10 +187,10 @@ impl Patch {
     }
 }
 
-/// The differences of a net along u and along v, each brought to the size 1: what the normal needs, for nets of any
-/// size from 1e-300 to 1e308.
+/// The differences of a net along u and along v, each scaled to size 1 for the normal of nets of any size from 1e-300
+/// to 1e308.
 pub(crate) fn directions(points: &[DVec3], columns: usize) -> (Net, Net) {
-    // Halves first: differences of ±1e308 would overflow.
+    // The points are halved first, since differences of ±1e308 would overflow.
     let halves: Net = points.iter().map(|&p| p * 0.5).collect();
     let mut du = net::differences_u(&halves, columns);
     let mut dv = net::differences_v(&halves, columns);
@@ -198,11 +199,11 @@ pub(crate) fn directions(points: &[DVec3], columns: usize) -> (Net, Net) {
     (du, dv)
 }
 
-/// |∂u × ∂v| of the [`directions`] above which a point is regular. Their rounding noise is some 2⁻⁵²; a normal within
-/// 0.001° (1.7e-5 rad) needs a product that is 10⁵ times as long.
+/// |∂u × ∂v| of the scaled [`directions`] above which a point is regular. Their rounding noise is about 2⁻⁵²; a normal
+/// accurate to 0.001° (1.7e-5 rad) needs a product that is 10⁵ times as long.
 pub(crate) const REGULAR_RATIO: f64 = 1e-10;
 
-/// Refuses a degree that is not 1 to 64.
+/// Returns an error unless the degree is 1 to 64.
 pub(crate) fn check_degree(what: &'static str, degree: usize) -> Result<(), Error> {
     if (1..=MAX_DEGREE).contains(&degree) {
         return Ok(());
@@ -214,7 +215,7 @@ pub(crate) fn check_degree(what: &'static str, degree: usize) -> Result<(), Erro
     })
 }
 
-/// The point of that index, once index and target are known to be good.
+/// The point with this index; checks the index and the target.
 pub(crate) fn checked_point(
     points: &mut [DVec3],
     index: usize,

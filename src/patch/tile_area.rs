@@ -6,33 +6,33 @@ use casteljau_kernels::GAUSS_8;
 /// The nodes of the rule with 8 points.
 const NODES: usize = 8;
 
-/// A number for each node along u.
+/// One value for each node along u.
 type Lanes = [f64; NODES];
 
-/// Integrates |∂u × ∂v| over tiles by Gauss and Legendre's rule with 8 × 8 points.
+/// Integrates |∂u × ∂v| over tiles by Gauss–Legendre quadrature with 8 × 8 points.
 ///
-/// Tiles that follow each other and have the same range of u, or of v, share a part of the work.
+/// Consecutive tiles with the same range of u, or of v, share a part of the work.
 pub(crate) struct TileArea {
     points: Vec<[f64; 3]>,
     columns: usize,
     of_u: Weights,
     of_v: Weights,
-    /// ∂S/∂u at the nodes along u, over m: a curve in v for each node, three coordinates for each control point.
+    /// ∂S/∂u divided by m at the nodes along u: a curve in v for each node, three coordinates for each control point.
     slopes: Vec<[Lanes; 3]>,
-    /// The differences of the control points of the curves in v at these nodes.
+    /// The differences of the control points of the curves in v at the nodes along u.
     differences: Vec<[Lanes; 3]>,
 }
 
 /// Bernstein weights at the nodes in a range.
 struct Weights {
     range: [f64; 2],
-    /// Those of a degree, and of the degree below.
+    /// The weights of the degree; `lower` holds the weights of the degree below.
     weights: Vec<Lanes>,
     lower: Vec<Lanes>,
 }
 
 impl TileArea {
-    /// For a patch whose rows, in u, have `columns` control points.
+    /// For a patch whose rows (in u) have `columns` control points.
     pub(crate) fn new(points: Vec<[f64; 3]>, columns: usize) -> Self {
         let rows = points.len() / columns;
         Self {
@@ -45,8 +45,8 @@ impl TileArea {
         }
     }
 
-    /// The steps of an area, about one for each two multiplications, for a range of u that is new or that of the tile
-    /// before.
+    /// The number of steps for the area of one tile, about one for each two multiplications; `is_new` tells whether the
+    /// range of u differs from the previous tile's.
     pub(crate) fn steps(&self, is_new: bool) -> usize {
         let (columns, rows) = (self.columns, self.points.len() / self.columns);
         let of_rows = columns * columns * 4 + self.points.len() * 12;

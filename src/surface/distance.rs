@@ -1,4 +1,4 @@
-//! The distance of patches from a point: its square as a polynomial, and steps that make it less.
+//! Distance of patches from a point: its square as a polynomial, and Gauss–Newton steps that reduce it.
 
 use super::frame::Frame;
 use super::minimum::{Minimum, Objective};
@@ -10,36 +10,36 @@ use crate::patch::Patch;
 use crate::patch::normal::binomial;
 use glam::DVec3;
 
-/// What rounding makes of a point of a patch, as a share of the size.
+/// Rounding error of a point of a patch, as a fraction of the size.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Below this share of the size, the squared distance has lost digits that Gauss–Newton steps can bring back; more of
-/// these steps than the maximum only creep.
+/// Below this fraction of the size, the squared distance has lost digits that Gauss–Newton steps can recover. More than
+/// `MAX_REFINEMENTS` of these steps hardly improve the result.
 const SMALL_DISTANCE: f64 = 1.0 / 1024.0;
 const MAX_REFINEMENTS: usize = 16;
 
-/// Below the lesser share of the size, rounding of the squared distance hides that other places are nearer; below the
-/// greater one, the search by squares may take long.
+/// Below `LOST_IN_SQUARES` times the size, rounding of the squared distance hides that other points are nearer. Below
+/// `ROUGH_IN_SQUARES` times the size, the search by squared distances may be slow.
 const LOST_IN_SQUARES: f64 = 1.0 / 1_048_576.0;
 pub(crate) const ROUGH_IN_SQUARES: f64 = 1.0 / 65_536.0;
 
-/// Where the search by squares reaches its limit, the search by distances follows below this share of the size. It bounds
-/// distances to first order only, so that farther away it would rule out few pieces.
+/// If the search by squared distances reaches its work limit, the search by distances follows below this fraction of
+/// the size. The latter bounds distances to first order only, so for larger distances it would exclude few pieces.
 pub(crate) const SMALL_AT_THE_LIMIT: f64 = 1.0 / 16.0;
 
-/// The damping of steps, as shares of the sum of the squared derivatives.
+/// Damping of Gauss–Newton steps, as fractions of the sum of the squared derivatives.
 const DAMPING: [f64; 4] = [1e-12, 1e-8, 1e-4, 0.1];
 
 /// The distance of patches from a point.
 pub(crate) struct Distance<'a> {
     patches: &'a [Patch],
-    /// The numbers of the patches that the polynomials are for …
+    /// The indices of the patches to which the polynomials belong.
     near: &'a [usize],
-    /// … and these patches in a frame, with the point there.
+    /// These patches in the coordinates of a frame, and the query point in the same frame.
     images: &'a [Patch],
     image_of_p: DVec3,
     p: DVec3,
-    /// The size that rounding is relative to.
+    /// The size to which rounding errors are relative.
     pub(crate) size: f64,
 }
 
@@ -52,15 +52,16 @@ impl Objective for Distance<'_> {
         2
     }
 
-    /// The square of a small distance has lost the digits that the difference S − p still has.
+    /// Refines with Gauss–Newton steps: the difference S − p still has the digits that the square of a small distance
+    /// has lost.
     fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
         let surface_point = self.descend(self.surface_point(root, at));
         [surface_point.u, surface_point.v]
     }
 
     /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
-    /// behind the plane through the place at right angles to the way from the point to it: so does the convex hull of the
-    /// net, and with it the patch.
+    /// beyond the plane through the found point that is perpendicular to the line from the query point. In the second
+    /// case the convex hull of the net, and with it the patch, lies beyond this plane.
     fn is_min(&self, minimum: &Minimum) -> bool {
         if minimum.value <= LOST_IN_SQUARES * self.size {
             return true;
@@ -92,8 +93,7 @@ impl<'a> Distance<'a> {
         }
     }
 
-    /// The nearest place, if it is no farther away than `cutoff`, some place otherwise; and whether the search came to its
-    /// end.
+    /// The nearest point if its distance is at most `cutoff`, any point otherwise; and whether the search is complete.
     pub(crate) fn search_small(
         &self,
         mut best: Option<SurfacePoint>,
@@ -119,7 +119,7 @@ impl<'a> Distance<'a> {
         (best, is_complete)
     }
 
-    /// A place that Gauss–Newton steps lead to where the distance is small.
+    /// Refines a point with Gauss–Newton steps while the distance is small.
     fn descend(&self, mut surface_point: SurfacePoint) -> SurfacePoint {
         for _ in 0..MAX_REFINEMENTS {
             if surface_point.distance > SMALL_DISTANCE * self.size {
@@ -139,9 +139,9 @@ impl<'a> Distance<'a> {
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
 
-    /// The nearest of the places after a Gauss–Newton step, more or less damped (Levenberg and Marquardt's method), along
-    /// both parameters or along one; the place itself if none is nearer. Undamped steps fail where the derivative is
-    /// singular, as on a patch that is a curve; steps along both may fail at the sides.
+    /// The nearest of the points after a Gauss–Newton step with different damping (Levenberg–Marquardt method), along
+    /// both parameters or along one; the unchanged point if none is nearer. Undamped steps fail where the derivative is
+    /// singular, as on a patch that is a curve; steps along both parameters may fail at edges.
     pub(crate) fn refined(&self, surface_point: &SurfacePoint) -> SurfacePoint {
         let patch = &self.patches[surface_point.patch];
         let d = patch.partials(surface_point.u, surface_point.v);
@@ -153,7 +153,8 @@ impl<'a> Distance<'a> {
             let det = uu * vv - uv * uv;
             [(vv * u - uv * v) / det, (uu * v - uv * u) / det]
         };
-        // By the normal and not by the products: these lose the lesser of two coordinates of very different sizes.
+        // This uses the normal instead of the scalar products, which lose the smaller of two coordinates of very
+        // different sizes.
         let normal = d.u.cross(d.v);
         let square = normal.dot(normal);
         let undamped = [
@@ -165,7 +166,7 @@ impl<'a> Distance<'a> {
         for [u, v] in DAMPING.map(damped).into_iter().chain(others) {
             let [u, v] = [surface_point.u - u, surface_point.v - v].map(|t| t.clamp(0.0, 1.0));
             let next = SurfacePoint::at(patch, surface_point.patch, u, v, self.p);
-            // A step that is not finite leads nowhere.
+            // A step that is not finite fails this comparison.
             if next.distance < nearest.distance {
                 nearest = next;
             }
@@ -174,10 +175,10 @@ impl<'a> Distance<'a> {
     }
 }
 
-/// |S − p|², less a constant and over a constant that are the same for all patches of the frame.
+/// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches of the frame.
 ///
-/// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d²; the last is left out, since it would drown
-/// the others for a p far away, and all is divided by |d| where that is above 1.
+/// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d². The term d² is omitted, since it would
+/// swamp the others for a distant p, and the rest is divided by |d| where |d| > 1.
 pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
     let away = frame.centre * 0.5 - p * 0.5;
     let unit = (0.5 * frame.size).max(Point::length(away));
@@ -203,8 +204,9 @@ pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVe
     Piece::whole(root, columns, 2 * n + 1, product)
 }
 
-/// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets that hold coefficients times
-/// their binomials: such products add up where their indices do.
+/// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets whose coefficients are
+/// multiplied by their binomial coefficients: products of such coefficients are summed where the sums of their indices
+/// agree.
 fn add_product(product: &mut [f64], left: &[f64], right: &[f64], columns: usize) {
     let wide = 2 * columns - 1;
     for (j, left) in left.chunks_exact(columns).enumerate() {

@@ -1,4 +1,4 @@
-//! Which box is the smallest around the surface?
+//! Tight bounding boxes of patches and surfaces.
 
 use super::frame::{Frame, box_of};
 use super::minimum::{Objective, minimise};
@@ -9,26 +9,27 @@ use crate::geometry::point::Point;
 use crate::patch::Patch;
 use glam::DVec3;
 
-/// A search tells values apart that differ by 64 roundings of its frame's size: with a frame of this share of a
-/// coordinate, by one rounding of the coordinate.
+/// Smallest size of a frame, as a fraction of a coordinate. A search distinguishes values that differ by 64 units of
+/// rounding of its frame's size; in a frame of this size that is one unit of rounding of the coordinate.
 const ROUNDING_SHARE: f64 = 1.0 / 64.0;
 
 impl Patch {
-    /// The smallest box that contains the patch.
+    /// The smallest axis-aligned box that contains the patch.
     ///
-    /// Exact to rounding, some 1e-15 of the size along each axis: each of its six faces is where one coordinate, a polynomial, is least or
-    /// greatest over the unit square, found by branch and bound on its Bernstein coefficients. The box of
-    /// [`control_bounds`](Self::control_bounds) is cheaper and larger. Of a patch that is a point, that point twice.
+    /// It is exact to rounding, about 1e-15 of the size along each axis. Each of its six faces is at the minimum or
+    /// maximum of one coordinate, which is a polynomial over the unit square, found by branch and bound on its
+    /// Bernstein coefficients. [`control_bounds`](Self::control_bounds) is cheaper and larger. For a patch that is a
+    /// point, both corners are that point.
     ///
-    /// Each face takes at most 2²³ steps (2²⁶ above degree 24), about one for each multiplication. Where that is not
-    /// enough, the face is at the best local extremum found by then.
+    /// Each face takes at most 2²³ steps (2²⁶ above degree 24), about one for each multiplication. If the search
+    /// reaches this limit, the face is at the best local extremum found so far.
     pub fn bounds(&self) -> Bounds<DVec3> {
         bounds(std::slice::from_ref(self)).unwrap_or_else(|| self.control_bounds())
     }
 }
 
 impl Surface {
-    /// The smallest box that contains the surface; `None` without patches. See [`Patch::bounds`].
+    /// The smallest axis-aligned box that contains the surface; `None` without patches. See [`Patch::bounds`].
     pub fn bounds(&self) -> Option<Bounds<DVec3>> {
         let patches: Vec<Patch> = self.patches().collect();
         bounds(&patches)
@@ -55,15 +56,15 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
         bounds.min = bounds.min.with_coordinate(axis, face(1.0)?);
         bounds.max = bounds.max.with_coordinate(axis, face(-1.0)?);
     }
-    // Evaluation rounds, the box of the control points does not.
+    // Evaluation rounds; the box of the control points is exact.
     Some(Bounds {
         min: Point::max(bounds.min, control.min),
         max: Point::min(bounds.max, control.max),
     })
 }
 
-/// The frame for one coordinate: as large as the box is along this axis, however long it is along the others, unless the
-/// coordinates round by more than the digits of such a frame do.
+/// The frame for one coordinate. Its size is that of the box along this axis, whatever the box's size along the other
+/// axes, unless the coordinates have larger rounding errors than such a frame resolves.
 fn frame_along(axis: usize, control: Bounds<DVec3>) -> Frame {
     let frame = Frame::around(control);
     let [min, max, center] = [control.min, control.max, frame.centre].map(|p| p.coordinate(axis));
@@ -75,7 +76,7 @@ fn frame_along(axis: usize, control: Bounds<DVec3>) -> Frame {
     }
 }
 
-/// One coordinate of patches, up or down.
+/// One coordinate of patches, multiplied by the sign 1 or −1.
 struct Coordinate<'a> {
     patches: &'a [Patch],
     axis: usize,
@@ -88,7 +89,7 @@ impl Objective for Coordinate<'_> {
     }
 }
 
-/// The Bernstein coefficients of one coordinate of a patch, up or down.
+/// The Bernstein coefficients of one coordinate of a patch, multiplied by the sign 1 or −1.
 fn coordinate(root: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64) -> Piece {
     let coefficients = patch
         .points

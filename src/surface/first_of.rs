@@ -1,27 +1,27 @@
-//! Numbering things by equality, in linear time: the first of each kind stands for all of them.
+//! Grouping of equal items in linear time: the first item of each group represents it.
 
 use glam::DVec3;
 
-/// A slot that holds nothing; no surface has so many vertices or sides.
+/// Marks an empty slot; no surface has so many vertices or edges.
 const EMPTY: u32 = u32::MAX;
 
-/// A table of the first of each kind: open addressing, at most half full.
+/// A hash table of the first item of each group: open addressing, at most half full.
 pub(crate) struct FirstOf {
     slots: Vec<u32>,
 }
 
 impl FirstOf {
-    /// A table for up to `count` things.
+    /// A table for up to `count` items.
     pub(crate) fn new(count: usize) -> Self {
         Self {
             slots: vec![EMPTY; (2 * count + 1).next_power_of_two()],
         }
     }
 
-    /// The first thing that came with this hash and is the same as `thing`; `thing` itself if there was none.
+    /// The first item that was added with this hash and is equal to `thing`; `thing` itself if there is none.
     pub(crate) fn find(&mut self, thing: u32, hash: u64, same: impl Fn(u32) -> bool) -> u32 {
         let mask = self.slots.len() - 1;
-        // The upper half: multiplication has mixed it best.
+        // Takes the upper half of the hash, which the multiplication mixes best.
         let mut slot = (hash >> 32) as usize & mask;
         loop {
             let found = &mut self.slots[slot];
@@ -36,14 +36,14 @@ impl FirstOf {
     }
 }
 
-/// Another number into a hash.
+/// Mixes another number into a hash.
 pub(crate) fn mix(hash: u64, number: u64) -> u64 {
     // 2⁶⁴ / the golden ratio, odd: Fibonacci hashing (Knuth, TAOCP 3, §6.4).
     let product = (hash ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     product ^ (product >> 29)
 }
 
-/// For each point the first one at the same place.
+/// For each point, the index of the first point with equal coordinates.
 pub(crate) fn joined(points: &[DVec3]) -> Vec<u32> {
     let mut first = FirstOf::new(points.len());
     (0..)
@@ -53,7 +53,7 @@ pub(crate) fn joined(points: &[DVec3]) -> Vec<u32> {
 }
 
 fn hash_of(point: DVec3) -> u64 {
-    // −0 + 0 is 0: both zeros are one place.
+    // −0 + 0 is 0, so both zeros count as equal.
     point
         .to_array()
         .iter()

@@ -1,11 +1,12 @@
-//! A box of coordinates of size 1, in which squares and products neither overflow nor vanish.
+//! Normalised coordinates of size 1, in which squares and products neither overflow nor underflow.
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::patch::Patch;
 use glam::DVec3;
 
-/// A point of a patch is some ulps of the coordinates off, up to this share of the tolerance in ulps of the size.
+/// Smallest size of a frame as a fraction of its centre's coordinates. Points of a patch are off by a few ulps of the
+/// coordinates, and tolerances are measured in ulps of the size.
 const COARSE_SHARE: f64 = 1.0 / 8.0;
 
 /// Maps points p to (p − centre)/size.
@@ -17,13 +18,13 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The frame in which a box becomes one from −1 to 1 along its longest side.
+    /// The frame that maps a box to one from −1 to 1 along its longest side.
     pub(crate) fn around(bounds: Bounds<DVec3>) -> Self {
-        // Halves first: max − min of ±1e308 would overflow.
+        // The coordinates are halved first, since max − min of ±1e308 would overflow.
         let half = (bounds.max * 0.5 - bounds.min * 0.5).max_abs();
         Self {
             centre: bounds.min * 0.5 + bounds.max * 0.5,
-            // Below this the reciprocal is not finite; a shape of that size is a point.
+            // Below this size the reciprocal is not finite; a shape of that size counts as a point.
             size: if half < f64::MIN_POSITIVE * 8.0 {
                 1.0
             } else {
@@ -32,26 +33,26 @@ impl Frame {
         }
     }
 
-    /// The frame itself, unless its box is so far from the coordinates' origin that they round by more than the digits
-    /// of the frame do: then a larger one.
+    /// The frame itself, or a larger one if its box is so far from the origin that the coordinates have larger rounding
+    /// errors than the frame resolves.
     pub(crate) fn as_coarse_as_its_coordinates(self) -> Self {
         let size = self.size.max(self.centre.max_abs() * COARSE_SHARE);
         Self { size, ..self }
     }
 
-    /// Where a point lies in this frame.
+    /// A point in the coordinates of this frame.
     pub(crate) fn local_point(&self, p: DVec3) -> DVec3 {
         (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
     }
 
-    /// The patch in this frame.
+    /// A patch in the coordinates of this frame.
     pub(crate) fn image(&self, patch: &Patch) -> Patch {
         let points = patch.points.iter().map(|&p| self.local_point(p)).collect();
         Patch::from_net(points, patch.columns)
     }
 }
 
-/// The box around the control points of patches; `None` without patches.
+/// The bounding box of the control points of patches; `None` without patches.
 pub(crate) fn box_of(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     let boxes = patches.iter().map(Patch::control_bounds);
     boxes.reduce(Bounds::union)

@@ -1,4 +1,4 @@
-//! How much does a surface enclose?
+//! Volume enclosed by a surface.
 
 use super::frame::{Frame, box_of};
 use super::network::Surface;
@@ -9,8 +9,8 @@ use crate::patch::Patch;
 use crate::patch::net::differences_u;
 use glam::DVec3;
 
-/// Nodes and weights of Gauss and Legendre's rule with 8 points on [−1, 1], which is exact to degree 15; the others are
-/// their mirror images. Source: Abramowitz and Stegun, *Handbook of Mathematical Functions*, table 25.4.
+/// Nodes and weights of Gauss–Legendre quadrature with 8 points on [−1, 1], which is exact to degree 15; the other four
+/// nodes are their mirror images. Source: Abramowitz and Stegun, *Handbook of Mathematical Functions*, table 25.4.
 const GAUSS: [[f64; 2]; 4] = [
     [0.183_434_642_495_649_8, 0.362_683_783_378_362],
     [0.525_532_409_916_329, 0.313_706_645_877_887_3],
@@ -18,7 +18,7 @@ const GAUSS: [[f64; 2]; 4] = [
     [0.960_289_856_497_536_3, 0.101_228_536_290_376_3],
 ];
 
-/// How many degrees one interval of the rule is trusted with: it is exact to 15.
+/// The largest degree that one interval of the quadrature has to integrate; the rule is exact to 15.
 const DEGREES_PER_INTERVAL: usize = 12;
 
 /// A rectangle of parameters.
@@ -29,7 +29,7 @@ struct Tile {
 }
 
 impl Patch {
-    /// ∫∫ S·(∂u × ∂v) du dv: thrice the volume of the cone from the origin over the patch.
+    /// ∫∫ S·(∂u × ∂v) du dv: three times the volume of the cone from the origin over the patch.
     fn cone(&self) -> f64 {
         let [along_u, along_v] =
             [self.degree_u(), self.degree_v()].map(|n| (3 * n - 1).div_ceil(DEGREES_PER_INTERVAL));
@@ -66,14 +66,14 @@ impl Patch {
     }
 }
 
-/// A node of the rule: its weight there, and the Bernstein weights of a degree and of the degree below.
+/// A node of the quadrature: its weight, and the Bernstein weights of a degree and of the degree below.
 struct Node {
     weight: f64,
     weights: Vec<f64>,
     lower: Vec<f64>,
 }
 
-/// The nodes of the rule in an interval.
+/// The nodes of the quadrature in an interval.
 fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     (0..2 * GAUSS.len()).map(move |k| {
@@ -92,7 +92,7 @@ fn nodes([from, to]: [f64; 2], degree: usize) -> impl Iterator<Item = Node> {
     })
 }
 
-/// The blend of each row of points.
+/// The weighted sum of each row of points.
 fn blends(points: &[DVec3], weights: &[f64]) -> impl Iterator<Item = DVec3> {
     points.chunks(weights.len()).map(|row| blend(row, weights))
 }
@@ -105,15 +105,15 @@ fn blend(points: &[DVec3], weights: &[f64]) -> DVec3 {
 }
 
 impl Surface {
-    /// The volume that a closed surface encloses; `None` for one that is not closed.
+    /// The volume that a closed surface encloses; `None` for a surface that is not closed.
     ///
-    /// ⅓ ∮ S·(∂u × ∂v) du dv by the divergence theorem, a polynomial that Gauss and Legendre's rule integrates without an
-    /// error but rounding up to degree 5, and next to none above. Positive where the normals point outwards, negative
-    /// where inwards; where the normals of neighbours disagree, the first patch of each connected part decides. A cavity
-    /// whose normals point into it is subtracted.
+    /// By the divergence theorem it is ⅓ ∮ S·(∂u × ∂v) du dv. The integrand is a polynomial, which Gauss–Legendre
+    /// quadrature integrates exactly to rounding up to degree 5, and almost exactly above. The volume is positive where
+    /// the normals point outwards, negative where they point inwards. Where the normals of neighbours disagree, the
+    /// first patch of each connected component decides. A cavity whose normals point into it is subtracted.
     ///
-    /// Closed means that the [`topology`](Self::topology) has no open side, and none that more than two patches share.
-    /// `None` also without patches, and for a surface that has one side only, as Klein's bottle.
+    /// Closed means that the [`topology`](Self::topology) has no open edge, and no edge that more than two patches
+    /// share. The result is also `None` without patches, and for a one-sided surface such as the Klein bottle.
     pub fn volume(&self) -> Option<f64> {
         let patches: Vec<Patch> = self.patches().collect();
         let frame = Frame::around(box_of(&patches)?);
@@ -126,8 +126,8 @@ impl Surface {
         Some(cones / 3.0 * frame.size * frame.size * frame.size)
     }
 
-    /// For each patch 1 or −1, so that all normals of a part point to the side to which those of its first patch point;
-    /// `None` unless the surface is closed and has two sides.
+    /// For each patch 1 or −1, so that all normals of a component point to the same side as the normals of its first
+    /// patch; `None` unless the surface is closed and orientable.
     fn orientation(&self) -> Option<Vec<f64>> {
         let topology = self.topology();
         if !(topology.open.is_empty() && topology.non_manifold.is_empty()) {
@@ -160,8 +160,8 @@ impl Surface {
     }
 }
 
-/// Whether the way around the patch, counter-clockwise as seen from its normal, follows the line that the side is. The
-/// ways around two neighbours run against each other where their normals agree.
+/// Whether the edge, in its shared direction, runs counter-clockwise around the patch as seen from its normal. Two
+/// neighbours whose normals agree traverse a shared edge in opposite directions.
 fn follows(side: &EdgeUse) -> bool {
     let along = matches!(side.edge, PatchEdge::V0 | PatchEdge::U1);
     along != side.reversed

@@ -1,74 +1,75 @@
-//! Where is a polynomial over patches least? The certain answer, by branch and bound.
+//! Global minimum of polynomials over patches by branch and bound.
 
 use super::piece::{Jet, MODERATE_DEGREE, Piece};
 use super::waiting::Waiting;
 use casteljau_kernels::WorkLimit;
 use std::collections::BinaryHeap;
 
-/// What rounding makes of coefficients of the size 1 to 8, after products and halvings; as much is no difference.
+/// Rounding error of coefficients of size 1 to 8 after products and halvings; values that differ by at most this count
+/// as equal.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
-/// Minima nearer than this in u and v are one: the square root of rounding, where a minimum is flat, and some.
+/// Minima nearer than this in u and v count as one: the square root of rounding, for a flat minimum, with a margin.
 const SAME: f64 = 1.0 / 1_048_576.0;
 
-/// Newton's steps from one start; they double the digits, unless the minimum is flat.
+/// The maximum number of Newton steps from one start; they double the digits, unless the minimum is flat.
 const MAX_STEPS: usize = 32;
 
-/// A step below this is the last: what is left is of the size of its square.
+/// A step below this is the last: the remaining error is of the order of its square.
 const LAST_STEP: f64 = 1e-9;
 
-/// More steps are cut than this only at a start that is no use.
+/// The maximum number of times that a step is shortened; only a useless start needs more.
 const MAX_CUTS: usize = 8;
 
-/// The most coefficients of pieces that wait: 16 MB.
+/// The maximum number of coefficients in the queue: 16 MB.
 const MAX_WAITING: usize = 1 << 21;
 
-/// What a refinement is counted as, in evaluations with derivatives.
+/// The cost of a refinement, in evaluations with derivatives.
 const REFINEMENT_JETS: usize = 4;
 
 const UNIT_SQUARE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
-/// The most starts that are tried because they are as good as the best place. Minima that are one by one as good are
-/// few; where whole curves are, trying all of them would take long.
+/// The maximum number of starts that are tried although they are only as good as the best point. Isolated minima of
+/// equal value are few; where whole curves are minimal, trying all starts would take long.
 const MAX_TIES: usize = 256;
 
-/// The place of a minimum.
+/// A point where a minimum is attained.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Minimum {
-    /// The number of the polynomial, as its piece says.
+    /// The index of the polynomial, from its piece.
     pub(crate) root: usize,
     pub(crate) u: f64,
     pub(crate) v: f64,
-    /// What the objective says of it.
+    /// The value of the objective.
     pub(crate) value: f64,
 }
 
-/// What is asked for, in other words than by the polynomials, which rise and fall with it.
+/// The quantity to minimise, computed directly and not from the polynomials; both have the same order of values.
 pub(crate) trait Objective {
-    /// The value at a place of a polynomial. It decides between places that the polynomials cannot tell apart.
+    /// The value at a point of a polynomial. It decides between points that the polynomials cannot distinguish.
     fn value(&self, root: usize, at: [f64; 2]) -> f64;
 
-    /// How many times a patch's degree that of its polynomial is.
+    /// The degree of the polynomial divided by the degree of its patch.
     fn degree_factor(&self) -> usize {
         1
     }
 
-    /// A place that is as good or better, found in a way that loses fewer digits.
+    /// A point that is at least as good, found by a method that loses fewer digits.
     fn refine(&self, _root: usize, at: [f64; 2]) -> [f64; 2] {
         at
     }
 
-    /// Whether the search can end: no place is better by more than rounding, or a more exact search follows.
+    /// Whether the search can end: no point is better by more than rounding, or a more exact search follows.
     fn is_min(&self, _minimum: &Minimum) -> bool {
         false
     }
 }
 
-/// The least of polynomials over the unit square with coefficients of the size 1 to 8 or less.
+/// The minimum of polynomials over the unit square, with coefficients of size at most 1 to 8.
 ///
-/// Where not points but whole curves are least, one of their points. When the search has taken the most steps for
-/// each polynomial, the best place found: a local minimum from the least corner of all pieces so far. Also whether the
-/// search came to its end.
+/// If the minimum is attained along a curve, the result is one of its points. When the search reaches the maximum
+/// number of steps for each polynomial, the result is the best point found: a local minimum, reached from the smallest
+/// corner of all pieces so far. The flag tells whether the search is complete.
 pub(crate) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
     let limits = roots
         .iter()
@@ -96,31 +97,31 @@ pub(crate) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Mi
     min.best.map(|best| (best, is_complete))
 }
 
-/// The least value so far.
+/// The smallest value found so far.
 struct Min<'a> {
     roots: &'a [Piece],
     objective: &'a dyn Objective,
-    /// Whether no place is better than the best one.
+    /// Whether no point can be better than the best one.
     is_done: bool,
-    /// The least value of a polynomial.
+    /// The smallest value of a polynomial found so far.
     floor: f64,
     best: Option<Minimum>,
-    /// How many starts were tried that are no better than it.
+    /// The number of starts that were tried although they are no better than `best`.
     ties: usize,
 }
 
 impl Min<'_> {
-    /// Looks at pieces, that with the least coefficient first, and halves those that may hold a lesser value. False when
-    /// the limits end the search.
+    /// Examines pieces in the order of their smallest coefficient, and halves those that may contain a smaller value.
+    /// Returns `false` when a limit ends the search.
     fn search(&mut self, work: &mut WorkLimit) -> bool {
         let mut waiting: BinaryHeap<Waiting> =
             self.roots.iter().cloned().map(by_min_coefficient).collect();
-        // Of halves only: all whole polynomials are there before.
+        // Counts the coefficients of halves only: all whole polynomials are in the queue from the start.
         let mut coefficients = 0;
         while let Some(Waiting { low, piece }) = waiting.pop() {
             let count = piece.plane(0).len();
             coefficients = usize::saturating_sub(coefficients, count);
-            // The least coefficients of all others are no less.
+            // The coefficients of all other pieces are not smaller.
             if self.is_done || low >= self.floor + SLACK {
                 return true;
             }
@@ -138,17 +139,18 @@ impl Min<'_> {
         true
     }
 
-    /// Whether a piece may hold a lesser value and has to be seen closer.
+    /// Whether a piece may contain a smaller value and has to be halved.
     fn look(&mut self, piece: &Piece, low: f64, work: &mut WorkLimit) -> bool {
         self.improve(piece, &UNIT_SQUARE, false, work);
         if self.is_done || low >= self.floor - SLACK || !piece.is_divisible() {
             return false;
         }
-        // Of a convex piece one minimum is the only one.
+        // A minimum of a convex piece is its only one.
         !(is_convex(piece) && self.improve(piece, &[piece.u, piece.v], true, work))
     }
 
-    /// Goes down from the least corner of a piece, if that is worth it, and says whether it reached a minimum.
+    /// Descends from the smallest corner of a piece if that can improve the result; returns whether it converged to a
+    /// minimum.
     fn improve(
         &mut self,
         piece: &Piece,
@@ -179,7 +181,7 @@ impl Min<'_> {
         self.best.is_none_or(|best| value < best.value)
     }
 
-    /// Makes a place the best one if it is better than that.
+    /// Makes a point the best one if its value is smaller.
     fn keep_better(&mut self, piece: &Piece, at: [f64; 2], work: &mut WorkLimit) {
         let root = piece.root;
         let [u, v] = if work.spend(REFINEMENT_JETS * piece.jet_steps()) {
@@ -195,7 +197,7 @@ impl Min<'_> {
         }
     }
 
-    /// Whether the best place is that one.
+    /// Whether a point is the best one found so far.
     fn is_known(&self, root: usize, [u, v]: [f64; 2]) -> bool {
         self.best.is_some_and(|best| {
             best.root == root && (best.u - u).abs() < SAME && (best.v - v).abs() < SAME
@@ -208,15 +210,15 @@ fn by_min_coefficient(piece: Piece) -> Waiting {
     Waiting { low, piece }
 }
 
-/// The least corner of a piece and its value.
+/// The corner of a piece with the smallest value, and this value.
 fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
     let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
 }
 
-/// Newton's method within a rectangle, each step cut short until it goes down. The last place, its value, and whether
-/// no step was left to take there.
+/// Newton's method within a rectangle; each step is shortened until it descends. Returns the last point, its value, and
+/// whether it converged.
 fn go_down(
     root: &Piece,
     within: &[[f64; 2]; 2],
@@ -254,12 +256,12 @@ fn moved(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
     [0, 1].map(|k| (at[k] + step[k]).clamp(within[k][0], within[k][1]))
 }
 
-/// Newton's step, along a side only where the way down leads out of the rectangle.
+/// The Newton step; it runs along an edge of the rectangle only where the descent direction leads out of the rectangle.
 fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
     let stuck = |k: usize, slope: f64| {
         (at[k] <= within[k][0] && slope >= 0.0) || (at[k] >= within[k][1] && slope <= 0.0)
     };
-    // Along one direction; where the bend is not that of a minimum, some way down.
+    // In one direction; where the second derivative is not that of a minimum, some step downhill.
     let uncoupled = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
     match (stuck(0, jet.u), stuck(1, jet.v)) {
         (true, true) => [0.0; 2],
@@ -267,7 +269,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
-            // Below this share rounding decides on the direction.
+            // Below this fraction rounding decides the direction.
             if jet.uu > 0.0 && det > f64::EPSILON.sqrt() * jet.uu * jet.vv.abs() {
                 [
                     (jet.uv * jet.v - jet.vv * jet.u) / det,
@@ -281,7 +283,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
     }
 }
 
-/// Whether the second derivatives' coefficients prove that the polynomial has one minimum in the piece.
+/// Whether the coefficients of the second derivatives prove that the polynomial has one minimum in the piece.
 fn is_convex(piece: &Piece) -> bool {
     let [uu, uv, vv] = piece.second_derivatives();
     uu[0] > 0.0 && vv[0] > 0.0 && uu[0] * vv[0] > uv[0].abs().max(uv[1].abs()).powi(2)

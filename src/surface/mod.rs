@@ -1,4 +1,4 @@
-//! A surface: a network of patches that share control points.
+//! Surfaces: networks of Bézier patches that share control points.
 
 mod distance;
 mod extent;

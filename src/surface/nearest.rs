@@ -1,9 +1,9 @@
-//! Which point of the surface is nearest?
+//! Nearest point on patches and surfaces.
 //!
 //! The squared distance |S(u, v) − p|² is a polynomial of degrees 2m and 2n; its Bernstein coefficients bound it from
-//! below over any piece. So the least value can be found for certain, with Newton's method only to speed things up.
-//! Source of the search by bounds: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA
-//! 1998; of products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
+//! below over any piece. So the global minimum is found reliably; Newton's method only speeds up the search. Source of
+//! the search by bounds: Johnson and Cohen, "A framework for efficient minimum distance computations", ICRA 1998; of
+//! products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
 use super::distance::{Distance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
 use super::frame::{Frame, box_of};
@@ -20,16 +20,17 @@ use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
 impl Patch {
-    /// The point of the patch that is nearest to p: u and v from 0 to 1, sides and corners included.
+    /// The point of the patch that is nearest to p, with u and v from 0 to 1, edges and corners included.
     ///
-    /// The least |S(u, v) − p|, found by branch and bound on the Bernstein coefficients of its square, so it is the least
-    /// of all, not of a neighbourhood; distances that differ by rounding (some 1e-7 of the size where both are about zero)
-    /// count as equal, and of equally near points any one is given. On a patch that is a point, that point.
+    /// It is the global minimum of |S(u, v) − p|, found by branch and bound on the Bernstein coefficients of its
+    /// square. Distances that differ by rounding (about 1e-7 of the size where both are near zero) count as equal, and
+    /// of equally near points any one is returned. For a patch that is a point, the result is that point.
     ///
-    /// Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size (2⁻⁴ if the first search reaches
-    /// its limit), by the distance itself, take at most 2²³ steps each, about one for each multiplication: some
-    /// milliseconds (2²⁶ above degree 24). Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest one found by then: a local minimum
-    /// of the distance that no point found before is nearer than.
+    /// Two searches take at most 2²³ steps each (2²⁶ above degree 24), about one for each multiplication: some
+    /// milliseconds. The first uses the square of the distance. The second uses the distance itself and runs where the
+    /// distance is below 2⁻¹⁶ of the size (2⁻⁴ if the first search reaches its limit). If a search reaches its limit,
+    /// as where a whole curve of the patch is nearest, the result is the nearest point found so far: a local minimum of
+    /// the distance, and no point found earlier is nearer.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -43,13 +44,13 @@ impl Patch {
 }
 
 impl Patch {
-    /// The nearest point to p, if it is no farther away than a small `reach`.
+    /// The nearest point to p, if its distance is at most a small `reach`.
     pub(crate) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
         let patches = std::slice::from_ref(self);
         let frame = Frame::around(box_of(patches)?);
         let images = [frame.image(self)];
         let distance = Distance::new(patches, &[0], &images, &frame, p);
-        // Farther away, since the bounds round.
+        // The cutoff is larger than `reach`, since the bounds are rounded.
         let (found, is_complete) = distance.search_small(None, 4.0 * reach);
         let is_near = |candidate: &SurfacePoint| candidate.distance <= reach;
         let found = found.filter(is_near).or_else(|| {
@@ -63,8 +64,8 @@ impl Patch {
 impl Surface {
     /// The point of the surface that is nearest to p; `None` without patches. See [`Patch::nearest`].
     ///
-    /// Patches whose box is farther away than a point that is known are not looked at; each of the others adds to the most
-    /// steps.
+    /// Patches whose box is farther away than a known point are skipped; each of the others adds to the maximum number
+    /// of steps.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a NaN or an infinity.
@@ -78,7 +79,8 @@ impl Surface {
 /// The nearest point; `None` without patches.
 fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let frame = Frame::around(box_of(patches)?);
-    // The farthest that the nearest point can be: at a corner of some patch.
+    // An upper bound on the distance of the nearest point: the smallest distance of the first corner of a patch
+    // (halved, as in `gap`).
     let corner = |patch: &Patch| Point::length(patch.points[0] * 0.5 - p * 0.5);
     let reach = patches.iter().map(corner).fold(f64::INFINITY, f64::min);
     let near: Vec<usize> = (0..patches.len())
@@ -104,7 +106,7 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     Some(distance.refined(&candidate))
 }
 
-/// Half the distance of a point from a box.
+/// Half of the distance of a point from a box.
 pub(crate) fn gap(bounds: Bounds<DVec3>, p: DVec3) -> f64 {
     Point::length(p.clamp(bounds.min, bounds.max) * 0.5 - p * 0.5)
 }

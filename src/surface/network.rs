@@ -1,4 +1,4 @@
-//! A network of patches that share control points.
+//! Surfaces: networks of patches that share control points.
 
 use super::first_of::joined;
 use crate::geometry::bounds::Bounds;
@@ -10,10 +10,10 @@ use crate::patch::tensor_product::Patch;
 use crate::patch::tensor_product::{check_degree, checked_point};
 use glam::{DAffine3, DVec3};
 
-/// A network of Bézier patches: vertices, and for each patch the indices of its control points among them.
+/// A network of Bézier patches: a list of vertices, and for each patch the indices of its control points among them.
 ///
-/// Patches that name the same vertices along a side stay joined when a vertex moves. A surface without patches is
-/// allowed; its mesh is empty. A surface is a value: every change returns a new one.
+/// Patches that use the same vertices along an edge stay joined when a vertex moves. A surface without patches is
+/// allowed; its mesh is empty. Surfaces are immutable: every change returns a new one.
 ///
 /// ```
 /// use casteljau::{Grid, Surface, TeapotOptions};
@@ -27,14 +27,14 @@ use glam::{DAffine3, DVec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     vertices: Vec<DVec3>,
-    /// For each vertex the first one that was at the same place when the surface was made.
+    /// For each vertex, the first vertex that had the same position when the surface was created.
     joined: Vec<u32>,
-    /// The nets of all patches, one after the other.
+    /// The control nets of all patches, one after the other.
     indices: Vec<u32>,
     patches: Vec<Layout>,
 }
 
-/// Where the net of one patch lies among the indices, and its degrees.
+/// The degrees of a patch, and the position of its net in the indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Layout {
     first: usize,
@@ -49,9 +49,9 @@ impl Layout {
 }
 
 impl Surface {
-    /// A surface whose patches all have the same degrees, (3, 3) for bicubic ones.
+    /// A surface whose patches all have the same degrees, such as (3, 3) for bicubic patches.
     ///
-    /// `indices` holds (`degree_u` + 1)·(`degree_v` + 1) vertex numbers for each patch, u along the fast index.
+    /// `indices` holds (`degree_u` + 1)·(`degree_v` + 1) vertex indices for each patch, u along the fast index.
     ///
     /// # Errors
     /// As [`with_degrees`](Self::with_degrees).
@@ -67,14 +67,13 @@ impl Surface {
         Self::with_degrees(vertices, indices, &vec![[degree_u, degree_v]; count])
     }
 
-    /// A surface whose patches have the given degrees `[m, n]`, one pair for each.
+    /// A surface whose patches have the given degrees `[m, n]`, one pair for each patch.
     ///
-    /// `indices` holds the (m + 1)·(n + 1) vertex numbers of the first patch, then those of the next.
+    /// `indices` holds the (m + 1)·(n + 1) vertex indices of the first patch, then those of the next.
     ///
     /// # Errors
-    /// [`Error::Range`] for a degree that is not 1 to 64, [`Error::Count`] when the indices are not as many as the
-    /// degrees ask for, [`Error::Vertex`] for an index that names no vertex, [`Error::NotFinite`] for a NaN or an
-    /// infinity.
+    /// [`Error::Range`] for a degree that is not 1 to 64, [`Error::Count`] when the number of indices does not match
+    /// the degrees, [`Error::Vertex`] for an index without a vertex, [`Error::NotFinite`] for a NaN or an infinity.
     pub fn with_degrees(
         vertices: Vec<DVec3>,
         indices: Vec<u32>,
@@ -84,7 +83,7 @@ impl Surface {
         Self::from_parts(vertices, joined, indices, degrees)
     }
 
-    /// From vertices that are known to be joined in this way.
+    /// A surface from vertices whose `joined` list is already known.
     pub(crate) fn from_parts(
         vertices: Vec<DVec3>,
         joined: Vec<u32>,
@@ -122,7 +121,7 @@ impl Surface {
         Ok(surface)
     }
 
-    /// A surface of bicubic patches whose indices are known to be good.
+    /// A surface of bicubic patches whose indices are already checked.
     pub(crate) fn bicubic(vertices: Vec<DVec3>, indices: Vec<u32>) -> Self {
         let patches = (0..indices.len() / 16)
             .map(|patch| Layout {
@@ -139,7 +138,7 @@ impl Surface {
         }
     }
 
-    /// Refuses the first index that names no vertex.
+    /// Returns an error for the first index without a vertex.
     fn check_indices(&self) -> Result<(), Error> {
         let count = self.vertices.len();
         for patch in 0..self.patches.len() {
@@ -166,43 +165,43 @@ impl Surface {
         &self.indices
     }
 
-    /// How many patches there are.
+    /// The number of patches.
     pub fn patch_count(&self) -> usize {
         self.patches.len()
     }
 
-    /// The degrees `[m, n]` of a patch; `None` past the last.
+    /// The degrees `[m, n]` of a patch; `None` if there is no such patch.
     pub fn degrees(&self, patch: usize) -> Option<[usize; 2]> {
         let layout = self.patches.get(patch)?;
         Some([layout.degree_u, layout.degree_v])
     }
 
-    /// The vertex indices of a patch, u along the fast index; `None` past the last.
+    /// The vertex indices of a patch, u along the fast index; `None` if there is no such patch.
     pub fn patch_indices(&self, patch: usize) -> Option<&[u32]> {
         let layout = self.patches.get(patch)?;
         self.indices
             .get(layout.first..layout.first + layout.count())
     }
 
-    /// One patch; `None` past the last.
+    /// The patch with this index; `None` if there is no such patch.
     pub fn patch(&self, patch: usize) -> Option<Patch> {
         let columns = self.patches.get(patch)?.degree_u + 1;
         let points: Net = self.points_of(patch).collect();
         Some(Patch::from_net(points, columns))
     }
 
-    /// All patches in turn.
+    /// All patches in order.
     pub fn patches(&self) -> impl Iterator<Item = Patch> {
         (0..self.patch_count()).map_while(|patch| self.patch(patch))
     }
 
-    /// The control points of a patch; none past the last.
+    /// The control points of a patch; none if there is no such patch.
     pub(crate) fn points_of(&self, patch: usize) -> impl Iterator<Item = DVec3> {
         let indices = self.patch_indices(patch).unwrap_or_default();
         indices.iter().map(|&index| self.vertices[index as usize])
     }
 
-    /// The box of the control points that patches use, which contains the surface; `None` without patches.
+    /// The bounding box of all control points that patches use, which contains the surface; `None` without patches.
     pub fn control_bounds(&self) -> Option<Bounds<DVec3>> {
         let mut points = self.indices.iter().map(|&i| self.vertices[i as usize]);
         let first = points.next()?;
@@ -223,12 +222,14 @@ impl Surface {
         image
     }
 
-    /// The surface with one vertex moved, for all patches that share it, and all vertices that were at the same place
-    /// when the surface was made: what was joined stays joined, what was not does not become so.
+    /// The surface with one vertex moved.
+    ///
+    /// All vertices that had the same position when the surface was created move together, in all patches that share
+    /// them. So patches that were joined stay joined, and others do not become joined.
     ///
     /// # Errors
-    /// [`Error::Count`] without vertices, [`Error::Index`] for an index past them, [`Error::NotFinite`] for a target with a
-    /// NaN or an infinity.
+    /// [`Error::Count`] without vertices, [`Error::Index`] for an index without a vertex, [`Error::NotFinite`] for a
+    /// target with a NaN or an infinity.
     pub fn move_point(&self, index: usize, to: DVec3) -> Result<Self, Error> {
         if self.vertices.is_empty() {
             return Err(Error::Count {
@@ -253,7 +254,7 @@ impl Surface {
         self.joined.get(vertex as usize).copied().unwrap_or(vertex)
     }
 
-    /// The same for all vertices.
+    /// For each vertex, the first vertex that is joined to it.
     #[cfg(feature = "wasm")]
     pub(crate) fn joined_all(&self) -> &[u32] {
         &self.joined
@@ -261,7 +262,7 @@ impl Surface {
 }
 
 impl Patch {
-    /// A surface of this patch alone.
+    /// A surface that consists of this patch only.
     pub(crate) fn as_surface(&self) -> Surface {
         let vertices = self.points.to_vec();
         Surface {

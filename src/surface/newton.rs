@@ -1,23 +1,24 @@
-//! Newton's method for a pair of polynomials that are to be zero together: planes 0 and 1 of a piece.
+//! Newton's method for the common zeros of two polynomials, planes 0 and 1 of a piece ("the pair").
 
 use super::piece::{Jet, Piece};
 use casteljau_kernels::WorkLimit;
 
-/// Zeros nearer than this in u and v are one: two that are s apart rise to s²/4 between them, which rounding hides.
+/// Zeros nearer than this in u and v count as one: between two zeros at a distance s the pair rises to s²/4, which
+/// rounding hides.
 pub(crate) const SAME: f64 = 1.0 / 8_388_608.0;
 
 const MAX_STEPS: usize = 16;
 
-/// A step below this is the last: what is left is of the size of its square.
+/// A step below this is the last: the remaining error is of the order of its square.
 const LAST_STEP: f64 = 1e-9;
 
-/// How far the pair is from zero.
+/// The absolute value of the pair.
 pub(crate) fn off(whole: &Piece, at: [f64; 2]) -> f64 {
     whole.jet(0, at).f.hypot(whole.jet(1, at).f)
 }
 
-/// The place of the unit square at which the pair is nearest to the zero that Newton's method found, perhaps a little
-/// outside: on the side there, by a Gauss–Newton step along it.
+/// The point of the unit square for a zero that Newton's method found, perhaps slightly outside the square. The zero is
+/// clamped to the square; then a Gauss–Newton step along the edge brings the pair nearest to zero.
 pub(crate) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
     let mut inside = at.map(|t| t.clamp(0.0, 1.0));
     for k in 0..2 {
@@ -33,7 +34,7 @@ pub(crate) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
     inside
 }
 
-/// Newton's method from the middle of a piece, as far as a zero in it or right beside it.
+/// Newton's method from the middle of a piece, for a zero in the piece or directly beside it.
 pub(crate) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> Option<[f64; 2]> {
     let middle = piece.middle();
     let width = [piece.u, piece.v].map(|[from, to]| to - from);
@@ -58,8 +59,9 @@ pub(crate) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> O
     None
 }
 
-/// Where the pair touches zero near a place: the derivative is singular there, and in the one direction in which it is
-/// not, the pair is zero. Newton's method on these two; `None` if that leads away.
+/// A zero near a point at which the pair touches zero: the derivative is singular there, and the component of the pair
+/// along the direction in which it is not singular is zero. Newton's method solves these two equations; `None` if it
+/// diverges.
 pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Option<[f64; 2]> {
     let mut at = from;
     for _ in 0..MAX_STEPS {
@@ -69,8 +71,8 @@ pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Opti
         let [a, b] = [0, 1].map(|k| whole.jet(k, at));
         let step = solve(along(&a, &b), singular(&a, &b));
         at = [at[0] + step[0], at[1] + step[1]];
-        // Where pieces end, those about the place are no wider than this.
-        // A step that is not finite leads away, too.
+        // When the search ends, the pieces around such a point are no wider than this. A step that is not finite also
+        // fails this test.
         let is_near = (0..2).all(|k| (at[k] - from[k]).abs() < SAME.sqrt());
         if !is_near {
             return None;
@@ -82,7 +84,7 @@ pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Opti
     None
 }
 
-/// The nearest place where the pair is zero along its greatest derivative, by Newton's method.
+/// The nearest point where the component of the pair along its largest derivative is zero, by Newton's method.
 pub(crate) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
     for _ in 0..4 {
         if !work.spend(2 * whole.jet_steps()) {
@@ -98,13 +100,13 @@ pub(crate) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f6
     at
 }
 
-/// The part of the pair along its greatest derivative: derivatives in u and v, and the value.
+/// The component of the pair along its largest derivative: its derivatives in u and v, and its value.
 fn along(a: &Jet, b: &Jet) -> [f64; 3] {
     let [x, y] = greater([a.u, b.u], [a.v, b.v]);
     [x * a.u + y * b.u, x * a.v + y * b.v, x * a.f + y * b.f]
 }
 
-/// The derivative's determinant: its derivatives in u and v, and its value.
+/// The determinant of the derivative: its derivatives in u and v, and its value.
 fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
     [
         a.uu * b.v + a.u * b.uv - a.uv * b.u - a.v * b.uu,
@@ -113,7 +115,7 @@ fn singular(a: &Jet, b: &Jet) -> [f64; 3] {
     ]
 }
 
-/// Newton's step of two equations, each given by its derivatives and its value.
+/// The Newton step for two equations, each given by its derivatives and its value.
 fn solve([au, av, a]: [f64; 3], [bu, bv, b]: [f64; 3]) -> [f64; 2] {
     let det = au * bv - av * bu;
     [(av * b - bv * a) / det, (bu * a - au * b) / det]

@@ -1,39 +1,42 @@
-//! Pieces of polynomials over the unit square, cut ever smaller until a question about them is answered.
+//! Pieces of polynomials over the unit square, for branch-and-bound searches by subdivision.
 //!
-//! A polynomial in Bernstein form lies between its least and its greatest coefficient. Over half of the square it has
-//! other coefficients, which lie closer: their distance from the polynomial falls to a quarter with each halving. So: drop
-//! the pieces whose coefficients rule an answer out, halve the others, and so on. Bounds, nearest points and rays
-//! all work in this way, with other polynomials. Source: Lane and Riesenfeld, "A theoretical development for the
-//! computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2 (1980).
+//! A polynomial in Bernstein form lies between its smallest and its largest coefficient. Over half of the square it has
+//! other coefficients, which bound it more tightly: their distance from the polynomial falls to a quarter with each
+//! halving. A search drops the pieces whose coefficients exclude a solution, halves the others, and repeats this.
+//! Bounds, nearest points and rays all use this search with different polynomials. Source: Lane and Riesenfeld, "A
+//! theoretical development for the computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2
+//! (1980).
 
 use crate::numeric::float::ratio;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
 use casteljau_kernels::{WorkLimit, halve_coefficients};
 
-/// More halvings than a parameter can take in both directions: 53 digits and some until a step of 0 ends it.
+/// More halvings than the parameters allow in both directions: each has 53 bits, and a few more until the step becomes
+/// 0.
 const MAX_ROUNDS: usize = 128;
 
-/// The most coefficients that all pieces of a round hold together: 4 MB.
+/// The maximum number of coefficients in all pieces of one round: 4 MB.
 const MAX_COEFFICIENTS: usize = 1 << 19;
 
-/// The most steps of a search up to this degree of a patch, and above it.
+/// The maximum number of steps of a search: `MAX_STEPS` for patches up to this degree, `MAX_STEPS_ABOVE` for higher
+/// degrees.
 pub(crate) const MODERATE_DEGREE: usize = 24;
 const MAX_STEPS: usize = 1 << 23;
 const MAX_STEPS_ABOVE: usize = 1 << 26;
 
-/// The steps that an evaluation and a piece take in addition to those of the coefficients: memory is allocated for a
-/// piece, and it is moved.
+/// The steps that an evaluation and a piece cost in addition to the steps for their coefficients: memory is allocated
+/// for a piece, and the piece is moved.
 const JET_STEPS: usize = 256;
 const PIECE_STEPS: usize = 640;
 
-/// One or more polynomials (planes) over a rectangle of parameters.
+/// One or more polynomials ("planes") over a rectangle of parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
-    /// Which polynomial this is a piece of.
+    /// The index of the polynomial that this is a piece of.
     pub(crate) root: usize,
-    /// From where to where it reaches in u …
+    /// The range of u …
     pub(crate) u: [f64; 2],
-    /// … and in v.
+    /// … and the range of v.
     pub(crate) v: [f64; 2],
     /// The number of coefficients along u and along v.
     columns: usize,
@@ -42,7 +45,7 @@ pub(crate) struct Piece {
     planes: Vec<f64>,
 }
 
-/// A polynomial's value and derivatives at a point.
+/// The value and derivatives of a polynomial at a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet {
     pub(crate) f: f64,
@@ -66,7 +69,7 @@ impl Piece {
         }
     }
 
-    /// The most steps of a search in polynomials, for degrees up to this one and above it.
+    /// The maximum number of steps of a search in polynomials: a lower one up to this degree, a higher one above it.
     pub(crate) fn max_search_steps(&self, degree: usize) -> usize {
         if self.columns.max(self.rows) > degree + 1 {
             MAX_STEPS_ABOVE
@@ -75,19 +78,19 @@ impl Piece {
         }
     }
 
-    /// Whether the parameters have numbers between those of the sides.
+    /// Whether the range of u or of v contains a number between its ends.
     pub(crate) fn is_divisible(&self) -> bool {
         let [u, v] = self.middle();
         let inside = |[from, to]: [f64; 2], t: f64| from < t && t < to;
         inside(self.u, u) || inside(self.v, v)
     }
 
-    /// The steps that it takes to look at the piece and to halve it, about one for each multiplication.
+    /// The steps for examining and halving the piece, about one for each multiplication.
     pub(crate) fn steps(&self) -> usize {
         PIECE_STEPS + self.planes.len() * (self.columns.max(self.rows) + 8) / 2
     }
 
-    /// The steps of a [`jet`](Self::jet).
+    /// The steps for one [`jet`](Self::jet).
     pub(crate) fn jet_steps(&self) -> usize {
         JET_STEPS + self.columns * self.rows * (self.columns.min(LONG_ROW) + 1)
     }
@@ -108,14 +111,14 @@ impl Piece {
         (self.u[1] - self.u[0]) * (self.v[1] - self.v[0])
     }
 
-    /// The least and the greatest coefficient of a plane.
+    /// The smallest and the largest coefficient of a plane.
     pub(crate) fn range(&self, k: usize) -> [f64; 2] {
         let first = [f64::INFINITY, f64::NEG_INFINITY];
         let widen = |[low, high]: [f64; 2], &c: &f64| [low.min(c), high.max(c)];
         self.plane(k).iter().fold(first, widen)
     }
 
-    /// The four corners: parameters, and the value of a plane there.
+    /// The four corners: their parameters, and the value of a plane there.
     pub(crate) fn corners(&self, k: usize) -> [([f64; 2], f64); 4] {
         let (last, end) = (self.columns - 1, self.columns * self.rows - 1);
         let plane = self.plane(k);
@@ -127,7 +130,7 @@ impl Piece {
         ]
     }
 
-    /// The derivatives' coefficients along u (or v) of a plane, for this rectangle as the unit square.
+    /// The coefficients of the derivative of a plane along u (or v), with this rectangle as the unit square.
     pub(crate) fn slopes(&self, k: usize, along_u: bool) -> impl Iterator<Item = f64> + '_ {
         let (columns, plane) = (self.columns, self.plane(k));
         let (step, length, degree) = if along_u {
@@ -142,8 +145,8 @@ impl Piece {
         })
     }
 
-    /// The ranges of the second derivatives' coefficients of plane 0, uu, uv and vv, for this rectangle as the unit
-    /// square.
+    /// The ranges of the coefficients of the second derivatives uu, uv and vv of plane 0, with this rectangle as the
+    /// unit square.
     pub(crate) fn second_derivatives(&self) -> [[f64; 2]; 3] {
         let bend = |du: usize, dv: usize| {
             let (m, n) = (self.columns - 1, self.rows - 1);
@@ -173,14 +176,14 @@ impl Piece {
         [bend(2, 0), bend(1, 1), bend(0, 2)]
     }
 
-    /// The greatest slope of the first planes.
+    /// The largest absolute slope of the first `planes` planes.
     fn steepest(&self, along_u: bool, planes: usize) -> f64 {
         (0..planes)
             .flat_map(|k| self.slopes(k, along_u))
             .fold(0.0, |max: f64, slope| max.max(slope.abs()))
     }
 
-    /// The two halves, cut across the direction in which the first planes, as many as are said, change most.
+    /// The two halves, split in the direction in which the first `planes` planes change most.
     pub(crate) fn halves(mut self, planes: usize) -> [Self; 2] {
         let mut other = self.clone();
         let along_u = self.steepest(true, planes) >= self.steepest(false, planes);
@@ -198,7 +201,7 @@ impl Piece {
         [self, other]
     }
 
-    /// Value and derivatives of a plane at a point of the unit square that this piece is.
+    /// The value and derivatives of a plane at a point of this piece's unit square.
     pub(crate) fn jet(&self, k: usize, [u, v]: [f64; 2]) -> Jet {
         let mut columns = [[0.0; MAX_COUNT]; 3];
         let weights = Weights::new(self.columns, u);
@@ -222,7 +225,7 @@ impl Piece {
         }
     }
 
-    /// The four sides of a whole piece, or the two ends of a side; none of a corner.
+    /// The four edges of a whole piece, or the two ends of an edge; none for a corner.
     pub(crate) fn sides(&self) -> Vec<Self> {
         let side = |start: usize, step: usize, columns: usize, rows: usize, u, v| Self {
             root: self.root,
@@ -256,10 +259,10 @@ impl Piece {
     }
 }
 
-/// Shows pieces to `look`, halves those that it wants to see closer (`true`), and so on.
+/// Passes pieces to `look`, halves those for which it returns `true`, and repeats this until no piece is left.
 ///
-/// Returns `false` when there came to be so many that the question has no answer in points (a whole curve of them, say),
-/// and when the limit on the work is reached.
+/// Returns `false` when there are so many pieces that the solutions cannot be isolated points (for example a whole
+/// curve), and when the work limit is reached.
 pub(crate) fn search(
     mut pieces: Vec<Piece>,
     max: usize,

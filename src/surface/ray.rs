@@ -1,9 +1,9 @@
-//! Where does a ray meet the surface?
+//! Intersections of a ray with patches and surfaces.
 //!
-//! A ray is where two planes meet. The distances of S(u, v) from both are polynomials, and their common zeros are the
-//! hits. No mesh comes between. Source of the two planes: Kajiya, "Ray tracing parametric patches", SIGGRAPH 1982; of
-//! the search by subdivision: Nishita, Sederberg and Kakimoto, "Ray tracing trimmed rational surface patches", SIGGRAPH
-//! 1990.
+//! A ray is the intersection of two planes. The distances of S(u, v) from both planes are polynomials, and their common
+//! zeros are the hits. No mesh is used. Source of the two planes: Kajiya, "Ray tracing parametric patches", SIGGRAPH
+//! 1982; of the search by subdivision: Nishita, Sederberg and Kakimoto, "Ray tracing trimmed rational surface patches",
+//! SIGGRAPH 1990.
 
 use super::frame::{Frame, box_of};
 use super::nearest::gap;
@@ -18,24 +18,27 @@ use crate::patch::Patch;
 use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
-/// How near to a side, in u or v, a hit is on it; and the share of the scene's size at which two hits on sides are two in
-/// any case. The root of rounding: so much is not known of a hit where the ray touches the surface.
+/// A hit nearer than this to an edge, in u or v, counts as a hit on the edge. Two hits on edges are always distinct if
+/// their distance exceeds this fraction of the scene's size. This is the square root of rounding, the uncertainty of a
+/// hit where the ray is tangent to the surface.
 const ON_SIDE: f64 = 1.0 / 8_388_608.0;
 
 impl Patch {
-    /// All hits of a ray, by distance; none if it misses.
+    /// All hits of a ray, sorted by distance; empty if the ray misses the patch.
     ///
-    /// The points S(u, v) = origin + t·direction with t ≥ 0 and u, v from 0 to 1. `distance` is the Euclidean distance
-    /// from the origin, so the length of `direction` does not matter. A point where the ray touches the patch counts
-    /// once, and so does one that is a whole side (a pole). Hits are those of a ray as wide as rounding, some 1e-14 of
-    /// the size of patch and origin together; where the ray grazes, hits nearer than 1e-7 of it are one.
+    /// The hits are the points S(u, v) = origin + t·direction with t ≥ 0 and u, v from 0 to 1. `distance` is the
+    /// Euclidean distance from the origin, so the length of `direction` does not matter. A point where the ray is
+    /// tangent to the patch counts once, and so does a hit of a collapsed edge (a pole). The ray is as wide as
+    /// rounding, about 1e-14 of the size of patch and origin together; where the ray grazes, hits nearer to each other
+    /// than 1e-7 of that size count as one.
     ///
-    /// A ray that runs within the patch has no single hits: given are the points where it crosses the patch's sides,
-    /// and the origin if it is on the patch.
+    /// A ray that runs within the patch has no isolated hits. The result then contains the points where it crosses the
+    /// patch's edges, and the origin if it is on the patch.
+    ///
     ///
     /// # Errors
-    /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity, [`Error::TooMany`] when
-    /// the search takes more than 2²⁷ steps, about one for each multiplication.
+    /// [`Error::Range`] for a direction of length 0, [`Error::NotFinite`] for a NaN or an infinity, [`Error::TooMany`]
+    /// when the search takes more than 2²⁷ steps, about one for each multiplication.
     pub fn intersect_ray(&self, origin: DVec3, direction: DVec3) -> Result<Vec<PatchPoint>, Error> {
         let hits = hits(std::slice::from_ref(self), origin, direction)?;
         Ok(hits.into_iter().map(SurfacePoint::on_patch).collect())
@@ -43,11 +46,11 @@ impl Patch {
 }
 
 impl Surface {
-    /// All hits of a ray, by distance; see [`Patch::intersect_ray`]. One on a side that patches share counts once, for
-    /// the first of them.
+    /// All hits of a ray, sorted by distance; see [`Patch::intersect_ray`]. A hit on an edge that patches share counts
+    /// once, for the first of them.
     ///
     /// # Errors
-    /// As for a patch, of which each has a limit of its own.
+    /// As for a patch; each patch has its own work limit.
     pub fn intersect_ray(
         &self,
         origin: DVec3,
@@ -58,7 +61,7 @@ impl Surface {
     }
 }
 
-/// A ray in a frame: where it starts, which way it goes, and two directions across.
+/// A ray in a frame: its start, its direction, and two perpendicular directions.
 struct Ray {
     start: DVec3,
     along: DVec3,
@@ -88,7 +91,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
         for (k, patch) in patches.iter().enumerate() {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = Point::length(a.point * 0.5 - b.point * 0.5) * 2.0;
-                // A blur takes a normal, which is needed between its limits only.
+                // `blur` computes a normal, so it is called only where the simpler limits do not decide.
                 apart <= NEAR * frame.size
                     || apart <= ON_SIDE * frame.size
                         && [a, b]
@@ -108,7 +111,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
     Ok(found)
 }
 
-/// The hits of one patch, in no order.
+/// The hits of one patch, unsorted.
 fn hits_of(
     patch: &Patch,
     number: usize,
@@ -131,7 +134,7 @@ fn hits_of(
         .iter()
         .map(|&[u, v]| SurfacePoint::at(patch, number, u, v, origin))
         .collect();
-    // A place that Newton's method did not bring onto the ray is no hit.
+    // A point that Newton's method did not bring onto the ray is not a hit.
     hits.retain(|hit| {
         let from_start = frame.local_point(hit.point) - ray.start;
         from_start.dot(ray.along) >= -NEAR
@@ -148,8 +151,8 @@ fn hits_of(
     Ok(hits)
 }
 
-/// The distances of a patch from the two planes of the ray, and those along it; `None` if all of it is behind the start
-/// or beside the ray.
+/// The distances of a patch from the two planes of the ray, and the distance along the ray; `None` if the whole patch
+/// lies behind the start or beside the ray.
 fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     let from_start: Vec<DVec3> = patch
         .points
@@ -170,11 +173,11 @@ fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
     Some(Piece::whole(0, patch.columns, patch.rows(), planes))
 }
 
-/// How far apart, as a share of the scene's size, two hits can be that are one.
+/// The largest distance, as a fraction of the scene's size, at which two hits count as one.
 ///
-/// The side that two patches share, or the seam of one, is the same curve from both to the last digits; where the ray
-/// grazes it, a hit moves by their error over the cosine of its angle with the normal. Elsewhere each patch sees to its
-/// own hits.
+/// The edge that two patches share, or the seam of one patch, is the same curve from both sides except for the last
+/// digits. Where the ray grazes it, a hit moves by this error divided by the cosine of the ray's angle with the normal.
+/// Duplicate hits inside a patch are already merged by the patch's own search.
 fn blur(patches: &[Patch], hit: &SurfacePoint, ray: &Ray) -> f64 {
     let is_end = |t: f64| t.min(1.0 - t) <= ON_SIDE;
     if !(is_end(hit.u) || is_end(hit.v)) {

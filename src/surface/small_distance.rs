@@ -1,8 +1,8 @@
-//! Which point of patches is nearest where the distance is small?
+//! Nearest point on patches where the distance is small.
 //!
-//! The square of a distance below 1e-7 of the size is lost in the rounding of the polynomial that [`minimise`] searches.
-//! This search bounds the distance itself: the control points of a piece lie in a box, and so does the piece. The
-//! bound is of first order only, but it is exact to rounding in each coordinate.
+//! The square of a distance below 1e-7 of the size is lost in the rounding of the polynomial that [`minimise`]
+//! searches. This search bounds the distance itself: a piece lies in the box of its control points. The bound is of
+//! first order only, but it is exact to rounding in each coordinate.
 //!
 //! [`minimise`]: crate::surface::minimum::minimise
 
@@ -11,22 +11,22 @@ use super::waiting::Waiting;
 use casteljau_kernels::WorkLimit;
 use std::collections::BinaryHeap;
 
-/// Pieces are dropped whose bound is below the least distance found by no more than this share of it, and by no more than
-/// this share of the size.
+/// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `SHARE` of that
+/// distance, or by more than `SHARE_OF_SIZE` of the size.
 const SHARE: f64 = 1.0 / 16.0;
 const SHARE_OF_SIZE: f64 = 1.0 / 16_777_216.0;
 
-/// The steps of one descent, in evaluations of a piece with derivatives.
+/// The cost of one descent, in evaluations of a piece with derivatives.
 const DESCENT_JETS: usize = 16;
 
-/// The most coefficients of pieces that wait: 16 MB.
+/// The maximum number of coefficients in the queue: 16 MB.
 const MAX_WAITING: usize = 1 << 21;
 
-/// Searches pieces whose planes are the coordinates of S − p for the least distance.
+/// Searches pieces whose planes are the coordinates of S − p for the smallest distance.
 ///
-/// `min` is the least distance so far; `descend` goes down from a place and returns the distance that it reaches. Pieces
-/// farther away than `cutoff` are dropped. The search ends at a distance of `goal`, when no piece can be nearer, and when
-/// it has taken the most steps for each root: then it returns `false`.
+/// `min` is the smallest distance so far; `descend` descends from a point and returns the distance that it reaches.
+/// Pieces farther away than `cutoff` are dropped. The search ends at a distance of `goal` or when no piece can be
+/// nearer. It also ends when it has taken the maximum number of steps for each root, and then returns `false`.
 pub(crate) fn search_small(
     roots: Vec<Piece>,
     mut min: f64,
@@ -69,12 +69,12 @@ pub(crate) fn search_small(
     true
 }
 
-/// The distance from which on a place is not enough of an improvement.
+/// The distance below which a point is a sufficient improvement.
 fn worthwhile(min: f64) -> f64 {
     min - (SHARE * min).min(SHARE_OF_SIZE)
 }
 
-/// A piece with the distance of the box around its control points.
+/// A piece and the distance of the bounding box of its control points.
 fn by_box(piece: Piece) -> Waiting {
     let gap = |axis: usize| {
         let [low, high] = piece.range(axis);
@@ -84,7 +84,7 @@ fn by_box(piece: Piece) -> Waiting {
     Waiting { low, piece }
 }
 
-/// The corner that is nearest, and its distance.
+/// The nearest corner and its distance.
 fn nearest_corner(piece: &Piece) -> ([f64; 2], f64) {
     let [x, y, z] = [0, 1, 2].map(|axis| piece.corners(axis));
     (0..4)

@@ -1,11 +1,11 @@
-//! Points that queries of surfaces find.
+//! Results of point queries on surfaces.
 
 use crate::geometry::point::Point;
 use crate::patch::Patch;
 use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
 
-/// A point of a surface, found by a question.
+/// A point of a surface, returned by a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -13,20 +13,20 @@ use glam::DVec3;
     serde(rename_all = "camelCase")
 )]
 pub struct SurfacePoint {
-    /// The number of the patch.
+    /// The index of the patch.
     pub patch: usize,
-    /// The parameters on it, from 0 to 1.
+    /// The parameters on the patch, from 0 to 1.
     pub u: f64,
     /// See `u`.
     pub v: f64,
     /// The point of the surface.
     pub point: DVec3,
-    /// Its distance from the point that was asked for, or from the ray's origin.
+    /// Its distance from the query point or from the ray's origin.
     pub distance: f64,
 }
 
 impl SurfacePoint {
-    /// The point at (u, v) of a patch, asked for from p.
+    /// The point at (u, v) of a patch, with its distance from p.
     pub(crate) fn at(on: &Patch, patch: usize, u: f64, v: f64, p: DVec3) -> Self {
         let point = on.eval(u, v);
         Self {
@@ -38,7 +38,7 @@ impl SurfacePoint {
         }
     }
 
-    /// The same on its patch.
+    /// The point without the index of its patch.
     pub(crate) fn on_patch(self) -> PatchPoint {
         PatchPoint {
             u: self.u,

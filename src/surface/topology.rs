@@ -1,13 +1,13 @@
-//! Which patches are joined, and along which sides?
+//! Topology of a surface: which patches are joined, and along which edges.
 //!
-//! Two sides are the same line when their control points are at the same places, in the same order or reversed. What
-//! was joined when the surface was made stays joined when a point moves. A side whose points are all at one place is
-//! collapsed: the side is a point.
+//! Two edges are the same line when their control points are equal, in the same order or reversed. Patches that were
+//! joined when the surface was created stay joined when a point moves. An edge whose control points are all equal is
+//! collapsed: it is a point.
 
 use super::first_of::{FirstOf, mix};
 use super::network::Surface;
 
-/// The sides of a patch.
+/// The number of edges of a patch.
 pub(crate) const SIDES: usize = 4;
 
 /// An edge of a patch, by the parameter that is constant along it.
@@ -36,15 +36,15 @@ pub enum PatchEdge {
     serde(rename_all = "camelCase")
 )]
 pub struct EdgeUse {
-    /// The patch.
+    /// The index of the patch.
     pub patch: usize,
-    /// Which of its edges.
+    /// The edge of the patch.
     pub edge: PatchEdge,
-    /// Whether it runs against the first side of those that it is shared with.
+    /// Whether it runs against the direction of the first edge in its group of shared edges.
     pub reversed: bool,
 }
 
-/// How the patches of a surface are joined; every side of every patch is in exactly one of the first four lists.
+/// How the patches of a surface are joined. Every edge of every patch is in exactly one of the first four lists.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -52,39 +52,40 @@ pub struct EdgeUse {
     serde(rename_all = "camelCase")
 )]
 pub struct Topology {
-    /// Pairs of sides that are the same line.
+    /// Pairs of edges that are the same line.
     pub shared: Vec<Vec<EdgeUse>>,
-    /// Three and more sides that are the same line.
+    /// Groups of three or more edges that are the same line.
     pub non_manifold: Vec<Vec<EdgeUse>>,
-    /// Sides with one patch: the boundary.
+    /// Edges with one patch: the boundary.
     pub open: Vec<EdgeUse>,
-    /// Sides that are a point.
+    /// Edges that are a point.
     pub collapsed: Vec<EdgeUse>,
-    /// The patches of each connected part, joined by shared sides; each list ascends.
+    /// The patches of each connected component, joined by shared edges; each list is in ascending order.
     pub components: Vec<Vec<usize>>,
 }
 
-/// What a side is among all sides of a surface, numbered patch · 4 + side.
+/// The relation of an edge to all edges of a surface, which are numbered patch · 4 + edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct SideUse {
-    /// The first side that is the same line; the side itself if no earlier one is.
+    /// The first edge that is the same line; the edge itself if no earlier one is.
     pub(crate) first: usize,
-    /// Whether it runs against that one.
+    /// Whether it runs against the direction of that first edge.
     pub(crate) reversed: bool,
-    /// Whether it is a point.
+    /// Whether the edge is a point.
     pub(crate) collapsed: bool,
 }
 
 impl PatchEdge {
-    /// In the order of their numbers.
+    /// All edges in the order of their numbers.
     const ALL: [Self; SIDES] = [Self::U0, Self::U1, Self::V0, Self::V1];
 }
 
 impl Surface {
     /// How the patches are joined; see [`Topology`].
     ///
-    /// Sides are compared by their control points: the same places in the same order or reversed. A side of another
-    /// degree, or a part of a longer side, is another line. Patches that meet in single points only are not connected.
+    /// Edges are compared by their control points, which must be equal in the same order or reversed. An edge of
+    /// another degree, or a part of a longer edge, is a different line. Patches that have only isolated points in
+    /// common are not connected.
     pub fn topology(&self) -> Topology {
         let uses = self.side_uses();
         let mut topology = Topology {
@@ -115,7 +116,7 @@ impl Surface {
         topology
     }
 
-    /// What each side is among all.
+    /// The relation of each edge to all edges; see [`SideUse`].
     pub(crate) fn side_uses(&self) -> Vec<SideUse> {
         let count = self.patch_count() * SIDES;
         let mut first = FirstOf::new(count);
@@ -140,7 +141,8 @@ impl Surface {
             .collect()
     }
 
-    /// The vertices of side `number % 4` of patch `number / 4` in the direction of u or v; of joined ones the first.
+    /// The vertices of edge `number % 4` of patch `number / 4` in the direction of u or v; joined vertices are
+    /// represented by the first of them.
     pub(crate) fn side(
         &self,
         number: usize,
@@ -159,7 +161,7 @@ impl Surface {
         line.iter().step_by(step).map(|&vertex| self.joined(vertex))
     }
 
-    /// The patches of each part that shared sides connect.
+    /// The connected components: lists of patches that shared edges connect.
     fn components(&self, uses: &[SideUse]) -> Vec<Vec<usize>> {
         let mut parent: Vec<usize> = (0..self.patch_count()).collect();
         for (number, used) in uses.iter().enumerate().filter(|(_, used)| !used.collapsed) {
@@ -177,7 +179,7 @@ impl Surface {
     }
 }
 
-/// The first patch of the part, shortening the way there.
+/// The first patch of the component; shortens the path to it (union–find with path halving).
 fn root(parent: &mut [usize], mut patch: usize) -> usize {
     while parent[patch] != patch {
         parent[patch] = parent[parent[patch]];
@@ -186,7 +188,7 @@ fn root(parent: &mut [usize], mut patch: usize) -> usize {
     patch
 }
 
-/// A hash of a line's vertices, the same for both directions.
+/// A hash of the vertices of a line, equal for both directions.
 fn line_hash(line: impl DoubleEndedIterator<Item = u32> + Clone, count: usize) -> u64 {
     let direction = |hash, vertex| mix(hash, u64::from(vertex));
     let forwards = line.clone().fold(count as u64, direction);

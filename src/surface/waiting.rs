@@ -1,10 +1,10 @@
-//! Pieces that wait in a priority queue, the one with the least bound first.
+//! Entries of a priority queue of pieces, ordered by their lower bound.
 
 use super::piece::Piece;
 use std::cmp::Ordering;
 
-/// A piece and a lower bound on what is searched for in it. In [`BinaryHeap`](std::collections::BinaryHeap), the greatest
-/// of them is the one with the least bound, of equal ones the smallest.
+/// A piece and a lower bound on the searched quantity in it. In [`BinaryHeap`](std::collections::BinaryHeap), the
+/// greatest entry is the one with the smallest bound; of equal bounds, the one with the smallest area.
 pub(crate) struct Waiting {
     pub(crate) low: f64,
     pub(crate) piece: Piece,

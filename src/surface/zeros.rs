@@ -1,52 +1,54 @@
-//! Where are two polynomials over the unit square both zero?
+//! Common zeros of two polynomials over the unit square ("the pair").
 //!
-//! Pieces whose coefficients are all above or all below zero hold nothing. A piece on which the pair of polynomials is
-//! one-to-one holds one zero at most, and Newton's method finds it. What is left in the end are zeros where the pair
-//! only touches zero: pieces so small that rounding decides.
+//! A piece on which the coefficients of one polynomial are all above or all below zero contains no common zero. A piece
+//! on which the pair is one-to-one contains at most one zero, and Newton's method finds it. The remaining zeros are
+//! those where the pair only touches zero: pieces so small that rounding decides.
 
 use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
 use super::piece::{Piece, search};
 use casteljau_kernels::WorkLimit;
 
-/// What counts as zero, for coefficients of the size 1 to 4: their rounding after products and halvings.
+/// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
 pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;
 
-/// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has 18 zeros at most, and about
-/// one where the pair touches zero some hundreds are left while they are small.
+/// More pieces in one round than isolated zeros can cause: a pair of bicubic polynomials has at most 18 zeros, and
+/// around a zero that the pair only touches a few hundred pieces remain while they are small.
 const MAX_PIECES: usize = 1024;
 
-/// The most that the derivative may differ from its mean, for Newton's method to be sure of the zero (1 would do for
-/// there to be one only).
+/// The maximum deviation of the derivative from its mean at which Newton's method reliably finds the zero (1 would
+/// suffice to prove that there is only one).
 const MAX_SPREAD: f64 = 0.5;
 
-/// The share of a patch's extent that the ray must run in it for a whole curve to be seen. Where it touches, it seems to
-/// run in it for the root of rounding, to the fourth for a touch of that order: some 1e-4.
+/// The fraction of a patch's extent over which the ray must run within the patch to count as a curve of zeros. Where
+/// the ray is tangent, it seems to run within the patch over the square root of rounding, and over the fourth root,
+/// about 1e-4, for a tangency of fourth order.
 const CURVE_SHARE: f64 = 1.0 / 64.0;
 
-/// The most steps of a search over the square, its sides and its corners.
+/// The maximum number of steps of a search over the square, its edges and its corners.
 pub(crate) const MAX_RAY_STEPS: usize = 1 << 27;
 
-/// The zeros that were found.
+/// The common zeros that were found.
 pub(crate) struct Zeros {
-    /// Where they are.
+    /// The parameters (u, v) of the zeros.
     pub(crate) points: Vec<[f64; 2]>,
-    /// Whether there are finitely many and these are all.
+    /// Whether the zeros are finitely many and all of them are listed.
     pub(crate) complete: bool,
 }
 
-/// A zero, known to lie in a rectangle.
+/// A zero that is known to lie in a rectangle.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
     u: [f64; 2],
     v: [f64; 2],
-    /// Where the pair is nearest to zero, as far as is known, and how near.
+    /// The known point where the pair is nearest to zero, and the pair's absolute value there.
     at: [f64; 2],
     off: f64,
 }
 
-/// The common zeros of the planes 0 and 1 of a whole piece. Where they are zero along a curve, its ends on the sides;
-/// where they are zero along a side, the side's ends. Plane 2 tells a curve of zeros from one place that has many
-/// parameters: along a curve it changes. `None` when that takes more steps than [`MAX_RAY_STEPS`].
+/// The common zeros of planes 0 and 1 of a whole piece. If they are zero along a curve, the result contains the ends of
+/// the curve on the edges; if they are zero along an edge, the ends of the edge. Plane 2 distinguishes a curve of zeros
+/// from a single point with many parameters: it changes along a curve. `None` when the search takes more steps than
+/// [`MAX_RAY_STEPS`].
 pub(crate) fn common_zeros(whole: &Piece) -> Option<Zeros> {
     let mut zeros = Vec::new();
     let mut work = WorkLimit::new(MAX_RAY_STEPS);
@@ -55,7 +57,7 @@ pub(crate) fn common_zeros(whole: &Piece) -> Option<Zeros> {
     (!work.is_exceeded()).then_some(Zeros { points, complete })
 }
 
-/// Adds the zeros of a piece: the whole one, a side of it, or a corner.
+/// Adds the zeros of a piece: the whole piece, an edge of it, or a corner.
 fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLimit) -> bool {
     let sides = piece.sides();
     let mut finder = Finder {
@@ -75,7 +77,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
     for side in sides {
         collect(side, whole, zeros, work);
     }
-    // A touch of so high an order that it looked like a curve.
+    // This is a tangency of such a high order that it looked like a curve.
     if let (Some(zero), true) = (curve, zeros.is_empty()) {
         zeros.push(zero);
     }
@@ -85,17 +87,17 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
 /// The state of a search.
 struct Finder<'a> {
     whole: &'a Piece,
-    /// Not on a side or at a corner, where the pair's derivative means nothing.
+    /// Whether the search covers the square; on an edge or at a corner the derivative of the pair has no meaning.
     on_face: bool,
-    /// By how much plane 2 changes along what counts as a curve.
+    /// The smallest change of plane 2 along a curve of zeros.
     min_curve: f64,
     zeros: &'a mut Vec<Zero>,
-    /// A place on a curve of zeros.
+    /// A point on a curve of zeros.
     curve: Option<Zero>,
 }
 
 impl Finder<'_> {
-    /// Whether a piece has to be seen closer; adds the zero of one that has not.
+    /// Whether a piece has to be halved; if not, adds its zero, if any.
     fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
         let ranges = [piece.range(0), piece.range(1)];
         let is_far = |range: &[f64; 2]| range[0] > NEAR || range[1] < -NEAR;
@@ -150,14 +152,15 @@ impl Finder<'_> {
                 zero = zero.union(&Zero::at(self.whole, onto_square(self.whole, at)));
             }
         }
-        // Zero in the one direction to rounding, in the other to what is left in the piece.
+        // The pair is zero to rounding in one direction, and to what remains in the piece in the other.
         if zero.off <= 4.0 * NEAR {
             add(self.zeros, zero);
         }
     }
 }
 
-/// Whether a piece is so small that zeros in it, of which rounding makes a whole neighbourhood, are one.
+/// Whether a piece is so small that all zeros in it count as one; rounding turns such a zero into a whole
+/// neighbourhood.
 fn is_small(piece: &Piece) -> bool {
     [piece.u, piece.v]
         .iter()
@@ -168,7 +171,7 @@ fn length([low, high]: [f64; 2]) -> f64 {
     high - low
 }
 
-/// The middle, or the end of the whole range that an interval reaches.
+/// The middle of an interval, or 0 or 1 if it is an end of the interval.
 fn snapped([from, to]: [f64; 2]) -> f64 {
     if from == 0.0 {
         0.0
@@ -180,7 +183,7 @@ fn snapped([from, to]: [f64; 2]) -> f64 {
 }
 
 impl Zero {
-    /// A zero whose place is known.
+    /// A zero whose parameters are known.
     fn at(whole: &Piece, at: [f64; 2]) -> Self {
         let [u, v] = at.map(|t| [t; 2]);
         Self {
@@ -191,7 +194,7 @@ impl Zero {
         }
     }
 
-    /// A zero somewhere in a piece; if it lies on a side of the square, there.
+    /// A zero somewhere in a piece; on the edge of the square if the piece reaches it.
     fn within(whole: &Piece, piece: &Piece) -> Self {
         let wider = |[from, to]: [f64; 2]| [from - (to - from), to + (to - from)];
         Self {
@@ -217,7 +220,7 @@ impl Zero {
     }
 }
 
-/// Adds a zero; with all that it touches it is one.
+/// Adds a zero and merges it with all zeros that it touches.
 fn add(zeros: &mut Vec<Zero>, mut zero: Zero) {
     let mut k = 0;
     while k < zeros.len() {
@@ -231,7 +234,7 @@ fn add(zeros: &mut Vec<Zero>, mut zero: Zero) {
     zeros.push(zero);
 }
 
-/// The mean of the derivatives' coefficients: of both planes along u, and along v.
+/// The mean of the coefficients of the derivatives of both planes: along u, and along v.
 fn mean_slopes(piece: &Piece) -> [[f64; 2]; 2] {
     [true, false].map(|along_u| {
         [0, 1].map(|k| {
@@ -243,7 +246,8 @@ fn mean_slopes(piece: &Piece) -> [[f64; 2]; 2] {
     })
 }
 
-/// The range of the pair across its greatest derivative, where a touching pair changes least.
+/// The range of the component of the pair perpendicular to its largest derivative, in which a pair that touches zero
+/// changes least.
 fn range_across(piece: &Piece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
     let [x, y] = greater(slopes[0], slopes[1]);
     let size = x.hypot(y).max(f64::MIN_POSITIVE);
@@ -260,17 +264,17 @@ fn range_across(piece: &Piece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
 /// Whether the derivative stays so close to its mean that no two points have the same image.
 ///
 /// With J the mean of the derivative's coefficients, every value of J⁻¹ times the derivative lies within [`MAX_SPREAD`]
-/// of the identity, in the norm of the greatest row.
+/// of the identity, in the maximum row sum norm.
 fn is_one_to_one(piece: &Piece, [[au, bu], [av, bv]]: &[[f64; 2]; 2]) -> bool {
     let det = au * bv - av * bu;
-    // For each row the most that it is off by the coefficients along u, and along v.
+    // For each row, the largest deviation of the coefficients along u, and along v.
     let mut spread = [[0.0_f64; 2]; 2];
     for (direction, along_u) in [true, false].into_iter().enumerate() {
         for (a, b) in piece.slopes(0, along_u).zip(piece.slopes(1, along_u)) {
             let image = [(bv * a - av * b) / det, (au * b - bu * a) / det];
             for (row, value) in image.into_iter().enumerate() {
                 let off = (value - if row == direction { 1.0 } else { 0.0 }).abs();
-                // A singular mean gives NaN, which `max` would hide.
+                // A singular mean gives NaN, which `max` would ignore.
                 if off.is_nan() {
                     return false;
                 }

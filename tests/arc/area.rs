@@ -1,4 +1,4 @@
-//! Areas and moments, against closed forms, polygons and an integral in twice the precision.
+//! Areas and moments, compared with closed forms, polygons and an integral in double the precision of f64.
 
 use crate::common::adversarial::{self, ALL, ORDINARY};
 use crate::common::{Rng, curve, exact, largest, plane, real};
@@ -16,7 +16,7 @@ fn close(got: f64, expected: f64, slack: f64) {
 
 #[test]
 fn closed_forms() {
-    // Below y = 1 − x³, seen from the origin: the fact of kurbo.
+    // The region below y = 1 − x³, as a sector from the origin: an example from kurbo.
     let third = 1.0 / 3.0;
     close(
         plane(&[(1., 0.), (2. * third, 1.), (third, 1.), (0., 1.)]).area(),
@@ -32,7 +32,7 @@ fn closed_forms() {
     );
     assert_eq!(line.area(), 3.0);
     assert_eq!(line.reverse().area(), -3.0);
-    // A parabola and its chord: two thirds of the box.
+    // A parabola and its chord: two thirds of the bounding box.
     let arch = Spline::from_curves(
         &[
             plane(&[(0., 0.), (1., 2.), (2., 0.)]),
@@ -45,7 +45,7 @@ fn closed_forms() {
 
 #[test]
 fn a_closed_spline_encloses_the_same_anywhere() {
-    // A circle of four arcs; one handle's length for the area to be π exactly is not asked.
+    // A circle of four arcs, with the usual handle length; its area is not exactly π.
     let k = 0.552_284_749_830_793_4;
     let points = [
         (1., 0.),
@@ -77,7 +77,7 @@ fn a_closed_spline_encloses_the_same_anywhere() {
     assert_eq!(circle(DVec2::ZERO, 1e200).reverse().area(), -f64::INFINITY);
 }
 
-/// ½ ∫ (x dy − y dx) with its sums in twice the precision.
+/// ½ ∫ (x dy − y dx), with sums in double the precision of f64.
 fn exact_area(points: &[DVec3]) -> f64 {
     let x: Vec<f64> = points.iter().map(|p| p.x).collect();
     let y: Vec<f64> = points.iter().map(|p| p.y).collect();
@@ -116,13 +116,13 @@ fn area_is_the_integral() {
     }
 }
 
-/// The moments of a polygon's sector from the origin, triangle by triangle.
+/// The moments of a polygon's sector from the origin, summed over triangles.
 fn of_polygon(points: &[DVec2]) -> [f64; 6] {
     let mut sum = [0.0; 6];
     for pair in points.windows(2) {
         let (a, b) = (pair[0], pair[1]);
         let share = a.perp_dot(b) / 6.0;
-        // Exact up to degree 2: the middles of the sides.
+        // The midpoints of the sides give a quadrature that is exact up to degree 2.
         for p in [0.5 * a, 0.5 * b, 0.5 * (a + b)] {
             let terms = [1.0, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y];
             sum.iter_mut()
@@ -154,7 +154,7 @@ fn moments_are_the_limit_of_polygons() {
             2,
         ));
         let [coarse, fine] = [2000, 4000].map(|n| of_polygon(&curve.sample(n).expect("samples")));
-        // Richardson: the polygon's error falls with the square of the step.
+        // Richardson extrapolation: the polygon's error falls with the square of the step.
         let limit = [0, 1, 2, 3, 4, 5].map(|k| (4.0 * fine[k] - coarse[k]) / 3.0);
         all_close(numbers(curve.moments()), limit, 1e-9);
         let (left, right) = curve.split(0.3);

@@ -1,4 +1,4 @@
-//! The t of lengths, and even steps: measured with the tests' own integral.
+//! Parameters at given arc lengths, and equidistant parameters, measured with an independent integral.
 
 use crate::common::adversarial::{ALL, Kind, ORDINARY};
 use crate::common::{Rng, curve, integral, plane, real};
@@ -19,7 +19,7 @@ fn closed_forms() {
         [0.0, 0.25, 0.5, 0.75, 1.0]
     );
     assert_eq!(time(&line, 2.5), 0.5);
-    // There and back: s = 2t(1 − t) up to the middle.
+    // The curve runs forth and back: s = 2t(1 − t) up to the middle.
     let back = plane(&[(0., 0.), (1., 0.), (0., 0.)]);
     for t in [0.1_f64, 0.25, 0.5, 0.7, 0.99] {
         let s = if t <= 0.5 {
@@ -151,7 +151,7 @@ fn splines_go_on_over_joints() {
         let count = degrees.iter().sum::<usize>() + usize::from(!closed);
         let mut points: Vec<DVec3> = (0..count).map(|_| rng.point(3)).collect();
         if round % 4 == 0 && count > degrees[0] {
-            // A segment without a length.
+            // A segment of length 0.
             points[..=degrees[0]].fill(DVec3::ONE);
         }
         let spline = Spline::with_degrees(points, &degrees, closed).expect("a spline");
@@ -181,7 +181,7 @@ fn splines_go_on_over_joints() {
         let end = if got > 0.0 { real(pieces.len()) } else { 0.0 };
         assert_eq!(spline.time_at_length(got, None), Ok(end));
         assert_eq!(spline.time_at_length(-1.0, None), Ok(0.0));
-        // A length up to a joint gives the joint.
+        // The arc length up to a joint gives the parameter of the joint.
         let first = spline.segments().collect::<Vec<_>>()[0]
             .length(None)
             .expect("a length");

@@ -1,4 +1,4 @@
-//! Torsion and frames, against closed forms and the differential equation of a frame without twist.
+//! Torsion and frames, compared with closed forms and the differential equation of a rotation-minimising frame.
 
 use crate::common::adversarial::{self, ALL, ORDINARY};
 use crate::common::{Rng, curve, plane, real};
@@ -23,7 +23,7 @@ fn twisted() -> Curve<DVec3> {
     from_powers(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z])
 }
 
-/// A turn of the helix (cos, sin, c·t) by its Taylor series, right to 10⁻¹⁵.
+/// One turn of the helix (cos, sin, c·t) by its Taylor series, accurate to 10⁻¹⁵.
 fn helix(pitch: f64) -> Curve<DVec3> {
     let mut term = 1.0;
     let powers: Vec<DVec3> = (0..=24)
@@ -75,7 +75,7 @@ fn torsion_where_it_has_no_value_or_a_limit() {
     assert_eq!(flat.torsion(0.5), 0.0);
     assert_eq!(curve::<DVec3>(&[DVec3::ZERO, DVec3::ONE]).torsion(0.5), 0.0);
     assert_eq!(curve::<DVec3>(&[DVec3::ONE; 4]).torsion(0.5), 0.0);
-    // (t, t³, t⁴): at the inflection the limit; by the formula 12·24 t² · … ∼ 2 · 1 at 0.
+    // (t, t³, t⁴): a limit at the inflection; by the formula 12·24 t² · … ∼ 2 · 1 at 0.
     let inflection = from_powers(&[DVec3::ZERO, DVec3::X, DVec3::ZERO, DVec3::Y, DVec3::Z]);
     let near = inflection.torsion(1e-5);
     assert!(
@@ -83,7 +83,7 @@ fn torsion_where_it_has_no_value_or_a_limit() {
         "{} {near}",
         inflection.torsion(0.0)
     );
-    // (t², t³, t⁴) and (t², t³, t⁵): infinite, and finite.
+    // (t², t³, t⁴) has infinite torsion, (t², t³, t⁵) finite torsion.
     let sharp = from_powers(&[DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z]);
     assert_eq!(sharp.torsion(0.0), f64::INFINITY);
     assert_eq!(
@@ -133,7 +133,7 @@ fn orthonormal(frame: &Frame) {
     assert!((tangent.cross(normal) - binormal).length() < 1e-14);
 }
 
-/// N′ = −(N·T′) T by the method of Runge and Kutta.
+/// N′ = −(N·T′) T by the Runge–Kutta method.
 fn without_twist(curve: &Curve<DVec3>, mut normal: DVec3, lo: f64, hi: f64) -> DVec3 {
     let steps = 4000;
     let h = (hi - lo) / real(steps);
@@ -182,7 +182,7 @@ fn frames_do_not_twist() {
 
 #[test]
 fn plane_curves_keep_their_binormal() {
-    // An arch, an S, a cusp, a zero-length handle, a loop, a half turn-back; in a tilted plane.
+    // An arch, an S, a cusp, a zero-length handle, a loop and half of a turn-back, in a tilted plane.
     let shapes: [&[(f64, f64)]; 6] = [
         &[(0., 0.), (0., 2.), (2., 2.), (2., 0.)],
         &[(0., 0.), (2., 2.), (0., -2.), (2., 0.)],
@@ -208,7 +208,7 @@ fn plane_curves_keep_their_binormal() {
             }
             assert!(first.cross(u.cross(v)).length() < 1e-12);
         }
-        // A normal out of the plane stays.
+        // A normal perpendicular to the plane stays constant.
         let up = u.cross(v);
         for frame in path
             .frames_at(&path.equidistant_times(20).expect("steps"), Some(up))
@@ -233,7 +233,7 @@ fn straight_pieces_change_nothing() {
             .iter()
             .all(|frame| (frame.normal - frames[0].normal).length() < 1e-15)
     );
-    // There and back: the normal stays, the binormal turns.
+    // The curve runs forth and back: the normal stays, the binormal changes its sign.
     let back = curve::<DVec3>(&[DVec3::ZERO, DVec3::X * 2.0, DVec3::ZERO]);
     let frames = back
         .frames_at(&[0.0, 0.3, 0.7, 1.0], Some(DVec3::Z))
@@ -274,7 +274,7 @@ fn frames_of_hostile_curves() {
 
 #[test]
 fn splines_go_round_corners() {
-    // Round a square, standing upright: up stays up.
+    // Frames around an upright square: the upward normal stays upward.
     let corners = [(0., 0.), (2., 0.), (2., 2.), (0., 2.)].map(|(x, y)| DVec3::new(x, y, 0.0));
     let square = Spline::new(&corners, 1, true).expect("a square");
     let frames = square.frames(3).expect("frames");
@@ -289,7 +289,7 @@ fn splines_go_round_corners() {
         "{up:?}"
     );
     assert!((frames[3].tangent - DVec3::Y).length() < 1e-15 && frames[3].t == 1.0);
-    // A smooth chain is as its one curve.
+    // A smooth spline has the same frames as the single curve that it consists of.
     let whole = twisted();
     let (left, right) = whole.split(0.5);
     let halves = Spline::from_curves(&[left, right], false).expect("joined");
@@ -300,7 +300,7 @@ fn splines_go_round_corners() {
     for (a, b) in a.iter().zip(&b) {
         assert!((a.normal - b.normal).length() < 1e-9 && (a.point - b.point).length() < 1e-15);
     }
-    // A segment without a length, at the start and between.
+    // A segment of length 0, at the start and in the middle.
     let degenerate = [
         [0., 0., 0.],
         [0., 0., 0.],

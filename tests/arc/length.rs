@@ -1,4 +1,4 @@
-//! Lengths, against closed forms and an integral of the tests' own.
+//! Arc lengths, compared with closed forms and an independent integral.
 
 use crate::common::adversarial::{self, Kind, ORDINARY};
 use crate::common::{Rng, curve, integral, plane};
@@ -28,7 +28,7 @@ fn closed_forms() {
         3e-16,
         "y = x²",
     );
-    // A turn-back: there and back again.
+    // A turn-back: the curve runs forth and back again.
     agree(
         length(&plane(&[(1., 3.), (2., 5.), (-9., -17.)])),
         22.733_357_771_247_864,
@@ -57,7 +57,7 @@ fn closed_forms() {
     );
 }
 
-/// A hostile curve in the plane or in space; mostly of a low degree.
+/// A hostile curve in the plane or in space, mostly of low degree.
 pub(crate) fn hostile(rng: &mut Rng, kinds: &[Kind]) -> Vec<DVec3> {
     let kind = rng.pick(kinds);
     let degree = if rng.chance(0.05) {
@@ -111,7 +111,8 @@ fn lengths_of_pieces_add_up() {
         let curve: Curve<DVec3> = curve(&points);
         let whole = length(&curve);
         let (left, right) = curve.split(rng.unit());
-        // Splitting rounds the control points by some ulps of the largest, each step of each piece once.
+        // Splitting rounds the control points by a few ulps of the largest coordinate: once for each step and each
+        // piece.
         let slack =
             1e-15 * (curve.degree() * curve.degree()) as f64 * crate::common::largest(&points);
         assert!(
@@ -158,7 +159,7 @@ fn huge_and_tiny() {
     assert!(length(&min) <= 2e-323);
 }
 
-/// A nearly straight curve turns back on an interval that is so short that no rule had a node on it: at the start, where
+/// A nearly straight curve turns back on an interval so short that no quadrature has a node on it: at the start, where
 /// the derivative is almost zero, or between two nodes.
 #[test]
 fn short_hooks_count() {
@@ -180,7 +181,7 @@ fn short_hooks_count() {
         1e-12,
         "a hook at the start",
     );
-    // x on a line, turning back at t = 0.1859 and 0.2.
+    // x on a line turns back at t = 0.1859 and t = 0.2.
     let slopes = [
         0.0638464425235657,
         -0.147838538438109,

@@ -1,4 +1,5 @@
-//! Length, even steps, area, moments, torsion and frames: judged by closed forms and by slow references of their own.
+//! Arc length, equidistant parameters, area, moments, torsion and frames, compared with closed forms and slow
+//! references.
 
 mod area;
 #[path = "../common/mod.rs"]
@@ -7,7 +8,7 @@ mod even;
 mod frames;
 mod length;
 
-/// CASTELJAU_DEEP=1 asks for many more cases.
+/// The number of cases; CASTELJAU_DEEP=1 selects the larger one.
 fn thorough(usual: usize, deep: usize) -> usize {
     if std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0") {
         deep

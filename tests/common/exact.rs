@@ -1,4 +1,4 @@
-//! Numbers of twice the precision (a sum of two f64), to judge f64 results by.
+//! Numbers with double the precision of f64 (a sum of two f64), as a reference for f64 results.
 
 use casteljau::glam::DVec3;
 use std::ops::{Add, Mul, Sub};
@@ -14,7 +14,7 @@ pub(crate) fn exactly(x: f64) -> Double {
     Double { hi: x, lo: 0.0 }
 }
 
-/// a + b without an error.
+/// a + b without rounding error.
 pub(crate) fn two_sum(a: f64, b: f64) -> Double {
     let hi = a + b;
     let part = hi - a;
@@ -57,7 +57,7 @@ impl Mul for Double {
     }
 }
 
-/// The sum of numbers, correct to about one ulp of itself.
+/// The sum of numbers, accurate to about one ulp of the sum.
 pub(crate) fn sum(numbers: &[f64]) -> f64 {
     let total = numbers
         .iter()
@@ -65,7 +65,7 @@ pub(crate) fn sum(numbers: &[f64]) -> f64 {
     total.hi + total.lo
 }
 
-/// The value at t of one coordinate, by de Casteljau's algorithm in twice the precision.
+/// The value of one coordinate at t, by de Casteljau's algorithm in double the precision of f64.
 pub(crate) fn eval_scalar(coefficients: &[f64], t: f64) -> Double {
     let s = two_sum(1.0, -t);
     let mut row: Vec<Double> = coefficients.iter().map(|&c| exactly(c)).collect();

@@ -1,4 +1,4 @@
-//! Integrals along curves, slowly: halving until nothing changes, with a rule of its own.
+//! Slow integrals along curves, by halving until nothing changes, with a quadrature rule computed here.
 
 use casteljau::glam::DVec3;
 
@@ -8,11 +8,11 @@ pub(crate) struct Along<'a> {
     slopes: Vec<DVec3>,
     rule: Vec<(f64, f64)>,
     times: &'a dyn Fn(f64) -> f64,
-    /// Differences of integrals below this are rounding.
+    /// Differences of integrals below this are rounding errors.
     min: f64,
 }
 
-/// The length between two parameters.
+/// The arc length between two parameters.
 pub(crate) fn length(points: &[DVec3], lo: f64, hi: f64) -> f64 {
     integral(points, (lo, hi), &|_| 1.0)
 }
@@ -32,7 +32,7 @@ pub(crate) fn integral(points: &[DVec3], (lo, hi): (f64, f64), times: &dyn Fn(f6
         times,
         min: 0.0,
     };
-    // A sum over even steps says how small is small.
+    // A sum over equal steps gives the scale for negligible differences.
     let rough: f64 = (0..64)
         .map(|i| along.speed((super::real(i) + 0.5) / 64.0))
         .sum();
@@ -80,8 +80,8 @@ impl Along<'_> {
         self.halved(lo, middle, left, depth + 1) + self.halved(middle, hi, right, depth + 1)
     }
 
-    /// Whether no cusp is inside: two directions side by side differ by less than a right angle. Near to the ends a
-    /// rule sees little, so looks are closer there.
+    /// Whether no cusp is inside: successive directions differ by less than a right angle. Near the ends the samples
+    /// are denser, since a quadrature rule has few nodes there.
     fn straight_enough(&self, lo: f64, hi: f64) -> bool {
         let locations = [
             0.0, 0.002, 0.01, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.99, 0.998, 1.0,

@@ -1,13 +1,13 @@
-//! How far is a curve from a polyline, found without any of the code under test: samples, then the peaks refined.
+//! Distance of a curve from a polyline, computed independently of the code under test: samples, then refined peaks.
 
 use super::{largest, real, ulp};
 use casteljau::glam::{DVec2, DVec3};
 
-/// Samples of one chord's piece, in an order that meets a large deviation early.
+/// The number of samples of the piece for one chord. Their order finds a large deviation early.
 const SAMPLES: usize = 24;
 
-/// A curve as it is measured: from its start, scaled by a power of two to about 1. Far from the origin that loses
-/// nothing, and squares stay in range.
+/// A curve in measuring coordinates: relative to its start, and scaled by a power of two to about 1. This loses no
+/// digits for curves far from the origin and keeps squares in range.
 pub(crate) struct Reference {
     points: Vec<DVec3>,
     start: DVec3,
@@ -31,22 +31,22 @@ impl Reference {
         }
     }
 
-    /// A place of the caller's as it is measured.
+    /// The caller's point in measuring coordinates.
     pub(crate) fn location(&self, p: DVec3) -> DVec3 {
         p * self.scale - self.start
     }
 
-    /// A length of the caller's as it is measured.
+    /// The caller's length in measuring coordinates.
     pub(crate) fn length(&self, length: f64) -> f64 {
         length * self.scale
     }
 
-    /// What rounding adds to a measurement.
+    /// The rounding error of a measurement.
     pub(crate) fn noise(&self) -> f64 {
         2.0 * ulp(largest(&self.points))
     }
 
-    /// De Casteljau's algorithm, plainly; short rows for the many cubics.
+    /// De Casteljau's algorithm without optimisations; short rows for cubics, which are the most common.
     pub(crate) fn at(&self, t: f64) -> DVec3 {
         if self.points.len() <= 4 {
             point_at::<4>(&self.points, t)
@@ -55,7 +55,7 @@ impl Reference {
         }
     }
 
-    /// The greatest distance of the piece from t₀ to t₁ from the segment a b (scaled); stops once above `enough`.
+    /// The maximum distance of the piece from t₀ to t₁ from the segment a b (scaled); stops once it exceeds `enough`.
     pub(crate) fn deviation(
         &self,
         (t0, t1): (f64, f64),
@@ -66,7 +66,7 @@ impl Reference {
         let mut samples = [0.0; SAMPLES + 1];
         let mut max: f64 = 0.0;
         for k in 1..SAMPLES {
-            // 7 and 24 have no common factor: strides over the whole piece.
+            // 7 and 24 have no common factor, so the strides cover the whole piece.
             let i = (k * 7) % SAMPLES;
             samples[i] = distance(real(i) / real(SAMPLES));
             max = max.max(samples[i]);
@@ -97,7 +97,7 @@ fn point_at<const ROOM: usize>(points: &[DVec3], t: f64) -> DVec3 {
     row[0]
 }
 
-/// The maximum of a function with one peak, by golden sections.
+/// The maximum of a function with one peak, by golden-section search.
 fn highest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut x1, mut x2) = (hi - ratio * (hi - lo), lo + ratio * (hi - lo));
@@ -122,13 +122,13 @@ pub(crate) fn from_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
     (p - (a + (b - a) * share)).length()
 }
 
-/// The same in the plane.
+/// The distance from a point to a segment in the plane.
 pub(crate) fn from_plane_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let share = nearest_share((p - a).dot(b - a), (b - a).length_squared());
     (p - (a + (b - a) * share)).length()
 }
 
-/// Where on a segment the nearest place is, from 0 to 1.
+/// The parameter of the nearest point of a segment, from 0 to 1.
 fn nearest_share(along: f64, square: f64) -> f64 {
     if square > 0.0 {
         (along / square).clamp(0.0, 1.0)
@@ -137,8 +137,8 @@ fn nearest_share(along: f64, square: f64) -> f64 {
     }
 }
 
-/// The greatest distance from the curve to a polyline: each piece from its own chord, and where that is more than
-/// `enough`, its samples from all chords.
+/// The maximum distance from the curve to a polyline: of each piece from its own chord, and where that exceeds
+/// `enough`, of its samples from all chords.
 pub(crate) fn farthest(reference: &Reference, ts: &[f64], vertices: &[DVec3], enough: f64) -> f64 {
     let mut max: f64 = 0.0;
     for (t, v) in ts.windows(2).zip(vertices.windows(2)) {
@@ -162,7 +162,7 @@ fn from_all(reference: &Reference, (t0, t1): (f64, f64), vertices: &[DVec3]) -> 
     (0..=steps).map(|i| nearest(at(i))).fold(0.0, f64::max)
 }
 
-/// Greedy longest-chord search: from each vertex the farthest chord that keeps the tolerance (scaled).
+/// Greedy search for the fewest chords: from each vertex the longest chord within the tolerance (scaled).
 pub(crate) fn fewest(reference: &Reference, tolerance: f64) -> usize {
     const CELLS: usize = 64;
     let fits = |t0: f64, t1: f64| {
@@ -192,7 +192,7 @@ pub(crate) fn fewest(reference: &Reference, tolerance: f64) -> usize {
     count
 }
 
-/// Halves a step that fails until it fits.
+/// Halves a failing step until the chord fits.
 fn below(fits: &impl Fn(f64, f64) -> bool, t: f64, failing: f64) -> (f64, f64) {
     let mut step = failing - t;
     while step > f64::EPSILON && !fits(t, t + 0.5 * step) {

@@ -1,4 +1,4 @@
-//! What the tests of curves and splines share: random numbers, hostile curves, exact arithmetic to judge by.
+//! Shared code of the tests of curves and splines: random numbers, hostile curves, exact arithmetic as a reference.
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
 pub(crate) mod exact;
@@ -11,7 +11,7 @@ use casteljau::{Curve, Point};
 #[allow(unused_imports, reason = "each test binary uses a part of it")]
 pub(crate) use casteljau_generator::{Rng, adversarial};
 
-/// The plane or space, made from three coordinates.
+/// The plane or space; points are made from three coordinates.
 pub(crate) trait Space: Point {
     fn of(p: DVec3) -> Self;
 }
@@ -53,7 +53,7 @@ pub(crate) fn ulp(x: f64) -> f64 {
     x.next_up() - x
 }
 
-/// The greatest difference of a coordinate.
+/// The largest absolute difference of a coordinate.
 pub(crate) fn apart<P: Point>(a: P, b: P) -> f64 {
     (a - b).max_abs()
 }
@@ -62,7 +62,7 @@ pub(crate) fn real(n: usize) -> f64 {
     f64::from(u32::try_from(n).expect("a small number"))
 }
 
-/// The parameters that tests look at: even steps, the ends, and neighbours of the ends.
+/// The parameters that tests use: equal steps, the ends, and neighbours of the ends.
 pub(crate) fn parameters(steps: usize) -> impl Iterator<Item = f64> {
     let even = (0..=steps).map(move |i| real(i) / real(steps));
     even.chain([1e-300, f64::EPSILON, 1e-9, 1.0 - 1e-9, 1.0_f64.next_down()])

@@ -1,9 +1,9 @@
-//! Checks many cases on all processors: one test that runs alone at the end would leave the others idle.
+//! Checks many cases on all processors, because a single test that runs alone at the end would leave the others idle.
 
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-/// Makes the cases one after the other, as a single thread would, and checks them at the same time.
+/// Generates the cases sequentially, as a single thread would, and checks them in parallel.
 pub(crate) fn on_all<T: Send>(cases: impl Iterator<Item = T> + Send, check: impl Fn(T) + Sync) {
     let cases = Mutex::new(cases.fuse());
     let next = || {

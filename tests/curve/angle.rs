@@ -1,4 +1,4 @@
-//! Cosine and sine of the core against the standard library's.
+//! Cosine and sine of the core, compared with the standard library.
 
 use casteljau_kernels::cos_sin;
 

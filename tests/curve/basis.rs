@@ -1,4 +1,4 @@
-//! The same cubic in other bases, both ways.
+//! Conversion of cubics to other bases and back.
 
 use crate::assert_close;
 use crate::common::exact::{Double, exactly};
@@ -15,7 +15,7 @@ const NAMED: [Basis; 4] = [
     Basis::CatmullRom,
 ];
 
-/// What each geometry point weighs at t, by the textbook formulas.
+/// The weight of each geometry point at t, by the textbook formulas.
 fn blend(basis: Basis, t: f64) -> [Double; 4] {
     let [o, t, two, three] = [1.0, t, 2.0, 3.0].map(exactly);
     let (s, c) = (o - t, exactly);
@@ -34,7 +34,7 @@ fn blend(basis: Basis, t: f64) -> [Double; 4] {
             c(-1.5) * tt * t + two * tt + c(0.5) * t,
             c(-0.5) * tt * s,
         ],
-        // Six times the weights; the caller gives points that divide by six.
+        // Six times the weights; the caller passes points that are divisible by six.
         _ => [
             ss * s,
             three * tt * t - c(6.0) * tt + c(4.0),
@@ -44,7 +44,7 @@ fn blend(basis: Basis, t: f64) -> [Double; 4] {
     }
 }
 
-/// Geometry points whose sixths are whole.
+/// Geometry points that are divisible by six.
 fn geometry(rng: &mut Rng) -> [DVec3; 4] {
     [(); 4].map(|()| (rng.point(3) * 100.0).round() * 6.0)
 }
@@ -116,7 +116,7 @@ fn there_and_back_is_the_same() {
             let points = geometry(&mut rng);
             let curve = Curve::from_basis(basis, points).expect("finite");
             let back = curve.to_basis(basis).expect("invertible");
-            // The inverse matrix of the B-spline has sums of up to 11 in a row.
+            // The rows of the inverse B-spline matrix have absolute sums of up to 11.
             back.iter()
                 .zip(points)
                 .for_each(|(&p, q)| assert_close(p, q, 32.0, largest(&points)));
@@ -131,7 +131,7 @@ fn there_and_back_is_the_same() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn from_any_basis_to_any_other() {
-    // A known curve: (t, t³) in all four bases.
+    // A known curve, (t, t³), in all four bases.
     let cubic = plane(&[(0.0, 0.0), (1.0 / 3.0, 0.0), (2.0 / 3.0, 0.0), (1.0, 1.0)]);
     let geometry = |basis| {
         cubic
@@ -168,7 +168,7 @@ fn own_matrices() {
         matrix
             .iter_mut()
             .for_each(|m| *m = (rng.signed() * 4.0).round());
-        // Weighty on the diagonal, so that it has an inverse.
+        // A dominant diagonal, so that the matrix has an inverse.
         (0..4).for_each(|k| matrix[5 * k] += 16.0);
         let points = [(); 4].map(|()| rng.point(3));
         let curve = Curve::from_basis(Basis::Matrix(matrix), points).expect("finite");

@@ -1,4 +1,4 @@
-//! Points, weights, samples.
+//! Evaluation, Bernstein weights and samples.
 
 use crate::common::adversarial::ALL;
 use crate::common::exact::{self, exactly};
@@ -26,7 +26,7 @@ fn end_points_are_exact() {
     });
 }
 
-/// De Casteljau's algorithm in f64, as in the books.
+/// De Casteljau's algorithm in f64, as in textbooks.
 fn de_casteljau(points: &[DVec3], t: f64) -> DVec3 {
     let mut row = points.to_vec();
     while row.len() > 1 {
@@ -45,7 +45,7 @@ fn closed_forms_are_as_exact_as_de_casteljau() {
         let got = curve::<P>(&points).eval(t).to_3d();
         let size = largest(&points);
         assert_close(got, exact::eval(&points, t), 3.0, size);
-        // That one is up to 2.6 ulps off itself, rarely to the other side.
+        // De Casteljau's algorithm itself is off by up to 2.6 ulps, rarely in the other direction.
         let difference = (got - de_casteljau(&points, t)).abs().max_element();
         assert!(difference <= 4.0 * ulp(size));
         compared.0 += 1;
@@ -78,7 +78,7 @@ fn points_of_any_degree_are_right_to_an_ulp_for_each_step() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn values_outside_extrapolate() {
-    // The parabola y = x² and the cubic y = x³ beyond their pieces.
+    // The parabola y = x² and the cubic y = x³ outside the interval [0, 1].
     let parabola = plane(&[(0.0, 0.0), (0.5, 0.0), (1.0, 1.0)]);
     let cubic = plane(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (3.0, 27.0)]);
     for x in [-3.0, -0.5, 1.5, 4.0] {
@@ -218,7 +218,7 @@ fn huge_coordinates_do_not_overflow() {
     }
 }
 
-/// The arithmetic that judges: (1/3 + 1/3) + 1/3 and (1 + 2⁻⁸⁰) − 1 are right to 100 bits.
+/// The reference arithmetic: (1/3 + 1/3) + 1/3 and (1 + 2⁻⁸⁰) − 1 are accurate to 100 bits.
 #[wasm_bindgen_test(unsupported = test)]
 fn exact_arithmetic_is_exact() {
     let tiny = exactly(2_f64.powi(-80));

@@ -8,7 +8,7 @@ use casteljau::glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_1_SQRT_2;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// The first point that differs from an end gives the direction there, whatever lies in between.
+/// The first control point that differs from an end gives the tangent at this end, whatever lies between.
 #[wasm_bindgen_test(unsupported = test)]
 fn tangents_at_the_ends_look_to_the_next_other_point() {
     fn check<P: Space>(points: &[DVec3]) {
@@ -32,7 +32,7 @@ fn tangents_at_the_ends_look_to_the_next_other_point() {
             .find(|v| *v != DVec3::ZERO)
             .expect("two places");
         for (t, direction) in [(0.0, start), (1.0, end)] {
-            // Next to nothing beside the rest, a handle may count as none.
+            // A handle that is negligibly short relative to the rest may count as none.
             if direction.max_abs() > 1e-11 * real(control.len()) * largest(&control) {
                 let error =
                     (curve.tangent(t).to_3d() - Point::normalize_or_zero(direction)).length();
@@ -59,20 +59,20 @@ fn zero_length_handles() {
             "{tangent} instead of {expected}"
         );
         assert_eq!(normal, tangent.perp());
-        // Without bound, and to the right of the way.
+        // Infinite, and to the right of the direction of travel.
         assert_eq!(curvature, f64::NEG_INFINITY);
     };
-    // P₁ = P₀: towards P₂.
+    // P₁ = P₀: the tangent points towards P₂.
     near(
         at(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], 0.0),
         diagonal,
     );
-    // P₂ = P₃: from P₁.
+    // P₂ = P₃: the tangent points away from P₁.
     near(
         at(&[(0.0, 2.0), (1.0, 5.0), (1.0, 0.0), (1.0, 0.0)], 1.0),
         down,
     );
-    // All handles on the ends: a straight line.
+    // All handles coincide with the ends: a straight line.
     let line = [(0.0, 0.0), (0.0, 0.0), (3.0, 3.0), (3.0, 3.0)];
     for t in parameters(4) {
         let (tangent, _, curvature) = at(&line, t);
@@ -87,7 +87,7 @@ fn zero_length_handles() {
     );
 }
 
-/// (6t², t⁴) runs on y = x²/36, which bends by 1/18, though its derivative vanishes at 0.
+/// (6t², t⁴) runs on y = x²/36, whose curvature at 0 is 1/18, though its derivative vanishes there.
 #[wasm_bindgen_test(unsupported = test)]
 fn curvature_as_a_finite_limit() {
     let slow = plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 0.0), (3.0, 0.0), (6.0, 1.0)]);
@@ -105,7 +105,7 @@ fn curvature_as_a_finite_limit() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_cusp_has_the_tangent_of_the_piece_after_it() {
-    // B′(½) = 0, B″(½) = (0, −6): it comes up and goes down again.
+    // B′(½) = 0 and B″(½) = (0, −6): the curve comes up and goes down again.
     let cusp = plane(&[(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]);
     assert_eq!(cusp.derivative_at(0.5, 1), DVec2::ZERO);
     assert_eq!(cusp.tangent(0.5), DVec2::NEG_Y);
@@ -115,7 +115,8 @@ fn a_cusp_has_the_tangent_of_the_piece_after_it() {
     assert!((cusp.tangent(0.5 + 1e-9) - DVec2::NEG_Y).length() < 1e-7);
 }
 
-/// Where the derivative is next to nothing, just before and after a place where it vanishes, the way is still forward.
+/// Where the derivative is almost zero, just before and after a point where it vanishes, the tangent still points
+/// forward.
 #[wasm_bindgen_test(unsupported = test)]
 fn tangents_next_to_a_vanishing_derivative() {
     let slowing = [(0.0, 0.0), (3.0, 4.0), (3.0, 4.0), (3.0, 4.0)];
@@ -134,7 +135,7 @@ fn tangents_next_to_a_vanishing_derivative() {
             );
         }
     }
-    // x = 3·(t(1 − t)² − t²(1 − t)) · 3 turns at ½ ∓ √3/6.
+    // x = 3·(t(1 − t)² − t²(1 − t)) · 3 turns back at ½ ∓ √3/6.
     let turn = 0.5 - 3.0_f64.sqrt() / 6.0;
     for distance in [1e-15, 1e-14, 1e-12, 1e-6] {
         assert!(

@@ -1,4 +1,4 @@
-//! Curves: what must hold for every curve, natively and in wasm, judged by closed forms and by exact arithmetic.
+//! Properties of every curve, natively and in wasm, compared with closed forms and exact arithmetic.
 
 mod angle;
 mod basis;
@@ -20,7 +20,7 @@ use casteljau::glam::DVec3;
 use common::adversarial::{self, Kind};
 use common::{Rng, real, ulp};
 
-/// Hostile control points of each of the kinds, in the plane and in space, at low degrees and some high ones.
+/// Hostile control points of each kind, in the plane and in space, at low degrees and some high ones.
 fn adversarial_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
     let mut rng = Rng(1963);
     for &kind in kinds {
@@ -34,7 +34,7 @@ fn adversarial_points(kinds: &[Kind], mut check: impl FnMut(&[DVec3])) {
     }
 }
 
-/// Two points agree to some ulps of a size.
+/// Asserts that two points agree to a number of ulps of a size.
 fn assert_close(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
     let difference = (got - expected).abs().max_element();
     let allowed = ulps * ulp(size);
@@ -45,7 +45,7 @@ fn assert_close(got: DVec3, expected: DVec3, ulps: f64, size: f64) {
     );
 }
 
-/// How many ulps of the largest coordinate n steps of interpolation may lose.
+/// The number of ulps of the largest coordinate that n steps of interpolation may lose.
 fn steps(points: &[DVec3]) -> f64 {
     2.0 + real(points.len())
 }

@@ -1,4 +1,4 @@
-//! Cutting, reversing, elevating, mapping: the curve stays the same.
+//! Splitting, reversing, elevating and mapping leave the curve unchanged.
 
 use crate::common::adversarial::ALL;
 use crate::common::exact;
@@ -8,10 +8,10 @@ use casteljau::glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 use casteljau::{Curve, Error};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Eighths: their products and differences are exact.
+/// Eighths, whose products and differences are exact.
 const EIGHTHS: [f64; 9] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
 
-/// `piece` at s is the whole curve at t₀ + (t₁ − t₀)s.
+/// Asserts that `piece` at s is the whole curve at t₀ + (t₁ − t₀)s.
 fn assert_is_piece<P: Space>(piece: &Curve<P>, whole: &[DVec3], t0: f64, t1: f64) {
     let control = to_3d(piece.control_points());
     for s in EIGHTHS {
@@ -57,7 +57,7 @@ fn halves_join_to_the_curve_and_equal_the_split_at_a_half() {
         assert_eq!(left.end(), right.start());
         assert_is_piece(&left, points, 0.0, 0.5);
         assert_is_piece(&right, points, 0.5, 1.0);
-        // Sums and halvings round as the interpolation at ½ does.
+        // Sums and halvings round in the same way as the interpolation at ½.
         assert_eq!(whole.split(0.5), (left, right));
     });
     let (left, right) = plane(&[(0.0, 0.0), (0.0, 8.0), (8.0, 8.0), (8.0, 0.0)]).halve();
@@ -181,7 +181,7 @@ fn elevation_keeps_the_curve() {
     });
 }
 
-/// The control points of a line at degree 64 are even steps.
+/// The control points of a line at degree 64 are equally spaced.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_line_can_be_elevated_to_degree_64() {
     let mut line = plane(&[(0.0, 64.0), (64.0, -64.0)]);

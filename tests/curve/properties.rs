@@ -1,4 +1,4 @@
-//! Properties of random hostile curves, shrunk where they fail.
+//! Properties of random hostile curves; failing cases are shrunk.
 
 use crate::common::{exact, largest, real, to_3d, ulp};
 use casteljau::glam::{DVec2, DVec3};
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::RngSeed;
 
-/// Coordinates as users have them, and as they break things.
+/// Coordinates that are typical in use, and extreme ones.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => (-4..=4_i32).prop_map(f64::from),
@@ -20,7 +20,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// What is done to the points after they were drawn.
+/// A modification of the points after they are drawn.
 #[derive(Clone, Debug)]
 enum Harm {
     None,
@@ -77,7 +77,7 @@ fn rounding(points: &[DVec3]) -> f64 {
     2.0 * (2.0 + real(points.len())) * ulp(largest(points))
 }
 
-/// The same cases in every run: a run that fails elsewhere fails here.
+/// The seed is fixed, so that every run has the same cases and failures can be reproduced.
 const SEED: RngSeed = RngSeed::Fixed(1975);
 
 proptest! {
@@ -133,7 +133,7 @@ proptest! {
         let curve = plane(&points);
         let flat = to_3d(curve.control_points());
         let derivative = exact::derivative(&flat, t, 1);
-        // Where the derivative is not lost in the rounding of the control points.
+        // Only where the derivative is not lost in the rounding of the control points.
         let scale = real(points.len()) * largest(&flat);
         prop_assume!(derivative.max_abs() > 1e-6 * scale);
         let difference = curve.tangent(t).extend(0.0) - Point::normalize_or_zero(derivative);

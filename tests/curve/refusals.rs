@@ -1,4 +1,4 @@
-//! What is refused, and that the message names the argument, what was expected and what came.
+//! Invalid arguments are rejected, and the message names the argument, what was expected and what was received.
 
 use crate::common::plane;
 use casteljau::curve::bernstein;
@@ -49,7 +49,7 @@ fn values_that_are_not_finite() {
             );
         }
     }
-    // A large finite value beside it does not hide a NaN.
+    // A large finite value beside a NaN does not hide it.
     assert!(Curve::new(&[DVec2::new(1e300, f64::NAN), DVec2::ZERO]).is_err());
 }
 

@@ -1,4 +1,4 @@
-//! Boxes and hulls: they contain the curve, and no smaller ones do.
+//! Bounding boxes and convex hulls: they contain the curve and are as small as possible.
 
 use crate::common::adversarial::{ALL, Kind};
 use crate::common::exact;
@@ -8,7 +8,7 @@ use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// The greatest value of one coordinate (times `sign`), by samples and golden sections in twice the precision.
+/// The maximum of one coordinate (times `sign`), by samples and golden-section search in double the precision of f64.
 fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
     const SAMPLES: usize = 64;
     let coordinates: Vec<f64> = points.iter().map(|p| sign * p[axis]).collect();
@@ -16,7 +16,7 @@ fn greatest(points: &[DVec3], axis: usize, sign: f64) -> f64 {
     let values: Vec<f64> = (0..=SAMPLES).map(|i| at(real(i) / real(SAMPLES))).collect();
     let max = values.iter().copied().fold(f64::MIN, f64::max);
     let min = values.iter().copied().fold(f64::MAX, f64::min);
-    // About each of the samples that may lie beside the greatest value, those at the ends too.
+    // Searches around each sample that may be next to the maximum, including those at the ends.
     let near = |&i: &usize| values[i] >= max - 0.05 * (max - min);
     let before = |i: usize| real(i.max(1) - 1) / real(SAMPLES);
     let after = |i: usize| real((i + 1).min(SAMPLES)) / real(SAMPLES);
@@ -70,10 +70,10 @@ fn the_box_contains_the_curve_and_is_touched() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn boxes_by_closed_forms() {
-    // y = 2t(1 − t), greatest at ½.
+    // y = 2t(1 − t) has its maximum at ½.
     let arch = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]).bounds();
     assert_eq!((arch.min, arch.max), (DVec2::ZERO, DVec2::new(2.0, 0.5)));
-    // y = 3t(1 − t)(1 − 2t): ±√3/6 at ½ ∓ √3/6.
+    // y = 3t(1 − t)(1 − 2t): the extrema are ±√3/6 at ½ ∓ √3/6.
     let wave = plane(&[(0.0, 0.0), (1.0, 1.0), (2.0, -1.0), (3.0, 0.0)]).bounds();
     let height = 3.0_f64.sqrt() / 6.0;
     assert!((wave.max.y - height).abs() < 1e-15 && (wave.min.y + height).abs() < 1e-15);
@@ -115,7 +115,7 @@ fn the_control_box_contains_the_box() {
     );
 }
 
-/// Twice the signed area of three points over the square of their size, and 0 within rounding.
+/// Twice the signed area of three points divided by the square of their size; 0 within rounding.
 fn turn(a: DVec2, b: DVec2, c: DVec2, size: f64) -> f64 {
     let area = ((b - a) / size).perp_dot((c - a) / size);
     if area.abs() < 16.0 * f64::EPSILON {
@@ -156,7 +156,7 @@ fn known_hulls() {
         corners(&[(1.0, 1.0), (0.0, 0.0), (0.0, 1.0), (1.0, 0.0)]),
         square
     );
-    // Points on a side and inside are left out.
+    // Points on an edge and inside are omitted.
     assert_eq!(
         corners(&[
             (0.5, 0.0),
@@ -187,7 +187,7 @@ fn known_hulls() {
     }
 }
 
-/// Loops and cusps lie inside of what their control points span, in space too.
+/// Loops and cusps lie inside the hull of their control points, also in space.
 #[wasm_bindgen_test(unsupported = test)]
 fn curves_stay_among_their_control_points() {
     let mut rng = Rng(11);

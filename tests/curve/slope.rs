@@ -1,4 +1,4 @@
-//! Derivatives, tangents, normals, curvature: closed forms.
+//! Derivatives, tangents, normals and curvature, compared with closed forms.
 
 use crate::common::adversarial::ALL;
 use crate::common::exact;
@@ -27,7 +27,7 @@ fn derivatives_of_any_order_and_degree() {
             if factor * size > 1e303 {
                 break; // the true value is about to overflow
             }
-            // n (n − 1) … differences, each of two numbers.
+            // n (n − 1) … differences of two numbers each.
             factor *= 2.0 * real(points.len() - 1 - order);
         }
         assert_eq!(curve.derivative_at(0.3, 0), curve.eval(0.3));
@@ -51,14 +51,14 @@ fn the_derivative_as_a_curve() {
             );
         }
     });
-    // Of a line: a line whose points coincide.
+    // The derivative of a line is a line whose control points coincide.
     let line = plane(&[(1.0, 2.0), (4.0, 1.0)]).derivative();
     assert_eq!(line, plane(&[(3.0, -1.0), (3.0, -1.0)]));
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_parabola() {
-    // y = x² from −1 to 1: tangent (1, 2x), curvature 2 / (1 + 4x²)^³⁄₂.
+    // y = x² from −1 to 1 has the tangent (1, 2x) and the curvature 2 / (1 + 4x²)^³⁄₂.
     let parabola = plane(&[(-1.0, 1.0), (0.0, -1.0), (1.0, 1.0)]);
     for t in parameters(16) {
         let x = 2.0 * t - 1.0;
@@ -85,7 +85,7 @@ fn a_parabola() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_twisted_cubic() {
-    // (t, t², t³): κ = 2√(9t⁴ + 9t² + 1) / (9t⁴ + 4t² + 1)^³⁄₂, normal in the plane of B′ and B″.
+    // (t, t², t³): κ = 2√(9t⁴ + 9t² + 1) / (9t⁴ + 4t² + 1)^³⁄₂; the normal lies in the plane of B′ and B″.
     let third = 1.0 / 3.0;
     let points = [
         DVec3::ZERO,
@@ -118,7 +118,7 @@ fn a_twisted_cubic() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn straight_curves_have_no_principal_normal_and_no_curvature() {
-    // Even steps of whole numbers, so that no rounding bends the line.
+    // Equal steps of integers, so that rounding does not bend the line.
     let (from, step) = (DVec3::new(1.0, -2.0, 5.0), DVec3::new(3.0, 1.0, -7.0));
     for degree in 1..=12 {
         let points: Vec<DVec3> = (0..=degree).map(|i| from + step * real(i)).collect();
@@ -134,7 +134,7 @@ fn straight_curves_have_no_principal_normal_and_no_curvature() {
     }
 }
 
-/// Unit vectors, right angles, the same in the plane and in space, no NaN: on every curve, at every t.
+/// Directions are orthonormal, equal in the plane and in space, and without NaN: on every curve, at every t.
 #[wasm_bindgen_test(unsupported = test)]
 fn directions_are_unit_vectors_at_right_angles() {
     adversarial_points(&ALL, |points| {

@@ -1,4 +1,4 @@
-//! The tree of halvings by the D1 − D2 test.
+//! The tree of halvings with the D1 − D2 test.
 
 use crate::adversarial_points;
 use crate::common::adversarial::ORDINARY;
@@ -13,7 +13,7 @@ fn polygon_length(points: &[DVec3]) -> f64 {
     points.windows(2).map(|w| (w[1] - w[0]).length()).sum()
 }
 
-/// Checks a node and those below it; `whole` is the curve from which it comes.
+/// Checks a node and its descendants; `whole` is the curve from which the node comes.
 fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
     let points = to_3d(node.curve.control_points());
     let rounding = 16.0 * ulp(largest(whole)) * crate::steps(whole);
@@ -43,7 +43,7 @@ fn check<P: Space>(node: &Subdivision<P>, whole: &[DVec3], tolerance: f64) {
     check(right, whole, tolerance);
 }
 
-/// The piece is nowhere farther from its chord than the bound.
+/// Asserts that the piece is within the bound of its chord.
 fn assert_bound_holds<P: Point>(node: &Subdivision<P>, points: &[DVec3], rounding: f64) {
     let reference = Reference::new(points);
     let chord = (
@@ -51,7 +51,7 @@ fn assert_bound_holds<P: Point>(node: &Subdivision<P>, points: &[DVec3], roundin
         reference.location(points[points.len() - 1]),
     );
     let distance = reference.deviation((0.0, 1.0), chord, f64::INFINITY);
-    // The bound is a root: rounding of D1 and D2 counts with the root of the length.
+    // The bound is a square root, so rounding of D1 and D2 counts with the square root of the length.
     let slack = rounding + (rounding * node.polygon_length).sqrt();
     assert!(
         distance <= reference.length(node.deviation_bound() + slack),

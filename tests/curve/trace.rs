@@ -1,4 +1,4 @@
-//! Drawing: degrees 1 to 3 as they are, higher ones as cubics within the tolerance.
+//! Drawing: degrees 1 to 3 are unchanged, higher degrees become cubics within the tolerance.
 
 use crate::common::measure::from_segment;
 use crate::common::{Rng, plane, real};
@@ -62,7 +62,7 @@ fn low_degrees_go_out_as_they_are() {
     );
 }
 
-/// The distance of the drawn cubics from a fine polyline of the curve, and the other way round.
+/// The distance of the drawn cubics from a fine polyline of the curve, and the reverse.
 fn distance(curve: &Curve<DVec2>, drawn: &[Stroke]) -> f64 {
     let polyline = |curve: &Curve<DVec2>, n: usize| -> Vec<DVec3> {
         curve
@@ -106,7 +106,7 @@ fn high_degrees_become_cubics_within_the_tolerance() {
         let curve = plane(&points);
         for tolerance in [1.0, 1e-2, 1e-4] {
             let drawn = strokes(&curve, Some(tolerance));
-            // The two fine polylines themselves are a little off.
+            // The two fine polylines have small errors of their own.
             let found = distance(&curve, &drawn);
             assert!(
                 found <= tolerance + 2e-5,

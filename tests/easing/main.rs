@@ -1,4 +1,4 @@
-//! Timing functions: the residual in twice the precision, monotone, at the ends and beyond, never NaN.
+//! Timing functions: accuracy in double the precision of f64, monotonicity, values at and beyond the ends, no NaN.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -8,7 +8,7 @@ use common::Rng;
 use common::exact::{self, Double, exactly};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Handles of CSS, at the border, and near to where x stands still.
+/// Handles from CSS, at the limits of their range, and close to handles for which dx/dt vanishes.
 const KNOWN: [[f64; 4]; 16] = [
     [0.25, 0.1, 0.25, 1.0],
     [0.42, 0.0, 1.0, 1.0],
@@ -37,7 +37,7 @@ fn easing([x1, y1, x2, y2]: [f64; 4]) -> Easing {
     Easing::new(x1, y1, x2, y2).expect("in range")
 }
 
-/// An x of a handle, often at the border.
+/// The x of a handle, often at a limit of its range.
 fn abscissa(rng: &mut Rng) -> f64 {
     match rng.below(6) {
         0 => 0.0,
@@ -66,7 +66,8 @@ fn cubic(a: f64, b: f64, t: Double) -> Double {
     three * s * s * t * exactly(a) + three * s * t * t * exactly(b) + t * t * t
 }
 
-/// With y handles of ⅓ and ⅔ y would be t itself, were thirds numbers: what is missing is a cubic of their errors.
+/// With y handles of exactly ⅓ and ⅔, y would be t itself; the difference is a cubic of the rounding errors of the
+/// thirds.
 fn parameter(x1: f64, x2: f64, x: f64) -> Double {
     let y = easing([x1, 1.0 / 3.0, x2, 2.0 / 3.0]).eval(x);
     let (t, three) = (exactly(y), exactly(3.0));
@@ -94,7 +95,7 @@ fn the_residual_does_not_pass_1e_15() {
     println!("worst residual {worst:e}");
 }
 
-/// t by bisection in twice the precision, 100 bits below the leading one of the bracket.
+/// t by bisection in double the precision of f64, to 100 bits below the leading bit of the bracket.
 fn slow(x1: f64, x2: f64, x: f64) -> Double {
     let (mut low, mut high) = (exactly(0.0), exactly(1.0));
     let half = exactly(0.5);
@@ -110,7 +111,7 @@ fn slow(x1: f64, x2: f64, x: f64) -> Double {
     low
 }
 
-/// Not only the residual is small: y is right to its last digits, even where x stands still.
+/// Not only the residual is small: y is accurate to its last digits, even where dx/dt vanishes.
 #[wasm_bindgen_test(unsupported = test)]
 fn y_is_right() {
     let mut rng = Rng(92);
@@ -128,9 +129,9 @@ fn y_is_right() {
         let x = location(&mut rng);
         let reference = cubic(y1, y2, slow(x1, x2, x)).hi;
         let error = (easing(handles).eval(x) - reference).abs();
-        // The largest y that the curve passes by.
+        // The largest y of the curve's control points.
         let size = y1.abs().max(y2.abs()).max(1.0);
-        // Where x' is small, t = root(x) magnifies the rounding error of the terms of x.
+        // Where x′ is small, t = root(x) magnifies the rounding error of the terms of x.
         let s = slow(x1, x2, x);
         let speed = (cubic(x1, x2, s + exactly(1e-8)) - cubic(x1, x2, s - exactly(1e-8))).hi / 2e-8;
         let max = 4e-16 * size + 6e-17 * size * (1.0 / speed.max(1e-6));
@@ -149,7 +150,7 @@ fn monotone_where_the_handles_are() {
         y.sort_by(f64::total_cmp);
         let ease = easing([x1, y[0], x2, y[1]]);
         let mut xs: Vec<f64> = (0..50).map(|_| location(&mut rng)).collect();
-        // Neighbours too.
+        // Adjacent numbers as well.
         for at in [0.5, location(&mut rng), location(&mut rng)] {
             let mut x = at;
             for _ in 0..50 {
@@ -185,18 +186,19 @@ fn exact_at_the_ends() {
     }
 }
 
-/// As CSS Easing Functions Level 1 has it.
+/// As defined in CSS Easing Functions Level 1.
 #[wasm_bindgen_test(unsupported = test)]
 fn beyond_the_ends_along_the_tangents() {
     let at = |handles: [f64; 4], x: f64| easing(handles).eval(x);
     assert_eq!(at([0.25, 0.5, 0.5, 0.5], -1.0), -2.0);
     assert_eq!(at([0.25, 0.5, 0.5, 0.5], 2.0), 2.0);
-    // The nearer handle has the end's x: the other one, if it has the end's y; else the level.
+    // If the nearer handle has the x of the end: towards the other handle if the nearer one also has the y of the end;
+    // otherwise constant.
     assert_eq!(at([0.0, 0.0, 0.5, 1.0], -1.0), -2.0);
     assert_eq!(at([0.0, 0.5, 0.5, 1.0], -1.0), 0.0);
     assert_eq!(at([0.5, 0.0, 1.0, 1.0], 2.0), 3.0);
     assert_eq!(at([0.5, 0.0, 1.0, 0.5], 2.0), 1.0);
-    // Both handles in the end: the diagonal.
+    // If both handles coincide with the end: the diagonal.
     assert_eq!(at([0.0, 0.0, 0.0, 0.0], -3.0), -3.0);
     assert_eq!(at([1.0, 1.0, 1.0, 1.0], 3.0), 3.0);
     assert_eq!(at([0.0, 0.0, 0.0, 1.0], -3.0), 0.0);
@@ -302,7 +304,7 @@ fn refusals() {
     }
 }
 
-/// A sum with a compensated reference of its own: the helper of this file against a value known in closed form.
+/// A compensated sum, compared with a value known in closed form.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_middle_of_the_steepest() {
     // x = ½ + 4(t − ½)³ and y = ½ + 1.5(t − ½) − 2(t − ½)³: at x = ½ + 4·2⁻⁴⁸ t is ½ + 2⁻¹⁶.

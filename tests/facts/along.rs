@@ -1,4 +1,4 @@
-//! Facts about lengths and areas.
+//! Golden data on arc lengths and areas.
 
 use crate::common::{curve, integral};
 use crate::fact::Fact;
@@ -15,7 +15,7 @@ pub(crate) fn length(fact: &Fact) {
     }
 }
 
-/// The length s may be the word "length": the whole.
+/// The arc length s may be the word "length", which stands for the whole length.
 pub(crate) fn inverse_length(fact: &Fact) {
     let plane: Curve<DVec2> = curve(&fact.points("points"));
     for whole in [plane.length(None), fact.curve().length(None)] {
@@ -28,7 +28,7 @@ pub(crate) fn inverse_length(fact: &Fact) {
     }
 }
 
-/// Of a curve, or of an outline with its length.
+/// The area of a curve, or of an outline together with its length.
 pub(crate) fn area(fact: &Fact) {
     if let Some(outline) = fact.input.get("svg") {
         let path = Path::from_svg(outline.as_str().expect("path data")).expect("good data");
@@ -42,12 +42,12 @@ pub(crate) fn area(fact: &Fact) {
     fact.number(plane.moments().area, &fact.expect);
 }
 
-/// ∫ B |B′| dt / ∫ |B′| dt, as the mean over points at even steps along the curve, and with its length below.
+/// ∫ B |B′| dt / ∫ |B′| dt, as the mean of points at equal steps along the curve, and as an integral.
 pub(crate) fn length_centroid(fact: &Fact) {
     let plane: Curve<DVec2> = curve(&fact.points("points"));
     let whole = plane.length(None).expect("a length");
     let steps = plane.equidistant_times(2000).expect("steps");
-    // The mean over even steps of the length: Simpson's rule.
+    // The mean over equal steps of arc length, by Simpson's rule.
     let weight = |i: usize| match i {
         0 | 2000 => 1.0,
         _ if i % 2 == 1 => 4.0,
@@ -60,7 +60,7 @@ pub(crate) fn length_centroid(fact: &Fact) {
         .sum();
     let mean = sum / 6000.0;
     fact.near(mean.extend(0.0), &fact.expect);
-    // And the integral itself.
+    // The integral itself.
     let points = fact.points("points");
     let space: Curve<DVec3> = curve(&points);
     let of = |k: usize| integral::integral(&points, (0.0, 1.0), &|t| space.eval(t)[k]) / whole;

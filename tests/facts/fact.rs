@@ -1,4 +1,4 @@
-//! A fact and how it is compared.
+//! A record of golden data and its comparison.
 
 use crate::common::curve;
 use casteljau::Curve;

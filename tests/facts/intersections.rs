@@ -1,4 +1,4 @@
-//! Where curves meet: every fact through the public methods.
+//! Golden data on intersections, through the public methods.
 
 use crate::common::{curve, largest};
 use crate::fact::{Fact, numbers, point};
@@ -11,7 +11,7 @@ fn named(fact: &Fact, name: &str) -> Curve<DVec2> {
     curve(&fact.points(name))
 }
 
-/// `intersect` and `line_intersect`: the same places, kinds included; nothing else, nothing twice.
+/// `intersect` and `line_intersect`: the same intersections with the same kinds; no others, and none twice.
 pub(crate) fn check_intersections(fact: &Fact) {
     let (a, b) = (named(fact, "a"), named(fact, "b"));
     let found = a.intersections(&b);
@@ -30,7 +30,7 @@ pub(crate) fn check_intersections(fact: &Fact) {
         .get("t")
         .filter(|_| fact.expect.get("count").is_some())
     else {
-        // A gap of two roundings: either answer will do.
+        // The gap is two units of rounding: both answers are accepted.
         return assert!(found.len() <= 1, "{}: {found:?}", fact.id);
     };
     let (t, s) = (numbers(t), numbers(&fact.expect["s"]));

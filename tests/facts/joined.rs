@@ -1,4 +1,4 @@
-//! Facts on joints, on splines of other kinds, on timing functions.
+//! Golden data on joints, B-splines and timing functions.
 
 use crate::common::real;
 use crate::fact::{Fact, number, numbers};
@@ -19,7 +19,7 @@ pub(crate) fn continuity(fact: &Fact) {
         .for_each(|&(name, value)| assert_eq!(Some(value), of(name), "{} {name}", fact.id));
 }
 
-/// A point of a B-spline; its span runs from t = k to k + 1.
+/// A point of a B-spline, whose span covers t = k to k + 1.
 pub(crate) fn bspline(fact: &Fact) {
     let degree = usize::try_from(fact.input["degree"].as_u64().expect("a degree")).expect("small");
     let (points, knots) = (fact.points("points"), numbers(&fact.input["knots"]));
@@ -32,7 +32,7 @@ pub(crate) fn bspline(fact: &Fact) {
     fact.near(spline.eval(real(k) + rest), &fact.expect);
 }
 
-/// A timing function; its x is right as well as its y.
+/// A timing function: both x and y are checked.
 pub(crate) fn easing(fact: &Fact) {
     let b = numbers(&fact.input["bezier"]);
     let ease = Easing::new(b[0], b[1], b[2], b[3]).expect("handles in range");

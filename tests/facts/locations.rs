@@ -1,4 +1,4 @@
-//! Facts on special points of curves: roots, extrema, inflections, classes, the nearest point.
+//! Golden data on special points of curves: roots, extrema, inflections, kinds, nearest points.
 
 use crate::common::exact::{exactly, sum};
 use crate::common::{curve, largest, plane, real};
@@ -19,11 +19,11 @@ fn all(fact: &Fact, got: &[f64], expected: &Value) {
     assert!(alike, "{}: {got:?}, expected {expected:?}", fact.id);
 }
 
-/// The polynomial as the graph of a curve, over intervals of length 1: the public way to the roots.
+/// Finds the roots of a polynomial through the public API, as zeros of its graph over intervals of length 1.
 pub(crate) fn roots(fact: &Fact) {
     let powers = numbers(&fact.input["coeffs_low_to_high"]);
     let expected = numbers(&fact.expect);
-    // A fact may list the roots of [0, 1] only.
+    // A record may list only the roots in [0, 1].
     let only_unit = expected.iter().all(|r| (0.0..=1.0).contains(r));
     let lead = powers.last().expect("coefficients").abs();
     let bound = powers.iter().map(|c| c.abs()).fold(0.0, f64::max) / lead + 1.0;
@@ -48,7 +48,8 @@ pub(crate) fn roots(fact: &Fact) {
     all(fact, &found, &fact.expect);
 }
 
-/// The curve (t, p(from + t)): Taylor coefficients at `from` in twice the precision, then Bernstein coefficients.
+/// The curve (t, p(from + t)): Taylor coefficients at `from` in double the precision of f64, then Bernstein
+/// coefficients.
 fn graph(powers: &[f64], from: f64) -> Curve<DVec2> {
     let n = powers.len() - 1;
     let mut taylor: Vec<_> = powers.iter().map(|&c| exactly(c)).collect();

@@ -1,4 +1,5 @@
-//! Facts on curves from closed forms (`tests/data/curve-records.json`) and from other libraries (`../shared/data/curve-records.json`).
+//! Golden data on curves from closed forms (`tests/data/curve-records.json`) and from other libraries
+//! (`../shared/data/curve-records.json`).
 #![cfg(not(target_family = "wasm"))]
 
 mod along;
@@ -29,7 +30,7 @@ fn golden_values_hold() {
     assert_eq!(records.len(), 116);
 }
 
-/// The figures of other libraries, which the repository does not hold.
+/// Golden data of other libraries, which are not part of the repository.
 #[test]
 fn golden_values_of_other_libraries_hold() {
     let Some(records) = golden::shared("curve-facts") else {
@@ -106,7 +107,7 @@ fn convert(fact: &Fact) {
         let curve = Curve::from_basis(Basis::CatmullRom, geometry).expect("finite");
         return fact.all_near(&curve, &fact.expect);
     }
-    // The power basis is the unit matrix; the fact lists its coefficients from low to high.
+    // The power basis is the identity matrix; the record lists its coefficients from low to high.
     let mut unit = [0.0; 16];
     (0..4).for_each(|k| unit[5 * k] = 1.0);
     let powers = fact.curve().to_basis(Basis::Matrix(unit)).expect("a cubic");

@@ -1,4 +1,4 @@
-//! Facts on parallels and on curves of a lower degree.
+//! Golden data on offset curves and on degree reduction.
 
 use crate::common::curve;
 use crate::fact::{Fact, number, points};
@@ -6,7 +6,7 @@ use casteljau::Curve;
 use casteljau::glam::DVec2;
 use serde_json::Value;
 
-/// Ends and straightness, or the distance of every point except where the parallel has passed its cusp.
+/// The ends and straightness of the offset, or the distance of every point except beyond a cusp of the offset.
 pub(crate) fn offset(fact: &Fact) {
     let plane: Curve<DVec2> = curve(&fact.points("points"));
     let distance = number(&fact.input["distance"]);

@@ -1,4 +1,4 @@
-//! Paths: path data, what is inside, arcs.
+//! Golden data on paths: path data, winding numbers, arcs.
 
 use crate::fact::{Fact, number, numbers, point};
 use casteljau::Path;
@@ -35,7 +35,7 @@ fn same(fact: &Fact, got: &[(&'static str, Vec<DVec3>)], expected: &[(&str, Vec<
     }
 }
 
-/// `svgpath`: whatever is said about the path, each of it.
+/// `svgpath`: checks every property that the record states.
 pub(crate) fn path_data(fact: &Fact) {
     let result = Path::from_svg(fact.input["d"].as_str().expect("path data"));
     for (question, answer) in fact.expect.as_object().expect("answers") {
@@ -80,7 +80,7 @@ fn rows(answer: &Value) -> Vec<(&str, Vec<DVec3>)> {
         .collect()
 }
 
-/// An arc keeps its distance from the centre and sweeps its angle.
+/// The points of an arc keep their distance from the centre, and the arc sweeps its angle.
 fn arc(fact: &Fact, path: &Path, expected: &Value) {
     let centre = numbers(&expected["center"]);
     let centre = DVec2::new(centre[0], centre[1]);
@@ -116,7 +116,7 @@ pub(crate) fn contains(fact: &Fact) {
     assert_eq!(Value::from(answers), fact.expect, "{}", fact.id);
 }
 
-/// `circle`: how far a quarter of a circle by one cubic is off, by its radius at many places; and our own arcs.
+/// `circle`: the error of a quarter circle by one cubic, from its radius at many points, and the library's own arcs.
 pub(crate) fn circle(fact: &Fact) {
     let k = number(&fact.input["k"]);
     let points = [DVec2::X, DVec2::new(1.0, k), DVec2::new(k, 1.0), DVec2::Y];

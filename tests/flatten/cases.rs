@@ -1,4 +1,4 @@
-//! Hostile curves with a tolerance each, and what is measured on them.
+//! Hostile curves, each with a tolerance, and the measurements on them.
 
 use crate::common::adversarial::{self, Kind};
 use crate::common::measure::{Reference, farthest};
@@ -15,7 +15,7 @@ pub(crate) struct Case {
 }
 
 impl Case {
-    /// The i-th curve; the tolerance is a part from 1 to 10⁻⁶ of its size, if the coordinates can resolve that.
+    /// The i-th curve. The tolerance is 1 to 10⁻⁶ of its size, if the coordinates can resolve that.
     pub(crate) fn new(i: usize) -> Self {
         let mut rng = Rng(i as u64);
         let dimension = 2 + i % 2;
@@ -32,12 +32,12 @@ impl Case {
         }
     }
 
-    /// What rounding of the vertices may add: an ulp, and more where they take many steps of de Casteljau's algorithm.
+    /// The possible rounding of the vertices: an ulp, and more where they take many steps of de Casteljau's algorithm.
     fn rounding(&self) -> f64 {
         (1.0 + 0.5 * real(self.points.len() - 1)) * ulp(largest(&self.points))
     }
 
-    /// The parameters and vertices, after the checks that need no measuring.
+    /// The parameters and vertices, after the checks that need no measurement.
     pub(crate) fn flatten(&self) -> (Vec<f64>, Vec<DVec3>) {
         if self.dimension == 2 {
             self.flatten_in::<DVec2>()
@@ -62,7 +62,7 @@ impl Case {
         (ts, to_3d(&points))
     }
 
-    /// Fails where the curve is farther from the polyline than the tolerance.
+    /// Fails if the distance of the curve from the polyline exceeds the tolerance.
     pub(crate) fn check(&self) {
         let (ts, vertices) = self.flatten();
         let reference = Reference::new(&self.points);
@@ -78,7 +78,7 @@ impl Case {
     }
 }
 
-/// Mostly 2 to 5, now and then up to 64.
+/// Mostly 2 to 5, occasionally up to 64.
 fn degree(rng: &mut Rng) -> usize {
     match rng.below(40) {
         0 | 1 => 1,
@@ -91,7 +91,7 @@ fn degree(rng: &mut Rng) -> usize {
     }
 }
 
-/// The diagonal of the control points' box.
+/// The diagonal of the bounding box of the control points.
 fn size(points: &[DVec3]) -> f64 {
     let unit = largest(points);
     if unit == 0.0 {

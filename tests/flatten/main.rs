@@ -1,4 +1,4 @@
-//! Flattening keeps its tolerance on every curve, with few chords: measured, not believed.
+//! Flattening keeps its tolerance on every curve with few chords, by measurement.
 #![cfg(not(target_family = "wasm"))]
 
 mod cases;
@@ -13,12 +13,12 @@ use common::measure::{self, Reference, fewest};
 use common::{apart, plane, real};
 use std::ops::Range;
 
-/// CASTELJAU_DEEP=1 asks for many more curves.
+/// CASTELJAU_DEEP=1 selects many more curves.
 fn deep() -> bool {
     std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0")
 }
 
-/// Runs over the numbers of curves on all processors and adds up what is found.
+/// Checks a range of curve numbers on all processors and sums the results.
 fn on_all(numbers: Range<usize>, found: impl Fn(usize) -> usize + Sync) -> usize {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let part = |k: usize| {
@@ -50,14 +50,15 @@ fn keeps_the_tolerance_on_all_curves() {
     assert_eq!(checked, curves);
 }
 
-/// The rule is max(fewest + 1, 1.1 · fewest). Fewest is a search along the curve, not a proof, and walking a little
-/// short may meet an inflection at a worse place: 1 % of curves that go beyond the rule are let pass.
+/// The rule is max(fewest + 1, 1.1 · fewest). The fewest chords come from a greedy search along the curve, not from a
+/// proof, and slightly shorter chords may reach an inflection at an unfavourable point: 1 % of the curves may exceed
+/// the rule.
 #[test]
 fn takes_few_chords() {
     let curves = if deep() { 100_000 } else { 2_000 };
     let beyond = on_all(0..curves, |i| {
         let case = Case::new(7 * i + 3);
-        // Straight curves need a vertex at each turn; at a few ulps rounding decides.
+        // Straight curves need a vertex at each turning point; at a tolerance of a few ulps rounding decides.
         if matches!(case.kind, Kind::Collinear | Kind::FewUlps) {
             return 0;
         }
@@ -81,7 +82,7 @@ fn takes_few_chords() {
     );
 }
 
-/// The chord of a whole loop is a point; only its control points bound how far it runs away.
+/// The chord of a whole loop is a point; only the control points bound the distance of the loop from it.
 #[test]
 fn closed_curves_at_large_tolerances() {
     let start = (0.508_133_338_392_133_1, -0.726_918_876_611_549_5);

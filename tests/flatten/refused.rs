@@ -1,4 +1,4 @@
-//! Tolerances that are refused, before any vertex is made.
+//! Tolerances that are rejected before any vertex is made.
 
 use crate::common::{plane, ulp};
 use casteljau::Error;
@@ -37,7 +37,7 @@ fn a_tolerance_below_4_ulps_of_the_largest_coordinate_is_refused_with_that_figur
             Err(Error::Tolerance { min, got }),
             "{size}"
         );
-        // A straight curve is flat at any tolerance that is not refused.
+        // A straight curve is flat at any tolerance that is accepted.
         let line = plane(&[(0.0, 0.0), (size, 0.0)]);
         assert_eq!(line.flatten(min).map(|line| line.ts.len()), Ok(2), "{size}");
     }
@@ -56,7 +56,7 @@ fn more_than_2_to_the_24_vertices_are_refused_before_the_first() {
     assert_eq!(handed_out, 0);
 }
 
-/// Wang's bound is far above the limit here; the curve itself needs few chords.
+/// Wang's bound is far above the limit here, but the curve itself needs few chords.
 #[test]
 fn a_safe_bound_above_the_limit_is_no_reason_to_refuse() {
     let nearly_straight = plane(&[

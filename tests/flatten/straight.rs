@@ -1,10 +1,11 @@
-//! Straight curves that turn back: every turn is a vertex, unless one lies within the tolerance of it.
+//! Straight curves that turn back: every turning point is a vertex, unless a vertex lies within the tolerance of it.
 
 use crate::common::{Rng, plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 
-/// Where the coordinate of a straight curve turns, by sign changes of its differences on a fine grid.
+/// The parameters at which the coordinate of a straight curve turns back, by sign changes of its differences on a fine
+/// grid.
 fn turns(along: &[f64]) -> Vec<f64> {
     const STEPS: usize = 20_000;
     let at = |t: f64| {
@@ -22,7 +23,7 @@ fn turns(along: &[f64]) -> Vec<f64> {
     values.windows(3).filter(turn).map(|w| w[1]).collect()
 }
 
-/// Checks the curve a·direction, whose places are exact products.
+/// Checks the curve a·direction, whose points are exact products.
 fn check(along: &[f64], direction: DVec2, tolerance: f64) {
     let points: Vec<DVec2> = along.iter().map(|&a| direction * a).collect();
     let curve = Curve::new(&points).expect("finite");
@@ -36,7 +37,7 @@ fn check(along: &[f64], direction: DVec2, tolerance: f64) {
             "{along:?} · {direction}, {tolerance}: no vertex at {turn}"
         );
     }
-    // Nothing but turns and ends is needed on a straight line.
+    // A straight line needs no vertices except turning points and ends.
     assert!(
         line.ts.len() <= along.len(),
         "{along:?}: {} vertices",
@@ -66,12 +67,12 @@ fn every_turn_is_a_vertex() {
 
 #[test]
 fn known_turns() {
-    // x = 4t(1 − t): out to 1 and back to the start.
+    // x = 4t(1 − t): to 1 and back to the start.
     let line = plane(&[(0.0, 0.0), (2.0, 0.0), (0.0, 0.0)])
         .flatten(0.01)
         .expect("flat");
     assert_eq!(line.points, [DVec2::ZERO, DVec2::X, DVec2::ZERO]);
-    // linebender/kurbo#426: turns at −0.383… and 99.88….
+    // linebender/kurbo#426: turning points at −0.383… and 99.88….
     let line = plane(&[(0.0, 10.0), (-10.0, 10.0), (180.0, 10.0), (60.0, 10.0)])
         .flatten(0.25)
         .expect("flat");
@@ -80,7 +81,7 @@ fn known_turns() {
     assert!((line.points[2].x - 99.883_568_247_612_63).abs() < 1e-12);
 }
 
-/// Leaving out a turn near the end once broke the tolerance at another.
+/// Omitting a turning point near the end once exceeded the tolerance at another one.
 #[test]
 fn turns_near_the_end() {
     let along = [0.0, 40.0, -16.0, 20.0];

@@ -1,4 +1,4 @@
-//! The arguments of a case as values of the library, and the slack that rounding is given.
+//! The arguments of a case as values of the library, and the slack for rounding.
 
 use crate::numbers::Numbers;
 use casteljau::curve::Basis;
@@ -6,7 +6,7 @@ use casteljau::glam::{DAffine2, DAffine3, DMat4, DVec2, DVec3};
 use casteljau::{Curve, Patch, Path, Point, Spline, Surface};
 use casteljau_generator::{Case, SplineData, SurfaceData, Value};
 
-/// The plane or space, made from three coordinates.
+/// The plane or space; points are made from three coordinates.
 pub(crate) trait Space: Point + Numbers {
     fn of(p: DVec3) -> Self;
     fn affine(numbers: &[f64]) -> Self::Affine;
@@ -181,12 +181,12 @@ pub(crate) fn named_basis(word: &str) -> Basis {
     }
 }
 
-/// The slack for coordinates of points on curves of a degree: 16 (n + 2) roundings of the largest coordinate.
+/// The slack for coordinates of points on curves of a degree: 16 (n + 2) units of rounding of the largest coordinate.
 pub(crate) fn slack(size: f64, degree: usize) -> f64 {
     16.0 * real(degree + 2) * f64::EPSILON * size + f64::MIN_POSITIVE
 }
 
-/// By how much a parameter outside of [0, 1] enlarges coordinates, and their rounding: (|t| + |1 − t|)ⁿ.
+/// The factor by which a parameter outside [0, 1] enlarges coordinates and their rounding errors: (|t| + |1 − t|)ⁿ.
 pub(crate) fn growth(t: f64, degree: usize) -> f64 {
     (t.abs() + (1.0 - t).abs()).powi(i32::try_from(degree).expect("a degree"))
 }
@@ -228,7 +228,7 @@ pub(crate) fn parameters(steps: usize, end: f64) -> impl Iterator<Item = f64> {
     (0..=steps).map(move |k| end * real(k) / real(steps))
 }
 
-/// Whether numbers ascend strictly within [least, most].
+/// Whether numbers are strictly increasing within [min, max].
 pub(crate) fn ascends(ts: &[f64], min: f64, max: f64) -> bool {
     ts.windows(2).all(|w| w[0] < w[1]) && ts.iter().all(|t| (min..=max).contains(t))
 }

@@ -1,4 +1,4 @@
-//! What every call is checked for: finite numbers, steps within the limit, refusals with a reason.
+//! Checks of every call: finite numbers, steps within the limit, documented errors.
 
 use crate::limits;
 use crate::numbers::Numbers;
@@ -9,7 +9,7 @@ use std::cell::Cell;
 /// Fails the check with a message unless a condition holds.
 macro_rules! ensure {
     ($holds:expr, $($message:tt)+) => {{
-        // A variable, because the negation of a comparison of numbers looks like a mistake.
+        // A variable, because the negation of a comparison of numbers looks like a mistake to clippy.
         let holds: bool = $holds;
         if !holds {
             return Err(format!($($message)+));
@@ -17,7 +17,7 @@ macro_rules! ensure {
     }};
 }
 
-/// The answer of a call that may be refused: on a refusal that is stated, and in extreme cases, the check ends here.
+/// The result of a call that may return an error. The check ends here for a documented error, and in extreme cases.
 macro_rules! answer {
     ($case:expr, $call:expr) => {
         answer!($case, $call, &[])
@@ -31,7 +31,7 @@ macro_rules! answer {
     };
 }
 
-/// The answer of a call that is never refused; in extreme cases the check ends here.
+/// The result of a call that never returns an error; in extreme cases the check ends here.
 macro_rules! value {
     ($case:expr, $call:expr) => {{
         let value = $crate::check::call($case, || $call)?;
@@ -42,7 +42,7 @@ macro_rules! value {
     }};
 }
 
-/// A check for curves or splines of the plane and of space, by the dimension of the case.
+/// A check for curves or splines in the plane and in space, selected by the dimension of the case.
 macro_rules! both {
     ($check:ident) => {
         |case| {
@@ -61,25 +61,25 @@ pub(crate) use {answer, both, ensure, value};
 pub(crate) type Checked = Result<(), String>;
 
 thread_local! {
-    /// Steps of the calls of the case so far.
+    /// The steps of the calls of the case so far.
     static STEPS: Cell<usize> = const { Cell::new(0) };
     /// CPU time of the calls of the case so far, in nanoseconds; counted only for the table of percentiles.
     static TIME: Cell<u64> = const { Cell::new(0) };
     static TIMED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Begins a case.
+/// Starts a case.
 pub(crate) fn start() {
     STEPS.set(0);
     TIME.set(0);
 }
 
-/// Counts CPU time from now on.
+/// Enables the measurement of CPU time.
 pub(crate) fn count_time() {
     TIMED.set(true);
 }
 
-/// Steps and CPU time in nanoseconds of the case.
+/// The steps and the CPU time in nanoseconds of the case.
 pub(crate) fn work() -> (usize, u64) {
     (STEPS.get(), TIME.get())
 }
@@ -98,9 +98,9 @@ fn cpu_time() -> u64 {
     0
 }
 
-/// Makes the call that a case is about. Its answer must hold finite numbers.
+/// Makes the call of a case. Its result must consist of finite numbers.
 ///
-/// The rule: an answer never holds a NaN. It holds no infinity either, unless coordinates lie near the ends of the range
+/// A result never contains a NaN. It contains no infinity either, unless coordinates lie near the limits of the range
 /// of f64 (`Mode::Extreme`).
 pub(crate) fn call<T: Numbers>(case: &Case, act: impl FnOnce() -> T) -> Result<T, String> {
     let answer = call_unbounded(case, act)?;
@@ -112,7 +112,7 @@ pub(crate) fn call<T: Numbers>(case: &Case, act: impl FnOnce() -> T) -> Result<T
     }
 }
 
-/// As `call`, for answers that may be infinite by definition (the curvature at a cusp), but not NaN.
+/// As `call`, for results that may be infinite by definition (the curvature at a cusp), but not NaN.
 pub(crate) fn call_unbounded<T: Numbers>(
     case: &Case,
     act: impl FnOnce() -> T,
@@ -130,7 +130,7 @@ pub(crate) fn call_unbounded<T: Numbers>(
     Ok(answer)
 }
 
-/// Whether a refusal is one that the documentation states, for the argument that it names.
+/// Checks that an error is one that the documentation states, for the argument that it names.
 pub(crate) fn refused(error: &Error, allowed: &[&str]) -> Checked {
     let message = error.to_string();
     ensure!(

@@ -1,4 +1,4 @@
-//! Every public function of the library's types has a row: found by reading the sources.
+//! Every public function of the library's types has a row; the functions are found by reading the sources.
 
 use crate::GROUPS;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ const TYPES: [&str; 8] = [
     "Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "Grid", "Easing",
 ];
 
-/// Functions that checks of others call on every case, or that another test calls.
+/// Functions that the checks of other functions call in every case, or that another test calls.
 const WITHIN_OTHERS: [&str; 7] = [
     "Grid::vertex_count",   // Patch::grid
     "Grid::triangle_count", // Patch::grid
@@ -32,11 +32,11 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The type that an `impl` line is about; `None` for impls of traits, which have no public functions of their own.
+/// The type of an `impl` line; `None` for impls of traits, which have no public functions of their own.
 fn type_of(line: &str) -> Option<&str> {
     let mut rest = line.strip_prefix("impl")?;
     if rest.starts_with('<') {
-        // Past the parameters, in which arrows and brackets may nest.
+        // Skips the parameters, in which arrows and brackets may be nested.
         let mut depth = 0;
         let end = rest.find(|c| {
             depth += i32::from(c == '<') - i32::from(c == '>');

@@ -1,4 +1,4 @@
-//! Checks of curves: polylines, drawing, offsets.
+//! Checks of curves: polylines, drawing, offset curves.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -17,7 +17,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::offset", offset),
 ];
 
-/// A polyline lies on the curve, and the curve nowhere farther from it than the tolerance.
+/// Checks that a polyline lies on the curve and that the curve is within the tolerance of it.
 fn follows<P: Space>(case: &Case, curve: &Curve<P>, points: &[P], ts: &[f64]) -> Checked {
     let tolerance = number(case, "tolerance");
     let slack = slack(case.size(), curve.degree());
@@ -96,7 +96,7 @@ fn subdivide<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-/// Collects what is drawn: the curves of each subpath, and whether it was closed.
+/// Records what is drawn: the curves of each subpath, and whether it was closed.
 #[derive(Default)]
 pub(crate) struct Recorder {
     pub(crate) subpaths: Vec<(Vec<Curve<DVec2>>, bool)>,
@@ -113,7 +113,7 @@ impl Recorder {
         self.at = points[points.len() - 1];
     }
 
-    /// Whether every number was finite and every subpath began with a `move_to`.
+    /// Whether every number is finite and every subpath starts with a `move_to`.
     pub(crate) fn is_fine(&self) -> bool {
         !self.bad
     }
@@ -141,7 +141,7 @@ impl PathSink for Recorder {
     }
 }
 
-/// Points of the curve lie within the tolerance of what was drawn.
+/// Checks that points of the curve lie within the tolerance of what was drawn.
 pub(crate) fn near_drawn(
     case: &Case,
     curve: &Curve<DVec2>,
@@ -198,10 +198,10 @@ fn to_svg(case: &Case) -> Checked {
     Ok(())
 }
 
-/// Why an offset may be refused.
+/// The arguments and limits for which an offset may return an error.
 pub(crate) const OFFSET_REFUSALS: [&str; 3] = ["tolerance", "distance", "steps of an offset"];
 
-/// The documented tolerance of an offset for which none is given.
+/// The documented default tolerance of an offset.
 pub(crate) fn default_tolerance(case: &Case, diagonal: f64, distance: f64) -> f64 {
     (1e-4 * diagonal).max(1e-12 * (case.size() + distance.abs()))
 }
@@ -221,8 +221,8 @@ fn offset(case: &Case) -> Checked {
     is_offset(case, &curve, &spline, d, tolerance, d.abs())
 }
 
-/// Points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and its points no farther than `farthest` and the
-/// tolerance from the curve.
+/// Checks that points of O(t) = B(t) + d·N(t) lie within the tolerance of the spline, and that the spline's points are
+/// at most `farthest` plus the tolerance from the curve.
 pub(crate) fn is_offset(
     case: &Case,
     curve: &Curve<DVec2>,
@@ -239,7 +239,7 @@ pub(crate) fn is_offset(
         .map(|p| p.max_abs())
         .fold(0.0, f64::max);
     for t in parameters(7, 1.0) {
-        // Where the speed is next to nothing, the normal is a matter of rounding.
+        // Where the speed is almost zero, rounding decides the normal.
         if curve.derivative_at(t, 1).max_abs() > 1e-6 * length {
             let o = curve.eval(t) + curve.normal(t) * d;
             let gap = spline

@@ -1,4 +1,4 @@
-//! Checks of curves: pieces, other forms of the same curve, drawing.
+//! Checks of curves: subdivision, other forms of the same curve, drawing.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -17,7 +17,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::de_casteljau", both!(de_casteljau)),
 ];
 
-/// What a piece has in common with the curve: its points.
+/// Checks that a piece has the same points as the curve.
 fn is_piece<P: Space>(
     case: &Case,
     curve: &Curve<P>,
@@ -105,7 +105,7 @@ fn reduce<P: Space>(case: &Case) -> Checked {
         "degree {}",
         reduced.curve.degree()
     );
-    // The error is a formula: its control points carry their rounding, which the n-th difference enlarges.
+    // The error comes from a formula: the control points are rounded, and the n-th difference enlarges this rounding.
     let largest = reduced
         .curve
         .control_points()

@@ -1,4 +1,4 @@
-//! Checks of curves: places with a property.
+//! Checks of curves: parameters of points with a property.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -28,7 +28,7 @@ fn extrema<P: Space>(case: &Case) -> Checked {
         ts.len(),
         curve.degree()
     );
-    // The coordinate is monotone between them, but for rounding.
+    // The coordinate is monotone between the extrema, except for rounding.
     let slack = slack(case.size(), curve.degree());
     let all: Vec<f64> = [0.0].into_iter().chain(ts).chain([1.0]).collect();
     for w in all.windows(2) {
@@ -49,7 +49,7 @@ fn extrema<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-/// Between samples whose values have opposite signs, both clear of rounding, lies a root.
+/// Checks that a root lies between samples whose values have opposite signs and exceed rounding.
 fn roots_are_complete(ts: &[f64], values: &[(f64, f64)], slack: f64) -> Checked {
     for w in values.windows(2) {
         let ((t0, a), (t1, b)) = (w[0], w[1]);
@@ -103,7 +103,8 @@ fn cusps<P: Space>(case: &Case) -> Checked {
         ascends(&ts, f64::MIN_POSITIVE, 1.0_f64.next_down()),
         "{ts:?} do not ascend inside (0, 1)"
     );
-    // B′ is the root of a function that rounding makes uncertain: B″ times the uncertainty of t comes in, √ε at worst.
+    // B′ is evaluated at the root of a function that is uncertain by rounding: B″ times the uncertainty of t is added,
+    // √ε at worst.
     let speed = ts
         .iter()
         .map(|&t| curve.derivative_at(t, 1).length())
@@ -139,8 +140,9 @@ fn tangents_from(case: &Case) -> Checked {
     ensure!(ascends(&ts, 0.0, 1.0), "{ts:?} do not ascend in [0, 1]");
     let at = |t: f64| (curve.eval(t) - p).perp_dot(curve.derivative_at(t, 1));
     let slack = 64.0 * slack(case.size(), curve.degree()) * case.size() * real(curve.degree());
-    // Where the curve turns back, the product changes its sign without a tangent through p: left out are the pieces on
-    // which the direction turns by more than a right angle, and those with a near stop, where the tangent counts.
+    // Where the curve turns back, the cross product changes its sign without a tangent through p. So this omits the
+    // pieces on which the direction turns by more than a right angle, and pieces on which the speed is almost zero,
+    // where the tangent counts.
     let fastest = curve
         .derivative()
         .control_points()

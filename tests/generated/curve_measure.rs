@@ -1,4 +1,4 @@
-//! Checks of curves: lengths, areas, boxes, frames.
+//! Checks of curves: arc lengths, areas, bounding boxes, frames.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -21,7 +21,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::frames_at", frames_at),
 ];
 
-/// The relative slack of lengths: 1e-12 is what one length keeps, and three of them are compared.
+/// The relative slack of arc lengths: one length is accurate to 1e-12, and three of them are compared.
 const LENGTH_SLACK: f64 = 1e-11;
 
 fn length<P: Space>(case: &Case) -> Checked {
@@ -71,7 +71,7 @@ fn time_at_length<P: Space>(case: &Case) -> Checked {
     let got = piece.length(None).map_err(|error| error.to_string())?;
     let slack =
         LENGTH_SLACK * whole + 4.0 * slack(case.size(), curve.degree()) + tolerance.unwrap_or(0.0);
-    // A parameter is a number of f64: next to a place of great speed, lengths jump from one to the next.
+    // A parameter is an f64: where the speed is large, the arc length jumps from one parameter to the next.
     let step = 4.0 * f64::EPSILON * t * curve.derivative_at(t, 1).length();
     ensure!(
         (got - s.clamp(0.0, whole)).abs() <= slack + step,
@@ -104,7 +104,7 @@ fn equidistant_times<P: Space>(case: &Case) -> Checked {
     let step = 4.0 * f64::EPSILON * ts[k] * curve.derivative_at(ts[k], 1).length();
     let slack = LENGTH_SLACK * whole + 4.0 * slack(case.size(), curve.degree()) + step;
     let expected = whole * real(k) / real(segments);
-    // Of a curve that is a point: even steps of t.
+    // For a curve that is a point the result is equal steps of t.
     ensure!(
         (before - expected).abs() <= slack,
         "{before:e} lies behind parameter {k}, not {expected:e}"
@@ -157,7 +157,7 @@ fn moments(case: &Case) -> Checked {
     Ok(())
 }
 
-/// A box holds points within a slack.
+/// Whether a bounding box contains a point within a slack.
 pub(crate) fn holds<P: Space>(bounds: &Bounds<P>, p: P, slack: f64) -> bool {
     (0..P::DIMENSION).all(|axis| {
         let x = p.coordinate(axis);
@@ -219,7 +219,7 @@ fn hull(case: &Case) -> Checked {
     if case.mode == Mode::Extreme || hull.len() < 3 {
         return Ok(());
     }
-    // In every direction the hull reaches as far as the points; its signed area is not negative but for rounding.
+    // In every direction the hull extends as far as the points. Its signed area is not negative, except for rounding.
     let slack = slack(case.size(), 2);
     for k in 0..32 {
         let direction = DVec2::from_angle(real(k) * std::f64::consts::TAU / 32.0);
@@ -245,7 +245,7 @@ fn hull(case: &Case) -> Checked {
     Ok(())
 }
 
-/// Frames are at right angles, of length 1, at points of the curve.
+/// Checks that frames are orthonormal and at points of the curve.
 pub(crate) fn frames_hold(
     frames: &[Frame],
     ts: &[f64],

@@ -1,4 +1,4 @@
-//! Checks of curves: intersections, nearest points, places with a property.
+//! Checks of curves: intersections, nearest points, parameters of points with a property.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -20,12 +20,12 @@ pub(crate) const ROWS: &[Row] = &[
     ("Curve::hausdorff", both!(hausdorff)),
 ];
 
-/// How far two curves may be apart where they meet: the documented 64 (n + 2) ulps.
+/// The maximum distance of two curves at an intersection: the documented 64 (n + 2) ulps.
 pub(crate) fn contact_slack(case: &Case, degree: usize) -> f64 {
     4.0 * slack(case.size(), degree)
 }
 
-/// Both curves are at the stated point at the stated parameters, and the list is sorted.
+/// Checks that both curves are at the stated point at the stated parameters, and that the list is sorted.
 pub(crate) fn contacts_hold(
     found: &[Intersection],
     ends: [f64; 2],
@@ -86,7 +86,7 @@ fn intersections_with_spline(case: &Case) -> Checked {
     )
 }
 
-/// Each pair of parameters belongs to one point.
+/// Checks that each pair of parameters belongs to one point.
 pub(crate) fn doubles_hold(
     found: &[SelfIntersection],
     end: f64,
@@ -123,7 +123,7 @@ fn self_intersections(case: &Case) -> Checked {
     })
 }
 
-/// The point belongs to t, the distance to the point, and no sample is nearer.
+/// Checks that the point belongs to t, that the distance is correct, and that no sample is nearer.
 pub(crate) fn is_nearest<P: Point>(
     p: P,
     point: P,

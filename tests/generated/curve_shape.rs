@@ -100,10 +100,10 @@ fn to_basis<P: Space>(case: &Case) -> Checked {
     let (curve, basis) = (curve::<P>(case, "curve"), basis(case, "basis"));
     let points = answer!(case, curve.to_basis(basis), &["matrix", "basis"]);
     if let Basis::Matrix(_) = basis {
-        return Ok(()); // An ill-conditioned matrix enlarges rounding without bound.
+        return Ok(()); // An ill-conditioned matrix enlarges rounding errors without bound.
     }
     let back = Curve::from_basis(basis, points).map_err(|error| error.to_string())?;
-    // The inverse matrices of the named bases have entries up to 6, and the matrices up to 3.
+    // The inverse matrices of the named bases have entries up to 6, the matrices themselves up to 3.
     let slack = 100.0 * slack(case.size(), 3);
     for t in parameters(4, 1.0) {
         let gap = distance(back.eval(t), curve.eval(t));
@@ -114,7 +114,8 @@ fn to_basis<P: Space>(case: &Case) -> Checked {
 
 fn basis_matrix(case: &Case) -> Checked {
     let matrix = call(case, || named_basis(word(case, "basis")).matrix())?;
-    // Points on a line at 0, 1/3, 2/3, 1 are a point set whose weights sum to 1 at every t, but for Hermite's derivatives.
+    // Points on a line at 0, 1/3, 2/3, 1 are geometry points whose weights sum to 1 at every t, except for the
+    // derivatives of the Hermite basis.
     let columns = if word(case, "basis") == "hermite" {
         2
     } else {
@@ -277,7 +278,7 @@ fn derivative_at<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-/// A direction is a unit vector, or zero.
+/// Checks that a direction is a unit vector or zero.
 fn unit_or_zero<P: Space>(direction: P) -> Checked {
     let length = direction.length();
     ensure!(
@@ -297,7 +298,7 @@ fn tangent<P: Space>(case: &Case) -> Checked {
     let derivative = curve.derivative_at(t, 1);
     let rounding =
         slack(case.size(), curve.degree()) * real(curve.degree()) * growth(t, curve.degree());
-    // The angle between both is at most the rounding of B′ divided by its length.
+    // The angle between the two vectors is at most the rounding error of B′ divided by its length.
     let across = distance(derivative, tangent * derivative.length());
     ensure!(
         derivative.length() <= 1e3 * rounding || across <= 4.0 * rounding,
@@ -334,7 +335,7 @@ fn curvature<P: Space>(case: &Case) -> Checked {
     }
     let (first, second) = (curve.derivative_at(t, 1), curve.derivative_at(t, 2));
     let (speed, size) = (first.length(), case.size() * growth(t, curve.degree()));
-    // Far from a cusp the formula holds; elsewhere rounding decides.
+    // Far from a cusp the formula is accurate; elsewhere rounding decides.
     if speed > 1e-3 * size {
         let expected = first.cross(second).size() / speed.powi(3);
         let slack = 1e-6 * expected + curvature_rounding(&curve, size, speed, second.length());
@@ -346,8 +347,9 @@ fn curvature<P: Space>(case: &Case) -> Checked {
     Ok(())
 }
 
-/// By how much rounding changes B′ × B″ / |B′|³. The k-th derivative is off by what points are off, times 2ᵏ n!/(n − k)!;
-/// in space B″ counts as parallel to B′ below an angle of 1e-13, of the vectors without the factors n and n (n − 1).
+/// The effect of rounding on B′ × B″ / |B′|³. The error of the k-th derivative is the error of points times 2ᵏ n!/(n −
+/// k)!. In space B″ counts as parallel to B′ below an angle of 1e-13 between the vectors without the factors n and n (n
+/// − 1).
 fn curvature_rounding<P: Space>(curve: &Curve<P>, size: f64, speed: f64, bend: f64) -> f64 {
     let n = real(curve.degree());
     let slack = slack(size, curve.degree());

@@ -1,4 +1,4 @@
-//! Checks of grids and of meshes as files.
+//! Checks of grids and of exported mesh files.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -19,7 +19,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Grid::quads", grid_quads),
 ];
 
-/// Positions that f32 cannot hold are infinite in a grid, and exports refuse them.
+/// Positions that f32 cannot hold are infinite in a grid, and exports reject them.
 fn positions(case: &Case) -> &'static [&'static str] {
     if case.mode == Mode::Extreme {
         &["positions"]

@@ -1,15 +1,15 @@
-//! The largest number of steps that one call of a function may take, as `casteljau_kernels::take_steps` counts them.
+//! The maximum number of steps of one call of a function, as counted by `casteljau_kernels::take_steps`.
 
-/// For functions that have no documented limit of their own.
+/// For functions without a documented limit of their own.
 const DEFAULT: usize = 1_000_000;
 
-/// The documented limit of one search in a patch, and by how much its last step may pass it.
+/// The documented limit of one search in a patch, plus the amount by which its last step may exceed it.
 const SEARCH: usize = (1 << 23) + (1 << 22);
 
-/// That of rays, with three searches for the origin.
+/// The limit of a ray, including three searches for the nearest point to the origin.
 const RAY: usize = (1 << 27) + 4 * SEARCH;
 
-/// The most patches of a generated surface.
+/// The maximum number of patches of a generated surface.
 const PATCHES: usize = 4;
 
 /// The documented limits.

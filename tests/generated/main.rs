@@ -1,7 +1,7 @@
-//! Generated calls of every public function: no panic, no NaN, the invariants of each answer, the limits of work.
+//! Generated calls of every public function: no panic, no NaN, the invariants of each result, the limits of work.
 //!
-//! `CASTELJAU_CASES=N` asks for N calls per function, `CASTELJAU_SEED=S` for other ones, and
-//! `CASTELJAU_ONLY=Curve::offset` or `CASTELJAU_ONLY=Curve::offset:123` for those of one function, or for one call.
+//! `CASTELJAU_CASES=N` sets the number of calls per function, `CASTELJAU_SEED=S` selects other calls.
+//! `CASTELJAU_ONLY=Curve::offset` restricts the test to one function, `CASTELJAU_ONLY=Curve::offset:123` to one call.
 #![cfg(not(target_family = "wasm"))]
 
 mod arguments;
@@ -34,7 +34,7 @@ mod surface_query;
 
 use runner::Row;
 
-/// The functions in groups; each group is a test, so that they run side by side.
+/// The functions in groups; each group is a test, so that the groups run in parallel.
 const GROUPS: [(&str, &[&[Row]]); 10] = [
     ("curves: evaluation", &[curve_shape::ROWS]),
     ("curves: editing", &[curve_edit::ROWS, curve_drawing::ROWS]),

@@ -9,7 +9,7 @@ use casteljau::mesh::{TessellationOptions, View, Weld};
 use casteljau::{Error, Grid, GridMethod, Mesh, Surface};
 use casteljau_generator::Case;
 
-/// Buffers that belong together, indices in range, finite positions, normals of length 1 or 0.
+/// Checks that buffer lengths match, indices are in range, positions are finite, and normals have the length 1 or 0.
 pub(crate) fn is_mesh<T: Copy + Into<f64>>(mesh: &Mesh<T>) -> Checked {
     let count = mesh.vertex_count();
     ensure!(
@@ -117,7 +117,7 @@ fn grid_mesh(case: &Case, surface: &Surface) -> Checked {
         "quads: {}",
         mesh.quads.is_some()
     );
-    // Positions in f32: 4 of its ulps, and what adding differences rounds.
+    // Positions in f32: 4 ulps, and the rounding of forward differences.
     let slack = 1e-5 * case.size();
     for (k, patch) in surface.patches().enumerate() {
         let middle = grid.vertex(grid.segments_u / 2, grid.segments_v / 2);
@@ -149,7 +149,7 @@ fn options(case: &Case) -> TessellationOptions {
     }
 }
 
-/// A mesh by tolerance comes near every sample of the surface: its box holds them.
+/// Checks that a mesh by tolerance comes near every sample of the surface: its bounding box contains them.
 fn tessellated<T: Copy + Into<f64> + Numbers>(
     case: &Case,
     surface: &Surface,

@@ -1,4 +1,4 @@
-//! All numbers of an answer, whatever its type.
+//! Access to all numbers of a result, whatever its type.
 
 use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
@@ -10,9 +10,9 @@ use casteljau::spline::*;
 use casteljau::surface::*;
 use casteljau::{Curve, Error, Path, Point, Spline};
 
-/// What holds numbers.
+/// A value that contains numbers.
 pub(crate) trait Numbers {
-    /// Shows each of them.
+    /// Calls `see` with each number.
     fn visit(&self, see: &mut dyn FnMut(f64));
 }
 

@@ -1,4 +1,4 @@
-//! Checks of what reads texts and numbers: no panic, errors within the text, what was read is written and read again.
+//! Checks of parsers: no panic, errors within the text, and everything that was read can be written and read again.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -41,7 +41,7 @@ fn from_svg(case: &Case) -> Checked {
             "more before the error than with it"
         );
     }
-    // An arc makes at most four cubics of at least nine characters.
+    // An arc becomes at most four cubics and takes at least nine characters.
     ensure!(
         path.segment_count() <= text.len() + 1,
         "{} segments of {} bytes",
@@ -109,7 +109,7 @@ fn easing_eval(case: &Case) -> Checked {
     if !(0.0..=1.0).contains(&x) || case.size() > 0.0 {
         return Ok(());
     }
-    // x(t) is right to 1e-15, and y is that t's: every t whose x is as close is as good.
+    // x(t) is accurate to 1e-15, and y belongs to this t: every t with an equally close x is accepted.
     let weights = |t: f64, a: f64, b: f64| {
         3.0 * a * t * (1.0 - t).powi(2) + 3.0 * b * t * t * (1.0 - t) + t.powi(3)
     };

@@ -33,7 +33,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Patch::tessellate_f64", mesh::patch_tessellate_f64),
 ];
 
-/// The slack at a place, by how much parameters outside enlarge coordinates.
+/// The slack at (u, v), including the factor by which parameters outside [0, 1] enlarge coordinates.
 pub(crate) fn slack_at(case: &Case, patch: &Patch, u: f64, v: f64) -> f64 {
     let (m, n) = (patch.degree_u(), patch.degree_v());
     slack(case.size(), m + n) * growth(u, m) * growth(v, n)
@@ -45,7 +45,7 @@ fn expected(patch: &Patch, u: f64, v: f64) -> DVec3 {
     de_casteljau(&rows.map(|row| de_casteljau(row, u)).collect::<Vec<_>>(), v)
 }
 
-/// Places on a patch: a grid of them.
+/// Parameters of a grid of points on a patch.
 pub(crate) fn locations(steps: usize) -> impl Iterator<Item = (f64, f64)> {
     parameters(steps, 1.0).flat_map(move |v| parameters(steps, 1.0).map(move |u| (u, v)))
 }
@@ -156,8 +156,8 @@ fn normal(case: &Case) -> Checked {
     Ok(())
 }
 
-/// The length of ∂u × ∂v below which it counts as vanishing (see `Patch::normal`); differences are scaled by their largest
-/// coordinate, which is up to √3 times shorter than the largest difference, along u and along v.
+/// The length of ∂u × ∂v below which it counts as vanishing (see `Patch::normal`). Differences are scaled by their
+/// largest coordinate, which is up to √3 times shorter than the largest difference, along u and along v.
 fn vanishing(patch: &Patch) -> f64 {
     let (net, columns) = (patch.control_points(), patch.degree_u() + 1);
     let largest = |pairs: &mut dyn Iterator<Item = (DVec3, DVec3)>| {

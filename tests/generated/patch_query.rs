@@ -1,4 +1,4 @@
-//! Checks of patches: pieces, boxes, areas, nearest points, rays.
+//! Checks of patches: subdivision, bounding boxes, areas, nearest points, rays.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -21,7 +21,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Patch::intersect_ray", intersect_ray),
 ];
 
-/// A piece is the part of the patch over [u0, u1] × [v0, v1].
+/// Checks that a piece is the part of the patch over [u0, u1] × [v0, v1].
 fn is_piece(
     case: &Case,
     patch: &Patch,
@@ -121,13 +121,14 @@ fn area(case: &Case) -> Checked {
     let patch = patch(case);
     let area = value!(case, patch.area());
     ensure!(area >= 0.0, "{area:e} is negative");
-    // The quarters take four times as long: they are looked at for some of the calls.
+    // The quarters take four times as long, so they are only checked for some of the calls.
     if case.number % 8 > 1 {
         return Ok(());
     }
     let [a, b, c, d] = patch.split(0.5, 0.5);
     let sum: f64 = [a, b, c, d].iter().map(Patch::area).sum();
-    // 1e-8 each; the fifth digit where the patch folds back, and the fourth where coordinates differ by many powers of ten.
+    // The relative error is 1e-8 each; 1e-5 where the patch folds back, and 1e-4 where coordinates differ by many
+    // powers of ten.
     let part = if case.mode == Mode::MixedScale {
         1e-3
     } else {
@@ -162,7 +163,7 @@ fn nearest(case: &Case) -> Checked {
     let min = locations(12)
         .map(|(u, v)| distance(patch.eval(u, v), p))
         .fold(f64::INFINITY, f64::min);
-    // Squares of distances are compared, so roundings count for √ε where both are about zero.
+    // Squares of distances are compared, so rounding counts as √ε where both are near zero.
     let square = slack * case.size();
     ensure!(
         nearest.distance.powi(2) <= min * min + square,
@@ -172,7 +173,7 @@ fn nearest(case: &Case) -> Checked {
     Ok(())
 }
 
-/// A hit lies on the ray, and on the patch at (u, v).
+/// Checks that a hit lies on the ray, and on the patch at (u, v).
 pub(crate) fn is_hit(
     case: &Case,
     origin: DVec3,
@@ -189,7 +190,7 @@ pub(crate) fn is_hit(
     );
     let along = direction.normalize();
     let off = distance(origin + along * got, point);
-    // Some 1e-14 of the size of patch and origin together; 1e-7 of it where the ray grazes.
+    // The ray is about 1e-14 of the size of patch and origin together wide, and 1e-7 of it where it grazes.
     let width = 1e-7 * (case.size() + origin.length());
     ensure!(off <= width, "{off:e} off the ray, more than {width:e}");
     Ok(())

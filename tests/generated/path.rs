@@ -34,7 +34,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::to_svg", to_svg),
 ];
 
-/// Degrees of the segments of generated splines.
+/// The maximum degree of the segments of generated splines.
 pub(crate) const DEGREE: usize = 12;
 
 fn accessors(case: &Case) -> Checked {
@@ -252,7 +252,7 @@ fn trace(case: &Case) -> Checked {
     Ok(())
 }
 
-/// What `trace` sends, read back, is what `elements` yields.
+/// Checks that the drawing commands of `trace` and the output of `elements` agree.
 fn elements(case: &Case) -> Checked {
     let (path, tolerance) = (path(case, "path"), optional(case, "tolerance"));
     let elements = || path.elements(tolerance).map(Iterator::collect::<Vec<_>>);

@@ -51,7 +51,7 @@ fn winding_number(case: &Case) -> Checked {
     let bounds = path.control_bounds();
     let outside = bounds.is_none_or(|bounds| !holds(&bounds, p, 0.0));
     ensure!(!outside || winding == 0, "{winding} outside of the box");
-    // Backwards the number changes its sign, unless the point is on the boundary.
+    // Reversing the path changes the sign of the winding number, unless the point is on the boundary.
     let away = path
         .nearest(p)
         .map_err(|error| error.to_string())?

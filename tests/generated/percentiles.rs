@@ -6,10 +6,10 @@ use crate::runner::{self, Row, Settings};
 use casteljau_generator::case;
 use std::fmt::Write;
 
-/// Thousandths: the median, 90, 99, 99.9 % and the greatest.
+/// In thousandths: the median, 90 %, 99 %, 99.9 % and the maximum.
 const PER_MILLE: [usize; 5] = [500, 900, 990, 999, 1000];
 
-/// Prints the table; nothing is asserted. `CASTELJAU_CASES` and `CASTELJAU_ONLY` choose the calls.
+/// Prints the table; nothing is asserted. `CASTELJAU_CASES` and `CASTELJAU_ONLY` select the calls.
 #[test]
 #[ignore = "prints a table, asserts nothing"]
 fn percentiles() {

@@ -1,4 +1,4 @@
-//! Runs the cases of a group on a thread of its own, watches for calls that do not return, and reports failures.
+//! Runs the cases of a group on a separate thread, detects calls that do not return, and reports failures.
 
 use crate::check::{self, Checked};
 use casteljau_generator::{Case, case, find};
@@ -9,18 +9,19 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
-/// A function and the check of one call.
+/// A function and the check of one call of it.
 pub(crate) type Row = (&'static str, fn(&Case) -> Checked);
 
 const SEED: u64 = 11;
 const CASES: u64 = 2_000;
 const DEEP_CASES: u64 = 100_000;
-/// A call that takes longer than this is reported as one that does not return. No answer takes a thousandth of it.
+/// A call that takes longer than this is reported as one that does not return. No successful call takes a thousandth of
+/// it.
 const HANG: Duration = Duration::from_secs(300);
-/// Failures of a function that are shown.
+/// The maximum number of failures of a function that are shown.
 const SHOWN: usize = 2;
 
-/// What the environment asks for.
+/// The settings from the environment.
 #[derive(Clone)]
 pub(crate) struct Settings {
     pub(crate) seed: u64,
@@ -57,7 +58,7 @@ impl Settings {
         }
     }
 
-    /// The numbers of the cases of a function that are asked for.
+    /// The numbers of the cases of a function that are selected.
     pub(crate) fn numbers(&self, function: &str) -> std::ops::Range<u64> {
         let Some((name, number)) = &self.only else {
             return 0..self.cases;
@@ -71,16 +72,16 @@ impl Settings {
     }
 }
 
-/// The failures of each function: their number, and the first ones as texts.
+/// The failures of each function: their number, and the texts of the first ones.
 type Failures = BTreeMap<&'static str, (usize, Vec<String>)>;
 
-/// What a worker and the thread that watches it share.
+/// The state that a worker and the watching thread share.
 #[derive(Default)]
 struct Shared {
-    /// The case that is running, the row of its function, and since when.
+    /// The running case, the row of its function, and its start time.
     current: Option<(Case, usize, Instant)>,
     failures: Failures,
-    /// The number of the worker; one that was given up has a lower number and must not write any more.
+    /// The number of the worker. A worker that was given up has a lower number and must not write any more.
     worker: usize,
 }
 
@@ -90,19 +91,19 @@ impl Shared {
         *count += 1;
         if shown.len() < SHOWN {
             let text = describe(case, message);
-            // At once, past the capture of the test's output: a run that is stopped has told what it found.
+            // Written at once and not captured, so that an interrupted run has reported its failures.
             let _ = writeln!(std::io::stderr(), "{text}");
             shown.push(text);
         }
     }
 }
 
-/// Runs the checks and fails with a list of what was found.
+/// Runs the checks and fails with a list of the failures.
 pub(crate) fn run(tables: &'static [&'static [Row]]) {
     let rows: Arc<Vec<Row>> = Arc::new(tables.iter().copied().flatten().copied().collect());
     let (shared, settings) = (Arc::<Mutex<Shared>>::default(), Settings::read());
     let mut first = 0;
-    // A call that does not return keeps its thread: another worker goes on with the next function.
+    // A call that does not return keeps its thread; another worker continues with the next function.
     while let Some(next) = watch(&spawn(&rows, first, &settings, &shared), &shared) {
         first = next;
     }
@@ -114,7 +115,7 @@ fn lock(shared: &Mutex<Shared>) -> MutexGuard<'_, Shared> {
     shared.lock().expect("no panic while it is locked")
 }
 
-/// A thread for the rows from `first` on; the receiver hears of its end.
+/// Starts a thread for the rows from `first` on; the receiver is notified when it ends.
 fn spawn(
     rows: &Arc<Vec<Row>>,
     first: usize,
@@ -125,7 +126,7 @@ fn spawn(
     let (rows, settings, shared) = (Arc::clone(rows), settings.clone(), Arc::clone(shared));
     let number = lock(&shared).worker;
     let work = move || {
-        let _ended = sender; // dropped at the end, also of a panic
+        let _ended = sender; // dropped at the end, also after a panic
         for (row, &(name, check)) in rows.iter().enumerate().skip(first) {
             for number_of_case in settings.numbers(name) {
                 let case = case(settings.seed, name, number_of_case);
@@ -146,7 +147,7 @@ fn spawn(
     receiver
 }
 
-/// Waits for the end of a worker. Where a call takes too long, notes it and gives the row to go on with.
+/// Waits for the end of a worker. If a call takes too long, records this and returns the row to continue with.
 fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
     while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
         let mut shared = lock(shared);
@@ -161,7 +162,7 @@ fn watch(ended: &Receiver<()>, shared: &Mutex<Shared>) -> Option<usize> {
     None
 }
 
-/// A check whose panics are failures.
+/// Runs a check and turns its panics into failures.
 pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
     check::start();
     catch_unwind(AssertUnwindSafe(|| check(case))).unwrap_or_else(|panic| {
@@ -171,7 +172,7 @@ pub(crate) fn guarded(check: fn(&Case) -> Checked, case: &Case) -> Checked {
     })
 }
 
-/// A failure with what repeats it and what can be pasted into a test.
+/// The text of a failure, with the command that repeats it and code that can be pasted into a test.
 fn describe(case: &Case, message: &str) -> String {
     format!(
         "{}, seed {}, number {} ({:?}): {message}\n  repeat: CASTELJAU_SEED={} CASTELJAU_ONLY={}:{} cargo test --test generated\n  Rust: {}\n  JavaScript: {}",

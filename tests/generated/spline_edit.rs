@@ -1,4 +1,4 @@
-//! Checks of splines: construction, editing, other forms.
+//! Checks of splines: construction, editing, other forms of the same curve.
 
 use crate::arguments::*;
 use crate::check::*;

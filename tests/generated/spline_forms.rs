@@ -1,4 +1,4 @@
-//! Checks of splines: other forms of the same curve, drawing, offsets.
+//! Checks of splines: other forms of the same curve, drawing, offset curves.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -34,7 +34,7 @@ fn from_bspline<P: Space>(case: &Case) -> Checked {
         spline.degrees().iter().all(|&known| known == degree),
         "other degrees"
     );
-    // Each control point is a mean of those of the B-spline.
+    // Each control point is a mean of the control points of the B-spline.
     let largest = spline
         .control_points()
         .iter()
@@ -163,7 +163,7 @@ fn offset(case: &Case) -> Checked {
     if case.mode == Mode::MixedScale || is_point || spline.segment_count() > 1 {
         return Ok(());
     }
-    // The tip of a miter at the joint of a closed spline is up to four distances away.
+    // The tip of a miter at the joint of a closed spline is up to four times the distance away.
     let farthest = if spline.is_closed() { 4.0 } else { 1.0 } * d.abs();
     is_offset(
         case,
@@ -188,7 +188,8 @@ fn trace(case: &Case) -> Checked {
         "closed: {}",
         pen.subpaths[0].1
     );
-    // The default tolerance is a part of the whole spline's box, or of the segment's: the greater one is required here.
+    // The default tolerance depends on the bounding box of the whole spline or of the segment; this requires the larger
+    // one.
     let tolerance = tolerance.unwrap_or(1e-4 * spline.control_bounds().diagonal());
     spline
         .segments()

@@ -18,7 +18,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Spline::subsegment", both!(subsegment)),
 ];
 
-/// The segment of t and the parameter on it.
+/// The segment at t and the parameter on it.
 fn segment_at<P: Space>(spline: &Spline<P>, t: f64) -> (Curve<P>, f64) {
     let last = spline.segment_count() - 1;
     let k = (0..last).find(|&k| t < real(k + 1)).unwrap_or(last);
@@ -81,12 +81,12 @@ fn torsion(case: &Case) -> Checked {
     Ok(())
 }
 
-/// Whether a part has the points of the spline from t₀ on, at equal parameters after its first segment.
+/// Checks that a part has the points of the spline from t₀ on, at equal parameters after its first segment.
 fn has_points_of<P: Space>(case: &Case, spline: &Spline<P>, part: &Spline<P>, t: f64) -> Checked {
     let (whole, count) = (spline.segment_count(), part.segment_count());
     let slack = slack_at(case, spline, t);
     for k in 1..count {
-        // The joints of a part that starts in segment j are those of the spline from j + 1 on.
+        // The joints of a part that starts in segment j are the joints of the spline from j + 1 on.
         let joint = (1..=whole).find(|&j| real(j) > t).unwrap_or(whole) + k - 1;
         ensure!(
             distance(part.eval(real(k)), spline.eval(real(joint))) <= slack,

@@ -1,4 +1,4 @@
-//! Checks of splines: evaluation, measures, queries.
+//! Checks of splines: evaluation, measurements, queries.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -26,7 +26,7 @@ fn degree<P: Space>(spline: &Spline<P>) -> usize {
     spline.degrees().into_iter().max().unwrap_or(1)
 }
 
-/// The slack at a parameter: outside of the spline the first or the last segment is extrapolated.
+/// The slack at a parameter; outside the spline the first or the last segment is extrapolated.
 pub(crate) fn slack_at<P: Space>(case: &Case, spline: &Spline<P>, t: f64) -> f64 {
     let end = real(spline.segment_count());
     let beyond = if t < 0.0 { t } else { (t - end).max(0.0) + 1.0 };
@@ -38,7 +38,7 @@ pub(crate) fn slack_at<P: Space>(case: &Case, spline: &Spline<P>, t: f64) -> f64
     4.0 * slack(case.size(), degree(spline)) * growth
 }
 
-/// The point at t by the segment there.
+/// The point at t, evaluated on its segment.
 fn by_segment<P: Space>(spline: &Spline<P>, t: f64) -> P {
     let last = spline.segment_count() - 1;
     let k = (0..last).find(|&k| t < real(k + 1)).unwrap_or(last);

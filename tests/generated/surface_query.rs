@@ -1,4 +1,4 @@
-//! Checks of surfaces: boxes, areas, nearest points, rays, lines.
+//! Checks of surfaces: bounding boxes, areas, nearest points, rays, isocurves.
 
 use crate::arguments::*;
 use crate::check::*;

@@ -1,4 +1,4 @@
-//! Reads test data: from `tests/data`, or from `../shared/data`, which may be absent.
+//! Reads golden data from `tests/data`, or from `../shared/data`, which may be absent.
 #![cfg(not(target_family = "wasm"))]
 #![allow(dead_code, reason = "each test binary uses a part of it")]
 
@@ -7,15 +7,15 @@ use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::Path;
 
-/// The file of that name in `tests/data`, without `.json`.
+/// The file with this name in `tests/data`, without `.json`.
 pub(crate) fn golden(name: &str) -> Value {
     let path = format!("{}/tests/data/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The file of that name in `../shared/data`, which is not part of the project. Where it is absent, the calling test
-/// is reported as skipped.
+/// The file with this name in `../shared/data`, which is not part of the project. If it is absent, the calling test is
+/// reported as skipped.
 pub(crate) fn shared(name: &str) -> Option<Value> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
     let Ok(text) = fs::read_to_string(folder.join(name).with_extension("json")) else {
@@ -25,8 +25,8 @@ pub(crate) fn shared(name: &str) -> Option<Value> {
     Some(serde_json::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}")))
 }
 
-/// Says that the running test, or a part of it, is skipped. The driver names in `CASTELJAU_SKIPPED` a file that
-/// collects these lines for its summary, because libtest counts such a test as passed.
+/// Reports that the running test, or a part of it, is skipped. The environment variable `CASTELJAU_SKIPPED`, set by the
+/// driver, names a file that collects these lines for its summary, because libtest counts such a test as passed.
 pub(crate) fn report_skipped(reason: &str) {
     let thread = std::thread::current();
     let test = thread.name().unwrap_or("a test without a name");

@@ -1,4 +1,4 @@
-//! Hostile numbers: no panic, no NaN, and an end in reasonable time.
+//! Hostile numbers: no panic, no NaN, and termination in reasonable time.
 
 use crate::common::Rng;
 use crate::generate::new;

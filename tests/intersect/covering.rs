@@ -1,11 +1,11 @@
-//! Pairs of low degree that nearly or wholly cover each other, which are the hardest to tell apart.
+//! Pairs of low degree that nearly or completely coincide, the hardest to distinguish.
 
 use crate::common::plane;
 use casteljau::Curve;
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DAffine2, DVec2};
 
-/// The shapes are some units large.
+/// The shapes are a few units large.
 const SLACK: f64 = 1e-12;
 
 fn shapes() -> Vec<Curve<DVec2>> {
@@ -21,7 +21,7 @@ fn shapes() -> Vec<Curve<DVec2>> {
     ]
 }
 
-/// A curve and others that nearly or wholly cover it.
+/// A curve and others that nearly or completely coincide with it.
 fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
     let mut all = vec![
         c.clone(),
@@ -47,7 +47,7 @@ fn neighbours(c: &Curve<DVec2>) -> Vec<Curve<DVec2>> {
     all
 }
 
-/// Every call returns, and at each reported place both curves are at the reported point.
+/// Every call returns, and at each reported intersection both curves are at the reported point.
 #[test]
 fn every_reported_point_lies_on_both() {
     for a in shapes() {

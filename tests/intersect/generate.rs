@@ -20,7 +20,7 @@ fn free(rng: &mut Rng, degree: usize) -> Vec<DVec2> {
         .collect()
 }
 
-/// Points of a small grid: coincidences are exact.
+/// Points of a small grid, so that coincidences are exact.
 fn grid(rng: &mut Rng, degree: usize, size: usize) -> Vec<DVec2> {
     (0..=degree)
         .map(|_| DVec2::new(real(rng.below(size + 1)), real(rng.below(size + 1))))

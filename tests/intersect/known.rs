@@ -1,4 +1,4 @@
-//! Pairs whose answer is known.
+//! Pairs with known intersections.
 
 use crate::common::{Rng, plane, real};
 use crate::generate::new;
@@ -31,7 +31,7 @@ fn lines() {
     );
     let aside = line((0.0, 1e-9), (4.0, 1e-9));
     assert_eq!(kinds(&level, &aside), []);
-    // End to end in one line, with an end on the other, and past each other.
+    // End to end on one line, with an end on the other line, and without contact.
     assert_eq!(
         kinds(&level, &line((4.0, 0.0), (6.0, 0.0))),
         [(1.0, 0.0, IntersectionKind::Tangent)]
@@ -61,7 +61,7 @@ fn lines() {
 
 #[test]
 fn graphs_cross_at_the_roots_of_their_difference() {
-    // y = 0 against products of (x − k/16): up to five crossings, exactly where the roots are.
+    // y = 0 and products of (x − k/16): up to five crossings, exactly at the roots.
     let mut rng = Rng(5);
     for _ in 0..2000 {
         let degree = 1 + rng.below(5);
@@ -95,7 +95,7 @@ fn graphs_cross_at_the_roots_of_their_difference() {
     }
 }
 
-/// A polynomial in Bernstein form times a linear one.
+/// The product of a polynomial in Bernstein form and a linear one.
 fn product(rows: &[f64], factor: [f64; 2]) -> Vec<f64> {
     let n = rows.len();
     (0..=n)
@@ -132,7 +132,7 @@ fn close_crossings_are_two_and_close_misses_none() {
 
 #[test]
 fn a_curve_that_traces_another_at_its_own_pace() {
-    // y = x² run through by a cubic in t: an improper sextic.
+    // y = x², traversed by a cubic in t: an improper sextic.
     let x = [0.0, 0.6, 0.1, 1.0];
     let mut rows = vec![0.0; 7];
     let binomial = |n: usize, k: usize| (0..k).fold(1.0, |c, i| c * real(n - i) / real(i + 1));

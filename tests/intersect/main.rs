@@ -1,4 +1,4 @@
-//! Where curves meet: against a slow reference that throws away nothing it is not sure of, and against what is known.
+//! Intersections of curves, compared with a slow reference that discards only what is certain, and with known cases.
 #![cfg(not(target_family = "wasm"))]
 
 #[path = "../common/mod.rs"]

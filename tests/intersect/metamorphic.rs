@@ -1,4 +1,4 @@
-//! Rotated, scaled, reversed and swapped pairs meet at the same places.
+//! Rotated, scaled, reversed and swapped pairs have the same intersections.
 
 use crate::common::Rng;
 use crate::generate::{case, new};
@@ -6,14 +6,14 @@ use casteljau::Curve;
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::{DAffine2, DVec2};
 
-/// Places that do not depend on rounding: crossings at an angle, away from ends.
+/// Intersections that do not depend on rounding: crossings at an angle, away from ends.
 fn firm(found: &[Intersection], a: &Curve<DVec2>, b: &Curve<DVec2>) -> Vec<(f64, f64)> {
     let inside = |t: f64| t > 1e-3 && t < 1.0 - 1e-3;
     found
         .iter()
         .filter(|p| p.kind == IntersectionKind::Cross && inside(p.t) && inside(p.u))
         .filter(|p| a.tangent(p.t).perp_dot(b.tangent(p.u)).abs() > 1e-2)
-        // Next to a cusp a place is known to the third root of rounding.
+        // Next to a cusp an intersection is known only to the cube root of rounding.
         .filter(|p| runs(a, p.t) && runs(b, p.u))
         .map(|p| (p.t, p.u))
         .collect()
@@ -40,7 +40,7 @@ fn the_results_follow() {
         let case = case(&mut Rng(seed));
         let (a, b) = (case.a, case.b);
         let found = a.intersections(&b);
-        // A piece from a parameter to itself is a point with the shape of rounding.
+        // A piece from a parameter to itself is a point whose shape is rounding noise.
         let size = |c: &Curve<DVec2>| c.control_bounds().diagonal();
         if size(&a).min(size(&b)) < 1e-9 * size(&a).max(size(&b)) {
             continue;
@@ -65,7 +65,7 @@ fn the_results_follow() {
     }
 }
 
-/// Powers of two round nothing, so everything is the same, tangencies and shared pieces included.
+/// Powers of two cause no rounding, so all results are equal, including tangencies and overlaps.
 #[test]
 fn scaled_by_powers_of_two() {
     for seed in 0..3000 {

@@ -1,4 +1,4 @@
-//! Generated cases against the reference.
+//! Generated cases, compared with the reference.
 
 use crate::common::threads::on_all;
 use crate::common::{Rng, largest, real};
@@ -44,7 +44,7 @@ fn complete_and_true() {
     assert!(failures.is_empty(), "{failures:?}");
 }
 
-/// How far rounding may have moved a point of either curve.
+/// The maximum effect of rounding on a point of either curve.
 fn rounding(a: &Curve<DVec2>, b: &Curve<DVec2>) -> f64 {
     let size = largest(a.control_points()).max(largest(b.control_points()));
     let degree = real(a.degree().max(b.degree()));
@@ -70,7 +70,7 @@ pub(crate) fn judged(case: &Case) -> Result<(), String> {
             }
         }
     }
-    // A curve that turns back may lie on one that does not twice from the same place on.
+    // A curve that turns back may overlap twice with one that does not, from the same point on.
     let sorted = found.windows(2).all(|p| {
         let twice = matches!(p[0].kind, IntersectionKind::Overlap { .. }) && p[0].kind != p[1].kind;
         (p[0].t, p[0].u) < (p[1].t, p[1].u) || twice && (p[0].t, p[0].u) == (p[1].t, p[1].u)
@@ -78,7 +78,7 @@ pub(crate) fn judged(case: &Case) -> Result<(), String> {
     if !sorted {
         return Err(format!("not sorted or twice: {found:?}"));
     }
-    // Places may be as far apart as was allowed above, so the boxes around all places have to be as wide.
+    // Intersections may be as far apart as the slack above allows, so the boxes around them must be as wide.
     let reference = Reference::new(a, b, slack);
     covered(a, b, &found, &reference, slack)
 }
@@ -120,7 +120,7 @@ fn covered(
     Ok(())
 }
 
-/// The least distance in a cluster: from each box by ever smaller steps.
+/// The minimum distance in a cluster: from each box, with decreasing steps.
 fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> (f64, (f64, f64)) {
     let mut best = (f64::MAX, (0.0, 0.0));
     let skip = 1 + cluster.boxes.len() / 100;
@@ -128,7 +128,7 @@ fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> 
         let (mut t, mut u, mut step) = (t + 0.5 * side, u + 0.5 * side, side);
         let distance = |t: f64, u: f64| (a.eval(t) - b.eval(u)).length();
         let mut min = distance(t, u);
-        // Gauss–Newton, kept in the square, then pattern search.
+        // Gauss–Newton steps, clamped to the square, then pattern search.
         for _ in 0..200 {
             let mut better = None;
             for (dt, du) in [
@@ -166,7 +166,7 @@ fn nearest(a: &Curve<DVec2>, b: &Curve<DVec2>, cluster: &Cluster, side: f64) -> 
     best
 }
 
-/// Whether the curves are as close as rounding allows all the way from a place that was found.
+/// Whether the curves are as close as rounding allows all the way from an intersection that was found.
 fn hidden(
     a: &Curve<DVec2>,
     b: &Curve<DVec2>,
@@ -185,7 +185,7 @@ fn hidden(
     })
 }
 
-/// Lines so far from the origin that rounding moves them by more than the distance between them.
+/// Lines so far from the origin that rounding moves them by more than their distance.
 #[test]
 fn lines_within_rounding_of_each_other() {
     let line = |points: [(f64, f64); 2]| Curve::new(&points.map(DVec2::from)).expect("finite");

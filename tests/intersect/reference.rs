@@ -1,13 +1,13 @@
-//! A slow reference: the unit square of both parameters is cut into four again and again, and a box is thrown away only
-//! where the two pieces are apart for sure. What remains surrounds all contacts.
+//! A slow reference: the unit square of both parameters is repeatedly divided into four, and a box is discarded only
+//! where the two pieces are certainly apart. The remaining boxes surround all contacts.
 
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 
-/// Boxes of this side (a power of two below 1) end the search.
+/// The side of the boxes at which the search ends, as a power of two below 1.
 const DEPTH: usize = 20;
 
-/// A search that has more boxes than this ends sooner: the curves run along each other.
+/// A search with more boxes than this ends sooner: the curves overlap.
 const MAX_BOXES: usize = 1500;
 
 #[derive(Clone)]
@@ -18,7 +18,7 @@ struct Cell {
     b: Vec<DVec2>,
 }
 
-/// Boxes that hang together.
+/// A connected group of boxes.
 #[derive(Debug)]
 pub(crate) struct Cluster {
     pub(crate) t: [f64; 2],
@@ -29,7 +29,7 @@ pub(crate) struct Cluster {
 #[derive(Debug)]
 pub(crate) struct Reference {
     pub(crate) clusters: Vec<Cluster>,
-    /// The side of a box.
+    /// The side length of a box.
     pub(crate) side: f64,
 }
 
@@ -59,7 +59,7 @@ impl Reference {
         }
     }
 
-    /// The cluster with a place in one of its boxes, or next to one.
+    /// The cluster that contains a point in one of its boxes, or next to one.
     pub(crate) fn cluster_at(&self, t: f64, u: f64) -> Option<usize> {
         let near = |&(bt, bu): &(f64, f64)| {
             let within = |x: f64, from: f64| x >= from - self.side && x <= from + 2.0 * self.side;
@@ -136,7 +136,7 @@ fn clusters(cells: &[Cell], side: f64) -> Vec<Cluster> {
         }
         i
     }
-    // By columns of t: neighbours are in the same one or the next.
+    // Sorted by columns of t: neighbours are in the same column or in the next.
     let mut order: Vec<usize> = (0..cells.len()).collect();
     order.sort_by(|&i, &j| cells[i].t.total_cmp(&cells[j].t));
     for (k, &i) in order.iter().enumerate() {

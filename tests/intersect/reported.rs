@@ -1,4 +1,5 @@
-//! Places at ends, at tips and between curves that nearly coincide, each once and exact; cases that a tester found.
+//! Intersections at ends, at tips and between curves that nearly coincide, each reported once and exact; cases found by
+//! a tester.
 
 use casteljau::Curve;
 use casteljau::curve::{Intersection, IntersectionKind};
@@ -133,8 +134,8 @@ fn the_tip_of_a_turn_back_is_one_intersection() {
     );
 }
 
-/// On one line both curves turn back, and only their tips overlap: each of the two ways to a tip overlaps with both of the
-/// other curve.
+/// Both curves turn back on one line, and only their tips overlap: each of the two branches at a tip overlaps with both
+/// branches of the other curve.
 #[test]
 fn tips_that_overlap_on_a_line() {
     let a = curve(&[[0.0, 0.0], [7.0, 14.0], [1.0, 2.0], [3.0, 6.0]]);
@@ -166,7 +167,8 @@ fn tips_that_overlap_on_a_line() {
     }
 }
 
-/// Next to the curve's stops there are two places that are too far apart on the other curve to be one; this did not end.
+/// Next to points of zero speed there are two intersections that are too far apart on the other curve to be merged;
+/// this case did not terminate.
 #[test]
 fn intersections_next_to_a_stop_are_merged() {
     let curve = curve(&[
@@ -191,7 +193,7 @@ fn intersections_next_to_a_stop_are_merged() {
     }
 }
 
-/// Whether both curves are at each place, at both ends of a shared piece, and the list is sorted.
+/// Checks that both curves are at each intersection, at both ends of each overlap, and that the list is sorted.
 fn hold(a: &Curve<DVec2>, b: &Curve<DVec2>) {
     let found = a.intersections(b);
     let size = [a, b].map(|c| {
@@ -217,7 +219,7 @@ fn hold(a: &Curve<DVec2>, b: &Curve<DVec2>) {
     );
 }
 
-/// A curve of 1e10 and a curve that is a point compared with it are no shared piece.
+/// A curve of size 1e10 and a curve that is a point in comparison do not overlap.
 #[test]
 fn a_tiny_curve_shares_no_piece() {
     let large = curve(&[
@@ -235,7 +237,7 @@ fn a_tiny_curve_shares_no_piece() {
     hold(&tiny, &large);
 }
 
-/// Both curves lie on a line; the first one comes back to the second after it has left it.
+/// Both curves lie on a line; the first one leaves the second and returns to it.
 #[test]
 fn straight_pieces_end_where_both_curves_are() {
     let far = curve(&[
@@ -256,13 +258,14 @@ fn straight_pieces_end_where_both_curves_are() {
         let IntersectionKind::Overlap { t_end, .. } = location.kind else {
             continue;
         };
-        // Not a place of the piece between, which is 1e9 away.
+        // The middle must not be on the intermediate piece, which is 1e9 away.
         let middle = far.eval(0.5 * (location.t + t_end));
         assert!(middle.x.abs() <= 1e3, "{location:?} passes {middle}");
     }
 }
 
-/// A straight cubic that turns back twice, next to its ends, and its elevation: each hook overlaps the other one backwards.
+/// A straight cubic that turns back twice, next to its ends, and its elevation: each hook overlaps with the other one
+/// backwards.
 #[test]
 fn shared_pieces_of_short_hooks_keep_their_ends() {
     let hooks = curve(&[

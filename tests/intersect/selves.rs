@@ -1,4 +1,4 @@
-//! Curves that meet themselves.
+//! Self-intersections of curves.
 
 use crate::common::{Rng, largest, plane, real};
 use crate::generate::new;
@@ -23,12 +23,12 @@ fn cubics() {
         (found.len(), found[0].t, found[0].u, found[0].point),
         (1, 0.0, 1.0, DVec2::ZERO)
     );
-    // Run through again: no single point.
+    // Traversed again: no isolated point.
     let back = plane(&[(0.0, 0.0), (4.0, 4.0), (-2.0, -2.0), (1.0, 1.0)]);
     assert_eq!(back.self_intersections(), []);
 }
 
-/// The general way, which serves degree 4 and above, finds what the closed form finds.
+/// The general method, which is used for degree 4 and above, finds what the closed form finds.
 #[test]
 fn elevated_cubics() {
     let mut rng = Rng(3);
@@ -51,7 +51,7 @@ fn elevated_cubics() {
         );
         assert_eq!(low.len(), high.len(), "{points:?}: {low:?} {high:?}");
         for (p, q) in low.iter().zip(&high) {
-            // A short loop is close to a cusp, where parameters are known to the root of rounding.
+            // A short loop is close to a cusp, where parameters are known to the square root of rounding.
             let near = 1e-13 / (p.u - p.t).min(1.0).powi(2);
             assert!(
                 (p.t - q.t).abs().max((p.u - q.u).abs()) < near.min(1e-4),
@@ -68,7 +68,7 @@ fn elevated_cubics() {
     assert!(loops > 200, "{loops}");
 }
 
-/// A curve meets itself where its two halves meet, and where each half does.
+/// A curve intersects itself where its two halves intersect, and where each half intersects itself.
 #[test]
 fn halves_cross_where_the_whole_crosses_itself() {
     let mut rng = Rng(11);

@@ -1,4 +1,4 @@
-//! Splines that meet others and themselves.
+//! Intersections and self-intersections of splines.
 
 use crate::common::{Rng, plane, real};
 use casteljau::curve::{Intersection, IntersectionKind};
@@ -123,8 +123,8 @@ fn wave(segments: usize, height: f64) -> Spline<DVec2> {
     Spline::new(&points, 3, false).expect("a wave")
 }
 
-/// The waves cross between and at their joints, and a wave does not cross itself. The steps (pairs of boxes and of pieces)
-/// grow hardly faster than the number of segments.
+/// The waves cross between and at their joints, and a wave does not cross itself. The number of steps (pairs of boxes
+/// and of pieces) grows hardly faster than the number of segments.
 #[test]
 fn long_splines() {
     for segments in [1, 2, 300, 30_000] {

@@ -1,4 +1,4 @@
-//! Nets for the tests of surfaces: random ones, and those of known polynomials.
+//! Control nets for the tests of surfaces: random nets, and nets of known polynomials.
 #![allow(
     dead_code,
     unreachable_pub,
@@ -7,7 +7,7 @@
 
 use casteljau::{Patch, glam::DVec3};
 
-/// A small generator (splitmix64), so that one body of tests runs natively and in wasm.
+/// A small random number generator (splitmix64), so that the same tests run natively and in wasm.
 pub struct Random(pub u64);
 
 impl Random {
@@ -24,7 +24,7 @@ impl Random {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// In −1 … 1, often on a coarse grid, so that coincident and collinear points turn up.
+    /// In −1 … 1, often on a coarse grid, so that coincident and collinear points occur.
     pub fn coordinate(&mut self) -> f64 {
         let x = 2.0 * self.unit() - 1.0;
         if self.bits().is_multiple_of(4) {

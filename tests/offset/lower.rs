@@ -1,4 +1,4 @@
-//! Curves of a lower degree, and curves through points.
+//! Degree reduction, and curves through points.
 
 use crate::common::{Rng, largest, real, ulp};
 use crate::reference::at;
@@ -68,7 +68,7 @@ fn through_points() {
             let chosen = ts.map_or_else(|| chords(&points), <[f64]>::to_vec);
             let size = largest(curve.control_points());
             if count > 16 {
-                // Control points are larger than the points by many powers of ten.
+                // The control points are larger than the points by many powers of ten.
                 assert!(size.is_finite());
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Parallel curves: as far as was asked from the curve, everywhere, without gaps.
+//! Offset curves: at the requested distance from the curve everywhere, without gaps.
 #![cfg(not(target_family = "wasm"))]
 
 #[path = "../common/mod.rs"]
@@ -17,10 +17,10 @@ use common::threads::on_all;
 use common::{Rng, largest, ulp};
 use reference::{DenseReference, dense};
 
-/// How far chords are from their curves, in tolerances: at first, and where that leaves a doubt.
+/// The maximum distance of chords from their curves, in tolerances: at first, and if the result is in doubt.
 const SAGS: [f64; 2] = [0.04, 0.002];
 
-/// How far the offset is from the truth, and the truth from it, in tolerances.
+/// The distance of the offset from the reference, and of the reference from the offset, in tolerances.
 fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
     let offset = curve.offset(distance, Some(tolerance)).expect("finite");
     assert!(
@@ -48,7 +48,7 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
     }
 }
 
-/// Some thousands, or a hundred thousand with CASTELJAU_DEEP.
+/// A few thousand, or a hundred thousand with CASTELJAU_DEEP.
 fn cases() -> usize {
     if std::env::var_os("CASTELJAU_DEEP").is_some() {
         100_000
@@ -94,7 +94,7 @@ fn adversarial_curves() {
     });
 }
 
-/// Huge, tiny, of any degree: an answer of finite numbers in time.
+/// Huge and tiny curves of any degree: the result consists of finite numbers and is returned in time.
 #[test]
 fn any_curve_has_an_offset() {
     let mut rng = Rng(1999);

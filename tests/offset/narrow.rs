@@ -1,4 +1,4 @@
-//! Offsets whose distance is small against the curve's turns or against the tolerance.
+//! Offsets whose distance is small relative to the curve's bends or to the tolerance.
 
 use crate::common::plane;
 use crate::error;

@@ -1,16 +1,16 @@
-//! The true parallel, slowly: a dense polyline, each vertex from the curve's own point and derivative.
+//! The true offset curve, computed slowly: a dense polyline with each vertex from the curve's own point and derivative.
 
 use crate::common::measure::from_plane_segment;
 use crate::common::real;
 use casteljau::glam::DVec2;
 use std::f64::consts::PI;
 
-/// A polyline and where its vertices come from.
+/// A dense polyline of the offset curve.
 pub(crate) struct DenseReference {
     pub(crate) vertices: Vec<DVec2>,
 }
 
-/// De Casteljau's algorithm, plainly.
+/// De Casteljau's algorithm without optimisations.
 pub(crate) fn at(points: &[DVec2], t: f64) -> DVec2 {
     if points.len() <= 4 {
         return at_in::<4>(points, t);
@@ -33,13 +33,15 @@ fn differences(points: &[DVec2]) -> Vec<DVec2> {
     points.windows(2).map(|p| p[1] - p[0]).collect()
 }
 
-/// Below this part of the greatest speed only rounding tells which way round a curve turns at a stop.
+/// Below this fraction of the maximum speed only rounding decides in which sense a curve turns at a stop (a point of
+/// zero speed).
 const STOP: f64 = 1e-13;
 
-/// Half the parameters about a stop that are left out: beside it the tangent is known to 10⁻⁷.
+/// Half the length of the parameter interval around a stop that is omitted: beside it the tangent is known to 10⁻⁷.
 const BESIDE: f64 = 1e-9;
 
-/// A handle below this part of the longest is told to be none, as the control points' own rounding is as large.
+/// A handle below this fraction of the longest one counts as zero, since the rounding of the control points is as
+/// large.
 const NO_HANDLE: f64 = 1e-15;
 
 /// A curve with its derivative.
@@ -59,7 +61,7 @@ impl Walker<'_> {
         at(self.points, t) + tangent.perp() * self.distance
     }
 
-    /// The tangents at both ends: toward the first control point that is another one.
+    /// The tangents at both ends: toward the first control point that differs from the end.
     fn end_tangents(&self) -> (DVec2, DVec2) {
         let longest = self
             .hodograph
@@ -77,7 +79,7 @@ impl Walker<'_> {
         (first.unwrap_or_default(), -last.unwrap_or_default())
     }
 
-    /// Around a point by an angle; the first vertex is there already.
+    /// Adds an arc around a point by an angle; its first vertex is already in the list.
     fn turn(&self, t: f64, from: DVec2, angle: f64, out: &mut Vec<DVec2>) {
         let steps = (1.0 + angle.abs() * (self.distance.abs() / self.step).sqrt())
             .min(4000.0)
@@ -89,7 +91,8 @@ impl Walker<'_> {
         }
     }
 
-    /// From one parameter to another, whose tangents are known; the first vertex is there already.
+    /// Adds the offset from one parameter to another, whose tangents are known; its first vertex is already in the
+    /// list.
     fn walk(&self, (t0, n0): (f64, DVec2), (t1, n1): (f64, DVec2), out: &mut Vec<DVec2>) {
         let (o0, o1) = (self.point(t0, n0), self.point(t1, n1));
         let angle = n0.angle_to(n1);
@@ -109,12 +112,12 @@ impl Walker<'_> {
     }
 }
 
-/// The parameters inside (0, 1) where the speed is least, and those speeds as parts of the greatest.
+/// The parameters inside (0, 1) with a minimum of the speed, and these speeds as fractions of the maximum.
 pub(crate) fn slowest(points: &[DVec2]) -> Vec<(f64, f64)> {
     let slopes = differences(points);
     let fastest = slopes.iter().map(|v| v.length()).fold(0.0, f64::max);
     let speed = |t: f64| at(&slopes, t).length();
-    // Close steps next to the ends, too, where short handles stop.
+    // The steps are also small next to the ends, where short handles cause stops.
     let near: Vec<f64> = (10..40).map(|k| 0.5_f64.powi(k)).collect();
     let even = (1..512).map(|k| real(k) / 512.0);
     let mut ts: Vec<f64> = near
@@ -146,8 +149,8 @@ pub(crate) fn slowest(points: &[DVec2]) -> Vec<(f64, f64)> {
 }
 
 impl DenseReference {
-    /// Vertices of the parallel, its chords within about `step` of it; the bits of `around` tell which stops are
-    /// passed around their inside: a curve that only just does not stop may turn either way.
+    /// The vertices of the offset curve, with chords within about `step` of it. The bits of `around` tell which stops
+    /// are passed on their inside: a curve that almost stops may turn in either sense.
     pub(crate) fn new(
         points: &[DVec2],
         stops: &[f64],
@@ -174,7 +177,7 @@ impl DenseReference {
             } else {
                 1.0_f64.copysign(distance)
             };
-            // A stop without a turn back has no side.
+            // A stop without a turn back has no inside.
             let angle = if angle.abs() < 3.0 || angle.signum() == outside {
                 angle
             } else {
@@ -187,7 +190,7 @@ impl DenseReference {
         Self { vertices }
     }
 
-    /// All parallels that rounding cannot tell from the true one.
+    /// All offset curves that rounding cannot distinguish from the true one.
     pub(crate) fn all(points: &[DVec2], distance: f64, step: f64) -> Vec<Self> {
         let inside = |t: &f64| *t > 2.0 * BESIDE && *t < 1.0 - 2.0 * BESIDE;
         let slow = slowest(points)
@@ -199,13 +202,13 @@ impl DenseReference {
             .collect()
     }
 
-    /// The greatest distance of some points, which follow the polyline, from it.
+    /// The maximum distance from the polyline of points that follow it.
     pub(crate) fn farthest(&self, points: &[DVec2], enough: f64) -> f64 {
         farthest(&self.vertices, points, enough)
     }
 }
 
-/// Each point is looked for next to where the one before it was found; only if that fails, everywhere.
+/// Each point is searched for next to the previous point's position; only if that fails, everywhere.
 pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
     let mut location: usize = 0;
     let mut max: f64 = 0.0;
@@ -235,7 +238,7 @@ pub(crate) fn farthest(line: &[DVec2], points: &[DVec2], enough: f64) -> f64 {
     max
 }
 
-/// Points of each segment, chords between them within `sag`.
+/// Points of each segment, with chords within `sag`.
 pub(crate) fn dense(spline: &casteljau::Spline<DVec2>, sag: f64) -> Vec<DVec2> {
     let mut points = Vec::new();
     for curve in spline.segments() {

@@ -1,4 +1,4 @@
-//! Parallels of splines: corners, closed ones.
+//! Offset curves of splines: corners, closed splines.
 
 use crate::common::{Rng, real};
 use crate::reference::dense;
@@ -12,8 +12,8 @@ fn closed_spline(rng: &mut Rng) -> Spline<DVec2> {
     Spline::new(&points, 3, true).expect("finite")
 }
 
-/// No point is nearer than asked for by more than the tolerance unless it is trimmed: with round joins each point lies at
-/// the distance from some point of the curve.
+/// No point is nearer than requested by more than the tolerance unless it is trimmed: with round joins each point lies
+/// at the distance from some point of the curve.
 #[test]
 fn round_joins_keep_the_distance() {
     let mut rng = Rng(29);

@@ -1,11 +1,11 @@
-//! Splines along points, and splines of fewer segments.
+//! Splines fitted to points, and splines with fewer segments.
 
 use crate::common::{Rng, real};
 use crate::reference::{dense, farthest};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Point, Spline};
 
-/// A smooth spline of random cubics, with a corner here and there.
+/// A smooth spline of random cubics, with a corner occasionally.
 fn known(rng: &mut Rng, segments: usize, corners: bool) -> (Spline<DVec2>, Vec<DVec2>) {
     let mut points = vec![rng.point(2).truncate()];
     let mut direction = DVec2::from_angle(6.0 * rng.unit());
@@ -62,7 +62,7 @@ fn points_lie_within_the_tolerance_and_corners_are_found() {
             );
         }
     }
-    // Bends too tight to be told from corners.
+    // Bends that are too tight to be distinguished from corners.
     assert!(beside <= 3, "{beside}");
 }
 
@@ -79,7 +79,7 @@ fn degenerate_points() {
             .segment_count(),
         1
     );
-    // There and back again.
+    // The line is traversed forth and back.
     let back: Vec<DVec2> = line.iter().chain(line.iter().rev()).copied().collect();
     let fitted = Spline::fit(&back, 0.01, false).expect("finite");
     assert!(farthest(&dense(&fitted, 1e-4), &back, 0.01) <= 0.01);
@@ -147,8 +147,8 @@ fn space_as_well() {
     assert!(fitted.segment_count() < 30, "{}", fitted.segment_count());
 }
 
-/// A wave from 0 to 100 by a hundred thousand points: the tenth part of it needs about a tenth of the segments, and far
-/// fewer than it has points.
+/// A wave from 0 to 100 by a hundred thousand points: a tenth of it needs about a tenth of the segments, and far fewer
+/// than it has points.
 #[test]
 fn many_points() {
     let segments = |count: usize| {

@@ -1,11 +1,11 @@
-//! The number of pieces and of counted steps, near cusps and where rounding limits what can be known.
+//! The number of pieces and of counted steps, near cusps and where rounding limits the accuracy.
 
 use crate::common::{plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
 use casteljau_kernels::take_steps;
 
-/// Pieces and steps of an offset.
+/// The number of pieces and steps of an offset.
 fn work(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> (usize, usize) {
     take_steps();
     let offset = curve
@@ -14,7 +14,8 @@ fn work(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> (usize, usize) {
     (offset.segment_count(), take_steps())
 }
 
-/// A hairpin whose offset has two cusps, and a cubic with coincident inner points: both needed tens of thousands of pieces.
+/// A hairpin whose offset has two cusps, and a cubic with coincident inner points: both once needed tens of thousands
+/// of pieces.
 fn near_cusps() -> [(Curve<DVec2>, f64); 2] {
     let hairpin = [
         (-0.8577531296914089, 0.6438049785920001),
@@ -34,8 +35,8 @@ fn near_cusps() -> [(Curve<DVec2>, f64); 2] {
     ]
 }
 
-/// The error of a fitted piece falls with the sixth power of its length: a tenth of the tolerance needs 10^(1/6) = 1.47 times
-/// the pieces.
+/// The error of a fitted piece falls with the sixth power of its length: a tenth of the tolerance needs 10^(1/6) = 1.47
+/// times the pieces.
 #[test]
 fn pieces_grow_slowly_with_the_accuracy() {
     for (curve, distance) in near_cusps() {
@@ -56,7 +57,8 @@ fn pieces_grow_slowly_with_the_accuracy() {
     }
 }
 
-/// Curves with points that are equal, nearly equal or of very different sizes, at tolerances near the smallest allowed.
+/// Curves with points that are equal, nearly equal or of very different sizes, at tolerances near the smallest that is
+/// allowed.
 #[test]
 fn mixed_scales_need_few_pieces() {
     let repeated: Vec<(f64, f64)> = [

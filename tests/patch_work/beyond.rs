@@ -1,4 +1,4 @@
-//! What remains exact beyond a limit: of steps, and of sizes that are very different along the axes.
+//! Results that remain exact beyond a limit: of steps, and of very different sizes along the axes.
 
 use super::nets::Random;
 use super::{SEARCH, distance_of_own_point, generated};
@@ -6,7 +6,7 @@ use casteljau::glam::DVec3;
 use casteljau::{Error, Patch, Surface};
 use casteljau_kernels::take_steps;
 
-/// Past the limit no other piece and no other patch is counted.
+/// Beyond the limit no other piece and no other patch is counted.
 #[test]
 fn of_subdivision_beyond_the_limit() {
     let patch = Random(5).patch(24, 24);
@@ -20,8 +20,8 @@ fn of_subdivision_beyond_the_limit() {
     assert!(take_steps() <= (1 << 24) + 25 * 25);
 }
 
-/// However long a patch is along one axis, its box is exact along the others: here y has two minima, and the lesser one
-/// is not that below the lesser corner.
+/// However long a patch is along one axis, its bounding box is exact along the others. Here y has two minima, and the
+/// smaller one is not the one below the smaller corner.
 #[test]
 fn of_bounds_along_short_axes() {
     let heights = [0.0, -1.0, 3.0, 3.0, -4.0, 1.0];
@@ -46,7 +46,8 @@ fn of_bounds_along_short_axes() {
     }
 }
 
-/// Nets of sizes from 1e-12 to 1e15 for which the search by squares reaches its limit: that by distances finds the points.
+/// Nets of sizes from 1e-12 to 1e15 for which the search by squared distances reaches its limit; the search by
+/// distances finds the points.
 #[test]
 fn of_points_of_patches_beyond_the_limit() {
     for seed in [6118, 11354, 16861, 17459, 31891, 36682] {

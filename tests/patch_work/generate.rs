@@ -1,4 +1,4 @@
-//! Seeded generation of patches and of questions to them, degenerate ones included.
+//! Seeded generation of patches and of queries on them, including degenerate ones.
 
 use crate::nets::Random;
 use casteljau::Patch;
@@ -13,7 +13,7 @@ enum Scale {
     Coarse,
     /// 1e-12 to 1e15 with either sign, or 0.
     Mixed,
-    /// One coordinate of each point is 1e6 and a moderate one, the others are moderate.
+    /// One coordinate of each point is 1e6 plus a moderate number, the others are moderate.
     Far,
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn any_patch(random: &mut Random, max_degree: usize) -> Patch {
     Patch::new(&net, m, n).expect("finite points")
 }
 
-/// Makes a net degenerate in one of several ways, or in none.
+/// Makes a net degenerate in one of several ways, or leaves it unchanged.
 fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize) {
     let count = net.len();
     let (first, other) = (net[0], point(random, scale));
@@ -62,7 +62,7 @@ fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize)
         // On a line, and in one point.
         2 => net.iter_mut().for_each(|p| *p = first + other * p.x),
         3 => net.fill(first),
-        // One to four collapsed sides.
+        // One to four collapsed edges.
         4 => net[..columns].fill(first),
         5 => {
             for (k, p) in net.iter_mut().enumerate() {
@@ -79,14 +79,14 @@ fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize)
                 }
             }
         }
-        // Folded over: the rows run there and back.
+        // Folded over: the rows run forth and back.
         7 => {
             for k in 0..count {
                 let mirror = k / columns * columns + (columns - 1 - k % columns);
                 net[k] = net[mirror];
             }
         }
-        // A graph over a lattice of parameters, and a translation surface.
+        // A graph over a regular grid of parameters, and a translation surface.
         8 => {
             for (k, p) in net.iter_mut().enumerate() {
                 (p.x, p.y) = ((k % columns) as f64, (k / columns) as f64);
@@ -101,7 +101,7 @@ fn degrade(random: &mut Random, scale: Scale, net: &mut [DVec3], columns: usize)
     }
 }
 
-/// A point to ask for: on the patch, in its box, amid its control points, or anywhere.
+/// A query point: on the patch, in its bounding box, among its control points, or anywhere.
 pub(crate) fn any_point(random: &mut Random, patch: &Patch) -> DVec3 {
     let net = patch.control_points();
     match below(random, 6) {
@@ -114,7 +114,7 @@ pub(crate) fn any_point(random: &mut Random, patch: &Patch) -> DVec3 {
     }
 }
 
-/// A ray that meets the patch, that runs within it, or that is arbitrary.
+/// A ray that intersects the patch, that runs within it, or that is arbitrary.
 pub(crate) fn any_ray(random: &mut Random, patch: &Patch) -> (DVec3, DVec3) {
     let origin = any_point(random, patch);
     let (u, v) = (random.unit(), random.unit());

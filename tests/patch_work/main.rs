@@ -1,4 +1,4 @@
-//! The work of questions to patches, counted in steps and never in time: no call takes more than its documentation says.
+//! The work of queries on patches, counted in steps and not in time: no call takes more than its documentation states.
 
 mod beyond;
 mod generate;
@@ -13,16 +13,16 @@ use casteljau_kernels::take_steps;
 use generate::{any_patch, any_point, any_ray, below};
 use nets::Random;
 
-/// The documented limit of one search in a patch of degree 24 or below.
+/// The documented limit of one search in a patch of degree at most 24.
 const SEARCH: usize = 1 << 23;
 
 /// The documented limit of a ray.
 const RAY: usize = 1 << 27;
 
-/// The steps of one piece or of one start of Newton's method: by so much a search may pass its limit.
+/// The steps of one piece or of one start of Newton's method: a search may exceed its limit by this number.
 const ONE_MORE: usize = 1 << 22;
 
-/// How many calls of each function; many more with CASTELJAU_DEEP=1.
+/// The number of calls of each function; many more with CASTELJAU_DEEP=1.
 fn calls() -> u64 {
     if std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0") {
         100_000
@@ -31,7 +31,7 @@ fn calls() -> u64 {
     }
 }
 
-/// A patch of degrees up to 3 or up to 24, and the generator after it.
+/// A patch of degrees up to 3 or up to 24, and the random number generator after its generation.
 fn generated(seed: u64) -> (Random, Patch) {
     let mut random = Random(seed);
     let max_degree = if below(&mut random, 2) == 0 { 3 } else { 24 };
@@ -39,7 +39,7 @@ fn generated(seed: u64) -> (Random, Patch) {
     (random, patch)
 }
 
-/// Asks so many generated patches, and checks the steps of each call.
+/// Runs a query on generated patches, and checks the steps of each call.
 #[track_caller]
 fn never_takes_more(limit: usize, ask: impl Fn(&mut Random, &Patch)) {
     for seed in 0..calls() {
@@ -65,13 +65,13 @@ fn as_surface(patch: &Patch) -> Surface {
 
 #[test]
 fn of_the_nearest_point() {
-    // By squares, and by distances where these are small.
+    // Two searches: by squared distances, and by distances where these are small.
     never_takes_more(2 * (SEARCH + ONE_MORE), |random, patch| {
         let p = any_point(random, patch);
         let nearest = patch.nearest(p).unwrap();
         assert!(nearest.point.is_finite() && !nearest.distance.is_nan());
         assert_eq!(nearest.point, patch.eval(nearest.u, nearest.v));
-        // No other point of the patch is nearer, to rounding of the coordinates.
+        // No other point of the patch is nearer, except for rounding of the coordinates.
         let bounds = patch.control_bounds();
         let rounding = 2e-15 * bounds.min.abs().max(bounds.max.abs()).max_element();
         for (u, v) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)] {
@@ -107,8 +107,8 @@ fn of_bounds() {
     never_takes_more(6 * (SEARCH + ONE_MORE), |random, patch| {
         let bounds = patch.bounds();
         let p = patch.eval(random.unit(), random.unit());
-        // Along each axis: the search tells apart what differs by 64 roundings of half the control box, and the sums that
-        // make a point round by some more.
+        // Along each axis: the search distinguishes values that differ by 64 units of rounding of half the control box,
+        // and the evaluation of a point adds some rounding.
         let control = patch.control_bounds();
         let slack = 1e-14 * (control.max - control.min) + 1e-15 * p.abs();
         assert!(p.cmpge(bounds.min - slack).all() && p.cmple(bounds.max + slack).all());
@@ -128,7 +128,7 @@ fn of_areas() {
 
 #[test]
 fn of_subdivision() {
-    // The limit is checked before a piece is looked at.
+    // The limit is checked before a piece is examined.
     never_takes_more((1 << 24) + 25 * 25, |random, patch| {
         let bounds = patch.control_bounds();
         let size = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -136,13 +136,13 @@ fn of_subdivision() {
         match as_surface(patch).subdivide(tolerance) {
             Ok(pieces) => assert!(!pieces.is_empty()),
             Err(Error::TooMany { limit, needed, .. }) => assert_eq!(needed, limit + 1),
-            // Of a patch that is the origin, no tolerance is above 0.
+            // The patch is a point at the origin, so the tolerance is 0.
             Err(error) => assert!(size == 0.0, "{error}"),
         }
     });
 }
 
-/// Points of nets whose axes have very different sizes: squares of such distances are rounding.
+/// Points of nets whose axes have very different sizes: squares of such distances are rounding noise.
 #[test]
 fn of_points_of_needles() {
     for asked in worst::points_of_needles() {
@@ -160,10 +160,11 @@ fn of_points_of_needles() {
     }
 }
 
-/// No point of a patch is farther away from it than documented, however different the sizes of its coordinates are.
+/// The distance of a patch from one of its own points is at most the documented one, however different the sizes of its
+/// coordinates are.
 ///
-/// Where the search by distances reaches its limit, what remains is what that by squares tells apart, 2⁻²⁰ of the size;
-/// where both do, the documentation allows any local minimum.
+/// Where the search by distances reaches its limit, the error is that of the search by squared distances, 2⁻²⁰ of the
+/// size; where both reach their limits, the documentation allows any local minimum.
 #[test]
 fn of_points_of_patches() {
     never_takes_more(0, |random, patch| {
@@ -178,7 +179,7 @@ fn of_points_of_patches() {
     });
 }
 
-/// How far a point of a patch is from it, as a share of the size; and the steps of asking.
+/// The distance of a patch from one of its own points, as a fraction of the size, and the steps of the query.
 fn distance_of_own_point(random: &mut Random, patch: &Patch) -> (f64, usize) {
     let p = patch.eval(random.unit(), random.unit());
     let nearest = patch.nearest(p).unwrap();
@@ -187,7 +188,7 @@ fn distance_of_own_point(random: &mut Random, patch: &Patch) -> (f64, usize) {
     (nearest.distance / size, take_steps())
 }
 
-/// The height of this graph over its plane is 1e13: squares of distances of some 0.1 are rounding.
+/// The height of this graph over its plane is 1e13: squares of distances of about 0.1 are rounding noise.
 #[test]
 fn of_a_ray_from_a_steep_graph() {
     use casteljau::glam::DVec3;
@@ -211,7 +212,7 @@ fn of_a_ray_from_a_steep_graph() {
     assert!(hits.iter().any(near), "{hits:?}");
 }
 
-/// Areas of folded nets of different scales against those of their quarters.
+/// Areas of folded nets of different scales, compared with those of their quarters.
 #[test]
 fn of_areas_of_folded_nets() {
     for patch in worst::folded() {
@@ -224,7 +225,8 @@ fn of_areas_of_folded_nets() {
     }
 }
 
-/// Nets that are a line or a plane: the plane through the place at right angles to the way there ends the search at once.
+/// Nets that are a line or a plane: the plane through the nearest point, perpendicular to the line from the query
+/// point, ends the search at once.
 #[test]
 fn of_a_line_and_of_a_plane_there_is_next_to_none() {
     for asked in worst::nearest_along_curves() {
@@ -246,7 +248,7 @@ fn of_a_line_and_of_a_plane_there_is_next_to_none() {
     }
 }
 
-/// The closed forms at the same places: distances from a line and from a plane that the patch covers.
+/// Closed forms at the same points: distances from a line and from a plane that the patch covers.
 #[test]
 fn of_elevated_flat_nets() {
     use casteljau::glam::DVec3;
@@ -268,7 +270,7 @@ fn of_elevated_flat_nets() {
     }
 }
 
-/// A mesh just above the limit is refused by an estimate, and one below it is not refused.
+/// A mesh just above the limit is rejected by an estimate, and one below it is accepted.
 #[test]
 fn of_meshes_that_are_too_large() {
     for degree in [2, 3, 24] {

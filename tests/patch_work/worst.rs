@@ -1,9 +1,9 @@
-//! Questions that took the longest before the searches ended where rounding decides, found among generated ones.
+//! Queries that took the longest before the searches ended where rounding decides, found among generated ones.
 
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 
-/// A patch and a point.
+/// A patch and a query point.
 pub(crate) struct Asked {
     pub(crate) name: &'static str,
     pub(crate) patch: Patch,
@@ -20,7 +20,7 @@ fn asked(name: &'static str, degrees: [usize; 2], net: &[[f64; 3]], point: [f64;
     }
 }
 
-/// Nets on which not one point but whole curves are nearest, or whole areas to rounding.
+/// Nets on which whole curves are nearest, or whole regions up to rounding.
 pub(crate) fn nearest_along_curves() -> Vec<Asked> {
     vec![
         asked(

@@ -1,4 +1,4 @@
-//! Arcs against the ellipse itself, with its centre found in another way: as SVG 1.1, F.6.5 has it.
+//! Elliptical arcs, compared with the ellipse itself; its centre is computed by another method (SVG 1.1, F.6.5).
 
 use crate::common::{Rng, real};
 use casteljau::glam::DVec2;
@@ -34,7 +34,7 @@ impl Arc {
         path.subpaths().collect::<Vec<_>>().remove(0)
     }
 
-    /// The centre, the radii, and the angle that is swept.
+    /// The centre, the radii, and the swept angle.
     fn ellipse(&self) -> (DVec2, DVec2, f64) {
         let turn = DVec2::from_angle(self.degrees.to_radians());
         let half = turn.conjugate_by((self.from - self.to) / 2.0);
@@ -68,7 +68,7 @@ impl Arc {
     }
 }
 
-/// Turned backwards.
+/// Rotation in the opposite direction.
 trait Turn {
     fn conjugate_by(self, v: DVec2) -> DVec2;
 }
@@ -84,7 +84,7 @@ fn check(arc: Arc) {
     assert_eq!(spline.eval(0.0), arc.from, "{arc:?}");
     assert_eq!(spline.eval(real(spline.segment_count())), arc.to, "{arc:?}");
     let (centre, radii, swept) = arc.ellipse();
-    // What rounding moves the centre by, seen from the unit circle.
+    // The effect of rounding on the centre, in units of the unit circle.
     let far = arc.from.abs().max_element().max(arc.to.abs().max_element()) + radii.max_element();
     let noise = 1e-14 * far / radii.min_element();
     let mut before = arc.on_circle(arc.from, centre, radii);
@@ -103,7 +103,7 @@ fn check(arc: Arc) {
         (angle - swept).abs() < 1e-6 + noise,
         "{arc:?}: {angle}, not {swept}"
     );
-    // As few as the bound allows, and one more at most.
+    // As few pieces as the bound allows, and at most one more.
     let pieces = real(spline.segment_count());
     assert!(
         pieces <= swept.abs() / 0.195 + 1.0 && pieces >= swept.abs() / 0.1952,
@@ -127,7 +127,7 @@ fn arcs_lie_on_their_ellipse() {
             large: rng.chance(0.5),
             sweep: rng.chance(0.5),
         };
-        // Where the chord is nearly the diameter, the centre hangs on the last digits of everything.
+        // If the chord is nearly the diameter, the centre depends on the last digits of all arguments.
         let (_, _, swept) = arc.ellipse();
         if (swept.abs() - PI).abs() > 1e-3 {
             checked += 1;
@@ -144,7 +144,7 @@ fn quarters_and_halves_are_found_in_spite_of_rounding() {
         let scale = rng.magnitude(-3.0, 3.0);
         let centre = rng.point(2).truncate() * scale * rng.pick(&[0.0, 1.0, 1000.0]);
         let radius = rng.unit() * scale + 1e-3 * scale;
-        // Two halves of a circle, as drawing programs write them.
+        // Two halves of a circle, as drawing programs write it.
         let d = format!(
             "M{} {}a{radius} {radius} 0 1 0 {} 0a{radius} {radius} 0 1 0 {} 0z",
             centre.x - radius,
@@ -182,7 +182,7 @@ fn radii_that_are_too_small_grow_until_they_reach() {
             sweep: rng.chance(0.5),
         };
         let spline = arc.read();
-        // Half an ellipse around the middle of the chord: 17 pieces, and through the point across.
+        // Half an ellipse around the middle of the chord: 17 pieces, through the point opposite.
         assert_eq!(spline.segment_count(), 17, "{arc:?}");
         let (centre, radii, _) = arc.ellipse();
         assert!(centre.distance(from.midpoint(to)) < 1e-6 * radii.max_element());
@@ -230,7 +230,7 @@ fn adversarial_arcs_stay_finite_and_end_where_they_should() {
 
 #[test]
 fn a_short_piece_of_a_vast_circle_keeps_its_digits() {
-    // The arrow of a chord of 2 under a radius of 1e9 is 5e-10.
+    // The sagitta of a chord of 2 with a radius of 1e9 is 5e-10.
     let path = Path::from_svg("M0 0A1e9 1e9 0 0 1 2 0").expect("an arc");
     let middle = path.subpaths().collect::<Vec<_>>()[0].eval(0.5);
     assert!(
@@ -243,7 +243,7 @@ fn a_short_piece_of_a_vast_circle_keeps_its_digits() {
 fn an_ellipse_has_its_area_and_its_length() {
     let path = Path::from_svg("M3 0A3 2 0 0 1 -3 0 3 2 0 0 1 3 0Z").expect("an ellipse");
     assert!((path.area() / (6.0 * PI) - 1.0).abs() < 2e-9);
-    // Perimeter of an ellipse with the axes 3 and 2: 15.865439589290589...
+    // The perimeter of an ellipse with the semi-axes 3 and 2 is 15.865439589290589...
     let length = path.length(None).expect("no tolerance");
     assert!(
         (length / 15.865_439_589_290_59 - 1.0).abs() < 1e-9,

@@ -1,4 +1,4 @@
-//! Paths built command by command, and read back as commands.
+//! Paths that are built command by command and read back as commands.
 
 use casteljau::curve::PathSink;
 use casteljau::glam::DVec2;
@@ -135,7 +135,7 @@ fn an_arc_without_an_extent_is_a_line_or_nothing() {
     assert_eq!(builder.build(), Ok(path("M0 0L2 0")));
 }
 
-/// The trait and the methods of the builder do the same.
+/// The trait and the methods of the builder have the same effect.
 #[test]
 fn a_builder_is_a_sink() {
     fn draw(sink: &mut impl PathSink) {

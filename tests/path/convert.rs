@@ -1,4 +1,4 @@
-//! Paths from curves, splines and text, and back to text.
+//! Paths from curves, splines and path data, and back to path data.
 
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::{Curve, Path, Spline};

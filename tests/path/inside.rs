@@ -1,4 +1,5 @@
-//! What is inside: against the sum of the angles under which a fine polygon is seen, and as parts of the plane.
+//! Winding numbers, compared with the sum of the angles under which a fine polygon is seen, and for partitions of the
+//! plane.
 
 use crate::common::{Rng, adversarial, real};
 use casteljau::glam::{DAffine2, DVec2};
@@ -6,7 +7,8 @@ use casteljau::path::FillRule;
 use casteljau::{Curve, Path, Spline};
 use std::f64::consts::TAU;
 
-/// Outlines to ask: a letter with two holes, a leaf, a spiral of arcs, open strokes, shapes that cross themselves.
+/// Outlines for the queries: a letter with two holes, a leaf, a spiral of arcs, open subpaths, self-intersecting
+/// shapes.
 pub(crate) const OUTLINES: [&str; 8] = [
     // A letter B.
     "M10 0V70H36C50 70 58 62 58 52 58 44 54 39 47 37 56 35 62 29 62 19 62 7 53 0 38 0Z\
@@ -16,14 +18,14 @@ pub(crate) const OUTLINES: [&str; 8] = [
     // A gear wheel, roughly.
     "m20 0a20 20 0 01-4 12l4 6-6 5-6-4a20 20 0 01-14 0l-6 4-6-5 4-6a20 20 0 010-24l-4-6 6-5 6 4a20 20 0 0114 0l6-4 6 5-4 6a20 20 0 014 12z\
      M8 0A8 8 0 10-8 0 8 8 0 108 0z",
-    // Open: filled as if closed.
+    // Open subpaths, which are filled as if closed.
     "M0 0C10 40 50 40 60 0L40 10M70 0L80 0 75 10",
-    // A star that crosses itself, and a figure of eight.
+    // A self-intersecting star, and a figure of eight.
     "M0 30L18-24-28 10H28L-18-24Z",
     "M0 0C40 40 40-40 0 0C-40 40-40-40 0 0Z",
     // Twice around.
     "M0 0H30V30H0V5H25V25H5V0Z M10 10H20V20H10Z",
-    // Horizontal and vertical pieces at equal heights, steps, without a length.
+    // Horizontal and vertical segments at equal heights, steps, segments of length 0.
     "M0 0H10V10H20V0H30V20H20V20H20V30H10V20H0V20V10H0Z",
 ];
 
@@ -46,7 +48,7 @@ fn distance(rings: &[Vec<DVec2>], p: DVec2) -> f64 {
     rings.iter().map(ring).fold(f64::INFINITY, f64::min)
 }
 
-/// Asks at random places, at the heights of joints and at their very places moved along.
+/// Queries random points, points with the x or y of a control point or of the bounds, and points beside control points.
 fn ask(path: &Path, rng: &mut Rng, questions: usize) {
     let bounds = path.control_bounds().expect("not empty");
     let size = bounds.diagonal();
@@ -127,7 +129,7 @@ fn random_paths_wind_as_their_polygons_do() {
     }
 }
 
-/// Of all degrees, on a coarse lattice or not, straight, coincident and folded pieces among them.
+/// A spline of random degrees, on a coarse grid or not, with straight, coincident and folded pieces.
 pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
     let closed = rng.chance(0.5);
     let degrees: Vec<usize> = (0..=rng.below(4))
@@ -152,7 +154,7 @@ pub(crate) fn random_spline(rng: &mut Rng) -> Spline<DVec2> {
     Spline::with_degrees(points, &degrees, closed).expect("matching counts")
 }
 
-/// A grid of N × N cells whose sides are curves: the cells as paths, the outline, and all sides.
+/// A grid of N × N cells with curved edges: the cells as paths, the outline, and all edges.
 fn curved_cells(rng: &mut Rng, on_grid: bool) -> (Vec<Path>, Path, Vec<Curve<DVec2>>) {
     let mut node = |i: usize, j: usize| {
         let jitter = rng.point(2).truncate() * if on_grid { 0.0 } else { 0.3 };
@@ -198,11 +200,11 @@ fn side(rng: &mut Rng, a: DVec2, b: DVec2, on_grid: bool) -> Curve<DVec2> {
     Curve::new(&points).expect("finite")
 }
 
-/// Cells along each axis.
+/// The number of cells along each axis.
 const N: usize = 4;
 
-/// A patchwork of cells that share curved sides: every point of the plane lies in as many cells as the outline winds
-/// around it, on the sides too.
+/// A partition into cells that share curved edges: every point of the plane lies in as many cells as the winding number
+/// of the outline states, also on the edges.
 #[test]
 fn parts_of_the_plane_share_no_point_and_leave_none() {
     let mut rng = Rng(23);
@@ -275,7 +277,7 @@ fn winding_numbers_of_adversarial_curves_do_not_pass_their_degree() {
             .collect();
         let curve = Curve::new(&points).expect("finite");
         let path = Path::from(curve.clone());
-        // On the curve, where everything is decided by the last digits.
+        // On the curve the last digits decide.
         let winding = path.winding_number(curve.eval(rng.unit()));
         assert!(winding.unsigned_abs() <= 64, "{kind:?}");
         path.winding_number(rng.pick(&points));

@@ -1,4 +1,4 @@
-//! Paths: SVG path data in and out, what is inside, how large they are.
+//! Paths: reading and writing SVG path data, winding numbers, measurements.
 #![cfg(not(target_family = "wasm"))]
 
 #[path = "../allocations/mod.rs"]

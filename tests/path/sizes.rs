@@ -1,4 +1,4 @@
-//! Areas, moments, lengths and boxes, under maps and against polygons.
+//! Areas, moments, arc lengths and bounding boxes, under affine maps and compared with polygons.
 
 use crate::common::{Rng, real};
 use crate::inside::{OUTLINES, random_spline};
@@ -7,7 +7,7 @@ use casteljau::glam::{DAffine2, DMat2, DVec2};
 use casteljau::path::PathTime;
 use casteljau::{Curve, Path, Spline};
 
-/// Of the polygons, by triangles from the first point of each.
+/// The moments of polygons, by triangles from the first point of each.
 fn polygon_moments(rings: &[Vec<DVec2>]) -> Moments {
     let mut sum = Moments::default();
     for ring in rings {
@@ -67,7 +67,8 @@ fn moments_are_those_of_fine_polygons() {
             .flat_map(|ring| ring.windows(2))
             .map(|pair| pair[0].distance(pair[1]))
             .sum();
-        // A strip of the tolerance's width along the outline, at the greatest distance from the origin.
+        // The error is at most a strip of the tolerance's width along the outline, at the maximum distance from the
+        // origin.
         let strip = 1.1 * tolerance * (around + size);
         let powers = [1.0, size, size, size * size, size * size, size * size];
         let (got, expected) = (numbers(path.moments()), numbers(polygon_moments(&rings)));
@@ -198,7 +199,7 @@ fn boxes_hold_their_path_and_touch_it() {
         assert!(
             (min - exact.min).min_element() >= -noise && (exact.max - max).min_element() >= -noise
         );
-        // 64 steps a segment come close.
+        // 64 steps per segment are close enough.
         let close = exact.diagonal().max(noise) * 0.05;
         assert!(
             (min - exact.min).max_element() <= close && (exact.max - max).max_element() <= close
@@ -273,7 +274,7 @@ fn nothing_is_nearer_than_the_nearest_point() {
     assert_eq!(Path::default().nearest(DVec2::ZERO), Ok(None));
 }
 
-/// The length of a spline from its start to t, segment by segment.
+/// The arc length of a spline from its start to t, segment by segment.
 fn length_up_to(spline: &Spline<DVec2>, t: f64) -> f64 {
     let length = |curve: Curve<DVec2>| curve.length(None).expect("no tolerance");
     let count = spline.segment_count();

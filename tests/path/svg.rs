@@ -1,4 +1,4 @@
-//! Path data: there and back, both doors alike, garbage, large texts.
+//! Path data: round trips, agreement of the Rust and JavaScript APIs, invalid data, large texts.
 
 use crate::allocations::allocated_by;
 use crate::common::{Rng as Numbers, ulp};
@@ -6,7 +6,7 @@ use crate::texts::{Rng, hash, text};
 use casteljau::glam::DVec2;
 use casteljau::{Path, Spline};
 
-/// Millions with CASTELJAU_DEEP=1.
+/// The number of cases; millions with CASTELJAU_DEEP=1.
 fn cases(usual: usize) -> usize {
     let deep = std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0");
     if deep { 50 * usual } else { usual }
@@ -23,8 +23,8 @@ fn print(path: &Path) -> String {
     path.to_svg(None, None).expect("no tolerance")
 }
 
-/// What the 20,000 texts come to: their messages, the paths with all digits, the paths in short. The same number stands
-/// in tests/js/path.test.js; it changes only if what is read or written does.
+/// The hash of the results for the 20,000 texts: their messages, the paths with all digits, the paths in short form.
+/// The same number is in tests/js/path.test.js; it changes only if the reader or the writer changes.
 const HASH_OF_ALL: u32 = 2_100_080_138;
 
 #[test]
@@ -55,13 +55,13 @@ fn rust_and_javascript_read_and_write_the_same() {
     assert_eq!(state, HASH_OF_ALL);
 }
 
-/// Numbers of every size, with a preference for those that meet.
+/// Numbers of every size, with a preference for those with special cases.
 fn adversarial_number(rng: &mut Numbers) -> f64 {
     match rng.below(8) {
         0 => 0.0,
         1 => -0.0,
         2 => rng.pick(&[1.0, -1.0, 0.5, 1e21, 1e-7, 123_456_789.125]),
-        3 => f64::from_bits(rng.next() >> 12), // denormal
+        3 => f64::from_bits(rng.next() >> 12), // subnormal
         4 => rng.pick(&[f64::MAX, f64::MIN_POSITIVE, 5e-324, -f64::MAX]),
         5 => Some(f64::from_bits(rng.next()))
             .filter(|x| x.is_finite())
@@ -116,7 +116,7 @@ fn all_paths_come_back_to_the_bit() {
         let text = print(&path);
         let again = Path::from_svg(&text).unwrap_or_else(|error| panic!("{text}: {error}"));
         assert_eq!(bits(&again), bits(&path), "{text}");
-        // In short: the same structure, no coordinate farther off than half a digit.
+        // In short form: the same structure, and no coordinate is off by more than half a digit.
         let digits = u8::try_from(rng.below(20)).expect("small");
         let brief = path.to_svg(Some(digits), None).expect("no tolerance");
         let rounded = Path::from_svg(&brief).unwrap_or_else(|error| panic!("{brief}: {error}"));
@@ -165,7 +165,7 @@ fn garbage_is_refused_and_what_came_before_is_kept() {
                     error.offset <= d.len() && d.is_char_boundary(error.offset),
                     "{d:?}"
                 );
-                // The path is that of the text before the error, as far as that can be read.
+                // The path is that of the text before the error, as far as this text can be read.
                 let before = read(&d[..error.offset]).0;
                 assert!(
                     before.segment_count() >= error.path.segment_count(),
@@ -176,7 +176,7 @@ fn garbage_is_refused_and_what_came_before_is_kept() {
     }
 }
 
-/// A text of some megabytes.
+/// A text of several megabytes.
 fn megabytes(piece: &str, megabytes: usize) -> String {
     piece.repeat(megabytes * 1_000_000 / piece.len())
 }
@@ -196,7 +196,7 @@ fn ten_megabytes_need_ten_times_the_memory_of_one() {
         many > 500_000 && many / few == 10,
         "{few} and {many} segments"
     );
-    // The lists grow by doubling: what they hold at last may be little more than the half of their room.
+    // The lists grow by doubling, so their contents may fill little more than half of their capacity.
     assert!(much < 20 * little, "{little} and {much} bytes");
 }
 
@@ -216,7 +216,7 @@ fn no_repetition_takes_long_or_much_memory() {
     for piece in good {
         let d = "M0 0 ".to_owned() + &megabytes(piece, 3);
         let path = Path::from_svg(&d).expect("good data");
-        // Coordinates, degrees and ends of subpaths: at most 32 bytes for each character (arcs take more).
+        // Coordinates, degrees and ends of subpaths take at most 32 bytes for each character (arcs take more).
         assert!(path.segment_count() <= d.len(), "{piece}");
     }
     let bad = [
@@ -244,7 +244,7 @@ fn higher_degrees_are_written_as_cubics() {
     assert!(path.segment_count() > 1);
     let spline = &path.subpaths().collect::<Vec<_>>()[0];
     assert!(spline.degrees().iter().all(|&degree| degree == 3));
-    // Halved evenly: each cubic belongs to the same part of the parameter.
+    // Equal halving: each cubic belongs to an equal part of the parameter range.
     let line = curve.flatten(1e-4).expect("a tolerance");
     for p in spline.sample(8).expect("few") {
         let near = line.points.windows(2).any(|pair| {

@@ -1,4 +1,4 @@
-//! The table of path data, good and bad, which tests/js/path.test.js reads, too.
+//! The table of valid and invalid path data, which tests/js/path.test.js also reads.
 
 use casteljau::Path;
 use casteljau::glam::DVec2;

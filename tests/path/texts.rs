@@ -1,7 +1,7 @@
-//! Path data of all kinds, right and wrong, from small random numbers: tests/js/path-texts.js makes the same, so that
-//! both doors can be asked for the same answers.
+//! Valid and invalid path data from a small random number generator. tests/js/path-texts.js generates the same texts,
+//! so that both APIs can be compared.
 
-/// Mulberry32 (Tommy Ettinger, 2017): 32 bits, which JavaScript has, too.
+/// Mulberry32 (Tommy Ettinger, 2017): 32 bits, so that JavaScript can compute it too.
 pub(crate) struct Rng(u32);
 
 impl Rng {
@@ -59,7 +59,7 @@ fn number(rng: &mut Rng) -> String {
     }
 }
 
-/// Path data; one in eight has something wrong in it.
+/// Path data; one text in eight contains an error.
 pub(crate) fn text(rng: &mut Rng) -> String {
     let wrong = rng.below(8) == 0;
     let mut text = rng.pick(&["M", "m"]).to_owned() + &number(rng) + " " + &number(rng);

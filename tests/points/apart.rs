@@ -1,4 +1,4 @@
-//! The distance between curves, least and greatest, judged by grids of samples.
+//! The distance between curves (minimum and Hausdorff), compared with grids of samples.
 
 use crate::common::adversarial::ORDINARY;
 use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
@@ -7,7 +7,7 @@ use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau_kernels::take_steps;
 
-/// Two curves that may cross, touch, overlap, or be the same.
+/// Two curves that may cross, touch, overlap, or be equal.
 fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
     let a = hostile(rng, &ORDINARY, dimension);
     let on: Curve<DVec3> = curve(&a);
@@ -40,7 +40,7 @@ fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {
     (a, b)
 }
 
-/// Whether all digits are right; some are not where curves run along each other.
+/// Whether all digits are correct; some are not where curves overlap.
 fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let (p, q): (Curve<P>, Curve<P>) = (curve(a), curve(b));
     take_steps();
@@ -52,7 +52,7 @@ fn check<P: Space>(a: &[DVec3], b: &[DVec3]) -> bool {
     let slack = 16.0 * (2.0 + real(a.len().max(b.len()))) * ulp(size);
     let there = (p.eval(found.t) - q.eval(found.u)).length();
     assert!((there - found.distance).abs() <= slack, "{found:?} {there}");
-    // From samples of the one to the nearest point of the other, which is tested elsewhere.
+    // From samples of one curve to the nearest point of the other, which is tested elsewhere.
     let min = |p: &Curve<P>, q: &Curve<P>| {
         let of = |t: f64| q.nearest(p.eval(t)).expect("finite").distance;
         steps(60).map(of).fold(f64::INFINITY, f64::min)
@@ -118,7 +118,7 @@ fn known_distances() {
             .distance,
         0.0
     );
-    // Above each other in space, in the same distance everywhere.
+    // One above the other in space, at the same distance everywhere.
     let points = [(0.0, 0.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0)];
     let at = |z: f64| Curve::new(&points.map(|(x, y)| DVec3::new(x, y, z))).expect("finite");
     assert_eq!(at(0.0).distance_to(&at(3.0)).distance, 3.0);
@@ -146,7 +146,8 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
         let (a, b) = pair(&mut rng, dimension);
         let (p, q): (Curve<DVec3>, Curve<DVec3>) = (curve(&a), curve(&b));
         let found = p.hausdorff(&q);
-        // The proof is given up for curves that run along each other at another pace (documented); what is seen is close.
+        // For curves that overlap with different parametrisations the search stops without proof (documented); the
+        // result is close.
         let size = largest(&a).max(largest(&b));
         let slack = if found < 1e-8 * size {
             0.1 * found
@@ -158,7 +159,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
             let (far, at) = steps(60)
                 .map(|t| (of(t), t))
                 .fold((0.0, 0.0), |a, b| if b.0 > a.0 { b } else { a });
-            // And about the farthest sample.
+            // Refined around the farthest sample.
             steps(20)
                 .map(|s| of((at + (s - 0.5) / 30.0).clamp(0.0, 1.0)))
                 .fold(far, f64::max)
@@ -168,7 +169,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
             found >= sampled * (1.0 - 2e-9) - slack,
             "{found}, but {sampled}: {a:?} {b:?}"
         );
-        // The ends of the finest of samples are within a step of the farthest point.
+        // The farthest point is within one step of a sample, so the sampled maximum is off by at most this step.
         let max = sampled
             + (p.derivative()
                 .control_points()
@@ -186,7 +187,7 @@ fn no_sample_is_farther_than_the_hausdorff_distance() {
     }
 }
 
-/// A curve that runs back and forth on a line, and one that does so at another pace, 10⁻⁹ beside.
+/// A curve that runs back and forth on a line, and a curve with another parametrisation at a distance of 10⁻⁹.
 #[test]
 fn hausdorff_distance_of_nearly_straight_curves() {
     let (p, q) = (DVec3::new(0.35, 0.97, 0.96), DVec3::new(-0.79, 0.69, 0.19));
@@ -231,7 +232,7 @@ fn known_hausdorff_distances() {
     );
 }
 
-/// The first of the intersections that are found is not exact, but another place is.
+/// The first intersection found is not exact, but another one is.
 #[test]
 fn a_curve_meets_its_reverse() {
     let points = [

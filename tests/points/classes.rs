@@ -1,4 +1,4 @@
-//! The class of a curve: made of each class, then moved, stretched, elevated and put into space.
+//! Classification of curves: curves are constructed for each kind, then moved, stretched, elevated and put into space.
 
 use crate::cases;
 use crate::common::adversarial::{self, elevated};
@@ -7,7 +7,7 @@ use casteljau::Curve;
 use casteljau::curve::CurveKind;
 use casteljau::glam::{DVec2, DVec3};
 
-/// A cubic of a class. Those with crossed handles (0,0) (k,1) (1−k,1) (1,0) have the discriminant (1 − k)(3k − 1).
+/// A cubic of a kind. Cubics with crossed handles (0,0) (k,1) (1−k,1) (1,0) have the discriminant (1 − k)(3k − 1).
 fn result(rng: &mut Rng, class: CurveKind) -> Vec<DVec3> {
     let between = |rng: &mut Rng, low: f64, high: f64| low + (high - low) * rng.unit();
     let crossed = |k: f64| [(0.0, 0.0), (k, 1.0), (1.0 - k, 1.0), (1.0, 0.0)];
@@ -55,7 +55,7 @@ fn the_class_stays_under_affine_maps() {
     for case in 0..cases() {
         let class = CLASSES[case % CLASSES.len()];
         let mut points = result(&mut rng, class);
-        // Loops and inflections of higher degrees are another matter; so few steps of it.
+        // Loops and inflections of higher degrees are different, so only a few elevations.
         for _ in 0..rng.below(3) {
             points = elevated(&points);
         }
@@ -116,7 +116,7 @@ fn every_curve_has_a_class() {
 
 #[test]
 fn features_count_only_inside() {
-    // The inflection at t = 0 of a zero-length handle, a double point beyond the end, a tip at the start.
+    // The inflection at t = 0 of a zero-length handle, a double point beyond the end, a cusp at the start.
     assert_eq!(
         plane(&[(0.0, 0.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)]).classify(),
         CurveKind::Arch
@@ -132,7 +132,7 @@ fn features_count_only_inside() {
     assert_eq!(cusp.subsegment(0.0, 0.5).classify(), CurveKind::Arch);
     assert_eq!(cusp.subsegment(0.5, 1.0).classify(), CurveKind::Arch);
     assert_eq!(cusp.inflections(), []);
-    // Of degree 4: a loop, and a wave with more bends than a cubic has.
+    // Degree 4: a loop, and a wave with more inflections than a cubic has.
     assert_eq!(
         plane(&[(0.0, 0.0), (4.0, 1.0), (1.0, 3.0), (-2.0, 1.0), (2.0, 0.0)]).classify(),
         CurveKind::Loop

@@ -1,4 +1,5 @@
-//! Special points of curves: the nearest, extrema, inflections, cusps, where a coordinate has a value, between two curves.
+//! Special points of curves: nearest points, extrema, inflections, cusps, times at a coordinate, distances between
+//! curves.
 
 mod apart;
 mod classes;
@@ -12,7 +13,7 @@ use casteljau::glam::DVec3;
 use common::adversarial::{self, Kind};
 use common::{Rng, real};
 
-/// How many random cases a property is tried on.
+/// The number of random cases for a property.
 fn cases() -> usize {
     match std::env::var_os("CASTELJAU_DEEP") {
         _ if cfg!(target_family = "wasm") => 400,
@@ -21,7 +22,7 @@ fn cases() -> usize {
     }
 }
 
-/// Hostile control points of degree 1 to 4, sometimes up to 16, for each case; z = 0 for plane curves.
+/// Hostile control points of degree 1 to 4, sometimes up to 16; z = 0 for plane curves.
 fn hostile(rng: &mut Rng, kinds: &[Kind], dimension: usize) -> Vec<DVec3> {
     let kind = rng.pick(kinds);
     let degree = if rng.chance(0.05) {
@@ -32,7 +33,7 @@ fn hostile(rng: &mut Rng, kinds: &[Kind], dimension: usize) -> Vec<DVec3> {
     adversarial::points(rng, kind, degree, dimension)
 }
 
-/// The greatest distance of a point from the first one, at least a denormal.
+/// The maximum distance of a point from the first one, at least a subnormal number.
 fn extent(points: &[DVec3]) -> f64 {
     points
         .iter()

@@ -1,4 +1,4 @@
-//! The nearest point: judged by sampling with refinement, on curves and queries where it is hard.
+//! Nearest points, compared with sampling and refinement, on difficult curves and query points.
 
 use crate::common::adversarial::{self, ORDINARY};
 use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
@@ -6,7 +6,7 @@ use crate::{cases, extent, hostile, steps};
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Error, Point, Spline};
 
-/// The least distance that samples and golden sections around the best of them find; never below the true one.
+/// The minimum distance by samples and golden-section search around the best of them; never below the true minimum.
 fn sampled<P: Point>(curve: &Curve<P>, q: P, samples: usize) -> f64 {
     let distance = |t: f64| (curve.eval(t) - q).length();
     let all: Vec<f64> = steps(samples).map(distance).collect();
@@ -43,7 +43,7 @@ fn golden(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
     fa.min(fb)
 }
 
-/// Places near a curve, far from it, on it, at its ends, in the middle of things and on its evolute.
+/// Query points near a curve, far from it, on it, at its ends, in its middle and on its evolute.
 fn query(rng: &mut Rng, points: &[DVec3], dimension: usize) -> DVec3 {
     let on: Curve<DVec3> = curve(points);
     let (size, t) = (extent(points), rng.unit());
@@ -167,7 +167,7 @@ fn of_equally_near_points_the_first() {
     let parabola = plane(&[(-2.0, 4.0), (0.0, -4.0), (2.0, 4.0)]);
     let found = parabola.nearest(DVec2::new(0.0, 2.0)).expect("finite");
     assert!((found.point.x + 1.5_f64.sqrt()).abs() < 1e-15, "{found:?}");
-    // At the centre of curvature of its vertex three minima fall into one.
+    // At the centre of curvature of the vertex three minima coincide.
     let found = parabola.nearest(DVec2::new(0.0, 0.5)).expect("finite");
     assert!((found.distance - 0.5).abs() < 1e-15, "{found:?}");
     let closed = plane(&[(0.0, 0.0), (3.0, 1.0), (-1.0, 2.0), (0.0, 0.0)]);

@@ -1,4 +1,5 @@
-//! Extrema, times at a coordinate, inflections and tangents: complete against samples, and nothing that is none.
+//! Extrema, times at a coordinate, inflections and tangents: complete in comparison with samples, and without false
+//! results.
 
 use crate::common::adversarial::{Kind, ORDINARY};
 use crate::common::{Rng, curve, largest, plane, real, ulp};
@@ -6,12 +7,12 @@ use crate::{cases, hostile, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
 
-/// What rounding of the control points and of the evaluation may do to a coordinate.
+/// The effect of rounding of the control points and of the evaluation on a coordinate.
 fn slack(points: &[DVec3]) -> f64 {
     4.0 * (2.0 + real(points.len())) * ulp(largest(points))
 }
 
-/// From one turn to the next a coordinate runs one way, and then the other.
+/// Between successive extrema a coordinate is monotone, in alternating directions.
 #[test]
 fn coordinates_are_monotone_between_extrema() {
     let mut rng = Rng(100);
@@ -54,7 +55,7 @@ fn every_time_at_a_value_is_found_once() {
         let (on, axis): (Curve<DVec2>, usize) = (curve(&points), case % 2);
         let turns = on.extrema(axis).expect("an axis");
         let t = rng.unit();
-        // At a place, at a turn, at an end.
+        // At a random point, at an extremum, at an end.
         let wanted = match rng.below(4) {
             0 if !turns.is_empty() => rng.pick(&turns),
             1 => rng.pick(&[0.0, 1.0]),
@@ -86,7 +87,7 @@ fn every_time_at_a_value_is_found_once() {
     }
 }
 
-/// The numerator of the curvature, with what rounding can make of it.
+/// The numerator of the curvature, and its rounding error.
 fn bend(on: &Curve<DVec2>, t: f64) -> (f64, f64) {
     let (first, second) = (on.derivative_at(t, 1), on.derivative_at(t, 2));
     let n = real(on.degree());
@@ -130,7 +131,7 @@ fn inflections_stay_under_affine_maps() {
         let points: Vec<DVec2> = (0..=degree).map(|_| rng.point(2).truncate()).collect();
         let on = Curve::new(&points).expect("finite");
         let plain = on.inflections();
-        // Where the bend crosses zero steeply.
+        // Only where the numerator of the curvature crosses zero steeply.
         let steep = |&t: &f64| bend(&on, t + 1e-4).0.abs().min(bend(&on, t - 1e-4).0.abs()) > 1e-4;
         if !plain.iter().all(steep) {
             continue;
@@ -179,7 +180,7 @@ fn tangents_pass_through_the_point() {
                 "{points:?} {p} {t}"
             );
         }
-        // At a cusp B′ changes its sign, so this does too.
+        // At a cusp B′ changes its sign, so this product does too.
         let mut stops = on.cusps();
         stops.extend(found.iter().chain(&[0.0, 1.0]));
         stops.sort_by(f64::total_cmp);
@@ -191,7 +192,7 @@ fn tangents_pass_through_the_point() {
                 "{points:?} {p}: missed between {pair:?}"
             );
         }
-        // Where the curve all but stops, its direction is lost in rounding.
+        // Where the speed is almost zero, the direction is lost in rounding.
         let goes = on.derivative_at(t, 1).length() > 1e-3 * size;
         assert!(!goes || !found.is_empty(), "{points:?} from {p} at {t}");
     }
@@ -199,7 +200,7 @@ fn tangents_pass_through_the_point() {
 
 #[test]
 fn known_answers() {
-    // A triple root of the bend at ½, after a simple one.
+    // The curvature has a triple root at ½, after a simple one.
     let star = plane(&[
         (1.0, 1.0),
         (2.0, -2.0),

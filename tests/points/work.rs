@@ -1,11 +1,11 @@
-//! The work of the questions about distances, in counted steps, where rounding makes it hardest to end.
+//! The work of distance queries, in counted steps, where rounding makes termination hardest.
 
 use crate::common::plane;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
 use casteljau_kernels::take_steps;
 
-/// An arc about the origin, with its degree raised: all its points are at one distance but for rounding.
+/// An arc about the origin with elevated degree: all its points have the same distance, except for rounding.
 fn arc(radius: f64, angle: f64, degree: usize) -> Curve<DVec2> {
     let handle = 4.0 / 3.0 * (angle / 4.0).tan();
     let end = DVec2::from_angle(angle);
@@ -28,7 +28,7 @@ fn steps_of<T>(call: impl FnOnce() -> T) -> (T, usize) {
     (answer, take_steps())
 }
 
-/// At degree 12 this took seconds, at degree 24 it did not end.
+/// At degree 12 this once took seconds, at degree 24 it did not terminate.
 #[test]
 fn nearest_on_an_arc_about_the_point() {
     for angle in [1e-1, 1e-2, 1e-3, 1e-4] {
@@ -44,7 +44,8 @@ fn nearest_on_an_arc_about_the_point() {
                 let arc = arc(radius, angle, degree);
                 let (nearest, steps) = steps_of(|| arc.nearest(DVec2::ZERO).expect("finite"));
                 assert!((nearest.distance / radius - 1.0).abs() < 1e-9);
-                // Each halving that was begun before the limit is finished; the roots of what is left count their own steps.
+                // Each halving that was started before the limit is finished; the root finding in the remaining pieces
+                // counts its own steps.
                 assert!(steps <= 16 * (limit + 64), "{angle} {degree}: {steps}");
             }
         }
@@ -66,7 +67,7 @@ fn curves_at_a_constant_distance() {
     }
 }
 
-/// The direction of this curve is rounding on long stretches.
+/// The direction of this curve is rounding noise on long stretches.
 #[test]
 fn frames_where_directions_are_rounding() {
     let numbers = [
@@ -84,7 +85,7 @@ fn frames_where_directions_are_rounding() {
     }
 }
 
-/// A fine tolerance took a million vertices.
+/// A fine tolerance once produced a million vertices.
 #[test]
 fn simplify_at_a_fine_tolerance() {
     let points = [(-2.0, -2.0), (0.0, 0.5), (-3.0, -2.0), (3.0, -3.0)];

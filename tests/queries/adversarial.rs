@@ -1,4 +1,4 @@
-//! Questions to patches of any finite coordinates: answers are numbers, in bounded time.
+//! Queries on patches with any finite coordinates: results are finite numbers, with bounded work.
 
 use casteljau::Patch;
 use casteljau::glam::DVec3;
@@ -29,7 +29,7 @@ fn any_patch() -> impl Strategy<Value = Patch> {
     })
 }
 
-/// One of few coordinates, so that nets are full of coincident, collinear and coplanar points.
+/// A patch with few different coordinates, so that it has many coincident, collinear and coplanar points.
 fn coarse_patch() -> impl Strategy<Value = Patch> {
     (1..4_usize, 1..4_usize).prop_flat_map(|(m, n)| {
         let point = [-1..2_i8, -1..2_i8, 0..2_i8].prop_map(|p| DVec3::from(p.map(f64::from)));
@@ -38,7 +38,7 @@ fn coarse_patch() -> impl Strategy<Value = Patch> {
     })
 }
 
-/// The same cases in every run: a run that fails elsewhere fails here.
+/// The seed is fixed, so that every run has the same cases and failures can be reproduced.
 const SEED: RngSeed = RngSeed::Fixed(1975);
 
 proptest! {
@@ -80,7 +80,7 @@ proptest! {
     }
 }
 
-/// The highest degrees, with bends in every direction: the work has a limit.
+/// The highest degrees, with curvature in every direction: the work is limited.
 #[test]
 fn the_highest_degrees() {
     let patch = crate::nets::Random(3).patch(64, 64);

@@ -1,4 +1,4 @@
-//! Rays again, by another method: triangles of a fine grid, each met or missed.
+//! Rays, compared with intersections of the triangles of a fine grid.
 
 use crate::nets::Random;
 use casteljau::Patch;
@@ -7,7 +7,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 const SEGMENTS: usize = 96;
 
-/// How far along a ray a triangle is met, by Möller and Trumbore.
+/// The distance along a ray to its intersection with a triangle (Möller–Trumbore).
 fn met([a, b, c]: [DVec3; 3], origin: DVec3, along: DVec3) -> Option<f64> {
     let (e1, e2, from) = (b - a, c - a, origin - a);
     let p = along.cross(e2);

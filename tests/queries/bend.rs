@@ -1,4 +1,4 @@
-//! Curvature, flatness, de Casteljau, other bases.
+//! Curvature, flatness, de Casteljau's algorithm, other bases.
 
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
@@ -8,7 +8,7 @@ use casteljau::patch::Curvature;
 use casteljau::{Curve, Error, Patch};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Asserts k1 and k2, and that the others go with them.
+/// Asserts k1 and k2, and that the other curvatures agree with them.
 #[track_caller]
 fn assert_curvature(got: Curvature, k1: f64, k2: f64, tolerance: f64) {
     assert!(
@@ -21,7 +21,7 @@ fn assert_curvature(got: Curvature, k1: f64, k2: f64, tolerance: f64) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn curvature_of_graphs() {
-    // z = a u² + b v² at its vertex: 2a and 2b, toward the normal (0, 0, 1).
+    // z = a u² + b v² at its vertex has the curvatures 2a and 2b, toward the normal (0, 0, 1).
     for (a, b) in [
         (1.0, 0.5),
         (1.0, 1.0),
@@ -34,7 +34,7 @@ fn curvature_of_graphs() {
         let (k1, k2) = (2.0 * f64::max(a, b), 2.0 * f64::min(a, b));
         assert_curvature(patch.curvature(0.0, 0.0), k1, k2, 1e-13);
     }
-    // Monge's formulas for z = u² + u v − v³/2 elsewhere.
+    // Monge's formulas for z = u² + u v − v³/2 at other points.
     let patch = graph(2, 3, &[(1.0, 2, 0), (1.0, 1, 1), (-0.5, 0, 3)]);
     for (u, v) in samples(5) {
         let (p, q) = (2.0 * u + v, u - 1.5 * v * v);
@@ -66,7 +66,7 @@ fn curvature_follows_the_map() {
             assert!((a.k2 - b.k2 * scale).abs() < 1e-8 * size);
         }
     }
-    // Reversed in u, the normal points to the other side.
+    // With u reversed, the normal has the opposite direction.
     let reversed: Vec<DVec3> = patch
         .control_points()
         .chunks(4)
@@ -83,7 +83,7 @@ fn curvature_follows_the_map() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn curvature_at_poles() {
-    // The paraboloid z = r² with the pole at v = 0: the point (v cos, v sin, v²), with any curve for the circle.
+    // The paraboloid z = r² with the pole at v = 0: the point (v cos, v sin, v²), with any curve instead of the circle.
     let arc = [
         DVec3::X,
         DVec3::new(1.0, 0.55, 0.0),
@@ -95,8 +95,9 @@ fn curvature_at_poles() {
         .flat_map(|&(r, z)| arc.map(|p| p * r + DVec3::Z * z))
         .collect();
     let pole = Patch::new(&net, 3, 2).unwrap();
-    // The direction from the middle, u = ½, is the diagonal, whose point of the arc has the radius r: z = v² there, and
-    // across it the circle's curvature decides. Along the diagonal the curvature is 2/r², negative: ∂u × ∂v points down.
+    // The direction from the middle, u = ½, is the diagonal, where the arc has the radius r: z = v² there, and across
+    // it the curvature of the circle decides. Along the diagonal the curvature is 2/r², and negative, since ∂u × ∂v
+    // points down.
     let r = pole.eval(0.5, 1.0).truncate().length();
     let got = pole.curvature(0.5, 0.0);
     assert!(
@@ -105,7 +106,7 @@ fn curvature_at_poles() {
             .any(|k| (k + 2.0 / (r * r)).abs() < 1e-6),
         "{got:?}, {r}"
     );
-    // A cone has no curvature at its tip, whose limit would be infinite.
+    // A cone has no curvature at its tip, where the limit would be infinite.
     let net: Vec<DVec3> = [0.0, 0.5, 1.0]
         .iter()
         .flat_map(|&r| arc.map(|p| (p + DVec3::Z) * r))
@@ -113,7 +114,7 @@ fn curvature_at_poles() {
     let cone = Patch::new(&net, 3, 2).unwrap();
     assert_eq!(cone.curvature(0.3, 0.0), Curvature::default());
     assert!(cone.curvature(0.3, 0.5).gaussian.abs() < 1e-14);
-    // On the axis of the teapot's lid it is the same from all four patches.
+    // On the axis of the teapot's lid all four patches give the same curvature.
     let lid: Vec<Patch> = teapot().patches().skip(20).take(4).collect();
     let first = lid[0].curvature(0.5, 0.0);
     assert!(first.k1.is_finite() && first.k1 != 0.0);
@@ -154,7 +155,7 @@ fn flatness_bounds_the_two_triangles() {
         let [a, b, c, d] =
             [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)].map(|(u, v)| patch.eval(u, v));
         for (u, v) in samples(30) {
-            // Along both diagonals.
+            // With both diagonals.
             let rising = if u > v {
                 a + (b - a) * u + (d - b) * v
             } else {
@@ -169,7 +170,7 @@ fn flatness_bounds_the_two_triangles() {
             assert!(p.distance(rising).max(p.distance(falling)) <= bound + 1e-14);
         }
     }
-    // z = uv is ¼ away from its triangles, in the middle; a lattice is flat; z = u² bulges by ¼.
+    // The middle of z = uv is ¼ away from its triangles; a regular grid is flat; z = u² deviates by ¼.
     assert_eq!(graph(1, 1, &[(1.0, 1, 1)]).flatness(), 0.25);
     assert_eq!(graph(2, 2, &[(1.0, 2, 0)]).flatness(), 0.25);
     assert!(graph(3, 3, &[]).flatness() < 1e-15);
@@ -210,10 +211,10 @@ fn de_casteljau_leads_from_rows_to_the_point() {
 fn a_patch_from_another_basis() {
     let mut random = Random(30);
     let net: [DVec3; 16] = std::array::from_fn(|_| random.point());
-    // The Bézier basis and its matrix change nothing.
+    // The Bézier basis and its matrix leave the points unchanged.
     let same = Patch::from_basis(Basis::Bezier, &net).unwrap();
     assert!(same.approx_eq(&Patch::new(&net, 3, 3).unwrap(), 1e-14));
-    // Every basis is that of the rows, then of the columns.
+    // Every basis is converted along the rows, then along the columns.
     for basis in [
         Basis::Hermite,
         Basis::BSpline,
@@ -233,7 +234,8 @@ fn a_patch_from_another_basis() {
             );
         }
     }
-    // Catmull-Rom passes through the four inner points; Hermite has its corners and derivatives where they stand.
+    // Catmull–Rom passes through the four inner points; Hermite has its corners and derivatives at the positions of the
+    // geometry points.
     let patch = Patch::from_basis(Basis::CatmullRom, &net).unwrap();
     assert_near(patch.eval(0.0, 0.0), net[5], 1e-15);
     assert_near(patch.eval(1.0, 1.0), net[10], 1e-15);
@@ -273,7 +275,7 @@ fn a_basis_and_its_net_are_finite() {
     ));
 }
 
-/// At a collapsed side of a patch that is almost plane both limits are rounding; k1 is still the greater one.
+/// At a collapsed edge of a patch that is almost plane both limits are rounding noise; k1 is still the larger one.
 #[test]
 fn limits_are_in_order() {
     let net = [

@@ -1,4 +1,4 @@
-//! The smallest box.
+//! Tight bounding boxes.
 
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
@@ -9,7 +9,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[wasm_bindgen_test(unsupported = test)]
 fn of_the_teapot() {
     let bounds = teapot().bounds().unwrap();
-    // The greatest x is the figure of the design notes; the others are exact by symmetry or by control points.
+    // The maximum x is a known figure; the others are exact by symmetry or by control points.
     assert!(
         (bounds.max.x - 3.434_075_125_471_107).abs() < 4e-15,
         "{}",
@@ -22,18 +22,18 @@ fn of_the_teapot() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn of_polynomials() {
-    // z = u² − u + v is least at (½, 0) and greatest at (0, 1) and (1, 1).
+    // z = u² − u + v has its minimum at (½, 0) and its maxima at (0, 1) and (1, 1).
     let bounds = graph(2, 1, &[(1.0, 2, 0), (-1.0, 1, 0), (1.0, 0, 1)]).bounds();
     assert_near(bounds.min, DVec3::new(0.0, 0.0, -0.25), 1e-15);
     assert_near(bounds.max, DVec3::ONE, 1e-15);
-    // z = u²(1 − u) v is greatest at (⅔, 1).
+    // z = u²(1 − u) v has its maximum at (⅔, 1).
     let bounds = graph(3, 3, &[(1.0, 2, 1), (-1.0, 3, 1)]).bounds();
     assert_near(bounds.max, DVec3::new(1.0, 1.0, 4.0 / 27.0), 1e-15);
-    // A saddle that bends upwards in u and in v: no way leads down from its least corner, (0, 0), but at (1, 0.6) it is
-    // lower.
+    // A saddle that is convex in u and in v: no direction leads down from its smallest corner, (0, 0), but at (1, 0.6)
+    // it is lower.
     let saddle = [(1.0, 2, 0), (4.0, 0, 2), (-5.0, 1, 1), (0.2, 0, 1)];
     assert!((graph(2, 2, &saddle).bounds().min.z + 0.44).abs() < 1e-15);
-    // z = −(u + v − 1)² has a whole ridge, and z = (u − v)² a whole valley.
+    // z = −(u + v − 1)² is maximal along a line, and z = (u − v)² minimal along a line.
     let ridge = [
         (-1.0, 2, 0),
         (-2.0, 1, 1),
@@ -65,7 +65,7 @@ fn contain_and_touch_the_patch() {
             over <= 1e-14 * size.max(1.0),
             "{over} of {size} outside of {bounds:?}: {patch:?}"
         );
-        // The samples are 1/200 apart, and a face touches where the slope is zero.
+        // The samples are 1/200 apart, and a face touches the surface where the slope is zero.
         let step = DVec3::splat(1e-3 * size);
         assert!((min - bounds.min).cmple(step).all() && (bounds.max - max).cmple(step).all());
     }

@@ -1,4 +1,4 @@
-//! Questions to patches and surfaces: curvature, bounds, area, volume, the nearest point, rays.
+//! Queries on patches and surfaces: curvature, bounding boxes, area, volume, nearest points, rays.
 
 #[path = "../nets/mod.rs"]
 mod nets;

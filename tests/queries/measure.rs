@@ -32,7 +32,7 @@ fn cube() -> Surface {
     Surface::new(vertices, faces.concat(), 1, 1).unwrap()
 }
 
-/// The closed ones of the connected parts of a surface.
+/// The connected components of a surface that are closed.
 #[cfg(not(target_family = "wasm"))]
 fn closed_parts(surface: &Surface) -> Vec<Surface> {
     let parts = surface.topology().components;
@@ -41,7 +41,7 @@ fn closed_parts(surface: &Surface) -> Vec<Surface> {
     parts
 }
 
-/// The patches of a surface as one of their own.
+/// The selected patches of a surface as a separate surface.
 #[cfg(not(target_family = "wasm"))]
 fn part(surface: &Surface, patches: &[usize]) -> Surface {
     let indices = patches
@@ -51,7 +51,7 @@ fn part(surface: &Surface, patches: &[usize]) -> Surface {
     Surface::new(surface.vertices().to_vec(), indices, 3, 3).unwrap()
 }
 
-/// The same with the parameters u and v of one patch swapped, so that its normals point to the other side.
+/// The surface with the parameters u and v of one patch swapped, so that the patch's normals are reversed.
 fn with_swapped(surface: &Surface, patch: usize) -> Surface {
     let [m, n] = surface.degrees(patch).unwrap();
     let count = (m + 1) * (n + 1);
@@ -74,10 +74,10 @@ fn areas_in_closed_form() {
     let parabola = 5_f64.sqrt() / 2.0 + 2_f64.asinh() / 4.0;
     assert_close(graph(2, 1, &[(1.0, 2, 0)]).area(), parabola, 1e-9);
     assert_close(graph(5, 3, &[(1.0, 0, 2)]).area(), parabola, 1e-9);
-    // A triangle: one side is a point.
+    // A triangle: one edge is a point.
     let net = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y];
     assert_close(Patch::new(&net, 1, 1).unwrap().area(), 0.5, 1e-14);
-    // Folded in u and v: x goes to 3/2 and back, so does y.
+    // Folded in u and v: x goes to 3/2 and back, and so does y.
     let there_and_back = [0.0, 2.0, 2.0, 0.0];
     let net: Vec<DVec3> = (0..16)
         .map(|k| DVec3::new(there_and_back[k % 4], there_and_back[k / 4], 0.0))
@@ -92,7 +92,7 @@ fn areas_in_closed_form() {
 #[test]
 fn areas_of_cup_and_spoon() {
     for (name, area) in [("teacup", 9.981_697_616), ("teaspoon", 0.342_881_444)] {
-        // The figures' last digit, and the eighth.
+        // The last digit of the known figures, and the eighth digit.
         assert_close(listing(name).area(), area, 1.5e-8 / f64::min(area, 1.0));
     }
 }
@@ -124,8 +124,8 @@ fn the_volume_of_gumbos_body() {
     );
 }
 
-/// What enters a closed body comes out again, though Gumbo's parts reach into each other: by the normals, a ray enters as
-/// often as it leaves.
+/// A ray that enters a closed body leaves it again, though Gumbo's parts overlap: by the normals, a ray enters as often
+/// as it leaves.
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn rays_go_in_and_out_of_gumbos_body() {
@@ -155,11 +155,11 @@ fn rays_go_in_and_out_of_gumbos_body() {
 #[wasm_bindgen_test(unsupported = test)]
 fn volumes_in_closed_form() {
     assert_close(cube().volume().unwrap(), 1.0, 1e-15);
-    // 16 u(1 − u) v(1 − v) over its square, whose sides it meets: 4/9.
+    // 16 u(1 − u) v(1 − v) over its unit square, with which it shares its edges: 4/9.
     let bump = [(16.0, 1, 1), (-16.0, 2, 1), (-16.0, 1, 2), (16.0, 2, 2)];
     for n in [2, 3, 5, 9] {
         let top = graph(n, n, &bump);
-        // The same sides to the last bit, z = 0 inside.
+        // Edges that are equal to the last bit, and z = 0 inside.
         let is_inside =
             |k: usize| (1..n).contains(&(k % (n + 1))) && (1..n).contains(&(k / (n + 1)));
         let floor = (0..).zip(top.control_points()).map(|(k, p)| {
@@ -172,7 +172,7 @@ fn volumes_in_closed_form() {
         let vertices: Vec<DVec3> = top.control_points().iter().copied().chain(floor).collect();
         let count = u32::try_from(vertices.len()).unwrap();
         let surface = Surface::new(vertices, (0..count).collect(), n, n).unwrap();
-        // The floor's normals point inwards, the first patch's outwards: it decides.
+        // The normals of the floor point inwards, those of the first patch outwards; the first patch decides.
         assert_close(surface.volume().unwrap(), 4.0 / 9.0, 1e-13);
     }
 }
@@ -180,11 +180,11 @@ fn volumes_in_closed_form() {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_sign_of_a_volume() {
     let cube = cube();
-    // Neighbours that disagree do not matter …
+    // Neighbours whose normals disagree do not change the result …
     for patch in 1..6 {
         assert_close(with_swapped(&cube, patch).volume().unwrap(), 1.0, 1e-15);
     }
-    // … but for the first, whose normal decides.
+    // … except for the first patch, whose normals decide.
     assert_close(with_swapped(&cube, 0).volume().unwrap(), -1.0, 1e-15);
     let mirror = DAffine3::from_mat3(DMat3::from_diagonal(DVec3::new(1.0, 1.0, -2.0)));
     assert_close(cube.transform(&mirror).volume().unwrap(), -2.0, 1e-15);
@@ -197,7 +197,7 @@ fn what_is_open_has_no_volume() {
     let cube = cube();
     let five = Surface::new(cube.vertices().to_vec(), cube.indices()[4..].to_vec(), 1, 1).unwrap();
     assert_eq!(five.volume(), None);
-    // A seventh face inside: its sides are shared by three.
+    // A seventh face inside: its edges are shared by three patches.
     let mut indices = cube.indices().to_vec();
     indices.extend([0, 1, 6, 7]);
     assert_eq!(

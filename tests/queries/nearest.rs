@@ -1,4 +1,4 @@
-//! The nearest point.
+//! Nearest points on patches and surfaces.
 
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
@@ -27,7 +27,8 @@ fn of_a_rectangle() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn of_a_paraboloid() {
-    // Above the vertex of z = (u − ½)² + (v − ½)², the nearest is the vertex as long as p is below ½, its radius.
+    // Above the vertex of z = (u − ½)² + (v − ½)², the nearest point is the vertex as long as the height of p is below
+    // ½, the radius of curvature.
     let bowl = graph(
         2,
         2,
@@ -42,13 +43,13 @@ fn of_a_paraboloid() {
     let low = bowl.nearest(DVec3::new(0.5, 0.5, 0.25)).unwrap();
     assert!((low.distance - 0.25).abs() < 1e-15);
     assert_near(low.point, DVec3::new(0.5, 0.5, 0.0), 1e-9);
-    // Above that a circle is nearest: r² = z with z = h − ½, at the distance √(h − ¼).
+    // Above that height a circle is nearest: r² = z with z = h − ½, at the distance √(h − ¼).
     let high = bowl.nearest(DVec3::new(0.5, 0.5, 0.625)).unwrap();
     assert!((high.distance - 0.375_f64.sqrt()).abs() < 1e-14);
     assert!((high.point.z - 0.125).abs() < 1e-7);
 }
 
-/// No sample is nearer, and the point is on the surface.
+/// Checks that no sample is nearer, and that the point is on the surface.
 fn check(patch: &Patch, p: DVec3, count: u32) {
     let nearest = patch.nearest(p).unwrap();
     assert_eq!(nearest.point, patch.eval(nearest.u, nearest.v));

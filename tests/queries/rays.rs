@@ -1,4 +1,4 @@
-//! Rays.
+//! Intersections of rays with patches and surfaces.
 
 use crate::nets::{Random, assert_near, graph};
 use crate::shapes::{odd_patches, samples, teapot};
@@ -28,7 +28,7 @@ pub(crate) fn shoot(patch: &Patch, origin: [f64; 3], direction: [f64; 3]) -> Vec
         .unwrap()
 }
 
-/// Asserts the points and that u, v and distance go with them.
+/// Asserts the points, and that u, v and distance agree with them.
 #[track_caller]
 pub(crate) fn assert_hits(
     patch: &Patch,
@@ -63,7 +63,7 @@ fn a_rectangle() {
         &[[0.25, 0.5, 0.0]],
         1e-15,
     );
-    // Away from it, past it, from a point on it.
+    // Away from the patch, past it, and from a point on it.
     assert_hits(&flat, [0.25, 0.5, 2.0], [0.0, 0.0, 1.0], &[], 0.0);
     assert_hits(&flat, [1.25, 0.5, 2.0], [0.0, 0.0, -1.0], &[], 0.0);
     assert_hits(
@@ -73,7 +73,7 @@ fn a_rectangle() {
         &[[0.25, 0.5, 0.0]],
         1e-15,
     );
-    // Sides and corners belong to it.
+    // Edges and corners belong to the patch.
     for [x, y] in [
         [0.0, 0.3],
         [1.0, 0.7],
@@ -101,7 +101,7 @@ fn a_paraboloid_from_the_side_and_from_above() {
     let s = 0.04_f64.sqrt();
     let two = [[0.5 - s, 0.5, 0.04], [0.5 + s, 0.5, 0.04]];
     assert_hits(&bowl, [-1.0, 0.5, 0.04], [2.0, 0.0, 0.0], &two, 1e-15);
-    // A start between the two hits sees one.
+    // A ray that starts between the two hits has one hit.
     assert_hits(&bowl, [0.5, 0.5, 0.04], [1.0, 0.0, 0.0], &two[1..], 1e-15);
     assert_hits(
         &bowl,
@@ -113,7 +113,7 @@ fn a_paraboloid_from_the_side_and_from_above() {
     assert_hits(&bowl, [-1.0, 0.5, -1e-3], [1.0, 0.0, 0.0], &[], 0.0);
 }
 
-/// Every hit lies on the ray and on the surface; points of the surface that rays are aimed at are among the hits.
+/// Every hit lies on the ray and on the surface; points of the surface at which rays are aimed are among the hits.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_aimed_at_is_hit() {
     let mut random = Random(4);
@@ -167,7 +167,7 @@ fn shared_sides_are_hit_once() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn rays_through_the_closed_part_of_the_teapot_come_out_again() {
-    // The number of hits with a closed surface is even: here the bowl and a copy of it turned over, joined by its rim.
+    // The number of hits with a closed surface is even: here the bowl and a mirrored copy, joined at the rim.
     let down: Vec<DVec3> = bowl()
         .control_points()
         .iter()
@@ -245,7 +245,7 @@ fn odd_patches_give_few_finite_hits() {
                 .map(|hit| hit.point.distance(target))
                 .fold(f64::INFINITY, f64::min);
             assert!(min < 1e-5, "{min} from {origin} to {target} on {patch:?}");
-            // Starting on it.
+            // A ray that starts on the patch.
             assert!(
                 !patch.intersect_ray(target, DVec3::X).unwrap().is_empty(),
                 "{target} {patch:?}"

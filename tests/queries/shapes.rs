@@ -1,4 +1,4 @@
-//! Shapes to ask about.
+//! Shapes for the queries.
 
 use crate::nets::Random;
 use casteljau::glam::DVec3;
@@ -8,7 +8,7 @@ pub(crate) fn teapot() -> Surface {
     Surface::teapot(TeapotOptions::default())
 }
 
-/// Patches on which numbers break: points, curves, collapsed sides, folds, and random ones with coincident points.
+/// Numerically difficult patches: points, curves, collapsed edges, folds, and random patches with coincident points.
 pub(crate) fn odd_patches() -> Vec<Patch> {
     let patch = |f: &dyn Fn(f64, f64) -> DVec3| {
         let net: Vec<DVec3> = (0..16)
@@ -32,7 +32,7 @@ pub(crate) fn odd_patches() -> Vec<Patch> {
     all
 }
 
-/// The points of a fine lattice of parameters.
+/// The points of a fine grid of parameters.
 pub(crate) fn samples(count: u32) -> impl Iterator<Item = (f64, f64)> {
     let t = move |i: u32| f64::from(i) / f64::from(count);
     (0..=count).flat_map(move |j| (0..=count).map(move |i| (t(i), t(j))))

@@ -1,4 +1,4 @@
-//! Rays that touch a patch, run within it, or meet it where a side is a point.
+//! Rays that are tangent to a patch, that run within it, or that hit a collapsed edge.
 
 use crate::nets::{assert_near, graph};
 use crate::rays::{assert_hits, bowl, shoot};
@@ -24,17 +24,17 @@ fn a_touch_is_one_hit() {
         &[[0.5, 0.5, 0.0]],
         1e-14,
     );
-    // The tangent at (0.3, 0.6), in the direction (1, 2), starting a little before.
+    // The tangent at (0.3, 0.6) in the direction (1, 2), starting slightly before the point.
     let (at, slope) = (
         DVec3::new(0.3, 0.6, 0.05),
         DVec3::new(1.0, 2.0, -0.4 + 2.0 * 0.2),
     );
     let start = at - slope * 0.37;
     assert_hits(&bowl, start.into(), slope.into(), &[at.into()], 1e-7);
-    // A tiny way off there are two, or none.
+    // At a tiny offset there are two hits, or none.
     assert_eq!(shoot(&bowl, [-1.0, 0.5, 1e-10], [1.0, 0.0, 0.0]).len(), 2);
     assert_eq!(shoot(&bowl, [-1.0, 0.5, -1e-10], [1.0, 0.0, 0.0]).len(), 0);
-    // An inflection: z = (u − ½)³ has one hit, three times.
+    // An inflection: z = (u − ½)³ has one hit of multiplicity three.
     let wave = graph(
         3,
         1,
@@ -49,7 +49,7 @@ fn a_touch_is_one_hit() {
     );
 }
 
-/// Beside this ray there are three hits on the one side, and one on the other: on it two of the three are one.
+/// Next to this ray there are three hits on one side and one on the other; on the ray itself two of the three coincide.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_touch_beside_a_crossing() {
     let net = [
@@ -86,7 +86,7 @@ fn a_ray_within_the_patch_meets_its_sides() {
         &[[0.0; 3], [1.0, 1.0, 0.0]],
         1e-14,
     );
-    // Along a side, and from a start on the patch.
+    // Along an edge, and from a start on the patch.
     assert_hits(
         &flat,
         [-1.0, 0.0, 0.0],
@@ -96,7 +96,7 @@ fn a_ray_within_the_patch_meets_its_sides() {
     );
     let inside = [[0.5, 0.25, 0.0], [1.0, 0.25, 0.0]];
     assert_hits(&flat, [0.5, 0.25, 0.0], [1.0, 0.0, 0.0], &inside, 1e-14);
-    // The lines of z = uv.
+    // The straight lines of z = uv.
     let saddle = graph(1, 1, &[(1.0, 1, 1)]);
     assert_hits(
         &saddle,
@@ -111,7 +111,7 @@ fn a_ray_within_the_patch_meets_its_sides() {
 fn a_pole_is_one_hit() {
     let teapot = teapot();
     let hits = teapot.intersect_ray(DVec3::Z * 9.0, -DVec3::Z).unwrap();
-    // The lid's knob, the inside of the lid's patches if any, the bottom.
+    // The lid's knob, inner sides of the lid's patches if any, and the bottom.
     let heights: Vec<f64> = hits.iter().map(|hit| hit.point.z).collect();
     assert_eq!(hits.len(), 2, "{hits:?}");
     assert!((heights[0] - 3.15).abs() < 1e-14 && heights[1].abs() < 1e-14);
@@ -122,7 +122,7 @@ fn a_pole_is_one_hit() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_seam_is_hit_once() {
-    // A tube whose first and last control points of each row are one: u = 0 and u = 1 are the same line.
+    // A tube whose first and last control points of each row coincide: u = 0 and u = 1 are the same line.
     let ring = [
         DVec3::X,
         DVec3::new(1.0, 3.0, 0.0),
@@ -148,7 +148,7 @@ fn a_seam_is_hit_once() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn hits_near_an_edge_are_two_from_far_away_too() {
-    // A roof of two faces, cut a little below its ridge.
+    // A roof of two faces, intersected slightly below its ridge.
     let point = |x: f64, y: f64| DVec3::new(x, y, -x.abs());
     let net: Vec<DVec3> = [(-1.0, 0.0), (0.0, 0.0), (1.0, 0.0)]
         .iter()

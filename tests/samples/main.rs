@@ -1,8 +1,8 @@
-//! The Rust samples of the site, run: each must print what www/samples/<name>.txt holds, as its JavaScript twin does.
-//! A new sample needs its two lines below; the last test tells if they were forgotten.
+//! Runs the Rust samples of the site: each must print the contents of www/samples/<name>.txt, as its JavaScript version
+//! does. A new sample needs its two lines below; the last test fails if they are missing.
 #![cfg(not(target_family = "wasm"))]
 
-/// In the samples a line that is written is a statement: readers see `println!`.
+/// A macro, so that a line of output in the samples is a statement, like `println!`, which the site shows.
 macro_rules! writeln {
     ($out:expr) => { $out.push('\n') };
     ($out:expr, $($line:tt)*) => { $out.push_str(&(format!($($line)*) + "\n")) };

@@ -1,4 +1,5 @@
-//! B-splines against the Cox-de Boor recursion: any degree, clamped and not, repeated knots, closed, and back.
+//! B-splines, compared with the Cox–de Boor recursion: any degree, clamped and unclamped, repeated knots, closed; and
+//! conversion back.
 
 use crate::common::{Rng, Space, apart, largest, real};
 use casteljau::glam::{DVec2, DVec3};
@@ -10,7 +11,7 @@ fn cases() -> usize {
     if deep { 200_000 } else { 4_000 }
 }
 
-/// The basis functions by their definition; 0/0 is 0, and the last span contains its end.
+/// The basis functions by their definition; 0/0 is 0, and the last span includes its end.
 fn basis(u: &[f64], i: usize, p: usize, x: f64, end: f64) -> f64 {
     if p == 0 {
         let last = x == end && u[i] < x && u[i + 1] == x;
@@ -32,19 +33,19 @@ fn basis(u: &[f64], i: usize, p: usize, x: f64, end: f64) -> f64 {
     left * basis(u, i, p - 1, x, end) + right * basis(u, i + 1, p - 1, x, end)
 }
 
-/// The curve at x from all basis functions.
+/// The curve at x as the sum of all basis functions.
 fn slow<P: Point>(points: &[P], u: &[f64], p: usize, x: f64, end: f64) -> P {
     let add = |sum: P, (i, &point): (usize, &P)| sum + point * basis(u, i, p, x, end);
     points.iter().enumerate().fold(P::default(), add)
 }
 
-/// The knots between which segments run.
+/// The knot spans of the segments.
 fn spans(u: &[f64], first: usize, last: usize) -> Vec<(f64, f64)> {
     let pairs = u[first..=last].windows(2).map(|w| (w[0], w[1]));
     pairs.filter(|(a, b)| a < b).collect()
 }
 
-/// Ascending knots, often repeated, often clamped, evenly or unevenly far apart.
+/// Ascending knots, often repeated, often clamped, equally or unequally spaced.
 fn knots(rng: &mut Rng, count: usize, p: usize) -> Vec<f64> {
     let (clamped, even) = (rng.chance(0.5), rng.chance(0.3));
     let needed = count + p + 1;
@@ -82,7 +83,7 @@ fn matches<P: Space>(seed: u64) {
         let u = knots(&mut rng, count, p);
         let spline = match Spline::from_bspline(&points, p, Some(&u), false) {
             Ok(spline) => spline,
-            // A knot of multiplicity above p inside, by chance of what was clamped.
+            // An inner knot with a multiplicity above p can occur by chance.
             Err(Error::Item { .. }) => continue,
             Err(error) => panic!("{error}"),
         };
@@ -108,7 +109,7 @@ fn as_the_recursion_of_cox_and_de_boor() {
     matches::<DVec3>(112);
 }
 
-/// Closed ones are open ones whose points and knots go around.
+/// Closed B-splines are open ones whose points and knots are periodic.
 #[wasm_bindgen_test(unsupported = test)]
 fn closed_ones_go_around() {
     let mut rng = Rng(113);
@@ -128,7 +129,7 @@ fn closed_ones_go_around() {
             };
             u.push(u[u.len() - 1] + step);
         }
-        // Whole numbers: all sums are exact.
+        // Integers, so that all sums are exact.
         u = u.iter().map(|x| ((x - u[0]) * 1024.0).round()).collect();
         let chosen = (!uniform).then_some(&u[..]);
         let Ok(closed) = Spline::from_bspline(&points, p, chosen, true) else {
@@ -172,14 +173,14 @@ fn the_uniform_cubic() {
     .to_vec();
     let spline = Spline::from_bspline(&d, 3, None, false).expect("five points");
     assert_eq!(spline.segment_count(), 2);
-    // (1, 4, 1)/6 at joints, thirds between.
+    // (1, 4, 1)/6 at joints, inner control points at thirds.
     for k in 0..3 {
         let joint = (d[k] + d[k + 1] * 4.0 + d[k + 2]) / 6.0;
         assert!(spline.eval(real(k)).distance(joint) < 1e-14);
     }
     let thirds = [d[1].lerp(d[2], 1.0 / 3.0), d[1].lerp(d[2], 2.0 / 3.0)];
     assert!((0..2).all(|i| spline.control_points()[1 + i].distance(thirds[i]) < 1e-14));
-    // The same segment as from the basis.
+    // The same segment as from the B-spline basis.
     let geometry = [d[0], d[1], d[2], d[3]];
     let basis =
         casteljau::Curve::from_basis(casteljau::curve::Basis::BSpline, geometry).expect("four");
@@ -246,7 +247,7 @@ fn there_and_back_is_the_same_spline() {
     );
 }
 
-/// Only ratios of knots matter; points map as they are.
+/// Only ratios of knots matter; affine maps of the points map the curve.
 #[wasm_bindgen_test(unsupported = test)]
 fn knots_and_points_of_any_size() {
     let mut rng = Rng(116);
@@ -299,7 +300,7 @@ fn refusals_of_knots() {
         item(&[0.0, 1.0, 2.0, 1.5, 3.0, 4.0, 5.0, 6.0], 2, false),
         (3, 1.5)
     );
-    // Twice inside parts a polyline; at an end twice is usual, and three times too often.
+    // A double inner knot splits a polyline; at an end two are usual, three are too many.
     assert_eq!(
         item(&[0.0, 0.0, 1.0, 1.0, 2.0, 3.0, 3.0], 1, false),
         (3, 1.0)
@@ -361,7 +362,7 @@ fn long_ones_in_linear_time() {
         .collect();
     let spline = Spline::from_bspline(&points, 3, None, true).expect("a ring");
     assert_eq!(spline.segment_count(), 1_000_000);
-    // What would take minutes is refused at once.
+    // Input that would take minutes is rejected at once.
     let refused = Spline::from_bspline(&points, 64, None, true);
     assert!(matches!(
         refused,

@@ -1,4 +1,4 @@
-//! What makes a spline, and what does not.
+//! Construction of splines: valid and invalid input.
 
 use crate::common::{Rng, real};
 use crate::{STRUCTURES, control, plane, random};
@@ -120,7 +120,7 @@ fn curves_that_do_not_follow_each_other_are_refused_with_their_gap() {
         )
     };
     assert_eq!(join(0.5), Err(Error::Gap { index: 2, got: 0.5 }));
-    // 10⁻⁹ of the largest coordinate, which is 8, is the same point: that of the earlier curve.
+    // Points within 10⁻⁹ of the largest coordinate, which is 8, count as equal; the point of the earlier curve is kept.
     assert!(join(8.1e-9).is_err());
     let spline = join(7.9e-9).expect("near enough");
     assert_eq!(
@@ -163,7 +163,7 @@ fn appending_goes_on_in_the_direction_of_arrival() {
         let joint = longer.continuity(degrees.len(), None).expect("a joint");
         assert!(degree == 1 || joint.g1, "{degrees:?}: {joint:?}");
     }
-    // After a segment that is a point there is no direction: straight on.
+    // After a segment that is a point there is no direction: the new segment is straight.
     let still = plane(&[(1.0, 1.0); 4], 3, false)
         .append(DVec2::new(4.0, 1.0))
         .expect("open");

@@ -1,4 +1,4 @@
-//! What is true at a joint: a table from closed forms.
+//! Continuity at a joint: a table from closed forms.
 
 use crate::common::{Rng, curve, plane as bezier, to_3d};
 use crate::plane;
@@ -33,14 +33,15 @@ fn joint(p1: (f64, f64), p2: (f64, f64), p4: (f64, f64), p5: (f64, f64)) -> Spli
 #[wasm_bindgen_test(unsupported = test)]
 fn the_table_of_continuity() {
     let (p1, p2) = ((-3.0, 1.0), (-1.0, 0.0));
-    // κ = ⅔ h / a² with h the signed distance of the second point: −… on both sides of a straight way.
+    // |κ| = ⅔ h / a² with a the length of the handle and h the distance of the second point from the tangent. The signs
+    // are equal if both second points lie on the same side of the tangent.
     let table = [
         ("a right angle", (0.0, 1.0), (1.0, 1.0), CORNER, FRAC_PI_2),
         ("half of it", (1.0, 1.0), (3.0, 1.0), CORNER, FRAC_PI_4),
         ("back again", (-1.0, 0.0), (-3.0, 1.0), CORNER, PI),
         ("aligned", (2.0, 0.0), (3.0, -1.0), G1, 0.0),
         ("aligned and as long", (1.0, 0.0), (2.0, -1.0), C1, 0.0),
-        // Twice as long and four times the height: the same bend.
+        // Twice as long and four times the height: the same curvature.
         ("the same curvature", (2.0, 0.0), (5.0, 4.0), G2, 0.0),
         (
             "the same curvature, as long",
@@ -60,7 +61,7 @@ fn the_table_of_continuity() {
     ];
     for (name, p4, p5, expected, angle) in table {
         for degrees in [0.0_f64, 0.1, 0.7] {
-            // Turned: the axes are not special.
+            // Rotated, since the axes are not special.
             let turn = DVec2::from_angle(degrees);
             let at = |(x, y): (f64, f64)| {
                 let p = turn.rotate(DVec2::new(x, y));
@@ -122,7 +123,7 @@ fn continuity_does_not_depend_on_the_scale() {
     }
 }
 
-/// A curve cut at t: all geometry goes on; the derivatives only where both pieces run over equal spans.
+/// A curve split at t: geometric continuity always holds; derivatives are equal only if both pieces cover equal spans.
 #[wasm_bindgen_test(unsupported = test)]
 fn pieces_of_one_curve() {
     let mut rng = Rng(51);
@@ -140,7 +141,7 @@ fn pieces_of_one_curve() {
         }
         let flat: Vec<(f64, f64)> = points.iter().map(|p| (p.x, p.y)).collect();
         let (left, right) = bezier(&flat).split(0.5);
-        // The same shape at another degree.
+        // The same shape at a higher degree.
         let right = right.elevate().expect("below 64");
         let spline = Spline::from_curves(&[left, right], false).expect("joined");
         assert_eq!(
@@ -153,7 +154,7 @@ fn pieces_of_one_curve() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_tolerance_is_a_distance() {
-    // The tip of the handle lies 1e-3 off the tangent; the derivatives differ by 3e-3.
+    // The end of the handle lies 1e-3 off the tangent; the derivatives differ by 3e-3.
     let spline = joint((-3.0, 1.0), (-1.0, 0.0), (1.0, 1e-3), (5.0, 1.0));
     let at = |tolerance: f64| spline.continuity(1, Some(tolerance)).expect("a joint");
     assert!(at(1.1e-3).g1 && !at(0.9e-3).g1);
@@ -177,18 +178,18 @@ fn zero_length_handles_are_judged_by_their_limit() {
             .expect("a joint");
         (found.g1, found.c1, found.angle)
     };
-    // P₄ = P₃: the way on is towards P₅.
+    // P₄ = P₃: the direction after the joint is towards P₅.
     assert_eq!(at((-1.0, 0.0), (0.0, 0.0), (2.0, 0.0)), (true, false, 0.0));
     let (g1, c1, angle) = at((-1.0, 0.0), (0.0, 0.0), (0.0, 2.0));
     assert!(!g1 && !c1 && (angle - FRAC_PI_2).abs() < 1e-15);
-    // Both handles 0: the point stops and goes on.
+    // Both handles 0: the motion stops and continues.
     let (g1, c1, angle) = at((0.0, 0.0), (0.0, 0.0), (2.0, 0.0));
     assert!(g1 && c1 && angle == 0.0);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn in_space_and_at_the_seam_of_a_closed_spline() {
-    // A circle-like ring of four quadratics through the middles of a square: C1, not C2.
+    // A nearly circular ring of four quadratics through the middles of a square's sides: C1, not C2.
     let ring = plane(
         &[
             (1.0, 0.0),
@@ -212,7 +213,7 @@ fn in_space_and_at_the_seam_of_a_closed_spline() {
         assert_eq!(flags(&ring.continuity(k, None).expect("a joint")), G2_C1);
         assert_eq!(flags(&space.continuity(k, None).expect("a joint")), G2_C1);
     }
-    // The osculating planes differ: the tangent goes on, the bend does not.
+    // The osculating planes differ: the tangent is continuous, the curvature vector is not.
     let twisted = [
         DVec3::new(-2.0, 1.0, 0.0),
         DVec3::NEG_X,
@@ -229,7 +230,7 @@ fn set_joint_keeps_the_handle_before() {
     let spline = joint((-3.0, 1.0), (-1.0, 0.0), (3.0, 4.0), (5.0, 5.0));
     let with = |mode| spline.set_joint(1, mode).expect("a joint").control_points()[4];
     assert_eq!(with(JointMode::Free), DVec2::new(3.0, 4.0));
-    // G1 keeps the length 5, C1 takes that of the other handle.
+    // G1 keeps the length 5, C1 uses the length of the other handle.
     assert_eq!(with(JointMode::G1), DVec2::new(5.0, 0.0));
     assert_eq!(with(JointMode::C1), DVec2::new(1.0, 0.0));
     for mode in [JointMode::Free, JointMode::G1, JointMode::C1] {
@@ -252,7 +253,7 @@ fn set_joint_keeps_the_handle_before() {
         .expect("a joint");
     assert_eq!(mixed.control_points()[4], DVec2::new(1.5, 0.0));
     assert!(mixed.continuity(1, None).expect("a joint").c1);
-    // A handle of length 0 has no direction: the other is left alone.
+    // A handle of length 0 has no direction: the other handle is unchanged.
     let still = joint((-3.0, 1.0), (0.0, 0.0), (3.0, 4.0), (5.0, 5.0)).set_joint(1, JointMode::G1);
     assert_eq!(
         still.expect("a joint").control_points()[4],
@@ -260,7 +261,7 @@ fn set_joint_keeps_the_handle_before() {
     );
 }
 
-/// Two lines in one direction, a line and a curve: degrees do not matter, derivatives do.
+/// Two lines in one direction, a line and a curve: degrees do not matter, only derivatives.
 #[wasm_bindgen_test(unsupported = test)]
 fn lines() {
     let line = |x0: f64, x1: f64| bezier(&[(x0, 0.0), (x1, 0.0)]);

@@ -1,4 +1,4 @@
-//! Joints put in and taken out.
+//! Insertion and removal of joints.
 
 use crate::common::{Rng, exact, real};
 use crate::{STRUCTURES, control, plane, random};
@@ -6,7 +6,7 @@ use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Error, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Greatest difference of control points, for the same structure.
+/// The maximum difference of control points, for the same structure.
 fn difference(a: &Spline<DVec3>, b: &Spline<DVec3>) -> f64 {
     assert_eq!((a.degrees(), a.is_closed()), (b.degrees(), b.is_closed()));
     let pairs = a.control_points().iter().zip(b.control_points());
@@ -76,7 +76,7 @@ fn removing_undoes_an_insert() {
                     let more = spline.insert(real(k) + cut).expect("inside");
                     let healed = more.remove(k + 1).expect("a joint");
                     let off = difference(&healed, &spline);
-                    // Each level of extrapolation by 1/cut may double and more what rounding left.
+                    // Each level of extrapolation by 1/cut may double the rounding error or more.
                     let allowed = 1e-15
                         * (2.0 / cut.min(1.0 - cut))
                             .powi(i32::try_from(degrees[k]).expect("small"));
@@ -113,7 +113,7 @@ fn zero_length_handles_heal_too() {
             .expect("a joint");
         assert!(difference(&healed, &spline) < 1e-12);
     }
-    // A joint where both handles have length 0: by the second points, t₀ = √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|).
+    // A joint with two handles of length 0: from the second points, t₀ = √|P₁P₃| / (√|P₁P₃| + √|P₅P₃|).
     let p = [
         (0.0, 0.0),
         (-1.0, 0.0),
@@ -138,7 +138,7 @@ fn zero_length_handles_heal_too() {
             .all(|(&p, q)| (p - q).length() < 1e-14),
         "{got:?}"
     );
-    // All in one place: finite, whatever is said.
+    // All points coincide: the result is finite.
     let point = plane(&[(1.0, 1.0); 7], 3, false)
         .remove(1)
         .expect("a joint");
@@ -177,7 +177,7 @@ fn the_first_joint_of_a_closed_spline_can_go() {
     let spline = random(&mut rng, &[3, 3, 3], true);
     let p = spline.control_points();
     let less = spline.remove(0).expect("a joint");
-    // The list starts at the joint that was 1; the healed segment, from joint 2 over 0 to 1, comes last.
+    // The list starts at the former joint 1; the merged segment, from joint 2 over 0 to 1, comes last.
     assert_eq!((less.degrees(), less.is_closed()), (vec![3, 3], true));
     assert_eq!(less.control_points()[..4], p[3..7]);
     assert_eq!(less.control_points().len(), 6);

@@ -1,4 +1,4 @@
-//! Splines through points: the equations of the books, the joints, what coincides, what is huge, linear time.
+//! Interpolating splines: the textbook equations, the joints, coincident points, huge coordinates, linear time.
 
 use crate::common::{Rng, Space, apart, largest, real};
 use casteljau::glam::{DVec2, DVec3};
@@ -27,7 +27,7 @@ fn interpolate<P: Point>(points: &[P], kind: Interpolation, closed: bool) -> Spl
     Spline::interpolate(points, kind, closed).expect("points")
 }
 
-/// The equations themselves, which have one solution: C2 at every joint, no second derivative at free ends.
+/// The equations themselves, which have a unique solution: C2 at every joint, zero second derivative at free ends.
 fn natural<P: Space>(seed: u64) {
     let mut rng = Rng(seed);
     for round in 0..600 {
@@ -69,7 +69,7 @@ fn natural_splines_solve_their_equations() {
     natural::<DVec3>(102);
 }
 
-/// Parameters by chords, then the textbook's tangent.
+/// Parameters from chord lengths, then the textbook's tangent.
 fn tangents<P: Point>([a, b, c]: [P; 3], alpha: f64) -> (P, P) {
     let (d1, d2) = ((b - a).length().powf(alpha), (c - b).length().powf(alpha));
     let t = (b - a) / d1 - (c - a) / (d1 + d2) + (c - b) / d2;
@@ -118,7 +118,7 @@ fn uniform_ones_are_the_classical_basis() {
             .expect("a segment")
             .approx_eq(&basis, 1e-15)
     );
-    // Three points around: a closed spline has a joint at each.
+    // Three points in a ring: a closed spline has a joint at each.
     let ring = interpolate(&p[..3], CatmullRom { alpha: 0.0 }, true);
     assert!((0..3).all(|k| ring.continuity(k, None).expect("a joint").c1));
 }
@@ -160,7 +160,7 @@ fn a_point_that_comes_twice_is_a_corner() {
     );
 }
 
-/// Points as they break things: finite, through all points, the same after scaling and backwards.
+/// Hostile points: the result is finite, passes through all points, and is equivariant under scaling and reversal.
 fn adversarial<P: Space>(seed: u64) {
     let mut rng = Rng(seed);
     for case in 0..cases() / 4 {

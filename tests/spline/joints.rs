@@ -1,4 +1,5 @@
-//! Joint modes of second order and automatic handles on random chains: the point obeys, what is free to follow holds.
+//! Joint modes of second order and automatic handles on random splines: the point is where it was moved, and the joints
+//! that can follow hold.
 
 use crate::common::{Rng, Space, largest, real};
 use crate::plane;
@@ -14,7 +15,7 @@ fn cases() -> usize {
     if deep { 1_000_000 } else { 20_000 }
 }
 
-/// A random chain, often with coincident and collinear points.
+/// A random spline, often with coincident and collinear points.
 fn chain<P: Space>(rng: &mut Rng, degrees: &[usize], closed: bool) -> Spline<P> {
     let count = degrees.iter().sum::<usize>() + usize::from(!closed);
     let mut points: Vec<P> = (0..count).map(|_| P::of(rng.point(P::DIMENSION))).collect();
@@ -49,7 +50,7 @@ fn index_of<P: Point>(spline: &Spline<P>, joint: usize) -> usize {
     spline.degrees()[..joint].iter().sum()
 }
 
-/// The k-th point from a joint, behind it for negative k.
+/// The k-th point from a joint; before the joint for negative k.
 fn around<P: Point>(spline: &Spline<P>, joint: usize, k: isize) -> P {
     let p = spline.control_points();
     let at = (index_of(spline, joint) + 2 * p.len()).wrapping_add_signed(k);
@@ -61,7 +62,8 @@ fn cubic_beside<P: Point>(spline: &Spline<P>, joint: usize) -> bool {
     degrees[(joint + degrees.len() - 1) % degrees.len()] > 2 && degrees[joint] > 2
 }
 
-/// Every mode on every joint, in the plane and in space: obeys, stays finite, changes nothing when nothing changes.
+/// Every mode on every joint, in the plane and in space: the moved point is where it was moved, all points stay finite,
+/// and a move by zero changes nothing.
 fn adversarial<P: Space>(seed: u64, modes: &[JointMode]) {
     let mut rng = Rng(seed);
     for case in 0..cases() {
@@ -106,7 +108,7 @@ fn any_spline_in_space() {
     adversarial::<DVec3>(72, &[Free, G1, C1, C2, Auto]);
 }
 
-/// Makes all joints hold, one after the other; those of second order need the chain to be open.
+/// Makes all joints hold, one after the other; for modes of second order the spline must be open.
 fn smooth<P: Space>(rng: &mut Rng, degrees: &[usize], closed: bool, mode: JointMode) -> Spline<P> {
     let count = degrees.iter().sum::<usize>() + usize::from(!closed);
     let points = (0..count).map(|_| P::of(rng.point(P::DIMENSION))).collect();
@@ -117,7 +119,7 @@ fn smooth<P: Space>(rng: &mut Rng, degrees: &[usize], closed: bool, mode: JointM
     spline
 }
 
-/// C2 on open chains: whatever is moved, every joint holds, and the formula is the page's.
+/// C2 on open splines: whatever is moved, every joint holds, and the formula is the documented one.
 #[wasm_bindgen_test(unsupported = test)]
 fn equal_second_derivatives_are_passed_on() {
     let mut rng = Rng(73);
@@ -165,41 +167,41 @@ fn the_formulas_of_two_cubics() {
     );
     let p = moved(4, at(3.0, -1.0), C2);
     assert_eq!((p[2], p[1]), (at(1.0, 1.0), at(0.0, 2.0)));
-    // Of the second point, only the second point goes along.
+    // If the second point is moved, only the second point on the other side follows.
     let p = moved(1, at(1.0, 2.0), C2);
     assert_eq!((p[4], p[5]), (at(2.0, -2.0), at(1.0, -6.0)));
     assert_eq!(moved(5, at(4.0, -3.0), C2)[1], at(4.0, 5.0));
-    // The ends do nothing.
+    // Moving an end point changes nothing else.
     for index in [0, 6] {
         assert_eq!(
             moved(index, at(9.0, 9.0), C2)[1..6],
             spline.control_points()[1..6]
         );
     }
-    // Dragged: both handles go along, and P₅ goes to P₁ + 4(P₃ − P₂).
+    // If the joint is moved, both handles follow, and P₅ becomes P₁ + 4(P₃ − P₂).
     let p = moved(3, at(3.0, 1.0), C2);
     assert_eq!(
         p[2..6],
         [at(3.0, 3.0), at(3.0, 1.0), at(3.0, -1.0), at(0.0, -6.0)]
     );
 
-    // G2: P₁ is 2 from the tangent x = 2, P₅ too, but on the other side: aligned, no more.
+    // G2: P₁ is 2 from the tangent x = 2, and so is P₅, but on the other side: the handles are only aligned.
     assert_eq!(moved(2, at(2.0, 3.0), G2)[4], at(2.0, -2.0));
-    // Both on one side: lengths as the roots of the distances, √(8/2) · 1.
+    // Both on one side: lengths in the ratio of the square roots of the distances, √(8/2) · 1.
     let same = spline
         .move_point(5, at(-6.0, -2.0), |_| Free)
         .expect("a point");
     let curved = same.move_point(2, at(2.0, 1.0), |_| G2).expect("a point");
     assert_eq!(curved.control_points()[4], at(2.0, -2.0));
     assert!(curved.continuity(1, None).expect("a joint").g2);
-    // The second point moved: its distance counts.
+    // The second point is moved: its distance determines the handle.
     let curved = same.move_point(1, at(-6.0, 2.0), |_| G2).expect("a point");
     assert_eq!(curved.control_points()[4], at(2.0, -2.0));
     let curved = same.move_point(1, at(0.0, 7.0), |_| G2).expect("a point");
     assert_eq!(curved.control_points()[4], at(2.0, -4.0));
 }
 
-/// G2 on open chains holds wherever the second points lie on the same side, and is aligned in any case.
+/// G2 on open splines holds where the second points lie on the same side; the handles are aligned in any case.
 #[wasm_bindgen_test(unsupported = test)]
 fn equal_curvatures() {
     let mut rng = Rng(74);
@@ -210,7 +212,7 @@ fn equal_curvatures() {
         let index = rng.below(spline.control_points().len());
         let to = DVec2::of(rng.point(2));
         let moved = spline.move_point(index, to, |_| G2).expect("a point");
-        // The first joint on either side was repaired, if one of the four points before it was moved.
+        // The first joint on either side is repaired if one of the four points before it was moved.
         for joint in joints(&spline) {
             let away = index_of(&spline, joint).abs_diff(index);
             if away > 2 {
@@ -237,7 +239,7 @@ fn equal_curvatures() {
     assert!(held > 100 && not > 100, "{held} {not}");
 }
 
-/// Handles by the textbook's formula, from the points of three joints.
+/// Handles by the textbook formula, from the points of three joints.
 fn tangent<P: Point>(a: P, b: P, c: P) -> (P, f64, f64) {
     let (d1, d2) = ((b - a).length().sqrt(), (c - b).length().sqrt());
     let t = (b - a) / d1 - (c - a) / (d1 + d2) + (c - b) / d2;
@@ -285,7 +287,7 @@ fn automatic<P: Space>(seed: u64) {
             let third = p[0] + (anchor(1) - p[0]) / real(degrees[0]);
             assert!((p[1] - third).length() < 1e-15);
         }
-        // Nothing else has moved.
+        // Nothing else moves.
         for (i, (a, b)) in spline
             .control_points()
             .iter()
@@ -314,7 +316,7 @@ fn automatic_handles_follow_their_neighbours() {
     automatic::<DVec3>(76);
 }
 
-/// A handle of an automatic joint that is moved by hand stays where it was put; so does one at an end.
+/// A handle of an automatic joint that is moved explicitly keeps its position; so does a handle at an end.
 #[wasm_bindgen_test(unsupported = test)]
 fn automatic_handles_obey_the_hand() {
     let spline = smooth::<DVec2>(&mut Rng(77), &[3; 3], false, Auto);
@@ -328,7 +330,7 @@ fn automatic_handles_obey_the_hand() {
     }
 }
 
-/// Modes differ from joint to joint: a free one stops what comes along.
+/// Modes may differ from joint to joint: a free joint stops the propagation.
 #[wasm_bindgen_test(unsupported = test)]
 fn free_joints_stop_the_fronts() {
     let spline = smooth::<DVec2>(&mut Rng(78), &[3; 6], false, C2);
@@ -337,12 +339,12 @@ fn free_joints_stop_the_fronts() {
     assert!(moved.continuity(2, None).expect("a joint").c2);
     assert!(!moved.continuity(3, None).expect("a joint").g1);
     assert_eq!(moved.control_points()[9..], spline.control_points()[9..]);
-    // G1 passes nothing on but the direction: the next joint is as it was.
+    // G1 propagates only the direction: the next joint is unchanged.
     let moved = spline.move_point(2, DVec2::ZERO, |_| G1).expect("a point");
     assert_eq!(moved.control_points()[5..], spline.control_points()[5..]);
 }
 
-/// Around a ring each point is placed once: where the fronts meet one joint gives way, and no other.
+/// On a ring each point is set only once: where the two fronts meet one joint may break, and no other.
 #[wasm_bindgen_test(unsupported = test)]
 fn rings_break_at_one_joint() {
     let mut rng = Rng(79);
@@ -373,7 +375,7 @@ fn rings_break_at_one_joint() {
                 let along = (3 * k + points.len() - index) % points.len();
                 along.min(points.len() - along)
             };
-            // Where the fronts meet: of a ring of n joints, the last one, or the last two that share a segment.
+            // The fronts meet at the last joint of a ring of n joints, or at the last two that share a segment.
             assert!(lost.len() <= 2, "{count}: {index} loses {lost:?}");
             assert!(
                 lost.iter().all(|k| away(k) + 5 >= points.len() / 2),
@@ -383,7 +385,7 @@ fn rings_break_at_one_joint() {
     }
 }
 
-/// The growth of a long chain ends where numbers do.
+/// The growth along a long spline ends where numbers would overflow.
 #[wasm_bindgen_test(unsupported = test)]
 fn long_splines_stay_finite() {
     let points: Vec<DVec2> = (0..=9000)
@@ -403,7 +405,7 @@ fn long_splines_stay_finite() {
     }
 }
 
-/// A run from the other side does the mirror image, and space is like the plane.
+/// Moving points of the reversed spline gives the mirrored result, and space behaves as the plane.
 #[wasm_bindgen_test(unsupported = test)]
 fn reversed_and_turned() {
     let mut rng = Rng(80);
@@ -424,7 +426,7 @@ fn reversed_and_turned() {
         let turned = spline
             .transform(&turn)
             .move_point(index, turn.transform_point3(to), |k| modes[k]);
-        // What coincides before a turn may not after it.
+        // Points that coincide before a rotation may not coincide after it.
         let apart = spline
             .control_points()
             .windows(2)

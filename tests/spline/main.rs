@@ -16,7 +16,7 @@ use casteljau::Spline;
 use casteljau::glam::{DVec2, DVec3};
 use common::Rng;
 
-/// A spline of the plane from pairs.
+/// A plane spline from pairs of coordinates.
 fn plane(points: &[(f64, f64)], degree: usize, closed: bool) -> Spline<DVec2> {
     let points: Vec<DVec2> = points.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
     Spline::new(&points, degree, closed).expect("a spline")
@@ -29,7 +29,7 @@ fn random(rng: &mut Rng, degrees: &[usize], closed: bool) -> Spline<DVec3> {
     Spline::with_degrees(points, degrees, closed).expect("a spline")
 }
 
-/// Segment k runs over these control points: the definition, without the code under test.
+/// The control points of segment k by the definition, without the code under test.
 fn control(points: &[DVec3], degrees: &[usize], k: usize) -> Vec<DVec3> {
     let from: usize = degrees[..k].iter().sum();
     let at = |i: usize| points[(from + i) % points.len()];

@@ -1,4 +1,4 @@
-//! Points, samples, polylines, boxes, drawings of splines.
+//! Points, samples, polylines, bounding boxes, and drawing of splines.
 
 use crate::common::measure::{Reference, farthest};
 use crate::common::{Rng, exact, real};
@@ -142,7 +142,7 @@ fn boxes_are_those_of_all_segments() {
         (control.min, control.max),
         (DVec2::new(0.0, -1.0), DVec2::new(4.0, 1.0))
     );
-    // Closed, the last segment counts too.
+    // If the spline is closed, the last segment counts too.
     let closed = plane(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (-4.0, 4.0)], 2, true).bounds();
     assert!((closed.min.x + 4.0 / 3.0 * 1.0).abs() < 1.0 && closed.min.x < -1.0);
 }

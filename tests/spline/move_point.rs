@@ -1,4 +1,4 @@
-//! Points dragged along chains: the point obeys, the joints hold, nothing else moves.
+//! Moving points of splines: the point is where it was moved, the joints hold, nothing else moves.
 
 use crate::common::{Rng, real};
 use crate::plane;
@@ -9,7 +9,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 const MODES: [JointMode; 3] = [JointMode::Free, JointMode::G1, JointMode::C1];
 
-/// The joints of a chain.
+/// The joints of a spline.
 fn joints(spline: &Spline<DVec3>) -> Vec<usize> {
     (usize::from(!spline.is_closed())..spline.segment_count()).collect()
 }
@@ -19,7 +19,7 @@ fn index_of(spline: &Spline<DVec3>, joint: usize) -> usize {
     spline.degrees()[..joint].iter().sum()
 }
 
-/// A chain whose joints all hold C1 (closed: all but the first, unless its last segment has handles of its own).
+/// A spline whose joints all hold C1 (if closed: all except the first, unless its last segment has handles of its own).
 fn smooth(rng: &mut Rng, degrees: &[usize], closed: bool) -> Spline<DVec3> {
     let mut spline = crate::random(rng, degrees, closed);
     for joint in (1..degrees.len()).chain(closed.then_some(0)) {
@@ -48,7 +48,7 @@ fn holds(spline: &Spline<DVec3>, joint: usize, mode: JointMode) -> bool {
     }
 }
 
-/// Moves every point of a chain; gives the moved chain to `check`.
+/// Moves every point of a spline and passes the resulting spline to `check`.
 fn drag(
     degrees: &[usize],
     closed: bool,
@@ -113,7 +113,7 @@ fn all_joints_of_closed_splines_with_free_handles_hold() {
     }
 }
 
-/// On a ring of quadratics each handle serves two joints: one joint, where the two runs meet, may give way.
+/// On a ring of quadratics each handle belongs to two joints: one joint, where the two fronts meet, may break.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_ring_of_quadratics_breaks_no_more_than_one_joint() {
     for count in [3, 4, 7, 12] {
@@ -124,7 +124,7 @@ fn a_ring_of_quadratics_breaks_no_more_than_one_joint() {
                 lost.len() <= 1,
                 "{count}: point {index} {mode:?} loses {lost:?}"
             );
-            // Far from the hand.
+            // Far from the moved point.
             let away = |joint: usize| {
                 let along = (2 * joint + 2 * count - index) % (2 * count);
                 along.min(2 * count - along)
@@ -165,7 +165,7 @@ fn on_cubics_only_the_neighbours_of_the_joint_move() {
     });
 }
 
-/// The tutorial's seven points, P₃ the joint.
+/// The tutorial's seven points; P₃ is the joint.
 fn seven() -> Spline<DVec2> {
     plane(
         &[
@@ -192,19 +192,20 @@ fn moved(index: usize, to: (f64, f64), mode: JointMode) -> Vec<DVec2> {
 #[wasm_bindgen_test(unsupported = test)]
 fn the_joint_of_the_applet() {
     let at = DVec2::new;
-    // A handle dragged: the other one follows, by its own length (G1, 4) or by the dragged one's (C1, 3).
+    // If a handle is moved, the other one follows, with its own length (G1, 4) or with the length of the moved one (C1,
+    // 3).
     assert_eq!(moved(2, (5.0, 0.0), JointMode::G1)[4], at(-2.0, 0.0));
     assert_eq!(moved(2, (5.0, 0.0), JointMode::C1)[4], at(-1.0, 0.0));
     assert_eq!(moved(2, (5.0, 0.0), JointMode::Free)[4], at(2.0, -4.0));
     assert_eq!(moved(4, (5.0, 0.0), JointMode::G1)[2], at(0.0, 0.0));
     assert_eq!(moved(4, (5.0, 0.0), JointMode::C1)[2], at(-1.0, 0.0));
-    // The joint dragged: both handles go along; C1 makes them as long as each other.
+    // If the joint is moved, both handles follow; C1 makes their lengths equal.
     let [g1, c1, free] =
         [JointMode::G1, JointMode::C1, JointMode::Free].map(|mode| moved(3, (3.0, 1.0), mode));
     assert_eq!(g1[2..5], [at(3.0, 3.0), at(3.0, 1.0), at(3.0, -3.0)]);
     assert_eq!(c1[2..5], [at(3.0, 3.0), at(3.0, 1.0), at(3.0, -1.0)]);
     assert_eq!(free[2..5], [at(2.0, 2.0), at(3.0, 1.0), at(2.0, -4.0)]);
-    // The other points do nothing to the joint.
+    // The other points do not affect the joint.
     for index in [0, 1, 5, 6] {
         assert_eq!(
             moved(index, (9.0, 9.0), JointMode::C1)[2..5],
@@ -239,7 +240,7 @@ fn modes_differ_by_joint() {
     assert_eq!(second.control_points()[7], p[7]);
 }
 
-/// A huge step must not turn into an infinity elsewhere.
+/// A huge move must not produce an infinity elsewhere.
 #[wasm_bindgen_test(unsupported = test)]
 fn results_stay_finite() {
     let far = DVec2::new(f64::MAX, -f64::MAX);
@@ -255,7 +256,7 @@ fn results_stay_finite() {
     }
 }
 
-/// Where both neighbours of a joint are the same point nothing can be held; it stays where it is.
+/// If both neighbours of a joint coincide, no mode can hold; the joint stays where it is.
 #[wasm_bindgen_test(unsupported = test)]
 fn rings_too_small_to_hold_anything() {
     for (points, degree) in [

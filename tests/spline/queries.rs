@@ -6,7 +6,7 @@ use casteljau::glam::{DVec2, DVec3};
 use casteljau::{Curve, Spline};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// Calls `check` with splines of several structures, and all their segments.
+/// Calls `check` with splines of several structures and their segments.
 fn each_spline(mut check: impl FnMut(&Spline<DVec3>, &[Curve<DVec3>])) {
     let mut rng = Rng(77);
     for degrees in STRUCTURES {
@@ -39,7 +39,7 @@ fn queries_are_those_of_the_segment_of_t() {
     });
 }
 
-/// Four cubics with |curvature − 1| < 0.022: the usual circle.
+/// Four cubics with |curvature − 1| < 0.022: the usual approximation of a circle.
 fn circle() -> Spline<DVec2> {
     let c = 4.0 / 3.0 * (2_f64.sqrt() - 1.0);
     let quarter = [(1.0, 0.0), (1.0, c), (c, 1.0)];

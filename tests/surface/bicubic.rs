@@ -1,4 +1,4 @@
-//! What grids of bicubic patches promise, on nets that make it hard: 4 ulps, equal sides, normals within 0.001°.
+//! Guarantees of grids of bicubic patches on difficult nets: 4 ulps, identical edges, normals within 0.001°.
 
 use crate::nets::Random;
 use casteljau::glam::{DVec3, Vec3};
@@ -16,7 +16,7 @@ fn normal(mesh: &Mesh, vertex: usize) -> DVec3 {
     Vec3::from_slice(&mesh.normals[3 * vertex..]).as_dvec3()
 }
 
-/// Every position within 4 ulps of the largest coordinate, in f32.
+/// Asserts that every position is within 4 f32 ulps of the largest coordinate.
 fn assert_positions(patch: &Patch, grid: Grid) {
     let mesh = patch.grid(grid, false).unwrap();
     let points = patch.control_points().iter();
@@ -34,7 +34,8 @@ fn assert_positions(patch: &Patch, grid: Grid) {
 #[wasm_bindgen_test(unsupported = test)]
 fn positions_within_four_ulps() {
     let mut random = Random(21);
-    // Just below a power of 2, where an ulp is the least part of the number, with any signs; and at any place between.
+    // Just below a power of 2, where an ulp is the smallest fraction of the number, with any sign; and anywhere in
+    // between.
     let edge = |random: &mut Random| {
         let sign = if random.bits().is_multiple_of(2) {
             1.0
@@ -68,7 +69,7 @@ fn positions_of_any_size() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn zeros_of_shared_sides_have_the_same_sign() {
-    // What is less than f32 can hold becomes a zero, and −0 is not the same bits as 0.
+    // Numbers below the range of f32 become a zero, and the bits of −0 differ from those of 0.
     let mut random = Random(23);
     for size in [1e-46, -1e-46, 1e-60] {
         let side: Vec<DVec3> = (0..4).map(|i| DVec3::splat(size * f64::from(i))).collect();
@@ -104,7 +105,7 @@ fn zeros_of_shared_sides_have_the_same_sign() {
     }
 }
 
-/// The greatest angle between the grid's normals and those of the patch, in f64.
+/// The largest angle between the normals of the grid and those of the patch in f64.
 fn worst_angle(patch: &Patch, grid: Grid) -> f64 {
     let mesh = patch.grid(grid, false).unwrap();
     let mut worst: f64 = 0.0;
@@ -120,9 +121,9 @@ fn worst_angle(patch: &Patch, grid: Grid) -> f64 {
     worst
 }
 
-/// A patch whose side collapses: 0 at v = 0, 1 at v = 1, 2 at u = 0, 3 at u = 1.
+/// A patch with collapsed edges: 0 is v = 0, 1 is v = 1, 2 is u = 0, 3 is u = 1.
 fn collapsed(random: &mut Random, sides: &[usize]) -> Patch {
-    // A lattice with noise, so that no two other points are the same and N vanishes nowhere else.
+    // A regular grid with noise, so that no two other points coincide and N vanishes nowhere else.
     let mut net: Vec<DVec3> = (0..16)
         .map(|k| DVec3::new(f64::from(k % 4), f64::from(k / 4), 0.0) + 0.2 * random.point())
         .collect();
@@ -155,7 +156,7 @@ fn normals_near_collapsed_sides() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn normals_of_slanted_patches() {
-    // ∂u and ∂v all but parallel: their product is 10⁻⁵ of what their lengths would allow.
+    // ∂u and ∂v are almost parallel: their cross product is 10⁻⁵ of the product of their lengths.
     let mut random = Random(25);
     for slant in [1e-2, 1e-3, 1e-5] {
         let net: Vec<DVec3> = (0..16)

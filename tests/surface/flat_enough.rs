@@ -1,4 +1,4 @@
-//! The recursive split of the tutorials into pieces that are flat enough.
+//! Recursive subdivision into pieces that are flat enough.
 
 use crate::nets::{Random, assert_near};
 use casteljau::glam::{DAffine3, DVec3};
@@ -24,7 +24,7 @@ fn pieces_cover_the_patch() {
     let pieces = surface.subdivide(0.02).unwrap();
     for patch in 0..32 {
         let own = pieces.iter().filter(|piece| piece.patch == patch);
-        // Sizes are powers of two: the sum is exact.
+        // Sizes are powers of two, so the sum is exact.
         let area: f64 = own.map(|p| (p.u1 - p.u0) * (p.v1 - p.v0)).sum();
         assert_eq!(area, 1.0);
     }
@@ -43,16 +43,16 @@ fn pieces_cover_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn depth_of_a_paraboloid_is_known() {
-    // A square piece of the size h has its control points at most 1·h²·height from the plane of three corners: the fourth
-    // corner lies in that plane, and at the middles of the sides x² has the coefficient 0 between 0 and h². Each halving
-    // divides the distance by four.
+    // The control points of a square piece of size h are at most 1·h²·height from the plane of three corners: the
+    // fourth corner lies in that plane, and at the middles of the edges x² has the coefficient 0 between 0 and h². Each
+    // halving divides the distance by four.
     let height = 0.01;
     for tolerance in [0.011, 0.004, 0.001, 1e-4, 1e-6] {
         let pieces = bowl(height).subdivide(tolerance).unwrap();
         let side = pieces.len().isqrt();
         assert_eq!(side * side, pieces.len());
         let h = 1.0 / side as f64;
-        // The middle control point: both coefficients are 0, the plane is there at (h² + h²)/2.
+        // The middle control point: both coefficients are 0, and the plane has the height (h² + h²)/2 there.
         let distance = |h: f64| height * h * h / (1.0 + 2.0 * (height * (2.0 - h)).powi(2)).sqrt();
         assert!(distance(h) <= tolerance * 1.001, "{h} {tolerance}");
         assert!(
@@ -64,7 +64,7 @@ fn depth_of_a_paraboloid_is_known() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn plane_pieces_are_not_split() {
-    // A plane patch is one leaf, whatever its parameters do.
+    // A plane patch is one leaf, whatever its parametrisation.
     let mut random = Random(4);
     let turn = DAffine3::from_rotation_x(0.3) * DAffine3::from_rotation_z(1.1);
     for _ in 0..200 {
@@ -73,7 +73,7 @@ fn plane_pieces_are_not_split() {
             .iter()
             .map(|p| DVec3::new(p.x, p.y, 0.0))
             .collect();
-        // Three corners that are no line, so that the plane is known to the last digits.
+        // Three corners that are not collinear, so that the plane is accurate to the last digits.
         let mut net = net;
         (net[0], net[3], net[12]) = (DVec3::ZERO, DVec3::X, DVec3::Y);
         let surface = single(&net, 3, 3).transform(&turn);
@@ -83,7 +83,7 @@ fn plane_pieces_are_not_split() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn corners_without_a_plane() {
-    // All corners at one point: control points have to come near to it.
+    // All corners coincide: the control points must be near this point.
     let mut net = vec![DVec3::ZERO; 16];
     net[5] = DVec3::Z;
     let bubble = single(&net, 3, 3);
@@ -111,7 +111,7 @@ fn corners_without_a_plane() {
     );
     let nothing = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
     assert!(nothing.subdivide(1.0).unwrap().is_empty());
-    // Two sides collapsed in turn: three corners remain.
+    // Two neighbouring edges are collapsed: three corners remain.
     let mut sliver = Random(2).net(3, 3);
     sliver[..4].fill(DVec3::ZERO);
     assert!(single(&sliver, 3, 3).subdivide(0.01).unwrap().len() > 4);
@@ -119,7 +119,7 @@ fn corners_without_a_plane() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn it_bounds_no_distance_to_the_triangles() {
-    // As the documentation says: the control points of a flat S are in one plane, the curve is not on the triangles.
+    // As documented: the control points of a flat S are in one plane, but the curve is not on the triangles.
     let row = |y: f64| [(0.0, y), (0.0, y + 2.0), (1.0, y - 2.0), (1.0, y)];
     let net: Vec<DVec3> = [row(0.0), row(1.0)]
         .concat()
@@ -138,13 +138,13 @@ fn finer_tolerances_and_sizes() {
     let count = |surface: &Surface, tolerance: f64| surface.subdivide(tolerance).unwrap().len();
     let counts = [0.1, 0.01, 1e-3, 1e-4].map(|tolerance| count(&cup, tolerance));
     assert!(counts.is_sorted() && counts[0] >= 26);
-    // Four times as many for a quarter of the tolerance, about.
+    // About four times as many pieces for a quarter of the tolerance.
     assert!((2..6).contains(&(counts[2] / count(&cup, 4e-3))));
     for scale in [1e-150, 2.0, 1e150] {
         let scaled = cup.transform(&DAffine3::from_scale(DVec3::splat(scale)));
         assert!(count(&scaled, 0.01 * scale).abs_diff(counts[1]) <= 8);
     }
-    // The same for u and v exchanged and for the other sense of rotation.
+    // The same after a rotation, which changes the rounding.
     let turned = cup.transform(&DAffine3::from_rotation_y(2.0));
     assert!(count(&turned, 0.01).abs_diff(counts[1]) <= 8);
 }

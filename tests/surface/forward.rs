@@ -1,4 +1,4 @@
-//! Grids by forward differencing: how close they are, and what is exact.
+//! Grids by forward differencing: their accuracy, and what is exact.
 
 use crate::nets::Random;
 use casteljau::glam::{DVec3, Vec3};
@@ -58,7 +58,7 @@ fn the_last_sample_of_a_line_is_exact() {
                 let off = (position(&mesh, last) - position(&exact, last))
                     .abs()
                     .max_element();
-                // Of a bicubic patch the other method rounds in lanes, but not on sides.
+                // For a bicubic patch the other method rounds to f32 earlier, but not on edges.
                 assert_eq!(off, 0.0, "degree {degree}, {n} segments");
             }
             let corners = [

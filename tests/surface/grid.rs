@@ -1,4 +1,4 @@
-//! Grids: layout, positions and normals against the patch, shared sides, reuse, limits.
+//! Grids: layout, positions and normals compared with the patch, shared edges, reuse of buffers, limits.
 
 use crate::nets::{Random, assert_near};
 use casteljau::curve::bernstein;
@@ -95,7 +95,7 @@ fn triangles_face_where_the_normals_point() {
             assert!(across.dot(normal(&mesh, vertex).as_dvec3()) > 0.0);
         }
     }
-    // Eight collapsed sides, one triangle for each of their sixteen segments.
+    // Eight collapsed edges, one triangle for each of their sixteen segments.
     assert_eq!(flat, 128);
 }
 
@@ -145,7 +145,7 @@ fn corners_are_exact() {
     }
 }
 
-/// The four sides of a grid of n × n cells: u = 0, u = 1, v = 0, v = 1.
+/// The four edges of a grid of n × n cells: u = 0, u = 1, v = 0, v = 1.
 fn sides(mesh: &Mesh, n: usize) -> [Vec<[u32; 3]>; 4] {
     let bits = |vertex: usize| position(mesh, vertex).to_array().map(f32::to_bits);
     let line = |first: usize, step: usize| (0..=n).map(|k| bits(first + k * step)).collect();
@@ -170,7 +170,7 @@ fn shared_sides_are_bit_identical_from_both_patches() {
                 let shared = &sides(&first.grid(grid, false).unwrap(), n)[2];
                 let reversed: Vec<_> = shared.iter().rev().copied().collect();
                 for (points, expected) in [(&side, shared), (&backwards, &reversed)] {
-                    // The neighbour's degree across the side plays no part.
+                    // The neighbour's degree across the edge does not matter.
                     let below = along_v0(points, &mut random, 3);
                     let right = along_u1(points, &mut random, 2);
                     let mesh = below.grid(grid, false).unwrap();
@@ -185,7 +185,8 @@ fn shared_sides_are_bit_identical_from_both_patches() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn shared_sides_are_bit_identical_where_everything_cancels() {
-    // Sides through 0 at one sample, where what is left is the rounding of f64: it must be the same from both patches.
+    // Edges that pass through 0 at one sample, where only the rounding of f64 remains: it must be equal for both
+    // patches.
     let mut random = Random(9);
     for degree in [2, 3, 4] {
         for n in [7, 16, 23, 49] {
@@ -239,7 +240,7 @@ fn degenerate_and_extreme_patches_give_numbers() {
         let patch = Patch::new(&scaled, 3, 3).unwrap();
         let mesh = patch.grid(Grid::from(4), false).unwrap();
         for vertex in 0..mesh.vertex_count() {
-            // Too large for f32 is infinite, not NaN; the normal keeps its direction.
+            // Positions too large for f32 are infinite, not NaN; the normal keeps its direction.
             assert!(!position(&mesh, vertex).is_nan());
             assert!((normal(&mesh, vertex).length() - 1.0).abs() < 1e-6);
         }

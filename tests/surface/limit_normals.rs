@@ -1,10 +1,10 @@
-//! Normals where ∂u × ∂v vanishes, on the hardest net there is: Gumbo's many degenerate corners and sides.
+//! Normals where ∂u × ∂v vanishes, on the most difficult net: Gumbo's many degenerate corners and edges.
 
 use crate::listings::gumbo;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface, TeapotOptions};
 
-/// The normal's limit by other means: Richardson extrapolation of plain normals on the way to the middle.
+/// The limit of the normal by Richardson extrapolation of ordinary normals on the line to the middle.
 fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
     let step = |h: f64| {
         let p = patch.partials(u + h * (0.5 - u), v + h * (0.5 - v));
@@ -14,7 +14,7 @@ fn limit_by_extrapolation(patch: &Patch, u: f64, v: f64) -> DVec3 {
     (step(h) * 8.0 / 3.0 - step(2.0 * h) * 2.0 + step(4.0 * h) / 3.0).normalize()
 }
 
-/// Compares all degenerate points of a 16 × 16 grid; returns how many there are.
+/// Compares all degenerate points of a 16 × 16 grid; returns their number.
 fn compare(surface: &Surface, max_degrees: f64) -> usize {
     let mut degenerate = 0;
     for (index, patch) in surface.patches().enumerate() {

@@ -1,4 +1,4 @@
-//! One patch: evaluation, derivatives, normals, curves on it, pieces of it.
+//! Patches: evaluation, derivatives, normals, isocurves, subdivision.
 
 use crate::nets::{Random, assert_near, graph};
 use casteljau::curve::bernstein;
@@ -19,7 +19,7 @@ const DEGREES: [(usize, usize); 9] = [
 ];
 const TS: [f64; 6] = [0.0, 0.125, 1.0 / 3.0, 0.5, 0.9, 1.0];
 
-/// Runs a check on a random patch of each pair of degrees at each pair of parameters.
+/// Runs a check on a random patch of each pair of degrees, at each pair of parameters.
 fn everywhere(seed: u64, check: impl Fn(&Patch, f64, f64)) {
     let mut random = Random(seed);
     for (m, n) in DEGREES {
@@ -74,7 +74,7 @@ fn isocurves_lie_on_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn partials_of_a_polynomial() {
-    // z = u³v² − 2uv + 5v³ over the unit square, whose derivatives are known.
+    // z = u³v² − 2uv + 5v³ over the unit square has known derivatives.
     for (m, n) in [(3, 3), (4, 3), (3, 6)] {
         let patch = graph(m, n, &[(1.0, 3, 2), (-2.0, 1, 1), (5.0, 0, 3)]);
         for u in TS {
@@ -148,7 +148,7 @@ fn elevation_keeps_the_patch() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn normal_of_a_graph() {
-    // z = u² − v³: the normal is (−2u, 3v², 1), brought to length 1.
+    // z = u² − v³: the normal is (−2u, 3v², 1), normalised.
     let patch = graph(3, 3, &[(1.0, 2, 0), (-1.0, 0, 3)]);
     for u in TS {
         for v in TS {
@@ -158,7 +158,8 @@ fn normal_of_a_graph() {
     }
 }
 
-/// A cap of the paraboloid z = −r² as one collapsed patch: u runs around, v outwards from the pole; outside is up.
+/// A cap of the paraboloid z = −r² as one patch with a collapsed edge: u runs around, v outwards from the pole; the
+/// outside is up.
 fn cap() -> Patch {
     let rim = [
         DVec3::new(1.0, 0.0, -1.0),
@@ -170,7 +171,7 @@ fn cap() -> Patch {
     let pole = net[0];
     net.extend(rim.map(|p| pole + DVec3::new(0.5 * p.x, 0.5 * p.y, 0.0)));
     net.extend(rim.map(|p| pole + p));
-    // v from the pole to the rim first, then u counter-clockwise as seen from above: ∂u × ∂v points down.
+    // v runs from the pole to the rim, u counter-clockwise as seen from above, so ∂u × ∂v points down.
     Patch::new(&net, 3, 2).unwrap()
 }
 
@@ -183,7 +184,7 @@ fn normal_at_a_collapsed_side_is_the_limit() {
         let reversed = Patch::new(&reversed, 3, 2).unwrap();
         assert_near(reversed.normal(u, 1.0), -DVec3::Z, 1e-14);
     }
-    // Continuous towards the side, however near.
+    // The normal is continuous towards the edge, however near.
     for v in [1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-15, 1e-300] {
         for u in TS {
             let tilt = cap().normal(u, v).angle_between(-DVec3::Z);
@@ -202,14 +203,14 @@ fn normal_at_a_collapsed_column_is_the_limit() {
         .collect();
     let across = Patch::new(&across, 2, 3).unwrap();
     for t in TS {
-        // u and v exchanged: the other side.
+        // u and v exchanged: the normal is reversed.
         assert_near(across.normal(0.0, t), DVec3::Z, 1e-14);
     }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn normal_at_a_degenerate_corner_is_the_limit() {
-    // Both handles at (0, 0) have no length: flat in z = 0, so the normal is z from everywhere.
+    // Both handles at (0, 0) have length 0: flat in z = 0, so the normal is z from every direction.
     let mut net = graph(3, 3, &[]).control_points().to_vec();
     (net[1], net[4], net[5]) = (net[0], net[0], net[0]);
     let patch = Patch::new(&net, 3, 3).unwrap();

@@ -1,4 +1,4 @@
-//! Reading and writing with serde: the form of JavaScript's `toJSON`, checked as by the constructors.
+//! Serialization with serde: the same form as JavaScript's `toJSON`, checked as by the constructors.
 
 use casteljau::curve::IntersectionKind;
 use casteljau::glam::{DVec2, DVec3};
@@ -81,7 +81,7 @@ fn an_easing_is_its_four_numbers() {
     assert!(serde_json::from_str::<Easing>("[2,0,0,0]").is_err());
 }
 
-/// The text of a value, and the value that it is read as, which must be equal.
+/// Serializes a value, checks that it is read back equal, and returns the text.
 fn there_and_back<T: serde::Serialize + serde::de::DeserializeOwned + PartialEq + Debug>(
     value: T,
 ) -> String {

@@ -1,4 +1,4 @@
-//! The teapot: its data, and the figures known of it from elsewhere.
+//! The teapot: its data, and figures known from other sources.
 
 use casteljau::glam::{DAffine3, DVec2, DVec3};
 use casteljau::models::{Height, Up};
@@ -9,7 +9,7 @@ fn teapot() -> Surface {
     Surface::teapot(TeapotOptions::default())
 }
 
-/// No part at all; tests switch parts on.
+/// All parts off; tests switch parts on.
 const NOTHING: TeapotOptions = TeapotOptions {
     rim: false,
     body: false,
@@ -43,7 +43,7 @@ fn data_are_those_of_the_usual_listing_bit_for_bit() {
 fn counts() {
     let surface = teapot();
     assert_eq!(surface.patch_count(), 32);
-    // The listing's 306, less 4 that no patch uses and 12 that repeat the edge between body and bottom.
+    // The listing's 306 vertices, minus 4 that no patch uses and 12 that repeat the edge between body and bottom.
     assert_eq!(surface.vertices().len(), 290);
     let mut used = vec![false; 290];
     for &index in surface.indices() {
@@ -151,11 +151,11 @@ fn normals_have_length_one_and_point_outwards() {
         let (p, normal) = (vector(&mesh.positions), vector(&mesh.normals));
         assert!((normal.length() - 1.0).abs() < 3e-7);
         let outwards = match mesh.patch_ids[vertex] {
-            // Away from the axis.
+            // Pointing away from the axis.
             4..12 => DVec3::new(p.x, p.y, 0.0),
-            // Away from the plane of symmetry: the handle, and the spout up to its lip.
+            // Pointing away from the plane of symmetry: the handle, and the spout up to its lip.
             12..18 => DVec3::new(0.0, p.y, 0.0),
-            // The lid's underside turns in below the knob.
+            // The lid's underside turns inwards below the knob.
             24..28 => DVec3::Z,
             28..32 => -DVec3::Z,
             _ => continue,
@@ -166,7 +166,7 @@ fn normals_have_length_one_and_point_outwards() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn all_joints_of_the_listing_are_shared() {
-    // Of 128 sides 52 pairs are shared, 16 open, 8 collapsed: so the open ones are named once, by their vertices.
+    // Of 128 edges 52 pairs are shared, 16 are open, 8 are collapsed: so open edges occur once by their vertices.
     let surface = teapot();
     let mut names = Vec::new();
     for index in 0..32 {
@@ -188,7 +188,7 @@ fn all_joints_of_the_listing_are_shared() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn greatest_distance_of_the_grids() {
-    // Measured independently: the surface sampled densely, against the mesh.
+    // Measured independently: dense samples of the surface, compared with the mesh.
     let figures = [
         (4, 12, 0.0949),
         (8, 8, 0.0250),
@@ -202,10 +202,10 @@ fn greatest_distance_of_the_grids() {
     }
 }
 
-/// The patches that are not quarter turns of another.
+/// The patches that are not rotated copies of another by a quarter turn.
 const UNLIKE: [usize; 14] = [0, 4, 8, 12, 13, 14, 15, 16, 17, 18, 19, 20, 24, 28];
 
-/// The greatest distance of surface points from the triangles of their own cell and of its neighbours.
+/// The maximum distance of surface points from the triangles of their own cell and its neighbours.
 fn greatest_distance(surface: &Surface, n: usize, samples: usize) -> f64 {
     let grid = Grid::from(n);
     let mesh = surface.grid(grid, false).unwrap();
@@ -257,7 +257,7 @@ fn distance_to(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn profile_is_the_listing_s() {
-    // The widest ring of the body has the radius 2 at the height 0.9, four quarter turns of it.
+    // The widest ring of the body has the radius 2 at the height 0.9 and consists of four quarters.
     let surface = teapot();
     for patch in 4..8 {
         let rim = surface.patch(patch).unwrap().isocurve_at_v(1.0);
@@ -272,7 +272,7 @@ fn profile_is_the_listing_s() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_moved_vertex_moves_all_patches_that_share_it() {
     let surface = teapot();
-    // The first corner of the rim's first patch is the last one of its fourth.
+    // The first corner of the rim's first patch is the last corner of its fourth patch.
     let vertex = surface.patch_indices(0).unwrap()[0] as usize;
     let moved = surface.move_point(vertex, DVec3::ONE).unwrap();
     assert_eq!(moved.patch(0).unwrap().eval(0.0, 0.0), DVec3::ONE);

@@ -1,11 +1,11 @@
-//! Teacup and teaspoon: their data, and what is known of them from elsewhere.
+//! Teacup and teaspoon: their data, and figures known from other sources.
 
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 use casteljau::models::Up;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-/// A listing of tests/data, turned and with v reversed: the control points of each patch as bits.
+/// A listing of tests/data, rotated and with v reversed: the control points of each patch as bits.
 #[cfg(not(target_family = "wasm"))]
 fn listed(name: &str, turn: fn([f64; 3]) -> [f64; 3]) -> Vec<Vec<[u64; 3]>> {
     let data = crate::golden::golden(name);
@@ -50,7 +50,7 @@ fn data_are_the_listings_bit_for_bit() {
     }
 }
 
-/// The counts of shared and of open sides, by vertices.
+/// The numbers of shared and open edges, by vertices.
 fn sides(surface: &Surface) -> (usize, usize) {
     let mut names = Vec::new();
     for patch in 0..surface.patch_count() {
@@ -78,7 +78,7 @@ fn counts() {
     assert_eq!(sides(&spoon), (28, 8));
 }
 
-/// Area, and the volume under the faces, of a fine grid.
+/// The area of a fine grid, and the volume under its faces.
 fn area_and_volume(surface: &Surface) -> (f64, f64) {
     let n = 96;
     let (mut area, mut volume) = (0.0, 0.0);
@@ -97,7 +97,7 @@ fn area_and_volume(surface: &Surface) -> (f64, f64) {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn areas_are_those_measured_elsewhere() {
-    // The faces of a grid of 1/96 are some 1e-4 of it too small.
+    // The area of a grid of 1/96 is too small by about 1e-4.
     for (surface, expected) in [
         (Surface::teacup(Up::Z), 9.981_697_616),
         (Surface::teaspoon(Up::Z), 0.342_881_444),
@@ -109,7 +109,7 @@ fn areas_are_those_measured_elsewhere() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn normals_point_outwards() {
-    // The spoon is closed but for its gaps: the volume inside is positive.
+    // The spoon is closed except for its gaps: the volume inside is positive.
     for up in [Up::Z, Up::Y] {
         let (_, volume) = area_and_volume(&Surface::teaspoon(up));
         assert!((0.001..0.1).contains(&volume), "{volume}");
@@ -123,12 +123,12 @@ fn normals_point_outwards() {
             let outwards = match index {
                 4..8 | 18..22 => around,
                 8..12 => -around,
-                // Away from the plane of symmetry: u runs over the half-section.
+                // Pointing away from the plane of symmetry: u runs over the half-section.
                 12 => DVec3::Y,
                 13 => -DVec3::Y,
                 14..18 => DVec3::Z,
                 22..26 => -DVec3::Z,
-                _ => continue, // the rim, over which outwards turns by half a circle
+                _ => continue, // the rim, over which the outward direction turns by half a circle
             };
             assert!(normal.dot(outwards) >= 0.0, "{index}: {p} {normal}");
         }
@@ -141,7 +141,7 @@ fn cup_stands_and_spoon_lies() {
     assert_eq!((cup.min.z, cup.max.x, cup.max.y), (0.0, 1.0, 1.0));
     assert_eq!(Surface::teacup(Up::Y).control_bounds().unwrap().min.y, 0.0);
     let spoon = Surface::teaspoon(Up::Z);
-    // Along the middle line the bowl's inside is lower than its edge.
+    // Along the middle line the inside of the bowl is lower than its edge.
     let inside = spoon.patch(0).unwrap();
     assert!(inside.eval(0.5, 0.0).z < inside.eval(0.0, 0.0).z - 0.03);
     let turned = Surface::teaspoon(Up::Y).patch(0).unwrap();

@@ -1,4 +1,4 @@
-//! Surfaces as text. The table of texts, good and bad, is read by tests/js/text.test.js, too.
+//! Surfaces as text. The table of valid and invalid texts is also read by tests/js/text.test.js.
 
 use crate::nets::Random;
 use casteljau::glam::DVec3;
@@ -41,7 +41,7 @@ fn table_of_texts() {
     }
 }
 
-/// Reads back what was written, bit for bit.
+/// Checks that a surface is read back bit for bit.
 fn there_and_back(surface: &Surface) {
     let text = surface.to_text();
     let again = Surface::parse(&text).unwrap();
@@ -104,13 +104,13 @@ fn bpt_joins_what_coincides() {
             text += &format!("{:.5} {} {:.5}\n", p.x, p.y, p.z);
         }
     }
-    // Five decimals hold all of the teapot's figures.
+    // Five decimals represent all coordinates of the teapot.
     assert_eq!(Surface::parse(&text).unwrap(), teapot);
 }
 
 #[test]
 fn large_texts_take_their_time_once() {
-    // A quarter of a million points; a quadratic reader would need hours.
+    // A quarter of a million points; a reader with quadratic time would need hours.
     let text = "15000\n".to_owned() + &"3 3\n1 2 3\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n4 5 6\n".repeat(15_000);
     let surface = Surface::parse(&text).unwrap();
     assert_eq!(

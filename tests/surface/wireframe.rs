@@ -1,4 +1,4 @@
-//! A surface as lines: which ones, and what a projection draws of them.
+//! Isocurves of surfaces, and their projected drawing.
 
 use crate::nets::{Random, assert_near};
 use casteljau::curve::PathSink;
@@ -16,7 +16,7 @@ fn single(net: Vec<DVec3>, m: usize, n: usize) -> Surface {
     Surface::new(net, indices, m, n).unwrap()
 }
 
-/// What was drawn: a list of strokes, each a list of curves that join.
+/// A recorded drawing: a list of strokes, each a list of joined curves.
 #[derive(Default)]
 struct Record(Vec<Vec<Curve<DVec2>>>, DVec2);
 
@@ -60,7 +60,7 @@ fn project(matrix: &DMat4, p: DVec3) -> DVec2 {
     DVec2::new(q.x / q.w, q.y / q.w)
 }
 
-/// To a canvas of 800 × 800 from an eye at (0, −`distance`, 1.5) that looks along +y.
+/// A projection to a canvas of 800 × 800 from an eye at (0, −`distance`, 1.5) that looks along +y.
 fn perspective(distance: f64) -> DMat4 {
     let zoom = 900.0;
     // X = 400·w + zoom·x, Y = 400·w − zoom·(z − 1.5), w = y + distance.
@@ -79,7 +79,7 @@ fn perspective(distance: f64) -> DMat4 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn each_line_once() {
-    // 32 patches with lines + 1 curves each way, less 52 shared sides and 8 collapsed ones.
+    // 32 patches with lines + 1 curves in each direction, minus 52 shared edges and 8 collapsed ones.
     for lines in [1, 2, 5] {
         let curves = teapot().isocurves(lines).unwrap();
         assert_eq!(curves.len(), 32 * 2 * (lines + 1) - 52 - 8);
@@ -149,7 +149,7 @@ fn perspective_keeps_the_tolerance() {
     }
 }
 
-/// Asserts that every drawn point is near the true projection, measured against a dense polyline, and the reverse.
+/// Asserts that every drawn point is near the true projection, measured with a dense polyline, and the reverse.
 fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, tolerance: f64) {
     const DENSE: usize = 2000;
     let reference: Vec<DVec2> = (0..=DENSE)
@@ -160,7 +160,8 @@ fn check_stroke(stroke: &[Curve<DVec2>], curve: &Curve<DVec3>, matrix: &DMat4, t
         .iter()
         .flat_map(|piece| piece.sample(per_piece.max(8)).unwrap())
         .collect();
-    // How far a polyline of samples is from its curve: a quarter of what leaving out every other sample would cost.
+    // An estimate of the distance of a polyline of samples from its curve: a quarter of the error of omitting every
+    // other sample.
     let sag = |line: &[DVec2]| {
         let curvatures = line
             .windows(3)
@@ -190,7 +191,7 @@ fn distance_to_line(p: DVec2, line: &[DVec2]) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_lies_behind_the_eye_is_left_out() {
-    // The eye stands inside the teapot, on its axis.
+    // The eye is inside the teapot, on its axis.
     let matrix = perspective(0.0);
     let far = teapot().vertices().iter().map(|p| p.y).fold(0.0, f64::max);
     let drawn = draw(&teapot(), &matrix, 4, 0.1);
@@ -209,7 +210,7 @@ fn what_lies_behind_the_eye_is_left_out() {
         let distance = distances.fold(f64::INFINITY, f64::min);
         assert!(distance < 2.0, "{p} is {distance} px from all lines");
     }
-    // From behind, nothing at all.
+    // From behind, nothing is drawn.
     assert!(draw(&teapot(), &perspective(-10.0), 4, 0.1).0.is_empty());
 }
 

@@ -1,4 +1,4 @@
-//! What must hold for every mesh of a surface.
+//! Checks of every mesh of a surface.
 
 use super::limits::{MAX_DEGREES, limit};
 use super::shapes::{SIDES, along, diagonal, largest};
@@ -8,7 +8,7 @@ use casteljau::mesh::{Indices, TessellationOptions, Weld};
 use casteljau::{Mesh, Patch, Surface};
 use std::collections::HashSet;
 
-/// The three meshes of one surface.
+/// The three meshes of one surface, one for each welding rule.
 pub(crate) struct Three {
     pub(crate) own: Mesh,
     pub(crate) normal: Mesh,
@@ -25,7 +25,7 @@ impl Three {
         }
     }
 
-    /// All that holds for every surface, watertight or not.
+    /// Checks everything that holds for every surface, watertight or not.
     pub(crate) fn assert_alike(&self, patches: usize) {
         for mesh in [&self.own, &self.normal, &self.position] {
             assert_layout(mesh, patches);
@@ -70,7 +70,7 @@ impl Three {
     }
 }
 
-/// Counts and numbers of the buffers.
+/// Checks the sizes and numbers of the buffers.
 pub(crate) fn assert_layout<T: Copy + Into<f64>>(mesh: &Mesh<T>, patches: usize) {
     let vertices = mesh.vertex_count();
     assert_eq!(mesh.positions.len(), 3 * vertices);
@@ -98,7 +98,7 @@ pub(crate) fn assert_layout<T: Copy + Into<f64>>(mesh: &Mesh<T>, patches: usize)
     assert_ranges(mesh, patches, own);
 }
 
-/// Ranges follow each other, cover everything, and tell the truth about their patches.
+/// Checks that ranges are contiguous, cover everything, and belong to their patches.
 fn assert_ranges<T>(mesh: &Mesh<T>, patches: usize, own: bool) {
     assert_eq!(mesh.patch_ranges.len(), patches);
     let indices: Vec<usize> = mesh.indices.iter().collect();
@@ -128,9 +128,9 @@ fn assert_ranges<T>(mesh: &Mesh<T>, patches: usize, own: bool) {
     assert!(!own || vertex == mesh.vertex_count());
 }
 
-/// Each vertex is where its patch is at its u and v, up to rounding, with the patch's normal there.
+/// Checks that each vertex is at the point of its patch at its u and v, up to rounding, with the patch's normal.
 ///
-/// `parameter` gives the f64 that an f32 of `uvs` stands for.
+/// `parameter` returns the f64 for an f32 of `uvs`.
 pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl Fn(f32) -> f64) {
     let patches: Vec<Patch> = surface.patches().collect();
     let slack = largest(surface) * 1e-14;
@@ -140,7 +140,7 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
         let [u, v] = uv.map(&parameter);
         let exact = patch.eval(u, v);
         for axis in 0..3 {
-            // Half an ulp of f32, the larger one of numbers just above a power of two.
+            // Half an f32 ulp; for numbers just above a power of two the larger ulp.
             let max = exact[axis].abs() * f64::from(f32::EPSILON) / 2.0 + slack;
             assert!(
                 (p[axis] - exact[axis]).abs() <= max,
@@ -157,7 +157,7 @@ pub(crate) fn assert_on_surface(surface: &Surface, mesh: &Mesh, parameter: impl 
     }
 }
 
-/// Every normal of weld "normal" is that of a patch at its place.
+/// Checks that every normal with weld "normal" is the normal of a patch at the vertex's position.
 pub(crate) fn assert_normals_of_patches(three: &Three) {
     let soup = Soup::new(&three.own);
     let key = |location: DVec3, normal: DVec3| {
@@ -182,7 +182,8 @@ pub(crate) fn assert_normals_of_patches(three: &Three) {
     }
 }
 
-/// No edge inside of the surface is open or has more than two triangles: edges with one lie on open sides.
+/// Checks that no edge inside the surface is open or has more than two triangles; edges with one triangle lie on open
+/// patch edges.
 pub(crate) fn assert_watertight(surface: &Surface, mesh: &Mesh, sheets: u32) -> usize {
     assert!(!mesh.uvs.is_empty(), "for meshes with uvs");
     let soup = Soup::new(mesh);
@@ -221,12 +222,12 @@ fn on_side_of(mesh: &Mesh, ends: [usize; 2], sides: &HashSet<(usize, usize)>) ->
     })
 }
 
-/// Accurate for small angles, too.
+/// The angle in degrees, also accurate for small angles.
 pub(crate) fn degrees_between(a: DVec3, b: DVec3) -> f64 {
     (2.0 * (a - b).length().atan2((a + b).length())).to_degrees()
 }
 
-/// Tolerances from 1e-1 of the diagonal down, three for every decade.
+/// Tolerances from 1e-1 of the diagonal down, three per decade.
 pub(crate) fn tolerances(surface: &Surface, count: i32) -> impl Iterator<Item = f64> {
     let size = diagonal(surface);
     (0..count).map(move |k| size * 10_f64.powf(-1.0 - f64::from(k) / 2.75))

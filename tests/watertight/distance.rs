@@ -1,21 +1,22 @@
-//! How far is a surface from a mesh? Dense samples of the surface against a tree of the mesh's triangles: nothing here
-//! knows which triangle belongs to which part of a patch.
+//! Distance of a surface from a mesh: dense samples of the surface, compared with a tree of the mesh's triangles,
+//! without knowledge of which triangle belongs to which part of a patch.
 
 use super::soup::Soup;
 use casteljau::glam::DVec3;
 use casteljau::{Patch, Surface};
 
-/// Triangles in one leaf of the tree.
+/// The maximum number of triangles in a leaf of the tree.
 const FEW: usize = 4;
 
-/// A box around triangles.
+/// A bounding box of triangles.
 #[derive(Clone, Copy)]
 struct Span {
     low: DVec3,
     high: DVec3,
 }
 
-/// A node of the tree: its triangles, and where its second child is (0 for a leaf; the first one follows the node).
+/// A node of the tree: its triangles, and the index of its second child (0 for a leaf; the first child follows the
+/// node).
 struct Node {
     span: Span,
     from: usize,
@@ -23,7 +24,7 @@ struct Node {
     second: usize,
 }
 
-/// A tree of triangles, halved at the middle one along the longest axis.
+/// A tree of triangles, split at the median along the longest axis.
 pub(crate) struct Tree {
     nodes: Vec<Node>,
     triangles: Vec<[DVec3; 3]>,
@@ -79,7 +80,7 @@ impl Tree {
         self.build(middle, to);
     }
 
-    /// The distance to the nearest triangle; `hint` is a triangle that may be near, and then the nearest.
+    /// The distance to the nearest triangle; `hint` is a triangle that may be near, and is set to the nearest one.
     pub(crate) fn distance(&self, p: DVec3, hint: &mut usize) -> f64 {
         self.nearest(p, hint)
             .map_or(f64::INFINITY, |q| (p - q).length())
@@ -112,7 +113,7 @@ impl Tree {
     }
 }
 
-/// The point of a triangle nearest to p: of the plane if it is inside, else of an edge.
+/// The point of a triangle nearest to p: in the plane if the projection is inside, otherwise on an edge.
 fn nearest(p: DVec3, &[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
     let inside = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(normal) >= 0.0;
@@ -143,7 +144,7 @@ fn on_edge(p: DVec3, a: DVec3, b: DVec3) -> DVec3 {
     a + along * t
 }
 
-/// The greatest distance of about `samples` points of the surface from the mesh, and the patch where it is.
+/// The maximum distance of about `samples` points of the surface from the mesh, and the patch where it occurs.
 pub(crate) fn greatest(surface: &Surface, soup: &Soup, samples: usize) -> (f64, usize) {
     let tree = Tree::new(soup);
     let per_line = (samples / surface.patch_count()).isqrt().max(4);
@@ -157,7 +158,7 @@ pub(crate) fn greatest(surface: &Surface, soup: &Soup, samples: usize) -> (f64, 
 
 fn of_patch(tree: &Tree, patch: &Patch, per_line: usize) -> f64 {
     let mut hint = 0;
-    // Irrational steps: no even grid that could miss all that lies between the vertices of another one.
+    // Irrational steps, so that no regular grid misses everything between the vertices of another grid.
     let wander = |i: usize, j: usize| ((i * 7 + j * 3) as f64 * 0.618_033_988_749_894_8).fract();
     let mut max: f64 = 0.0;
     for j in 0..per_line {

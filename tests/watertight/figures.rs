@@ -1,4 +1,4 @@
-//! Figures known from elsewhere: counts of the teapot's, the teacup's and Gumbo's sides, of vertices and triangles,
+//! Figures known from other sources: numbers of edges of the teapot, the teacup and Gumbo, of vertices and triangles,
 //! distances, volumes.
 
 use super::distance::greatest;
@@ -40,7 +40,7 @@ fn sides_of_the_known_surfaces() {
     }
 }
 
-/// Each side compared with each.
+/// Compares each edge with each other edge.
 #[test]
 fn sides_are_joined_where_their_points_are() {
     for surface in [
@@ -69,7 +69,7 @@ fn sides_are_joined_where_their_points_are() {
                 _ => expected.non_manifold.push(uses),
             }
         }
-        // A collapsed side runs both ways alike.
+        // A collapsed edge is equal in both directions.
         assert_eq!(topology, expected);
     }
 }
@@ -102,7 +102,7 @@ fn vertices_and_triangles_of_even_segments() {
     assert!(matches!(bits(46), Indices::U32(_)));
 }
 
-/// Samples find a little less than the greatest distance.
+/// Samples find slightly less than the maximum distance.
 #[test]
 fn distance_of_even_segments() {
     for (n, expected) in [(4, 0.0949), (8, 0.0250), (16, 0.00626), (32, 0.00157)] {
@@ -133,7 +133,7 @@ fn normals_of_knob_and_bottom() {
                 }
             }
         }
-        // Four patches meet at each; alone, each has six vertices there.
+        // Four patches meet at each of these points; with separate vertices each patch has six vertices there.
         assert_eq!(seen, if weld == Weld::None { 48 } else { 2 });
     }
 }
@@ -182,7 +182,7 @@ fn closed_body_of_gumbo() {
         assert!(soup.boundary(1).is_empty(), "an open edge");
         let off = (soup.volume() - 2556.7737).abs() / 2556.7737;
         println!("{relative:e}: volume off by {off:.1e}");
-        // The volume between body and mesh is at most the tolerance times the area, 1726 in all.
+        // The volume between the body and the mesh is at most the tolerance times the area, 1726 in total.
         assert!(off < diagonal(&surface) * relative * 1726.0 / 2556.0 && off < last);
         last = off;
     }

@@ -1,4 +1,4 @@
-//! Patches that meet themselves: folded flaps, and tubes thinner than the tolerance.
+//! Patches that touch themselves: folded flaps, and tubes thinner than the tolerance.
 
 use super::checks::assert_layout;
 use super::distance::greatest;
@@ -27,7 +27,7 @@ fn assert_within(patch: &Patch, tolerance: f64) {
     assert!(max <= tolerance, "{max} for {tolerance}");
 }
 
-/// Opposite corners at one place: half of the square lies on the other half.
+/// Opposite corners coincide: half of the square lies on the other half.
 #[test]
 fn a_square_folded_along_its_diagonal() {
     let [a, b, c] = [
@@ -40,7 +40,7 @@ fn a_square_folded_along_its_diagonal() {
         for tolerance in [10.0, 2.0, 0.75, 0.05] {
             assert_within(&patch, tolerance);
         }
-        // Along the fold the two sides face opposite ways; either will do.
+        // Along the fold the two sides have opposite normals; either is accepted.
         let mesh = patch.tessellate(&segments(2, 2).weld(Weld::None)).unwrap();
         let plane = (b - a).cross(c - a).normalize();
         for normal in vectors(&mesh.normals) {
@@ -49,8 +49,8 @@ fn a_square_folded_along_its_diagonal() {
     }
 }
 
-/// Few cells, so that the outline of one visits a point of the sides that lie on each other twice. Triangles between
-/// these visits have no area, and the corner beyond them belongs to no other triangle.
+/// With few cells, the outline of a cell visits a point of the coincident edges twice. Triangles between these visits
+/// have no area, and the corner beyond them belongs to no other triangle.
 #[test]
 fn a_square_folded_along_its_diagonal_in_few_cells() {
     let nets = [
@@ -77,7 +77,7 @@ fn a_strip_folded_in_the_middle() {
     }
 }
 
-/// A tube from one patch whose first and last rows are one: along u, along v, as a cone, as a ring.
+/// A tube from one patch whose first and last rows coincide: along u, along v, as a cone, as a ring.
 #[test]
 fn tubes_thinner_than_the_tolerance() {
     let ring = [(0.0, 0.0), (0.1, 0.0), (0.1, 0.1), (0.0, 0.0)].map(|(x, y)| DVec3::new(x, y, 0.0));
@@ -98,7 +98,7 @@ fn tubes_thinner_than_the_tolerance() {
             }
         }
     }
-    // Closed both ways.
+    // Closed in both directions.
     let rows = [0.0, 1.0, 2.0, 0.0].map(|z| ring.map(|p| DVec3::new(p.x + z, p.y, z * 3.0 - p.x)));
     let patch = Patch::new(rows.as_flattened(), 3, 3).unwrap();
     for tolerance in [20.0, 1.0, 0.2, 0.01] {
@@ -106,7 +106,7 @@ fn tubes_thinner_than_the_tolerance() {
     }
 }
 
-/// Halves of a tube that are closed themselves: a figure of eight, thinner than the tolerance.
+/// Both halves of a tube are closed: a figure of eight, thinner than the tolerance.
 #[test]
 fn tubes_whose_halves_are_tubes() {
     let eight = [

@@ -1,4 +1,4 @@
-//! Teapot, teacup, teaspoon and Gumbo at twelve tolerances and several counts of segments.
+//! Teapot, teacup, teaspoon and Gumbo at twelve tolerances and several numbers of segments.
 
 use super::checks::{
     Three, assert_normals_of_patches, assert_on_surface, assert_watertight, tolerances,
@@ -10,13 +10,13 @@ use super::{deep, thorough};
 use casteljau::Surface;
 use casteljau::mesh::TessellationOptions;
 
-/// Decades from 0.1 to 1e-5 of the diagonal, in twelve steps.
+/// The number of tolerances from 0.1 to 1e-5 of the diagonal.
 const TOLERANCES: i32 = 12;
 
-/// As many of them by default; the finer ones take long.
+/// The number of these tolerances by default; the finer ones take long.
 const QUICK_TOLERANCES: i32 = 6;
 
-/// Above this part of the diagonal half a handle may be a single flat piece.
+/// Above this fraction of the diagonal half a handle may be a single flat piece.
 const COARSE: f64 = 0.02;
 
 #[test]
@@ -60,7 +60,7 @@ fn any_number_of_segments() {
     for (name, surface) in all() {
         for (u, v) in counts {
             let three = Three::new(&surface, &segments(u, v));
-            // Samples of both directions meet on sides: parameters are multiples of 1 / (u·v).
+            // Samples of both directions are joined on edges: parameters are multiples of 1 / (u·v).
             let full = (u * v) as f64;
             check(
                 name,

@@ -1,15 +1,15 @@
-//! The limit of a patch's normal, by numbers of twice the precision: no normal net.
+//! The limit of a patch's normal, in double the precision of f64 and without the normal net.
 
 use super::common::exact::{Double, exactly, two_sum};
 use casteljau::Patch;
 use casteljau::glam::DVec3;
 
-/// In degrees: what a normal may be off.
+/// The maximum error of a normal, in degrees.
 pub(crate) const MAX_DEGREES: f64 = 0.001;
 
 type Vector = [Double; 3];
 
-/// The limit of ∂u × ∂v's direction at (u, v), coming from the middle of the patch; none for a curve or a point.
+/// The limit of the direction of ∂u × ∂v at (u, v) from the middle of the patch; `None` for a curve or a point.
 pub(crate) fn limit(patch: &Patch, u: f64, v: f64) -> Option<DVec3> {
     let size = patch.control_bounds().diagonal();
     let cross = plain(patch, u, v);
@@ -22,7 +22,7 @@ pub(crate) fn limit(patch: &Patch, u: f64, v: f64) -> Option<DVec3> {
     if here.length() > 1e-20 {
         return Some(here.normalize());
     }
-    // Richardson: the direction on the way to the middle is smooth in h.
+    // Richardson extrapolation: the direction on the line to the middle is smooth in h.
     let h = 1.0 / 1_048_576.0;
     let [a, b, c] = [h, 2.0 * h, 4.0 * h].map(at);
     if a.length() < 1e-28 {
@@ -37,7 +37,7 @@ fn plain(patch: &Patch, u: f64, v: f64) -> DVec3 {
     partials.u.cross(partials.v)
 }
 
-/// ∂u × ∂v at (u, v) moved by the part h of the way to (½, ½), up to a factor.
+/// ∂u × ∂v at (u, v), moved by the fraction h of the line to (½, ½), up to a factor.
 fn precise(net: &[DVec3], columns: usize, [u, v]: [f64; 2], h: f64) -> DVec3 {
     let moved = |t: f64| two_sum(t, h * (0.5 - t));
     let net: Vec<Vector> = net.iter().map(|p| p.to_array().map(exactly)).collect();

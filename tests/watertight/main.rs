@@ -1,4 +1,4 @@
-//! Meshes without cracks: what `tessellate` promises, on surfaces that everybody knows, on random ones and on bad input.
+//! Crack-free meshes: the guarantees of `tessellate` on well-known surfaces, on random ones and for invalid input.
 #![cfg(not(target_family = "wasm"))]
 
 #[path = "../allocations/mod.rs"]
@@ -25,12 +25,12 @@ mod shapes;
 mod soup;
 mod weld;
 
-/// CASTELJAU_DEEP=1 asks for finer meshes and many more surfaces.
+/// CASTELJAU_DEEP=1 selects finer meshes and many more surfaces.
 fn deep() -> bool {
     std::env::var_os("CASTELJAU_DEEP").is_some_and(|value| value != "0")
 }
 
-/// How many: fewer by default.
+/// The number of cases: fewer by default.
 fn thorough(by_default: usize, when_deep: usize) -> usize {
     if deep() {
         when_deep.max(by_default)

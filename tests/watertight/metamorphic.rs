@@ -1,4 +1,4 @@
-//! Turned, scaled, with u and v exchanged or reversed: the mesh follows.
+//! Meshes of surfaces that are rotated, scaled, or have u and v exchanged or reversed.
 
 use super::checks::{assert_watertight, degrees_between};
 use super::shapes::{all, diagonal};
@@ -7,12 +7,12 @@ use casteljau::glam::{DAffine3, DMat3, DVec3};
 use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
-/// What a change of the surface does to its mesh.
+/// A change of the surface and its effect on the mesh.
 struct Change {
     name: &'static str,
     surface: fn(&Surface) -> Surface,
     scale: f64,
-    /// −1 where triangles turn round.
+    /// −1 where the orientation of triangles is reversed.
     sense: f64,
 }
 
@@ -71,7 +71,7 @@ fn scaled(surface: &Surface, factor: f64) -> Surface {
     ))))
 }
 
-/// All nets of a bicubic surface in another order.
+/// A bicubic surface with all nets in another order.
 fn rearranged(surface: &Surface, change: fn(&mut [u32])) -> Surface {
     let mut indices = surface.indices().to_vec();
     indices.chunks_mut(16).for_each(change);
@@ -100,7 +100,7 @@ fn meshed(surface: &Surface) -> Mesh {
     surface.tessellate(&tolerance.weld(Weld::None)).unwrap()
 }
 
-/// The same however the surface is turned.
+/// A diagonal that does not change when the surface is rotated.
 fn diagonal_of_sphere(surface: &Surface) -> f64 {
     let first = surface.vertices()[0];
     surface
@@ -139,7 +139,7 @@ fn meshes_follow() {
     }
 }
 
-/// Powers of two change nothing but exponents.
+/// Powers of two change only exponents.
 #[test]
 fn powers_of_two_change_nothing() {
     for (name, surface) in all() {

@@ -1,4 +1,4 @@
-//! Moving points: what was joined stays joined, and nothing else becomes so.
+//! Moving points: joined vertices stay joined, and no others become joined.
 
 use super::common::Rng;
 use super::random::{check, options};
@@ -23,7 +23,7 @@ fn topology_is_kept() {
     }
 }
 
-/// Anywhere near, or onto another vertex.
+/// Moves a vertex to a random point nearby, or onto another vertex.
 fn move_one(rng: &mut Rng, surface: &Surface) -> Surface {
     let vertices = surface.vertices();
     let (index, other) = (rng.below(vertices.len()), rng.below(vertices.len()));
@@ -58,7 +58,7 @@ fn onto_another_point_and_away() {
     }
 }
 
-/// A vertex that is listed twice moves as one.
+/// A vertex that is listed twice moves as one vertex.
 #[test]
 fn copies_of_a_vertex_move_along() {
     let square = |x: f64| [0.0, 1.0].map(|y| [x, x + 1.0].map(|x| DVec3::new(x, y, 0.0)));
@@ -72,7 +72,7 @@ fn copies_of_a_vertex_move_along() {
     let moved = surface.move_point(1, DVec3::new(1.0, 0.0, 5.0)).unwrap();
     assert_eq!(moved.vertices()[4], DVec3::new(1.0, 0.0, 5.0));
     assert_eq!(moved.topology(), topology);
-    // Onto a corner that it was not joined with: still two sides.
+    // Moved onto a corner with which it was not joined: the edges remain separate.
     let onto = surface.move_point(0, surface.vertices()[1]).unwrap();
     assert_eq!(onto.topology(), topology);
     assert_eq!(onto.vertices()[4], onto.vertices()[0]);

@@ -1,33 +1,33 @@
-//! Random networks of patches: mixed degrees, sides shared in all orientations, tubes, Möbius bands, collapsed sides,
-//! touching corners, three patches on a side, patches that are curves or points, vertices listed twice.
+//! Random networks of patches: mixed degrees, edges shared in all orientations, tubes, Möbius bands, collapsed edges,
+//! touching corners, three patches at an edge, patches that are curves or points, vertices listed twice.
 
 use super::common::Rng;
 use casteljau::Surface;
 use casteljau::glam::DVec3;
 
-/// A network in the making.
+/// A network under construction.
 struct Draft {
     vertices: Vec<DVec3>,
     nets: Vec<Net>,
 }
 
-/// Vertex numbers, and how many there are in a row.
+/// The vertex indices, and the length of a row.
 struct Net {
     vertices: Vec<usize>,
     columns: usize,
 }
 
-/// A sheet of patches whose left and right, or lower and upper rims may be one.
+/// A sheet of patches whose left and right, or lower and upper, edges may be joined.
 struct Quilt {
     degrees_u: Vec<usize>,
     degrees_v: Vec<usize>,
     closed_u: bool,
     closed_v: bool,
-    /// Joined upside down: a Möbius band.
+    /// Joined with a half twist: a Möbius band.
     twisted: bool,
 }
 
-/// Changes to a network, each by some chance.
+/// Changes to a network, each with some probability.
 const EDITS: [fn(&mut Draft, &mut Rng); 9] = [
     Draft::collapse_side,
     Draft::merge_vertices,
@@ -111,7 +111,7 @@ impl Quilt {
     }
 }
 
-/// Where each of some steps starts, and how long it is.
+/// The start and the length of each step.
 fn steps(lengths: &[usize]) -> Vec<(usize, usize)> {
     let starts = lengths.iter().scan(0, |sum, &length| {
         *sum += length;
@@ -120,7 +120,7 @@ fn steps(lengths: &[usize]) -> Vec<(usize, usize)> {
     starts.zip(lengths.iter().copied()).collect()
 }
 
-/// Places of vertices: anywhere, near a plane sheet, on a coarse lattice (many coincide), or in a plane.
+/// Positions of vertices: anywhere, near a plane sheet, on a coarse grid (many coincide), or in a plane.
 fn locations(rng: &mut Rng, count: usize, columns: usize) -> Vec<DVec3> {
     let kind = rng.below(5);
     let scale = rng.magnitude(-6.0, 6.0);
@@ -193,7 +193,7 @@ impl Draft {
         self.nets.push(net);
     }
 
-    /// One more patch on a side, shared or not.
+    /// Attaches a patch to an edge, shared or not.
     fn attach_patch(&mut self, rng: &mut Rng) {
         let net = &self.nets[rng.below(self.nets.len())];
         let (columns, degree) = (net.columns, 1 + rng.below(3));
@@ -206,7 +206,7 @@ impl Draft {
         self.nets.push(Net { vertices, columns });
     }
 
-    /// A patch whose rows are all the first one.
+    /// Makes a patch a curve: all rows equal the first one.
     fn make_curve(&mut self, rng: &mut Rng) {
         let at = rng.below(self.nets.len());
         let net = &mut self.nets[at];
@@ -222,7 +222,7 @@ impl Draft {
         net.vertices.fill(first);
     }
 
-    /// A patch with copies of its vertices: joined by place only.
+    /// Gives a patch copies of its vertices, so that it is joined only by positions.
     fn list_twice(&mut self, rng: &mut Rng) {
         let at = rng.below(self.nets.len());
         for vertex in &mut self.nets[at].vertices {
@@ -231,7 +231,7 @@ impl Draft {
         }
     }
 
-    /// A side that is the same forwards and backwards.
+    /// Makes an edge equal forwards and backwards.
     fn mirror_row(&mut self, rng: &mut Rng) {
         let net = &self.nets[rng.below(self.nets.len())];
         let row = net.vertices[..net.columns].to_vec();
@@ -240,7 +240,7 @@ impl Draft {
         }
     }
 
-    /// One of the eight ways to lay u and v on the patch.
+    /// Applies one of the eight symmetries of u and v to the patch.
     fn turn(&mut self, k: usize, rng: &mut Rng) {
         let net = &mut self.nets[k];
         if rng.chance(0.5) {

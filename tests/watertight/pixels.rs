@@ -1,4 +1,4 @@
-//! Tolerances on the screen.
+//! Tolerances in pixels.
 
 use super::checks::assert_watertight;
 use super::distance::Tree;
@@ -10,7 +10,7 @@ use casteljau::mesh::{TessellationOptions, View, Weld};
 
 const VIEWPORT: DVec2 = DVec2::new(1_280.0, 720.0);
 
-/// A perspective camera; the field of view is that of the height. z does not matter here.
+/// A perspective camera; the field of view refers to the height. z is not used here.
 fn camera(eye: DVec3, target: DVec3, field_of_view: f64) -> DMat4 {
     let back = (eye - target).normalize();
     let right = DVec3::Z.cross(back).normalize();
@@ -33,14 +33,14 @@ fn view(view_projection: DMat4, pixels: f64) -> TessellationOptions {
     })
 }
 
-/// Where a point is seen, in pixels; none if it is not.
+/// The position of a point on the screen in pixels; `None` if it is not visible.
 fn seen(matrix: &DMat4, p: DVec3) -> Option<DVec2> {
     let clip = *matrix * p.extend(1.0);
     let location = DVec2::new(clip.x, clip.y) / clip.w;
     (clip.w > 0.0 && location.abs().max_element() <= 1.0).then(|| location * VIEWPORT / 2.0)
 }
 
-/// The greatest distance on the screen between points of the surface and the nearest of the mesh.
+/// The maximum distance on the screen between points of the surface and the nearest points of the mesh.
 fn greatest(surface: &Surface, matrix: &DMat4, pixels: f64) -> (f64, usize) {
     let mesh = surface
         .tessellate(&view(*matrix, pixels).weld(Weld::None))
@@ -87,7 +87,7 @@ fn no_farther_than_asked_for() {
     }
 }
 
-/// Pieces that start close to the eye and end far away.
+/// Pieces that start close to the eye and end at a great distance.
 #[test]
 fn a_plain_with_waves() {
     let net: Vec<DVec3> = (0..16)
@@ -112,7 +112,7 @@ fn a_plain_with_waves() {
 #[test]
 fn what_is_nearer_is_finer() {
     let surface = teapot();
-    // Along the axis from spout to handle, at eye level.
+    // Along the axis from the spout to the handle, at eye level.
     let eye = DVec3::new(5.0, 0.0, 2.0);
     let options = view(camera(eye, DVec3::new(0.0, 0.0, 1.5), 60.0), 0.5);
     let soup = Soup::new(&surface.tessellate(&options.weld(Weld::Position)).unwrap());
@@ -143,7 +143,7 @@ fn a_pixel_of_an_orthographic_view_is_a_length() {
             .unwrap()
             .triangle_count() as f64
     };
-    // 8 units are 1,280 pixels. Parts outside of the picture may be coarser.
+    // 8 units are 1,280 pixels. Parts outside the viewport may be coarser.
     let (by_pixels, by_length) = (
         count(&view(matrix, 0.8)),
         count(&TessellationOptions::tolerance(0.8 * 8.0 / 1_280.0)),

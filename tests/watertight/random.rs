@@ -1,4 +1,4 @@
-//! Random surfaces: whatever is joined meets without cracks, as close as asked for.
+//! Random surfaces: joined patches have no cracks, and the mesh keeps its tolerance.
 
 use super::checks::Three;
 use super::common::Rng;
@@ -38,7 +38,7 @@ pub(crate) fn options(rng: &mut Rng, surface: &Surface) -> TessellationOptions {
     TessellationOptions::tolerance(size * rng.magnitude(-2.0, -0.5))
 }
 
-/// All that a mesh promises, for a surface whose patches are joined as those of another.
+/// Checks all guarantees of a mesh, for a surface whose patches are joined as those of another one.
 pub(crate) fn check(surface: &Surface, joined: &Surface, options: &TessellationOptions) {
     let three = Three::new(surface, options);
     three.assert_alike(surface.patch_count());
@@ -55,7 +55,7 @@ pub(crate) fn check(surface: &Surface, joined: &Surface, options: &TessellationO
     }
 }
 
-/// The vertices of a patch on one of its sides, in the order of its parameter; none of a patch that is a curve.
+/// The vertices of a patch on one of its edges, in the order of the parameter; none for a patch that is a curve.
 fn polyline(mesh: &Mesh, patch: usize, side: PatchEdge) -> Vec<usize> {
     let range = mesh.patch_ranges[patch];
     let own = range.first_vertex as usize..(range.first_vertex + range.vertices) as usize;
@@ -65,7 +65,7 @@ fn polyline(mesh: &Mesh, patch: usize, side: PatchEdge) -> Vec<usize> {
     line.into_iter().map(|(_, k)| k).collect()
 }
 
-/// The edges of a patch's triangles cancel, but for those along its four sides.
+/// Checks that the edges of a patch's triangles cancel, except along its four edges.
 fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
     for (patch, range) in mesh.patch_ranges.iter().enumerate() {
         if range.vertices == 0 {
@@ -77,7 +77,7 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
             let line = polyline(mesh, patch, side);
             for pair in line.windows(2) {
                 let [a, b] = [pair[0], pair[1]].map(|k| soup.position_of[k]);
-                // Counter-clockwise: v = 0 and u = 1 run along, the others back.
+                // Counter-clockwise: v = 0 and u = 1 are traversed forwards, the others backwards.
                 match side {
                     PatchEdge::V0 | PatchEdge::U1 => add(&mut expected, a, b),
                     PatchEdge::V1 | PatchEdge::U0 => add(&mut expected, b, a),
@@ -92,7 +92,7 @@ fn assert_inside_is_closed(surface: &Surface, mesh: &Mesh, soup: &Soup) {
     }
 }
 
-/// All patches on a line have the same places along it.
+/// Checks that all patches at a line have the same positions along it.
 fn assert_lines_agree(surface: &Surface, joined: &Surface, mesh: &Mesh) {
     let points: Vec<DVec3> = vectors(&mesh.positions).collect();
     for uses in lines(joined) {
@@ -127,7 +127,8 @@ fn assert_lines_agree(surface: &Surface, joined: &Surface, mesh: &Mesh) {
     }
 }
 
-/// Over u and v all triangles run counter-clockwise; without collapsed ones they cover the unit square.
+/// Checks that all triangles are counter-clockwise in u and v, and that they cover the unit square if none is
+/// collapsed.
 fn assert_covers(mesh: &Mesh) {
     let uv = |k: usize| [0, 1].map(|axis| f64::from(mesh.uvs[2 * k + axis]));
     let indices: Vec<usize> = mesh.indices.iter().collect();
@@ -153,7 +154,7 @@ fn assert_covers(mesh: &Mesh) {
     }
 }
 
-/// In f64 every vertex is on its patch; patches without vertices are curves.
+/// Checks that in f64 every vertex is on its patch; patches without vertices are curves.
 fn assert_locations(surface: &Surface, options: &TessellationOptions) {
     let mesh = surface.tessellate_f64(&options.weld(Weld::None)).unwrap();
     let full = match options.detail {
@@ -178,7 +179,7 @@ fn assert_locations(surface: &Surface, options: &TessellationOptions) {
     }
 }
 
-/// Of the patches that are not curves.
+/// The distance of the patches that are not curves.
 fn distance_of_sheets(surface: &Surface, mesh: &Mesh, soup: &Soup) -> f64 {
     let with_inside = |&k: &usize| mesh.patch_ranges[k].vertices > 0;
     let patches: Vec<usize> = (0..surface.patch_count()).filter(with_inside).collect();

@@ -1,4 +1,4 @@
-//! Bad input: refused with the figures, before anything is allocated; surfaces without an inside give an empty mesh.
+//! Invalid input: rejected with the figures, before anything is allocated; surfaces without area give an empty mesh.
 
 use super::allocations::allocated_by;
 use super::checks::assert_layout;
@@ -7,7 +7,7 @@ use casteljau::glam::{DAffine3, DMat3, DMat4, DVec2, DVec3};
 use casteljau::mesh::{TessellationOptions, View, Weld};
 use casteljau::{Error, Patch, Surface};
 
-/// A refusal must come before the mesh is made; the meshes that are refused here would take a gigabyte and more.
+/// An error must be returned before the mesh is made; the meshes that are rejected here would take a gigabyte or more.
 const MAX_BYTES: usize = 1 << 20;
 
 const WELDS: [Weld; 3] = [Weld::Position, Weld::Normal, Weld::None];
@@ -92,7 +92,7 @@ fn tolerances() {
         "{error}"
     );
     assert!(error.to_string().contains(&format!("{min:?}")));
-    // A smaller part of the same picture, so that the mesh stays small.
+    // A smaller part of the same viewport, so that the mesh stays small.
     let flat = Patch::new(&[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ONE], 1, 1).unwrap();
     let min = (-21.0_f64).exp2();
     assert!(
@@ -128,13 +128,13 @@ fn far_too_fine_is_refused_before_tessellation() {
         };
         assert!(needed > limit);
     }
-    // The least that f32 can keep is too much for a whole teapot, if only just.
+    // The smallest tolerance for f32 gives slightly too many triangles for a whole teapot.
     let min = largest(&surface) * (-21.0_f64).exp2();
     let error = refused(&surface, TessellationOptions::tolerance(min));
     assert!(matches!(error, Error::TooMany { .. }), "{error}");
 }
 
-/// A curved strip needs cuts along one direction only: far fewer than the square of them.
+/// A curved strip needs subdivision in one direction only: far fewer cells than the square of their number.
 #[test]
 fn a_cylinder_may_be_fine() {
     let arch = [DVec3::ZERO, DVec3::new(0.5, 0.0, 1.0), DVec3::X];
@@ -279,12 +279,12 @@ fn huge_and_tiny_coordinates() {
     }
     let error = refused(&scaled(1e300), segments(4, 4)).to_string();
     assert!(error.contains("f32"), "{error}");
-    // Below the numbers of f32 everything is at one place.
+    // Below the range of f32 all positions coincide.
     let mesh = scaled(1e-300)
         .tessellate(&segments(4, 4).weld(Weld::Normal))
         .unwrap();
     assert_eq!(mesh.triangle_count(), 0);
-    // At the ends of the numbers: a mesh or a refusal, but numbers.
+    // At the limits of the range of f64: a mesh or an error, but without NaN.
     for factor in [4e307, 1e-305, 1e-315, 5e-324] {
         for options in [
             segments(2, 3),

@@ -1,4 +1,4 @@
-//! The surfaces that tests look at.
+//! The surfaces of the tests.
 
 pub(crate) use crate::listings::gumbo;
 use casteljau::glam::DVec3;
@@ -39,7 +39,7 @@ pub(crate) fn segments(u: usize, v: usize) -> TessellationOptions {
     })
 }
 
-/// The part of a surface.
+/// The selected patches of a surface.
 pub(crate) fn part(surface: &Surface, patches: &[usize]) -> Surface {
     let nets = patches.iter().map(|&k| surface.patch_indices(k).unwrap());
     let degrees: Vec<_> = patches
@@ -54,11 +54,11 @@ pub(crate) fn part(surface: &Surface, patches: &[usize]) -> Surface {
     .unwrap()
 }
 
-/// The sides in the order of their names.
+/// The patch edges in the order of their names.
 pub(crate) const SIDES: [PatchEdge; 4] =
     [PatchEdge::U0, PatchEdge::U1, PatchEdge::V0, PatchEdge::V1];
 
-/// Whether (u, v) lies on the side, and how far along it.
+/// The parameter along an edge if (u, v) lies on it.
 pub(crate) fn along(side: PatchEdge, [u, v]: [f64; 2]) -> Option<f64> {
     let (across, along, at) = match side {
         PatchEdge::U0 => (u, v, 0.0),
@@ -69,7 +69,7 @@ pub(crate) fn along(side: PatchEdge, [u, v]: [f64; 2]) -> Option<f64> {
     (across == at).then_some(along)
 }
 
-/// The control points of a side, in the direction of its parameter.
+/// The control points of an edge, in the direction of its parameter.
 pub(crate) fn side_points(patch: &Patch, side: PatchEdge) -> Vec<DVec3> {
     let (points, columns) = (patch.control_points(), patch.degree_u() + 1);
     let last = points.len() - columns;
@@ -86,8 +86,8 @@ pub(crate) fn side_points(patch: &Patch, side: PatchEdge) -> Vec<DVec3> {
     }
 }
 
-/// Every side with all that are the same line, found by comparing each with each; each side comes once, sides that are a
-/// point are alone.
+/// Every edge with all edges that are the same line, found by comparing each pair. Each edge occurs once; an edge that
+/// is a point is alone.
 pub(crate) fn lines(surface: &Surface) -> Vec<Vec<EdgeUse>> {
     let mut lines: Vec<(Vec<DVec3>, Vec<EdgeUse>)> = Vec::new();
     for (patch, net) in surface.patches().enumerate() {

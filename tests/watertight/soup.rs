@@ -1,22 +1,23 @@
-//! A mesh as its triangles between places: vertices at the same place, bit for bit, are one.
+//! A mesh as a triangle soup: vertices with bit-identical positions are merged.
 
 use casteljau::Mesh;
 use casteljau::glam::DVec3;
 use std::collections::HashMap;
 
-/// Triangles between places.
+/// Triangles between distinct positions.
 pub(crate) struct Soup {
-    /// Where the places are.
+    /// The distinct positions.
     pub(crate) points: Vec<DVec3>,
-    /// The place of each vertex of the mesh.
+    /// The index of the position of each vertex of the mesh.
     pub(crate) position_of: Vec<u32>,
-    /// Three places each.
+    /// Three indices of positions for each triangle.
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// The same by vertices of the mesh.
+    /// The triangles as vertex indices of the mesh.
     pub(crate) corners: Vec<[usize; 3]>,
 }
 
-/// Directed edges with a count: +1 for each triangle that runs along, −1 for each that runs against it.
+/// Directed edges with a count: +1 for each triangle that traverses the edge forwards, −1 for each that traverses it
+/// backwards.
 pub(crate) type Corners = HashMap<(u32, u32), i32>;
 
 impl Soup {
@@ -25,7 +26,7 @@ impl Soup {
         let mut points = Vec::new();
         let mut position_of = Vec::new();
         for p in vectors(&mesh.positions) {
-            // −0 + 0 is 0: both zeros are one place.
+            // −0 + 0 is 0, so both zeros count as equal.
             let key = p.to_array().map(|x| (x + 0.0).to_bits());
             let location = *locations.entry(key).or_insert_with(|| {
                 points.push(p);
@@ -47,12 +48,12 @@ impl Soup {
         }
     }
 
-    /// Where the corners of a triangle are.
+    /// The positions of the corners of a triangle.
     pub(crate) fn corners_at(&self, triangle: usize) -> [DVec3; 3] {
         self.triangles[triangle].map(|location| self.points[location as usize])
     }
 
-    /// No triangle has two corners at one place.
+    /// Asserts that no triangle has two corners at the same position.
     pub(crate) fn assert_no_collapsed_triangle(&self) {
         for &[a, b, c] in &self.triangles {
             assert!(
@@ -62,9 +63,10 @@ impl Soup {
         }
     }
 
-    /// Every edge has two triangles that run along it in opposite directions, or one; returns the edges with one.
+    /// Asserts that every edge has two triangles that traverse it in opposite directions, or one; returns the edges
+    /// with one.
     ///
-    /// Two halves of a tube that one segment each must stand for lie flat on each other: then `sheets` is 2.
+    /// Two halves of a tube that are represented by one segment each lie flat on each other: then `sheets` is 2.
     #[track_caller]
     pub(crate) fn boundary(&self, sheets: u32) -> Vec<(u32, u32)> {
         let mut edges: HashMap<(u32, u32), [u32; 2]> = HashMap::new();
@@ -90,7 +92,7 @@ impl Soup {
         open
     }
 
-    /// What is left of all edges of some triangles when opposite ones cancel.
+    /// The edges of some triangles that remain when opposite edges cancel.
     pub(crate) fn rim(triangles: &[[u32; 3]]) -> Corners {
         let mut chain = Corners::new();
         for &triangle in triangles {
@@ -101,7 +103,7 @@ impl Soup {
         chain
     }
 
-    /// The volume inside, by the divergence theorem: Σ a · (b × c) / 6.
+    /// The enclosed volume, by the divergence theorem: Σ a · (b × c) / 6.
     pub(crate) fn volume(&self) -> f64 {
         let triangles = 0..self.triangles.len();
         let sum = triangles
@@ -119,7 +121,7 @@ impl Soup {
     }
 }
 
-/// One more edge; opposite ones cancel, an edge from a place to itself is none.
+/// Adds an edge; opposite edges cancel, and an edge from a position to itself is ignored.
 pub(crate) fn add(chain: &mut Corners, from: u32, to: u32) {
     if from == to {
         return;
@@ -137,7 +139,7 @@ pub(crate) fn edges_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
     [(a, b), (b, c), (c, a)]
 }
 
-/// Numbers by threes.
+/// Vectors from consecutive triples of numbers.
 pub(crate) fn vectors<T: Copy + Into<f64>>(numbers: &[T]) -> impl Iterator<Item = DVec3> {
     numbers
         .as_chunks()

@@ -1,4 +1,4 @@
-//! Normals of vertices that triangles share, and what rounding to f32 takes of the tolerance.
+//! Normals of shared vertices, and the part of the tolerance that rounding to f32 takes.
 
 use super::checks::degrees_between;
 use super::common::Rng;
@@ -9,7 +9,7 @@ use casteljau::glam::DVec3;
 use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Mesh, Surface};
 
-/// Above this corners do not share a vertex with weld "normal".
+/// Corners whose normals differ by more than this do not share a vertex with weld "normal".
 const CREASE_DEGREES: f64 = 0.1;
 
 fn meshes(surface: &Surface, options: &TessellationOptions) -> [Mesh; 3] {
@@ -17,7 +17,7 @@ fn meshes(surface: &Surface, options: &TessellationOptions) -> [Mesh; 3] {
         .map(|weld| surface.tessellate(&options.weld(weld)).unwrap())
 }
 
-/// For each place the mean of the corners' normals, weighted by the triangles' angles.
+/// For each position the mean of the corners' normals, weighted by the angles of the triangles.
 fn means(own: &Mesh, soup: &Soup) -> Vec<DVec3> {
     let normals: Vec<DVec3> = vectors(&own.normals).collect();
     let mut sums = vec![DVec3::ZERO; soup.points.len()];
@@ -42,7 +42,8 @@ fn normals_of_shared_vertices() {
             let soup = Soup::new(&own);
             let expected = means(&own, &soup);
             let welded = Soup::new(&position);
-            // The side of one of the teaspoon's patches runs through its own end: two points of the surface at one place.
+            // An edge of one of the teaspoon's patches passes through its own end: two points of the surface at one
+            // position.
             let twice = position.vertex_count() - welded.points.len();
             assert!(
                 twice <= usize::from(name == "teaspoon"),
@@ -62,7 +63,7 @@ fn normals_of_shared_vertices() {
             {
                 let mean = expected[*theirs as usize];
                 let single = vertices[welded.position_of[*ours] as usize] == 1;
-                // Normals that all but cancel have no mean to speak of.
+                // Normals that almost cancel have no meaningful mean.
                 let off = degrees_between(normals[*ours], mean.normalize_or_zero());
                 assert!(
                     off < 0.01 || mean.length() < 0.01 || !single,
@@ -74,7 +75,7 @@ fn normals_of_shared_vertices() {
     }
 }
 
-/// Vertices at one place are there because their normals differ.
+/// Checks that vertices at the same position have different normals.
 fn assert_creases(name: &str, mesh: &Mesh) {
     let soup = Soup::new(mesh);
     let mut at: Vec<Vec<DVec3>> = vec![Vec::new(); soup.points.len()];
@@ -92,14 +93,14 @@ fn assert_creases(name: &str, mesh: &Mesh) {
     );
 }
 
-/// An arch as high as the tolerance allows, whose feet f32 puts half an ulp too low.
+/// An arch as high as the tolerance allows; rounding to f32 moves its ends down by half an ulp.
 #[test]
 fn rounding_has_its_share() {
     let ulp = (-12.0_f64).exp2();
     let base = 2048.0 + 0.49 * ulp;
     let tolerance = 4.0 * f64::from(f32::EPSILON) * (base + 16.0 * ulp);
     let height = tolerance * 0.97;
-    // The middle of a parabola is half as high as its control point.
+    // The middle of a parabola has half the height of its control point.
     let arch = [(0.0, 0.0), (0.5, 2.0 * height), (1.0, 0.0)];
     let row = |y: f64| arch.map(|(x, z)| DVec3::new(x, y, base + z));
     let vertices: Vec<DVec3> = [row(0.0), row(1.0)].as_flattened().to_vec();
@@ -112,7 +113,7 @@ fn rounding_has_its_share() {
     assert!(mesh.triangle_count() < 16);
 }
 
-/// Every patch has a corner at the same point, where all of them have a vertex in common.
+/// Every patch has a corner at the same point, where all patches share a vertex.
 #[test]
 fn thousands_of_patches_in_one_point() {
     let count = 40_000;

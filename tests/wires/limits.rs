@@ -1,4 +1,4 @@
-//! Both on odd surfaces, and what is refused.
+//! Tubes and ribbons on degenerate surfaces, and rejected input.
 
 use super::nets::Random;
 use super::{euler, ribbons, single, teapot, triangles, tubes, vector, volume};
@@ -49,7 +49,7 @@ fn degenerate_lines() {
     assert_eq!(ribbons(&point, 3, 0.1), empty(1));
     let nothing = Surface::new(Vec::new(), Vec::new(), 3, 3).unwrap();
     assert_eq!(tubes(&nothing, 3, 0.1, 8), empty(0));
-    // A patch that is a curve has no normals; one whose lines turn back, and one whose lines have cusps.
+    // A patch that is a curve has no normals; on the next ones lines turn back or have cusps.
     let along = |xs: [f64; 4]| {
         let row = move |y: f64| xs.map(|x| DVec3::new(x, y, 0.0));
         [0.0, 0.0, 0.0, 0.0].map(row).concat()
@@ -68,7 +68,7 @@ fn degenerate_lines() {
         euler(&tubes(&surface, 2, 0.01, 7));
         check_ribbons(&ribbons(&surface, 2, 0.01));
     }
-    // The cusp ends a line: both arms are bodies of their own.
+    // The cusp ends a line: both arms are separate bodies.
     let cusps = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0]];
     let net = [0.0, 1.0]
         .map(|z| cusps.map(|[x, y]| DVec3::new(x, y, z)))
@@ -151,14 +151,14 @@ fn refused() {
     assert!(of(1, tube(2.0, 100_000)).contains("expected at "));
 }
 
-/// Gumbo, the hard test: many corners and sides that have collapsed.
+/// Gumbo, the most difficult model: many corners and edges are collapsed.
 #[cfg(not(target_family = "wasm"))]
 #[test]
 fn gumbo() {
     let Some(surface) = crate::listings::gumbo() else {
         return;
     };
-    // 247 sides are shared by two patches, 10 are a point.
+    // 247 edges are shared by two patches, 10 are a point.
     let curves = 128 * 2 * 5 - 247 - 10;
     assert_eq!(surface.isocurves(4).unwrap().len(), curves);
     let mesh = tubes(&surface, 4, 0.05, 6);

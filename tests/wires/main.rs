@@ -1,4 +1,4 @@
-//! A surface as a mesh of its lines: tubes and ribbons.
+//! Wireframe meshes: tubes and ribbons along isocurves.
 
 #[path = "../nets/mod.rs"]
 mod nets;
@@ -49,7 +49,7 @@ pub(crate) fn triangles(mesh: &Mesh) -> Vec<[usize; 3]> {
     indices.chunks(3).map(|t| [t[0], t[1], t[2]]).collect()
 }
 
-/// Checks lengths and normals, and that ranges cover the mesh; V − E + F if it is closed.
+/// Checks lengths and normals, and that ranges cover the mesh; returns V − E + F of a closed mesh.
 pub(crate) fn euler(mesh: &Mesh) -> isize {
     let vertices = mesh.vertex_count();
     assert_eq!(mesh.normals.len(), 3 * vertices);
@@ -67,7 +67,7 @@ pub(crate) fn euler(mesh: &Mesh) -> isize {
             *edges.entry((a, b)).or_default() += 1;
         }
     }
-    // Each edge once in each direction: closed, and turned the same way.
+    // Each edge occurs once in each direction: the mesh is closed and consistently oriented.
     for (&(a, b), &times) in &edges {
         assert_eq!((times, edges.get(&(b, a))), (1, Some(&1)));
     }

@@ -1,4 +1,4 @@
-//! Ribbons: bands in the tangent planes.
+//! Ribbons: bands in the tangent planes of a surface.
 
 use super::nets::Random;
 use super::{ribbons, single, triangles, vector};
@@ -20,7 +20,7 @@ fn ribbons_lie_in_the_tangent_planes() {
         let normal = vector(&mesh.normals, vertex);
         assert_eq!(normal, vector(&mesh.normals, vertex + 1));
         assert!(normal.dot(right - left).abs() < 1e-7);
-        // The middle is a point of a side, and the normal is the patch's there.
+        // The middle is a point of an edge, and the normal is the patch's normal there.
         let middle = 0.5 * (left + right);
         let locations =
             (0..4).flat_map(|side| (0..=4000).map(move |k| (side, f64::from(k) / 4000.0)));
@@ -46,7 +46,7 @@ fn ribbons_lie_in_the_tangent_planes() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn ribbons_turn_with_the_surface() {
-    // z = 20xy: every line is straight, but the surface turns about it by nearly half a turn from end to end.
+    // z = 20xy: every line is straight, but the surface turns about it by almost half a turn from end to end.
     let net = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
     let net = net.map(|(x, y)| DVec3::new(x - 0.5, y - 0.5, 20.0 * (x - 0.5) * (y - 0.5)));
     let mesh = ribbons(&single(net.to_vec(), 1, 1), 2, 0.01);

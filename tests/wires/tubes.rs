@@ -1,4 +1,4 @@
-//! Tubes: closed bodies around the lines.
+//! Tubes: closed bodies around the isocurves of a surface.
 
 use super::nets::Random;
 use super::{euler, single, teapot, tubes, vector, volume};
@@ -8,7 +8,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn straight_tubes_are_capsules() {
-    // Four straight sides of a square of 3 × 2.
+    // Four straight edges of a rectangle of 3 × 2.
     let square = [[0.0, 0.0], [3.0, 0.0], [0.0, 2.0], [3.0, 2.0]];
     let surface = single(square.map(|[x, y]| DVec3::new(x, y, 1.0)).to_vec(), 1, 1);
     for sides in [3, 4, 5, 8, 16, 64] {
@@ -17,7 +17,7 @@ fn straight_tubes_are_capsules() {
         assert_eq!(euler(&mesh), 2 * 4);
         let capsule = |length: f64| PI * radius * radius * (length + 4.0 / 3.0 * radius);
         let share = volume(&mesh) / (2.0 * capsule(3.0) + 2.0 * capsule(2.0));
-        // An inscribed polygon has the share sin(2π/n)·n/2π of its circle, ends have less.
+        // An inscribed polygon has the fraction sin(2π/n)·n/2π of the area of its circle; ends have less.
         let polygon = (2.0 * PI / sides as f64).sin() * sides as f64 / (2.0 * PI);
         assert!(
             share < polygon && share > polygon * polygon - 0.03,
@@ -26,7 +26,7 @@ fn straight_tubes_are_capsules() {
         for vertex in 0..mesh.vertex_count() {
             let p = vector(&mesh.positions, vertex);
             let beyond = |x: f64, max: f64| (x - x.clamp(0.0, max)).abs();
-            // On the capsule about one of the sides.
+            // On the capsule around one of the edges.
             let along_x = |y: f64| DVec3::new(beyond(p.x, 3.0), p.y - y, p.z - 1.0).length();
             let along_y = |x: f64| DVec3::new(p.x - x, beyond(p.y, 2.0), p.z - 1.0).length();
             let distances = [along_x(0.0), along_x(2.0), along_y(0.0), along_y(3.0)];
@@ -40,8 +40,8 @@ fn straight_tubes_are_capsules() {
 fn teapot_s_tubes_are_closed_bodies() {
     for (lines, sides) in [(1, 3), (2, 5), (4, 8)] {
         let mesh = tubes(&teapot(), lines, 0.02, sides);
-        // 32 patches with lines + 1 curves each way, less 52 shared sides and 8 collapsed ones; the lid's profile has a cusp
-        // nowhere, so that each line is one body.
+        // 32 patches with lines + 1 curves in each direction, minus 52 shared edges and 8 collapsed ones. The lid's
+        // profile has no cusp, so each line is one body.
         let curves = 32 * 2 * (lines + 1) - 52 - 8;
         assert_eq!(euler(&mesh), 2 * isize::try_from(curves).unwrap());
         assert!(volume(&mesh) > 0.0);
@@ -69,7 +69,7 @@ fn centres_lie_on_the_lines() {
         assert!(nearest < 2e-3, "{centre} is {nearest} off");
         centres.push(centre);
     }
-    // And the line is nowhere farther from the centres' polygon than r (1 − cos(π/8)): rings are that dense.
+    // The line is within r (1 − cos(π/8)) of the polygon of the centres: the rings are dense enough.
     let tolerance = radius * (1.0 - (PI / 8.0).cos());
     for p in samples.iter().step_by(7) {
         let nearest = centres
@@ -93,18 +93,19 @@ fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn tubes_of_plane_lines_do_not_twist() {
-    // All lines of a plane patch: the part of a corner's normal across the plane is the same along the whole line.
+    // All lines of a plane patch: the component of a corner's normal perpendicular to the plane is constant along the
+    // line.
     let net = (0..16).map(|i| {
         let (x, y) = (f64::from(i % 4), f64::from(i / 4));
         DVec3::new(x + 0.4 * y * y, y + 0.3 * x * x, 0.0)
     });
-    // Turned, so that corners start neither in the plane nor across it.
+    // Rotated, so that the first corners are neither in the plane nor perpendicular to it.
     let turn = DAffine3::from_rotation_x(0.8) * DAffine3::from_rotation_y(0.5);
     let surface = single(net.collect(), 3, 3).transform(&turn);
     let sides = 6;
     let mesh = tubes(&surface, 1, 0.05, sides);
     assert_eq!(euler(&mesh), 8);
-    // A line: pole, ring of the cap, rings, ring of the cap, pole.
+    // The vertices of a line: pole, ring of the cap, rings, ring of the cap, pole.
     let up = turn.transform_vector3(DVec3::Z);
     let height = |vertex| vector(&mesh.normals, vertex).dot(up);
     let heights: Vec<f64> = (0..mesh.vertex_count()).map(height).collect();
