@@ -1,4 +1,4 @@
-// Meshes as text and as bytes of files; src/io/export.rs and glb.rs make the same.
+// Meshes as text and as bytes of files; src/io/mesh_export.rs and glb.rs make the same.
 import * as check from "./check.js";
 import { written } from "./written.js";
 

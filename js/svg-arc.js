@@ -1,4 +1,4 @@
-// Elliptical arcs as cubics; src/path/arc.rs and src/path/turn.rs compute the same, operation for operation, and say why.
+// Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs compute the same, operation for operation, and say why.
 // No sines of the engine: they differ from those of other systems in the last digit.
 
 const LONGEST_PIECE = 0.195;

@@ -36,7 +36,7 @@ pub use layout::{
 };
 pub use length::plane_cubic_length;
 pub use nearest::{nearest_in_plane, nearest_in_space};
-pub use offset::{OffsetCurve, Plane, Source, arc_pieces};
+pub use offset::{OffsetCurve, Source, Vec2, arc_pieces};
 pub use sample::{Sampler, Vector};
 pub use second_differences::{BEND_SLACK, SecondDifferences, Sizes};
 pub use speed::speed_integral;

@@ -12,7 +12,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::spline::Spline;
-use casteljau_kernels::{OffsetCurve, Plane, Source, WorkLimit, arc_pieces, cos_sin};
+use casteljau_kernels::{OffsetCurve, Source, Vec2, WorkLimit, arc_pieces, cos_sin};
 use glam::DVec2;
 use std::f64::consts::PI;
 
@@ -245,7 +245,7 @@ struct NormalizedCurve<'a> {
 
 impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
-        let scale = power_of_two(reach);
+        let scale = inverse_power_of_two(reach);
         let points: crate::numeric::list::Points<DVec2> =
             curve.points.iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
@@ -307,11 +307,11 @@ impl<'a> NormalizedCurve<'a> {
         &self,
         builder: &mut SplineBuilder,
         ts: (f64, f64),
-        tangents: [Plane; 2],
+        tangents: [Vec2; 2],
         end: DVec2,
         work: &mut WorkLimit,
     ) {
-        let normal = |tangent: Plane| vector(tangent).perp() * self.distance;
+        let normal = |tangent: Vec2| vector(tangent).perp() * self.distance;
         if ts.0 == 0.0 {
             builder.start(self.curve.start() + normal(tangents[0]));
         }
@@ -319,7 +319,7 @@ impl<'a> NormalizedCurve<'a> {
         OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1)
             .run(ts, tangents, &mut out, work);
         let origin = self.curve.start();
-        let position = |p: &Plane| vector(*p) * self.unit + origin;
+        let position = |p: &Vec2| vector(*p) * self.unit + origin;
         builder.points.extend(out.iter().map(position));
         builder
             .degrees
@@ -331,7 +331,7 @@ impl<'a> NormalizedCurve<'a> {
     }
 }
 
-fn vector(p: Plane) -> DVec2 {
+fn vector(p: Vec2) -> DVec2 {
     DVec2::new(p.x, p.y)
 }
 
@@ -346,6 +346,6 @@ fn farthest(curve: &Curve<DVec2>) -> f64 {
 }
 
 /// A power of two of about 1/x whose inverse is finite.
-fn power_of_two(x: f64) -> f64 {
+fn inverse_power_of_two(x: f64) -> f64 {
     (-x.log2().round()).clamp(-1000.0, 1000.0).exp2()
 }

@@ -1,8 +1,8 @@
 //! Text and file formats: SVG path data, the text forms of surfaces, and meshes as OBJ, STL and GLB.
 
-mod export;
 mod file_size;
 mod glb;
+mod mesh_export;
 mod surface_text;
 pub(crate) mod svg_error;
 pub(crate) mod svg_number;

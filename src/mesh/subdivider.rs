@@ -39,7 +39,7 @@ struct Piece {
     /// The cell's size in the patch's parameters, along u and v.
     lengths: [f64; 2],
     depth: u32,
-    bend: [f64; 3],
+    second_derivatives: [f64; 3],
 }
 
 /// Subdivides patches into cells.
@@ -78,7 +78,7 @@ impl AdaptiveSubdivider<'_> {
             },
             lengths: [1.0; 2],
             depth: 0,
-            bend: self.bend(0),
+            second_derivatives: self.second_derivatives(0),
         }];
         let closed = closed(net, columns);
         let mut tolerance = self.tolerance();
@@ -86,7 +86,7 @@ impl AdaptiveSubdivider<'_> {
             if self.detail.depends_on_position() {
                 tolerance = self.tolerance();
             }
-            let distance = bound(piece.lengths, piece.bend);
+            let distance = bound(piece.lengths, piece.second_derivatives);
             if self.forecast == Some(piece.depth) {
                 self.expected += piece.min_cells(tolerance);
                 self.expected_max += piece.halved_cells(tolerance);
@@ -108,15 +108,14 @@ impl AdaptiveSubdivider<'_> {
                 continue;
             };
             self.second_differences.halve(along_u);
-            let second_differences = [self.bend(1), self.bend(0)];
-            let closer =
-                [0, 1, 2].map(|k| larger(second_differences[0][k], second_differences[1][k]));
+            let bounds_of_halves = [self.second_derivatives(1), self.second_derivatives(0)];
+            let closer = [0, 1, 2].map(|k| larger(bounds_of_halves[0][k], bounds_of_halves[1][k]));
             if must.is_none() && bound(piece.lengths, closer) <= tolerance {
                 self.add(piece.cell);
                 self.second_differences.pop();
                 self.second_differences.pop();
             } else {
-                pieces.extend(piece.halves(along_u, second_differences));
+                pieces.extend(piece.halves(along_u, bounds_of_halves));
             }
         }
         Ok(())
@@ -166,7 +165,7 @@ impl AdaptiveSubdivider<'_> {
     }
 
     /// Bounds on the second derivatives of the piece that is `before` entries below the top of the stack.
-    fn bend(&self, before: usize) -> [f64; 3] {
+    fn second_derivatives(&self, before: usize) -> [f64; 3] {
         let scale = self.size * (1.0 + BEND_SLACK);
         self.second_differences
             .longest(before)
@@ -214,7 +213,10 @@ impl Piece {
     fn longer_along_u(&self) -> Option<bool> {
         let Cell { du, dv, .. } = self.cell;
         let [h, k] = self.lengths;
-        let (along_u, along_v) = (h * h * self.bend[0], k * k * self.bend[2]);
+        let (along_u, along_v) = (
+            h * h * self.second_derivatives[0],
+            k * k * self.second_derivatives[2],
+        );
         let better = along_u > along_v || (along_u == along_v && du >= dv);
         match (du > 1, dv > 1) {
             (true, true) => Some(better),
@@ -227,7 +229,7 @@ impl Piece {
     /// a/i² + b/(i·j) + c/j² must be within the tolerance, so i·j is at least each of the resulting lower bounds.
     fn min_cells(&self, tolerance: f64) -> f64 {
         let [h, k] = self.lengths;
-        let [uu, uv, vv] = self.bend;
+        let [uu, uv, vv] = self.second_derivatives;
         let (a, b, c) = (h * h * uu / 8.0, h * k * uv / 4.0, k * k * vv / 8.0);
         let both = (2.0 * a.sqrt() * c.sqrt() + b) / tolerance;
         both.max((a.max(c) / tolerance).sqrt()).max(1.0)
@@ -237,11 +239,11 @@ impl Piece {
     /// constant.
     fn halved_cells(mut self, tolerance: f64) -> f64 {
         let mut cells = 1.0;
-        while bound(self.lengths, self.bend) > tolerance {
+        while bound(self.lengths, self.second_derivatives) > tolerance {
             let Some(along_u) = self.longer_along_u() else {
                 break;
             };
-            [self, _] = self.halves(along_u, [self.bend; 2]);
+            [self, _] = self.halves(along_u, [self.second_derivatives; 2]);
             cells *= 2.0;
         }
         cells
@@ -258,7 +260,7 @@ impl Piece {
         }
     }
 
-    fn halves(&self, along_u: bool, second_differences: [[f64; 3]; 2]) -> [Self; 2] {
+    fn halves(&self, along_u: bool, bounds_of_halves: [[f64; 3]; 2]) -> [Self; 2] {
         let (mut near, [mut h, mut k]) = (self.cell, self.lengths);
         let mut far;
         if along_u {
@@ -277,7 +279,7 @@ impl Piece {
             cell: cells[k],
             lengths,
             depth: self.depth + 1,
-            bend: second_differences[k],
+            second_derivatives: bounds_of_halves[k],
         })
     }
 }

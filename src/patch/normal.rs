@@ -75,7 +75,7 @@ impl NormalNet {
         } else {
             None
         };
-        let toward = |toward_direction| self.toward(u, v, toward_direction);
+        let toward = |inner_point| self.toward(u, v, inner_point);
         on_side
             .or_else(|| INWARD.into_iter().find_map(toward))
             .unwrap_or(DVec3::ZERO)

@@ -15,7 +15,7 @@ mod length;
 mod moments;
 mod nearest;
 mod trace;
-mod turn;
+mod trigonometry;
 mod winding;
 
 pub use crate::io::svg_error::SvgError;

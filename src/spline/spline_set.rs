@@ -67,10 +67,10 @@ impl SplineSet {
         let leaves = curves.len().next_power_of_two();
         let nothing = [DVec2::INFINITY, DVec2::NEG_INFINITY];
         let mut boxes = vec![nothing; 2 * leaves];
-        for (intersection, curve) in boxes[leaves..].iter_mut().zip(&curves) {
+        for (leaf, curve) in boxes[leaves..].iter_mut().zip(&curves) {
             let bounds = curve.control_bounds();
             let margin = bounds.min.abs().max(bounds.max.abs()) * ROUNDING;
-            *intersection = [bounds.min - margin, bounds.max + margin];
+            *leaf = [bounds.min - margin, bounds.max + margin];
         }
         for k in (1..leaves).rev() {
             let [left, right] = [boxes[2 * k], boxes[2 * k + 1]];
@@ -183,9 +183,9 @@ impl SplineSet {
                     found.push(self.intersection_of(self, (i, i), intersection));
                 }
             } else if i < j {
-                let segment_keys = self.curves[i].intersections(&self.curves[j]);
+                let crossings = self.curves[i].intersections(&self.curves[j]);
                 found.extend(
-                    segment_keys
+                    crossings
                         .into_iter()
                         .map(|intersection| self.intersection_of(self, (i, j), intersection)),
                 );
@@ -273,10 +273,10 @@ fn joined(
 }
 
 /// The parameters of the end of an overlap; for an isolated intersection, its parameters.
-fn end_of(intersection_of: &SplineIntersection) -> (f64, f64) {
-    match intersection_of.at.kind {
+fn end_of(intersection: &SplineIntersection) -> (f64, f64) {
+    match intersection.at.kind {
         IntersectionKind::Overlap { t_end, u_end } => (t_end, u_end),
-        _ => (intersection_of.at.t, intersection_of.at.u),
+        _ => (intersection.at.t, intersection.at.u),
     }
 }
 

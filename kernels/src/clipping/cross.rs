@@ -17,16 +17,17 @@ const NEWTON_STEPS: usize = 8;
 
 /// After a step this small, in parameters of the segment, the next step is of the order of its square and is the last
 /// one.
-const NEARLY: f64 = 1e-4;
+const QUADRATIC_STEP: f64 = 1e-4;
 
 /// The search is abandoned if a parameter leaves the segment by more than this, in parameters of the segment.
-const ASTRAY: f64 = 0.5;
+const MAX_OVERSHOOT: f64 = 0.5;
 
 /// The last step, on the whole curves, is shorter than this.
-const NEARBY: f64 = 1e-8;
+const MAX_LAST_STEP: f64 = 1e-8;
 
-/// Crossings at a smaller angle are examined again.
-const FLAT: f64 = 1e-5;
+/// The smallest sine of the angle of a crossing, in the 1-norm; at a smaller angle the contact is returned as not crossing, and
+/// the caller decides its kind.
+const MIN_CROSSING_SINE: f64 = 1e-5;
 
 #[inline(always)]
 pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
@@ -67,10 +68,14 @@ impl<R: Row> ClippingSolver<R> {
         for _ in 0..NEWTON_STEPS {
             let (step_s, step_r) = step(a, b, s, r)?;
             (s, r) = (s + step_s, r + step_r);
-            if !(s > -ASTRAY && s < 1.0 + ASTRAY && r > -ASTRAY && r < 1.0 + ASTRAY) {
+            if !(s > -MAX_OVERSHOOT
+                && s < 1.0 + MAX_OVERSHOOT
+                && r > -MAX_OVERSHOOT
+                && r < 1.0 + MAX_OVERSHOOT)
+            {
                 return None;
             }
-            if step_s.abs() + step_r.abs() < NEARLY {
+            if step_s.abs() + step_r.abs() < QUADRATIC_STEP {
                 return self.converged(a, b, s, r);
             }
         }
@@ -87,7 +92,7 @@ impl<R: Row> ClippingSolver<R> {
         let turn = cross(da, db);
         // The control points of the whole curves have smaller rounding errors.
         let (finer_t, finer_u) = (t + cross(gap, db) / turn, u + cross(gap, da) / turn);
-        let fits = |x: f64, from: f64| (x - from).abs() < NEARBY && (0.0..=1.0).contains(&x);
+        let fits = |x: f64, from: f64| (x - from).abs() < MAX_LAST_STEP && (0.0..=1.0).contains(&x);
         if fits(finer_t, t) && fits(finer_u, u) {
             (t, u) = (finer_t, finer_u);
         } else if gap[0].abs().max(gap[1].abs()) > self.slack {
@@ -97,7 +102,7 @@ impl<R: Row> ClippingSolver<R> {
         Some(Contact {
             t: [t, t],
             u: [u, u],
-            crossing: turn.abs() > FLAT * sizes,
+            crossing: turn.abs() > MIN_CROSSING_SINE * sizes,
         })
     }
 }

@@ -15,7 +15,7 @@
 //! a factor of four.
 
 use super::fit::Pair;
-use super::vector::Plane;
+use super::vector::Vec2;
 use super::{OffsetCurve, VANISHING_SPEED};
 use crate::WorkLimit;
 
@@ -28,12 +28,7 @@ const FOOT_SAFETY: f64 = 2.0;
 
 impl OffsetCurve<'_> {
     /// Whether the cubic is proved to be within the tolerance everywhere, with at most `MAX_BOUNDS` bounds.
-    pub(super) fn holds(
-        &self,
-        cubic: &[Plane; 4],
-        pairs: &[Pair; 5],
-        work: &mut WorkLimit,
-    ) -> bool {
+    pub(super) fn holds(&self, cubic: &[Vec2; 4], pairs: &[Pair; 5], work: &mut WorkLimit) -> bool {
         let last = work.used() + MAX_BOUNDS;
         pairs
             .windows(2)
@@ -42,7 +37,7 @@ impl OffsetCurve<'_> {
 
     fn holds_between(
         &self,
-        cubic: &[Plane; 4],
+        cubic: &[Vec2; 4],
         from: &Pair,
         to: &Pair,
         last: usize,
@@ -112,9 +107,9 @@ impl OffsetCurve<'_> {
     /// The bound including the contribution of the tangential component of E.
     fn with_foot(
         &self,
-        e: &[Plane; 4],
-        v: [Plane; 3],
-        d: &[Plane; 3],
+        e: &[Vec2; 4],
+        v: [Vec2; 3],
+        d: &[Vec2; 3],
         (low, high): (f64, f64),
         rest: f64,
     ) -> f64 {
@@ -153,10 +148,10 @@ impl OffsetCurve<'_> {
 
     /// A quadratic field with the directions of B′dt: B′dt itself, or, if it vanishes at an end, B′dt divided by u or 1
     /// − u.
-    fn direction(v: [Plane; 3]) -> [Plane; 3] {
+    fn direction(v: [Vec2; 3]) -> [Vec2; 3] {
         let [v0, v1, v2] = v;
         let max = v0.square().max(v1.square()).max(v2.square());
-        let still = |p: Plane| p.square() <= VANISHING_SPEED * VANISHING_SPEED * max;
+        let still = |p: Vec2| p.square() <= VANISHING_SPEED * VANISHING_SPEED * max;
         if still(v0) {
             if still(v1) {
                 return [v2; 3];
@@ -187,7 +182,7 @@ fn range(coefficients: &[f64]) -> (f64, f64) {
 }
 
 /// |E|², degree 6.
-fn squares(e: &[Plane; 4]) -> [f64; 7] {
+fn squares(e: &[Vec2; 4]) -> [f64; 7] {
     let [a, b, c, d] = *e;
     [
         a.square(),
@@ -201,7 +196,7 @@ fn squares(e: &[Plane; 4]) -> [f64; 7] {
 }
 
 /// E·D, degree 5.
-fn products3(e: &[Plane; 4], d: &[Plane; 3]) -> [f64; 6] {
+fn products3(e: &[Vec2; 4], d: &[Vec2; 3]) -> [f64; 6] {
     [
         e[0].dot(d[0]),
         (2.0 * e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.2,
@@ -213,7 +208,7 @@ fn products3(e: &[Plane; 4], d: &[Plane; 3]) -> [f64; 6] {
 }
 
 /// V·D of two quadratics, degree 4.
-fn products2(v: &[Plane; 3], d: &[Plane; 3]) -> [f64; 5] {
+fn products2(v: &[Vec2; 3], d: &[Vec2; 3]) -> [f64; 5] {
     [
         v[0].dot(d[0]),
         (v[0].dot(d[1]) + v[1].dot(d[0])) * 0.5,
@@ -224,7 +219,7 @@ fn products2(v: &[Plane; 3], d: &[Plane; 3]) -> [f64; 5] {
 }
 
 /// E·D′ of a cubic and a line, degree 4.
-fn products31(e: &[Plane; 4], d: &[Plane; 2]) -> [f64; 5] {
+fn products31(e: &[Vec2; 4], d: &[Vec2; 2]) -> [f64; 5] {
     [
         e[0].dot(d[0]),
         (e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.25,

@@ -1,7 +1,7 @@
 //! Cusps of the source and of the offset curve, at which a curve must be cut before the offsets of its parts are
 //! smooth.
 
-use super::vector::Plane;
+use super::vector::Vec2;
 use super::{End, OffsetCurve, Source};
 use crate::WorkLimit;
 
@@ -32,7 +32,7 @@ impl Source {
                 &mut found,
             );
         } else {
-            let mut vectors = [Plane::default(); 64];
+            let mut vectors = [Vec2::default(); 64];
             vectors[..n].copy_from_slice(self.differences());
             self.search::<64>(&vectors, n, (0.0, 1.0), MAX_HALVINGS, &mut found);
         }
@@ -43,7 +43,7 @@ impl Source {
     /// Halves until all control vectors of B′ lie in one half-plane, so that B′ does not vanish.
     fn search<const N: usize>(
         &self,
-        vectors: &[Plane; N],
+        vectors: &[Vec2; N],
         n: usize,
         (t0, t1): (f64, f64),
         halvings: usize,
@@ -93,7 +93,7 @@ impl Source {
     }
 
     /// The tangents before and after a cusp.
-    pub fn cusp_tangents(&self, t: f64) -> (Plane, Plane) {
+    pub fn cusp_tangents(&self, t: f64) -> (Vec2, Vec2) {
         let sample = self.at(t);
         if sample.a.length() > VANISHING_BEND * self.speed() {
             return (-sample.a.unit(), sample.a.unit());
@@ -103,7 +103,7 @@ impl Source {
     }
 
     /// The point at t.
-    pub fn point(&self, t: f64) -> Plane {
+    pub fn point(&self, t: f64) -> Vec2 {
         self.at(t).b
     }
 }
@@ -115,8 +115,8 @@ impl OffsetCurve<'_> {
     pub fn run(
         &self,
         (t0, t1): (f64, f64),
-        tangents: [Plane; 2],
-        out: &mut Vec<Plane>,
+        tangents: [Vec2; 2],
+        out: &mut Vec<Vec2>,
         work: &mut WorkLimit,
     ) {
         let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
@@ -138,7 +138,7 @@ impl OffsetCurve<'_> {
         from: &mut End,
         last: &End,
         next: End,
-        out: &mut Vec<Plane>,
+        out: &mut Vec<Vec2>,
         work: &mut WorkLimit,
     ) -> End {
         if last.sign != next.sign
@@ -150,10 +150,10 @@ impl OffsetCurve<'_> {
         next
     }
 
-    fn outer_end(&self, t: f64, tangent: Plane, inwards: f64) -> End {
+    fn outer_end(&self, t: f64, tangent: Vec2, inwards: f64) -> End {
         let mut end = self.end(t);
         if self.source.is_still(&end.sample) {
-            end.sample.v = Plane::default();
+            end.sample.v = Vec2::default();
             end.sign_t = t + inwards;
             end.sign = self.end(end.sign_t).sign;
         }

@@ -1,6 +1,6 @@
 //! Fitting of the handle lengths by least squares.
 
-use super::vector::Plane;
+use super::vector::Vec2;
 use super::{End, OffsetCurve, OffsetSample};
 use crate::WorkLimit;
 
@@ -24,16 +24,16 @@ const MIN_DAMPING: f64 = 1e-18;
 #[derive(Clone, Copy, Default)]
 pub(super) struct Pair {
     /// The unit normal at the foot.
-    pub(super) n: Plane,
+    pub(super) n: Vec2,
     pub(super) s: f64,
-    pub(super) q: Plane,
-    pub(super) w: Plane,
+    pub(super) q: Vec2,
+    pub(super) w: Vec2,
     pub(super) foot: OffsetSample,
 }
 
 impl OffsetCurve<'_> {
     /// A cubic from one end to the other within the tolerance, if one is found.
-    pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[Plane; 4]> {
+    pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[Vec2; 4]> {
         let (start, end) = (self.point(from), self.point(to));
         let (mut a, mut b) = self.first_handles(from, to);
         let mut previous = f64::INFINITY;
@@ -110,10 +110,10 @@ impl OffsetCurve<'_> {
     }
 
     /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies.
-    pub(super) fn see(&self, cubic: &[Plane; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
+    pub(super) fn see(&self, cubic: &[Vec2; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
         (pair.q, pair.w) = at(cubic, pair.s);
         for _ in 0..steps {
-            let sample = if pair.n == Plane::default() {
+            let sample = if pair.n == Vec2::default() {
                 self.source.at(pair.foot.t)
             } else {
                 pair.foot
@@ -122,7 +122,7 @@ impl OffsetCurve<'_> {
             let t = sample.t + gap.dot(sample.v) / (sample.v.square() - gap.dot(sample.a));
             let t = if t > t0 && t < t1 { t } else { sample.t };
             pair.foot = self.source.at(t);
-            pair.n = Plane { x: 1.0, y: 0.0 };
+            pair.n = Vec2 { x: 1.0, y: 0.0 };
         }
         pair.n = pair.foot.v.unit().turned();
     }
@@ -132,7 +132,7 @@ impl OffsetCurve<'_> {
         (pair.q - pair.foot.b).dot(pair.n) - self.distance
     }
 
-    fn see_ends(&self, cubic: &[Plane; 4], pairs: &mut [Pair; 5]) {
+    fn see_ends(&self, cubic: &[Vec2; 4], pairs: &mut [Pair; 5]) {
         let [p0, p1, p2, p3] = *cubic;
         (pairs[0].q, pairs[0].w) = (p0, (p1 - p0) * 3.0);
         (pairs[4].q, pairs[4].w) = (p3, (p3 - p2) * 3.0);
@@ -141,7 +141,7 @@ impl OffsetCurve<'_> {
 
 /// The point and the derivative of a cubic.
 #[inline]
-fn at(p: &[Plane; 4], s: f64) -> (Plane, Plane) {
+fn at(p: &[Vec2; 4], s: f64) -> (Vec2, Vec2) {
     let r = 1.0 - s;
     let (a, b, c) = (
         p[0] * r + p[1] * s,

@@ -1,7 +1,7 @@
 //! Bounds for one piece: the higher derivatives of the source, and the effect of rounding on the offset.
 
 use super::source::MAX_POINTS;
-use super::vector::Plane;
+use super::vector::Vec2;
 use super::{End, OffsetCurve, OffsetSample, Source, VANISHING_SPEED};
 
 /// Rounding error of B′, as a part of the sum of its terms' lengths.
@@ -57,7 +57,7 @@ impl Source {
     fn slope_terms(&self, t: f64) -> f64 {
         let s = 1.0 - t;
         if self.degree() <= 3 {
-            let [a, b, c] = self.first_vectors().map(Plane::length);
+            let [a, b, c] = self.first_vectors().map(Vec2::length);
             return (a * s + b * t) * s + (b * s + c * t) * t;
         }
         let n = self.degree();
@@ -74,14 +74,14 @@ impl Source {
     }
 
     /// Whether all control vectors of the derivative between two parameters have a property.
-    pub(super) fn slopes_between(&self, t0: f64, t1: f64, holds: impl Fn(Plane) -> bool) -> bool {
+    pub(super) fn slopes_between(&self, t0: f64, t1: f64, holds: impl Fn(Vec2) -> bool) -> bool {
         if self.degree() <= 3 {
             let (from, to) = (self.at(t0), self.at(t1));
             let middle = from.v + from.a * (0.5 * (t1 - t0));
             return holds(from.v) && holds(middle) && holds(to.v);
         }
         let n = self.degree();
-        let mut row = [Plane::default(); MAX_POINTS];
+        let mut row = [Vec2::default(); MAX_POINTS];
         row[..n].copy_from_slice(self.differences());
         restrict(&mut row[..n], t0, t1);
         row[..n].iter().all(|&v| holds(v))
@@ -89,7 +89,7 @@ impl Source {
 
     /// A bound on the length of the k-th derivative between two parameters, for degrees above 3.
     fn derivative_bound(&self, k: usize, t0: f64, t1: f64) -> f64 {
-        let mut row = [Plane::default(); MAX_POINTS];
+        let mut row = [Vec2::default(); MAX_POINTS];
         let mut count = self.degree();
         row[..count].copy_from_slice(self.differences());
         let mut factor = count as f64;
@@ -107,7 +107,7 @@ impl Source {
 }
 
 /// Replaces control points by those of the segment between two parameters, by two subdivisions.
-fn restrict(row: &mut [Plane], t0: f64, t1: f64) {
+fn restrict(row: &mut [Vec2], t0: f64, t1: f64) {
     let n = row.len();
     // The segment before t1 consists of the first points of each level; the part of it after t0 of the last ones.
     for level in 1..n {

@@ -14,7 +14,7 @@ mod source;
 mod vector;
 
 pub use source::Source;
-pub use vector::Plane;
+pub use vector::Vec2;
 
 use crate::{WorkLimit, cos_sin};
 use source::OffsetSample;
@@ -35,11 +35,14 @@ const MAX_EXCESS: f64 = 0.1;
 const VANISHING_SPEED: f64 = 1e-14;
 
 /// An end of a piece: the sample, the unit tangent in the limit from inside the piece, and the direction of the offset
-/// curve: 1 along the tangent, −1 against it (past its cusp), as evaluated at the parameter `sign_t`.
+/// curve: 1 along the tangent, −1 against it (past its cusp).
+///
+/// `sign` is the sign of 1 − κd at the parameter `sign_t`. Next to a cusp of the source `sign_t` is a little inside the piece,
+/// since rounding exceeds 1 − κd at the cusp itself.
 #[derive(Clone, Copy, Debug)]
 struct End {
     sample: OffsetSample,
-    tangent: Plane,
+    tangent: Vec2,
     sign: f64,
     sign_t: f64,
 }
@@ -91,13 +94,13 @@ impl<'a> OffsetCurve<'a> {
 
     /// The point of the offset curve at an end.
     #[inline]
-    fn point(&self, end: &End) -> Plane {
+    fn point(&self, end: &End) -> Vec2 {
         end.sample.b + end.tangent.turned() * self.distance
     }
 
     /// Appends three control points for each cubic from one end to the other, without a prior search for cusps. Appends
     /// nothing more once the work limit is exceeded.
-    fn cover(&self, from: &End, to: &End, out: &mut Vec<Plane>, work: &mut WorkLimit) {
+    fn cover(&self, from: &End, to: &End, out: &mut Vec<Vec2>, work: &mut WorkLimit) {
         self.cover_deep(from, to, MAX_CUTS, out, work);
     }
 
@@ -106,7 +109,7 @@ impl<'a> OffsetCurve<'a> {
         from: &End,
         to: &End,
         cuts: usize,
-        out: &mut Vec<Plane>,
+        out: &mut Vec<Vec2>,
         work: &mut WorkLimit,
     ) {
         if !work.spend(1) {
@@ -143,7 +146,7 @@ impl<'a> OffsetCurve<'a> {
     }
 
     /// Whether the source is a point within the tolerance, and the normal rotates about it without leaving the angle
-    /// between its ends. If the normal is only rounding, the angle is not tested.
+    /// between its ends. If rounding moves the offset by more than the tolerance, the angle is not tested.
     fn pivots(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
         let distance_along = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
@@ -155,7 +158,8 @@ impl<'a> OffsetCurve<'a> {
         }
         let side = from.tangent.cross(to.tangent);
         let sign = if side < 0.0 { -1.0 } else { 1.0 };
-        // Above 90° an excess could hide that the normal rotates the other way around.
+        // If the ends are more than 90° apart, no excess is allowed: a normal outside the angle between them could be one that
+        // rotates the long way.
         let excess = if from.tangent.dot(to.tangent) > 0.0 {
             -(TINY_PART * self.tolerance / self.distance.abs()).min(MAX_EXCESS)
         } else {
@@ -187,7 +191,7 @@ impl<'a> OffsetCurve<'a> {
     }
 
     /// Appends arcs about a source that is a point within the tolerance.
-    fn arc(&self, from: &End, to: &End, out: &mut Vec<Plane>) {
+    fn arc(&self, from: &End, to: &End, out: &mut Vec<Vec2>) {
         let (cos, sin) = (from.tangent.dot(to.tangent), from.tangent.cross(to.tangent));
         let angle = sin.atan2(cos);
         let pieces = arc_pieces(angle, self.distance.abs(), TINY_PART * self.tolerance);
@@ -211,7 +215,7 @@ impl<'a> OffsetCurve<'a> {
     }
 
     /// The cusp of the offset curve between two ends with different signs. Next to a cusp of the source, where the sign
-    /// is evaluated at some distance inside, the sign in between is only rounding.
+    /// is evaluated at some distance inside, the sign in between cannot be computed, since rounding exceeds the value.
     fn cusp(&self, from: &End, to: &End) -> Option<(End, End)> {
         let (t0, t1) = (from.sign_t, to.sign_t);
         let t = self.zero(t0, t1, from.sign, |sample| self.forwardness(sample))?;

@@ -1,6 +1,6 @@
 //! The source curve of an offset.
 
-use super::vector::Plane;
+use super::vector::Vec2;
 
 /// Maximum number of control points of a curve.
 pub(super) const MAX_POINTS: usize = 65;
@@ -11,15 +11,15 @@ const NO_HANDLE: f64 = 1e-15;
 /// A curve prepared for evaluation of points and derivatives. Points are relative to its start.
 pub struct Source {
     /// The control points, and the differences of neighbours, for a degree above 3.
-    many: Vec<Plane>,
-    differences: Vec<Plane>,
+    many: Vec<Vec2>,
+    differences: Vec<Vec2>,
     count: usize,
     /// For a degree of at most 3, the Taylor coefficients at t = 0 in t, and at t = 1 in 1 − t: next to an end only the
     /// expansion at that end keeps the digits of short handles.
-    powers: [[Plane; 4]; 2],
+    powers: [[Vec2; 4]; 2],
     /// For a degree of at most 3, the control points of B′ as a quadratic.
-    slopes: [Plane; 3],
-    tangents: [Plane; 2],
+    slopes: [Vec2; 3],
+    tangents: [Vec2; 2],
     /// A bound on the fourth derivative: 0 up to degree 3.
     fourth: f64,
     /// A bound on the length of the third derivative.
@@ -32,18 +32,18 @@ pub struct Source {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct OffsetSample {
     pub(crate) t: f64,
-    pub(crate) b: Plane,
-    pub(crate) v: Plane,
-    pub(crate) a: Plane,
+    pub(crate) b: Vec2,
+    pub(crate) v: Vec2,
+    pub(crate) a: Vec2,
 }
 
 impl Source {
     /// Expects 2 to 65 control points of a size of about 1.
     pub fn new(control_points: &[[f64; 2]]) -> Self {
         let count = control_points.len().clamp(1, MAX_POINTS);
-        let mut all = [Plane::default(); MAX_POINTS];
+        let mut all = [Vec2::default(); MAX_POINTS];
         for (p, &[x, y]) in all.iter_mut().zip(control_points) {
-            *p = Plane { x, y };
+            *p = Vec2 { x, y };
         }
         let all = &all[..count];
         let difference = |i: usize| all[i + 1] - all[i];
@@ -65,14 +65,14 @@ impl Source {
             source.many.extend(all.iter().map(|&p| p - all[0]));
             source.differences.extend((0..n).map(difference));
         } else if n > 0 {
-            let mut e = [Plane::default(); 3];
+            let mut e = [Vec2::default(); 3];
             e[..n]
                 .iter_mut()
                 .enumerate()
                 .for_each(|(i, e)| *e = difference(i));
             let end = all[n] - all[0];
             source.powers = [
-                powers(e, n, Plane::default()),
+                powers(e, n, Vec2::default()),
                 powers(reversed(e, n), n, end),
             ];
             source.slopes = match n {
@@ -85,9 +85,9 @@ impl Source {
     }
 
     /// The tangents at both ends: the directions to the first control point that differs from the end.
-    fn tangents_of(&self, points: &[Plane]) -> [Plane; 2] {
+    fn tangents_of(&self, points: &[Vec2]) -> [Vec2; 2] {
         let min = NO_HANDLE * self.speed;
-        let toward = |end: Plane, p: &Plane| {
+        let toward = |end: Vec2, p: &Vec2| {
             let chord = *p - end;
             (chord.length() > min).then(|| chord.unit())
         };
@@ -118,17 +118,17 @@ impl Source {
     }
 
     /// The differences of neighbouring control points, for degrees above 3.
-    pub(crate) fn differences(&self) -> &[Plane] {
+    pub(crate) fn differences(&self) -> &[Vec2] {
         &self.differences
     }
 
     /// The control points of B′ as a quadratic, up to degree 3.
-    pub(crate) fn first_vectors(&self) -> [Plane; 3] {
+    pub(crate) fn first_vectors(&self) -> [Vec2; 3] {
         self.slopes
     }
 
     /// The tangents at both ends.
-    pub fn end_tangents(&self) -> [Plane; 2] {
+    pub fn end_tangents(&self) -> [Vec2; 2] {
         self.tangents
     }
 
@@ -156,7 +156,7 @@ impl Source {
     /// The sample by de Casteljau's algorithm. Derivatives are computed from the differences, so that they keep their
     /// digits next to zero-length handles.
     fn at_by_casteljau(&self, t: f64) -> OffsetSample {
-        let mut row = [Plane::default(); MAX_POINTS];
+        let mut row = [Vec2::default(); MAX_POINTS];
         let mut slopes = row;
         row[..self.count].copy_from_slice(&self.many);
         slopes[..self.degree()].copy_from_slice(&self.differences);
@@ -183,20 +183,20 @@ impl Source {
 }
 
 /// The Taylor coefficients of a curve, computed from its start and the differences of its n + 1 control points.
-fn powers(e: [Plane; 3], n: usize, start: Plane) -> [Plane; 4] {
+fn powers(e: [Vec2; 3], n: usize, start: Vec2) -> [Vec2; 4] {
     let second = (e[1] - e[0]) * [0.0, 0.0, 1.0, 3.0][n];
     let third = ((e[2] - e[1]) - (e[1] - e[0])) * if n == 3 { 1.0 } else { 0.0 };
     [start, e[0] * n as f64, second, third]
 }
 
 /// The differences of the reversed curve.
-fn reversed(mut e: [Plane; 3], n: usize) -> [Plane; 3] {
+fn reversed(mut e: [Vec2; 3], n: usize) -> [Vec2; 3] {
     e[..n].reverse();
     e.map(|e| -e)
 }
 
 /// n(n−1)(n−2)(n−3) times the longest fourth difference.
-fn fourth_bound(points: &[Plane]) -> f64 {
+fn fourth_bound(points: &[Vec2]) -> f64 {
     if points.len() < 5 {
         return 0.0;
     }
@@ -208,7 +208,7 @@ fn fourth_bound(points: &[Plane]) -> f64 {
 }
 
 /// n(n−1)(n−2) times the longest third difference.
-fn third_bound(points: &[Plane]) -> f64 {
+fn third_bound(points: &[Vec2]) -> f64 {
     if points.len() < 4 {
         return 0.0;
     }

@@ -1,17 +1,17 @@
-//! Plane vectors.
+//! Vec2 vectors.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A point or a vector in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Plane {
+pub struct Vec2 {
     /// The x coordinate, to the right.
     pub x: f64,
     /// The y coordinate, up.
     pub y: f64,
 }
 
-impl Plane {
+impl Vec2 {
     /// The vector (x, y).
     #[inline(always)]
     pub fn new(x: f64, y: f64) -> Self {
@@ -53,7 +53,7 @@ impl Plane {
     }
 }
 
-impl Add for Plane {
+impl Add for Vec2 {
     type Output = Self;
     #[inline(always)]
     fn add(self, o: Self) -> Self {
@@ -64,7 +64,7 @@ impl Add for Plane {
     }
 }
 
-impl Sub for Plane {
+impl Sub for Vec2 {
     type Output = Self;
     #[inline(always)]
     fn sub(self, o: Self) -> Self {
@@ -75,7 +75,7 @@ impl Sub for Plane {
     }
 }
 
-impl Mul<f64> for Plane {
+impl Mul<f64> for Vec2 {
     type Output = Self;
     #[inline(always)]
     fn mul(self, k: f64) -> Self {
@@ -86,7 +86,7 @@ impl Mul<f64> for Plane {
     }
 }
 
-impl Neg for Plane {
+impl Neg for Vec2 {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {

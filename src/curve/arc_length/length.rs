@@ -89,7 +89,7 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
         .windows(2)
         .map(|pair| pair[1] * part - pair[0] * part)
         .collect();
-    let unit = power_of_two(max_abs(&slopes));
+    let unit = floor_power_of_two(max_abs(&slopes));
     for slope in &mut slopes {
         *slope = *slope / unit.max(f64::MIN_POSITIVE);
     }
@@ -97,7 +97,7 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
 }
 
 /// The largest power of two that is at most x, but at least the smallest normal number; 0 for 0.
-fn power_of_two(x: f64) -> f64 {
+fn floor_power_of_two(x: f64) -> f64 {
     if x == 0.0 {
         return 0.0;
     }

@@ -5,6 +5,7 @@ use super::contact_interval::ContactInterval;
 use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair};
+use super::tolerances::MIN_OVERLAP;
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
@@ -13,12 +14,8 @@ use glam::DVec2;
 /// Maximum difference of a parameter from an end to which it is snapped.
 const NEAR_END: f64 = 1e-5;
 
-/// An overlap is longer than this many times the slack; a shorter one is a point.
-const MIN_OVERLAP: f64 = 64.0;
-
-/// The two points at an end of an overlap are closer together than this many times the slack. Heights up to four times
-/// the slack count as contact, in an axis that may be oblique to the coordinates (√2); rounding of the parameters adds
-/// up to a factor of two.
+/// The two points at an end of an overlap are closer together than this many times the slack: heights of up to four
+/// slacks count as contact, and rounding of the parameters may double that.
 const SHARED_END: f64 = 8.0;
 
 /// Two crossings in one interval are distinct if they are farther apart than this.
@@ -67,7 +64,7 @@ impl NormalizedPair {
             // A contact of higher order, or a cusp, that Newton's method does not refine.
             [None, None] => {
                 let (t, u) = self.opposite(middle.0, middle.1);
-                if self.one((t, u)) {
+                if self.coincide((t, u)) {
                     locations.push((t, u, self.kind(t, u)));
                 }
             }
@@ -186,7 +183,7 @@ impl NormalizedPair {
         let on_a = us.iter().map(|&u| self.across(middle.0, u));
         both.chain(on_b)
             .chain(on_a)
-            .find(|&location| self.one(location))
+            .find(|&location| self.coincide(location))
     }
 
     /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.

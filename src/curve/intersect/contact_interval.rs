@@ -1,20 +1,14 @@
 //! Contact intervals: contacts that belong together, joined.
 
 use super::pair::NormalizedPair;
+use super::tolerances::{LARGEST_GAP, MIN_OVERLAP};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 use casteljau_kernels::Contact;
 
-/// Largest gap between contacts that may be joined, in either parameter.
-const LARGEST_GAP: f64 = 0.05;
-
 /// Parameters this close are equal; some roundings.
 const SAME: f64 = 1e-13;
-
-/// If a curve reverses at a point farther than this, in slacks, from both ends of a gap, it leaves the other curve
-/// there. Overlaps longer than this are distinguished from points.
-const TURN_BACK: f64 = 64.0;
 
 /// A crossing at a common end of two segments is found in both, with a difference of some roundings.
 const ONE_CROSSING: f64 = 1e-12;
@@ -137,7 +131,7 @@ impl NormalizedPair {
         let points = &self.curves[curve];
         let away = |stop: f64, t: f64| {
             let gap = evaluate(points, stop) - evaluate(points, t);
-            gap.max_abs() > TURN_BACK * self.slack
+            gap.max_abs() > MIN_OVERLAP * self.slack
         };
         self.stops[curve].iter().any(|&stop| {
             let is_between = stop > from.min(to) && stop < from.max(to);

@@ -4,24 +4,19 @@
 use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
+use super::tolerances::{LARGEST_GAP, MIN_OVERLAP};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
 
 /// Intersections closer than this, at size 1, are one if an end or a stop lies between them.
-const SAME_POINT: f64 = 1e-8;
+const SAME_POINT_DISTANCE: f64 = 1e-8;
 
 /// The largest parameter difference of such intersections.
-const NEARBY: f64 = 1e-4;
-
-/// Largest gap that is examined, in either parameter.
-const LARGEST_GAP: f64 = 0.05;
+const NEARBY_PARAMETERS: f64 = 1e-4;
 
 /// Heights up to this many times the slack count as 0: the slack of both curves, and of their difference.
 const NO_HEIGHT: f64 = 4.0;
-
-/// An overlap of two lines is longer than this many times the slack.
-const MIN_OVERLAP: f64 = 64.0;
 
 impl NormalizedPair {
     /// Whether both curves are lines of non-zero length.
@@ -34,7 +29,7 @@ impl NormalizedPair {
         let mut ends: Vec<(f64, f64)> = Vec::with_capacity(4);
         for end in [0.0, 1.0] {
             for location in [self.foot(1, end), self.foot(0, end)] {
-                if self.one(location) {
+                if self.coincide(location) {
                     ends.push(location);
                 }
             }
@@ -77,7 +72,7 @@ impl NormalizedPair {
         let beside = self.opposite(t, u);
         [(t, u), beside]
             .into_iter()
-            .find(|&location| self.one(location))
+            .find(|&location| self.coincide(location))
     }
 
     /// The parameters of an end of the other line and of its nearest point on the line `curve`.
@@ -128,7 +123,7 @@ impl NormalizedPair {
             } else {
                 self.across(location.0, stop)
             };
-            if locations.contains(&location) && self.one(tip) {
+            if locations.contains(&location) && self.coincide(tip) {
                 self.merge(locations, tip, false);
             }
         }
@@ -142,11 +137,11 @@ impl NormalizedPair {
 
     fn is_near(&self, curve: usize, t: f64, at: f64) -> bool {
         let points = &self.curves[curve];
-        (t - at).abs() <= NEARBY
+        (t - at).abs() <= NEARBY_PARAMETERS
             && (evaluate(points, t) - evaluate(points, at))
                 .abs()
                 .max_element()
-                <= SAME_POINT
+                <= SAME_POINT_DISTANCE
     }
 
     /// Replaces the intersections next to (t, u) by one at (t, u). With `always`, inserts it even if none is near,
@@ -211,7 +206,7 @@ impl NormalizedPair {
     /// used.
     fn between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> (f64, f64) {
         let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
-        if self.one(middle) {
+        if self.coincide(middle) {
             return middle;
         }
         [
@@ -219,7 +214,7 @@ impl NormalizedPair {
             self.across(middle.0, middle.1),
         ]
         .into_iter()
-        .find(|&location| self.one(location))
+        .find(|&location| self.coincide(location))
         .unwrap_or((p.0, p.1))
     }
 
@@ -230,7 +225,7 @@ impl NormalizedPair {
         let same = (evaluate(a, p.0) - evaluate(a, q.0)).abs().max_element() <= self.slack;
         is_crossing(&p)
             && is_crossing(&q)
-            && !(same && gap_t.abs().max(gap_u.abs()) > SAME_POINT)
+            && !(same && gap_t.abs().max(gap_u.abs()) > SAME_POINT_DISTANCE)
             && gap_t.abs() < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
             && [0.25, 0.5, 0.75].iter().all(|&part| {

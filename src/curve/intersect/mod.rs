@@ -11,9 +11,10 @@ mod exact;
 pub(crate) mod intersection;
 mod near;
 mod pair;
-mod pieces;
-mod selves;
+mod self_intersections;
 mod solve;
+mod stationary;
+mod tolerances;
 
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 

@@ -60,7 +60,7 @@ impl NormalizedPair {
     }
 
     /// Whether the points A(t) and B(u) are equal up to rounding.
-    pub(crate) fn one(&self, (t, u): (f64, f64)) -> bool {
+    pub(crate) fn coincide(&self, (t, u): (f64, f64)) -> bool {
         self.apart(t, u) <= 2.0 * self.slack
     }
 
@@ -162,7 +162,7 @@ impl NormalizedPair {
                 break;
             }
         }
-        Some((t, u)).filter(|&location| self.one(location))
+        Some((t, u)).filter(|&location| self.coincide(location))
     }
 
     /// The tangency near the given parameters, where both curves have the same direction and are nearest to each other:
@@ -195,6 +195,6 @@ impl NormalizedPair {
         let (da, db) = (taylor(&self.curves[0], t)[1], taylor(&self.curves[1], u)[1]);
         let is_parallel =
             da.perp_dot(db).abs() <= NEARLY_PARALLEL * Point::length(da) * Point::length(db);
-        (inside && is_parallel && self.one((t, u))).then_some((t, u))
+        (inside && is_parallel && self.coincide((t, u))).then_some((t, u))
     }
 }

@@ -1,7 +1,7 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
 use super::intersection::IntersectionKind;
-use super::pieces::stops;
+use super::stationary::stops;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, Scalars};
 use casteljau_kernels as kernels;
@@ -45,12 +45,12 @@ impl NormalizedPair {
             return None;
         }
         // Halved, so that no difference overflows; powers of two, so that nothing is rounded.
-        let unit = power_of_two(largest);
+        let unit = inverse_power_of_two(largest);
         let origin = a[0] * unit;
         let spread = ((max * unit - origin).abs())
             .max((min * unit - origin).abs())
             .max_element();
-        let scale = power_of_two(spread);
+        let scale = inverse_power_of_two(spread);
         let normalized = |p: &DVec2| (*p * unit - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
         let (a, b): (Points<DVec2>, Points<DVec2>) = (
@@ -107,7 +107,7 @@ fn corners(points: &[DVec2]) -> (DVec2, DVec2) {
 }
 
 /// 2ᵏ so that x · 2ᵏ is in [½, 1); up to 4 for the largest numbers, below ½ for the smallest.
-fn power_of_two(x: f64) -> f64 {
+fn inverse_power_of_two(x: f64) -> f64 {
     if x == 0.0 {
         return 1.0;
     }

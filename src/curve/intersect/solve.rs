@@ -4,7 +4,7 @@ use super::super::Curve;
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use super::pieces::with_ends;
+use super::stationary::with_ends;
 use casteljau_kernels as kernels;
 use glam::DVec2;
 
@@ -12,7 +12,7 @@ use glam::DVec2;
 const ONE_PARAMETER: f64 = 8.0 * f64::EPSILON;
 
 /// A crossing at a common end of two segments is found in both, with a difference of some roundings.
-const SAME_POINT: f64 = 1e-10;
+const SAME_PARAMETERS: f64 = 1e-10;
 
 /// A contact this close to an end of an overlap is that end.
 const ONE_END: f64 = 1e-7;
@@ -52,12 +52,11 @@ impl NormalizedPair {
     pub(crate) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
         let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
-            let normalized =
-                |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            let snap = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
             locations.extend(
                 found
                     .iter()
-                    .map(normalized)
+                    .map(snap)
                     .map(|(t, u)| (t, u, IntersectionKind::Cross)),
             );
         } else {
@@ -80,20 +79,20 @@ fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
     }
     sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
     let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
-    for &normalized in &locations {
+    for &location in &locations {
         let again = kept
             .iter()
             .rev()
-            .any(|q| near(normalized, (q.0, q.1), SAME_POINT) && is_point(q));
-        if !(is_point(&normalized) && (again || ends_piece(normalized, &locations))) {
-            kept.push(normalized);
+            .any(|q| near(location, (q.0, q.1), SAME_PARAMETERS) && is_point(q));
+        if !(is_point(&location) && (again || ends_piece(location, &locations))) {
+            kept.push(location);
         }
     }
     kept
 }
 
-fn is_point(normalized: &ClassifiedPoint) -> bool {
-    !matches!(normalized.2, IntersectionKind::Overlap { .. })
+fn is_point(location: &ClassifiedPoint) -> bool {
+    !matches!(location.2, IntersectionKind::Overlap { .. })
 }
 
 fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
@@ -101,12 +100,12 @@ fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
 }
 
 /// Whether an intersection is an end of an overlap.
-fn ends_piece(normalized: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
+fn ends_piece(location: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     all.iter().any(|q| {
         let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
             return false;
         };
-        near(normalized, (q.0, q.1), ONE_END) || near(normalized, (t_end, u_end), ONE_END)
+        near(location, (q.0, q.1), ONE_END) || near(location, (t_end, u_end), ONE_END)
     })
 }
 

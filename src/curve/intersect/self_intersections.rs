@@ -3,7 +3,7 @@
 use super::super::Curve;
 use super::intersection::{IntersectionKind, SelfIntersection};
 use super::pair::NormalizedPair;
-use super::pieces::{runs_forward, stops};
+use super::stationary::{runs_forward, stops};
 use crate::bernstein::casteljau::blossom_piece;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
