@@ -2,7 +2,7 @@
 
 use super::step::{Context, Done, Step};
 use super::{node, select};
-use crate::{build, shell};
+use crate::{build, shell, wasm_test};
 use anyhow::Result;
 use std::process::Command;
 
@@ -13,7 +13,7 @@ const CASES: &str = "CASTELJAU_CASES";
 /// The test binary of generated calls, which is a separate step.
 const GENERATED: &str = "generated";
 
-pub(crate) const STEPS: [Step; 4] = [
+pub(crate) const STEPS: [Step; 5] = [
     Step {
         name: "sweeps",
         title: "Rust tests with many more cases",
@@ -37,6 +37,14 @@ pub(crate) const STEPS: [Step; 4] = [
         selects: false,
         beside: None,
         act: generated_js,
+    },
+    Step {
+        name: "wasm-chromium",
+        title: "Rust tests as wasm, in Chromium",
+        needs: &[],
+        selects: true,
+        beside: None,
+        act: |context| wasm_test::in_chromium(context.filters),
     },
     Step {
         name: "page",

@@ -16,7 +16,7 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 17] = [
+pub(crate) const STEPS: [Step; 16] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
@@ -60,14 +60,6 @@ pub(crate) const STEPS: [Step; 17] = [
         title: "Rust tests as wasm, in Node",
         selects: true,
         act: |context| wasm_test::in_node(context.filters),
-        ..PLAIN
-    },
-    Step {
-        name: "wasm-chromium",
-        title: "Rust tests as wasm, in Chromium",
-        selects: true,
-        beside: Some("wasm-node"),
-        act: |context| wasm_test::in_chromium(context.filters),
         ..PLAIN
     },
     Step {
