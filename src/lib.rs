@@ -22,6 +22,14 @@
 //! - Degenerate geometry is not an error and gives a defined result. An [`Error`] means an invalid argument: a wrong
 //!   count, a NaN, 0 segments, a tolerance that the coordinates cannot resolve.
 //!
+//! # Features
+//!
+//! Both are off by default.
+//!
+//! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
+//!   checked as by the constructors.
+//! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
+//!
 //! # Example
 //!
 //! ```

@@ -74,13 +74,13 @@ fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]
     let min_square = min * min;
     let mut complete = with_room(line, |line| fill_lanes(lanes, &numbers, min_square, line));
     let end = |column: usize| -> [f32; 3] {
-        let (location, sign) = if column < 3 {
+        let (source_column, sign) = if column < 3 {
             (column, 1.0)
         } else {
             (5 - column, -1.0)
         };
         std::array::from_fn(|axis| {
-            numbers[3 * location + axis] + sign * numbers[9 + 3 * location + axis]
+            numbers[3 * source_column + axis] + sign * numbers[9 + 3 * source_column + axis]
         })
     };
     if let [first, .., last] = line {

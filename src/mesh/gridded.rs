@@ -48,15 +48,15 @@ impl Surface {
         mesh: &mut Mesh,
     ) -> Result<(), Error> {
         let all = 0..self.patch_count();
-        let mut evaluator = GridMeshBuilder::new(all.len(), grid, method, quads)?;
-        self.fill_part(&mut evaluator, all, false, mesh);
+        let mut builder = GridMeshBuilder::new(all.len(), grid, method, quads)?;
+        self.fill_part(&mut builder, all, false, mesh);
         Ok(())
     }
 
     /// Fills a mesh with the grids of some patches; see [`GridMeshBuilder::fill`].
     pub(crate) fn fill_part(
         &self,
-        evaluator: &mut GridMeshBuilder,
+        builder: &mut GridMeshBuilder,
         part: Range<usize>,
         has_layout: bool,
         mesh: &mut Mesh,
@@ -69,7 +69,7 @@ impl Surface {
             let [degree_u, degree_v] = self.degrees(patch).unwrap_or_default();
             (degree_u, degree_v)
         };
-        evaluator.fill(part, net_of, has_layout, mesh);
+        builder.fill(part, net_of, has_layout, mesh);
     }
 }
 

@@ -31,8 +31,8 @@ pub fn spline_from_bspline(
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
         let knots = a.numbers(count * dimension, knots).to_vec();
-        let knots_or_none = (!knots.is_empty()).then_some(&knots[..]);
-        let spline = Spline::from_bspline(&points, degree, knots_or_none, closed)?;
+        let explicit_knots = (!knots.is_empty()).then_some(&knots[..]);
+        let spline = Spline::from_bspline(&points, degree, explicit_knots, closed)?;
         Ok(write(a, &spline, dimension))
     })
 }

@@ -25,60 +25,44 @@ fn segment_at<P: Space>(spline: &Spline<P>, t: f64) -> (Curve<P>, f64) {
     (spline.segment(k).expect("a segment"), t - real(k))
 }
 
+/// Checks that the answer of a spline is that of the segment of t.
+fn is_of_segment<T: PartialEq>(answer: T, of_segment: T) -> Checked {
+    ensure!(answer == of_segment, "not the answer of the segment");
+    Ok(())
+}
+
 fn derivative_at<P: Space>(case: &Case) -> Checked {
     let (spline, t) = (spline::<P>(case, "spline"), number(case, "t"));
     let k = count(case, "k");
-    let derivative = call_unbounded(case, || spline.derivative_at(t, k))?;
     let (segment, rest) = segment_at(&spline, t);
-    ensure!(
-        derivative == segment.derivative_at(rest, k),
-        "not the derivative of the segment"
-    );
-    Ok(())
+    let derivative = call_unbounded(case, || spline.derivative_at(t, k))?;
+    is_of_segment(derivative, segment.derivative_at(rest, k))
 }
 
 fn tangent<P: Space>(case: &Case) -> Checked {
     let (spline, t) = (spline::<P>(case, "spline"), number(case, "t"));
-    let tangent = call(case, || spline.tangent(t))?;
     let (segment, rest) = segment_at(&spline, t);
-    ensure!(
-        tangent == segment.tangent(rest),
-        "not the tangent of the segment"
-    );
-    Ok(())
+    is_of_segment(call(case, || spline.tangent(t))?, segment.tangent(rest))
 }
 
 fn normal<P: Space>(case: &Case) -> Checked {
     let (spline, t) = (spline::<P>(case, "spline"), number(case, "t"));
-    let normal = call(case, || spline.normal(t))?;
     let (segment, rest) = segment_at(&spline, t);
-    ensure!(
-        normal == segment.normal(rest),
-        "not the normal of the segment"
-    );
-    Ok(())
+    is_of_segment(call(case, || spline.normal(t))?, segment.normal(rest))
 }
 
 fn curvature<P: Space>(case: &Case) -> Checked {
     let (spline, t) = (spline::<P>(case, "spline"), number(case, "t"));
-    let curvature = call_unbounded(case, || spline.curvature(t))?;
     let (segment, rest) = segment_at(&spline, t);
-    ensure!(
-        curvature == segment.curvature(rest),
-        "not the curvature of the segment"
-    );
-    Ok(())
+    let curvature = call_unbounded(case, || spline.curvature(t))?;
+    is_of_segment(curvature, segment.curvature(rest))
 }
 
 fn torsion(case: &Case) -> Checked {
     let (spline, t) = (spline::<DVec3>(case, "spline"), number(case, "t"));
-    let torsion = call_unbounded(case, || spline.torsion(t))?;
     let (segment, rest) = segment_at(&spline, t);
-    ensure!(
-        torsion == segment.torsion(rest),
-        "not the torsion of the segment"
-    );
-    Ok(())
+    let torsion = call_unbounded(case, || spline.torsion(t))?;
+    is_of_segment(torsion, segment.torsion(rest))
 }
 
 /// Checks that a part has the points of the spline from t₀ on, at equal parameters after its first segment.
