@@ -11,17 +11,11 @@ const SLOPE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// curve.
 const SHORT_PIECE: f64 = 0.125;
 
-/// On pieces above this length, the rounding error is negligible.
-const NOISY_PIECE: f64 = 1e-3;
-
-/// The tolerance is raised because of rounding to at most this part of the distance.
-const MAX_NOISE: f64 = 0.01;
-
 impl OffsetCurve<'_> {
-    /// The offset curve with the bounds and the tolerance for one piece.
+    /// The offset curve with the bounds for one piece.
     ///
-    /// Where B′ is small against its terms, rounding changes the direction of the normal. An offset closer to the true
-    /// one than d times that change cannot be distinguished from others, so the tolerance is at least that.
+    /// The tolerance stays the same where rounding changes the direction of a small B′: the normal then rotates about a
+    /// point, so rounding moves a point of the offset along the offset curve and not away from it.
     pub(super) fn on_piece(&self, from: &End, to: &End) -> Self {
         let mut local = Self {
             source: self.source,
@@ -31,11 +25,6 @@ impl OffsetCurve<'_> {
         if self.source.degree() > 3 && t1 - t0 <= SHORT_PIECE {
             local.third = self.source.derivative_bound(3, t0, t1).min(self.third);
             local.fourth = self.source.derivative_bound(4, t0, t1).min(self.fourth);
-        }
-        if t1 - t0 <= NOISY_PIECE {
-            let noise = self.noise(&from.sample).min(self.noise(&to.sample));
-            let max = MAX_NOISE * self.distance.abs();
-            local.tolerance = self.tolerance.max(noise.min(max));
         }
         local
     }
