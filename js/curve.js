@@ -495,8 +495,9 @@ export class Curve {
    * At most 4096 pairs of pieces are compared, and 256 more for each degree above 3. Only curves that rounding makes hard
    * to tell apart on long stretches need more; each pair of pieces that is undecided then counts as one place at most.
    *
-   * Both curves have the point at their parameters but for rounding: 64 (n + 2) ulps of the largest coordinate, n being the
-   * higher degree.
+   * Curves meet where their distance is below rounding: about 2ε (L + (n + 1) S), with ε = 2.2e-16, the largest coordinate
+   * L, the size S of the box around both curves and the higher degree n; up to four times this where they run along each
+   * other. Both have the point at their parameters but for rounding: 64 (n + 2) ulps of the largest coordinate.
    *
    * @param {Curve | Spline} other
    * @returns {Intersection[]}
