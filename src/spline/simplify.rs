@@ -3,6 +3,7 @@
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
+use crate::curve::flatten::VertexLimit;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -77,8 +78,9 @@ impl<P: Point> Spline<P> {
         let mut tangents: Vec<[P; 2]> = Vec::new();
         let mut corners = vec![0];
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
+        let mut left = VertexLimit::new(limit);
         for curve in self.segments() {
-            let line = curve.flatten_within(share, limit.saturating_sub(kept.len()))?;
+            let line = curve.flatten_within(share, &mut left)?;
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
                 if kept.last() != Some(&p) {

@@ -12,8 +12,15 @@ const RAY: usize = (1 << 27) + 4 * SEARCH;
 /// The maximum number of patches of a generated surface.
 const PATCHES: usize = 4;
 
+/// The documented limit of vertices, and the forecast and the cubics of every segment of a generated spline or path.
+const FLATTEN: usize = (1 << 24) + DEFAULT;
+
 /// The documented limits.
 const LIMITS: &[(&str, usize)] = &[
+    ("Curve::flatten", FLATTEN),
+    ("Curve::flatten_with", FLATTEN),
+    ("Spline::flatten", FLATTEN),
+    ("Path::flatten", FLATTEN),
     ("Patch::nearest", 2 * SEARCH),
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),
