@@ -83,6 +83,13 @@ pub(crate) const STEPS: [Step; 16] = [
         ..PLAIN
     },
     Step {
+        name: "site",
+        title: "The static site",
+        needs: &["build"],
+        act: |_| build::site().map(|()| Done::Passed),
+        ..PLAIN
+    },
+    Step {
         name: "js",
         title: "Tests of the npm package",
         needs: &["build"],
@@ -91,19 +98,12 @@ pub(crate) const STEPS: [Step; 16] = [
         ..PLAIN
     },
     Step {
-        name: "site",
-        title: "The static site",
-        needs: &["build"],
-        act: |_| build::site().map(|()| Done::Passed),
-        ..PLAIN
-    },
-    Step {
         name: "page",
         title: "Page tests, in Chromium",
         needs: &["build", "site"],
         selects: true,
+        beside: Some("js"), // a browser leaves one core idle for most of the time
         act: |context| node::page(context, &[]),
-        ..PLAIN
     },
     Step {
         name: "page-firefox",
