@@ -59,7 +59,9 @@ export function toBSpline({ flat, dimension, degrees, closed }) {
   const degree = degrees[0];
   const other = degrees.findIndex((each) => each !== degree);
   if (other > 0) {
-    throw new RangeError(`degrees[${other}]: expected the degree of the first segment (${degree}), got ${degrees[other]}`);
+    throw new RangeError(
+      `degrees[${other}]: expected the degree of the first segment (${degree}), got ${degrees[other]}`,
+    );
   }
   const count = flat.length / dimension;
   const shift = closed ? degree - 1 : 0;

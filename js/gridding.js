@@ -19,7 +19,8 @@ export function takeGrid(patches, { u, v, quads, into }) {
   const vertices = (u + 1) * (v + 1);
   /** @type {any} */
   const Indices = patches * vertices > 0x10000 ? Uint32Array : Uint16Array;
-  const place = (/** @type {any} */ Type, /** @type {number} */ size, /** @type {any} */ earlier) => room(Type, patches * size, earlier);
+  const place = (/** @type {any} */ Type, /** @type {number} */ size, /** @type {any} */ earlier) =>
+    room(Type, patches * size, earlier);
   /** @type {any} the arrays' types are those of their places */
   const data = {
     positions: place(Float32Array, 3 * vertices, into?.positions),
@@ -33,7 +34,8 @@ export function takeGrid(patches, { u, v, quads, into }) {
   // In the order of the core.
   const buffers = [data.positions, data.normals, data.uvs, data.patchIds, data.indices];
   if (data.quads) buffers.push(data.quads);
-  const layout = (/** @type {number} */ k) => `${k} of ${patches} × ${u} × ${v} from ${buffers[k].byteOffset} in ${buffers[k].BYTES_PER_ELEMENT}`;
+  const layout = (/** @type {number} */ k) =>
+    `${k} of ${patches} × ${u} × ${v} from ${buffers[k].byteOffset} in ${buffers[k].BYTES_PER_ELEMENT}`;
   const known = buffers.map((array, k) => k >= FIRST_OF_LAYOUT && layouts.get(array.buffer) === layout(k));
   for (let first = 0; first < patches; ) {
     const count = core().grid_part(first);

@@ -39,5 +39,8 @@ export function interpolate(points, options) {
   const { flat, dimension } = flatten(points, wanted, 2);
   load(flat);
   const count = flat.length / dimension;
-  return { length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : power), dimension };
+  return {
+    length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : power),
+    dimension,
+  };
 }

@@ -143,7 +143,8 @@ export function checkMesh({ positions, normals, uvs }, faces, corners) {
     if (bad >= 0) throw new RangeError(`${name}[${bad}]: expected a finite number, got ${list[bad]}`);
   }
   const past = faces.findIndex((vertex) => vertex >= vertices);
-  if (past >= 0) throw new RangeError(`indices: expected an index from 0 to ${Math.max(0, vertices - 1)}, got ${faces[past]}`);
+  if (past >= 0)
+    throw new RangeError(`indices: expected an index from 0 to ${Math.max(0, vertices - 1)}, got ${faces[past]}`);
 }
 
 /**

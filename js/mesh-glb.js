@@ -44,7 +44,8 @@ export function meshToGLB(mesh) {
   const binary = length ? CHUNK_HEADER_BYTES + length : 0;
   const bytes = newFile(HEADER_BYTES + CHUNK_HEADER_BYTES + padded(json.length) + binary);
   const view = new DataView(bytes.buffer);
-  const words = (/** @type {number} */ at, /** @type {number[]} */ ...list) => list.forEach((word, k) => view.setUint32(at + 4 * k, word, true));
+  const words = (/** @type {number} */ at, /** @type {number[]} */ ...list) =>
+    list.forEach((word, k) => view.setUint32(at + 4 * k, word, true));
   words(0, MAGIC, VERSION, bytes.length, padded(json.length), JSON_CHUNK);
   let at = HEADER_BYTES + CHUNK_HEADER_BYTES;
   bytes.fill(0x20, at, at + padded(json.length)).set(json, at);
@@ -76,7 +77,11 @@ function piecesOf(mesh) {
     floats(positions, "VEC3", bounds(positions)),
     floats(unitNormals(inFloats(mesh.normals, "normals")), "VEC3"),
     ...(mesh.uvs ? [floats(mesh.uvs, "VEC2")] : []),
-    { array: indices, accessor: { componentType, count: indices.length, type: "SCALAR" }, target: ELEMENT_ARRAY_BUFFER },
+    {
+      array: indices,
+      accessor: { componentType, count: indices.length, type: "SCALAR" },
+      target: ELEMENT_ARRAY_BUFFER,
+    },
   ];
 }
 

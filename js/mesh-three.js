@@ -35,7 +35,8 @@ export function meshToThree({ positions, normals, uvs, indices }, THREE) {
   }
   const geometry = new THREE.BufferGeometry();
   // WebGL knows no numbers of 64 bits.
-  const floats = (/** @type {Float32Array | Float64Array} */ list) => (list instanceof Float32Array ? list : Float32Array.from(list));
+  const floats = (/** @type {Float32Array | Float64Array} */ list) =>
+    list instanceof Float32Array ? list : Float32Array.from(list);
   geometry.setAttribute("position", new THREE.BufferAttribute(floats(positions), 3));
   geometry.setAttribute("normal", new THREE.BufferAttribute(floats(normals), 3));
   if (uvs) geometry.setAttribute("uv", new THREE.BufferAttribute(uvs, 2));

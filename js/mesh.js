@@ -200,7 +200,9 @@ export function takeMesh(into, { own = true, precise = false } = {}) {
     uvs: own ? read(UVS, Float32Array, into?.uvs) : null,
     patchIds: own ? read(PATCH_IDS, Uint32Array, into?.patchIds) : null,
     indices: /** @type {Uint16Array | Uint32Array} */ (read(INDICES, Indices, into?.indices)),
-    quads: core().mesh_length(QUADS) ? /** @type {Uint16Array | Uint32Array} */ (read(QUADS, Indices, into?.quads)) : undefined,
+    quads: core().mesh_length(QUADS)
+      ? /** @type {Uint16Array | Uint32Array} */ (read(QUADS, Indices, into?.quads))
+      : undefined,
     patchRanges: ranges(into?.patchRanges ?? []),
   };
   if (data.positions.byteLength > LARGE_MESH) core().mesh_drop();
@@ -234,7 +236,9 @@ function read(buffer, Type, into) {
  */
 export function room(Type, length, earlier) {
   const fits = earlier instanceof Type && earlier.length >= length;
-  return /** @type {T} */ (fits ? (earlier.length === length ? earlier : earlier.subarray(0, length)) : new Type(length));
+  return /** @type {T} */ (
+    fits ? (earlier.length === length ? earlier : earlier.subarray(0, length)) : new Type(length)
+  );
 }
 
 /**

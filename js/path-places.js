@@ -45,7 +45,9 @@ export function meetPaths(packed, other) {
   return Array.from({ length: numbers.length / PLACE }, (_, k) => {
     const [t, u, x, y, kind, tEnd, uEnd, subpath, otherSubpath] = numbers.subarray(PLACE * k, PLACE * (k + 1));
     const place = { subpath, t, otherSubpath, u, point: { x, y } };
-    return kind === 2 ? { ...place, kind: "overlap", tEnd, uEnd } : { ...place, kind: kind === 1 ? "tangent" : "cross" };
+    return kind === 2
+      ? { ...place, kind: "overlap", tEnd, uEnd }
+      : { ...place, kind: kind === 1 ? "tangent" : "cross" };
   });
 }
 

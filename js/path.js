@@ -63,7 +63,8 @@ export class Path {
       this.#packed = inside.packed;
       return;
     }
-    if (!Array.isArray(splines)) throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
+    if (!Array.isArray(splines))
+      throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
     this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSpline(spline, `splines[${k}]`)));
   }
 
@@ -93,7 +94,11 @@ export class Path {
     if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
       throw new TypeError(`json: expected an object with subpaths, got ${check.shown(json)}`);
     }
-    return pathOf(packedSplines(Array.from(json.subpaths, (subpath, k) => checkedSpline(Spline.fromJSON(subpath), `subpaths[${k}]`))));
+    return pathOf(
+      packedSplines(
+        Array.from(json.subpaths, (subpath, k) => checkedSpline(Spline.fromJSON(subpath), `subpaths[${k}]`)),
+      ),
+    );
   }
 
   /** The number of subpaths. */
@@ -207,7 +212,10 @@ export class Path {
    */
   intersections(other) {
     const path = typeof other === "object" && other !== null && #packed in other;
-    return meetPaths(this.#packed, path ? other.#packed : packedSplines([checkedSpline(other, "other", "a Path, a Spline or a Curve")]));
+    return meetPaths(
+      this.#packed,
+      path ? other.#packed : packedSplines([checkedSpline(other, "other", "a Path, a Spline or a Curve")]),
+    );
   }
 
   /**
@@ -395,7 +403,8 @@ function place(point) {
  * @returns {Chain}
  */
 function checkedSpline(spline, name, expected = "a Spline or a Curve") {
-  if (!(spline instanceof Spline || spline instanceof Curve)) throw new TypeError(`${name}: expected ${expected}, got ${check.shown(spline)}`);
+  if (!(spline instanceof Spline || spline instanceof Curve))
+    throw new TypeError(`${name}: expected ${expected}, got ${check.shown(spline)}`);
   if (spline.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
   return spline[CHAIN]();
 }

@@ -658,5 +658,10 @@ export function splineOf(parts) {
 export function takeSpline(length, dimension) {
   const numbers = take(0, length);
   const head = 2 + numbers[0];
-  return splineOf({ flat: numbers.slice(head), dimension, degrees: [...numbers.subarray(2, head)], closed: numbers[1] === 1 });
+  return splineOf({
+    flat: numbers.slice(head),
+    dimension,
+    degrees: [...numbers.subarray(2, head)],
+    closed: numbers[1] === 1,
+  });
 }

@@ -240,7 +240,8 @@ function vertexRange(first, count) {
  */
 export function surfaceText({ vertices, degrees, indices }) {
   const rows = ["surface", `vertices ${vertices.length / 3}`];
-  for (let i = 0; i < vertices.length; i += 3) rows.push(`${written(vertices, i)} ${written(vertices, i + 1)} ${written(vertices, i + 2)}`);
+  for (let i = 0; i < vertices.length; i += 3)
+    rows.push(`${written(vertices, i)} ${written(vertices, i + 1)} ${written(vertices, i + 2)}`);
   rows.push(`patches ${degrees.length / 2}`);
   for (let k = 0, at = 0; k < degrees.length; k += 2) {
     rows.push(`${degrees[k]} ${degrees[k + 1]}`);

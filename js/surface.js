@@ -67,7 +67,9 @@ export class Surface {
     check.whole(degreeV, "degreeV", 1, 64);
     const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
     const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
-    const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) => (k % 2 ? degreeV : degreeU));
+    const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) =>
+      k % 2 ? degreeV : degreeU,
+    );
     this.#network = { vertices: flat, joined: joinedOf(flat), degrees, indices };
   }
 
@@ -465,7 +467,8 @@ function patchIndices(patches, count, vertices) {
   const all = new Uint32Array(patches.length * count);
   patches.forEach((net, k) => {
     if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.shown(net)}`);
-    if (net.length !== count) throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
+    if (net.length !== count)
+      throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
     for (let i = 0; i < count; i++) all[k * count + i] = check.whole(net[i], `patches[${k}][${i}]`, 0, vertices - 1);
   });
   return all;

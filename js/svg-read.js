@@ -5,7 +5,14 @@ import { Refusal, Scanner } from "./svg-number.js";
 
 /** The numbers that a command takes, by its upper-case letter. */
 const ARGUMENTS = new Int8Array(128).fill(-1);
-for (const [letters, count] of /** @type {[string, number][]} */ ([["Z", 0], ["HV", 1], ["MLT", 2], ["SQ", 4], ["C", 6], ["A", 7]])) {
+for (const [letters, count] of /** @type {[string, number][]} */ ([
+  ["Z", 0],
+  ["HV", 1],
+  ["MLT", 2],
+  ["SQ", 4],
+  ["C", 6],
+  ["A", 7],
+])) {
   for (const letter of letters + letters.toLowerCase()) ARGUMENTS[letter.charCodeAt(0)] = count;
 }
 

@@ -87,7 +87,8 @@ function cubics(pen, curve, tolerance) {
 function checkTolerance(packed, tolerance) {
   if (tolerance === 0) return;
   let size = 0;
-  for (const { points, end } of extents(packed)) for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
+  for (const { points, end } of extents(packed))
+    for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
   done(core().path_check_tolerance(tolerance, size));
 }
 

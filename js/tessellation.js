@@ -58,7 +58,9 @@ function detailNumbers(given) {
   }
   if ("tolerance" in given) return { kind: TOLERANCE, a: check.positive(given.tolerance, "tolerance") };
   if ("pixels" in given) return { kind: PIXELS, a: check.positive(given.pixels, "pixels"), extra: viewNumbers(given) };
-  throw new TypeError("options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them");
+  throw new TypeError(
+    "options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them",
+  );
 }
 
 /**

@@ -60,7 +60,9 @@ export class Reader {
    */
   word(place) {
     if (place >= this.count) return undefined;
-    return new TextDecoder("utf-8", { ignoreBOM: true }).decode(this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]));
+    return new TextDecoder("utf-8", { ignoreBOM: true }).decode(
+      this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]),
+    );
   }
 
   /**
@@ -210,5 +212,7 @@ export function refusal(line, expected, got) {
 export function shown(word) {
   // Twice as many units, so that no character is cut.
   const characters = [...word.slice(0, 2 * SHOWN_CHARACTERS + 2)];
-  return JSON.stringify(characters.length > SHOWN_CHARACTERS ? `${characters.slice(0, SHOWN_CHARACTERS).join("")}…` : word);
+  return JSON.stringify(
+    characters.length > SHOWN_CHARACTERS ? `${characters.slice(0, SHOWN_CHARACTERS).join("")}…` : word,
+  );
 }

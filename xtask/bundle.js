@@ -69,7 +69,8 @@ const bundleAs = (options) =>
   });
 
 /** Bundles one entry of js/ into one file of dist/. */
-const bundle = (entry, name, options = {}) => bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
+const bundle = (entry, name, options = {}) =>
+  bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
 
 /** What comes late: the part of a kind of element that draws, by the name of its file. */
 const LATE = {
@@ -99,7 +100,8 @@ async function elements() {
     write: false,
   });
   const hashed = outputFiles.map(({ path }) => basename(path)).filter((name) => name.startsWith("elements-shared-"));
-  const named = (text) => hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
+  const named = (text) =>
+    hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
   const plain = (text) => named(text).replaceAll("import(`${", `import(${KEPT}\`\${`);
   await mkdir("dist", { recursive: true });
   await Promise.all(outputFiles.map(({ path, text }) => writeFile(`dist/${plain(basename(path))}`, plain(text))));

@@ -36,13 +36,27 @@ const kB = (bytes) => `${(bytes / KB).toFixed(1)} kB`.padStart(9);
 const row = ({ name, raw, gzip }) => console.log(`${name.padEnd(28)}${kB(raw)}${kB(gzip)}`);
 
 /** A sum of parts. */
-const sum = (name, parts) => parts.reduce((total, { raw, gzip }) => ({ name, raw: total.raw + raw, gzip: total.gzip + gzip }), { name, raw: 0, gzip: 0 });
+const sum = (name, parts) =>
+  parts.reduce((total, { raw, gzip }) => ({ name, raw: total.raw + raw, gzip: total.gzip + gzip }), {
+    name,
+    raw: 0,
+    gzip: 0,
+  });
 
 /** The files that a file of dist/ imports as soon as it is loaded, itself first; the core is left out. */
 async function loadedAtOnce(name, known = []) {
   if (known.includes(name)) return known;
-  const { metafile } = await build({ entryPoints: [`dist/${name}`], bundle: true, external: ["./*"], format: "esm", metafile: true, write: false });
-  const imports = metafile.inputs[`dist/${name}`].imports.filter(({ kind, path }) => kind === "import-statement" && path !== "./index.js");
+  const { metafile } = await build({
+    entryPoints: [`dist/${name}`],
+    bundle: true,
+    external: ["./*"],
+    format: "esm",
+    metafile: true,
+    write: false,
+  });
+  const imports = metafile.inputs[`dist/${name}`].imports.filter(
+    ({ kind, path }) => kind === "import-statement" && path !== "./index.js",
+  );
   let all = [...known, name];
   for (const { path } of imports) all = await loadedAtOnce(path.replace("./", ""), all);
   return all;
@@ -64,7 +78,13 @@ const later = sum("elements, when needed", partsOf(elementsFiles.filter((name) =
 [total, elements, later].forEach(row);
 // What a page fetches that shows one kind.
 const lateFiles = elementsFiles.filter((name) => !atOnce.includes(name) && !name.includes("shared"));
-for (const name of lateFiles) row(sum(`  at once + ${name.slice("elements-".length, -".js".length)}`, partsOf([...new Set([...atOnce, ...(await loadedAtOnce(name))])])));
+for (const name of lateFiles)
+  row(
+    sum(
+      `  at once + ${name.slice("elements-".length, -".js".length)}`,
+      partsOf([...new Set([...atOnce, ...(await loadedAtOnce(name))])]),
+    ),
+  );
 for (const { name, gzip } of [...parts, ...imports, total, elements, later]) {
   const limit = LIMITS_KB[name] ?? Infinity;
   if (gzip <= limit * KB) continue;

@@ -12,7 +12,8 @@ export default async function* skipped(events) {
     if (data.skip === FILTERED || data.details?.type === "suite") continue;
     count += 1;
     // `skip` is an empty text where no reason was given.
-    if (data.skip !== undefined) yield `${data.name}: ${typeof data.skip === "string" && data.skip ? data.skip : "no reason given"}\n`;
+    if (data.skip !== undefined)
+      yield `${data.name}: ${typeof data.skip === "string" && data.skip ? data.skip : "no reason given"}\n`;
   }
   if (count === 0) {
     console.error("error: no test ran");

@@ -29,7 +29,12 @@ function segmentSteps() {
 function patchSteps() {
   return [32, 320, 3200, 32_000].map((patches) => {
     const surface = teapots(patches / 32);
-    return { size: patches, items: patches, check: () => checkLoop(surface, netsOf(surface), 4), ours: reusing(surface, 4) };
+    return {
+      size: patches,
+      items: patches,
+      check: () => checkLoop(surface, netsOf(surface), 4),
+      ours: reusing(surface, 4),
+    };
   });
 }
 
@@ -111,7 +116,16 @@ function moveSteps() {
     return {
       size: count,
       items: count,
-      check: () => assertSame("movePoint", [0, 0], move().controlPoints().slice(6 * (count >> 1) + 2).slice(0, 2), 0),
+      check: () =>
+        assertSame(
+          "movePoint",
+          [0, 0],
+          move()
+            .controlPoints()
+            .slice(6 * (count >> 1) + 2)
+            .slice(0, 2),
+          0,
+        ),
       ours: () => move().segmentCount,
     };
   });
@@ -190,7 +204,10 @@ export function results(effort, wanted) {
  */
 function grown(id, work, steps, effort) {
   steps.forEach(({ check }) => check());
-  const times = timesInTurn(steps.map(({ ours }) => ours), effort);
+  const times = timesInTurn(
+    steps.map(({ ours }) => ours),
+    effort,
+  );
   const costs = steps.map(({ size, items }, k) => ({ size, ns: median(times[k]) / items }));
   return { id, work, costs, ours: growth(costs.map(({ ns }) => ns)), ratio: null };
 }

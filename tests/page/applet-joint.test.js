@@ -7,7 +7,11 @@ const choose = (page, mode) => page.getByLabel(mode, { exact: true }).check();
 const status = (page) => page.locator('[part="status"]').innerText();
 
 /** A mode, a point, and by how many pixels it is dragged; tests/js/applet-joints.test.js has all of them. */
-const MOVES = [["G1", 2, 30, -70], ["C1", 3, 45, 25], ["C1", 4, -60, 40]];
+const MOVES = [
+  ["G1", 2, 30, -70],
+  ["C1", 3, 45, 25],
+  ["C1", 4, -60, 40],
+];
 
 test("the joint is held in the midst and at the end of dragging P2, P3 and P4", async (t) => {
   const page = await openTutorial(t);
@@ -74,7 +78,10 @@ test("r keeps the lock, and all points inside", async (t) => {
     for (const all of runs) {
       assert.ok(Math.abs(joint(all).sine) < 1e-9 && joint(all).cosine > 0);
       if (mode === "c1") assertNear([joint(all).before], [joint(all).after], 1e-9);
-      assert.ok(all.every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480), JSON.stringify(all));
+      assert.ok(
+        all.every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480),
+        JSON.stringify(all),
+      );
     }
   }
 });
@@ -97,7 +104,9 @@ test("the lock holds at hidden joints and at those added later", async (t) => {
 
 test("a partner pushed out of the picture waits at its edge and can be fetched back", async (t) => {
   const page = await openTutorial(t);
-  await page.evaluate(() => Object.assign(bezierApp(), { joint: "c1", points: bezierApp().points.with(3, [600, 230]) }));
+  await page.evaluate(() =>
+    Object.assign(bezierApp(), { joint: "c1", points: bezierApp().points.with(3, [600, 230]) }),
+  );
   await drawn(page);
   await drag(page, 2, -100, 0);
   const [x] = (await points(page))[4];

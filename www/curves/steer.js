@@ -3,7 +3,8 @@
 
 /** @param {ParentNode} root */
 export function steerFrom(root) {
-  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (root.querySelectorAll("input[data-for][data-sets]"))) steer(input);
+  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (root.querySelectorAll("input[data-for][data-sets]")))
+    steer(input);
 }
 
 /** @param {HTMLInputElement} input */

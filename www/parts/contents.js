@@ -16,7 +16,9 @@ function mark(links) {
   const update = () => {
     const line = innerHeight / 3;
     const at = targets.findLastIndex((target) => target && target.getBoundingClientRect().top < line);
-    links.forEach((link, i) => (i === at ? link.setAttribute("aria-current", "location") : link.removeAttribute("aria-current")));
+    links.forEach((link, i) =>
+      i === at ? link.setAttribute("aria-current", "location") : link.removeAttribute("aria-current"),
+    );
   };
   let frame = 0;
   const soon = () => {

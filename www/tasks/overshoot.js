@@ -11,7 +11,10 @@ export function check(_figure, { value }) {
   const most = Math.max(...Array.from({ length: 101 }, (_, i) => ease(i / 100)));
   const past = Math.max(0, most - 1) * 100;
   const done = past >= 10 && past <= 20;
-  return verdict(done, `It shoots ${past.toFixed(1)} % past its end.${done ? "" : past > 20 ? " That is too much." : ""}`);
+  return verdict(
+    done,
+    `It shoots ${past.toFixed(1)} % past its end.${done ? "" : past > 20 ? " That is too much." : ""}`,
+  );
 }
 
 /** @param {{ value: string }} element */

@@ -120,9 +120,15 @@ export const halves = {
    */
   draw(sheet, pairs, figure, { layers, segment, labels }) {
     const { theme } = sheet;
-    along(sheet, pairs.map(([first]) => first));
+    along(
+      sheet,
+      pairs.map(([first]) => first),
+    );
     pen.stroke(sheet, theme.first, pen.HALF_WIDTH);
-    along(sheet, pairs.map(([, second]) => second));
+    along(
+      sheet,
+      pairs.map(([, second]) => second),
+    );
     pen.stroke(sheet, theme.second, pen.HALF_WIDTH);
     if (!layers.has("names") || labels === "none" || layers.has("scaffold")) return;
     const named = pairs[Math.min(segment, pairs.length - 1)] ?? [];
