@@ -36,7 +36,9 @@ export function arena(length, gate = curves) {
  */
 function reserve(length, gate) {
   const address = core(gate).arena_reserve(length) >>> 0; // above 2 GiB it comes as a negative number
-  return (gate.view = new Float64Array(memory(gate).buffer, address, core(gate).arena_length()));
+  const view = new Float64Array(memory(gate).buffer, address, core(gate).arena_length());
+  gate.view = view;
+  return view;
 }
 
 /**

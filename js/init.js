@@ -52,7 +52,8 @@ export function core(gate = curves) {
  * @returns {CubicEval}
  */
 export function cubicEval() {
-  return curves.cubicEval ?? (startNow(curves), /** @type {CubicEval} */ (/** @type {unknown} */ (curves.cubicEval)));
+  if (!curves.cubicEval) startNow(curves);
+  return /** @type {CubicEval} */ (curves.cubicEval);
 }
 
 /**
@@ -63,7 +64,8 @@ export function cubicEval() {
  * @returns {WebAssembly.Memory}
  */
 export function memory(gate = curves) {
-  return gate.memory ?? (startNow(gate), /** @type {WebAssembly.Memory} */ (/** @type {unknown} */ (gate.memory)));
+  if (!gate.memory) startNow(gate);
+  return /** @type {WebAssembly.Memory} */ (gate.memory);
 }
 
 /**
@@ -86,7 +88,8 @@ function start(gate, module) {
   const exports = /** @type {any} */ (gate.link({ module }));
   gate.memory = exports.memory;
   gate.cubicEval = exports.cubic_eval;
-  return (gate.functions = exports);
+  gate.functions = exports;
+  return exports;
 }
 
 /** @param {Gate} gate */

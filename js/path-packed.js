@@ -69,7 +69,8 @@ export function packedSplines(parts) {
     packed[at] = degrees.length;
     packed[at + 1] = closed ? 1 : 0;
     packed.set(degrees, at + 2);
-    packed.set(flat, (at += 2 + degrees.length));
+    at += 2 + degrees.length;
+    packed.set(flat, at);
     at += flat.length;
   }
   return packed;

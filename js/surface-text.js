@@ -245,7 +245,10 @@ export function surfaceText({ vertices, degrees, indices }) {
   rows.push(`patches ${degrees.length / 2}`);
   for (let k = 0, at = 0; k < degrees.length; k += 2) {
     rows.push(`${degrees[k]} ${degrees[k + 1]}`);
-    for (let j = 0; j <= degrees[k + 1]; j++) rows.push(indices.subarray(at, (at += degrees[k] + 1)).join(" "));
+    for (let j = 0; j <= degrees[k + 1]; j++) {
+      rows.push(indices.subarray(at, at + degrees[k] + 1).join(" "));
+      at += degrees[k] + 1;
+    }
   }
   return `${rows.join("\n")}\n`;
 }

@@ -105,7 +105,7 @@ export class Reader {
    */
   number(place) {
     const plain = this.#plain(place);
-    if (plain === plain) return plain;
+    if (!Number.isNaN(plain)) return plain;
     const word = this.word(place) ?? "";
     if (!NUMBER.test(word)) throw this.refusal(place, "a number");
     const number = Number(word);

@@ -45,7 +45,10 @@ function patchSteps() {
 function reusing(surface, segments) {
   /** @type {import("casteljau").Mesh | undefined} */
   let into;
-  return () => (into = surface.grid({ segments, into })).normals[100];
+  return () => {
+    into = surface.grid({ segments, into });
+    return into.normals[100];
+  };
 }
 
 /**
@@ -84,7 +87,14 @@ function sampleSteps() {
 function walk(/** @type {number} */ count) {
   const next = random(3);
   let [x, y] = [0, 0];
-  return Float64Array.from({ length: 2 * count }, (_, i) => (i % 2 ? (y += next() - 0.5) : (x += next())));
+  return Float64Array.from({ length: 2 * count }, (_, i) => {
+    if (i % 2 === 0) {
+      x += next();
+      return x;
+    }
+    y += next() - 0.5;
+    return y;
+  });
 }
 
 /** Splines through points; the item is a point. */

@@ -16,5 +16,5 @@ const table = `\n${head}\n${rows.map(line).join("\n")}\n\n${source}\n\n`;
 const text = readFileSync(readme, "utf8");
 writeFileSync(
   readme,
-  text.replace(/(<!-- bench:start -->)[^]*(<!-- bench:end -->)/, (_, from, to) => from + table + to),
+  text.replace(/(<!-- bench:start -->)[\s\S]*(<!-- bench:end -->)/, (_, from, to) => from + table + to),
 );

@@ -91,7 +91,10 @@ export class Engine {
     overlay.addEventListener("input", (event) => this.#slide(/** @type {HTMLInputElement} */ (event.target)));
     onDoubleTap(overlay, (event) => this.#appendByPointer(event));
     this.endings.push(
-      followTheme(this.#view.probe, (theme) => ((this.#theme = theme), this.#schedule())),
+      followTheme(this.#view.probe, (theme) => {
+        this.#theme = theme;
+        this.#schedule();
+      }),
       followSize(this.#canvas, this.#view, (width) => this.#resized(width)),
       listenToKeys(this.#keyPort()),
       () => this.#voice.end(),

@@ -29,7 +29,10 @@ const label = (session, words) =>
     const box = found.getBoundingClientRect();
     return [box.x + box.width / 2, box.y + box.height / 2];
   }, words);
-const click = async (session, words) => (await session.drag(await label(session, words)), await session.frame());
+const click = async (session, words) => {
+  await session.drag(await label(session, words));
+  await session.frame();
+};
 
 inEach((test) => {
   test("a point follows the pointer, the others stay", tutorialPage(), async (session) => {

@@ -87,7 +87,9 @@ inEach((test) => {
       const part = "/dist/elements-surface.js";
       pages.set(part, "no script");
       await session.waitFor(() => customElements.get("bezier-surface") !== undefined);
-      await session.evaluate(() => void (document.querySelector("bezier-surface").hidden = false));
+      await session.evaluate(() => {
+        document.querySelector("bezier-surface").hidden = false;
+      });
       await session.waitFor(() =>
         /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot.textContent),
       );

@@ -172,11 +172,18 @@ test("the piece that is looked at counts; no piece is no subject; names may be m
 
 test("alone: attributes that cannot be used are named, and the defaults stand in", () => {
   const problems = [];
-  const check = (name, value, usable, _, fallback) => (usable ? value : (problems.push(name), fallback));
+  const check = (name, value, usable, _, fallback) => {
+    if (usable) return value;
+    problems.push(name);
+    return fallback;
+  };
   const bad = ownSubject({ given: "1,2 3", t: NaN, degree: 99, basis: "nurbs", matrix: "1 2" }, check);
   assert.deepEqual(problems.sort(), ["basis", "degree", "points", "t"]);
   assert.deepEqual([bad.basis, bad.degree, bad.t, bad.points], ["bezier", 3, 0.5, POINTS]);
-  const strict = (name, value, usable) => (assert.ok(usable, name), value);
+  const strict = (name, value, usable) => {
+    assert.ok(usable, name);
+    return value;
+  };
   assert.equal(
     ownSubject({ given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" }, strict).degree,
     2,

@@ -198,7 +198,10 @@ const TASKS = {
   "cut-at-top": {
     start: () => applet({ points: HILL }),
     vain: [(e) => e.insert(0.5)],
-    right: (e) => ((e.points = HILL), e.insert(new Curve(HILL).extrema().y[0] + 0.003)),
+    right: (e) => {
+      e.points = HILL;
+      e.insert(new Curve(HILL).extrema().y[0] + 0.003);
+    },
   },
   "make-c1": {
     start: () => applet({ points: SEVEN }),

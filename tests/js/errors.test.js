@@ -133,6 +133,7 @@ test("points: holes in arrays", () => {
   const curves = [cubic, cubic, cubic];
   delete curves[1];
   refused(() => Spline.fromCurves(curves), TypeError, /^curves\[1\]: expected a Curve, got undefined$/);
+  // biome-ignore lint/suspicious/noSparseArray: a hole is the input under test
   refused(() => cubic.evalAt([0, , 1]), TypeError, /^ts\[1\]: expected a number, got undefined$/);
 });
 

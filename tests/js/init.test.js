@@ -21,8 +21,16 @@ const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);
 async function compilations(act) {
   const { Module, compile } = WebAssembly;
   let count = 0;
-  WebAssembly.Module = new Proxy(Module, { construct: (target, args) => (count++, new target(...args)) });
-  WebAssembly.compile = (...args) => (count++, compile(...args));
+  WebAssembly.Module = new Proxy(Module, {
+    construct: (target, args) => {
+      count++;
+      return new target(...args);
+    },
+  });
+  WebAssembly.compile = (...args) => {
+    count++;
+    return compile(...args);
+  };
   try {
     await act();
   } finally {

@@ -25,7 +25,7 @@ async function sources(...paths) {
     }),
   );
   // JSDoc says what there is; here it is looked for in the code.
-  return texts.join("\n").replace(/\/\*\*[^]*?\*\//g, "");
+  return texts.join("\n").replace(/\/\*\*[\s\S]*?\*\//g, "");
 }
 
 const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.js`);

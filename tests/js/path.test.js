@@ -380,6 +380,7 @@ test("refusals", () => {
   for (const bad of [undefined, null, 5, "M0 0", [[0, 0]], new Path([])])
     refused(() => new Path([bad]), TypeError, /^splines\[0\]: /);
   refused(() => new Path([new Spline(SEVEN), new Spline(SPACE)]), TypeError, /^splines\[1\]: .*2D.*3D/);
+  // biome-ignore lint/suspicious/noSparseArray: a hole is the input under test
   refused(() => new Path([,]), TypeError, /^splines\[0\]: /);
   for (const bad of [undefined, null, 5, [], {}, { subpaths: 5 }])
     refused(() => Path.fromJSON(bad), TypeError, /^json: /);

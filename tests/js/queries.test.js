@@ -135,7 +135,10 @@ test("deCasteljau of a patch: rows, then a curve, then the point", () => {
     column.map((level) => level.length / 3),
     [3, 2, 1],
   );
-  assert.deepEqual(rows.map((levels) => [...levels[2]]).flat(), [...column[0]]);
+  assert.deepEqual(
+    rows.flatMap((levels) => [...levels[2]]),
+    [...column[0]],
+  );
   near(point, [0.25, 0.75, 0.125]);
   near(bowl.eval(0.25, 0.75), [0.25, 0.75, 0.125]);
 });

@@ -61,7 +61,10 @@ test("what was done in between leaves no traces in an earlier mesh", () => {
   const fresh = surface.grid({ segments: 5, quads: true });
   const into = surface.grid({ segments: 5, quads: true });
   const between = [
-    () => (into.positions.fill(7), into.normals.fill(7)),
+    () => {
+      into.positions.fill(7);
+      into.normals.fill(7);
+    },
     () => (into.indices = into.indices.slice().reverse()),
     () => (into.uvs = new Float32Array(/** @type {any} */ (into.uvs).length)),
     () => surface.grid({ segments: 5 }),

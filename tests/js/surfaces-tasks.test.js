@@ -214,7 +214,7 @@ test("each section ends with a task and a sample", () => {
   for (const section of sections)
     assert.match(
       section,
-      /<lesson-task [^]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/,
+      /<lesson-task [\s\S]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/,
       section.slice(0, 40),
     );
 });

@@ -137,9 +137,9 @@ element.addEventListener("update", () => {
 /** The pieces of code that a section of the site's guide shows. */
 async function documented(section) {
   const guide = await readFile(`${root}www/elements/index.html`, "utf8");
-  const [, part] = guide.match(new RegExp(`<section id="${section}">([^]*?)</section>`));
+  const [, part] = guide.match(new RegExp(`<section id="${section}">([\\s\\S]*?)</section>`));
   const plain = (text) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
-  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([^]*?)<\/code><\/pre>/g)].map(([, code]) =>
+  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([\s\S]*?)<\/code><\/pre>/g)].map(([, code]) =>
     plain(code),
   );
 }

@@ -13,7 +13,10 @@ test("keyboard only: Tab goes along the curve, arrows move by 1, 10 and 0.1 pixe
   const before = await points(page);
   await page.keyboard.press("Tab");
   const names = [];
-  for (let i = 0; i < 7; i++) names.push(await focused(page)), await page.keyboard.press("Tab");
+  for (let i = 0; i < 7; i++) {
+    names.push(await focused(page));
+    await page.keyboard.press("Tab");
+  }
   assert.deepEqual(names, ["P0 x", "P1 x", "P2 x", "P3 x", "P4 x", "P5 x", "P6 x"]);
   await page.getByLabel("P4 x").focus();
   for (const keys of ["ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight"])
@@ -27,7 +30,11 @@ test("keyboard only: Tab goes along the curve, arrows move by 1, 10 and 0.1 pixe
 
 test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
   const page = await openTutorial(t);
-  const press = async (locator, key) => (await locator.focus(), await page.keyboard.press(key), await drawn(page));
+  const press = async (locator, key) => {
+    await locator.focus();
+    await page.keyboard.press(key);
+    await drawn(page);
+  };
   const app = (name) => page.evaluate((name) => bezierApp()[name], name);
   await press(page.getByRole("button", { name: /Show 4 points/ }), "Enter");
   assert.equal(await app("mode"), 4);
@@ -67,7 +74,10 @@ test("a slider moved by a screen reader moves its point; changes are announced o
     const said = [];
     const live = input.getRootNode().querySelector("[role=status]");
     const announced = new Promise((resolve) =>
-      new MutationObserver(() => (said.push(live.textContent), resolve(said))).observe(live, { childList: true }),
+      new MutationObserver(() => {
+        said.push(live.textContent);
+        resolve(said);
+      }).observe(live, { childList: true }),
     );
     for (let i = 0; i < 5; i++)
       input.dispatchEvent(

@@ -19,7 +19,9 @@ test("the joint is held in the midst and at the end of dragging P2, P3 and P4", 
     await choose(page, mode);
     const before = await points(page);
     await pull(page, index, dx, dy);
-    for (const held of [await points(page), (await page.mouse.up(), await points(page))]) {
+    const whileDragging = await points(page);
+    await page.mouse.up();
+    for (const held of [whileDragging, await points(page)]) {
       assertNear(held[index], [before[index][0] + dx, before[index][1] + dy], 0.01, `P${index} follows the pointer`);
       const { sine, cosine, before: first, after: second } = joint(held);
       assert.ok(Math.abs(sine) < 1e-9 && cosine > 0, `aligned: ${sine}`);
@@ -73,7 +75,10 @@ test("r keeps the lock, and all points inside", async (t) => {
     const runs = await page.evaluate((mode) => {
       const app = bezierApp();
       app.joint = mode;
-      return Array.from({ length: 60 }, (_, seed) => (app.randomize(seed), app.points));
+      return Array.from({ length: 60 }, (_, seed) => {
+        app.randomize(seed);
+        return app.points;
+      });
     }, mode);
     for (const all of runs) {
       assert.ok(Math.abs(joint(all).sine) < 1e-9 && joint(all).cosine > 0);
@@ -93,7 +98,10 @@ test("the lock holds at hidden joints and at those added later", async (t) => {
   await drawn(page);
   await drag(page, 2, -20, 15); // P4 is hidden
   assertNear([joint(await points(page)).sine], [0], 1e-12);
-  await page.evaluate(() => (bezierApp().toggleMode(), bezierApp().append([300, 60])));
+  await page.evaluate(() => {
+    bezierApp().toggleMode();
+    bezierApp().append([300, 60]);
+  });
   await drawn(page);
   for (const act of [() => {}, () => drag(page, 5, -30, 10)]) {
     await act();

@@ -203,7 +203,10 @@ test("the handle: assigned values show, a seed repeats, layers are drawn", async
   const page = await openTutorial(t);
   const seeded = await page.evaluate(() => {
     const app = bezierApp();
-    const draw = (seed) => (app.randomize(seed), JSON.stringify(app.points));
+    const draw = (seed) => {
+      app.randomize(seed);
+      return JSON.stringify(app.points);
+    };
     return [draw(7), draw(8), draw(7)];
   });
   assert.equal(seeded[0], seeded[2]);
@@ -365,7 +368,11 @@ test("destroy leaves the page as it was, and a new applet can follow", async (t)
   await page.evaluate(() => app.destroy());
   assert.equal(await html(), before);
   await page.keyboard.press("m");
-  await page.evaluate(() => ((app.points = app.points), app.destroy()));
+  await page.evaluate(() => {
+    const { points } = app;
+    app.points = points;
+    app.destroy();
+  });
   await drawn(page);
   assert.equal(await html(), before);
   assert.equal(await page.evaluate(() => app.mode), 7, "its keys are gone");

@@ -105,7 +105,10 @@ export const intersectionsReported = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; i++) {
       await new Promise((resolve) => {
-        const observer = new IntersectionObserver(() => (observer.disconnect(), resolve()));
+        const observer = new IntersectionObserver(() => {
+          observer.disconnect();
+          resolve();
+        });
         observer.observe(document.documentElement);
       });
     }

@@ -199,7 +199,10 @@ test("removed and put back many times they leave nothing", async (test) => {
     document.querySelector("#place").remove();
     let frames = 0;
     const original = requestAnimationFrame;
-    globalThis.requestAnimationFrame = (act) => (frames++, original(act));
+    globalThis.requestAnimationFrame = (act) => {
+      frames++;
+      return original(act);
+    };
     document.querySelector("bezier-applet").steer({ t: 0.11 }, true);
     for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     return frames;
@@ -238,9 +241,11 @@ test("what could not be fetched is said, and asked for again", async (test) => {
   broken = false;
   // Away and near again, until it has seen both.
   await page.waitForFunction(
-    () =>
-      document.querySelector("bezier-easing").shadowRoot.querySelector(".frame") ||
-      (scrollTo(0, scrollY > 1000 ? 0 : 2500), false),
+    () => {
+      if (document.querySelector("bezier-easing").shadowRoot.querySelector(".frame")) return true;
+      scrollTo(0, scrollY > 1000 ? 0 : 2500);
+      return false;
+    },
     null,
     { polling: "raf" },
   );

@@ -66,7 +66,7 @@ export const heard = (page) => page.evaluate(() => globalThis.heard.splice(0));
 export const on = (page, selector, act, given) => page.locator(selector).evaluate(act, given);
 
 /** Pastes a text into a field. */
-export async function paste(page, locator, text) {
+export async function paste(locator, text) {
   await locator.focus();
   await locator.evaluate((field, pasted) => {
     const clipboardData = new DataTransfer();

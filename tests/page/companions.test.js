@@ -216,7 +216,7 @@ test("the matrix refuses what is no number, at the field", async (t) => {
   assert.match(await text(page, "bezier-equation .error"), /^Expected a number, got nothing; 0\.167 is kept\./);
   assert.equal(await cell.inputValue(), "0.1667");
   assert.equal(await cell.getAttribute("aria-invalid"), "true");
-  await paste(page, cell, "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
+  await paste(cell, "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
   assert.deepEqual(await on(page, "bezier-equation", ({ basis, matrix }) => [basis, matrix]), [
     "matrix",
     "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1",
@@ -269,7 +269,7 @@ test("what is no number is refused with a message at the field, and the last goo
   }
   for (const bad of ["NaN", "hello", "Infinity", "1e999", "<b>", "x".repeat(1e5)]) {
     const before = (await figure(page)).points;
-    await paste(page, input, bad);
+    await paste(input, bad);
     await settled(page);
     assert.match(await message(), /expected/i, bad);
     assert.ok((await message()).length < 160);
@@ -283,7 +283,7 @@ test("what is no number is refused with a message at the field, and the last goo
 test("pasted lines fill the table, from where they are pasted; more of them make more points", async (t) => {
   const page = await openCompanions(t, ALL);
   const lines = (count) => Array.from({ length: count }, (_, k) => `${10 * k},${20 + k}`).join("\r\n");
-  await paste(page, field(page, "P2 x"), lines(3));
+  await paste(field(page, "P2 x"), lines(3));
   assert.deepEqual((await figure(page)).points.slice(1, 6), [
     [110, 90],
     [0, 20],
@@ -293,12 +293,12 @@ test("pasted lines fill the table, from where they are pasted; more of them make
   ]);
   await on(page, "bezier-applet", (applet) => applet.undo());
   assert.deepEqual((await figure(page)).points[2], [235, 120], "one undo step");
-  await paste(page, field(page, "P0 y"), lines(10));
+  await paste(field(page, "P0 y"), lines(10));
   await page.waitForFunction(
     () => document.querySelector("bezier-coordinates").shadowRoot.querySelectorAll("tbody tr").length === 10,
   );
   const before = (await figure(page)).points;
-  await paste(page, field(page, "P0 x"), "1,2\n3,x");
+  await paste(field(page, "P0 x"), "1,2\n3,x");
   assert.match(await text(page, "bezier-coordinates .error"), /line 2: expected a number, got “x”/);
   assert.deepEqual((await figure(page)).points, before);
 });

@@ -55,17 +55,26 @@ function keep() {
     clearInterval: stop,
   } = window;
   window.requestAnimationFrame = (act) => {
-    const id = request.call(window, (now) => (live.frames.delete(id), act(now)));
+    const id = request.call(window, (now) => {
+      live.frames.delete(id);
+      act(now);
+    });
     live.frames.add(id);
     return id;
   };
-  window.cancelAnimationFrame = (id) => (live.frames.delete(id), cancel.call(window, id));
+  window.cancelAnimationFrame = (id) => {
+    live.frames.delete(id);
+    cancel.call(window, id);
+  };
   window.setInterval = (...args) => {
     const id = start.apply(window, args);
     live.intervals.add(id);
     return id;
   };
-  window.clearInterval = (id) => (live.intervals.delete(id), stop.call(window, id));
+  window.clearInterval = (id) => {
+    live.intervals.delete(id);
+    stop.call(window, id);
+  };
   for (const name of ["ResizeObserver", "IntersectionObserver", "MutationObserver"]) {
     const { prototype } = window[name];
     const { observe, disconnect, unobserve } = prototype;

@@ -12,7 +12,10 @@ async function openAt(t, path, fragment) {
   await ready(page);
   return page;
 }
-const ready = async (page) => (await page.waitForSelector("html[data-address]"), await settled(page));
+const ready = async (page) => {
+  await page.waitForSelector("html[data-address]");
+  await settled(page);
+};
 const hero = (page) => page.locator("#hero bezier-applet");
 const attribute = (page, name) => hero(page).getAttribute(name);
 const pointOf = (page, i) => hero(page).evaluate((applet, i) => applet.points[i], i);
@@ -66,7 +69,10 @@ test("whatever an address can set of an element, it can be read off it", async (
   }
   await page.goto("/");
   await ready(page);
-  await hero(page).evaluate((applet) => (applet.setAttribute("show", "hull"), applet.steer({ t: 0.25 }, true)));
+  await hero(page).evaluate((applet) => {
+    applet.setAttribute("show", "hull");
+    applet.steer({ t: 0.25 }, true);
+  });
   await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });
 
@@ -87,7 +93,7 @@ const ABUSE = [
   ["#main?t=0.3&%=%", /is not known here/],
   ["#learn?t=0.3", /no figure/],
   ["#?", /not on this page/],
-  ["#hero?" + "t=0.1&".repeat(170_000), /1020006 characters long/],
+  [`#hero?${"t=0.1&".repeat(170_000)}`, /1020006 characters long/],
 ];
 
 test("any address: told, nothing breaks, the last good state stays", async (t) => {

@@ -79,7 +79,10 @@ test("moved to another place it shows the same; taken away it leaves nothing run
     element.remove();
     let count = 0;
     const original = requestAnimationFrame;
-    globalThis.requestAnimationFrame = (act) => (count++, original(act));
+    globalThis.requestAnimationFrame = (act) => {
+      count++;
+      return original(act);
+    };
     element.segments = 5;
     for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     globalThis.requestAnimationFrame = original;

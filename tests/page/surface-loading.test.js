@@ -12,7 +12,10 @@ const MISSING = "could not be loaded";
 async function openWithRoute(t, html, answer) {
   const page = await openPage(t, "about:blank", { viewport: { width: 800, height: 900 }, reducedMotion: "reduce" });
   const asked = { count: 0 };
-  await page.route(PART, (route) => (asked.count++, answer(route)));
+  await page.route(PART, (route) => {
+    asked.count++;
+    return answer(route);
+  });
   await page.route("**/loading.html", (route) => route.fulfill({ contentType: "text/html", body: html }));
   await page.goto("/loading.html");
   await page.waitForFunction(() => customElements.get("bezier-surface"));

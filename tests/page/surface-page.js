@@ -78,7 +78,8 @@ export const look = (page) =>
       const x = (i / 4) % width;
       [left, right] = [Math.min(left, x), Math.max(right, x)];
     }
-    const number = (globalThis.pictures ??= []).push(data) - 1;
+    globalThis.pictures ??= [];
+    const number = globalThis.pictures.push(data) - 1;
     return { inked, loud, left, right, width, height, colours: colours.size, number };
   });
 

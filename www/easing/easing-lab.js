@@ -227,7 +227,7 @@ export class EasingLab extends Figure {
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="The curve of ${css(this.value)}: at the time ${decimal(this.x)} it is at ${decimal(ease(this.x), 3)}">
         <path class="gridline" d="M${place(0, 0)}H${left + scale}V${place(1, 1)[1]}H${left}Z" />
-        ${marks.map(([x, , bx, by]) => svg`<path class="axis" d="M${bx} ${by}v-7" />`)}
+        ${marks.map(([, , bx, by]) => svg`<path class="axis" d="M${bx} ${by}v-7" />`)}
         ${polyline("polygon", [...points[0], ...points[1]])}${polyline("polygon", [...points[2], ...points[3]])}
         <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
         ${marks.map(([x, y]) => ring(x, y, "var(--handle)", 3))}

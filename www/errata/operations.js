@@ -3,11 +3,20 @@
 const tally = { "−": 0, "+": 0, "×": 0 };
 
 /** @param {number} a @param {number} b */
-const sub = (a, b) => (tally["−"]++, a - b);
+const sub = (a, b) => {
+  tally["−"]++;
+  return a - b;
+};
 /** @param {number} a @param {number} b */
-const add = (a, b) => (tally["+"]++, a + b);
+const add = (a, b) => {
+  tally["+"]++;
+  return a + b;
+};
 /** @param {...number} xs */
-const mul = (...xs) => ((tally["×"] += xs.length - 1), xs.reduce((a, b) => a * b));
+const mul = (...xs) => {
+  tally["×"] += xs.length - 1;
+  return xs.reduce((a, b) => a * b);
+};
 
 /** Points in space, whatever they are. */
 const POINTS = [

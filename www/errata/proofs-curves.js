@@ -265,7 +265,10 @@ export const curveProofs = {
       let [t, count] = [0, 0];
       const increment = round(0.1);
       let last = t;
-      for (; t <= 1; t = round(t + increment)) (last = t), count++;
+      for (; t <= 1; t = round(t + increment)) {
+        last = t;
+        count++;
+      }
       return { count, last };
     };
     const [double, single] = [run((x) => x), run(Math.fround)];

@@ -60,10 +60,8 @@ export function fromSvg(d) {
  */
 export function nodesOf(spline) {
   const flat = spline.controlPoints();
-  const starts = spline.degrees.reduce(
-    (/** @type {number[]} */ list, degree) => [...list, list[list.length - 1] + degree],
-    [0],
-  );
+  const starts = [0];
+  for (const degree of spline.degrees) starts.push(starts[starts.length - 1] + degree);
   return Array.from({ length: flat.length / 2 }, (_, index) => {
     const after = starts.findIndex((start) => start > index);
     const joint = (after === -1 ? starts.length : after) - 1;

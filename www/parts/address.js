@@ -9,9 +9,8 @@ const POINTS = "points";
 const NUMBER = "number";
 const NUMBERS = "numbers";
 const WORDS = "words";
-const TEXT = "text";
 
-/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS | typeof TEXT} Form */
+/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS} Form */
 
 /** @type {Record<string, Record<string, Form>>} by the element's name, then the attribute's */
 export const SHARED = {

@@ -22,7 +22,11 @@ function mark(links) {
   };
   let frame = 0;
   const soon = () => {
-    frame ||= requestAnimationFrame(() => ((frame = 0), update()));
+    if (frame === 0)
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        update();
+      });
   };
   addEventListener("scroll", soon, { passive: true });
   addEventListener("resize", soon);

@@ -17,4 +17,6 @@ export function check({ t }) {
 }
 
 /** @param {{ t: number }} element */
-export const reveal = (element) => void (element.t = 0.25);
+export const reveal = (element) => {
+  element.t = 0.25;
+};

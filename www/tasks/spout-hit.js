@@ -15,4 +15,6 @@ export function check({ patch }) {
 }
 
 /** @param {any} element */
-export const reveal = (element) => void (element.patch = FIRST);
+export const reveal = (element) => {
+  element.patch = FIRST;
+};

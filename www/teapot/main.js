@@ -44,7 +44,7 @@ function step(now) {
 }
 
 function schedule() {
-  frame ||= requestAnimationFrame(step);
+  if (frame === 0) frame = requestAnimationFrame(step);
 }
 
 function turnTo(turn, tilt) {

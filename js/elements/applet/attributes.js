@@ -32,6 +32,7 @@ export class AppletAttributes extends LitElement {
   };
 
   static get observedAttributes() {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on
     return [...super.observedAttributes, ...Object.keys(FIELDS)];
   }
 

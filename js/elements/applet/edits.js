@@ -310,7 +310,7 @@ function longer(state, spline, place) {
 export function randomized(state, seed) {
   const random = generator(wholeIn(seed, "seed", -(2 ** 53), 2 ** 53));
   const chain = chainOf(state);
-  if (!chain || chain.degree !== 3)
+  if (chain?.degree !== 3)
     return withJoints({ ...state, points: randomPlaces(state.box, state.points.length, random) }, state.joints);
   const modes = modesFor(state, chain.spline);
   const spline = randomChain(state.box, chain.spline.segmentCount, (joint) => modes[joint - 1], random);

@@ -85,7 +85,15 @@ export class Stage {
   start() {
     if (this.#endings.length) return;
     this.#endings = [
-      followTheme(this.#probe, (theme) => ((this.#theme = theme), this.draw()), ROLES), // at once: a printer does not wait for a frame
+      // Draws immediately, because a printer does not wait for a frame.
+      followTheme(
+        this.#probe,
+        (theme) => {
+          this.#theme = theme;
+          this.draw();
+        },
+        ROLES,
+      ),
       followSize(this.#canvas, /** @type {any} */ ({ overlay: this.#overlay }), (width) => this.#resized(width)),
       () => cancelAnimationFrame(this.#frame),
     ];

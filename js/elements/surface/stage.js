@@ -158,7 +158,8 @@ export class Stage {
   draw() {
     const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
     if (!scene || !seen || this.#lost || seen.width === 0) return;
-    const theme = (this.#theme ??= readTheme(this.#probe));
+    this.#theme ??= readTheme(this.#probe);
+    const theme = this.#theme;
     const { width, height } = canvas;
     const ratio = width / seen.width;
     this.geometry.seen(seen.sight, seen.width, seen.height);

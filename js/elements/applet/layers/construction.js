@@ -115,10 +115,10 @@ export const halves = {
   /**
    * @param {Sheet} sheet
    * @param {[Curve, Curve][]} pairs
-   * @param {Figure} figure
+   * @param {Figure} _figure
    * @param {State} state
    */
-  draw(sheet, pairs, figure, { layers, segment, labels }) {
+  draw(sheet, pairs, _figure, { layers, segment, labels }) {
     const { theme } = sheet;
     along(
       sheet,
