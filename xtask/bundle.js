@@ -12,13 +12,13 @@ const withoutBytes = {
   name: "without-bytes",
   setup(build) {
     const contents = {
-      curves: `import { gate } from "./gate.js"; import { initSync } from "./glue/casteljau.js";
+      curves: `import { gate } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js";
         export const curves = /* @__PURE__ */ gate(initSync, null);`,
-      surfaces: `export { curves as surfaces } from "./curves-gate.js";`,
+      surfaces: `export { curves as surfaces } from "./curves-module.js";`,
     };
-    build.onLoad({ filter: /[\\/]js[\\/](curves|surfaces)-gate\.js$/ }, ({ path }) => ({
-      contents: contents[path.match(/(\w+)-gate\.js$/)[1]],
-      resolveDir: sources,
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, ({ path }) => ({
+      contents: contents[path.match(/(\w+)-module\.js$/)[1]],
+      resolveDir: resolve(sources, "wasm"),
     }));
   },
 };
@@ -27,9 +27,9 @@ const withoutBytes = {
 const appletsPart = {
   name: "applets-part",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]curves-gate\.js$/ }, async ({ path }) => {
-      const contents = (await readFile(path, "utf8")).replaceAll("./glue/curves", "./glue/applet");
-      return { contents, resolveDir: sources };
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, async ({ path }) => {
+      const contents = (await readFile(path, "utf8")).replaceAll("../glue/curves", "../glue/applet");
+      return { contents, resolveDir: resolve(sources, "wasm") };
     });
   },
 };

@@ -1,6 +1,6 @@
 //! Trigonometric functions from basic arithmetic. Sums, products, quotients and square roots are identical on every
 //! platform, library functions such as sine are not; the Rust and the JavaScript parser must return bit-identical
-//! paths. `js/svg-arc.js` performs the same operations.
+//! paths. `js/io/svg-arc.js` performs the same operations.
 
 use glam::DVec2;
 
