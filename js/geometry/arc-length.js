@@ -1,10 +1,10 @@
-// Lengths of curves and splines, and what goes by length.
+// Arc length of curves.
 import * as check from "./check.js";
 import { core } from "../wasm/init.js";
-import { load, take } from "../wasm/transfer.js";
+import { writeArguments, readResult } from "../wasm/transfer.js";
 
 /**
- * The length of a curve.
+ * The arc length of a curve.
  *
  * @internal
  * @param {Float64Array} p
@@ -13,17 +13,18 @@ import { load, take } from "../wasm/transfer.js";
  * @returns {number}
  */
 export function curveLength(p, dimension, tolerance) {
-  // A plane cubic, the most common kind of curve, goes over as arguments and always as exactly as can be.
+  // The coordinates of a 2D cubic, the most common kind of curve, are passed as arguments; this function has no
+  // tolerance.
   if (tolerance === undefined && p.length === 8 && dimension === 2) {
     return core().cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
   }
-  const most = check.optionalTolerance(tolerance);
-  load(p);
-  return take(0, core().curve_length(dimension, p.length / dimension, most))[0];
+  const maxError = check.optionalTolerance(tolerance);
+  writeArguments(p);
+  return readResult(0, core().curve_length(dimension, p.length / dimension, maxError))[0];
 }
 
 /**
- * The t of a length.
+ * The t at an arc length.
  *
  * @internal
  * @param {Float64Array} p
@@ -34,7 +35,7 @@ export function curveLength(p, dimension, tolerance) {
  */
 export function curveTimeAtLength(p, dimension, s, tolerance) {
   check.finite(s, "s");
-  const most = check.optionalTolerance(tolerance);
-  load(p);
-  return take(0, core().curve_time_at_length(dimension, p.length / dimension, s, most))[0];
+  const maxError = check.optionalTolerance(tolerance);
+  writeArguments(p);
+  return readResult(0, core().curve_time_at_length(dimension, p.length / dimension, s, maxError))[0];
 }

@@ -1,19 +1,19 @@
 import { numbers, oneOf } from "./check.js";
 import { core } from "../wasm/init.js";
-import { take } from "../wasm/transfer.js";
+import { readResult } from "../wasm/transfer.js";
 
 /**
  * @typedef {"bezier" | "hermite" | "b-spline" | "catmull-rom"} BasisName
  */
 
 /**
- * A basis by name, or an own 4×4 matrix, row-major: 16 numbers or 4 rows of 4.
+ * A basis by name, or a 4×4 matrix, row-major: 16 numbers or 4 rows of 4.
  *
  * @typedef {BasisName | ArrayLike<number> | ArrayLike<ArrayLike<number>>} BasisLike
  */
 
 /**
- * The names, in the order of the core.
+ * The names, in the order of the core's codes.
  *
  * @internal
  * @type {readonly BasisName[]}
@@ -21,7 +21,7 @@ import { take } from "../wasm/transfer.js";
 export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom"];
 
 /**
- * The 16 numbers of a basis.
+ * The matrix of a basis, 16 numbers.
  *
  * @internal
  * @param {BasisLike} basis
@@ -29,7 +29,7 @@ export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom"];
  */
 export function basisNumbers(basis) {
   if (typeof basis === "string") {
-    return take(0, core().basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
+    return readResult(0, core().basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
   }
   const rows = Array.isArray(basis) && Array.isArray(basis[0]) ? basis.flat() : basis;
   const matrix = numbers(rows, "basis");

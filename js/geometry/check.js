@@ -1,5 +1,5 @@
-// The border: everything that comes from a caller is checked here, once. Behind it values are of the right kind,
-// finite and of matching counts.
+// Checks of arguments. The public functions check every argument once; after that, values have the right type, are
+// finite and have matching counts.
 
 /**
  * A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint.
@@ -20,12 +20,12 @@
  */
 
 /**
- * What came, in words for a message.
+ * Describes a value for the "got …" part of a message.
  *
  * @param {unknown} value
  * @returns {string}
  */
-export function shown(value) {
+export function describe(value) {
   if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
   if (typeof value === "bigint") return `${value}n`;
   if (typeof value !== "object" || value === null) return String(value);
@@ -41,13 +41,13 @@ export function shown(value) {
  * @returns {number}
  */
 export function finite(value, name) {
-  if (typeof value !== "number") throw new TypeError(`${name}: expected a number, got ${shown(value)}`);
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a number, got ${describe(value)}`);
   if (!Number.isFinite(value)) throw new RangeError(`${name}: expected a finite number, got ${value}`);
   return value;
 }
 
 /**
- * A finite number above 0.
+ * A finite number greater than 0.
  *
  * @param {unknown} value
  * @param {string} name
@@ -60,7 +60,7 @@ export function positive(value, name) {
 }
 
 /**
- * A tolerance, or 0 for the default.
+ * A tolerance; 0 stands for the default.
  *
  * @param {unknown} value
  * @returns {number}
@@ -70,25 +70,25 @@ export function optionalTolerance(value) {
 }
 
 /**
- * A whole number of a range.
+ * An integer in a range.
  *
  * @param {unknown} value
  * @param {string} name
- * @param {number} least
- * @param {number} [most]
+ * @param {number} min
+ * @param {number} [max]
  * @returns {number}
  */
-export function whole(value, name, least, most = Infinity) {
-  if (typeof value !== "number") throw new TypeError(`${name}: expected a whole number, got ${shown(value)}`);
-  if (!Number.isInteger(value) || value < least || value > most) {
-    const range = most === Infinity ? `from ${least}` : `from ${least} to ${most}`;
+export function whole(value, name, min, max = Infinity) {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a whole number, got ${describe(value)}`);
+  if (!Number.isInteger(value) || value < min || value > max) {
+    const range = max === Infinity ? `from ${min}` : `from ${min} to ${max}`;
     throw new RangeError(`${name}: expected a whole number ${range}, got ${value}`);
   }
   return value;
 }
 
-/** The most segments that go to the core, which refuses by its own limit: 2³² − 1 is the largest of its counts. */
-const LARGEST_COUNT = 0xffffffff;
+/** The largest count that can be passed to the core, 2³² − 1; the core has lower limits of its own. */
+const MAX_COUNT = 0xffffffff;
 
 /**
  * A number of segments.
@@ -98,11 +98,11 @@ const LARGEST_COUNT = 0xffffffff;
  * @returns {number}
  */
 export function segmentCount(value, name = "segments") {
-  return whole(value, name, 1, LARGEST_COUNT);
+  return whole(value, name, 1, MAX_COUNT);
 }
 
 /**
- * One of some words.
+ * One of several strings.
  *
  * @template {string} T
  * @param {unknown} value
@@ -114,12 +114,12 @@ export function oneOf(value, name, words) {
   const found = words.find((word) => word === value);
   if (found !== undefined) return found;
   const list = words.map((word) => JSON.stringify(word)).join(", ");
-  const message = `${name}: expected one of ${list}, got ${shown(value)}`;
+  const message = `${name}: expected one of ${list}, got ${describe(value)}`;
   throw typeof value === "string" ? new RangeError(message) : new TypeError(message);
 }
 
 /**
- * Options: an object or nothing.
+ * Options: an object, undefined or null.
  *
  * @template {object} T
  * @param {T | undefined} value
@@ -128,12 +128,12 @@ export function oneOf(value, name, words) {
  */
 export function options(value, name = "options") {
   if (value === undefined || value === null) return {};
-  if (typeof value !== "object") throw new TypeError(`${name}: expected an object, got ${shown(value)}`);
+  if (typeof value !== "object") throw new TypeError(`${name}: expected an object, got ${describe(value)}`);
   return value;
 }
 
 /**
- * An instance of a class of the package.
+ * An instance of a class.
  *
  * @template T
  * @param {unknown} value
@@ -143,7 +143,7 @@ export function options(value, name = "options") {
  */
 export function instanceOf(value, name, type) {
   if (value instanceof type) return value;
-  throw new TypeError(`${name}: expected a ${type.name}, got ${shown(value)}`);
+  throw new TypeError(`${name}: expected a ${type.name}, got ${describe(value)}`);
 }
 
 /**
@@ -154,7 +154,7 @@ export function instanceOf(value, name, type) {
  */
 export function optionalDimension(value) {
   if (value === undefined || value === 2 || value === 3) return value;
-  if (typeof value !== "number") throw new TypeError(`dimension: expected 2 or 3, got ${shown(value)}`);
+  if (typeof value !== "number") throw new TypeError(`dimension: expected 2 or 3, got ${describe(value)}`);
   throw new RangeError(`dimension: expected 2 or 3, got ${value}`);
 }
 
@@ -169,21 +169,21 @@ export function isList(value) {
 }
 
 /**
- * Numbers, copied.
+ * An array of finite numbers, copied.
  *
  * @param {unknown} value
  * @param {string} name
  * @returns {Float64Array}
  */
 export function numbers(value, name) {
-  if (!isList(value)) throw new TypeError(`${name}: expected an array of numbers, got ${shown(value)}`);
+  if (!isList(value)) throw new TypeError(`${name}: expected an array of numbers, got ${describe(value)}`);
   const copy = new Float64Array(value.length);
   for (let i = 0; i < copy.length; i++) copy[i] = finite(value[i], `${name}[${i}]`);
   return copy;
 }
 
 /**
- * The numbers of an affine map of space, as four columns of 3.
+ * The coefficients of a 3D affine map, as four columns of 3 numbers.
  *
  * @param {MatrixLike} matrix
  * @returns {number[]}
@@ -214,7 +214,7 @@ export function matrixNumbers(matrix, name = "matrix") {
 }
 
 /**
- * A place for results: the caller's array, or a new one.
+ * The array for results: the caller's array, or a new one.
  *
  * @param {unknown} into
  * @param {number} length
@@ -222,13 +222,13 @@ export function matrixNumbers(matrix, name = "matrix") {
  */
 export function resultArray(into, length) {
   if (into === undefined) return new Float64Array(length);
-  if (!(into instanceof Float64Array)) throw new TypeError(`into: expected a Float64Array, got ${shown(into)}`);
+  if (!(into instanceof Float64Array)) throw new TypeError(`into: expected a Float64Array, got ${describe(into)}`);
   if (into.length < length) throw new RangeError(`into: expected at least ${length} numbers, got ${into.length}`);
   return into;
 }
 
 /**
- * What `trace` draws on: a 2D context or a Path2D.
+ * The target of `trace`: a 2D context or a Path2D.
  *
  * @param {unknown} value
  * @returns {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D}
@@ -239,5 +239,5 @@ export function drawingTarget(value) {
   if (typeof target === "object" && target !== null && methods.every((name) => typeof target[name] === "function")) {
     return /** @type {any} */ (value);
   }
-  throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${shown(value)}`);
+  throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${describe(value)}`);
 }

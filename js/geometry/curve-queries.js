@@ -1,9 +1,9 @@
-// Questions for places on curves: the nearest point, where a coordinate has a value, extrema, inflections …
+// Queries of curves: nearest points, parameters of given coordinates, extrema, tangents, distances.
 import { arena } from "../wasm/arena.js";
-import { finite, options, shown } from "./check.js";
+import { finite, options, describe } from "./check.js";
 import { core, cubicEval } from "../wasm/init.js";
 import { pointAt, writePoint } from "./points.js";
-import { load, take } from "../wasm/transfer.js";
+import { writeArguments, readResult } from "../wasm/transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"
@@ -11,7 +11,7 @@ import { load, take } from "../wasm/transfer.js";
  */
 
 /**
- * The point of a curve or a spline that is nearest to another: its parameter, itself, and how far they are apart.
+ * The point of a curve or a spline that is nearest to another point: its parameter, the point, the distance.
  *
  * @typedef {{ t: number, point: Point, distance: number }} Nearest
  */
@@ -25,16 +25,17 @@ import { load, take } from "../wasm/transfer.js";
  */
 export function nearest(flat, dimension, p) {
   if (flat.length === 8) return nearestOnCubic(flat, p);
-  writePoint(load(flat, dimension), flat.length, p, dimension, "p");
+  writePoint(writeArguments(flat, dimension), flat.length, p, dimension, "p");
   core().curve_nearest(dimension, flat.length / dimension);
-  return nearestLeft(dimension);
+  return readNearest(dimension);
 }
 
-/** A point is checked here where it is not plainly one. */
+/** The coordinates of a point that is not an object with two finite numbers x and y. */
 const checked = new Float64Array(2);
 
 /**
- * On a plane cubic, the most common kind of curve, whose numbers go over as arguments; see `cubicAt` in curve.js.
+ * The nearest point of a 2D cubic, the most common kind of curve, whose coordinates are passed as arguments; see
+ * `cubicAt` in curve.js.
  *
  * @param {Float64Array} c
  * @param {PointLike} p
@@ -50,24 +51,24 @@ function nearestOnCubic(c, p) {
   const at = cubicEval();
   const point = { x: at(c[0], c[2], c[4], c[6], t), y: at(c[1], c[3], c[5], c[7], t) };
   const [dx, dy] = [point.x - x, point.y - y];
-  const square = dx * dx + dy * dy; // Math.hypot takes as long as the rest
+  const square = dx * dx + dy * dy; // Math.hypot takes as long as the rest of this function
   return { t, point, distance: square > 1e-280 && square < 1e280 ? Math.sqrt(square) : Math.hypot(dx, dy) };
 }
 
 /**
- * The nearest point that the core left.
+ * Reads the nearest point from the arena.
  *
  * @internal
  * @param {2 | 3} dimension
  * @returns {Nearest}
  */
-export function nearestLeft(dimension) {
+export function readNearest(dimension) {
   const numbers = arena(5);
   return { t: numbers[0], point: pointAt(numbers, 2, dimension), distance: numbers[1] };
 }
 
 /**
- * Inner extrema, coordinate by coordinate.
+ * The parameters of the inner extrema of each coordinate.
  *
  * @typedef {{ x: Float64Array, y: Float64Array, z?: Float64Array }} Extrema
  */
@@ -82,11 +83,11 @@ const AXES = /** @type {const} */ (["x", "y", "z"]);
  * @returns {Extrema}
  */
 export function extrema(flat, dimension) {
-  const of = (/** @type {string} */ _, /** @type {number} */ axis) => {
-    load(flat);
-    return take(0, core().curve_extrema(dimension, flat.length / dimension, axis));
+  const timesOf = (/** @type {string} */ _, /** @type {number} */ axis) => {
+    writeArguments(flat);
+    return readResult(0, core().curve_extrema(dimension, flat.length / dimension, axis));
   };
-  const [x, y, z] = AXES.slice(0, dimension).map(of);
+  const [x, y, z] = AXES.slice(0, dimension).map(timesOf);
   return dimension === 2 ? { x, y } : { x, y, z };
 }
 
@@ -98,15 +99,15 @@ export function extrema(flat, dimension) {
  * @returns {Float64Array}
  */
 export function timesAtCoordinate(flat, dimension, where) {
-  const given = /** @type {Record<string, unknown>} */ (options(where, "where"));
+  const values = /** @type {Record<string, unknown>} */ (options(where, "where"));
   const axes = AXES.slice(0, dimension);
-  const axis = axes.findIndex((name) => given[name] !== undefined);
-  if (axis < 0 || axes.some((name, k) => k !== axis && given[name] !== undefined)) {
-    throw new TypeError(`where: expected one of ${axes.join(", ")}, got ${shown(where)}`);
+  const axis = axes.findIndex((name) => values[name] !== undefined);
+  if (axis < 0 || axes.some((name, k) => k !== axis && values[name] !== undefined)) {
+    throw new TypeError(`where: expected one of ${axes.join(", ")}, got ${describe(where)}`);
   }
-  const value = finite(given[axes[axis]], axes[axis]);
-  load(flat);
-  return take(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
+  const value = finite(values[axes[axis]], axes[axis]);
+  writeArguments(flat);
+  return readResult(0, core().curve_times_at_coordinate(dimension, flat.length / dimension, axis, value));
 }
 
 /**
@@ -116,7 +117,7 @@ export function timesAtCoordinate(flat, dimension, where) {
  */
 
 /**
- * In the order of the core.
+ * In the order of the core's codes.
  *
  * @internal
  * @type {readonly CurveKind[]}
@@ -130,12 +131,12 @@ export const CURVE_KINDS = ["point", "line", "quadratic", "arch", "serpentine", 
  * @returns {Float64Array}
  */
 export function tangentsFrom(flat, p) {
-  writePoint(load(flat, 2), flat.length, p, 2, "p");
-  return take(0, core().curve_tangents_from(flat.length / 2));
+  writePoint(writeArguments(flat, 2), flat.length, p, 2, "p");
+  return readResult(0, core().curve_tangents_from(flat.length / 2));
 }
 
 /**
- * Where two curves are nearest to each other: t on the first, u on the second.
+ * The smallest distance of two curves, and where it occurs: at t on the first, at u on the second.
  *
  * @typedef {{ distance: number, t: number, u: number }} Distance
  */
@@ -148,7 +149,7 @@ export function tangentsFrom(flat, p) {
  * @returns {Distance}
  */
 export function distance(flat, other, dimension) {
-  load(flat, other.length).set(other, flat.length);
+  writeArguments(flat, other.length).set(other, flat.length);
   core().curve_distance(dimension, flat.length / dimension, other.length / dimension);
   const numbers = arena(3);
   return { distance: numbers[0], t: numbers[1], u: numbers[2] };
@@ -162,6 +163,6 @@ export function distance(flat, other, dimension) {
  * @returns {number}
  */
 export function hausdorff(flat, other, dimension) {
-  load(flat, other.length).set(other, flat.length);
+  writeArguments(flat, other.length).set(other, flat.length);
   return core().curve_hausdorff(dimension, flat.length / dimension, other.length / dimension);
 }

@@ -1,17 +1,17 @@
-// Splines through points.
+// Interpolating splines.
 import * as check from "./check.js";
 import { core } from "../wasm/init.js";
 import { flatten } from "./points.js";
-import { load } from "../wasm/transfer.js";
+import { writeArguments } from "../wasm/transfer.js";
 
 /**
  * @import { PointsLike } from "./check.js"
  */
 
 /**
- * Which smooth curve goes through points: `natural`, the cubic spline with equal second derivatives at all joints and none
- * at free ends; or `catmull-rom`, whose tangent at a point comes from its two neighbours. `alpha` says how much the lengths
- * of chords count there: 0 uniform, ½ centripetal, 1 chordal.
+ * The kind of interpolating spline: "natural", whose second derivatives are equal at all joints and zero at open ends,
+ * or "catmull-rom", whose tangent at a point depends on the point and its two neighbours. `alpha` is the exponent of
+ * the chord lengths of a Catmull-Rom spline: 0 uniform, ½ centripetal, 1 chordal.
  *
  * @typedef {object} InterpolateOptions
  * @property {"natural" | "catmull-rom"} [kind] "natural" by default
@@ -24,7 +24,7 @@ import { load } from "../wasm/transfer.js";
 const KINDS = ["natural", "catmull-rom"];
 
 /**
- * Leaves a spline through points in the arena.
+ * Computes a spline through points and leaves it in the arena.
  *
  * @internal
  * @param {PointsLike} points
@@ -32,15 +32,17 @@ const KINDS = ["natural", "catmull-rom"];
  * @returns {{ length: number, dimension: 2 | 3 }}
  */
 export function interpolate(points, options) {
-  const { kind = "natural", alpha = 0.5, closed = false, dimension: wanted } = check.options(options);
+  const { kind = "natural", alpha = 0.5, closed = false, dimension: requested } = check.options(options);
   check.oneOf(kind, "kind", KINDS);
-  const power = check.finite(alpha, "alpha");
-  if (!(power >= 0 && power <= 1)) throw new RangeError(`alpha: expected a number from 0 to 1, got ${power}`);
-  const { flat, dimension } = flatten(points, wanted, 2);
-  load(flat);
+  const exponent = check.finite(alpha, "alpha");
+  if (!(exponent >= 0 && exponent <= 1)) {
+    throw new RangeError(`alpha: expected a number from 0 to 1, got ${exponent}`);
+  }
+  const { flat, dimension } = flatten(points, requested, 2);
+  writeArguments(flat);
   const count = flat.length / dimension;
   return {
-    length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : power),
+    length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : exponent),
     dimension,
   };
 }

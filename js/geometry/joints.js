@@ -1,27 +1,28 @@
-// What is kept at joints, and what is true there.
+// Joint modes and continuity.
 import * as check from "./check.js";
 
 /**
- * What is kept at a joint while points move: nothing; aligned handles; equal first derivatives; equal second ones, too;
- * aligned handles and equal curvatures (2D only); or handles that follow the neighbouring joints (centripetal Catmull-Rom).
+ * The constraint of a joint while points move: "free", none; "g1", equal tangent directions; "c1", equal first
+ * derivatives; "c2", equal first and second derivatives; "g2", equal tangent directions and curvatures (2D only);
+ * "auto", handles that follow from the neighbouring joints (centripetal Catmull-Rom).
  *
  * @typedef {"free" | "g1" | "c1" | "c2" | "g2" | "auto"} JointMode
  */
 
 /**
- * What is true at a joint.
+ * The continuity at a joint.
  *
  * @typedef {object} Continuity
  * @property {boolean} c0 the segments meet
- * @property {boolean} g1 they have the same tangent direction
- * @property {boolean} c1 they have the same first derivative
- * @property {boolean} g2 they have the same tangent and curvature
- * @property {boolean} c2 they have the same first and second derivative
- * @property {number} gap the distance between the two ends
+ * @property {boolean} g1 the segments have the same tangent direction
+ * @property {boolean} c1 the segments have the same first derivative
+ * @property {boolean} g2 the segments have the same tangent direction and curvature
+ * @property {boolean} c2 the segments have the same first and second derivatives
+ * @property {number} gap the distance between the ends of the segments
  * @property {number} angle the angle between the two tangents, in radians
  */
 
-/** @type {readonly JointMode[]} in the order of the core */
+/** @type {readonly JointMode[]} in the order of the core's codes */
 const MODES = ["free", "g1", "c1", "c2", "g2", "auto"];
 
 /**
@@ -40,7 +41,7 @@ export function modeCode(mode, name, dimension) {
 }
 
 /**
- * A code for the start of each segment.
+ * The code of the joint at the start of each segment.
  *
  * @internal
  * @param {ArrayLike<JointMode | undefined> | Record<number, JointMode> | undefined} joints

@@ -10,40 +10,41 @@ import { core } from "../wasm/surfaces-transfer.js";
  */
 
 /**
- * Where the part of one patch lies in a mesh.
+ * The range of one patch in the arrays of a mesh.
  *
  * @typedef {{ firstVertex: number, vertices: number, firstIndex: number, indices: number }} PatchRange
  */
 
 /**
- * What a grid is made of.
+ * The options of a grid.
  *
  * @typedef {object} GridOptions
- * @property {number | { u: number, v: number }} segments cells along each direction of a patch
- * @property {"bernstein" | "forward-difference"} [method] how samples are computed: from the Bernstein polynomials (the
- *   default), or along u by adding up differences, m additions per coordinate and step for degree m: for comparison and
- *   teaching. Rounding errors add up, too, though in 64 bits they stay below what 32 bits show; sides of neighbours may
- *   differ by the last bit
- * @property {boolean} [quads] list four-sided faces too
- * @property {Mesh} [into] an earlier mesh, whose arrays are reused where they are large enough. Positions and normals are
- *   written anew; uvs, patchIds, indices and quads, which depend on counts only, are left alone where they already are
- *   those of a grid of these counts, and with them what you may have changed there
+ * @property {number | { u: number, v: number }} segments the number of cells along u and v of a patch
+ * @property {"bernstein" | "forward-difference"} [method] how samples are computed: by Bernstein polynomials (the
+ *   default) or, for comparison and teaching, by forward differences along u, m additions per coordinate and step for
+ *   degree m. The rounding errors of forward differences accumulate in f64, invisible in f32 up to a degree of about
+ *   10, but shared edges may differ in the last bit
+ * @property {boolean} [quads] whether to list the four-sided faces, too
+ * @property {Mesh} [into] an earlier mesh whose arrays are reused if they are large enough. Positions and normals are
+ *   always written; uvs, patchIds, indices and quads, which depend only on the counts, are not written again if they
+ *   already belong to a grid with the same counts: changes that you made there remain
  */
 
 /**
- * Memory that holds a part of the layout of a grid, and of which: it need not be written again.
+ * The buffers that hold uvs, patch indices or faces of a grid, with a key of the grid's layout: they need not be
+ * written again for the same layout.
  *
  * @internal
  * @type {WeakMap<object, string>}
  */
-export const layouts = new WeakMap();
+export const gridLayouts = new WeakMap();
 
 const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
-/** Above this many bytes the core gives the memory of a mesh back after it was read. */
+/** The core releases the memory of a mesh with more bytes than this after it was read. */
 export const LARGE_MESH = 1 << 24;
 
-/** The buffers of a mesh in the order of the core. */
+/** The core's indices of the buffers of a mesh. */
 const POSITIONS = 0;
 const NORMALS = 1;
 const UVS = 2;
@@ -51,12 +52,12 @@ const PATCH_IDS = 3;
 const INDICES = 4;
 const QUADS = 5;
 const PATCH_RANGES = 6;
-const PRECISE_POSITIONS = 7;
-const PRECISE_NORMALS = 8;
+const F64_POSITIONS = 7;
+const F64_NORMALS = 8;
 
 /**
- * A triangle mesh as plain data, ready for a graphics card. Triangles run counter-clockwise as seen from the side that
- * ∂u × ∂v points to.
+ * A triangle mesh as plain arrays, ready for a GPU. Triangles are counter-clockwise as seen from the side to which ∂u ×
+ * ∂v points.
  */
 export class Mesh {
   /**
@@ -74,45 +75,45 @@ export class Mesh {
     this.positions = positions;
     /** The unit normal of each vertex. */
     this.normals = normals;
-    /** u, v of each vertex in its patch; null where patches share vertices. */
+    /** u, v of each vertex in its patch; null if patches share vertices. */
     this.uvs = uvs;
-    /** The patch that each vertex belongs to; null where patches share vertices. */
+    /** The index of the patch of each vertex; null if patches share vertices. */
     this.patchIds = patchIds;
-    /** Three vertices per triangle, in the smallest type that fits. */
+    /** Three vertex indices per triangle, in the smallest type that fits. */
     this.indices = indices;
-    /** Four vertices per face, where they were asked for. */
+    /** Four vertex indices per face, if they were requested. */
     this.quads = quads;
-    /** Where each patch lies in the arrays; no vertices where patches share them. */
+    /** The range of each patch in the arrays; with 0 vertices if patches share them. */
     this.patchRanges = patchRanges;
   }
 
   /**
-   * The text of a Wavefront OBJ file: positions, (u, v) where there are any, normals; faces of four where the mesh has
-   * quads, else triangles. Numbers have the fewest digits that give them back.
+   * The text of a Wavefront OBJ file: positions, (u, v) if the mesh has uvs, normals; quads if the mesh has them,
+   * otherwise triangles. Each number has the fewest digits that round-trip.
    *
-   * @param {{ quads?: boolean }} [options] `quads: false` writes triangles in any case
+   * @param {{ quads?: boolean }} [options] `quads: false` always writes triangles
    * @returns {string}
-   * @throws {RangeError} for `quads: true` without quads, and for arrays that were changed and no longer belong together
+   * @throws {RangeError} for `quads: true` without quads, and if the arrays were changed and do not match
    */
   toOBJ(options) {
     return meshToOBJ(this, options);
   }
 
   /**
-   * The bytes of a binary STL file: 84 and 50 for each triangle. Normals follow from the corners by the right-hand rule,
-   * zero where a triangle is degenerate. Positions of 64 bits are rounded to 32.
+   * The bytes of a binary STL file: 84, and 50 for each triangle. The normals are computed from the corners by the
+   * right-hand rule; those of degenerate triangles are zero. Positions in f64 are rounded to f32.
    *
    * @returns {Uint8Array<ArrayBuffer>}
-   * @throws {RangeError} above 1 GiB, for positions that 32 bits cannot hold, and as `toOBJ`
+   * @throws {RangeError} above 1 GiB, for positions that overflow f32, and as `toOBJ`
    */
   toSTL() {
     return meshToSTL(this);
   }
 
   /**
-   * The bytes of a binary glTF 2.0 file, self-contained: one mesh with positions, normals, (u, v) where there are any and
-   * indices, visible from both sides. An empty mesh gives an empty scene. Numbers of 64 bits are rounded to 32; normals
-   * that are zero become +z, as glTF allows none. Viewers of glTF take y as up: make the surface with `up: "y"`.
+   * The bytes of a self-contained binary glTF 2.0 file: one double-sided mesh with positions, normals, (u, v) if the
+   * mesh has uvs, and indices. An empty mesh gives an empty scene. Numbers in f64 are rounded to f32; normals that are
+   * zero become +z, because glTF does not allow them. In glTF, y points up: create the surface with `up: "y"`.
    *
    * @returns {Uint8Array<ArrayBuffer>}
    * @throws {RangeError} as `toSTL`
@@ -122,17 +123,18 @@ export class Mesh {
   }
 
   /**
-   * A BufferGeometry of three.js with `position`, `normal`, `uv` where there are any, and an index. It works on the arrays
-   * of this mesh, not on copies (but for those of 64 bits, which become 32).
+   * A BufferGeometry of three.js with `position`, `normal`, `uv` if the mesh has uvs, and an index. It uses the arrays
+   * of this mesh, not copies (except those in f64, which are converted to f32).
    *
    *     import * as THREE from "three";
    *     const geometry = Surface.teapot({ up: "y" }).tessellate({ tolerance: 0.01 }).toThree(THREE);
    *
    * @template Attribute
    * @template {GeometryLike<Attribute>} Geometry
-   * @param {Three<Attribute, Geometry>} THREE the namespace of three.js, or as much of it
+   * @param {Three<Attribute, Geometry>} THREE the namespace of three.js, or an object with its BufferGeometry and
+   *   BufferAttribute
    * @returns {Geometry}
-   * @throws {TypeError} without the two classes
+   * @throws {TypeError} if one of the two classes is missing
    */
   toThree(THREE) {
     return meshToThree(this, THREE);
@@ -140,7 +142,7 @@ export class Mesh {
 }
 
 /**
- * Grid options, checked.
+ * Checks the options of a grid.
  *
  * @internal
  * @param {GridOptions} options
@@ -154,7 +156,7 @@ export function gridOptions(options) {
 }
 
 /**
- * An earlier mesh to fill, or nothing.
+ * Checks the option `into`: an earlier mesh or undefined.
  *
  * @internal
  * @param {unknown} into
@@ -165,53 +167,53 @@ export function meshInto(into) {
 }
 
 /**
- * Segments along u and v, checked.
+ * Checks the option `segments`.
  *
  * @internal
  * @param {unknown} segments
  * @returns {{ u: number, v: number }}
  */
 export function segmentsOf(segments) {
-  const two = typeof segments === "object" && segments !== null;
-  const { u, v } = /** @type {{ u: unknown, v: unknown }} */ (two ? segments : { u: segments, v: segments });
+  const isPair = typeof segments === "object" && segments !== null;
+  const { u, v } = /** @type {{ u: unknown, v: unknown }} */ (isPair ? segments : { u: segments, v: segments });
   return {
-    u: check.segmentCount(u, two ? "segments.u" : "segments"),
-    v: check.segmentCount(v, two ? "segments.v" : "segments"),
+    u: check.segmentCount(u, isPair ? "segments.u" : "segments"),
+    v: check.segmentCount(v, isPair ? "segments.v" : "segments"),
   };
 }
 
 /**
- * The mesh that the core left, in the arrays of an earlier one where they are large enough.
+ * Reads the last mesh of the core, to the arrays of an earlier mesh if they are large enough.
  *
  * @internal
  * @param {Mesh | undefined} into
- * @param {{ own?: boolean, precise?: boolean }} [kind] whether each patch has its own vertices; whether positions and
- *   normals are f64
+ * @param {{ separatePatches?: boolean, isF64?: boolean }} [kind] whether each patch has vertices of its own; whether
+ *   positions and normals are f64
  * @returns {Mesh}
  */
-export function takeMesh(into, { own = true, precise = false } = {}) {
-  const [positions, normals] = precise ? [PRECISE_POSITIONS, PRECISE_NORMALS] : [POSITIONS, NORMALS];
-  const Real = /** @type {any} */ (precise ? Float64Array : Float32Array);
+export function readMesh(into, { separatePatches = true, isF64 = false } = {}) {
+  const [positions, normals] = isF64 ? [F64_POSITIONS, F64_NORMALS] : [POSITIONS, NORMALS];
+  const Real = /** @type {any} */ (isF64 ? Float64Array : Float32Array);
   const wide = core().mesh_length(positions) / 3 > 0x10000;
   /** @type {any} */
   const Indices = wide ? Uint32Array : Uint16Array;
   const data = {
-    positions: /** @type {Float32Array | Float64Array} */ (read(positions, Real, into?.positions)),
-    normals: /** @type {Float32Array | Float64Array} */ (read(normals, Real, into?.normals)),
-    uvs: own ? read(UVS, Float32Array, into?.uvs) : null,
-    patchIds: own ? read(PATCH_IDS, Uint32Array, into?.patchIds) : null,
-    indices: /** @type {Uint16Array | Uint32Array} */ (read(INDICES, Indices, into?.indices)),
+    positions: /** @type {Float32Array | Float64Array} */ (readBuffer(positions, Real, into?.positions)),
+    normals: /** @type {Float32Array | Float64Array} */ (readBuffer(normals, Real, into?.normals)),
+    uvs: separatePatches ? readBuffer(UVS, Float32Array, into?.uvs) : null,
+    patchIds: separatePatches ? readBuffer(PATCH_IDS, Uint32Array, into?.patchIds) : null,
+    indices: /** @type {Uint16Array | Uint32Array} */ (readBuffer(INDICES, Indices, into?.indices)),
     quads: core().mesh_length(QUADS)
-      ? /** @type {Uint16Array | Uint32Array} */ (read(QUADS, Indices, into?.quads))
+      ? /** @type {Uint16Array | Uint32Array} */ (readBuffer(QUADS, Indices, into?.quads))
       : undefined,
-    patchRanges: ranges(into?.patchRanges ?? []),
+    patchRanges: readPatchRanges(into?.patchRanges ?? []),
   };
   if (data.positions.byteLength > LARGE_MESH) core().mesh_drop();
   return into ? Object.assign(into, data) : new Mesh(data);
 }
 
 /**
- * One buffer of the core's last mesh, copied.
+ * Copies one buffer of the core's last mesh.
  *
  * @template {Float32Array | Float64Array | Uint16Array | Uint32Array} T
  * @param {number} buffer
@@ -219,14 +221,14 @@ export function takeMesh(into, { own = true, precise = false } = {}) {
  * @param {Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined} into
  * @returns {T}
  */
-function read(buffer, Type, into) {
-  const array = copy(buffer, room(Type, core().mesh_length(buffer), into));
-  layouts.delete(array.buffer);
+function readBuffer(buffer, Type, into) {
+  const array = copyBuffer(buffer, reuseOrAllocate(Type, core().mesh_length(buffer), into));
+  gridLayouts.delete(array.buffer);
   return array;
 }
 
 /**
- * The earlier array if it is of that type and long enough, or the part of it that is needed; else a new one.
+ * The earlier array if it has the type and is long enough (or its first part, if it is longer), otherwise a new array.
  *
  * @internal
  * @template {Float32Array | Float64Array | Uint16Array | Uint32Array} T
@@ -235,7 +237,7 @@ function read(buffer, Type, into) {
  * @param {Float32Array | Float64Array | Uint16Array | Uint32Array | null | undefined} earlier
  * @returns {T}
  */
-export function room(Type, length, earlier) {
+export function reuseOrAllocate(Type, length, earlier) {
   const fits = earlier instanceof Type && earlier.length >= length;
   return /** @type {T} */ (
     fits ? (earlier.length === length ? earlier : earlier.subarray(0, length)) : new Type(length)
@@ -251,7 +253,7 @@ export function room(Type, length, earlier) {
  * @param {T} array
  * @returns {T}
  */
-export function copy(buffer, array) {
+export function copyBuffer(buffer, array) {
   core().mesh_copy(buffer, array);
   return array;
 }
@@ -260,8 +262,8 @@ export function copy(buffer, array) {
  * @param {PatchRange[]} into
  * @returns {PatchRange[]}
  */
-function ranges(into) {
-  const numbers = read(PATCH_RANGES, Uint32Array, undefined);
+function readPatchRanges(into) {
+  const numbers = readBuffer(PATCH_RANGES, Uint32Array, undefined);
   into.length = numbers.length / 4;
   for (let k = 0; k < into.length; k++) {
     const [firstVertex, vertices, firstIndex, indices] = numbers.subarray(4 * k, 4 * k + 4);

@@ -1,13 +1,13 @@
 import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
-import { takeGrid } from "./grid-mesh.js";
+import { readGrid } from "./grid-mesh.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
-import { gridOptions, takeMesh } from "./mesh.js";
+import { gridOptions, readMesh } from "./mesh.js";
 import * as queries from "./surface-queries.js";
-import { core, done, load, take } from "../wasm/surfaces-transfer.js";
+import { core, unwrapCount, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
 import { tessellation } from "./tessellation.js";
-import { Checked } from "../wasm/transfer.js";
+import { CheckedPoints } from "../wasm/transfer.js";
 
 /**
  * @import { BasisLike } from "./basis.js"
@@ -25,10 +25,10 @@ import { Checked } from "../wasm/transfer.js";
  */
 
 /**
- * One tensor-product Bézier patch of degrees 1 to 64, in space.
+ * One tensor-product Bézier patch of degrees 1 to 64 in u and in v, in 3D.
  *
- * S(u, v) = Σ Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the net index j·(degreeU + 1) + i: u runs along the fast index. The corners come back
- * exactly. A patch is a value: every change returns a new one.
+ * S(u, v) = Σ Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the net index j·(degreeU + 1) + i: u runs along the fast index. The corners are
+ * returned exactly. Patches are immutable: every change returns a new one.
  */
 export class Patch {
   /** @type {Float64Array} */
@@ -47,8 +47,8 @@ export class Patch {
     const { degreeU = 3, degreeV = 3 } = check.options(options);
     this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
     this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
-    const inside = /** @type {unknown} */ (net);
-    this.#flat = inside instanceof Checked ? inside.flat : flatten(net, 3, 3, "net").flat;
+    const checked = /** @type {unknown} */ (net);
+    this.#flat = checked instanceof CheckedPoints ? checked.flat : flatten(net, 3, 3, "net").flat;
     const [count, needed] = [this.#flat.length / 3, (degreeU + 1) * (degreeV + 1)];
     if (count !== needed) {
       throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
@@ -56,30 +56,31 @@ export class Patch {
   }
 
   /**
-   * The bicubic patch of sixteen geometry points in another basis, which each row and then each column is taken from.
+   * The bicubic patch of sixteen geometry points in another basis: each row and then each column is converted to the
+   * Bézier basis.
    *
    *     const patch = Patch.fromBasis("b-spline", net);
    *
    * @param {BasisLike} basis
-   * @param {PointsLike} net row by row; with "hermite" a row is two points and two derivatives in u, and the last two rows
-   *   are derivatives in v
+   * @param {PointsLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
+   *   last two rows are derivatives in v
    * @returns {Patch}
    */
   static fromBasis(basis, net) {
     const matrix = basisNumbers(basis);
     const { flat } = flatten(net, 3, 3, "net");
     if (flat.length !== 48) throw new RangeError(`net: expected 16 points, got ${flat.length / 3}`);
-    load(flat, 16).set(matrix, 48);
-    return patchOf(/** @type {any} */ (new Checked(take(0, core().patch_from_basis()), 3)), {});
+    writeArguments(flat, 16).set(matrix, 48);
+    return patchOf(/** @type {any} */ (new CheckedPoints(readResult(0, core().patch_from_basis()), 3)), {});
   }
 
   /**
-   * @param {{ net: PointsLike, degreeU?: number, degreeV?: number }} json what `toJSON` gave
+   * @param {{ net: PointsLike, degreeU?: number, degreeV?: number }} json what `toJSON` returned
    * @returns {Patch}
    */
   static fromJSON(json) {
     if (typeof json !== "object" || json === null) {
-      throw new TypeError(`json: expected an object with net, got ${check.shown(json)}`);
+      throw new TypeError(`json: expected an object with net, got ${check.describe(json)}`);
     }
     return patchOf(json.net, { degreeU: json.degreeU, degreeV: json.degreeV });
   }
@@ -95,7 +96,7 @@ export class Patch {
   }
 
   /**
-   * @returns {Float64Array} the coordinates of the net, a copy
+   * @returns {Float64Array} a copy of the coordinates of the net
    */
   controlPoints() {
     return this.#flat.slice();
@@ -121,8 +122,8 @@ export class Patch {
    * @returns {Point}
    */
   eval(u, v) {
-    core().patch_eval(...this.#at(u, v));
-    return pointAt(take(0, 3), 0, 3);
+    core().patch_eval(...this.#writeAt(u, v));
+    return pointAt(readResult(0, 3), 0, 3);
   }
 
   /**
@@ -133,40 +134,41 @@ export class Patch {
    * @returns {Partials}
    */
   partials(u, v) {
-    core().patch_partials(...this.#at(u, v));
-    const numbers = take(0, 15);
+    core().patch_partials(...this.#writeAt(u, v));
+    const numbers = readResult(0, 15);
     const at = (/** @type {number} */ k) => pointAt(numbers, 3 * k, 3);
     return { u: at(0), v: at(1), uu: at(2), uv: at(3), vv: at(4) };
   }
 
   /**
-   * The unit normal at (u, v), along ∂u × ∂v; at collapsed sides its limit, zero for a patch that is a curve or a point.
+   * The unit normal at (u, v) in the direction of ∂u × ∂v. At collapsed edges it is the limit; it is zero for a patch
+   * that is a curve or a point.
    *
    * @param {number} u
    * @param {number} v
    * @returns {Point}
    */
   normal(u, v) {
-    core().patch_normal(...this.#at(u, v));
-    return pointAt(take(0, 3), 0, 3);
+    core().patch_normal(...this.#writeAt(u, v));
+    return pointAt(readResult(0, 3), 0, 3);
   }
 
   /**
-   * The curvatures at (u, v). Where ∂u × ∂v vanishes, as at a collapsed side, the limits from the patch's middle; zeros
-   * where there are none (the tip of a cone, a patch that is a curve or a point).
+   * The curvatures at (u, v). Where ∂u × ∂v vanishes, as at a collapsed edge, they are the limits on the line from the
+   * patch's middle, and zero if there is no limit (the tip of a cone, a patch that is a curve or a point).
    *
    * @param {number} u
    * @param {number} v
    * @returns {Curvature}
    */
   curvature(u, v) {
-    core().patch_curvature(...this.#at(u, v));
-    const [gaussian, mean, k1, k2] = take(0, 4);
+    core().patch_curvature(...this.#writeAt(u, v));
+    const [gaussian, mean, k1, k2] = readResult(0, 4);
     return { gaussian, mean, k1, k2 };
   }
 
   /**
-   * Everything that de Casteljau's algorithm passes through on its way to the point: rows, then a curve, then the point.
+   * All intermediate points of de Casteljau's algorithm for S(u, v): rows, then a curve, then the point.
    *
    * @param {number} u
    * @param {number} v
@@ -177,7 +179,7 @@ export class Patch {
   }
 
   /**
-   * The curve of constant u: it runs along v.
+   * The curve u = constant, which runs along v.
    *
    * @param {number} u
    * @returns {Curve}
@@ -187,7 +189,7 @@ export class Patch {
   }
 
   /**
-   * The curve of constant v: it runs along u.
+   * The curve v = constant, which runs along u.
    *
    * @param {number} v
    * @returns {Curve}
@@ -197,7 +199,7 @@ export class Patch {
   }
 
   /**
-   * The pieces before and after u.
+   * Splits the patch at u into two.
    *
    * @param {number} u
    * @returns {[Patch, Patch]}
@@ -207,7 +209,7 @@ export class Patch {
   }
 
   /**
-   * The pieces before and after v.
+   * Splits the patch at v into two.
    *
    * @param {number} v
    * @returns {[Patch, Patch]}
@@ -217,7 +219,7 @@ export class Patch {
   }
 
   /**
-   * The four pieces about (u, v): (u−, v−), (u+, v−), (u−, v+), (u+, v+).
+   * Splits the patch at (u, v) into four: before both, after u, after v, after both.
    *
    * @param {number} u
    * @param {number} v
@@ -230,91 +232,95 @@ export class Patch {
   }
 
   /**
-   * The same patch with degrees one higher.
+   * The same patch with both degrees raised by one.
    *
    * @returns {Patch}
    * @throws {RangeError} at degree 64
    */
   elevate() {
-    load(this.#flat);
-    const net = /** @type {any} */ (new Checked(take(0, core().patch_elevate(this.#degreeU, this.#degreeV)), 3));
+    writeArguments(this.#flat);
+    const net = /** @type {any} */ (
+      new CheckedPoints(readResult(0, core().patch_elevate(this.#degreeU, this.#degreeV)), 3)
+    );
     return patchOf(net, { degreeU: this.#degreeU + 1, degreeV: this.#degreeV + 1 });
   }
 
   /**
-   * The smallest box that contains the patch, exact to rounding. Each of its faces takes at most 2²³ steps (2²⁶ above
-   * degree 24), about one for each multiplication; where that is not enough, the face is at the best local extremum found
-   * by then.
+   * The smallest box that contains the patch, exact up to rounding. Each face of the box takes at most 2²³ steps (2²⁶
+   * above degree 24), about one for each multiplication. If that is not enough, the face is at the best local extremum
+   * found so far.
    *
    * @returns {{ min: Point, max: Point }}
    */
   bounds() {
-    return /** @type {{ min: Point, max: Point }} */ (queries.bounds(this.#asSurface()));
+    return /** @type {{ min: Point, max: Point }} */ (queries.bounds(this.#surfaceWriter()));
   }
 
   /**
-   * The area, within 1e-8 of itself; what the patch covers twice counts twice, a curve or a point is 0.
+   * The surface area with a relative error below 1e-8. Regions that the patch covers twice count twice; the area of a
+   * patch that is a curve or a point is 0.
    *
-   * At most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back, or has very
-   * different sizes along its axes, the result is the best estimate and the fifth digit may be off; where coordinates differ
-   * by many powers of ten, the fourth.
+   * It takes at most 2²² steps, about one for each two multiplications (some milliseconds). Where the patch folds back,
+   * or has very different sizes along its axes, the result is the best estimate and its fifth digit may be wrong; where
+   * coordinates differ by many powers of ten, the fourth.
    *
    * @returns {number}
    */
   area() {
-    return queries.area(this.#asSurface());
+    return queries.area(this.#surfaceWriter());
   }
 
   /**
-   * A bound on the distance of the patch from the two triangles that join its corners, whichever diagonal they share.
+   * An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal.
    *
    * @returns {number}
    */
   flatness() {
-    load(this.#flat);
+    writeArguments(this.#flat);
     return core().patch_flatness(this.#degreeU, this.#degreeV);
   }
 
   /**
-   * The point of the patch that is nearest to p, of all of it, sides and corners included.
+   * The point of the patch that is nearest to p (the global minimum of the distance), edges and corners included.
    *
-   * Two searches, by the square of the distance and, where it is below 2⁻¹⁶ of the size (2⁻⁴ if the first search reaches
-   * its limit), by the distance itself, take at most 2²³ steps each (2²⁶ above degree 24), about one for each
-   * multiplication. Where that is not enough, as where a whole curve of the patch is nearest, the point is the nearest
-   * one found by then, at a local minimum of the distance.
+   * Two searches take at most 2²³ steps each (2²⁶ above degree 24), about one for each multiplication. The first uses
+   * the square of the distance. The second uses the distance itself and runs where the distance is below 2⁻¹⁶ of the
+   * size (2⁻⁴ if the first search reaches its limit). If a search reaches its limit, as where a whole curve of the
+   * patch is nearest, the result is the nearest point found so far, a local minimum of the distance.
    *
    * @param {PointLike} p
    * @returns {PatchPoint}
    */
   nearest(p) {
-    return queries.onPatch(/** @type {any} */ (queries.nearest(this.#asSurface(), p)));
+    return queries.withoutPatch(/** @type {any} */ (queries.nearest(this.#surfaceWriter(), p)));
   }
 
   /**
-   * All hits of a ray, by distance. `distance` is that of the point from the origin, however long `direction` is. Where
-   * the ray touches the patch, and at a side that is a point, there is one hit; of a ray that runs within the patch those
-   * are given where it crosses the sides, and the origin if it is on the patch.
+   * All intersections with a ray, sorted by distance. `distance` is that of the point from the origin, independent of
+   * the length of `direction`. Where the ray is tangent to the patch, and at a collapsed edge, there is one
+   * intersection. For a ray that lies in the patch, they are its crossings of the edges, and the origin if it is on the
+   * patch.
    *
    * @param {PointLike} origin
    * @param {PointLike} direction
    * @returns {PatchPoint[]}
-   * @throws {RangeError} for a direction of length 0, and when the search takes more than 2²⁷ steps, about one for each
+   * @throws {RangeError} for a direction of length 0, and if the search takes more than 2²⁷ steps, about one for each
    *   multiplication
    */
   intersectRay(origin, direction) {
-    return queries.intersectRay(this.#asSurface(), origin, direction).map(queries.onPatch);
+    return queries.intersectRay(this.#surfaceWriter(), origin, direction).map(queries.withoutPatch);
   }
 
   /**
-   * The image under an affine map.
+   * The patch transformed by an affine map.
    *
    * @param {MatrixLike} matrix
    * @returns {Patch}
    */
   transform(matrix) {
-    load(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
+    writeArguments(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
     core().points_transform(3, this.#flat.length / 3);
-    return this.#like(take(0, this.#flat.length));
+    return this.#withNet(readResult(0, this.#flat.length));
   }
 
   /**
@@ -328,21 +334,21 @@ export class Patch {
     check.whole(index, "index", 0, this.#flat.length / 3 - 1);
     const flat = this.#flat.slice();
     writePoint(flat, 3 * index, to, 3, "to");
-    return this.#like(flat);
+    return this.#withNet(flat);
   }
 
   /**
-   * A mesh of one grid over the patch.
+   * A mesh of one grid of samples of the patch.
    *
    * @param {GridOptions} options
    * @returns {Mesh}
    */
   grid(options) {
-    const wanted = gridOptions(options);
-    const { u, v, quads, differences } = wanted;
-    load(this.#flat);
-    done(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads, differences));
-    return takeGrid(1, wanted);
+    const checked = gridOptions(options);
+    const { u, v, quads, differences } = checked;
+    writeArguments(this.#flat);
+    unwrapCount(core().patch_grid(this.#degreeU, this.#degreeV, u, v, quads, differences));
+    return readGrid(1, checked);
   }
 
   /**
@@ -353,9 +359,9 @@ export class Patch {
    */
   tessellate(options) {
     const { args, extra, into, ...kind } = tessellation(options);
-    load(this.#flat, extra.length).set(extra, this.#flat.length);
-    done(core().patch_tessellate(this.#degreeU, this.#degreeV, ...args));
-    return takeMesh(into, kind);
+    writeArguments(this.#flat, extra.length).set(extra, this.#flat.length);
+    unwrapCount(core().patch_tessellate(this.#degreeU, this.#degreeV, ...args));
+    return readMesh(into, kind);
   }
 
   /**
@@ -370,17 +376,17 @@ export class Patch {
    *
    * @param {number} u
    * @param {number} v
-   * @returns {[number, number, number, number]} what the core's functions of (u, v) take
+   * @returns {[number, number, number, number]} the arguments of the core's functions of (u, v)
    */
-  #at(u, v) {
+  #writeAt(u, v) {
     check.finite(u, "u");
     check.finite(v, "v");
-    load(this.#flat);
+    writeArguments(this.#flat);
     return [this.#degreeU, this.#degreeV, u, v];
   }
 
-  #asSurface() {
-    return queries.patchLoader(this.#flat, this.#degreeU, this.#degreeV);
+  #surfaceWriter() {
+    return queries.patchWriter(this.#flat, this.#degreeU, this.#degreeV);
   }
 
   /**
@@ -388,9 +394,9 @@ export class Patch {
    * @param {number} at
    */
   #isocurve(constantU, at) {
-    load(this.#flat);
+    writeArguments(this.#flat);
     const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU, at);
-    return new Curve(/** @type {any} */ (new Checked(take(0, length), 3)));
+    return new Curve(/** @type {any} */ (new CheckedPoints(readResult(0, length), 3)));
   }
 
   /**
@@ -399,15 +405,15 @@ export class Patch {
    * @returns {[Patch, Patch]}
    */
   #split(alongU, at) {
-    load(this.#flat);
+    writeArguments(this.#flat);
     core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
     const n = this.#flat.length;
-    return [this.#like(take(0, n)), this.#like(take(n, 2 * n))];
+    return [this.#withNet(readResult(0, n)), this.#withNet(readResult(n, 2 * n))];
   }
 
   /** @param {Float64Array} flat */
-  #like(flat) {
-    const net = /** @type {any} */ (new Checked(flat, 3));
+  #withNet(flat) {
+    const net = /** @type {any} */ (new CheckedPoints(flat, 3));
     return patchOf(net, { degreeU: this.#degreeU, degreeV: this.#degreeV });
   }
 }

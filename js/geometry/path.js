@@ -1,85 +1,86 @@
 import * as check from "./check.js";
 import { Curve } from "./curve.js";
 import { core } from "../wasm/init.js";
-import { CHAIN } from "./intersections.js";
+import { SPLINE_DATA } from "./intersections.js";
 import { extents, packedSplines } from "../wasm/packed-path.js";
-import { meetPaths, nearestOnPath, takeTimes } from "./path-queries.js";
+import { intersectPaths, nearestOnPath, readTimes } from "./path-queries.js";
 import { boxAt, samePoints, writePoint } from "./points.js";
 import { Spline, splineOf } from "./spline.js";
 import { readSvg } from "../io/svg-read.js";
 import { svgOf, traceOn } from "../io/svg-write.js";
-import { load, take, trim } from "../wasm/transfer.js";
+import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
 
 /**
  * @import { MatrixLike, PointLike } from "./check.js"
- * @import { Chain } from "./intersections.js"
+ * @import { SplineData } from "./intersections.js"
  * @import { PathIntersection, PathPoint, PathTime } from "./path-queries.js"
  * @import { Point } from "./points.js"
  * @import { SvgOptions } from "../io/svg-write.js"
  */
 
 /**
- * Which winding numbers count as inside: all but 0, or the odd ones.
+ * The rule that decides which winding numbers are inside: all except 0, or the odd ones.
  *
  * @typedef {"nonzero" | "evenodd"} FillRule
  */
 
 /**
- * Integrals over what is inside, counted as often as the path winds around it.
+ * The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number.
  *
  * @typedef {{ area: number, x: number, y: number, xx: number, xy: number, yy: number }} Moments
  */
 
 /**
- * What `Path.fromSVG` throws: a RangeError that knows where the error is, in characters from the start of the text, and
- * the path that was read before it (what SVG asks viewers to draw).
+ * The error that `Path.fromSVG` throws: a RangeError with the offset of the error in the text, in characters, and the
+ * path up to the error (which viewers are to render, according to the SVG specification).
  *
  * @typedef {RangeError & { offset: number, path: Path }} SvgError
  */
 
 /** @type {readonly FillRule[]} */
-const RULES = ["nonzero", "evenodd"];
+const FILL_RULES = ["nonzero", "evenodd"];
 
 /**
- * Several splines of the plane, open and closed: outlines with holes, icons, what SVG path data can say. It may be empty.
+ * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
+ * empty.
  *
  *     const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
  *     ring.contains([0.5, 2]); // true
  *     ring.contains([2, 2]); // false
  */
 export class Path {
-  /** @type {Float64Array} see `path-packed.js` */
+  /** @type {Float64Array} see `packed-path.js` */
   #packed;
   /** @type {readonly Spline[] | null} */
   #subpaths = null;
 
   /**
-   * @param {ArrayLike<Spline | Curve>} splines of the plane
-   * @throws {TypeError} for what is no spline or curve, or one of space
+   * @param {ArrayLike<Spline | Curve>} splines 2D
+   * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
   constructor(splines) {
-    const inside = /** @type {unknown} */ (splines);
-    if (inside instanceof CheckedPath) {
-      this.#packed = inside.packed;
+    const checked = /** @type {unknown} */ (splines);
+    if (checked instanceof CheckedPath) {
+      this.#packed = checked.packed;
       return;
     }
     if (!Array.isArray(splines))
-      throw new TypeError(`splines: expected an array of splines, got ${check.shown(splines)}`);
-    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSpline(spline, `splines[${k}]`)));
+      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}`);
+    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
   }
 
   /**
-   * A path from the `d` of an SVG `<path>`: all commands, in time proportional to the length of the text.
+   * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
-   * Arcs become cubics within 1e-9 of the larger radius. A moveto without a segment is left out; "M1 1Z" is a closed
-   * subpath of one line without a length. `Z` adds a line to the start unless the pen is there.
+   * Arcs are approximated by cubics within 1e-9 of the larger radius. A moveto without a segment is ignored; "M1 1Z" is
+   * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
    *
    * @param {string} d
    * @returns {Path}
-   * @throws {SvgError} a RangeError with `offset` and `path`, what was read before the error
+   * @throws {SvgError} a RangeError with `offset` and `path`, the path up to the error
    */
   static fromSVG(d) {
-    if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.shown(d)}`);
+    if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.describe(d)}`);
     const { packed, error } = readSvg(d);
     const path = pathOf(packed);
     if (error) throw Object.assign(new RangeError(error.message), { offset: error.offset, path });
@@ -87,16 +88,16 @@ export class Path {
   }
 
   /**
-   * @param {{ subpaths: Parameters<typeof Spline.fromJSON>[0][] }} json what `toJSON` gave
+   * @param {{ subpaths: Parameters<typeof Spline.fromJSON>[0][] }} json what `toJSON` returned
    * @returns {Path}
    */
   static fromJSON(json) {
     if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
-      throw new TypeError(`json: expected an object with subpaths, got ${check.shown(json)}`);
+      throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
     }
     return pathOf(
       packedSplines(
-        Array.from(json.subpaths, (subpath, k) => checkedSpline(Spline.fromJSON(subpath), `subpaths[${k}]`)),
+        Array.from(json.subpaths, (subpath, k) => checkedSplineData(Spline.fromJSON(subpath), `subpaths[${k}]`)),
       ),
     );
   }
@@ -106,17 +107,17 @@ export class Path {
     return this.#packed[0];
   }
 
-  /** The subpaths, in a list of their own that cannot be changed. */
+  /** The subpaths, a frozen array. */
   get subpaths() {
     this.#subpaths ??= Object.freeze(unpack(this.#packed));
     return this.#subpaths;
   }
 
   /**
-   * The path as the `d` of an SVG `<path>`; higher degrees as cubics.
+   * The path as the `d` attribute of an SVG `<path>`; segments of higher degree become cubics.
    *
-   * Without `precision` "M0,0 L1,0.5 Z", numbers with the fewest digits that give them back, so that `fromSVG` reads an
-   * equal path; with it "M0 0 1 .5Z", so many digits after the point at most and no character too many.
+   * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
+   * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
    *
    * @param {SvgOptions} [options]
    * @returns {string}
@@ -164,149 +165,151 @@ export class Path {
   /**
    * The sum of the lengths of all segments.
    *
-   * @param {number} [tolerance] the greatest error; without one 1e-12 of the length
+   * @param {number} [tolerance] the largest error, by default 1e-12 of the length
    * @returns {number}
    */
   length(tolerance) {
-    const most = check.optionalTolerance(tolerance);
-    load(this.#packed);
-    return take(0, core().path_length(most))[0];
+    const maxError = check.optionalTolerance(tolerance);
+    writeArguments(this.#packed);
+    return readResult(0, core().path_length(maxError))[0];
   }
 
   /**
-   * The place that has the length s behind it, from the start of the first subpath; null for an empty path.
+   * The position at which the arc length from the start of the first subpath is s; null for an empty path.
    *
-   * @param {number} s beyond the ends the nearer end comes back
-   * @param {number} [tolerance] the greatest error, as a length
+   * @param {number} s outside of [0, length] it gives the nearer end
+   * @param {number} [tolerance] the largest error, as a length
    * @returns {PathTime | null}
    */
   timeAtLength(s, tolerance) {
     check.finite(s, "s");
-    const most = check.optionalTolerance(tolerance);
-    load(this.#packed);
-    return takeTimes(core().path_time_at_length(s, most))[0] ?? null;
+    const maxError = check.optionalTolerance(tolerance);
+    writeArguments(this.#packed);
+    return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
   }
 
   /**
-   * `segments` + 1 places that divide the whole path into parts of one length; none for an empty path.
+   * `segments` + 1 positions that divide the whole path into parts of equal length; none for an empty path.
    *
    * @param {number} segments
    * @returns {PathTime[]}
    */
   equidistantTimes(segments) {
     check.segmentCount(segments);
-    load(this.#packed);
-    const places = takeTimes(core().path_equidistant_times(segments));
-    trim();
-    return places;
+    writeArguments(this.#packed);
+    const times = readTimes(core().path_equidistant_times(segments));
+    releaseMemory();
+    return times;
   }
 
   /**
-   * All places that the path shares with another one, or with a spline or a curve: sorted by subpath, then the other's,
-   * then t, then u.
+   * All intersections with another path, a spline or a curve: sorted by subpath, then by the other's subpath, then by
+   * t, then by u.
    *
-   * At worst each segment is compared with each, with the limit of Curve.intersections.
+   * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
    * @param {Path | Spline | Curve} other
    * @returns {PathIntersection[]}
    */
   intersections(other) {
-    const path = typeof other === "object" && other !== null && #packed in other;
-    return meetPaths(
+    const isPath = typeof other === "object" && other !== null && #packed in other;
+    return intersectPaths(
       this.#packed,
-      path ? other.#packed : packedSplines([checkedSpline(other, "other", "a Path, a Spline or a Curve")]),
+      isPath ? other.#packed : packedSplines([checkedSplineData(other, "other", "a Path, a Spline or a Curve")]),
     );
   }
 
   /**
-   * The places that the path passes twice, on one subpath or on two; each pair once.
+   * The points that the path passes twice, on one subpath or on two; each pair is reported once.
    *
    * @returns {PathIntersection[]}
    */
   selfIntersections() {
-    return meetPaths(this.#packed);
+    return intersectPaths(this.#packed);
   }
 
   /**
-   * The signed area inside, counter-clockwise subpaths positive (x right, y up); open ones are closed by a line.
+   * The signed area inside, positive for counter-clockwise subpaths (x right, y up); open subpaths are closed by a
+   * line.
    *
    * @returns {number}
    */
   area() {
-    load(this.#packed);
+    writeArguments(this.#packed);
     return core().path_area();
   }
 
   /**
-   * The integrals of 1, x, y, x², xy and y² over the inside; the centre of mass is (x, y) / area.
+   * The integrals of 1, x, y, x², xy and y² over the inside, weighted as in `area`; the centre of mass is (x, y) /
+   * area.
    *
    * @returns {Moments}
    */
   moments() {
-    load(this.#packed);
-    const [area, x, y, xx, xy, yy] = take(0, core().path_moments());
+    writeArguments(this.#packed);
+    const [area, x, y, xx, xy, yy] = readResult(0, core().path_moments());
     return { area, x, y, xx, xy, yy };
   }
 
   /**
-   * The point of the path that is nearest to another point, the first of several; null for an empty path.
+   * The point of the path that is nearest to another point, the first one of several; null for an empty path.
    *
    * @param {PointLike} point
    * @returns {PathPoint | null}
    */
   nearest(point) {
-    return nearestOnPath(this.#packed, place(point));
+    return nearestOnPath(this.#packed, coordinatesOf(point));
   }
 
   /**
-   * How often the path runs around a point, counter-clockwise positive (x right, y up); open subpaths are closed by a
-   * line. On the boundary the point counts as if it lay a little to the right and above.
+   * The winding number of the path around a point: counter-clockwise is positive (x right, y up). Open subpaths are
+   * closed by a line. A point on the boundary counts as slightly displaced to the right and upwards.
    *
    * @param {PointLike} point
    * @returns {number}
    */
   windingNumber(point) {
-    const [x, y] = place(point);
-    load(this.#packed);
+    const [x, y] = coordinatesOf(point);
+    writeArguments(this.#packed);
     return core().path_winding_number(x, y);
   }
 
   /**
-   * Whether the path, filled by that rule, covers a point.
+   * Whether the path, filled by the rule, contains a point.
    *
    * @param {PointLike} point
    * @param {FillRule} [rule]
    * @returns {boolean}
    */
   contains(point, rule = "nonzero") {
-    check.oneOf(rule, "rule", RULES);
+    check.oneOf(rule, "rule", FILL_RULES);
     const winding = this.windingNumber(point);
     return rule === "nonzero" ? winding !== 0 : winding % 2 !== 0;
   }
 
   /**
-   * A polyline for each subpath, from which it is nowhere farther than `tolerance`; joints are vertices.
+   * For each subpath a polyline whose distance from it is nowhere greater than `tolerance`; joints are vertices.
    *
    * @param {number} tolerance
    * @returns {{ points: Float64Array, ts: Float64Array }[]}
    */
   flatten(tolerance) {
     check.positive(tolerance, "tolerance");
-    load(this.#packed);
-    const numbers = take(0, core().path_flatten(tolerance));
-    trim();
-    const lines = [];
+    writeArguments(this.#packed);
+    const numbers = readResult(0, core().path_flatten(tolerance));
+    releaseMemory();
+    const polylines = [];
     for (let at = 0; at < numbers.length; ) {
       const points = at + 1;
       const ts = points + 2 * numbers[at];
       at = ts + numbers[at];
-      lines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at) });
+      polylines.push({ points: numbers.slice(points, ts), ts: numbers.slice(ts, at) });
     }
-    return lines;
+    return polylines;
   }
 
   /**
-   * The image under an affine map.
+   * The path transformed by an affine map.
    *
    * @param {MatrixLike} matrix
    * @returns {Path}
@@ -325,7 +328,7 @@ export class Path {
   }
 
   /**
-   * The same path with each subpath run through backwards; the subpaths keep their order, closed ones their first point.
+   * The same path with each subpath reversed; the order of the subpaths and the first points of closed ones are kept.
    *
    * @returns {Path}
    */
@@ -334,7 +337,7 @@ export class Path {
     for (const { closed, degrees, points, end } of extents(packed)) {
       packed.subarray(degrees, points).reverse();
       const first = closed ? points + 2 : points;
-      // Coordinates backwards are y before x.
+      // Reversing the array also exchanges x and y of each point.
       packed.subarray(first, end).reverse();
       for (let k = first; k < end; k += 2) [packed[k], packed[k + 1]] = [packed[k + 1], packed[k]];
     }
@@ -345,7 +348,7 @@ export class Path {
    * Draws the path on a canvas context or a Path2D.
    *
    * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
-   * @param {{ tolerance?: number }} [options] for degrees above 3, which are drawn as cubics
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {
     traceOn(this.#packed, target, options);
@@ -360,13 +363,13 @@ export class Path {
 
   /** @param {boolean} exact */
   #box(exact) {
-    load(this.#packed);
-    const numbers = take(0, core().path_bounds(exact));
+    writeArguments(this.#packed);
+    const numbers = readResult(0, core().path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
 }
 
-/** A packed path that was checked: what the constructor takes from inside. */
+/** A packed path that is already checked: the constructor accepts it from inside the package. */
 class CheckedPath {
   /** @param {Float64Array} packed */
   constructor(packed) {
@@ -388,25 +391,25 @@ function pathOf(packed) {
  * @param {PointLike} point
  * @returns {Float64Array}
  */
-function place(point) {
-  const p = new Float64Array(2);
-  writePoint(p, 0, point, 2, "point");
-  return p;
+function coordinatesOf(point) {
+  const coordinates = new Float64Array(2);
+  writePoint(coordinates, 0, point, 2, "point");
+  return coordinates;
 }
 
 /**
- * The parts of a subpath.
+ * The data of a subpath.
  *
  * @param {unknown} spline
  * @param {string} name
  * @param {string} [expected]
- * @returns {Chain}
+ * @returns {SplineData}
  */
-function checkedSpline(spline, name, expected = "a Spline or a Curve") {
+function checkedSplineData(spline, name, expected = "a Spline or a Curve") {
   if (!(spline instanceof Spline || spline instanceof Curve))
-    throw new TypeError(`${name}: expected ${expected}, got ${check.shown(spline)}`);
+    throw new TypeError(`${name}: expected ${expected}, got ${check.describe(spline)}`);
   if (spline.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
-  return spline[CHAIN]();
+  return spline[SPLINE_DATA]();
 }
 
 /**

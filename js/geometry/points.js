@@ -1,40 +1,40 @@
-import { finite, isList, optionalDimension, shown } from "./check.js";
+import { finite, isList, optionalDimension, describe } from "./check.js";
 
 /**
  * @import { PointsLike } from "./check.js"
  */
 
 /**
- * A point that comes out: `z` in 3D only.
+ * A point in a result: with `z` only in 3D.
  *
  * @typedef {{ x: number, y: number, z?: number }} Point
  */
 
 /**
- * Points as the classes keep them.
+ * Points as one flat array of coordinates.
  *
  * @internal
  * @typedef {{ dimension: 2 | 3, flat: Float64Array }} Flat
  */
 
 /**
- * Any form of points as one flat array, copied and checked.
+ * Converts points of any form to one flat array, copied and checked.
  *
  * @internal
  * @param {PointsLike} points
- * @param {unknown} dimension the caller's option
- * @param {2 | 3} flatDimension of a flat array, where the option is not given
+ * @param {unknown} dimension the option of the caller
+ * @param {2 | 3} flatDimension the dimension of a flat array without that option
  * @param {string} [name]
  * @returns {Flat}
  */
 export function flatten(points, dimension, flatDimension, name = "points") {
-  const wanted = optionalDimension(dimension);
-  if (!isList(points)) throw new TypeError(`${name}: expected an array of points, got ${shown(points)}`);
+  const requested = optionalDimension(dimension);
+  if (!isList(points)) throw new TypeError(`${name}: expected an array of points, got ${describe(points)}`);
   if (ArrayBuffer.isView(points) || typeof points[0] === "number") {
-    return ofNumbers(/** @type {ArrayLike<unknown>} */ (points), wanted ?? flatDimension, name);
+    return fromNumbers(/** @type {ArrayLike<unknown>} */ (points), requested ?? flatDimension, name);
   }
   const list = /** @type {ArrayLike<unknown>} */ (points);
-  return ofPoints(list, wanted ?? (list.length ? dimensionOf(list[0], `${name}[0]`) : 2), name);
+  return fromPoints(list, requested ?? (list.length ? dimensionOf(list[0], `${name}[0]`) : 2), name);
 }
 
 /**
@@ -43,7 +43,7 @@ export function flatten(points, dimension, flatDimension, name = "points") {
  * @param {string} name
  * @returns {Flat}
  */
-function ofNumbers(numbers, dimension, name) {
+function fromNumbers(numbers, dimension, name) {
   if (numbers.length % dimension !== 0) {
     throw new RangeError(`${name}: expected a multiple of ${dimension} numbers (${dimension}D), got ${numbers.length}`);
   }
@@ -62,14 +62,14 @@ function ofNumbers(numbers, dimension, name) {
  * @param {string} name
  * @returns {Flat}
  */
-function ofPoints(list, dimension, name) {
+function fromPoints(list, dimension, name) {
   const flat = new Float64Array(list.length * dimension);
   for (let i = 0; i < list.length; i++) writePoint(flat, i * dimension, list[i], dimension, `${name}[${i}]`);
   return { dimension, flat };
 }
 
 /**
- * Arrays tell by their length; objects with a `w` (DOMPoint) are 2D, others 3D if they have a `z`.
+ * The dimension of a point: the length of an array; an object is 3D if it has a `z` but no `w` (as a DOMPoint has).
  *
  * @param {unknown} point
  * @param {string} name
@@ -115,11 +115,11 @@ export function writePoint(flat, at, point, dimension, name) {
  * @returns {TypeError}
  */
 function notAPoint(value, name) {
-  return new TypeError(`${name}: expected a point ([x, y], [x, y, z], {x, y} or {x, y, z}), got ${shown(value)}`);
+  return new TypeError(`${name}: expected a point ([x, y], [x, y, z], {x, y} or {x, y, z}), got ${describe(value)}`);
 }
 
 /**
- * The point at a place of a flat array.
+ * The point whose coordinates start at an index of a flat array.
  *
  * @internal
  * @param {Float64Array} flat
@@ -144,7 +144,7 @@ export function boxAt(flat, dimension) {
 }
 
 /**
- * Points of a flat array, one array each, for JSON.
+ * The points of a flat array as one array each, for JSON.
  *
  * @internal
  * @param {Float64Array} flat
@@ -168,12 +168,12 @@ export function nested(flat, dimension) {
  * @returns {boolean}
  */
 export function samePoints(a, b, dimension, tolerance) {
-  const most = finite(tolerance, "tolerance");
-  if (most < 0) throw new RangeError(`tolerance: expected a number from 0, got ${most}`);
+  const maxDistance = finite(tolerance, "tolerance");
+  if (maxDistance < 0) throw new RangeError(`tolerance: expected a number from 0, got ${maxDistance}`);
   if (a.length !== b.length) return false;
   for (let i = 0; i < a.length; i += dimension) {
     const z = dimension === 3 ? a[i + 2] - b[i + 2] : 0;
-    if (!(Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], z) <= most)) return false;
+    if (!(Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], z) <= maxDistance)) return false;
   }
   return true;
 }

@@ -1,8 +1,8 @@
-// Questions that patches and surfaces are asked alike: a patch goes to the core as a surface of one patch.
+// Queries of patches and surfaces: a patch is passed to the core as a surface of one patch.
 import { Curve } from "./curve.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
-import { core, load, take } from "../wasm/surfaces-transfer.js";
-import { Checked } from "../wasm/transfer.js";
+import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../wasm/transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"
@@ -16,48 +16,48 @@ import { Checked } from "../wasm/transfer.js";
  */
 
 /**
- * De Casteljau's construction of a point: for each row of the net all levels at u, from the row's points to the row's
- * one point; then all levels at v of the curve that these points control; then the point.
+ * All intermediate points of de Casteljau's algorithm for S(u, v): `rows`, for each row of the net all levels at u;
+ * `column`, all levels at v of the curve whose control points are the last points of the rows; `point`, S(u, v).
  *
  * @typedef {{ rows: Float64Array[][], column: Float64Array[], point: Point }} PatchDeCasteljau
  */
 
 /**
- * A point of a patch, and its distance from the point that was asked for or from the ray's origin.
+ * A point of a patch, and its distance from the query point or from the ray's origin.
  *
  * @typedef {{ u: number, v: number, point: Point, distance: number }} PatchPoint
  */
 
 /**
- * The same of a surface, with the number of the patch.
+ * A point of a surface, with the index of its patch.
  *
  * @typedef {PatchPoint & { patch: number }} SurfacePoint
  */
 
 /**
- * Writes a surface to the arena, with room behind it, and says where it ends.
+ * Writes a surface to the arena with room for `extra` more numbers, and returns the arena and the index of that room.
  *
  * @internal
- * @typedef {(extra: number) => { view: Float64Array, at: number }} Loader
+ * @typedef {(extra: number) => { view: Float64Array, at: number }} SurfaceWriter
  */
 
-/** The numbers that the core leaves for a place: patch, u, v, the point, the distance. */
-const PLACE = 7;
+/** The numbers of a point of a surface: patch, u, v, x, y, z, the distance. */
+const RECORD_LENGTH = 7;
 
 /**
- * A patch as a surface.
+ * Writes a patch as a surface.
  *
  * @internal
  * @param {Float64Array} flat
  * @param {number} degreeU
  * @param {number} degreeV
- * @returns {Loader}
+ * @returns {SurfaceWriter}
  */
-export function patchLoader(flat, degreeU, degreeV) {
+export function patchWriter(flat, degreeU, degreeV) {
   const count = flat.length / 3;
   const at = 5 + 4 * count;
   return (extra) => {
-    const view = load(Float64Array.of(count, 1, 0, degreeU, degreeV), at + extra - 5);
+    const view = writeArguments(Float64Array.of(count, 1, 0, degreeU, degreeV), at + extra - 5);
     view.set(flat, 5);
     for (let i = 0; i < count; i++) view[5 + 3 * count + i] = i;
     return { view, at };
@@ -66,71 +66,71 @@ export function patchLoader(flat, degreeU, degreeV) {
 
 /**
  * @internal
- * @param {Loader} loader
+ * @param {SurfaceWriter} write
  * @returns {{ min: Point, max: Point } | null}
  */
-export function bounds(loader) {
-  loader(0);
-  const numbers = take(0, core().surface_bounds());
+export function bounds(write) {
+  write(0);
+  const numbers = readResult(0, core().surface_bounds());
   return numbers.length ? boxAt(numbers, 3) : null;
 }
 
 /**
  * @internal
- * @param {Loader} loader
+ * @param {SurfaceWriter} write
  * @returns {number}
  */
-export function area(loader) {
-  loader(0);
-  return take(0, core().surface_area())[0];
+export function area(write) {
+  write(0);
+  return readResult(0, core().surface_area())[0];
 }
 
 /**
  * @internal
- * @param {Loader} loader
+ * @param {SurfaceWriter} write
  * @returns {number | null}
  */
-export function volume(loader) {
-  loader(0);
-  return take(0, core().surface_volume())[0] ?? null;
+export function volume(write) {
+  write(0);
+  return readResult(0, core().surface_volume())[0] ?? null;
 }
 
 /**
  * @internal
- * @param {Loader} loader
+ * @param {SurfaceWriter} write
  * @param {PointLike} point
  * @returns {SurfacePoint | null}
  */
-export function nearest(loader, point) {
-  const [p] = points([point, "point"]);
-  const { view, at } = loader(3);
+export function nearest(write, point) {
+  const [p] = coordinatesOf([point, "point"]);
+  const { view, at } = write(3);
   view.set(p, at);
-  return places(take(0, core().surface_nearest()))[0] ?? null;
+  return readPoints(readResult(0, core().surface_nearest()))[0] ?? null;
 }
 
 /**
  * @internal
- * @param {Loader} loader
+ * @param {SurfaceWriter} write
  * @param {PointLike} origin
  * @param {PointLike} direction
  * @returns {SurfacePoint[]}
  */
-export function intersectRay(loader, origin, direction) {
-  const [from, along] = points([origin, "origin"], [direction, "direction"]);
-  const { view, at } = loader(6);
-  view.set(from, at);
+export function intersectRay(write, origin, direction) {
+  const [start, along] = coordinatesOf([origin, "origin"], [direction, "direction"]);
+  const { view, at } = write(6);
+  view.set(start, at);
   view.set(along, at + 3);
-  return places(take(0, core().surface_ray()));
+  return readPoints(readResult(0, core().surface_ray()));
 }
 
 /**
- * A place without the number of its patch.
+ * A point of a surface without the index of its patch.
  *
  * @internal
- * @param {SurfacePoint} place
+ * @param {SurfacePoint} point
  * @returns {PatchPoint}
  */
-export function onPatch({ u, v, point, distance }) {
+export function withoutPatch({ u, v, point, distance }) {
   return { u, v, point, distance };
 }
 
@@ -144,7 +144,7 @@ export function onPatch({ u, v, point, distance }) {
  */
 export function deCasteljau(flat, columns, u, v) {
   const levels = (/** @type {Float64Array} */ row, /** @type {number} */ t) =>
-    new Curve(/** @type {any} */ (new Checked(row, 3))).deCasteljau(t);
+    new Curve(/** @type {any} */ (new CheckedPoints(row, 3))).deCasteljau(t);
   const rows = [];
   for (let i = 0; i < flat.length; i += 3 * columns) rows.push(levels(flat.slice(i, i + 3 * columns), u));
   const ends = new Float64Array(3 * rows.length);
@@ -154,13 +154,13 @@ export function deCasteljau(flat, columns, u, v) {
 }
 
 /**
- * Points of space, checked.
+ * The coordinates of 3D points, checked.
  *
- * @param {[PointLike, string][]} given with their names
+ * @param {[PointLike, string][]} named the points with their names for messages
  * @returns {Float64Array[]}
  */
-function points(...given) {
-  return given.map(([point, name]) => {
+function coordinatesOf(...named) {
+  return named.map(([point, name]) => {
     const numbers = new Float64Array(3);
     writePoint(numbers, 0, point, 3, name);
     return numbers;
@@ -171,9 +171,9 @@ function points(...given) {
  * @param {Float64Array} numbers
  * @returns {SurfacePoint[]}
  */
-function places(numbers) {
-  return Array.from({ length: numbers.length / PLACE }, (_, k) => {
-    const [patch, u, v, x, y, z, distance] = numbers.subarray(PLACE * k, PLACE * (k + 1));
+function readPoints(numbers) {
+  return Array.from({ length: numbers.length / RECORD_LENGTH }, (_, k) => {
+    const [patch, u, v, x, y, z, distance] = numbers.subarray(RECORD_LENGTH * k, RECORD_LENGTH * (k + 1));
     return { patch, u, v, point: { x, y, z }, distance };
   });
 }

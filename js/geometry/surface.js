@@ -1,15 +1,15 @@
 import * as check from "./check.js";
-import { takeGrid } from "./grid-mesh.js";
+import { readGrid } from "./grid-mesh.js";
 import { subdivide } from "./flat-pieces.js";
-import { gridOptions, takeMesh } from "./mesh.js";
+import { gridOptions, readMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
 import * as queries from "./surface-queries.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
 import { parseSurface, surfaceText } from "../io/surface-text.js";
-import { core, done, load, take, trim } from "../wasm/surfaces-transfer.js";
-import { Checked } from "../wasm/transfer.js";
+import { core, unwrapCount, writeArguments, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../wasm/transfer.js";
 import { isocurves, wireframe } from "./wireframe.js";
 
 /**
@@ -25,7 +25,7 @@ import { isocurves, wireframe } from "./wireframe.js";
  */
 
 /**
- * The teapot's parts (all there by default), its height ("squashed", 3.15, by default; "original", 4/3 as tall) and the
+ * The parts of the teapot (all by default), its height ("squashed", 3.15, by default; "original", 4/3 as tall) and the
  * axis that points up ("z" by default).
  *
  * @typedef {{ rim?: boolean, body?: boolean, handle?: boolean, spout?: boolean, lid?: boolean, bottom?: boolean,
@@ -33,8 +33,8 @@ import { isocurves, wireframe } from "./wireframe.js";
  */
 
 /**
- * The nets of a surface: vertices, for each the first that was at the same place when the surface was made, two degrees for
- * each patch, and the vertex indices of all nets in turn.
+ * The nets of a surface: the vertices; for each vertex the index of the first one that had the same position when the
+ * surface was created (`joined`); two degrees for each patch; the vertex indices of all nets, one net after the other.
  *
  * @typedef {{ vertices: Float64Array, joined: Float64Array, degrees: number[], indices: Uint32Array }} Network
  */
@@ -55,12 +55,12 @@ export class Surface {
    * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data for each patch its
    *   (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index
    * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
-   * @throws {RangeError} for an index that names no vertex, a wrong count, a NaN or an infinity
+   * @throws {RangeError} for an index without a vertex, a wrong count, a NaN or an infinity
    */
   constructor(data, options) {
-    const inside = /** @type {unknown} */ (data);
-    if (inside instanceof CheckedNetwork) {
-      this.#network = inside.network;
+    const checked = /** @type {unknown} */ (data);
+    if (checked instanceof CheckedNetwork) {
+      this.#network = checked.network;
       return;
     }
     const { vertices, patches } = check.options(data, "data");
@@ -82,18 +82,19 @@ export class Surface {
    * @returns {Surface}
    */
   static teapot(options) {
-    const given = check.options(options);
-    const height = check.oneOf(given.height ?? "squashed", "height", ["squashed", "original"]);
-    const up = upAxis(given);
-    const bits = PARTS.reduce((sum, part, k) => (given[part] === false ? sum : sum | (1 << k)), 0);
+    const checked = check.options(options);
+    const height = check.oneOf(checked.height ?? "squashed", "height", ["squashed", "original"]);
+    const up = upAxis(checked);
+    const bits = PARTS.reduce((sum, part, k) => (checked[part] === false ? sum : sum | (1 << k)), 0);
     return readSurface(core().surface_teapot(bits, height === "original", up === "y"));
   }
 
   /**
-   * Newell's teacup on its saucer: 26 patches; rim 0–3, outside 4–7, inside 8–11, handle 12–13, saucer 14–25. Of its
-   * sides 46 pairs are shared and 12 open: the bottoms of cup and saucer and the ends of the handle.
+   * Newell's teacup on its saucer: 26 patches; rim 0–3, outside 4–7, inside 8–11, handle 12–13, saucer 14–25. 46 pairs
+   * of its edges are shared and 12 edges are open: the bottoms of cup and saucer and the ends of the handle.
    *
-   * @param {{ up?: "z" | "y" }} [options] the axis that points up, "z" by default; with "y" the axes of the archive
+   * @param {{ up?: "z" | "y" }} [options] the axis that points up, "z" by default; "y" gives the axes of the original
+   *   data
    * @returns {Surface}
    */
   static teacup(options) {
@@ -101,8 +102,8 @@ export class Surface {
   }
 
   /**
-   * Newell's teaspoon: 16 patches, lying with its bowl open upwards and its handle along −y. As in the archive the bowl's
-   * end and the tip have small gaps: 28 pairs of sides are shared and 8 sides open.
+   * Newell's teaspoon: 16 patches, lying with its bowl open upwards and its handle along −y. As in the original data,
+   * the end of the bowl and the tip have small gaps: 28 pairs of edges are shared and 8 edges are open.
    *
    * @param {{ up?: "z" | "y" }} [options] the axis that points up, "z" by default
    * @returns {Surface}
@@ -112,31 +113,32 @@ export class Surface {
   }
 
   /**
-   * A surface from its text, in one of three forms, told apart by their first rows:
+   * Parses the text of a surface. There are three formats, which differ in their first rows:
    *
-   * - as `toText` writes it;
-   * - .bpt: the number of patches; for each a row with its degrees and below it its points, one a row, u along the fast
-   *   index. Points with equal coordinates become one vertex;
-   * - the listing in which the teapot was handed on: the number of patches, for each a row of 16 vertex numbers from 1;
+   * - the format of `toText`;
+   * - .bpt: the number of patches; for each patch a row with its degrees, followed by its points, one per row, u along
+   *   the fast index. Points with equal coordinates become one vertex;
+   * - the listing in which the teapot was published: the number of patches, for each a row of 16 vertex numbers from 1;
    *   the number of vertices, for each a row x y z. Bicubic.
    *
-   * A row is a line; blanks, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the line,
-   * do not count. The time is proportional to the length of the text, and counts are checked against that length first.
+   * A row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
+   * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
+   * first.
    *
    * @param {string} text
    * @returns {Surface}
-   * @throws {RangeError} for text that is none of these, with the number of the line, what was expected there and what came
+   * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
    */
   static parse(text) {
-    if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.shown(text)}`);
+    if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.describe(text)}`);
     return surfaceOf(parseSurface(text, joinedOf));
   }
 
   /**
-   * The surface as text, which `parse` reads back to an equal one, bit for bit (but vertices that a move has brought to one
-   * place are joined when they are read): the row `surface`; `vertices` and their
-   * number, then a row x y z for each; `patches` and their number, then for each a row with its degrees in u and v, and
-   * below it its net: a row for each j with the vertex numbers, from 0, of its points Pᵢⱼ.
+   * The surface as text from which `parse` creates a bit-identical surface (except that vertices which have been moved
+   * to the same position are joined): the row `surface`; `vertices` and their number, then a row x y z for each;
+   * `patches` and their number, then for each a row with its degrees in u and v, followed by its net, for each j a row
+   * with the vertex numbers, from 0, of the points Pᵢⱼ.
    *
    * @returns {string}
    */
@@ -144,12 +146,12 @@ export class Surface {
     return surfaceText(this.#network);
   }
 
-  /** The coordinates of the vertices, a copy. */
+  /** A copy of the coordinates of the vertices. */
   get vertices() {
     return this.#network.vertices.slice();
   }
 
-  /** For each patch the indices of its control points, copies. */
+  /** For each patch a copy of the vertex indices of its control points. */
   get patches() {
     let from = 0;
     return Array.from({ length: this.patchCount }, (_, k) => {
@@ -177,13 +179,13 @@ export class Surface {
     const indices = this.patches[k];
     const net = new Float64Array(3 * indices.length);
     indices.forEach((index, i) => net.set(vertices.subarray(3 * index, 3 * index + 3), 3 * i));
-    const checked = /** @type {any} */ (new Checked(net, 3));
+    const checked = /** @type {any} */ (new CheckedPoints(net, 3));
     return new Patch(checked, { degreeU: degrees[2 * k], degreeV: degrees[2 * k + 1] });
   }
 
   /**
-   * The surface with one vertex moved, for all patches that share it, and with it all vertices that were at the same place
-   * when the surface was made: what was joined stays joined, what was not does not become so.
+   * The surface with one vertex moved, together with all vertices that had the same position when the surface was
+   * created. So patches that were joined stay joined, and others do not become joined.
    *
    * @param {number} index
    * @param {PointLike} to
@@ -203,124 +205,129 @@ export class Surface {
   }
 
   /**
-   * How the patches are joined: sides are the same line when their control points are at the same places, in the same
-   * order or reversed. A side of another degree, or a part of a longer one, is another line.
+   * How the patches are joined. Two edges are the same line if their control points are equal in the same order or
+   * reversed. An edge of another degree, or a part of a longer edge, is a different line.
    *
    * @returns {Topology}
    */
   topology() {
-    this.#load();
-    return readTopology(take(0, core().surface_topology()));
+    this.#write();
+    return readTopology(readResult(0, core().surface_topology()));
   }
 
   /**
-   * The image under an affine map.
+   * The surface transformed by an affine map.
    *
    * @param {MatrixLike} matrix
    * @returns {Surface}
    */
   transform(matrix) {
     const { vertices } = this.#network;
-    load(vertices, 12).set(check.affine(matrix), vertices.length);
+    writeArguments(vertices, 12).set(check.affine(matrix), vertices.length);
     core().points_transform(3, vertices.length / 3);
-    return surfaceOf({ ...this.#network, vertices: take(0, vertices.length) });
+    return surfaceOf({ ...this.#network, vertices: readResult(0, vertices.length) });
   }
 
   /**
-   * The smallest box that contains the surface, exact to rounding; null without patches. Each patch adds to the most steps
-   * as `Patch.bounds` says.
+   * The smallest box that contains the surface, exact up to rounding; null without patches. The limit of steps of
+   * `Patch.bounds` applies to each patch.
    *
    * @returns {{ min: Point, max: Point } | null}
    */
   bounds() {
-    return queries.bounds(this.#loader(false));
+    return queries.bounds(this.#writer(false));
   }
 
   /**
-   * The area of all patches together, within 1e-8 of itself; see `Patch.area`.
+   * The total area of all patches with a relative error below 1e-8; see `Patch.area`.
    *
    * @returns {number}
    */
   area() {
-    return queries.area(this.#loader(false));
+    return queries.area(this.#writer(false));
   }
 
   /**
-   * The volume that a closed surface encloses, null for one with an open side or a side that three patches share. Positive
-   * where the normals point outwards; where neighbours disagree, the first patch of each connected part decides.
+   * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
+   * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    *
    * @returns {number | null}
    */
   volume() {
-    return queries.volume(this.#loader(true));
+    return queries.volume(this.#writer(true));
   }
 
   /**
-   * The point of the surface that is nearest to p; null without patches. Each patch whose box is not too far away adds to
-   * the most steps as `Patch.nearest` says.
+   * The point of the surface that is nearest to p; null without patches. The limit of steps of `Patch.nearest` applies
+   * to each patch whose box is not too far away.
    *
    * @param {PointLike} p
    * @returns {SurfacePoint | null}
    */
   nearest(p) {
-    return queries.nearest(this.#loader(false), p);
+    return queries.nearest(this.#writer(false), p);
   }
 
   /**
-   * All hits of a ray, by distance; see `Patch.intersectRay`. One on a side that patches share counts once.
+   * All intersections with a ray, sorted by distance; see `Patch.intersectRay`. An intersection on a shared edge is
+   * reported once.
    *
    * @param {PointLike} origin
    * @param {PointLike} direction
    * @returns {SurfacePoint[]}
-   * @throws {RangeError} for a direction of length 0, and when the search over a patch takes too many steps
+   * @throws {RangeError} for a direction of length 0, and if the search in a patch takes too many steps
    */
   intersectRay(origin, direction) {
-    return queries.intersectRay(this.#loader(false), origin, direction);
+    return queries.intersectRay(this.#writer(false), origin, direction);
   }
 
   /**
-   * A mesh of one grid per patch, as the tutorial does it: each patch has its own vertices, also along sides.
+   * A mesh of one grid of samples per patch, as in the tutorial: each patch has its own vertices, also along shared
+   * edges.
    *
    * @param {GridOptions} options
    * @returns {Mesh}
    */
   grid(options) {
-    const wanted = gridOptions(options);
-    const { u, v, quads, differences } = wanted;
-    this.#load(0, false);
-    done(core().surface_grid(u, v, quads, differences));
-    return takeGrid(this.patchCount, wanted);
+    const checked = gridOptions(options);
+    const { u, v, quads, differences } = checked;
+    this.#write(0, false);
+    unwrapCount(core().surface_grid(u, v, quads, differences));
+    return readGrid(this.patchCount, checked);
   }
 
   /**
-   * A mesh without cracks and T-junctions: every edge inside has exactly two triangles. By tolerance, no point of the
-   * surface is farther from the mesh than that; normals are those of the patches, limits where a side has collapsed.
+   * A mesh without cracks and T-junctions: every inner edge belongs to exactly two triangles. With `tolerance`, no
+   * point of the surface is farther from the mesh than that. Normals are those of the patches, and limits at collapsed
+   * edges.
    *
    *     const mesh = Surface.teapot().tessellate({ tolerance: 0.01 });
    *
    * @param {TessellationOptions} options
    * @returns {Mesh}
-   * @throws {RangeError} for a tolerance that f32 (or f64) cannot keep, and for a mesh above 1 GiB; with patches of degrees
-   *   m and n above 4 also, by tolerance or pixels, above 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1)) triangles
+   * @throws {RangeError} for a tolerance below the precision of f32 (or f64), and for a mesh above 1 GiB; with
+   *   `tolerance` or `pixels` and degrees m and n above 4 also above 2³¹ / ((m − 1)(n + 1) + mn + (m + 1)(n − 1))
+   *   triangles
    */
   tessellate(options) {
     const { args, extra, into, ...kind } = tessellation(options);
-    const end = this.#load(extra.length);
+    const end = this.#write(extra.length);
     end.view.set(extra, end.at);
-    done(core().surface_tessellate(...args));
-    return takeMesh(into, kind);
+    unwrapCount(core().surface_tessellate(...args));
+    return readMesh(into, kind);
   }
 
   /**
-   * The curves that divide every patch into `lines` strips each way (4 by default), sides included: a side that patches
-   * share comes once, one that is a point not at all. For each patch first the curves of constant u, then of constant v.
+   * The isocurves that divide every patch into `lines` strips in each direction (4 by default), edges included. A
+   * shared edge is listed once, a collapsed edge is not listed. For each patch, first the curves u = constant, then v =
+   * constant.
    *
    * @param {{ lines?: number }} [options]
    * @returns {Curve[]}
-   * @throws {RangeError} for 0 lines, and above 1 GiB
+   * @throws {RangeError} for 0 lines and above 1 GiB
    */
   isocurves(options) {
-    return isocurves(() => this.#load(), options);
+    return isocurves(() => this.#write(), options);
   }
 
   /**
@@ -329,61 +336,63 @@ export class Surface {
    *     const tubes = Surface.teapot().wireframe({ lines: 4, radius: 0.02 });
    *     const ribbons = Surface.teapot().wireframe({ lines: 4, width: 0.05 });
    *
-   * A line is followed as closely as a tube's cross-section follows its circle: to r (1 − cos(π / sides)), turning by at
-   * most 2π / sides from place to place; a ribbon as a tube of half its width with eight sides. Tubes are closed bodies
-   * with round ends, and do not twist; ribbons have the surface's normals and one side. A line that is a point gives
-   * nothing. `uvs` and `patchIds` are null; `patchRanges` tell which patch has drawn what.
+   * The mesh follows a line as closely as a tube's cross-section approximates its circle: within r (1 − cos(π /
+   * sides)), and with at most 2π / sides of turning between two samples. A ribbon follows it as closely as a tube with
+   * eight sides and half its width as radius. Tubes are closed bodies with round ends and do not twist; ribbons have
+   * the surface's normals and are one-sided. A line that is a point is omitted. `uvs` and `patchIds` are null;
+   * `patchRanges` has the range of each patch.
    *
    * @param {WireframeOptions} options
    * @returns {Mesh}
-   * @throws {TypeError} without a radius or a width, and with both
-   * @throws {RangeError} for a radius that 32 bits cannot show on coordinates of this size, and above 1 GiB
+   * @throws {TypeError} for neither radius nor width, and for both
+   * @throws {RangeError} for a radius or a width below the precision of f32, and above 1 GiB
    */
   wireframe(options) {
-    return wireframe(() => this.#load(), options);
+    return wireframe(() => this.#write(), options);
   }
 
   /**
-   * The recursive split of the tutorials: every patch in four, and the pieces again, until the control points of each are
-   * within the tolerance of the plane of three of its corners (those with the largest triangle; of their line or point
-   * where they have no plane). For teaching: neighbours that were split differently leave cracks, and the tolerance does not
-   * bound the distance from the two triangles of a piece. `tessellate` has no cracks and keeps its tolerance.
+   * The recursive subdivision of the tutorials: every patch is split into four, and the parts again, until the control
+   * points of a part are within the tolerance of the plane of three of its corners (those with the largest triangle; of
+   * their line or point if they have no plane). For teaching: neighbours that were split differently leave cracks, and
+   * the tolerance does not bound the distance from the two triangles of a part. `tessellate` has no cracks and keeps
+   * its tolerance.
    *
    * @param {number} tolerance
    * @returns {FlatPiece[]} patch by patch
-   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and when all pieces, split
-   *   ones included, together have more than 2²⁴ control points (at degrees above 5 that comes first)
+   * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and if all pieces,
+   *   including split ones, have more than 2²⁴ control points together (the lower limit for degrees above 5)
    */
   subdivide(tolerance) {
-    return subdivide(() => this.#load(), tolerance);
+    return subdivide(() => this.#write(), tolerance);
   }
 
   /**
-   * Draws curves of constant u and v of all patches on a canvas context or a Path2D, projected: all lines in one call.
-   * The caller strokes.
+   * Draws the projected isocurves of all patches on a canvas context or a Path2D with one call of the core. The caller
+   * strokes the path.
    *
    * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
-   * @param {{ matrix: MatrixLike, lines?: number, tolerance?: number }} options `matrix`: from the surface's coordinates
-   *   to pixels, 16 numbers column-major; (X, Y, ·, W) is drawn at (X/W, Y/W). `lines`: strips per patch, 4 by default;
-   *   `tolerance`: in pixels, 0.1 by default
+   * @param {{ matrix: MatrixLike, lines?: number, tolerance?: number }} options `matrix`: maps the surface's
+   *   coordinates to pixels, 16 numbers column-major; (X, Y, ·, W) is drawn at (X/W, Y/W). `lines`: the number of
+   *   strips per patch in each direction, 4 by default; `tolerance`: in pixels, 0.1 by default
    */
   trace(target, options) {
-    const pen = check.drawingTarget(target);
+    const sink = check.drawingTarget(target);
     const { matrix, lines = 4, tolerance } = check.options(options);
     const m = check.matrixNumbers(/** @type {MatrixLike} */ (matrix));
     check.segmentCount(lines, "lines");
-    const px = check.optionalTolerance(tolerance);
-    const end = this.#load(16);
+    const tolerancePx = check.optionalTolerance(tolerance);
+    const end = this.#write(16);
     end.view.set(m.length === 6 ? [m[0], m[1], 0, 0, m[2], m[3], 0, 0, 0, 0, 1, 0, m[4], m[5], 0, 1] : m, end.at);
-    done(core().surface_trace(pen, lines, px));
+    unwrapCount(core().surface_trace(sink, lines, tolerancePx));
   }
 
   /**
    * @param {boolean} withJoined
    * @returns {(extra: number) => { view: Float64Array, at: number }}
    */
-  #loader(withJoined) {
-    return (extra) => this.#load(extra, withJoined);
+  #writer(withJoined) {
+    return (extra) => this.#write(extra, withJoined);
   }
 
   /** @param {number} k */
@@ -393,18 +402,19 @@ export class Surface {
   }
 
   /**
-   * Writes the surface to the arena, with room behind it.
+   * Writes the surface to the arena with room for `extra` more numbers, and returns the arena and the index of that
+   * room.
    *
    * @param {number} [extra]
-   * @param {boolean} [withJoined] not needed where patches stand alone
+   * @param {boolean} [withJoined] false for functions that treat patches separately
    */
-  #load(extra = 0, withJoined = true) {
+  #write(extra = 0, withJoined = true) {
     const { vertices, degrees, indices, joined } = this.#network;
     const from = 3 + degrees.length;
     const joinedAt = from + vertices.length + indices.length;
     const joinedCount = withJoined ? joined.length : 0;
     const at = joinedAt + joinedCount;
-    const view = load(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
+    const view = writeArguments(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
     view.set(degrees, 3);
     view.set(vertices, from);
     view.set(indices, from + vertices.length);
@@ -413,7 +423,7 @@ export class Surface {
   }
 }
 
-/** A network that was checked: what the constructor takes from inside. */
+/** A network that is already checked: the constructor accepts it from inside the package. */
 class CheckedNetwork {
   /** @param {Network} network */
   constructor(network) {
@@ -427,12 +437,12 @@ function surfaceOf(network) {
 }
 
 /**
- * The surface that the core left, see `put` in src/wasm/surface.rs.
+ * Reads a surface from the arena, see `write` in src/wasm/surface.rs.
  *
  * @param {number} length
  */
 function readSurface(length) {
-  const numbers = take(0, length);
+  const numbers = readResult(0, length);
   const [vertices, patches, joined] = numbers;
   const from = 3 + 2 * patches;
   const to = from + 3 * vertices;
@@ -447,9 +457,9 @@ function readSurface(length) {
 
 /** @param {Float64Array} vertices */
 function joinedOf(vertices) {
-  load(vertices);
-  const joined = take(0, core().points_joined(vertices.length / 3));
-  trim();
+  writeArguments(vertices);
+  const joined = readResult(0, core().points_joined(vertices.length / 3));
+  releaseMemory();
   return joined;
 }
 
@@ -460,15 +470,15 @@ function upAxis(options) {
 
 /**
  * @param {unknown} patches
- * @param {number} count of one net
+ * @param {number} count the number of points of one net
  * @param {number} vertices
  * @returns {Uint32Array}
  */
 function patchIndices(patches, count, vertices) {
-  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.shown(patches)}`);
+  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
   const all = new Uint32Array(patches.length * count);
   patches.forEach((net, k) => {
-    if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.shown(net)}`);
+    if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.describe(net)}`);
     if (net.length !== count)
       throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
     for (let i = 0; i < count; i++) all[k * count + i] = check.whole(net[i], `patches[${k}][${i}]`, 0, vertices - 1);

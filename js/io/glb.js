@@ -1,6 +1,5 @@
-// Meshes as binary glTF 2.0; src/io/glb.rs makes the same bytes. Source: Khronos, glTF 2.0 specification, §3 and
-// §4.
-import { checkMesh, inFloats, newFile } from "./mesh-file.js";
+// Meshes as binary glTF 2.0; src/io/glb.rs produces the same bytes. Source: Khronos, glTF 2.0 specification, §3 and §4.
+import { checkMesh, toFloat32Array, newFile } from "./mesh-file.js";
 
 /**
  * @import { Mesh } from "../geometry/mesh.js"
@@ -19,16 +18,16 @@ const UNSIGNED_INT = 5125;
 const ARRAY_BUFFER = 34962;
 const ELEMENT_ARRAY_BUFFER = 34963;
 
-/** The greatest vertex number of 16 bits; glTF keeps 65,535 for itself. */
-const GREATEST_SHORT = 0xfffe;
+/** The largest 16-bit vertex index; glTF reserves 65,535. */
+const MAX_SHORT_INDEX = 0xfffe;
 
 /** @param {number} length */
-const padded = (length) => Math.ceil(length / 4) * 4;
+const paddedLength = (length) => Math.ceil(length / 4) * 4;
 
 /**
- * A piece of the binary chunk and how it is described.
+ * A buffer view of the binary chunk: its data, its accessor without the index of the view, its target.
  *
- * @typedef {{ array: Float32Array | Uint16Array | Uint32Array, accessor: Record<string, unknown>, target: number }} Piece
+ * @typedef {{ array: Float32Array | Uint16Array | Uint32Array, accessor: Record<string, unknown>, target: number }} View
  */
 
 /**
@@ -38,44 +37,44 @@ const padded = (length) => Math.ceil(length / 4) * 4;
  */
 export function meshToGLB(mesh) {
   checkMesh(mesh, mesh.indices, 3);
-  const pieces = mesh.indices.length ? piecesOf(mesh) : [];
-  const length = pieces.reduce((sum, { array }) => sum + padded(array.byteLength), 0);
-  const json = new TextEncoder().encode(JSON.stringify(description(pieces, length)));
+  const views = mesh.indices.length ? viewsOf(mesh) : [];
+  const length = views.reduce((sum, { array }) => sum + paddedLength(array.byteLength), 0);
+  const json = new TextEncoder().encode(JSON.stringify(document(views, length)));
   const binary = length ? CHUNK_HEADER_BYTES + length : 0;
-  const bytes = newFile(HEADER_BYTES + CHUNK_HEADER_BYTES + padded(json.length) + binary);
+  const bytes = newFile(HEADER_BYTES + CHUNK_HEADER_BYTES + paddedLength(json.length) + binary);
   const view = new DataView(bytes.buffer);
-  const words = (/** @type {number} */ at, /** @type {number[]} */ ...list) =>
+  const writeWords = (/** @type {number} */ at, /** @type {number[]} */ ...list) =>
     list.forEach((word, k) => view.setUint32(at + 4 * k, word, true));
-  words(0, MAGIC, VERSION, bytes.length, padded(json.length), JSON_CHUNK);
+  writeWords(0, MAGIC, VERSION, bytes.length, paddedLength(json.length), JSON_CHUNK);
   let at = HEADER_BYTES + CHUNK_HEADER_BYTES;
-  bytes.fill(0x20, at, at + padded(json.length)).set(json, at);
-  at += padded(json.length);
-  if (length) words(at, length, BINARY_CHUNK);
+  bytes.fill(0x20, at, at + paddedLength(json.length)).set(json, at);
+  at += paddedLength(json.length);
+  if (length) writeWords(at, length, BINARY_CHUNK);
   at += CHUNK_HEADER_BYTES;
-  for (const { array } of pieces) {
+  for (const { array } of views) {
     bytes.set(littleEndian(array), at);
-    at += padded(array.byteLength);
+    at += paddedLength(array.byteLength);
   }
   return bytes;
 }
 
 /**
- * @param {Mesh} mesh with triangles
- * @returns {Piece[]} POSITION, NORMAL, TEXCOORD_0 if there is one, indices
+ * @param {Mesh} mesh with at least one triangle
+ * @returns {View[]} POSITION, NORMAL, TEXCOORD_0 if there is one, indices
  */
-function piecesOf(mesh) {
-  const positions = inFloats(mesh.positions, "positions");
+function viewsOf(mesh) {
+  const positions = toFloat32Array(mesh.positions, "positions");
   const count = positions.length / 3;
   const floats = (/** @type {Float32Array} */ array, /** @type {string} */ type, bounds = {}) => ({
     array,
     accessor: { componentType: FLOAT, count, type, ...bounds },
     target: ARRAY_BUFFER,
   });
-  const indices = count - 1 > GREATEST_SHORT ? Uint32Array.from(mesh.indices) : Uint16Array.from(mesh.indices);
+  const indices = count - 1 > MAX_SHORT_INDEX ? Uint32Array.from(mesh.indices) : Uint16Array.from(mesh.indices);
   const componentType = indices instanceof Uint16Array ? UNSIGNED_SHORT : UNSIGNED_INT;
   return [
     floats(positions, "VEC3", bounds(positions)),
-    floats(unitNormals(inFloats(mesh.normals, "normals")), "VEC3"),
+    floats(unitNormals(toFloat32Array(mesh.normals, "normals")), "VEC3"),
     ...(mesh.uvs ? [floats(mesh.uvs, "VEC2")] : []),
     {
       array: indices,
@@ -93,34 +92,34 @@ function bounds(positions) {
     min[k % 3] = Math.min(min[k % 3], x);
     max[k % 3] = Math.max(max[k % 3], x);
   });
-  // No −0, of which JSON is not sure.
+  // JSON.stringify writes −0 as 0, but other writers do not.
   return { min: min.map((x) => x + 0), max: max.map((x) => x + 0) };
 }
 
 /**
- * glTF knows no zero normals: those of a patch that is a curve become +z.
+ * glTF does not allow zero normals (of patches that are curves): they become +z.
  *
  * @param {Float32Array} normals
  */
 function unitNormals(normals) {
-  const zero = (/** @type {number} */ k) => !normals[k] && !normals[k + 1] && !normals[k + 2];
-  return normals.map((x, k) => (k % 3 === 2 && zero(k - 2) ? 1 : x));
+  const isZero = (/** @type {number} */ k) => !normals[k] && !normals[k + 1] && !normals[k + 2];
+  return normals.map((x, k) => (k % 3 === 2 && isZero(k - 2) ? 1 : x));
 }
 
 /**
- * The JSON chunk: one mesh in one node, both sides visible, as surfaces are open; an empty scene for an empty mesh.
+ * The JSON chunk: one mesh in one node, double-sided because surfaces may be open; an empty scene for an empty mesh.
  *
- * @param {Piece[]} pieces
+ * @param {View[]} views
  * @param {number} byteLength
  */
-function description(pieces, byteLength) {
+function document(views, byteLength) {
   const asset = { version: "2.0", generator: "casteljau" };
-  if (!pieces.length) return { asset, scene: 0, scenes: [{}] };
-  const names = pieces.length === 4 ? ["POSITION", "NORMAL", "TEXCOORD_0"] : ["POSITION", "NORMAL"];
+  if (!views.length) return { asset, scene: 0, scenes: [{}] };
+  const names = views.length === 4 ? ["POSITION", "NORMAL", "TEXCOORD_0"] : ["POSITION", "NORMAL"];
   let byteOffset = 0;
-  const bufferViews = pieces.map(({ array, target }) => {
+  const bufferViews = views.map(({ array, target }) => {
     const view = { buffer: 0, byteOffset, byteLength: array.byteLength, target };
-    byteOffset += padded(array.byteLength);
+    byteOffset += paddedLength(array.byteLength);
     return view;
   });
   const attributes = Object.fromEntries(names.map((name, k) => [name, k]));
@@ -131,14 +130,14 @@ function description(pieces, byteLength) {
     nodes: [{ mesh: 0 }],
     meshes: [{ primitives: [{ attributes, indices: names.length, material: 0 }] }],
     materials: [{ doubleSided: true }],
-    accessors: pieces.map(({ accessor }, k) => ({ bufferView: k, ...accessor })),
+    accessors: views.map(({ accessor }, k) => ({ bufferView: k, ...accessor })),
     bufferViews,
     buffers: [{ byteLength }],
   };
 }
 
 /**
- * The bytes of an array in the order of files.
+ * The bytes of an array in little-endian order.
  *
  * @param {Float32Array | Uint16Array | Uint32Array} array
  * @returns {Uint8Array}

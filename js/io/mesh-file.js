@@ -1,14 +1,14 @@
-// What the writers of mesh files share: checks of the arrays, conversion to f32, the size limit.
+// Functions that the writers of mesh files share: checks of the arrays, conversion to f32, the size limit.
 
 /**
  * @import { Mesh } from "../geometry/mesh.js"
  */
 
-/** The most bytes of a file: 1 GiB. */
+/** The largest file: 1 GiB. */
 const MAX_BYTES = 2 ** 30;
 
 /**
- * Zeros for a file, unless it is too long.
+ * The bytes of a file, filled with zeros. Throws a RangeError if it is too long.
  *
  * @internal
  * @param {number} length
@@ -20,14 +20,14 @@ export function newFile(length) {
 }
 
 /**
- * Numbers of 32 bits; the very array where it holds such.
+ * Converts numbers to f32; a Float32Array is returned unchanged.
  *
  * @internal
  * @param {Float32Array | Float64Array} numbers
  * @param {string} name
  * @returns {Float32Array}
  */
-export function inFloats(numbers, name) {
+export function toFloat32Array(numbers, name) {
   if (numbers instanceof Float32Array) return numbers;
   const floats = Float32Array.from(numbers);
   const bad = floats.findIndex((x) => !Number.isFinite(x));
@@ -36,12 +36,12 @@ export function inFloats(numbers, name) {
 }
 
 /**
- * Meshes are open to their users: refuses one whose arrays do not belong together.
+ * Throws a RangeError if the arrays of a mesh, which users can change, do not match.
  *
  * @internal
  * @param {Mesh} mesh
  * @param {Uint16Array | Uint32Array} faces
- * @param {number} corners of each
+ * @param {number} corners the number of corners of a face
  */
 export function checkMesh({ positions, normals, uvs }, faces, corners) {
   const vertices = positions.length / 3;
@@ -53,9 +53,9 @@ export function checkMesh({ positions, normals, uvs }, faces, corners) {
     const bad = list.findIndex((/** @type {number} */ x) => !Number.isFinite(x));
     if (bad >= 0) throw new RangeError(`${name}[${bad}]: expected a finite number, got ${list[bad]}`);
   }
-  const past = faces.findIndex((vertex) => vertex >= vertices);
-  if (past >= 0)
-    throw new RangeError(`indices: expected an index from 0 to ${Math.max(0, vertices - 1)}, got ${faces[past]}`);
+  const tooLarge = faces.findIndex((vertex) => vertex >= vertices);
+  if (tooLarge >= 0)
+    throw new RangeError(`indices: expected an index from 0 to ${Math.max(0, vertices - 1)}, got ${faces[tooLarge]}`);
 }
 
 /**

@@ -1,6 +1,6 @@
 // Meshes as Wavefront OBJ text; src/io/mesh_export.rs writes the same.
 import * as check from "../geometry/check.js";
-import { written } from "./format-number.js";
+import { formatNumber } from "./format-number.js";
 import { checkMesh } from "./mesh-file.js";
 
 /**
@@ -38,12 +38,12 @@ export function meshToOBJ(mesh, options) {
  * @param {string[]} lines
  * @param {string} word
  * @param {Float32Array | Float64Array} numbers
- * @param {number} count in a line
+ * @param {number} count the number of numbers per line
  */
 function addLines(lines, word, numbers, count) {
   for (let i = 0; i < numbers.length; i += count) {
     let line = word;
-    for (let k = i; k < i + count; k++) line += ` ${written(numbers, k)}`;
+    for (let k = i; k < i + count; k++) line += ` ${formatNumber(numbers, k)}`;
     lines.push(line);
   }
 }

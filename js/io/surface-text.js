@@ -1,24 +1,24 @@
-// Surfaces from text and to text; src/io/surface_text.rs does the same with the same words.
-import { refusal, Reader, shown } from "./text-reader.js";
-import { written } from "./format-number.js";
+// Parsing and writing the text of surfaces; src/io/surface_text.rs does the same with the same messages.
+import { quote, Reader, syntaxError } from "./text-reader.js";
+import { formatNumber } from "./format-number.js";
 
 /**
  * @import { Network } from "../geometry/surface.js"
  */
 
-/** The shortest vertex, `0 0 0` and a line break. */
-const VERTEX_CHARACTERS = 6;
-/** The shortest patch of vertex numbers: `1 1` and twice `0 0`, with line breaks. */
-const NET_CHARACTERS = 4 + 2 * 4;
-/** The shortest patch of points: `1 1` and four vertices. A row of 16 vertex numbers is longer. */
-const PATCH_CHARACTERS = 4 + 4 * VERTEX_CHARACTERS;
-/** The vertex numbers of a patch in a listing. */
-const LISTED = 16;
-/** Of what is larger, one is as bad as the other. */
-const MOST_INDEX = 0xffffffff;
+/** The length of the shortest vertex, `0 0 0` and a line break. */
+const MIN_VERTEX_CHARACTERS = 6;
+/** The length of the shortest patch of vertex numbers: `1 1` and twice `0 0`, with line breaks. */
+const MIN_NET_CHARACTERS = 4 + 2 * 4;
+/** The length of the shortest patch of points: `1 1` and four vertices. A row of 16 vertex numbers is longer. */
+const MIN_PATCH_CHARACTERS = 4 + 4 * MIN_VERTEX_CHARACTERS;
+/** The number of vertex numbers per patch in a listing. */
+const LISTING_ROW = 16;
+/** Larger indices are replaced by this one: it is out of range, too. */
+const MAX_INDEX = 0xffffffff;
 
 /**
- * What is being read.
+ * The state of the parser.
  *
  * @typedef {{ reader: Reader, vertices: number[], indices: number[], degrees: number[] }} Parser
  */
@@ -26,9 +26,10 @@ const MOST_INDEX = 0xffffffff;
 /**
  * @internal
  * @param {string} text
- * @param {(vertices: Float64Array) => Float64Array} joinedOf gives for each vertex the first at the same place
+ * @param {(vertices: Float64Array) => Float64Array} joinedOf returns for each vertex the index of the first one with
+ *   the same position
  * @returns {Network}
- * @throws {RangeError} with the number of the line
+ * @throws {RangeError} with the line number
  */
 export function parseSurface(text, joinedOf) {
   const reader = new Reader(text);
@@ -38,20 +39,20 @@ export function parseSurface(text, joinedOf) {
   if (words === 1 && reader.word(0) === "surface") readIndexed(parser);
   else {
     const count = reader.whole(0, '"surface" or the number of patches');
-    if (words > 1) throw refusal(reader.line, "the number of patches alone", `${words} words`);
+    if (words > 1) throw syntaxError(reader.line, "the number of patches alone", `${words} words`);
     readNumbered(parser, count);
   }
-  if (reader.next(1)) throw reader.refusal(0, "the end of the text");
+  if (reader.next(1)) throw reader.syntaxError(0, "the end of the text");
   const vertices = new Float64Array(parser.vertices);
   const { degrees } = parser;
   const joined = joinedOf(vertices);
-  // Patches without vertex numbers: points at the same place are one vertex.
+  // The text has points instead of vertex numbers: points with the same position become one vertex.
   if (degrees.length > parser.indices.length) return { degrees, ...sharedVertices(vertices, joined) };
   return { vertices, joined, degrees, indices: new Uint32Array(parser.indices) };
 }
 
 /**
- * Keeps the first of equal vertices.
+ * Keeps the first of the vertices with the same position.
  *
  * @param {Float64Array} vertices overwritten
  * @param {Float64Array} joined
@@ -72,15 +73,15 @@ function sharedVertices(vertices, joined) {
 }
 
 /**
- * The form that `surfaceText` writes, after its first row.
+ * Parses the format of `surfaceText` after its first row.
  *
  * @param {Parser} parser
  */
 function readIndexed(parser) {
   const { reader, vertices } = parser;
-  const count = namedCount(reader, "vertices", VERTEX_CHARACTERS);
+  const count = namedCount(reader, "vertices", MIN_VERTEX_CHARACTERS);
   for (let k = 0; k < count; k++) readPoint(reader, vertices);
-  const patches = namedCount(reader, "patches", NET_CHARACTERS);
+  const patches = namedCount(reader, "patches", MIN_NET_CHARACTERS);
   for (let k = 0; k < patches; k++) {
     reader.words(2, "degrees");
     const [degreeU, degreeV] = readDegrees(parser);
@@ -92,23 +93,23 @@ function readIndexed(parser) {
 }
 
 /**
- * The forms that start with the number of patches, after it.
+ * Parses the formats that start with the number of patches, after that row.
  *
  * @param {Parser} parser
  * @param {number} count
  */
 function readNumbered(parser, count) {
   const { reader } = parser;
-  checkCount(reader, count, "patches", 0, PATCH_CHARACTERS);
+  checkCount(reader, count, "patches", 0, MIN_PATCH_CHARACTERS);
   if (count === 0) return;
-  const words = reader.next(LISTED);
-  if (words === LISTED) readListing(parser, count);
+  const words = reader.next(LISTING_ROW);
+  if (words === LISTING_ROW) readListing(parser, count);
   else if (words === 2) readPoints(parser, count);
-  else throw refusal(reader.line, "2 degrees or 16 vertex numbers", words || "the end of the text");
+  else throw syntaxError(reader.line, "2 degrees or 16 vertex numbers", words || "the end of the text");
 }
 
 /**
- * The .bpt form from the first degrees on, which were read.
+ * Parses the .bpt format after the row with the first degrees.
  *
  * @param {Parser} parser
  * @param {number} count
@@ -123,64 +124,64 @@ function readPoints(parser, count) {
 }
 
 /**
- * The listing from its first row of vertex numbers on, which was read.
+ * Parses a listing after its first row of vertex numbers.
  *
  * @param {Parser} parser
  * @param {number} count
  */
 function readListing(parser, count) {
   const { reader, vertices, indices, degrees } = parser;
-  // The vertices come later; only then is it known how many there are.
+  // The number of vertices is only known later: it follows these rows.
   let largest = { index: -1, line: 0, word: "" };
   for (let k = 0; k < count; k++) {
-    if (k > 0) reader.words(LISTED, "vertex numbers");
+    if (k > 0) reader.words(LISTING_ROW, "vertex numbers");
     readIndices(parser, 1, Infinity);
-    for (let place = 0; place < LISTED; place++) {
-      const index = Math.min(indices[LISTED * k + place], MOST_INDEX);
-      if (index >= largest.index) largest = { index, line: reader.line, word: reader.word(place) ?? "" };
+    for (let i = 0; i < LISTING_ROW; i++) {
+      const index = Math.min(indices[LISTING_ROW * k + i], MAX_INDEX);
+      if (index >= largest.index) largest = { index, line: reader.line, word: reader.word(i) ?? "" };
     }
     degrees.push(3, 3);
   }
   reader.words(1, "number of vertices");
   const vertexCount = reader.whole(0, "the number of vertices");
-  checkCount(reader, vertexCount, "vertices", 0, VERTEX_CHARACTERS);
+  checkCount(reader, vertexCount, "vertices", 0, MIN_VERTEX_CHARACTERS);
   for (let k = 0; k < vertexCount; k++) readPoint(reader, vertices);
-  if (largest.index >= vertexCount) throw refusal(largest.line, vertexRange(1, vertexCount), shown(largest.word));
+  if (largest.index >= vertexCount) throw syntaxError(largest.line, vertexRange(1, vertexCount), quote(largest.word));
 }
 
 /**
- * The count in the next row, behind its name.
+ * Reads a row with a name and a count.
  *
  * @param {Reader} reader
  * @param {string} name
- * @param {number} least characters of each
+ * @param {number} minCharacters the length of the shortest item
  * @returns {number}
  */
-function namedCount(reader, name, least) {
+function namedCount(reader, name, minCharacters) {
   const expected = `"${name}" and their number`;
-  if (reader.next(2) !== 2 || reader.word(0) !== name) throw reader.refusal(0, expected);
+  if (reader.next(2) !== 2 || reader.word(0) !== name) throw reader.syntaxError(0, expected);
   const count = reader.whole(1, expected);
-  checkCount(reader, count, name, 1, least);
+  checkCount(reader, count, name, 1, minCharacters);
   return count;
 }
 
 /**
- * Refuses more than the text can hold.
+ * Throws a RangeError if the text is too short for that many items.
  *
  * @param {Reader} reader
  * @param {number} count
  * @param {string} name
- * @param {number} place of the count in its row
- * @param {number} least characters of each
+ * @param {number} index the index of the count in its row
+ * @param {number} minCharacters the length of the shortest item
  */
-function checkCount(reader, count, name, place, least) {
+function checkCount(reader, count, name, index, minCharacters) {
   const { length } = reader;
-  const most = Math.floor(length / least);
-  if (count > most) throw reader.refusal(place, `at most ${most} ${name} in a text of ${length} characters`);
+  const max = Math.floor(length / minCharacters);
+  if (count > max) throw reader.syntaxError(index, `at most ${max} ${name} in a text of ${length} characters`);
 }
 
 /**
- * The next row as a point.
+ * Reads the next row as a point.
  *
  * @param {Reader} reader
  * @param {number[]} vertices
@@ -191,16 +192,16 @@ function readPoint(reader, vertices) {
 }
 
 /**
- * The degrees in the row that was read last.
+ * Reads the degrees in the current row.
  *
  * @param {Parser} parser
  * @returns {number[]}
  */
 function readDegrees({ reader, degrees }) {
   const expected = "a degree from 1 to 64";
-  const both = [0, 1].map((place) => {
-    const degree = reader.whole(place, expected);
-    if (degree < 1 || degree > 64) throw reader.refusal(place, expected);
+  const both = [0, 1].map((index) => {
+    const degree = reader.whole(index, expected);
+    if (degree < 1 || degree > 64) throw reader.syntaxError(index, expected);
     return degree;
   });
   degrees.push(...both);
@@ -208,17 +209,16 @@ function readDegrees({ reader, degrees }) {
 }
 
 /**
- * The vertex numbers in the row that was read last.
+ * Reads the vertex numbers in the current row.
  *
  * @param {Parser} parser
- * @param {number} first
- * @param {number} count how many are allowed, from the first on
+ * @param {number} first the smallest vertex number
+ * @param {number} count the number of vertices
  */
 function readIndices({ reader, indices }, first, count) {
-  for (let place = 0; place < reader.count; place++) {
-    const number = reader.whole(place, "a vertex number");
-    const index = number - first;
-    if (!(index >= 0 && index < count)) throw reader.refusal(place, vertexRange(first, count));
+  for (let i = 0; i < reader.count; i++) {
+    const index = reader.whole(i, "a vertex number") - first;
+    if (!(index >= 0 && index < count)) throw reader.syntaxError(i, vertexRange(first, count));
     indices.push(index);
   }
 }
@@ -241,7 +241,7 @@ function vertexRange(first, count) {
 export function surfaceText({ vertices, degrees, indices }) {
   const rows = ["surface", `vertices ${vertices.length / 3}`];
   for (let i = 0; i < vertices.length; i += 3)
-    rows.push(`${written(vertices, i)} ${written(vertices, i + 1)} ${written(vertices, i + 2)}`);
+    rows.push(`${formatNumber(vertices, i)} ${formatNumber(vertices, i + 1)} ${formatNumber(vertices, i + 2)}`);
   rows.push(`patches ${degrees.length / 2}`);
   for (let k = 0, at = 0; k < degrees.length; k += 2) {
     rows.push(`${degrees[k]} ${degrees[k + 1]}`);

@@ -1,7 +1,7 @@
-// Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs compute the same, operation for operation, and say why.
-// No sines of the engine: they differ from those of other systems in the last digit.
+// Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs perform the same operations and explain them.
+// `Math.sin` is not used, because its last digit differs between systems.
 
-const LONGEST_PIECE = 0.195;
+const MAX_PIECE_ANGLE = 0.195;
 const ROUNDING = 2 * Number.EPSILON;
 const TERMS = 9;
 const TANGENT_TERMS = 13;
@@ -68,12 +68,12 @@ function angle(x, y) {
  * @param {Pair} by
  * @returns {Pair}
  */
-function turned([vx, vy], [x, y]) {
+function rotate([vx, vy], [x, y]) {
   return [vx * x - vy * y, vx * y + vy * x];
 }
 
 /**
- * The cubics of an arc, six coordinates each after its first point; null for a line.
+ * The cubics of an arc: for each the six coordinates after its start; null if the arc is a line.
  *
  * @internal
  * @param {number} x0
@@ -85,7 +85,7 @@ function turned([vx, vy], [x, y]) {
  */
 export function arc(x0, y0, n, x1, y1) {
   const axis = directionOfDegrees(n[2]);
-  const [hx, hy] = turned([x0 * 0.5 - x1 * 0.5, y0 * 0.5 - y1 * 0.5], [axis[0], -axis[1]]);
+  const [hx, hy] = rotate([x0 * 0.5 - x1 * 0.5, y0 * 0.5 - y1 * 0.5], [axis[0], -axis[1]]);
   let [rx, ry] = [Math.abs(n[0]), Math.abs(n[1])];
   let [dx, dy] = [hx / rx, hy / ry];
   const scale = Math.max(Math.abs(dx), Math.abs(dy));
@@ -107,15 +107,15 @@ export function arc(x0, y0, n, x1, y1) {
   const u = [dx + side * (py * (height / part)), dy + side * (-px * (height / part))];
   const small = angle(height, length);
   const theta = large ? 2 * Math.PI - 2 * small : 2 * small;
-  const pieces = Math.ceil(theta / LONGEST_PIECE);
+  const pieces = Math.ceil(theta / MAX_PIECE_ANGLE);
   const step = direction(theta / (2 * pieces));
   if (!sweep) step[1] = -step[1];
-  const reach = ((4 / 3) * step[1]) / (1 + step[0]);
-  const out = (/** @type {Pair} */ [x, y]) => turned([x * rx, y * ry], axis);
+  const handleRatio = ((4 / 3) * step[1]) / (1 + step[0]);
+  const toUser = (/** @type {Pair} */ [x, y]) => rotate([x * rx, y * ry], axis);
   const tangent = (/** @type {Pair} */ beta) => {
-    const end = turned(u, turned(beta, beta));
-    const [x, y] = out([-end[1], end[0]]);
-    return [x * reach, y * reach];
+    const end = rotate(u, rotate(beta, beta));
+    const [x, y] = toUser([-end[1], end[0]]);
+    return [x * handleRatio, y * handleRatio];
   };
   const cubics = [];
   /** @type {Pair} */
@@ -123,9 +123,9 @@ export function arc(x0, y0, n, x1, y1) {
   let [x, y] = [x0, y0];
   let handle = tangent(beta);
   for (let left = pieces - 1; left >= 0; left--) {
-    beta = turned(beta, step);
-    const middle = turned(u, beta);
-    const chord = out([-middle[1] * (2 * beta[1]), middle[0] * (2 * beta[1])]);
+    beta = rotate(beta, step);
+    const middle = rotate(u, beta);
+    const chord = toUser([-middle[1] * (2 * beta[1]), middle[0] * (2 * beta[1])]);
     const next = left === 0 ? [x1, y1] : [x0 + chord[0], y0 + chord[1]];
     const nextHandle = tangent(beta);
     cubics.push(x + handle[0], y + handle[1], next[0] - nextHandle[0], next[1] - nextHandle[1], next[0], next[1]);

@@ -1,17 +1,17 @@
-// The words of path data: blanks, numbers, flags. src/io/svg_number.rs reads the same.
-import { shown } from "./text-reader.js";
+// Tokens of SVG path data: separators, numbers, flags. src/io/svg_number.rs reads the same grammar.
+import { quote } from "./text-reader.js";
 
-/** What comes when nothing comes. */
+/** The name of the end of the text in messages. */
 const END = "the end of the text";
 
-/** So many digits make a whole number below 2⁵³. */
+/** An integer with at most this number of digits is below 2⁵³. */
 const EXACT_DIGITS = 15;
 const POWERS = Array.from({ length: EXACT_DIGITS + 1 }, (_, k) => Number(`1e${k}`));
 
 const [TAB, LINE_FEED, FORM_FEED, RETURN, BLANK, PLUS, COMMA, MINUS, POINT] = [9, 10, 12, 13, 32, 43, 44, 45, 46];
 const [ZERO, ONE, NINE, UPPER_E] = [48, 49, 57, 69];
 
-/** A lower-case letter less its upper-case one. */
+/** The difference between the codes of a lower-case letter and its upper-case letter. */
 const CASE = 32;
 
 /** @param {number} byte */
@@ -20,11 +20,11 @@ const isBlank = (byte) => byte === BLANK || byte === LINE_FEED || byte === TAB |
 const isDigit = (byte) => byte >= ZERO && byte <= NINE;
 
 /**
- * What is wrong with path data, and where.
+ * A syntax error of path data: its offset and what was expected.
  *
  * @internal
  */
-export class Refusal {
+export class PathDataError {
   /**
    * @param {number} offset
    * @param {string} expected
@@ -36,7 +36,8 @@ export class Refusal {
 }
 
 /**
- * Path data, read from front to back. All that was read is ASCII, so that bytes and characters have the same offsets.
+ * A scanner of path data. Everything before the current position is ASCII, so offsets of bytes and characters are
+ * equal.
  *
  * @internal
  */
@@ -44,7 +45,7 @@ export class Scanner {
   /** @param {string} text */
   constructor(text) {
     this.text = text;
-    /** In bytes, which are read several times as fast as characters; with a NUL behind, which ends everything. */
+    /** The text in UTF-8, which is read several times as fast as characters, with a NUL added as end mark. */
     this.bytes = new TextEncoder().encode(`${text}\0`);
     this.length = this.bytes.length - 1;
     this.at = 0;
@@ -54,7 +55,7 @@ export class Scanner {
     while (isBlank(this.bytes[this.at])) this.at++;
   }
 
-  /** Skips blanks with at most one comma among them; whether there was one. */
+  /** Skips blanks and at most one comma; returns whether there was a comma. */
   skipSeparator() {
     this.skipBlanks();
     if (this.bytes[this.at] !== COMMA) return false;
@@ -70,8 +71,8 @@ export class Scanner {
   }
 
   /**
-   * A number: an optional sign, digits with an optional point, an optional exponent. As many characters as can belong
-   * to it: "1.5.5" is 1.5 and 0.5.
+   * Reads a number: an optional sign, digits with an optional decimal point, an optional exponent. It is the longest
+   * possible one: "1.5.5" gives 1.5 and 0.5.
    *
    * @returns {number}
    */
@@ -91,44 +92,44 @@ export class Scanner {
       decimals = at - point - 1;
       count += decimals;
     }
-    if (count === 0) throw new Refusal(this.at, "a number");
-    const power = (bytes[at] & ~CASE) === UPPER_E ? this.#exponent(at) : at;
-    if (power !== at || count > EXACT_DIGITS) return this.#anyNumber(power);
+    if (count === 0) throw new PathDataError(this.at, "a number");
+    const end = (bytes[at] & ~CASE) === UPPER_E ? this.#exponent(at) : at;
+    if (end !== at || count > EXACT_DIGITS) return this.#anyNumber(end);
     this.at = at;
-    // Digits and power of ten are exact, so that their quotient is the nearest number, as `Number` would give it.
+    // The integer of all digits and the power of ten are exact, so their quotient is correctly rounded, as by `Number`.
     const size = decimals ? digits / POWERS[decimals] : digits;
     return negative ? -size : size;
   }
 
   /**
-   * A flag of an arc: one character.
+   * Reads a flag of an arc, one character.
    *
    * @returns {number} 0 or 1
    */
   flag() {
     const byte = this.bytes[this.at];
-    if (byte !== ZERO && byte !== ONE) throw new Refusal(this.at, "a flag (0 or 1)");
+    if (byte !== ZERO && byte !== ONE) throw new PathDataError(this.at, "a flag (0 or 1)");
     this.at++;
     return byte - ZERO;
   }
 
   /**
-   * The text from an offset to the next blank or comma (or that one), as a message shows it.
+   * The text from an offset up to the next blank or comma (or that character itself), formatted for a message.
    *
    * @param {number} offset
    * @returns {string}
    */
-  shown(offset) {
+  describe(offset) {
     const { text } = this;
     if (offset >= text.length) return END;
-    const separates = (/** @type {number} */ at) => text.charCodeAt(at) === COMMA || isBlank(text.charCodeAt(at));
+    const isSeparator = (/** @type {number} */ at) => text.charCodeAt(at) === COMMA || isBlank(text.charCodeAt(at));
     let end = offset;
-    while (end < text.length && !separates(end)) end++;
-    return shown(text.slice(offset, Math.max(end, offset + 1)));
+    while (end < text.length && !isSeparator(end)) end++;
+    return quote(text.slice(offset, Math.max(end, offset + 1)));
   }
 
   /**
-   * Where an exponent ends that starts here, or here if none does.
+   * The end of the exponent that starts at an offset, or that offset if there is no exponent.
    *
    * @param {number} from
    */
@@ -142,13 +143,13 @@ export class Scanner {
   }
 
   /**
-   * The number up to an offset.
+   * Reads the number that ends at an offset.
    *
    * @param {number} end
    */
   #anyNumber(end) {
     const number = Number(this.text.slice(this.at, end));
-    if (!Number.isFinite(number)) throw new Refusal(this.at, "a finite number");
+    if (!Number.isFinite(number)) throw new PathDataError(this.at, "a finite number");
     this.at = end;
     return number;
   }

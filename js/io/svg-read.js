@@ -1,10 +1,10 @@
-// Paths from SVG path data; src/io/svg_read.rs reads the same, message for message and bit for bit.
-import { Packer } from "../wasm/packed-path.js";
+// Parsing SVG path data; src/io/svg_read.rs gives the same messages and bit-identical paths.
+import { PackedPathBuilder } from "../wasm/packed-path.js";
 import { arc } from "./svg-arc.js";
-import { Refusal, Scanner } from "./svg-number.js";
+import { PathDataError, Scanner } from "./svg-number.js";
 
-/** The numbers that a command takes, by its upper-case letter. */
-const ARGUMENTS = new Int8Array(128).fill(-1);
+/** The number of arguments of a command, by the code of its letter; −1 for other characters. */
+const ARGUMENT_COUNTS = new Int8Array(128).fill(-1);
 for (const [letters, count] of /** @type {[string, number][]} */ ([
   ["Z", 0],
   ["HV", 1],
@@ -13,33 +13,33 @@ for (const [letters, count] of /** @type {[string, number][]} */ ([
   ["C", 6],
   ["A", 7],
 ])) {
-  for (const letter of letters + letters.toLowerCase()) ARGUMENTS[letter.charCodeAt(0)] = count;
+  for (const letter of letters + letters.toLowerCase()) ARGUMENT_COUNTS[letter.charCodeAt(0)] = count;
 }
 
 const [CUBIC, HORIZONTAL, LINE, MOVE] = [67, 72, 76, 77];
 const [QUADRATIC, SMOOTH_CUBIC, SMOOTH_QUADRATIC, VERTICAL] = [81, 83, 84, 86];
 
-/** A lower-case letter less its upper-case one. */
+/** The difference between the codes of a lower-case letter and its upper-case letter. */
 const CASE = 32;
 
 /**
- * What path data says.
+ * Parses path data.
  *
  * @internal
  * @param {string} d
- * @returns {{ packed: Float64Array, error: { offset: number, message: string } | null }} with an error, what was read
- *   before it
+ * @returns {{ packed: Float64Array, error: { offset: number, message: string } | null }} with an error, the path before
+ *   it
  */
 export function readSvg(d) {
   const scanner = new Scanner(d);
-  const builder = new Builder();
+  const builder = new PathBuilder();
   let error = null;
   try {
     read(scanner, builder);
-  } catch (refusal) {
-    if (!(refusal instanceof Refusal)) throw refusal;
-    const { offset, expected } = refusal;
-    error = { offset, message: `d: expected ${expected} at offset ${offset}, got ${scanner.shown(offset)}` };
+  } catch (caught) {
+    if (!(caught instanceof PathDataError)) throw caught;
+    const { offset, expected } = caught;
+    error = { offset, message: `d: expected ${expected} at offset ${offset}, got ${scanner.describe(offset)}` };
   }
   builder.endOpen();
   return { packed: builder.packer.packed(), error };
@@ -47,15 +47,15 @@ export function readSvg(d) {
 
 /**
  * @param {Scanner} scanner
- * @param {Builder} builder
+ * @param {PathBuilder} builder
  */
 function read(scanner, builder) {
   scanner.skipBlanks();
   for (let first = true; scanner.at < scanner.length; first = false) {
     const command = scanner.bytes[scanner.at];
-    const count = command < 128 ? ARGUMENTS[command] : -1;
-    if (first && (command & ~CASE) !== MOVE) throw new Refusal(scanner.at, '"M" or "m"');
-    if (count < 0) throw new Refusal(scanner.at, "a command");
+    const count = command < 128 ? ARGUMENT_COUNTS[command] : -1;
+    if (first && (command & ~CASE) !== MOVE) throw new PathDataError(scanner.at, '"M" or "m"');
+    if (count < 0) throw new PathDataError(scanner.at, "a command");
     scanner.at++;
     scanner.skipBlanks();
     if (count > 0) readGroups(scanner, builder, command, count);
@@ -64,33 +64,33 @@ function read(scanner, builder) {
 }
 
 /**
- * The arguments of a command, once or more often.
+ * Reads the arguments of a command, one or more groups of them.
  *
  * @param {Scanner} scanner
- * @param {Builder} builder
+ * @param {PathBuilder} builder
  * @param {number} command
  * @param {number} count
  */
 function readGroups(scanner, builder, command, count) {
-  const n = builder.numbers;
+  const n = builder.args;
   do {
     const offset = scanner.at;
     for (let k = 0; k < count; k++) {
       if (k > 0) scanner.skipSeparator();
       n[k] = count === 7 && (k === 3 || k === 4) ? scanner.flag() : scanner.number();
     }
-    if (!builder.draw(command)) throw new Refusal(offset, "finite coordinates");
-    // What follows a moveto are linetos.
+    if (!builder.draw(command)) throw new PathDataError(offset, "finite coordinates");
+    // Further groups after a moveto are linetos.
     if ((command & ~CASE) === MOVE) command -= MOVE - LINE;
   } while (scanner.skipSeparator() || scanner.atNumber());
 }
 
-/** A path that is being drawn. */
-class Builder {
-  packer = new Packer();
-  /** The numbers of the command. */
-  numbers = new Float64Array(7);
-  /** Where the pen is, and where the subpath started. */
+/** Builds a path from drawing commands. */
+class PathBuilder {
+  packer = new PackedPathBuilder();
+  /** The arguments of the command. */
+  args = new Float64Array(7);
+  /** The current point and the start of the subpath. */
   x = 0;
   y = 0;
   startX = 0;
@@ -99,21 +99,21 @@ class Builder {
   drawing = false;
   /** Whether the last command was Z. */
   closed = false;
-  /** The degree of a preceding curve, and its last control point (for S and T); 0 after anything else. */
+  /** The degree of the previous curve (0 after other commands) and its last control point, for S and T. */
   smooth = 0;
   controlX = 0;
   controlY = 0;
 
   /**
-   * One command with its numbers; false where they lead out of what a number holds, and then nothing was drawn.
+   * Draws one command with the arguments in `args`. Returns false, and draws nothing, if a coordinate overflows.
    *
    * @param {number} command
    * @returns {boolean}
    */
   draw(command) {
-    const { numbers: n, x, y } = this;
+    const { args: n, x, y } = this;
     const relative = (command & CASE) !== 0;
-    // −0 changes no number that is added to it, not even −0.
+    // Adding −0 changes no number, not even −0.
     const [baseX, baseY] = [relative ? x : -0, relative ? y : -0];
     switch (command & ~CASE) {
       case MOVE:
@@ -147,7 +147,7 @@ class Builder {
     if (this.closed) return;
     const { points } = this.packer;
     if (!this.drawing || this.x !== this.startX || this.y !== this.startY) this.#line(this.startX, this.startY);
-    // −0 and 0 are one place: the first point stands for both (and the last is left out when packed).
+    // −0 and 0 are the same position: the first point is used for both (the last point is omitted when packed).
     this.x = this.startX;
     this.y = this.startY;
     points.list[points.length - 2] = this.x;
@@ -158,7 +158,7 @@ class Builder {
     this.smooth = 0;
   }
 
-  /** Ends a subpath that was not closed. */
+  /** Ends a subpath that is not closed. */
   endOpen() {
     if (this.drawing) this.packer.endSubpath(false);
     this.drawing = false;
@@ -179,7 +179,7 @@ class Builder {
   }
 
   /**
-   * The start of a segment, where it is the first.
+   * Starts a segment, and with the first segment the subpath.
    *
    * @param {number} degree
    */
@@ -224,7 +224,7 @@ class Builder {
    * @param {number} y
    */
   #quadratic(x1, y1, x, y) {
-    // A difference of finite numbers from themselves is 0, that of others NaN.
+    // x − x is 0 for finite numbers and NaN for others.
     if (x1 - x1 + (y1 - y1) + (x - x) + (y - y) !== 0) return false;
     this.#begin(2);
     this.#point(x1, y1);
@@ -269,7 +269,7 @@ class Builder {
   #arc(x, y) {
     if (!(Number.isFinite(x) && Number.isFinite(y))) return false;
     if (x !== this.x || y !== this.y) {
-      const c = arc(this.x, this.y, this.numbers, x, y);
+      const c = arc(this.x, this.y, this.args, x, y);
       if (!c) this.#line(x, y);
       else for (let k = 0; k < c.length; k += 6) this.#cubic(c[k], c[k + 1], c[k + 2], c[k + 3], c[k + 4], c[k + 5]);
     }

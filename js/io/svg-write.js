@@ -1,63 +1,63 @@
-// Paths as SVG path data, and drawn; src/io/svg_write.rs writes the same.
+// Drawing paths and writing them as SVG path data; src/io/svg_write.rs writes the same text.
 import * as check from "../geometry/check.js";
 import { core } from "../wasm/init.js";
 import { extents } from "../wasm/packed-path.js";
-import { done } from "../wasm/errors.js";
-import { load, take } from "../wasm/transfer.js";
+import { unwrapCount } from "../wasm/errors.js";
+import { writeArguments, readResult } from "../wasm/transfer.js";
 
-/** From here on a number has no digits after the point, and `String` writes it with an exponent. */
-const EXPONENT_FROM = 1e21;
+/** From this value on, numbers have no digits after the decimal point, and `String` writes them with an exponent. */
+const MIN_EXPONENTIAL = 1e21;
 
-/** The most digits that `toFixed` knows. */
-const MOST_DIGITS = 100;
+/** The maximum number of digits of `toFixed`. */
+const MAX_DIGITS = 100;
 
 const COMMANDS = ["", "L", "Q", "C"];
 
 /**
- * What draws a packed path: `move`, then `curve` with the degree (1 to 3), the coordinates and the place of the first
- * one after the start; `close`.
+ * The receiver of drawing commands: `move`, then `curve` with the degree (1 to 3), an array of coordinates and the
+ * index of the first control point after the start; `close`.
  *
  * @typedef {object} PathSink
  * @property {(x: number, y: number) => void} move
  * @property {(degree: number, list: Float64Array, at: number) => void} curve
- * @property {(line: boolean) => void} close the argument says whether the last line is left to it
+ * @property {(line: boolean) => void} close the argument says whether it has to draw the last line
  */
 
 /**
  * Draws a packed path; higher degrees become cubics.
  *
  * @param {Float64Array} packed
- * @param {PathSink} pen
+ * @param {PathSink} sink
  * @param {number} tolerance 0 for the default
- * @param {boolean} closing whether the last line of a closed subpath is drawn, or left to `close`
+ * @param {boolean} drawClosingLine whether the last line of a closed subpath is drawn, or left to `close`
  */
-function draw(packed, pen, tolerance, closing) {
+function draw(packed, sink, tolerance, drawClosingLine) {
   for (const { segments, closed, degrees, points, end } of extents(packed)) {
-    pen.move(packed[points], packed[points + 1]);
+    sink.move(packed[points], packed[points + 1]);
     let at = points + 2;
     let left = false;
     for (let k = 0; k < segments; k++) {
       const degree = packed[degrees + k];
       const after = at + 2 * degree;
-      const ring = after > end;
-      left = ring && degree === 1 && !closing && leftToClose(packed, points, at);
-      if (!ring && degree <= 3) pen.curve(degree, packed, at);
+      const endsAtStart = after > end;
+      left = endsAtStart && degree === 1 && !drawClosingLine && leftToClose(packed, points, at);
+      if (!endsAtStart && degree <= 3) sink.curve(degree, packed, at);
       else if (!left) {
         const curve = new Float64Array(2 * degree + 2);
         curve.set(packed.subarray(at - 2, Math.min(after, end)));
-        if (ring) curve.set(packed.subarray(points, points + 2), 2 * degree);
-        if (degree <= 3) pen.curve(degree, curve, 2);
-        else cubics(pen, curve, tolerance);
+        if (endsAtStart) curve.set(packed.subarray(points, points + 2), 2 * degree);
+        if (degree <= 3) sink.curve(degree, curve, 2);
+        else drawCubics(sink, curve, tolerance);
       }
       at = after;
     }
-    if (closed) pen.close(left && segments > 1);
+    if (closed) sink.close(left && segments > 1);
   }
 }
 
 /**
- * Whether a closed subpath's last line, which starts before a place, is the one that closing draws: it has a length, or
- * there is nothing else.
+ * Whether the last line of a closed subpath, whose end would be at an index, is the line that closing draws: it has a
+ * length, or it is the only segment.
  *
  * @param {Float64Array} packed
  * @param {number} points
@@ -68,18 +68,18 @@ function leftToClose(packed, points, at) {
 }
 
 /**
- * @param {PathSink} pen
+ * @param {PathSink} sink
  * @param {Float64Array} curve
  * @param {number} tolerance
  */
-function cubics(pen, curve, tolerance) {
-  load(curve);
-  const list = take(0, core().curve_cubics(curve.length / 2, tolerance));
-  for (let at = 0; at < list.length; at += 6) pen.curve(3, list, at);
+function drawCubics(sink, curve, tolerance) {
+  writeArguments(curve);
+  const list = readResult(0, core().curve_cubics(curve.length / 2, tolerance));
+  for (let at = 0; at < list.length; at += 6) sink.curve(3, list, at);
 }
 
 /**
- * Refuses a tolerance that the coordinates cannot resolve.
+ * Throws a RangeError for a tolerance below the precision of the coordinates.
  *
  * @param {Float64Array} packed
  * @param {number} tolerance
@@ -89,7 +89,7 @@ function checkTolerance(packed, tolerance) {
   let size = 0;
   for (const { points, end } of extents(packed))
     for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
-  done(core().path_check_tolerance(tolerance, size));
+  unwrapCount(core().path_check_tolerance(tolerance, size));
 }
 
 /**
@@ -97,28 +97,28 @@ function checkTolerance(packed, tolerance) {
  *
  * @internal
  * @param {Float64Array} packed
- * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} given
+ * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
  * @param {{ tolerance?: number } | undefined} options for degrees above 3
  */
-export function traceOn(packed, given, options) {
-  const target = check.drawingTarget(given);
+export function traceOn(packed, target, options) {
+  const canvas = check.drawingTarget(target);
   const tolerance = check.optionalTolerance(check.options(options).tolerance);
   checkTolerance(packed, tolerance);
-  const pen = {
-    move: (/** @type {number} */ x, /** @type {number} */ y) => target.moveTo(x, y),
+  const sink = {
+    move: (/** @type {number} */ x, /** @type {number} */ y) => canvas.moveTo(x, y),
     curve: (/** @type {number} */ degree, /** @type {Float64Array} */ p, /** @type {number} */ at) => {
-      if (degree === 1) target.lineTo(p[at], p[at + 1]);
-      else if (degree === 2) target.quadraticCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3]);
-      else target.bezierCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4], p[at + 5]);
+      if (degree === 1) canvas.lineTo(p[at], p[at + 1]);
+      else if (degree === 2) canvas.quadraticCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3]);
+      else canvas.bezierCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4], p[at + 5]);
     },
-    close: () => target.closePath(),
+    close: () => canvas.closePath(),
   };
-  draw(packed, pen, tolerance, true);
+  draw(packed, sink, tolerance, true);
 }
 
 /**
- * How path data is written: `precision` (0 to 100) asks for the short form with so many digits after the point at most,
- * `tolerance` is for degrees above 3, which become cubics.
+ * The options of SVG path data: `precision` (0 to 100), the maximum number of digits after the decimal point, selects
+ * the shortest form; `tolerance` is for degrees above 3, which become cubics.
  *
  * @typedef {{ precision?: number, tolerance?: number }} SvgOptions
  */
@@ -133,15 +133,15 @@ export function traceOn(packed, given, options) {
  */
 export function svgOf(packed, options) {
   const { precision, tolerance } = check.options(options);
-  if (precision !== undefined) check.whole(precision, "precision", 0, MOST_DIGITS);
-  const most = check.optionalTolerance(tolerance);
-  checkTolerance(packed, most);
-  const writer = precision === undefined ? new ExactWriter() : new BriefWriter(precision);
-  draw(packed, writer, most, false);
+  if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
+  const maxError = check.optionalTolerance(tolerance);
+  checkTolerance(packed, maxError);
+  const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  draw(packed, writer, maxError, false);
   return writer.text;
 }
 
-/** Absolute commands, each number with the fewest digits that give it back. */
+/** Writes absolute commands, each number with the fewest digits that round-trip. */
 class ExactWriter {
   text = "";
 
@@ -150,7 +150,7 @@ class ExactWriter {
    * @param {number} y
    */
   move(x, y) {
-    this.text += `${this.text ? " " : ""}M${exactly(x)},${exactly(y)}`;
+    this.text += `${this.text ? " " : ""}M${roundTrip(x)},${roundTrip(y)}`;
   }
 
   /**
@@ -159,8 +159,8 @@ class ExactWriter {
    * @param {number} at
    */
   curve(degree, list, at) {
-    let text = ` ${COMMANDS[degree]}${exactly(list[at])},${exactly(list[at + 1])}`;
-    for (let k = at + 2; k < at + 2 * degree; k += 2) text += ` ${exactly(list[k])},${exactly(list[k + 1])}`;
+    let text = ` ${COMMANDS[degree]}${roundTrip(list[at])},${roundTrip(list[at + 1])}`;
+    for (let k = at + 2; k < at + 2 * degree; k += 2) text += ` ${roundTrip(list[k])},${roundTrip(list[k + 1])}`;
     this.text += text;
   }
 
@@ -169,15 +169,17 @@ class ExactWriter {
   }
 }
 
-/** So many digits after the point at most, and no character that can be left out. */
-class BriefWriter {
+/** Writes the shortest absolute form, with a maximum number of digits after the decimal point. */
+class ShortWriter {
   text = "";
-  /** Where the pen is, in words; what numbers without a command would mean; the last number before the next. */
+  /** The current point as text. */
   #x = "";
   #y = "";
   #startX = "";
   #startY = "";
+  /** The command that numbers without a command have. */
   #implied = "";
+  /** The previous number, if the next one follows it directly. */
   #last = "";
 
   /** @param {number} precision */
@@ -192,7 +194,7 @@ class BriefWriter {
   move(x, y) {
     this.#x = this.#startX = fixed(x, this.precision);
     this.#y = this.#startY = fixed(y, this.precision);
-    this.#put("M", [this.#x, this.#y]);
+    this.#write("M", [this.#x, this.#y]);
   }
 
   /**
@@ -203,17 +205,17 @@ class BriefWriter {
   curve(degree, list, at) {
     const words = Array.from(list.subarray(at, at + 2 * degree), (number) => fixed(number, this.precision));
     const [x, y] = [words[2 * degree - 2], words[2 * degree - 1]];
-    if (degree === 1 && y === this.#y) this.#put("H", [x]);
-    else if (degree === 1 && x === this.#x) this.#put("V", [y]);
-    else this.#put(COMMANDS[degree], words);
+    if (degree === 1 && y === this.#y) this.#write("H", [x]);
+    else if (degree === 1 && x === this.#x) this.#write("V", [y]);
+    else this.#write(COMMANDS[degree], words);
     this.#x = x;
     this.#y = y;
   }
 
   /** @param {boolean} line */
   close(line) {
-    // Where rounding has left the last line no length, it is written.
-    if (line && this.#x === this.#startX && this.#y === this.#startY) this.#put("H", [this.#x]);
+    // If rounding reduces the last line to length 0, it is written.
+    if (line && this.#x === this.#startX && this.#y === this.#startY) this.#write("H", [this.#x]);
     this.text += "Z";
     this.#implied = "";
   }
@@ -222,7 +224,7 @@ class BriefWriter {
    * @param {string} command
    * @param {string[]} words
    */
-  #put(command, words) {
+  #write(command, words) {
     let text = "";
     let last = this.#last;
     if (command !== this.#implied) {
@@ -231,8 +233,9 @@ class BriefWriter {
     }
     this.#implied = command === "M" ? "L" : command;
     for (const word of words) {
-      const apart = last === "" || word[0] === "-" || (word[0] === "." && (last.includes(".") || last.includes("e")));
-      text += apart ? word : ` ${word}`;
+      const needsNoSpace =
+        last === "" || word[0] === "-" || (word[0] === "." && (last.includes(".") || last.includes("e")));
+      text += needsNoSpace ? word : ` ${word}`;
       last = word;
     }
     this.text += text;
@@ -241,18 +244,18 @@ class BriefWriter {
 }
 
 /** @param {number} x */
-function exactly(x) {
+function roundTrip(x) {
   return x === 0 && Object.is(x, -0) ? "-0" : `${x}`;
 }
 
 /**
- * A number with at most so many digits after the point, without zeros that say nothing: "-.5".
+ * A number with at most `digits` digits after the decimal point, without redundant zeros: "-.5".
  *
  * @param {number} x
  * @param {number} digits
  */
 function fixed(x, digits) {
-  if (Math.abs(x) >= EXPONENT_FROM) return String(x).replace("+", "");
+  if (Math.abs(x) >= MIN_EXPONENTIAL) return String(x).replace("+", "");
   let word = x.toFixed(digits);
   if (digits > 0) {
     let end = word.length;

@@ -1,15 +1,15 @@
-// The rows of a text, and what can be wrong with them; src/io/text_reader.rs reads the same.
+// Reading text by rows, and syntax errors; src/io/text_reader.rs reads the same format.
 
-/** What comes when nothing comes. */
+/** The name of the end of the text in messages. */
 const END = "the end of the text";
 
 const BYTE_ORDER_MARK = 0xfeff;
 
-/** How much of a word a message shows. */
-const SHOWN_CHARACTERS = 40;
+/** The maximum number of characters of a word that a message shows. */
+const MAX_SHOWN_CHARACTERS = 40;
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
-/** So many digits make a whole number below 2⁵³. */
+/** An integer with at most this number of digits is below 2⁵³. */
 const EXACT_DIGITS = 15;
 const POWERS = Array.from({ length: EXACT_DIGITS + 1 }, (_, k) => Number(`1e${k}`));
 const WHOLE = /^\d+$/;
@@ -23,132 +23,135 @@ const isBreak = (byte) => byte === LINE_FEED || byte === RETURN;
 const isBlank = (byte) => byte === BLANK || byte === TAB || byte === COMMA || (byte > LINE_FEED && byte < RETURN);
 
 /**
- * A text as rows of words.
+ * A reader of text as rows of words.
  *
- * Blanks, tabs and commas separate words; `#` starts a comment, which ends with its line; lines end with a line feed, a
- * carriage return or both. Lines without words are numbered, but are no rows.
+ * Spaces, tabs and commas separate words; `#` starts a comment up to the end of the line; a line ends with a line feed,
+ * a carriage return or both. Lines without words are counted but skipped.
  *
  * @internal
  */
 export class Reader {
   /** @param {string} text */
   constructor(text) {
-    /** What the text counts as its length, in UTF-16. */
+    /** The length of the text in UTF-16 units. */
     this.length = text.length;
     const marked = text.charCodeAt(0) === BYTE_ORDER_MARK;
-    /** In bytes, which are read several times as fast as characters; with a line break behind, which ends the last word. */
+    /**
+     * The text in UTF-8, which is read several times as fast as characters, with a line break added to end the last
+     * word.
+     */
     this.bytes = new TextEncoder().encode(`${marked ? text.slice(1) : text}\n`);
     this.at = 0;
-    /** The number of the line that was read last. */
+    /** The line number of the current row. */
     this.line = 1;
     /**
-     * Where the words of the row that was read last start and end, up to those wanted: a string for each would take
-     * more time than all the rest.
+     * The start and the end of each word of the current row, up to the requested number. Creating strings would take
+     * more time than everything else.
      *
      * @type {number[]}
      */
     this.ends = [];
-    /** How many words of it are kept. */
+    /** The number of words in `ends`. */
     this.count = 0;
   }
 
   /**
-   * A word of the row that was read last.
+   * A word of the current row.
    *
-   * @param {number} place
-   * @returns {string | undefined} nothing past the words that were wanted
+   * @param {number} index
+   * @returns {string | undefined} undefined past the requested number of words
    */
-  word(place) {
-    if (place >= this.count) return undefined;
+  word(index) {
+    if (index >= this.count) return undefined;
     return new TextDecoder("utf-8", { ignoreBOM: true }).decode(
-      this.bytes.subarray(this.ends[2 * place], this.ends[2 * place + 1]),
+      this.bytes.subarray(this.ends[2 * index], this.ends[2 * index + 1]),
     );
   }
 
   /**
-   * Reads the next row. Words beyond those wanted are only counted: a row may be as long as the text.
+   * Reads the next row. Words beyond the requested number are only counted, because a row may be as long as the text.
    *
-   * @param {number} wanted
-   * @returns {number} how many words it has, 0 at the end of the text
+   * @param {number} requested
+   * @returns {number} the number of words in the row, 0 at the end of the text
    */
-  next(wanted) {
+  next(requested) {
     this.count = 0;
     while (!this.#findWord()) if (!this.#nextLine()) return 0;
     let count = 0;
     for (; this.#findWord(); count++) {
       const from = this.at;
       this.#skipWord();
-      if (count >= wanted) continue;
+      if (count >= requested) continue;
       this.ends[2 * count] = from;
       this.ends[2 * count + 1] = this.at;
     }
-    this.count = Math.min(count, wanted);
+    this.count = Math.min(count, requested);
     return count;
   }
 
   /**
-   * Reads the next row, which must have exactly that many words.
+   * Reads the next row, which must have exactly this number of words.
    *
    * @param {number} count
    * @param {string} what
    */
   words(count, what) {
     const got = this.next(count);
-    if (got !== count) throw refusal(this.line, `${count} ${what}`, got || END);
+    if (got !== count) throw syntaxError(this.line, `${count} ${what}`, got || END);
   }
 
   /**
-   * The number at a place of the row that was read last.
+   * A number of the current row.
    *
-   * @param {number} place
+   * @param {number} index
    * @returns {number}
    */
-  number(place) {
-    const plain = this.#plain(place);
-    if (!Number.isNaN(plain)) return plain;
-    const word = this.word(place) ?? "";
-    if (!NUMBER.test(word)) throw this.refusal(place, "a number");
+  number(index) {
+    const simple = this.#simpleNumber(index);
+    if (!Number.isNaN(simple)) return simple;
+    const word = this.word(index) ?? "";
+    if (!NUMBER.test(word)) throw this.syntaxError(index, "a number");
     const number = Number(word);
-    if (!Number.isFinite(number)) throw this.refusal(place, "a finite number");
+    if (!Number.isFinite(number)) throw this.syntaxError(index, "a finite number");
     return number;
   }
 
   /**
-   * The whole number at a place of the row that was read last.
+   * An integer of the current row.
    *
-   * @param {number} place
+   * @param {number} index
    * @param {string} expected
    * @returns {number}
    */
-  whole(place, expected) {
-    const word = this.word(place) ?? "";
-    if (!WHOLE.test(word)) throw this.refusal(place, expected);
+  whole(index, expected) {
+    const word = this.word(index) ?? "";
+    if (!WHOLE.test(word)) throw this.syntaxError(index, expected);
     return Number(word);
   }
 
   /**
-   * A refusal of the word at a place of the row that was read last, or of the text's end.
+   * The error for a word of the current row, or for the end of the text.
    *
-   * @param {number} place
+   * @param {number} index
    * @param {string} expected
    */
-  refusal(place, expected) {
-    const word = this.word(place);
-    return refusal(this.line, expected, word === undefined ? END : shown(word));
+  syntaxError(index, expected) {
+    const word = this.word(index);
+    return syntaxError(this.line, expected, word === undefined ? END : quote(word));
   }
 
   /**
-   * A number of few digits and no exponent, NaN for any other word.
+   * Parses a number with at most 15 digits and no exponent; NaN for any other word.
    *
-   * Digits and power of ten are exact, so that their quotient is the nearest number, as `Number` would give it.
+   * The integer of all digits and the power of ten are exact, so their quotient is correctly rounded, as by `Number`.
    *
-   * @param {number} place
+   * @param {number} index
    * @returns {number}
    */
-  #plain(place) {
+  #simpleNumber(index) {
     const { bytes, ends } = this;
-    let at = ends[2 * place];
-    const end = ends[2 * place + 1];
+    let at = ends[2 * index];
+    const end = ends[2 * index + 1];
     const sign = bytes[at] === MINUS ? -1 : 1;
     if (sign < 0) at++;
     const first = at;
@@ -164,7 +167,7 @@ export class Reader {
     return count > 0 && count <= EXACT_DIGITS ? (sign * digits) / (point < end ? POWERS[end - point - 1] : 1) : NaN;
   }
 
-  /** Whether a word starts here or after some blanks, on this line. */
+  /** Skips separators and comments; returns whether a word starts on this line. */
   #findWord() {
     const { bytes } = this;
     let { at } = this;
@@ -181,7 +184,7 @@ export class Reader {
     this.at = at;
   }
 
-  /** Goes to the start of the next line; false at the end of the text. */
+  /** Moves to the start of the next line; returns false at the end of the text. */
   #nextLine() {
     const { bytes, at } = this;
     const width = bytes[at] === RETURN && bytes[at + 1] === LINE_FEED && at + 2 < bytes.length ? 2 : 1;
@@ -198,21 +201,21 @@ export class Reader {
  * @param {string} expected
  * @param {string | number} got
  */
-export function refusal(line, expected, got) {
+export function syntaxError(line, expected, got) {
   return new RangeError(`line ${line}: expected ${expected}, got ${got}`);
 }
 
 /**
- * A word in quotes, or its beginning.
+ * A word in quotation marks, shortened if it is long.
  *
  * @internal
  * @param {string} word
  * @returns {string}
  */
-export function shown(word) {
-  // Twice as many units, so that no character is cut.
-  const characters = [...word.slice(0, 2 * SHOWN_CHARACTERS + 2)];
+export function quote(word) {
+  // Twice as many UTF-16 units, so that no character is cut.
+  const characters = [...word.slice(0, 2 * MAX_SHOWN_CHARACTERS + 2)];
   return JSON.stringify(
-    characters.length > SHOWN_CHARACTERS ? `${characters.slice(0, SHOWN_CHARACTERS).join("")}…` : word,
+    characters.length > MAX_SHOWN_CHARACTERS ? `${characters.slice(0, MAX_SHOWN_CHARACTERS).join("")}…` : word,
   );
 }

@@ -1,4 +1,4 @@
-// Meshes as geometry of three.js, whose names the caller hands over: this package does not depend on it.
+// Meshes as geometries of three.js. The caller passes its namespace, so this package does not depend on three.js.
 import * as check from "../geometry/check.js";
 
 /**
@@ -6,14 +6,14 @@ import * as check from "../geometry/check.js";
  */
 
 /**
- * What is used of a geometry.
+ * The methods of a geometry that are used.
  *
  * @template Attribute
  * @typedef {{ setAttribute(name: string, attribute: Attribute): unknown, setIndex(attribute: Attribute): unknown }} GeometryLike
  */
 
 /**
- * What is used of three.js.
+ * The classes of three.js that are used.
  *
  * @template Attribute
  * @template {GeometryLike<Attribute>} Geometry
@@ -31,10 +31,10 @@ import * as check from "../geometry/check.js";
 export function meshToThree({ positions, normals, uvs, indices }, THREE) {
   const names = /** @type {const} */ (["BufferGeometry", "BufferAttribute"]);
   if (!names.every((name) => typeof THREE?.[name] === "function")) {
-    throw new TypeError(`THREE: expected the namespace of three.js, got ${check.shown(THREE)}`);
+    throw new TypeError(`THREE: expected the namespace of three.js, got ${check.describe(THREE)}`);
   }
   const geometry = new THREE.BufferGeometry();
-  // WebGL knows no numbers of 64 bits.
+  // WebGL has no f64 attributes.
   const floats = (/** @type {Float32Array | Float64Array} */ list) =>
     list instanceof Float32Array ? list : Float32Array.from(list);
   geometry.setAttribute("position", new THREE.BufferAttribute(floats(positions), 3));

@@ -1,53 +1,53 @@
-import { curves } from "./curves-module.js";
+import { curvesModule } from "./curves-module.js";
 import { core, memory } from "./init.js";
 
-/** @import { Gate } from "./wasm-module.js" */
+/** @import { WasmModule } from "./wasm-module.js" */
 
-/** Above this many numbers the arena gives its memory back after a result was read. */
+/** The memory of a result with more numbers than this is released after it was read. */
 export const LARGE_RESULT = 1 << 20;
 
 /**
- * A view of at least `length` numbers over the arena, the block of wasm memory through which all numbers pass:
- * write the arguments from its start, call the core, read the result from its start.
+ * A view of at least `length` numbers of the arena, the block of wasm memory through which all numbers pass: write the
+ * arguments from its start, call the core, read the result from its start.
  *
  *     const a = arena(8);
  *     a.set(points);
  *     core().curve_tangent(2, 4, t);
  *     return { x: a[0], y: a[1] };
  *
- * Where a call may allocate or its result may be longer than the view, ask again with the result's length before
- * reading: growing memory empties every view of it (so that its length, 0, is too small here), and a longer arena
- * may lie elsewhere. The contents survive. Never hand a view out.
+ * If the call may allocate, or its result may be longer than the view, call `arena` again with the length of the result
+ * before reading it: growing the memory detaches every view (the length of a detached view is 0, so it is too short
+ * here), and a longer arena may have another address. The contents are kept. Never return a view to the user.
  *
  * @internal
  * @param {number} length
- * @param {Gate} [gate] whose arena
+ * @param {WasmModule} [wasmModule] the module whose arena it is
  * @returns {Float64Array}
  */
-export function arena(length, gate = curves) {
-  const view = gate.view;
-  return view.length >= length ? view : reserve(length, gate);
+export function arena(length, wasmModule = curvesModule) {
+  const view = wasmModule.view;
+  return view.length >= length ? view : reserve(length, wasmModule);
 }
 
 /**
  * @param {number} length
- * @param {Gate} gate
+ * @param {WasmModule} wasmModule
  * @returns {Float64Array}
  */
-function reserve(length, gate) {
-  const address = core(gate).arena_reserve(length) >>> 0; // above 2 GiB it comes as a negative number
-  const view = new Float64Array(memory(gate).buffer, address, core(gate).arena_length());
-  gate.view = view;
+function reserve(length, wasmModule) {
+  const address = core(wasmModule).arena_reserve(length) >>> 0; // addresses above 2 GiB are returned as negative numbers
+  const view = new Float64Array(memory(wasmModule).buffer, address, core(wasmModule).arena_length());
+  wasmModule.view = view;
   return view;
 }
 
 /**
- * Gives the memory of a large result back to the core's allocator. Every earlier view is void: ask again.
+ * Returns the memory of a large result to the core's allocator. Earlier views are no longer valid: call `arena` again.
  *
  * @internal
- * @param {Gate} [gate]
+ * @param {WasmModule} [wasmModule]
  */
-export function trimArena(gate = curves) {
-  core(gate).arena_trim();
-  gate.view = new Float64Array(0);
+export function trimArena(wasmModule = curvesModule) {
+  core(wasmModule).arena_trim();
+  wasmModule.view = new Float64Array(0);
 }

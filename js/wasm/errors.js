@@ -1,41 +1,43 @@
+// Errors that the core reports.
 import { arena, LARGE_RESULT, trimArena } from "./arena.js";
-import { curves } from "./curves-module.js";
+import { curvesModule } from "./curves-module.js";
 import { memory } from "./init.js";
 
-/** @import { Gate } from "./wasm-module.js" */
+/** @import { WasmModule } from "./wasm-module.js" */
 
 /** The number of parts of a message, two numbers each; see `Error::parts` in src/geometry/error.rs. */
-const PARTS = 11;
+const MESSAGE_PARTS = 11;
 
 /**
- * What a call to the core returned; a count of −1 says that it refused and left a message.
+ * Checks the count that a call to the core returned: −1 says that the core left an error message instead of a result.
  *
  * @internal
  * @param {number} count
- * @param {Gate} [gate] where the call went
+ * @param {WasmModule} [wasmModule] the module that was called
  * @returns {number} the count
- * @throws {RangeError} with the core's message, when it refused
+ * @throws {RangeError} with the core's message
  */
-export function done(count, gate = curves) {
-  if (count < 0) throw refusal(gate);
+export function unwrapCount(count, wasmModule = curvesModule) {
+  if (count < 0) throw coreError(wasmModule);
   return count;
 }
 
 /**
- * The message that the core left in place of a result: words by address and length, numbers with −1 behind them.
+ * The error whose message is in the arena. A part of the message is a string (address and length) or a number (the
+ * number and −1).
  *
- * @param {Gate} gate
+ * @param {WasmModule} wasmModule
  * @returns {RangeError}
  */
-function refusal(gate) {
-  gate.view = new Float64Array(0); // the call may have made the arena longer, and moved it, before it refused
-  const parts = arena(2 * PARTS, gate);
+function coreError(wasmModule) {
+  wasmModule.view = new Float64Array(0); // the call may have moved the arena before it failed
+  const parts = arena(2 * MESSAGE_PARTS, wasmModule);
   let message = "";
-  for (let i = 0; i < 2 * PARTS; i += 2) {
+  for (let i = 0; i < 2 * MESSAGE_PARTS; i += 2) {
     const [value, length] = [parts[i], parts[i + 1]];
-    message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory(gate).buffer, value, length));
+    message += length < 0 ? value : new TextDecoder().decode(new Uint8Array(memory(wasmModule).buffer, value, length));
   }
-  if (parts.length > LARGE_RESULT) trimArena(gate);
-  // The core names parameters as Rust does: degree_u is degreeU here.
+  if (parts.length > LARGE_RESULT) trimArena(wasmModule);
+  // The core uses Rust's names of parameters: degree_u is degreeU in JavaScript.
   return new RangeError(message.replace(/_([a-z])/g, (_, letter) => letter.toUpperCase()));
 }

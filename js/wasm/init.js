@@ -1,8 +1,8 @@
-import { curves } from "./curves-module.js";
-import { gates } from "./wasm-module.js";
+import { curvesModule } from "./curves-module.js";
+import { wasmModules } from "./wasm-module.js";
 
 /**
- * @import { CubicEval, Gate } from "./wasm-module.js"
+ * @import { CubicEval, WasmModule } from "./wasm-module.js"
  * @import { Functions } from "../glue/functions.js"
  */
 
@@ -13,92 +13,94 @@ import { gates } from "./wasm-module.js";
  */
 
 /**
- * Compiles the core ahead of its first use, without blocking. Never needed with `casteljau`, where the first call
- * does the same synchronously; needed once with `casteljau/slim`, which carries no wasm and must be given it:
+ * Compiles the core before its first use, asynchronously. With `casteljau` this is optional, because the first call
+ * compiles it synchronously. With `casteljau/slim`, which does not contain the wasm module, call it once:
  *
  *     await init(fetch(new URL("casteljau/casteljau.wasm", import.meta.url)));
  *
- * Further calls do nothing. After a failure it can be called again.
+ * Further calls do nothing. After a failure, it can be called again.
  *
- * @param {WasmSource | PromiseLike<WasmSource>} [source] with `casteljau`, left out: the bytes inside the package
+ * @param {WasmSource | PromiseLike<WasmSource>} [source] optional with `casteljau`, whose default is the bytes in the
+ *   package
  * @returns {Promise<void>}
- * @throws {TypeError} when the source is of none of these kinds, or is missing where it is needed
+ * @throws {TypeError} if the source is of another kind, or missing with `casteljau/slim`
  */
 export async function init(source) {
-  const given = await source; // awaited in any case, so that a failed fetch is never left unhandled
-  const waiting = gates.filter((gate) => !gate.functions);
-  if (given === undefined) return void (await Promise.all(waiting.map(compileInlined)));
-  if (!waiting.length) return;
-  const module = await compile(given);
-  for (const gate of waiting) if (!gate.functions) start(gate, module);
+  const awaited = await source; // always awaited, so that a failed fetch never is an unhandled rejection
+  const uncompiled = wasmModules.filter((wasmModule) => !wasmModule.functions);
+  if (awaited === undefined) return void (await Promise.all(uncompiled.map(compileInlined)));
+  if (!uncompiled.length) return;
+  const module = await compile(awaited);
+  for (const wasmModule of uncompiled) if (!wasmModule.functions) instantiate(wasmModule, module);
 }
 
 /**
- * The functions of the Rust core, started at the first call. A count of −1 says that the core refused (see `take`).
+ * The functions of the Rust core, which is instantiated by the first call. A count of −1 means an error (see
+ * `unwrapCount`).
  *
  * @internal
- * @param {Gate} [gate]
+ * @param {WasmModule} [wasmModule]
  * @returns {Functions}
- * @throws {Error} with `casteljau/slim`, before `init` has ended
+ * @throws {Error} with `casteljau/slim`, before the promise of `init` is fulfilled
  */
-export function core(gate = curves) {
-  return gate.functions ?? startNow(gate);
+export function core(wasmModule = curvesModule) {
+  return wasmModule.functions ?? instantiateSync(wasmModule);
 }
 
 /**
- * The one function of the core that is exported without a wrapper.
+ * The only function of the core that is called without the wrapper of wasm-bindgen.
  *
  * @internal
  * @returns {CubicEval}
  */
 export function cubicEval() {
-  if (!curves.cubicEval) startNow(curves);
-  return /** @type {CubicEval} */ (curves.cubicEval);
+  if (!curvesModule.cubicEval) instantiateSync(curvesModule);
+  return /** @type {CubicEval} */ (curvesModule.cubicEval);
 }
 
 /**
- * The core's memory. Views of it die when it grows: never keep one across a call.
+ * The core's memory. When it grows, its views are detached: never keep a view across a call.
  *
  * @internal
- * @param {Gate} [gate]
+ * @param {WasmModule} [wasmModule]
  * @returns {WebAssembly.Memory}
  */
-export function memory(gate = curves) {
-  if (!gate.memory) startNow(gate);
-  return /** @type {WebAssembly.Memory} */ (gate.memory);
+export function memory(wasmModule = curvesModule) {
+  if (!wasmModule.memory) instantiateSync(wasmModule);
+  return /** @type {WebAssembly.Memory} */ (wasmModule.memory);
 }
 
 /**
- * @param {Gate} gate
+ * @param {WasmModule} wasmModule
  * @returns {Functions}
  */
-function startNow(gate) {
-  if (!gate.bytes) {
+function instantiateSync(wasmModule) {
+  if (!wasmModule.bytes) {
     throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
   }
-  return start(gate, new WebAssembly.Module(gate.bytes()));
+  return instantiate(wasmModule, new WebAssembly.Module(wasmModule.bytes()));
 }
 
 /**
- * @param {Gate} gate
+ * @param {WasmModule} wasmModule
  * @param {WebAssembly.Module} module
  * @returns {Functions}
  */
-function start(gate, module) {
-  const exports = /** @type {any} */ (gate.link({ module }));
-  gate.memory = exports.memory;
-  gate.cubicEval = exports.cubic_eval;
-  gate.functions = exports;
+function instantiate(wasmModule, module) {
+  const exports = /** @type {any} */ (wasmModule.link({ module }));
+  wasmModule.memory = exports.memory;
+  wasmModule.cubicEval = exports.cubic_eval;
+  wasmModule.functions = exports;
   return exports;
 }
 
-/** @param {Gate} gate */
-async function compileInlined(gate) {
-  if (!gate.bytes) {
+/** @param {WasmModule} wasmModule */
+async function compileInlined(wasmModule) {
+  if (!wasmModule.bytes) {
     throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
   }
-  const module = await compile(gate.bytes());
-  if (!gate.functions) start(gate, module); // a synchronous first call may have come in between
+  const module = await compile(wasmModule.bytes());
+  if (!wasmModule.functions) instantiate(wasmModule, module); // a synchronous first call may have instantiated it meanwhile
 }
 
 /**
@@ -116,7 +118,7 @@ async function compile(source) {
 }
 
 /**
- * Compiles while it arrives, where the server names the type of wasm files; else from the whole body.
+ * Compiles the response while it arrives if the server sends the media type of wasm; otherwise after all of it arrived.
  *
  * @param {Response} response
  * @returns {Promise<WebAssembly.Module>}

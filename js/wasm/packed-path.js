@@ -1,15 +1,16 @@
-// Paths as one array, in the arena's form: the number of subpaths, then each one as a spline: the number of segments, 1
-// if closed (else 0), the degree of each segment, the control points. One copy takes a path of any size to the core.
+// Packed paths: a path as one array, in the layout of the arena. The number of subpaths, then for each subpath: the
+// number of segments, 1 if closed (otherwise 0), the degree of each segment, the control points. A path of any size is
+// passed to the core with one copy.
 
 /**
- * Where a subpath lies in a packed path.
+ * The indices of a subpath's parts in a packed path: of its degrees, of its points, and the index after it.
  *
  * @internal
  * @typedef {{ segments: number, closed: boolean, degrees: number, points: number, end: number }} Extent
  */
 
 /**
- * The subpath that starts at a place.
+ * The extent of the subpath that starts at an index.
  *
  * @internal
  * @param {Float64Array} packed
@@ -27,7 +28,7 @@ export function extentAt(packed, at) {
 }
 
 /**
- * All subpaths.
+ * The extents of all subpaths.
  *
  * @internal
  * @param {Float64Array} packed
@@ -42,7 +43,7 @@ export function* extents(packed) {
 }
 
 /**
- * A path of one spline.
+ * Packs one spline.
  *
  * @internal
  * @param {Float64Array} flat
@@ -55,17 +56,19 @@ export function packedSpline(flat, degrees, closed) {
 }
 
 /**
- * A path of splines.
+ * Packs splines.
  *
  * @internal
- * @param {{ flat: Float64Array, degrees: readonly number[], closed: boolean }[]} parts
+ * @param {{ flat: Float64Array, degrees: readonly number[], closed: boolean }[]} splines
  * @returns {Float64Array}
  */
-export function packedSplines(parts) {
-  const packed = new Float64Array(parts.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 1));
-  packed[0] = parts.length;
+export function packedSplines(splines) {
+  const packed = new Float64Array(
+    splines.reduce((sum, { flat, degrees }) => sum + 2 + degrees.length + flat.length, 1),
+  );
+  packed[0] = splines.length;
   let at = 1;
-  for (const { flat, degrees, closed } of parts) {
+  for (const { flat, degrees, closed } of splines) {
     packed[at] = degrees.length;
     packed[at + 1] = closed ? 1 : 0;
     packed.set(degrees, at + 2);
@@ -77,7 +80,7 @@ export function packedSplines(parts) {
 }
 
 /** @template {Float64Array | Uint8Array} T */
-class Growing {
+class GrowableArray {
   /** @param {T} list */
   constructor(list) {
     this.list = list;
@@ -96,16 +99,16 @@ class Growing {
 }
 
 /**
- * A packed path that is being made.
+ * Builds a packed path segment by segment.
  *
  * @internal
  */
-export class Packer {
-  /** Coordinates, joints once each; a closed subpath ends with its first point again. */
-  points = new Growing(new Float64Array(256));
-  degrees = new Growing(new Uint8Array(64));
-  /** For each subpath where it ends in these, and whether it is closed. */
-  ends = new Growing(new Float64Array(12));
+export class PackedPathBuilder {
+  /** Coordinates; joints are stored once. The last point of a closed subpath equals its first point. */
+  points = new GrowableArray(new Float64Array(256));
+  degrees = new GrowableArray(new Uint8Array(64));
+  /** For each subpath: its end in `points`, its end in `degrees`, 1 if closed. */
+  ends = new GrowableArray(new Float64Array(12));
 
   /** @param {boolean} closed */
   endSubpath(closed) {
@@ -114,20 +117,24 @@ export class Packer {
     this.ends.push(closed ? 1 : 0);
   }
 
-  /** @returns {Float64Array} */
+  /**
+   * The packed path, without the repeated last points of closed subpaths.
+   *
+   * @returns {Float64Array}
+   */
   packed() {
     const [points, degrees, ends] = [this.points.list, this.degrees.list, this.ends.list];
     const count = this.ends.length / 3;
-    let closed = 0;
-    for (let k = 0; k < count; k++) closed += ends[3 * k + 2];
-    const packed = new Float64Array(1 + 2 * count + this.degrees.length + this.points.length - 2 * closed);
+    let closedCount = 0;
+    for (let k = 0; k < count; k++) closedCount += ends[3 * k + 2];
+    const packed = new Float64Array(1 + 2 * count + this.degrees.length + this.points.length - 2 * closedCount);
     packed[0] = count;
     for (let k = 0, at = 1, p = 0, d = 0; k < count; k++) {
-      const [pointsEnd, degreesEnd, ring] = [ends[3 * k], ends[3 * k + 1], ends[3 * k + 2]];
+      const [pointsEnd, degreesEnd, isClosed] = [ends[3 * k], ends[3 * k + 1], ends[3 * k + 2]];
       packed[at++] = degreesEnd - d;
-      packed[at++] = ring;
+      packed[at++] = isClosed;
       while (d < degreesEnd) packed[at++] = degrees[d++];
-      const last = pointsEnd - 2 * ring;
+      const last = pointsEnd - 2 * isClosed;
       while (p < last) packed[at++] = points[p++];
       p = pointsEnd;
     }

@@ -1,35 +1,35 @@
-// The ways to the module of surfaces, by the names that the ways to that of curves have.
+// The functions of transfer.js, init.js and errors.js, applied to the module of surfaces.
+import * as errors from "./errors.js";
 import * as init from "./init.js";
-import * as refusal from "./errors.js";
-import { surfaces } from "./surfaces-module.js";
+import { surfacesModule } from "./surfaces-module.js";
 import * as transfer from "./transfer.js";
 
 /**
  * @internal
  */
-export const core = () => init.core(surfaces);
+export const core = () => init.core(surfacesModule);
 
 /**
  * @internal
  * @param {number} count
  */
-export const done = (count) => refusal.done(count, surfaces);
+export const unwrapCount = (count) => errors.unwrapCount(count, surfacesModule);
 
 /**
  * @internal
- * @param {Float64Array} flat
+ * @param {Float64Array} numbers
  * @param {number} [extra]
  */
-export const load = (flat, extra) => transfer.load(flat, extra, surfaces);
+export const writeArguments = (numbers, extra) => transfer.writeArguments(numbers, extra, surfacesModule);
 
 /**
  * @internal
  * @param {number} from
  * @param {number} to
  */
-export const take = (from, to) => transfer.take(from, to, surfaces);
+export const readResult = (from, to) => transfer.readResult(from, to, surfacesModule);
 
 /**
  * @internal
  */
-export const trim = () => transfer.trim(surfaces);
+export const releaseMemory = () => transfer.releaseMemory(surfacesModule);

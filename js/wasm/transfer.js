@@ -1,15 +1,19 @@
+// Passing numbers to the core and back.
 import { arena, LARGE_RESULT, trimArena } from "./arena.js";
-import { curves } from "./curves-module.js";
-import { done } from "./errors.js";
+import { curvesModule } from "./curves-module.js";
+import { unwrapCount } from "./errors.js";
 
-/** @import { Gate } from "./wasm-module.js" */
+/** @import { WasmModule } from "./wasm-module.js" */
+
+/** Up to this many numbers, single stores take less time than a call of `set`. */
+const MAX_SINGLE_COPIES = 32;
 
 /**
- * Control points that were checked: what the constructors take from inside the package.
+ * Control points that are already checked: constructors accept them from inside the package.
  *
  * @internal
  */
-export class Checked {
+export class CheckedPoints {
   /**
    * @param {Float64Array} flat
    * @param {2 | 3} dimension
@@ -21,62 +25,60 @@ export class Checked {
 }
 
 /**
- * Writes numbers at the start of the arena, with room for `extra` more behind them.
+ * Writes numbers to the start of the arena and reserves room for `extra` more after them.
  *
  * @internal
- * @param {Float64Array} flat
+ * @param {Float64Array} numbers
  * @param {number} [extra]
- * @param {Gate} [gate]
+ * @param {WasmModule} [wasmModule]
  * @returns {Float64Array} the arena
  */
-export function load(flat, extra = 0, gate = curves) {
-  const view = arena(flat.length + extra, gate);
-  // A call of `set` costs more than a few stores.
-  if (flat.length > 32) view.set(flat);
-  else for (let i = 0; i < flat.length; i++) view[i] = flat[i];
+export function writeArguments(numbers, extra = 0, wasmModule = curvesModule) {
+  const view = arena(numbers.length + extra, wasmModule);
+  if (numbers.length > MAX_SINGLE_COPIES) view.set(numbers);
+  else for (let i = 0; i < numbers.length; i++) view[i] = numbers[i];
   return view;
 }
 
 /**
- * Reads numbers from the arena into a new array.
+ * Copies numbers from the arena to a new array.
  *
  * @internal
  * @param {number} from
- * @param {number} to as a call to the core returned it: negative when the core refused
- * @param {Gate} [gate]
+ * @param {number} to the count that the call to the core returned, negative if the core reported an error
+ * @param {WasmModule} [wasmModule]
  * @returns {Float64Array}
- * @throws {RangeError} with the core's message, when it refused
+ * @throws {RangeError} with the core's message, if the core reported an error
  */
-export function take(from, to, gate = curves) {
-  const view = arena(done(to, gate), gate);
-  if (to - from > 32) return new Float64Array(view.subarray(from, to)); // a little faster than slice()
-  // As in `load`.
+export function readResult(from, to, wasmModule = curvesModule) {
+  const view = arena(unwrapCount(to, wasmModule), wasmModule);
+  if (to - from > MAX_SINGLE_COPIES) return new Float64Array(view.subarray(from, to)); // a little faster than slice()
   const numbers = new Float64Array(to - from);
   for (let i = 0; i < numbers.length; i++) numbers[i] = view[from + i];
   return numbers;
 }
 
 /**
- * Reads the first numbers of the arena into an array that is long enough.
+ * Copies the first numbers of the arena to an array that is long enough.
  *
  * @internal
  * @param {Float64Array} into
- * @param {number} length as a call to the core returned it: negative when the core refused
+ * @param {number} length the count that the call to the core returned, negative if the core reported an error
  * @returns {Float64Array} `into`
- * @throws {RangeError} with the core's message, when it refused
+ * @throws {RangeError} with the core's message, if the core reported an error
  */
-export function takeInto(into, length) {
-  into.set(arena(done(length)).subarray(0, length));
-  if (length > LARGE_RESULT) trim();
+export function readResultInto(into, length) {
+  into.set(arena(unwrapCount(length)).subarray(0, length));
+  if (length > LARGE_RESULT) releaseMemory();
   return into;
 }
 
 /**
- * Gives the memory of a large result back, after it was read.
+ * Releases the memory of a large result after it was read.
  *
  * @internal
- * @param {Gate} [gate]
+ * @param {WasmModule} [wasmModule]
  */
-export function trim(gate = curves) {
-  if (gate.view.length > LARGE_RESULT) trimArena(gate);
+export function releaseMemory(wasmModule = curvesModule) {
+  if (wasmModule.view.length > LARGE_RESULT) trimArena(wasmModule);
 }

@@ -1,4 +1,4 @@
-import { decode } from "./decode-bytes.js";
+import { decodeBytes } from "./decode-bytes.js";
 
 /**
  * @import { Functions } from "../glue/functions.js"
@@ -12,12 +12,12 @@ import { decode } from "./decode-bytes.js";
  */
 
 /**
- * The way to a wasm module: how it is linked, its bytes where they travel with the package, and, once it runs, its
- * exports and the view of its arena. All state of the package is in its gates.
+ * A wasm module: its linker, its bytes if the package contains them, and, once it is instantiated, its exports and the
+ * view of its arena. All state of the package is in its modules.
  *
  * @internal
- * @typedef {object} Gate
- * @property {(source: { module: WebAssembly.Module }) => unknown} link makes the one instance of the module
+ * @typedef {object} WasmModule
+ * @property {(source: { module: WebAssembly.Module }) => unknown} link creates the only instance
  * @property {(() => Uint8Array<ArrayBuffer>) | null} bytes null in the slim bundle
  * @property {Functions | null} functions
  * @property {WebAssembly.Memory | null} memory
@@ -26,23 +26,23 @@ import { decode } from "./decode-bytes.js";
  */
 
 /**
- * The gates in use. A bundler drops the gate of a part that nothing needs, and with it its bytes.
+ * The registered modules. A bundler drops a module that nothing uses, together with its bytes.
  *
  * @internal
- * @type {Gate[]}
+ * @type {WasmModule[]}
  */
-export const gates = [];
+export const wasmModules = [];
 
 /**
  * @internal
- * @param {Gate["link"]} link
+ * @param {WasmModule["link"]} link
  * @param {{ text: string, alphabet: string, frequent: number[], length: number } | null} inlined
- * @returns {Gate}
+ * @returns {WasmModule}
  */
-export function gate(link, inlined) {
-  const bytes = inlined && (() => decode(inlined.text, inlined.alphabet, inlined.frequent, inlined.length));
-  /** @type {Gate} */
-  const made = { link, bytes, functions: null, memory: null, view: new Float64Array(0), cubicEval: null };
-  gates.push(made);
-  return made;
+export function registerModule(link, inlined) {
+  const bytes = inlined && (() => decodeBytes(inlined.text, inlined.alphabet, inlined.frequent, inlined.length));
+  /** @type {WasmModule} */
+  const wasmModule = { link, bytes, functions: null, memory: null, view: new Float64Array(0), cubicEval: null };
+  wasmModules.push(wasmModule);
+  return wasmModule;
 }
