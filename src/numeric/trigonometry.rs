@@ -2,7 +2,7 @@
 //!
 //! Sums, products, quotients and square roots are identical on every platform; library functions such as sine are not,
 //! and take 8 kB of the wasm module. The Rust and the JavaScript parser must return bit-identical paths:
-//! `js/svg-arc.js` performs the same operations.
+//! `js/io/svg-arc.js` performs the same operations.
 #![allow(
     unreachable_pub,
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
