@@ -1,9 +1,9 @@
 // The public interface. Importing it compiles nothing; the first call does.
-export { init } from "./init.js";
-export { Curve } from "./curve.js";
-export { Spline } from "./spline.js";
-export { Path } from "./path.js";
-export { Patch } from "./patch.js";
-export { Surface } from "./surface.js";
-export { Mesh } from "./mesh.js";
-export { easing } from "./easing.js";
+export { init } from "./wasm/init.js";
+export { Curve } from "./geometry/curve.js";
+export { Spline } from "./geometry/spline.js";
+export { Path } from "./geometry/path.js";
+export { Patch } from "./geometry/patch.js";
+export { Surface } from "./geometry/surface.js";
+export { Mesh } from "./geometry/mesh.js";
+export { easing } from "./geometry/easing.js";

@@ -1,6 +1,6 @@
 //! The CSS timing function `cubic-bezier()`.
 //!
-//! `js/easing.js` performs the same operations in the same order and gives bit-identical results.
+//! `js/geometry/easing.js` performs the same operations in the same order and gives bit-identical results.
 
 use crate::geometry::error::Error;
 

@@ -24,11 +24,13 @@
 //!
 //! # Features
 //!
-//! Both are off by default.
+//! All are off by default.
 //!
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
 //!   checked as by the constructors.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
+//!
+//! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), for tests of the work limits.
 //!
 //! # Example
 //!
@@ -75,6 +77,8 @@ pub use geometry::point::{CrossProduct, Point};
 pub use glam;
 pub use mesh::{Grid, GridMethod, Indices, Mesh};
 pub use models::TeapotOptions;
+#[cfg(feature = "count-work")]
+pub use numeric::work_limit::take_steps;
 pub use patch::Patch;
 pub use path::Path;
 pub use spline::Spline;

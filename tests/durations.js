@@ -16,5 +16,9 @@ export default async function* durations(source) {
     yield "\nno test has run: expected a file or a part of a test name\n";
   }
   const slowestFirst = [...milliseconds].sort(([, a], [, b]) => b - a);
-  yield ["\nSeconds of each file:", ...slowestFirst.map(([file, ms]) => `  ${(ms / 1000).toFixed(1).padStart(6)}  ${file}`), ""].join("\n");
+  yield [
+    "\nSeconds of each file:",
+    ...slowestFirst.map(([file, ms]) => `  ${(ms / 1000).toFixed(1).padStart(6)}  ${file}`),
+    "",
+  ].join("\n");
 }

@@ -23,7 +23,9 @@ const TIMEOUT_MS = 1_200_000;
  */
 export function chooseTests(folder, args) {
   const path = fileURLToPath(folder);
-  const all = readdirSync(path).filter((name) => name.endsWith(ENDING)).sort();
+  const all = readdirSync(path)
+    .filter((name) => name.endsWith(ENDING))
+    .sort();
   const deep = args.includes("--deep");
   const words = args.filter((arg) => arg !== "--deep");
   const unknown = words.find((word) => word.startsWith("--"));
@@ -49,12 +51,22 @@ const patternOf = (word) => (/^\/.+\/[a-z]*$/.test(word) ? word : word.replace(/
  * @returns {Promise<number>} Node's exit code
  */
 export function runTests({ files, patterns }, { concurrency = 1, env = {} } = {}) {
-  const outputs = [["spec", "stdout"], [DURATIONS, "stdout"]];
+  const outputs = [
+    ["spec", "stdout"],
+    [DURATIONS, "stdout"],
+  ];
   // The driver names the file in which it looks for skipped tests.
   if (process.env.CASTELJAU_SKIPPED) outputs.push([SKIPPED, process.env.CASTELJAU_SKIPPED]);
   const reporters = outputs.flatMap(([name, to]) => [`--test-reporter=${name}`, `--test-reporter-destination=${to}`]);
   const names = patterns.map((pattern) => `--test-name-pattern=${pattern}`);
-  const args = ["--test", `--test-concurrency=${concurrency}`, `--test-timeout=${TIMEOUT_MS}`, ...reporters, ...names, ...files];
+  const args = [
+    "--test",
+    `--test-concurrency=${concurrency}`,
+    `--test-timeout=${TIMEOUT_MS}`,
+    ...reporters,
+    ...names,
+    ...files,
+  ];
   const node = spawn(process.execPath, args, { stdio: "inherit", env: { ...process.env, ...env } });
   process.once("exit", () => node.kill()); // a runner that is interrupted leaves nothing behind
   return new Promise((resolve, reject) => node.once("error", reject).once("exit", (code) => resolve(code ?? 1)));

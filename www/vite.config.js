@@ -32,7 +32,8 @@ const classicScript = {
 /** package.json says that importing a module of the package does nothing but a few; those of the pages are another matter. */
 const pagesAct = {
   name: "pages-act",
-  transform: (/** @type {string} */ code, /** @type {string} */ id) => (id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null),
+  transform: (/** @type {string} */ code, /** @type {string} */ id) =>
+    id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null,
 };
 
 export default defineConfig({

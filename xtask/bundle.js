@@ -7,40 +7,43 @@ const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 const banner = { js: `/*! casteljau ${version} | ${license} */` };
 
-/** One gate to the whole module, without bytes: the slim bundle is told where they are by `init`. */
+/** Replaces both modules by the complete one without bytes: in the slim bundle, `init` gets the bytes. */
 const withoutBytes = {
   name: "without-bytes",
   setup(build) {
     const contents = {
-      curves: `import { gate } from "./gate.js"; import { initSync } from "./glue/casteljau.js";
-        export const curves = /* @__PURE__ */ gate(initSync, null);`,
-      surfaces: `export { curves as surfaces } from "./curves-gate.js";`,
+      curves: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js";
+        export const curvesModule = /* @__PURE__ */ registerModule(initSync, null);`,
+      surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
     };
-    build.onLoad({ filter: /[\\/]js[\\/](curves|surfaces)-gate\.js$/ }, ({ path }) => ({
-      contents: contents[path.match(/(\w+)-gate\.js$/)[1]],
-      resolveDir: sources,
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, ({ path }) => ({
+      contents: contents[path.match(/(\w+)-module\.js$/)[1]],
+      resolveDir: resolve(sources, "wasm"),
     }));
   },
 };
 
-/** The gate to the module that has only what the applet calls: the classic script hands no curve out. */
-const appletsPart = {
-  name: "applets-part",
+/**
+ * Replaces the module of curves by one with only the functions that the applet calls: the classic script exports no
+ * curves.
+ */
+const appletModule = {
+  name: "applet-module",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]curves-gate\.js$/ }, async ({ path }) => {
-      const contents = (await readFile(path, "utf8")).replaceAll("./glue/curves", "./glue/applet");
-      return { contents, resolveDir: sources };
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, async ({ path }) => {
+      const contents = (await readFile(path, "utf8")).replaceAll("../glue/curves", "../glue/applet");
+      return { contents, resolveDir: resolve(sources, "wasm") };
     });
   },
 };
 
 /**
- * Keeps the facade out of the bundles of the applet and the elements, so that a page which imports several of them has
- * one core and one wasm module. They must therefore go through js/index.js, and to nothing else of js/ than the folders
- * named here.
+ * Makes index.js an external import of the bundles of the applet and the elements, so that a page which imports several
+ * of them has one core and one wasm module. These bundles may therefore import only js/index.js and files of the given
+ * folders.
  */
-const facadeExternal = (...folders) => ({
-  name: "facade-external",
+const indexExternal = (...folders) => ({
+  name: "index-external",
   setup(build) {
     build.onResolve({ filter: /^\.\.?\// }, ({ path, importer, resolveDir }) => {
       if (importer.includes("node_modules")) return undefined;
@@ -55,7 +58,7 @@ const facadeExternal = (...folders) => ({
   },
 });
 
-/** What all bundles have in common. */
+/** Runs esbuild with the options that all bundles share. */
 const bundleAs = (options) =>
   build({
     bundle: true,
@@ -69,49 +72,55 @@ const bundleAs = (options) =>
   });
 
 /** Bundles one entry of js/ into one file of dist/. */
-const bundle = (entry, name, options = {}) => bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
+const bundle = (entry, name, options = {}) =>
+  bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
 
-/** What comes late: the part of a kind of element that draws, by the name of its file. */
-const LATE = {
+/** The entry points that are loaded on demand: the part of each kind of element that draws, by the name of its file. */
+const ON_DEMAND = {
   "elements-applet": "elements/applet/drawing.js",
   "elements-companions": "elements/companions/views.js",
   "elements-surface": "elements/surface/drawing.js",
 };
 
-/** For other bundlers: this import is for the browser; esbuild leaves the comment out. */
-const KEPT = "/* webpackIgnore: true *//* @vite-ignore */";
+/** Tells other bundlers to leave an import to the browser; esbuild removes comments, so it is added afterwards. */
+const IGNORE_COMMENTS = "/* webpackIgnore: true *//* @vite-ignore */";
 
 /**
- * The elements come in parts: elements.js, what is loaded only when an element of a kind comes near
- * (elements-applet.js …), and what several of them need (elements-shared.js, elements-shared-2.js …). The names stay the
- * same from version to version.
+ * Bundles the elements in parts: elements.js, the parts that are loaded when an element of a kind is almost visible
+ * (elements-applet.js …), and the parts that several of them import (elements-shared.js, elements-shared-2.js …). The
+ * names are the same in each version.
  */
 async function elements() {
-  const entries = Object.entries({ elements: "elements/index.js", ...LATE });
+  const entries = Object.entries({ elements: "elements/index.js", ...ON_DEMAND });
   const { outputFiles } = await bundleAs({
     entryPoints: Object.fromEntries(entries.map(([name, path]) => [name, resolve(sources, path)])),
     outdir: "dist",
     splitting: true,
     chunkNames: "elements-shared-[hash]",
-    plugins: [facadeExternal("elements", "applet")],
+    plugins: [indexExternal("elements", "applet")],
     inject: ["xtask/no-dom.js"],
     minify: true,
     write: false,
   });
-  const hashed = outputFiles.map(({ path }) => basename(path)).filter((name) => name.startsWith("elements-shared-"));
-  const named = (text) => hashed.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
-  const plain = (text) => named(text).replaceAll("import(`${", `import(${KEPT}\`\${`);
+  const sharedNames = outputFiles
+    .map(({ path }) => basename(path))
+    .filter((name) => name.startsWith("elements-shared-"));
+  const withStableNames = (text) =>
+    sharedNames.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
+  const finalText = (text) => withStableNames(text).replaceAll("import(`${", `import(${IGNORE_COMMENTS}\`\${`);
   await mkdir("dist", { recursive: true });
-  await Promise.all(outputFiles.map(({ path, text }) => writeFile(`dist/${plain(basename(path))}`, plain(text))));
+  await Promise.all(
+    outputFiles.map(({ path, text }) => writeFile(`dist/${finalText(basename(path))}`, finalText(text))),
+  );
 }
 
-/** No part of an earlier build stays, to be published. */
-const parts = (await readdir("dist").catch(() => [])).filter((name) => /^elements\b.*\.js$/.test(name));
-await Promise.all(parts.map((name) => rm(`dist/${name}`)));
+// Remove the parts of earlier builds, so that they are not published.
+const oldParts = (await readdir("dist").catch(() => [])).filter((name) => /^elements\b.*\.js$/.test(name));
+await Promise.all(oldParts.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   bundle("index.js", "index.js"),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
-  bundle("applet/index.js", "applet.js", { plugins: [facadeExternal("applet")] }),
+  bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
   elements(),
-  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletsPart] }),
+  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletModule] }),
 ]);

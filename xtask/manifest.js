@@ -1,8 +1,8 @@
-// Writes dist/custom-elements.json: what the elements have, for editors and for pages about them. Called by
-// `cargo xtask build` after the bundles; runs from the repository's root. What there is comes from the sources and from the
-// built classes; what is said about it comes from JSDoc: of js/elements/**/types.js for properties and methods, of
-// @fires, @csspart, @cssprop and @slot for the rest, wherever they stand among an element's sources. With --check it fails where a
-// public member of an element is not described.
+// Writes dist/custom-elements.json, the custom elements manifest, for editors and documentation. Called by
+// `cargo xtask build` after the bundles; runs from the repository's root. The members come from the sources and from the
+// built classes; the descriptions come from JSDoc: of js/elements/**/types.js for properties and methods, and of the tags
+// @fires, @csspart, @cssprop and @slot in the sources of an element for the rest. With --check it fails if a public member
+// of an element has no description.
 import { create, ts } from "@custom-elements-manifest/analyzer/index.js";
 import { existsSync } from "node:fs";
 import { readFile, writeFile } from "node:fs/promises";
@@ -14,36 +14,45 @@ const TYPES = ["js/elements/types.js", "js/elements/companions/types.js"];
 const MODULE = "dist/elements.js";
 const TAGS = { fires: "events", csspart: "cssParts", cssprop: "cssProperties", slot: "slots" };
 
-/** Each file's text, read once. @type {Map<string, Promise<string>>} */
+/** The text of each file, read once. @type {Map<string, Promise<string>>} */
 const texts = new Map();
 const textOf = (path) => texts.get(path) ?? texts.set(path, readFile(path, "utf8")).get(path);
 
-/** All views of companions are one file; an element's own stands beside it. */
+/** Exports all views of companions; each view is also in a file beside its element. */
 const VIEWS = resolve("js/elements/companions/views.js");
 
-/** A file and all that it imports, of the elements' own. */
-async function reach(path, known = new Set()) {
+/** A file and all files of the elements and the applet that it imports. */
+async function importedFiles(path, known = new Set()) {
   if (known.has(path) || path === VIEWS) return known;
   known.add(path);
   const view = path.replace(/\.js$/, "-view.js");
-  if (existsSync(view)) await reach(view, known);
+  if (existsSync(view)) await importedFiles(view, known);
   for (const [, target] of (await textOf(path)).matchAll(/(?:from |^import |import\()"(\.[^"]+)"/gm)) {
     const file = resolve(dirname(path), target);
-    if (/[\\/]js[\\/](elements|applet)[\\/]/.test(file) && file !== INDEX) await reach(file, known);
+    if (/[\\/]js[\\/](elements|applet)[\\/]/.test(file) && file !== INDEX) await importedFiles(file, known);
   }
   return known;
 }
 
-/** Tag name, class and module of each element, as the index defines them. */
+/** Tag name, class and file of each element that the index defines. */
 async function elementsOf() {
   const text = await textOf(INDEX);
-  const imports = Object.fromEntries([...text.matchAll(/import \{ (\w+) as (\w+) \} from "([^"]+)"/g)].map(([, name, local, path]) => [local, { name, path: resolve(dirname(INDEX), path) }]));
-  return [...text.matchAll(/defined\("(bezier-[\w-]+)", (\w+)\)/g)].map(([, tagName, local]) => ({ tagName, ...imports[local] }));
+  const imports = Object.fromEntries(
+    [...text.matchAll(/import \{ (\w+) as (\w+) \} from "([^"]+)"/g)].map(([, name, local, path]) => [
+      local,
+      { name, path: resolve(dirname(INDEX), path) },
+    ]),
+  );
+  return [...text.matchAll(/defined\("(bezier-[\w-]+)", (\w+)\)/g)].map(([, tagName, local]) => ({
+    tagName,
+    ...imports[local],
+  }));
 }
 
-const words = (comment) => (typeof comment === "string" ? comment : ts.getTextOfJSDocComment(comment) ?? "").replace(/\s+/g, " ").trim();
+const descriptionOf = (comment) =>
+  (typeof comment === "string" ? comment : (ts.getTextOfJSDocComment(comment) ?? "")).replace(/\s+/g, " ").trim();
 
-/** The JSDoc of a file: every comment, parsed. */
+/** All JSDoc comments of a file, parsed. */
 async function commentsOf(path) {
   const source = ts.createSourceFile(path, await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.JS);
   const found = [];
@@ -56,30 +65,46 @@ async function commentsOf(path) {
   return [...new Set(found)];
 }
 
-/** The typedefs of the types: name, words, type, properties. */
+/** The typedefs of TYPES: description, type and properties, by name. */
 async function typedefs() {
   const all = (await Promise.all(TYPES.map((path) => commentsOf(resolve(path))))).flat();
-  return Object.fromEntries(all.flatMap((comment) => (comment.tags ?? []).filter(ts.isJSDocTypedefTag).map((tag) => [tag.name.getText(), { words: words(comment.comment), ...shape(tag.typeExpression) }])));
+  return Object.fromEntries(
+    all.flatMap((comment) =>
+      (comment.tags ?? [])
+        .filter(ts.isJSDocTypedefTag)
+        .map((tag) => [
+          tag.name.getText(),
+          { description: descriptionOf(comment.comment), ...typeOf(tag.typeExpression) },
+        ]),
+    ),
+  );
 }
 
-function shape(expression) {
+function typeOf(expression) {
   if (!expression || !ts.isJSDocTypeLiteral(expression)) return { type: expression?.getText() ?? "", members: [] };
-  const member = ({ name, typeExpression, comment }) => ({ name: name.getText(), type: typeExpression.type.getText().replace(/\s+/g, " "), words: words(comment) });
+  const member = ({ name, typeExpression, comment }) => ({
+    name: name.getText(),
+    type: typeExpression.type.getText().replace(/\s+/g, " "),
+    description: descriptionOf(comment),
+  });
   return { type: "", members: (expression.jsDocPropertyTags ?? []).map(member) };
 }
 
-/** What the typedefs say of a class, by `<class>Element`. */
-function described(types, name) {
+/** The description and the members of a class: the typedefs that `<class>Element` combines. */
+function documentationOf(types, name) {
   const parts = types[`${name}Element`].type.match(/\w+Properties/g).map((each) => types[each]);
-  return { words: parts.at(-1).words, members: parts.flatMap(({ members }) => members) };
+  return { description: parts.at(-1).description, members: parts.flatMap(({ members }) => members) };
 }
 
-/** @fires, @csspart, @cssprop and @slot of an element's sources. */
+/** The tags @fires, @csspart, @cssprop and @slot of an element's sources. */
 async function taggedIn(files) {
   const found = Object.fromEntries(Object.values(TAGS).map((kind) => [kind, new Map()]));
   for (const path of files) {
     for (const comment of await commentsOf(path)) {
-      for (const [, tag, name, said] of comment.getText().matchAll(/@(fires|csspart|cssprop|slot) (\S+) - ([^\n]+)/g)) found[TAGS[tag]].set(name, { name: name === "default" ? "" : name, description: said.trim() });
+      for (const [, tag, name, description] of comment
+        .getText()
+        .matchAll(/@(fires|csspart|cssprop|slot) (\S+) - ([^\n]+)/g))
+        found[TAGS[tag]].set(name, { name: name === "default" ? "" : name, description: description.trim() });
     }
   }
   return Object.fromEntries(Object.entries(found).map(([kind, entries]) => [kind, [...entries.values()]]));
@@ -87,24 +112,54 @@ async function taggedIn(files) {
 
 const isMethod = (type) => type.startsWith("(") && type.includes("=>");
 
-/** Parameters and result of a method, of its type in words. */
-function method({ name, type, words }) {
+/** The declaration of a method, whose parameters and result are parsed from the text of its type. */
+function method({ name, type, description }) {
   const source = ts.createSourceFile("type.ts", `type T = ${type}`, ts.ScriptTarget.ES2022, true);
   const { parameters, type: result } = source.statements[0].type;
-  const parameter = (each) => ({ name: each.name.getText(), type: { text: each.type.getText() }, ...(each.questionToken && { optional: true }) });
-  return { kind: "method", name, privacy: "public", ...(words && { description: words }), parameters: parameters.map(parameter), return: { type: { text: result.getText() } } };
+  const parameter = (each) => ({
+    name: each.name.getText(),
+    type: { text: each.type.getText() },
+    ...(each.questionToken && { optional: true }),
+  });
+  return {
+    kind: "method",
+    name,
+    privacy: "public",
+    ...(description && { description }),
+    parameters: parameters.map(parameter),
+    return: { type: { text: result.getText() } },
+  };
 }
 
-/** The class's declaration, made whole by what its types, its tags and the built class say. */
-async function completed(declaration, { tagName, name, path }, types, built) {
-  const { words, members } = described(types, name);
-  const tags = await taggedIn(await reach(path));
+/** The declaration of a class, from its types, its tags and the built class. */
+async function completeDeclaration(declaration, { tagName, name, path }, types, built) {
+  const { description, members } = documentationOf(types, name);
+  const tags = await taggedIn(await importedFiles(path));
   const member = Object.fromEntries(members.map((each) => [each.name, each]));
-  const attributes = new Map([...built.observedAttributes].map((attribute) => [attribute, propertyOf(built, attribute, member)]));
-  const field = (each) => ({ kind: "field", name: each.name, privacy: "public", type: { text: each.type }, ...(each.words && { description: each.words }), ...attributeOf(attributes, each.name) });
-  const attribute = ([attribute, property]) => ({ name: attribute, fieldName: property, type: { text: member[property]?.type ?? "string" }, ...(member[property]?.words && { description: member[property].words }) });
+  const attributes = new Map(
+    [...built.observedAttributes].map((attribute) => [attribute, propertyOf(built, attribute, member)]),
+  );
+  const field = (each) => ({
+    kind: "field",
+    name: each.name,
+    privacy: "public",
+    type: { text: each.type },
+    ...(each.description && { description: each.description }),
+    ...attributeOf(attributes, each.name),
+  });
+  const attribute = ([attribute, property]) => ({
+    name: attribute,
+    fieldName: property,
+    type: { text: member[property]?.type ?? "string" },
+    ...(member[property]?.description && { description: member[property].description }),
+  });
   return {
-    kind: "class", name, tagName, customElement: true, description: words, superclass: { name: "HTMLElement" },
+    kind: "class",
+    name,
+    tagName,
+    customElement: true,
+    description,
+    superclass: { name: "HTMLElement" },
     ...(declaration.formAssociated && { formAssociated: true }),
     attributes: [...attributes].map(attribute),
     members: members.map((each) => (isMethod(each.type) ? method(each) : field(each))),
@@ -112,7 +167,7 @@ async function completed(declaration, { tagName, name, path }, types, built) {
   };
 }
 
-/** The property of an attribute: mostly its namesake. */
+/** The property of an attribute, usually with the same name. */
 function propertyOf(built, attribute, member) {
   const [property] = [...built.elementProperties].find(([, options]) => options.attribute === attribute) ?? [attribute];
   return member[property] ? property : attribute;
@@ -123,32 +178,76 @@ function attributeOf(attributes, property) {
   return found ? { attribute: found[0] } : {};
 }
 
-/** Public members that the sources have, by the analyzer: every one of them has to be described. */
+/** The public members, according to the analyzer, that have no description. */
 function undescribed(manifest, { name }, declaration) {
-  const classes = Object.fromEntries(manifest.modules.flatMap(({ declarations }) => declarations).filter(({ kind }) => kind === "class").map((each) => [each.name, each]));
-  const chain = [];
-  for (let at = classes[name]; at; at = classes[at.superclass?.name]) chain.push(at);
+  const classes = Object.fromEntries(
+    manifest.modules
+      .flatMap(({ declarations }) => declarations)
+      .filter(({ kind }) => kind === "class")
+      .map((each) => [each.name, each]),
+  );
+  const ancestors = [];
+  for (let at = classes[name]; at; at = classes[at.superclass?.name]) ancestors.push(at);
   const known = new Set(declaration.members.map((each) => each.name));
-  const open = chain.flatMap(({ members = [] }) => members).filter((each) => !each.static && each.privacy !== "private" && each.privacy !== "protected" && !each.name.startsWith("#"));
-  return [...new Set(open.map((each) => each.name).filter((each) => !known.has(each) && !LIFE.has(each)))];
+  const publicMembers = ancestors
+    .flatMap(({ members = [] }) => members)
+    .filter(
+      (each) =>
+        !each.static && each.privacy !== "private" && each.privacy !== "protected" && !each.name.startsWith("#"),
+    );
+  return [
+    ...new Set(
+      publicMembers.map((each) => each.name).filter((each) => !known.has(each) && !LIFECYCLE_METHODS.has(each)),
+    ),
+  ];
 }
 
-/** Called by the browser or by Lit. */
-const LIFE = new Set(["connectedCallback", "disconnectedCallback", "attributeChangedCallback", "formDisabledCallback", "formResetCallback", "formStateRestoreCallback", "createRenderRoot", "shouldUpdate", "willUpdate", "update", "updated", "firstUpdated", "render"]);
+/** Methods that the browser or Lit calls. */
+const LIFECYCLE_METHODS = new Set([
+  "connectedCallback",
+  "disconnectedCallback",
+  "attributeChangedCallback",
+  "formDisabledCallback",
+  "formResetCallback",
+  "formStateRestoreCallback",
+  "createRenderRoot",
+  "shouldUpdate",
+  "willUpdate",
+  "update",
+  "updated",
+  "firstUpdated",
+  "render",
+]);
 
 async function main() {
   const elements = await elementsOf();
   const types = await typedefs();
-  const files = [...new Set((await Promise.all(elements.map(({ path }) => reach(path)))).flatMap((set) => [...set]))];
-  const modules = await Promise.all(files.map(async (path) => ts.createSourceFile(relative(".", path), await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.JS)));
+  const files = [
+    ...new Set((await Promise.all(elements.map(({ path }) => importedFiles(path)))).flatMap((set) => [...set])),
+  ];
+  const modules = await Promise.all(
+    files.map(async (path) =>
+      ts.createSourceFile(relative(".", path), await textOf(path), ts.ScriptTarget.ES2022, true, ts.ScriptKind.JS),
+    ),
+  );
   const analysed = create({ modules });
-  globalThis.CSSStyleSheet ??= class { replaceSync() {} }; // Lit makes the sheets when it is asked for the attributes
+  globalThis.CSSStyleSheet ??= class {
+    replaceSync() {}
+  }; // Lit creates style sheets when observedAttributes is read
   const built = await import(pathToFileURL(resolve(MODULE)).href);
   const declarations = [];
   for (const element of elements) {
-    const declaration = await completed({ formAssociated: built[element.name].formAssociated === true }, element, types, built[element.name]);
+    const declaration = await completeDeclaration(
+      { formAssociated: built[element.name].formAssociated === true },
+      element,
+      types,
+      built[element.name],
+    );
     const missing = undescribed(analysed, element, declaration);
-    for (const each of missing) console.error(`${element.name}: ${each}: describe it in ${TYPES.join(" or ")}, or mark it @protected or @internal`);
+    for (const each of missing)
+      console.error(
+        `${element.name}: ${each}: describe it in ${TYPES.join(" or ")}, or mark it @protected or @internal`,
+      );
     if (missing.length && process.argv.includes("--check")) process.exitCode = 1;
     declarations.push(declaration);
   }
@@ -156,7 +255,11 @@ async function main() {
     { kind: "js", name, declaration: { name, module: MODULE } },
     { kind: "custom-element-definition", name: tagName, declaration: { name, module: MODULE } },
   ]);
-  const manifest = { schemaVersion: "2.1.0", readme: "README.md", modules: [{ kind: "javascript-module", path: MODULE, declarations, exports }] };
+  const manifest = {
+    schemaVersion: "2.1.0",
+    readme: "README.md",
+    modules: [{ kind: "javascript-module", path: MODULE, declarations, exports }],
+  };
   await writeFile("dist/custom-elements.json", `${JSON.stringify(manifest, null, 2)}\n`);
 }
 

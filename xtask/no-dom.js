@@ -1,5 +1,5 @@
-// Put in front of the elements' bundle: where there is no document (Node), the library below the elements still finds
-// what it asks for while it loads.
+// Injected into the bundle of the elements: substitutes for the globals that Lit uses while it is loaded, so that the
+// elements can be imported without a document (in Node).
 const element = globalThis.HTMLElement ?? class {};
 const page = globalThis.document ?? { createTreeWalker() {}, createComment() {} };
 export { element as HTMLElement, page as document };

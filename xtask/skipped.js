@@ -1,18 +1,22 @@
-// A reporter for node's test runner, beside the one that people read: lists the skipped tests with their reasons, one a line,
-// for the driver's summary. A run in which no test ran is a failure: a name on the command line matches nothing.
+// A second reporter for Node's test runner: lists the skipped tests with their reasons, one per line, for the driver's
+// summary. A run without tests is a failure, because then a name on the command line matches nothing.
 
-/** Older versions of node report the tests that `--test-name-pattern` leaves out as skipped. */
+/** Older versions of Node report the tests that `--test-name-pattern` excludes as skipped, with this reason. */
 const FILTERED = "test name does not match pattern";
 
-/** @param {AsyncIterable<{ type: string, data: { name: string, skip?: string | boolean, details?: { type?: string } } }>} events */
+/**
+ * @param {AsyncIterable<{ type: string, data: { name: string, skip?: string | boolean, details?: { type?: string } }
+ * }>} events
+ */
 export default async function* skipped(events) {
   let count = 0;
   for await (const { type, data } of events) {
     if (type !== "test:pass" && type !== "test:fail") continue;
     if (data.skip === FILTERED || data.details?.type === "suite") continue;
     count += 1;
-    // `skip` is an empty text where no reason was given.
-    if (data.skip !== undefined) yield `${data.name}: ${typeof data.skip === "string" && data.skip ? data.skip : "no reason given"}\n`;
+    // `skip` is an empty string if the test gives no reason.
+    if (data.skip !== undefined)
+      yield `${data.name}: ${typeof data.skip === "string" && data.skip ? data.skip : "no reason given"}\n`;
   }
   if (count === 0) {
     console.error("error: no test ran");

@@ -57,7 +57,9 @@ const KNOTS = [0, 0, 0, 0, 1, 1, 1, 1];
 const patches = PLAIN.map((_, k) => teapot.patch(k));
 const surfaces = patches.map((patch) => {
   const net = patch.controlPoints();
-  const point = (/** @type {number} */ i, /** @type {number} */ j) => [...net.subarray(3 * (4 * j + i), 3 * (4 * j + i) + 3)];
+  const point = (/** @type {number} */ i, /** @type {number} */ j) => [
+    ...net.subarray(3 * (4 * j + i), 3 * (4 * j + i) + 3),
+  ];
   const columns = [0, 1, 2, 3].map((i) => [0, 1, 2, 3].map((j) => point(i, j)));
   return verb.geom.NurbsSurface.byKnotsControlPointsWeights(3, 3, KNOTS, KNOTS, columns);
 });
@@ -70,7 +72,11 @@ function verbMeshes(told) {
   return surfaces.map((surface, k) => {
     const { divisions, normTol } = told[k];
     // verb reads the divisions along v for u, too.
-    const options = Object.assign(new verb.eval.AdaptiveRefinementOptions(), { minDivsU: divisions, minDivsV: divisions, normTol });
+    const options = Object.assign(new verb.eval.AdaptiveRefinementOptions(), {
+      minDivsU: divisions,
+      minDivsV: divisions,
+      normTol,
+    });
     return surface.tessellate(options);
   });
 }
@@ -101,9 +107,16 @@ function greatestDistance(meshes) {
       const [a, b, c] = face.map((i) => uvs[i]);
       for (let i = 0; i <= SAMPLES; i++) {
         for (let j = 0; j <= SAMPLES - i; j++) {
-          const at = (/** @type {number} */ axis) => (i * a[axis] + j * b[axis] + (SAMPLES - i - j) * c[axis]) / SAMPLES;
+          const at = (/** @type {number} */ axis) =>
+            (i * a[axis] + j * b[axis] + (SAMPLES - i - j) * c[axis]) / SAMPLES;
           const { x, y, z } = /** @type {{ x: number, y: number, z: number }} */ (patches[k].eval(at(0), at(1)));
-          greatest = Math.max(greatest, distanceToTriangle([x, y, z], face.map((vertex) => points[vertex])));
+          greatest = Math.max(
+            greatest,
+            distanceToTriangle(
+              [x, y, z],
+              face.map((vertex) => points[vertex]),
+            ),
+          );
         }
       }
     }
@@ -120,7 +133,8 @@ const triangles = (meshes) => meshes.reduce((sum, { faces }) => sum + faces.leng
  */
 function assertClose(who, meshes) {
   const distance = greatestDistance(meshes);
-  if (!(distance <= TOLERANCE)) throw new Error(`teapot within a tolerance, ${who}: ${distance} away, more than ${TOLERANCE}`);
+  if (!(distance <= TOLERANCE))
+    throw new Error(`teapot within a tolerance, ${who}: ${distance} away, more than ${TOLERANCE}`);
 }
 
 /** @param {Options[]} told */
@@ -128,7 +142,8 @@ function check(told) {
   const ours = ourMeshes();
   assertClose("verb", verbMeshes(told));
   assertClose("ours", ours);
-  if (into.indices.length / 3 !== triangles(ours)) throw new Error("teapot within a tolerance: welding changes the triangles");
+  if (into.indices.length / 3 !== triangles(ours))
+    throw new Error("teapot within a tolerance: welding changes the triangles");
 }
 
 const into = teapot.tessellate({ tolerance: TOLERANCE });
@@ -156,11 +171,25 @@ export function results(effort) {
   const ours = into.indices.length / 3;
   const counts = [triangles(verbMeshes(PLAIN)), triangles(verbMeshes(SEARCHED))];
   const more = [plain, searched].map((result, k) => ({ ...result, spread: [0, 0], triangles: counts[k] }));
-  const counted = more.map(({ triangles: theirs, ...result }) => ({ ...result, work: "  its triangles", unit: "triangles", theirs, ours, ratio: theirs / ours }));
+  const counted = more.map(({ triangles: theirs, ...result }) => ({
+    ...result,
+    work: "  its triangles",
+    unit: "triangles",
+    theirs,
+    ours,
+    ratio: theirs / ours,
+  }));
   return [
     plain,
     { ...counted[0], id: "adaptive-triangles" },
-    { ...more[0], id: "adaptive-triangle", work: "  per triangle", theirs: plain.theirs / counts[0], ours: plain.ours / ours, ratio: null },
+    {
+      ...more[0],
+      id: "adaptive-triangle",
+      work: "  per triangle",
+      theirs: plain.theirs / counts[0],
+      ours: plain.ours / ours,
+      ratio: null,
+    },
     searched,
     { ...counted[1], id: "adaptive-triangles-searched" },
   ];

@@ -85,17 +85,39 @@ function blendRows(nets, net, values, slopes, v, row) {
  * @param {number} at
  */
 function fillLine(row, values, slopes, positions, normals, at) {
-  const x0 = row[0], y0 = row[1], z0 = row[2];
-  const x1 = row[3], y1 = row[4], z1 = row[5];
-  const x2 = row[6], y2 = row[7], z2 = row[8];
-  const x3 = row[9], y3 = row[10], z3 = row[11];
-  const p0 = row[12], q0 = row[13], r0 = row[14];
-  const p1 = row[15], q1 = row[16], r1 = row[17];
-  const p2 = row[18], q2 = row[19], r2 = row[20];
-  const p3 = row[21], q3 = row[22], r3 = row[23];
+  const x0 = row[0],
+    y0 = row[1],
+    z0 = row[2];
+  const x1 = row[3],
+    y1 = row[4],
+    z1 = row[5];
+  const x2 = row[6],
+    y2 = row[7],
+    z2 = row[8];
+  const x3 = row[9],
+    y3 = row[10],
+    z3 = row[11];
+  const p0 = row[12],
+    q0 = row[13],
+    r0 = row[14];
+  const p1 = row[15],
+    q1 = row[16],
+    r1 = row[17];
+  const p2 = row[18],
+    q2 = row[19],
+    r2 = row[20];
+  const p3 = row[21],
+    q3 = row[22],
+    r3 = row[23];
   for (let u = 0; u < values.length; u += 4, at += 3) {
-    const b0 = values[u], b1 = values[u + 1], b2 = values[u + 2], b3 = values[u + 3];
-    const d0 = slopes[u], d1 = slopes[u + 1], d2 = slopes[u + 2], d3 = slopes[u + 3];
+    const b0 = values[u],
+      b1 = values[u + 1],
+      b2 = values[u + 2],
+      b3 = values[u + 3];
+    const d0 = slopes[u],
+      d1 = slopes[u + 1],
+      d2 = slopes[u + 2],
+      d3 = slopes[u + 3];
     const x = b0 * x0 + b1 * x1 + b2 * x2 + b3 * x3;
     const y = b0 * y0 + b1 * y1 + b2 * y2 + b3 * y3;
     const z = b0 * z0 + b1 * z1 + b2 * z2 + b3 * z3;

@@ -4,7 +4,11 @@
 
 const minus = (/** @type {Point} */ a, /** @type {Point} */ b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (/** @type {Point} */ a, /** @type {Point} */ b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (/** @type {Point} */ a, /** @type {Point} */ b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const cross = (/** @type {Point} */ a, /** @type {Point} */ b) => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
 
 /**
  * The distance of a point from a triangle, which may be degenerate.
@@ -14,7 +18,8 @@ const cross = (/** @type {Point} */ a, /** @type {Point} */ b) => [a[1] * b[2] -
  */
 export function distanceToTriangle(p, [a, b, c]) {
   const normal = cross(minus(b, a), minus(c, a));
-  const inside = (/** @type {Point} */ from, /** @type {Point} */ to) => dot(cross(minus(to, from), minus(p, from)), normal) >= 0;
+  const inside = (/** @type {Point} */ from, /** @type {Point} */ to) =>
+    dot(cross(minus(to, from), minus(p, from)), normal) >= 0;
   if (dot(normal, normal) > 0 && inside(a, b) && inside(b, c) && inside(c, a)) {
     return Math.abs(dot(minus(p, a), normal)) / Math.sqrt(dot(normal, normal));
   }
@@ -29,5 +34,10 @@ export function distanceToTriangle(p, [a, b, c]) {
 function distanceToSegment(p, from, to) {
   const along = minus(to, from);
   const t = Math.min(1, Math.max(0, dot(minus(p, from), along) / (dot(along, along) || 1)));
-  return Math.hypot(...minus(p, [0, 1, 2].map((k) => from[k] + t * along[k])));
+  return Math.hypot(
+    ...minus(
+      p,
+      [0, 1, 2].map((k) => from[k] + t * along[k]),
+    ),
+  );
 }

@@ -10,15 +10,23 @@ const CALLS = 1000;
 
 /** The keywords of CSS, and what designers draw. @type {[number, number, number, number][]} */
 const HANDLES = [
-  [0.25, 0.1, 0.25, 1], [0.42, 0, 1, 1], [0, 0, 0.58, 1], [0.42, 0, 0.58, 1], [0.68, -0.55, 0.265, 1.55], [0.9, 0.1, 0.1, 0.9],
-  [0.1, 0.7, 0.3, 0.2], [0.19, 1, 0.22, 1],
+  [0.25, 0.1, 0.25, 1],
+  [0.42, 0, 1, 1],
+  [0, 0, 0.58, 1],
+  [0.42, 0, 0.58, 1],
+  [0.68, -0.55, 0.265, 1.55],
+  [0.9, 0.1, 0.1, 0.9],
+  [0.1, 0.7, 0.3, 0.2],
+  [0.19, 1, 0.22, 1],
 ];
 const theirs = HANDLES.map((handles) => bezier(...handles));
 const ours = HANDLES.map((handles) => easing(...handles));
 const xs = parameters(CALLS);
 
 function check() {
-  theirs.forEach((their, k) => assertSame(`easing ${HANDLES[k]}`, Array.from(xs, their), Array.from(xs, ours[k]), TOLERANCE));
+  theirs.forEach((their, k) =>
+    assertSame(`easing ${HANDLES[k]}`, Array.from(xs, their), Array.from(xs, ours[k]), TOLERANCE),
+  );
 }
 
 /** @param {((x: number) => number)[]} functions */

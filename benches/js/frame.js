@@ -15,7 +15,14 @@ const PAGE = `<!doctype html><html lang="en"><title>Frame</title><script type="m
 <style>body { margin: 0 }</style><bezier-applet show="${LAYER_NAMES.join(" ")}"></bezier-applet></html>`;
 
 /** In the trace: what runs script. */
-const SCRIPT = new Set(["EventDispatch", "FireAnimationFrame", "FunctionCall", "RunMicrotasks", "v8.callFunction", "TimerFire"]);
+const SCRIPT = new Set([
+  "EventDispatch",
+  "FireAnimationFrame",
+  "FunctionCall",
+  "RunMicrotasks",
+  "v8.callFunction",
+  "TimerFire",
+]);
 const WARM_UP = 40;
 /** Between two moves, so that each has a frame of its own. */
 const PAUSE_MS = 40;
@@ -30,7 +37,18 @@ export async function results(effort) {
   if (!existsSync(chromePath())) return [];
   const times = await moves(WARM_UP, Math.max(20, effort.rounds));
   const ns = times.map((us) => 1000 * us);
-  return [{ id: "frame", work: "pointermove → frame, script, all layers, 2 cubics", peer: null, unit: "ns", theirs: null, ours: median(ns), ratio: null, spread: [0, spread(ns)] }];
+  return [
+    {
+      id: "frame",
+      work: "pointermove → frame, script, all layers, 2 cubics",
+      peer: null,
+      unit: "ns",
+      theirs: null,
+      ours: median(ns),
+      ratio: null,
+      spread: [0, spread(ns)],
+    },
+  ];
 }
 
 /**
@@ -50,7 +68,8 @@ async function moves(warmUp, count) {
     const box = await handle.boundingBox();
     if (!box) throw new Error("frame: the second point has no handle on the page");
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-    const at = (/** @type {number} */ k) => /** @type {const} */ ([x + 30 * Math.sin(0.3 * k), y + 30 * Math.cos(0.3 * k)]);
+    const at = (/** @type {number} */ k) =>
+      /** @type {const} */ ([x + 30 * Math.sin(0.3 * k), y + 30 * Math.cos(0.3 * k)]);
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let k = 0; k < warmUp; k++) await step(page, at(k));
@@ -79,10 +98,13 @@ async function step(page, [x, y]) {
  * @returns {number[]}
  */
 function scriptPerMove(events) {
-  const isMove = (/** @type {TraceEvent} */ event) => event.name === "EventDispatch" && event.args?.data?.type === "pointermove";
+  const isMove = (/** @type {TraceEvent} */ event) =>
+    event.name === "EventDispatch" && event.args?.data?.type === "pointermove";
   const first = events.find(isMove);
   if (!first) throw new Error("frame: no pointermove came to the page");
-  const own = events.filter(({ name, ph, pid, tid }) => ph === "X" && pid === first.pid && tid === first.tid && SCRIPT.has(name)).sort((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0));
+  const own = events
+    .filter(({ name, ph, pid, tid }) => ph === "X" && pid === first.pid && tid === first.tid && SCRIPT.has(name))
+    .sort((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0));
   /** @type {number[]} */
   const sums = [];
   let end = 0;
@@ -98,5 +120,7 @@ function scriptPerMove(events) {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const times = await moves(WARM_UP, 100);
   const sorted = [...times].sort((a, b) => a - b);
-  console.log(`${times.length} moves: median ${median(times) / 1000} ms, 9 of 10 under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, most ${sorted.at(-1) / 1000} ms`);
+  console.log(
+    `${times.length} moves: median ${median(times) / 1000} ms, 9 of 10 under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, most ${sorted.at(-1) / 1000} ms`,
+  );
 }

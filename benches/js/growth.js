@@ -29,7 +29,12 @@ function segmentSteps() {
 function patchSteps() {
   return [32, 320, 3200, 32_000].map((patches) => {
     const surface = teapots(patches / 32);
-    return { size: patches, items: patches, check: () => checkLoop(surface, netsOf(surface), 4), ours: reusing(surface, 4) };
+    return {
+      size: patches,
+      items: patches,
+      check: () => checkLoop(surface, netsOf(surface), 4),
+      ours: reusing(surface, 4),
+    };
   });
 }
 
@@ -40,7 +45,10 @@ function patchSteps() {
 function reusing(surface, segments) {
   /** @type {import("casteljau").Mesh | undefined} */
   let into;
-  return () => (into = surface.grid({ segments, into })).normals[100];
+  return () => {
+    into = surface.grid({ segments, into });
+    return into.normals[100];
+  };
 }
 
 /**
@@ -79,7 +87,14 @@ function sampleSteps() {
 function walk(/** @type {number} */ count) {
   const next = random(3);
   let [x, y] = [0, 0];
-  return Float64Array.from({ length: 2 * count }, (_, i) => (i % 2 ? (y += next() - 0.5) : (x += next())));
+  return Float64Array.from({ length: 2 * count }, (_, i) => {
+    if (i % 2 === 0) {
+      x += next();
+      return x;
+    }
+    y += next() - 0.5;
+    return y;
+  });
 }
 
 /** Splines through points; the item is a point. */
@@ -111,7 +126,16 @@ function moveSteps() {
     return {
       size: count,
       items: count,
-      check: () => assertSame("movePoint", [0, 0], move().controlPoints().slice(6 * (count >> 1) + 2).slice(0, 2), 0),
+      check: () =>
+        assertSame(
+          "movePoint",
+          [0, 0],
+          move()
+            .controlPoints()
+            .slice(6 * (count >> 1) + 2)
+            .slice(0, 2),
+          0,
+        ),
       ours: () => move().segmentCount,
     };
   });
@@ -190,7 +214,10 @@ export function results(effort, wanted) {
  */
 function grown(id, work, steps, effort) {
   steps.forEach(({ check }) => check());
-  const times = timesInTurn(steps.map(({ ours }) => ours), effort);
+  const times = timesInTurn(
+    steps.map(({ ours }) => ours),
+    effort,
+  );
   const costs = steps.map(({ size, items }, k) => ({ size, ns: median(times[k]) / items }));
   return { id, work, costs, ours: growth(costs.map(({ ns }) => ns)), ratio: null };
 }

@@ -34,7 +34,16 @@ export function race({ id, work, peer, items, check, theirs, ours }, effort) {
   const [their, our] = timesInTurn([theirs, ours], effort).map((times) => times.map((t) => t / items));
   // Both times of a round were taken side by side, so their ratio suffers least from what else the machine does.
   const ratio = median(their.map((t, round) => t / our[round]));
-  return { id, work, peer, unit: "ns", theirs: median(their), ours: median(our), ratio, spread: [spread(their), spread(our)] };
+  return {
+    id,
+    work,
+    peer,
+    unit: "ns",
+    theirs: median(their),
+    ours: median(our),
+    ratio,
+    spread: [spread(their), spread(our)],
+  };
 }
 
 /**

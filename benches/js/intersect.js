@@ -36,7 +36,12 @@ const nineOfBezier = NINE.map((p) => new Bezier(p));
  */
 function samePlaces(a, b, p, q) {
   const found = p.getIntersections(q).map((/** @type {any} */ place) => place.time);
-  assertSame("intersect", found.sort((/** @type {number} */ s, /** @type {number} */ t) => s - t), a.intersections(b).map(({ t }) => t), TOLERANCE);
+  assertSame(
+    "intersect",
+    found.sort((/** @type {number} */ s, /** @type {number} */ t) => s - t),
+    a.intersections(b).map(({ t }) => t),
+    TOLERANCE,
+  );
 }
 
 /** bezier-js returns pairs of parameters as text, some of them twice and within half a unit: each is near one of ours. */
@@ -52,12 +57,27 @@ function nineCheck() {
 }
 
 /** What both rows of nine intersections have in common. */
-const ON_NINE = { work: "curve × curve, 9 intersections", items: 1, check: nineCheck, ours: () => nine[0].intersections(nine[1]).length };
+const ON_NINE = {
+  work: "curve × curve, 9 intersections",
+  items: 1,
+  check: nineCheck,
+  ours: () => nine[0].intersections(nine[1]).length,
+};
 
 /** @type {import("./harness.js").Row[]} */
 export const rows = [
-  { ...ON_NINE, id: "intersect-9-bezier-js", peer: "bezier-js intersects", theirs: () => nineOfBezier[0].intersects(nineOfBezier[1]).length },
-  { ...ON_NINE, id: "intersect-9-paper", peer: "paper.js getIntersections", theirs: () => nineOfPaper[0].getIntersections(nineOfPaper[1]).length },
+  {
+    ...ON_NINE,
+    id: "intersect-9-bezier-js",
+    peer: "bezier-js intersects",
+    theirs: () => nineOfBezier[0].intersects(nineOfBezier[1]).length,
+  },
+  {
+    ...ON_NINE,
+    id: "intersect-9-paper",
+    peer: "paper.js getIntersections",
+    theirs: () => nineOfPaper[0].getIntersections(nineOfPaper[1]).length,
+  },
   {
     id: "intersect-paper",
     work: "curve × curve, random pairs",

@@ -11,7 +11,12 @@ const MOST_MINUTES = 60;
 /** The groups of benches/native: the work, and how many items one iteration does. */
 const GROUPS = [
   { group: "flatten-0.1", work: "native: flatten a cubic, tolerance 0.1", items: 1000, peers: ["kurbo", "lyon_geom"] },
-  { group: "flatten-0.01", work: "native: flatten a cubic, tolerance 0.01", items: 1000, peers: ["kurbo", "lyon_geom"] },
+  {
+    group: "flatten-0.01",
+    work: "native: flatten a cubic, tolerance 0.01",
+    items: 1000,
+    peers: ["kurbo", "lyon_geom"],
+  },
   { group: "offset-0.1", work: "native: offset of a cubic by 10, tolerance 0.1", items: 1000, peers: ["kurbo"] },
   { group: "eval", work: "native: eval(t), one point", items: 1000, peers: ["kurbo", "lyon_geom"] },
   { group: "split", work: "native: split(t)", items: 1000, peers: ["lyon_geom"] },
@@ -37,7 +42,16 @@ function timeRows({ group, work, items, peers }) {
   const row = (/** @type {string | null} */ peer) => {
     const their = peer ? estimate(group, peer, items) : null;
     const [theirs, ratio] = their ? [their.ns, their.ns / ours.ns] : [null, null];
-    return { id: peer ? `${group}-${peer}` : group, work, peer, unit: "ns", theirs, ours: ours.ns, ratio, spread: [their?.spread ?? 0, ours.spread] };
+    return {
+      id: peer ? `${group}-${peer}` : group,
+      work,
+      peer,
+      unit: "ns",
+      theirs,
+      ours: ours.ns,
+      ratio,
+      spread: [their?.spread ?? 0, ours.spread],
+    };
   };
   return peers.length ? peers.map(row) : [row(null)];
 }

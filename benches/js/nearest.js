@@ -36,5 +36,13 @@ function ourNearest() {
 
 /** @type {import("./harness.js").Row[]} */
 export const rows = [
-  { id: "nearest", work: "nearest point of a cubic", peer: "bezier-js project", items: CALLS, check, theirs: theirNearest, ours: ourNearest },
+  {
+    id: "nearest",
+    work: "nearest point of a cubic",
+    peer: "bezier-js project",
+    items: CALLS,
+    check,
+    theirs: theirNearest,
+    ours: ourNearest,
+  },
 ];

@@ -14,4 +14,7 @@ const versionList = Object.entries(versions).map(([name, version]) => `${name} $
 const source = `${date.slice(0, 10)}, ${machine.cpu}, ${machine.cores} cores; ${versionList.join(", ")}.`;
 const table = `\n${head}\n${rows.map(line).join("\n")}\n\n${source}\n\n`;
 const text = readFileSync(readme, "utf8");
-writeFileSync(readme, text.replace(/(<!-- bench:start -->)[^]*(<!-- bench:end -->)/, (_, from, to) => from + table + to));
+writeFileSync(
+  readme,
+  text.replace(/(<!-- bench:start -->)[\s\S]*(<!-- bench:end -->)/, (_, from, to) => from + table + to),
+);

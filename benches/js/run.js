@@ -54,13 +54,29 @@ function conditions() {
     versions: {
       [name]: version,
       node: process.versions.node,
-      ...Object.fromEntries(["bezier-easing", "bezier-js", "paper", "svg-path-properties", "three", "verb-nurbs"].map((peer) => [peer, npm(peer)])),
+      ...Object.fromEntries(
+        ["bezier-easing", "bezier-js", "paper", "svg-path-properties", "three", "verb-nurbs"].map((peer) => [
+          peer,
+          npm(peer),
+        ]),
+      ),
       ...Object.fromEntries(["kurbo", "lyon_geom"].map((peer) => [peer, crate(peer)])),
     },
   };
 }
 
-const raced = [...curve.rows, ...easing.rows, ...intersect.rows, ...measure.rows, ...nearest.rows, ...offset.rows, ...path.rows, ...teapot.rows].filter(({ id }) => wanted(id)).map((row) => race(row, effort));
+const raced = [
+  ...curve.rows,
+  ...easing.rows,
+  ...intersect.rows,
+  ...measure.rows,
+  ...nearest.rows,
+  ...offset.rows,
+  ...path.rows,
+  ...teapot.rows,
+]
+  .filter(({ id }) => wanted(id))
+  .map((row) => race(row, effort));
 const adapted = wanted("adaptive-verb") ? adaptive.results(effort) : [];
 const started = filters.length ? [] : start.results(effort);
 const framed = quick || !wanted("frame") ? [] : await frame.results(effort);
@@ -70,11 +86,16 @@ const rows = [...raced, ...adapted, ...started, ...framed, ...measuredNatively].
 const run = conditions();
 
 console.log(`\n${run.machine.cpu}, ${run.machine.cores} cores, ${run.machine.platform}, ${run.date}`);
-console.log(Object.entries(run.versions).map((pair) => pair.join(" ")).join(", "));
+console.log(
+  Object.entries(run.versions)
+    .map((pair) => pair.join(" "))
+    .join(", "),
+);
 console.log(quick ? QUICKLY : LEGEND);
 if (rows.length) console.log(comparisons(rows));
 if (grown.length) console.log(`\n${growths(grown)}`);
-if (!quick && !filters.length && !framed.length) console.log("\nNo row of the frame: no Chromium was found (CHROME_PATH).");
+if (!quick && !filters.length && !framed.length)
+  console.log("\nNo row of the frame: no Chromium was found (CHROME_PATH).");
 if (!quick && !filters.length && !measuredNatively.length) console.log("\nNo native rows: run `cargo bench` first.");
 if (!quick && !filters.length) {
   writeFileSync(new URL("benches/results.json", root), `${JSON.stringify({ ...run, rows, growth: grown }, null, 2)}\n`);

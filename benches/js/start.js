@@ -18,7 +18,10 @@ export function results(effort) {
  * @param {number} processes
  */
 function firstCall(processes) {
-  const times = Array.from({ length: processes }, () => /** @type {Times} */ (JSON.parse(run("benches/js/first-call.js"))));
+  const times = Array.from(
+    { length: processes },
+    () => /** @type {Times} */ (JSON.parse(run("benches/js/first-call.js"))),
+  );
   const row = (/** @type {string} */ id, /** @type {string} */ work, /** @type {(t: Times) => number} */ of) => {
     const ns = times.map((time) => 1e6 * of(time));
     return alone(id, work, "ns", median(ns), spread(ns));
@@ -41,7 +44,11 @@ function sizes() {
   };
   return [
     row("size", "index.js + applet.js", "package without elements, minified, gzip -9"),
-    row("size-elements", "elements, loaded at once", "elements, what loads at once, without the core, minified, gzip -9"),
+    row(
+      "size-elements",
+      "elements, loaded at once",
+      "elements, what loads at once, without the core, minified, gzip -9",
+    ),
     row("size-curves", "{ Curve, Spline }", "  what a bundle of curves and splines only carries of it"),
   ];
 }

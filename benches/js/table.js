@@ -1,7 +1,8 @@
 // Results as aligned text.
 
 /** @param {number} number @param {number} [digits] */
-const round = (number, digits = 3) => Number(number.toPrecision(digits)).toLocaleString("en-US", { maximumFractionDigits: 3 });
+const round = (number, digits = 3) =>
+  Number(number.toPrecision(digits)).toLocaleString("en-US", { maximumFractionDigits: 3 });
 
 /**
  * A number with its unit.
@@ -71,7 +72,12 @@ export function growths(results) {
   const head = ["growth", "cost per item at each size", "growth", "target", "met?"];
   const lines = results.map(({ work, costs, ours, target, met }) => [
     work,
-    costs.map((/** @type {{ size: number, ns: number }} */ { size, ns }) => `${size.toLocaleString("en-US")}: ${quantity(ns, "ns")}`).join(", "),
+    costs
+      .map(
+        (/** @type {{ size: number, ns: number }} */ { size, ns }) =>
+          `${size.toLocaleString("en-US")}: ${quantity(ns, "ns")}`,
+      )
+      .join(", "),
     times(ours),
     asked(target, "×"),
     verdict(met),
@@ -85,6 +91,7 @@ export function growths(results) {
  */
 function aligned(lines, right) {
   const widths = right.map((_, k) => Math.max(...lines.map((line) => line[k].length)));
-  const cell = (/** @type {string} */ text, /** @type {number} */ k) => (right[k] ? text.padStart(widths[k]) : text.padEnd(widths[k]));
+  const cell = (/** @type {string} */ text, /** @type {number} */ k) =>
+    right[k] ? text.padStart(widths[k]) : text.padEnd(widths[k]);
   return lines.map((line) => line.map(cell).join("  ").trimEnd()).join("\n");
 }

@@ -44,7 +44,8 @@ const turned = (numbers, raise) =>
  * @param {{ positions: Float32Array, indices: ArrayLike<number> }} mesh
  */
 function withoutSlivers({ positions, indices }) {
-  const same = (/** @type {number} */ a, /** @type {number} */ b) => [0, 1, 2].every((k) => positions[3 * a + k] === positions[3 * b + k]);
+  const same = (/** @type {number} */ a, /** @type {number} */ b) =>
+    [0, 1, 2].every((k) => positions[3 * a + k] === positions[3 * b + k]);
   const kept = [];
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [indices[i], indices[i + 1], indices[i + 2]];
@@ -108,7 +109,12 @@ function ourSides(segments) {
 function rowsAt(segments) {
   const [our, loop] = [ourSides(segments), loopSides(segments)];
   const items = 1;
-  const threes = { peer: "three TeapotGeometry", items, check: () => checkThree(segments), theirs: () => three(segments).attributes.normal.array[100] };
+  const threes = {
+    peer: "three TeapotGeometry",
+    items,
+    check: () => checkThree(segments),
+    theirs: () => three(segments).attributes.normal.array[100],
+  };
   const loops = { peer: "loop by hand", items, check: () => checkLoop(teapot, nets, segments) };
   const [id, work] = [`teapot-${segments}`, `teapot, ${segments} segments`];
   return [

@@ -33,7 +33,12 @@ const JOINT_TITLES = {
   c1: "P2, P3 and P4 stay aligned, and P3 stays half-way",
 };
 /** @type {Record<keyof Layers, string>} */
-const LAYER_NAMES = { polygon: "control polygon", hull: "hull", scaffold: "de Casteljau at t", halves: "two halves at t" };
+const LAYER_NAMES = {
+  polygon: "control polygon",
+  hull: "hull",
+  scaffold: "de Casteljau at t",
+  halves: "two halves at t",
+};
 const T_STEP = 0.01;
 /** Up to so many points P3 is the only joint. */
 const TWO_CUBICS = 7;
@@ -47,9 +52,17 @@ const TWO_CUBICS = 7;
  */
 export function createControls(bar, port) {
   const page = bar.ownerDocument;
-  const [joints, layers, t, buttons] = [jointSwitch(page, port), layerBoxes(page, port), tSlider(page, port), pointButtons(page, port)];
+  const [joints, layers, t, buttons] = [
+    jointSwitch(page, port),
+    layerBoxes(page, port),
+    tSlider(page, port),
+    pointButtons(page, port),
+  ];
   const keys = element(page, "input", { type: "checkbox", checked: true });
-  const hint = element(page, "p", { className: "hint" },
+  const hint = element(
+    page,
+    "p",
+    { className: "hint" },
     "Drag a point, or Tab to it and use the arrow keys. A double click adds a point.",
     element(page, "label", {}, keys, "r and m on the whole page"),
   );
@@ -63,8 +76,11 @@ export function createControls(bar, port) {
  * @param {ControlPort} port
  */
 function pointButtons(page, port) {
-  const button = (/** @type {string} */ key, /** @type {() => void} */ onclick, /** @type {(Node | string)[]} */ ...words) =>
-    element(page, "button", { type: "button", onclick, ...(key && { "aria-keyshortcuts": key }) }, ...words);
+  const button = (
+    /** @type {string} */ key,
+    /** @type {() => void} */ onclick,
+    /** @type {(Node | string)[]} */ ...words
+  ) => element(page, "button", { type: "button", onclick, ...(key && { "aria-keyshortcuts": key }) }, ...words);
   const key = (/** @type {string} */ letter) => element(page, "kbd", {}, letter);
   const label = element(page, "span");
   const toggle = button("m", port.toggle, label, " ", key("m"));
@@ -86,7 +102,9 @@ function jointSwitch(page, port) {
   const radios = JOINT_MODES.map((mode) =>
     element(page, "input", { type: "radio", name: "joint", value: mode, onchange: () => port.setJoint(mode) }),
   );
-  const labels = JOINT_MODES.map((mode, i) => element(page, "label", { title: JOINT_TITLES[mode] }, radios[i], JOINT_NAMES[mode]));
+  const labels = JOINT_MODES.map((mode, i) =>
+    element(page, "label", { title: JOINT_TITLES[mode] }, radios[i], JOINT_NAMES[mode]),
+  );
   const legend = element(page, "legend", {}, "At P3 hold");
   const group = element(page, "fieldset", {}, legend, ...labels);
   const update = (/** @type {State} */ state) => {

@@ -91,7 +91,10 @@ export class Engine {
     overlay.addEventListener("input", (event) => this.#slide(/** @type {HTMLInputElement} */ (event.target)));
     onDoubleTap(overlay, (event) => this.#appendByPointer(event));
     this.endings.push(
-      followTheme(this.#view.probe, (theme) => ((this.#theme = theme), this.#schedule())),
+      followTheme(this.#view.probe, (theme) => {
+        this.#theme = theme;
+        this.#schedule();
+      }),
       followSize(this.#canvas, this.#view, (width) => this.#resized(width)),
       listenToKeys(this.#keyPort()),
       () => this.#voice.end(),
@@ -207,7 +210,10 @@ export class Engine {
 
   #randomize() {
     const seed = Math.floor(Math.random() * 2 ** 32);
-    this.#byUser((state) => randomized(state, generator(seed)), () => "Points randomized");
+    this.#byUser(
+      (state) => randomized(state, generator(seed)),
+      () => "Points randomized",
+    );
   }
 
   #toggle() {
@@ -255,8 +261,16 @@ export class Engine {
       randomize: () => this.#randomize(),
       toggle: () => this.#toggle(),
       append: () => this.#append(roomiestPlace(this.#state)),
-      setJoint: (mode) => this.#byUser((state) => states.withJoint(state, mode), () => ""),
-      setLayer: (name, on) => this.#byUser((state) => states.withLayers(state, { [name]: on }), () => ""),
+      setJoint: (mode) =>
+        this.#byUser(
+          (state) => states.withJoint(state, mode),
+          () => "",
+        ),
+      setLayer: (name, on) =>
+        this.#byUser(
+          (state) => states.withLayers(state, { [name]: on }),
+          () => "",
+        ),
       setT: (t, done) => {
         this.set(states.withT(this.#state, t));
         this.#fire(done ? "change" : "input");

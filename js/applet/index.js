@@ -45,7 +45,8 @@ function findCanvas(target) {
     const came = found ? kindOf(found) : "none in this document";
     throw new TypeError(`bezierApp: expected ${wanted}, got ${came}`);
   }
-  if (!found.parentNode) throw new TypeError("bezierApp: expected a canvas that is in a document, got one that is in none");
+  if (!found.parentNode)
+    throw new TypeError("bezierApp: expected a canvas that is in a document, got one that is in none");
   return /** @type {HTMLCanvasElement} */ (found);
 }
 
@@ -68,7 +69,9 @@ function contextOf(canvas) {
   } catch {
     // handed over to a worker
   }
-  throw new TypeError("bezierApp: expected a canvas for 2D pictures, got one that is used otherwise (WebGL or a worker)");
+  throw new TypeError(
+    "bezierApp: expected a canvas for 2D pictures, got one that is used otherwise (WebGL or a worker)",
+  );
 }
 
 /**

@@ -78,7 +78,10 @@ export function randomPlaces(box, count, random) {
  * @param {() => number} random
  */
 function roomyPlace(box, others, random) {
-  return roomiest(Array.from({ length: CANDIDATES }, () => randomPlace(box, random)), others);
+  return roomiest(
+    Array.from({ length: CANDIDATES }, () => randomPlace(box, random)),
+    others,
+  );
 }
 
 /**

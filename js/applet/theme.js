@@ -3,7 +3,17 @@
 /**
  * The roles of colour. Each has a custom property `--bz-<role>` in style.js.
  */
-export const ROLES = /** @type {const} */ (["ink", "quiet", "paper", "curve", "handle", "first", "second", "level1", "level2"]);
+export const ROLES = /** @type {const} */ ([
+  "ink",
+  "quiet",
+  "paper",
+  "curve",
+  "handle",
+  "first",
+  "second",
+  "level1",
+  "level2",
+]);
 
 /** @typedef {typeof ROLES[number]} Role */
 /** @typedef {Record<Role, string>} Theme */

@@ -60,7 +60,7 @@ export class Voice {
    * @param {Derived} derived
    */
   show(state, derived) {
-    const { verdict, text } = jointLabel(state, derived);
+    const { verdict, text } = jointLabel(derived);
     setText(this.#view.verdict, verdict);
     this.#view.verdict.dataset.verdict = verdict;
     setText(this.#view.label, text);
@@ -85,7 +85,7 @@ export class Voice {
     if (!this.#shown) return "";
     const { state, derived } = this.#shown;
     setText(this.#view.description, description(state, derived));
-    const { verdict, text } = jointLabel(state, derived);
+    const { verdict, text } = jointLabel(derived);
     const news = verdict === this.#told ? "" : text;
     this.#told = verdict;
     return news;

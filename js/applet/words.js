@@ -16,11 +16,10 @@ export const INSTRUCTIONS =
 /**
  * What is true at P3, and nothing else.
  *
- * @param {State} state
  * @param {Derived} derived
  * @returns {Label}
  */
-export function jointLabel(state, { continuity, points }) {
+export function jointLabel({ continuity, points }) {
   if (!continuity) return { verdict: "", text: "One cubic Bézier curve: P0 to P3, no joint." };
   if (continuity.c1) return { verdict: "C1", text: "P2, P3, P4 aligned and |P2P3| = |P3P4|: G1 and C1 at P3." };
   const lengths = `${distance(points[2], points[3])} and ${distance(points[3], points[4])}`;
@@ -78,7 +77,7 @@ export function description(state, derived) {
   const handles = points.map(place).filter((_, i) => !isOnCurve(i));
   return (
     `${kind} through ${anchors.join(", ")}, with ${handles.join(", ")} off the curve. ` +
-    `${jointLabel(state, derived).text} t is ${state.t.toFixed(2)}.`
+    `${jointLabel(derived).text} t is ${state.t.toFixed(2)}.`
   );
 }
 

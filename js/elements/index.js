@@ -26,15 +26,27 @@ function defined(name, type) {
 }
 
 /** The class of `<bezier-applet>`. */
-export const BezierApplet = /** @type {BezierAppletConstructor} */ (/** @type {unknown} */ (defined("bezier-applet", Applet)));
+export const BezierApplet = /** @type {BezierAppletConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-applet", Applet))
+);
 
 /** The class of `<bezier-surface>`. */
-export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (/** @type {unknown} */ (defined("bezier-surface", Surface)));
+export const BezierSurface = /** @type {BezierSurfaceConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-surface", Surface))
+);
 /** The class of `<bezier-bernstein>`. */
-export const BezierBernstein = /** @type {BezierBernsteinConstructor} */ (/** @type {unknown} */ (defined("bezier-bernstein", Bernstein)));
+export const BezierBernstein = /** @type {BezierBernsteinConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-bernstein", Bernstein))
+);
 /** The class of `<bezier-equation>`. */
-export const BezierEquation = /** @type {BezierEquationConstructor} */ (/** @type {unknown} */ (defined("bezier-equation", Equation)));
+export const BezierEquation = /** @type {BezierEquationConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-equation", Equation))
+);
 /** The class of `<bezier-coordinates>`. */
-export const BezierCoordinates = /** @type {BezierCoordinatesConstructor} */ (/** @type {unknown} */ (defined("bezier-coordinates", Coordinates)));
+export const BezierCoordinates = /** @type {BezierCoordinatesConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-coordinates", Coordinates))
+);
 /** The class of `<bezier-easing>`. */
-export const BezierEasing = /** @type {BezierEasingConstructor} */ (/** @type {unknown} */ (defined("bezier-easing", Easing)));
+export const BezierEasing = /** @type {BezierEasingConstructor} */ (
+  /** @type {unknown} */ (defined("bezier-easing", Easing))
+);

@@ -1,7 +1,8 @@
 // What draws is a file of its own for each kind of element: pages with none of a kind in sight never fetch it.
 
 /** What is said where it could not be fetched. */
-export const MISSING = "The part that draws could not be loaded. It is asked for again when the picture comes back into view.";
+export const MISSING =
+  "The part that draws could not be loaded. It is asked for again when the picture comes back into view.";
 
 /**
  * Fetches a module once for all elements of the page. Where that failed, the next call tries again.
@@ -21,7 +22,10 @@ export function once(fetch, part) {
     place = placeIn(error) || place;
     throw error;
   };
-  const ask = () => fetch().catch((error) => (place ? anew(place, ++tries, part).catch(() => Promise.reject(error)) : Promise.reject(error)));
+  const ask = () =>
+    fetch().catch((error) =>
+      place ? anew(place, ++tries, part).catch(() => Promise.reject(error)) : Promise.reject(error),
+    );
   return () => (loading ??= ask().catch(forget));
 }
 

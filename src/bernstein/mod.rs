@@ -5,3 +5,10 @@ pub(crate) mod evaluate;
 pub(crate) mod polynomials;
 pub(crate) mod product;
 pub(crate) mod roots;
+
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod halve;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod weights;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::bernstein::{halve, weights};

@@ -13,7 +13,7 @@
 
 use crate::numeric::float::ratio;
 use crate::numeric::list::Scalars;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// An interval below this width counts as one parameter: it contains a root of even multiplicity, or several roots that
 /// rounding cannot separate.

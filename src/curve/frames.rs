@@ -13,7 +13,7 @@ use crate::curve::arc_length::length::hodograph;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// A step is short enough if halving it moves the normal by less than this; the remaining error is about 20 times

@@ -10,9 +10,10 @@ use super::subdivider::{
 };
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
+use crate::mesh::cell_triangulator::Cell;
+use crate::mesh::second_differences::SecondDifferences;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
-use casteljau_kernels::{Cell, SecondDifferences};
 use glam::DVec3;
 
 /// The maximum number of cells of one mesh in 1 GiB: each cell makes two triangles of three indices and almost one

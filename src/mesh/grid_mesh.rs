@@ -5,7 +5,7 @@ use super::grid::{Grid, GridMethod};
 use super::grid_evaluator::GridEvaluator;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::error::Error;
-use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
+use crate::mesh::layout::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
 use glam::DVec3;
 use std::ops::Range;
 

@@ -1,11 +1,11 @@
 //! Points and normals of one patch at many parameters.
 
 use crate::geometry::point::Point;
+use crate::mesh::row_sampler::Sampler as Samples;
 use crate::numeric::list::Net;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
 use bytemuck::cast_slice;
-use casteljau_kernels::Sampler as Samples;
 use glam::DVec3;
 
 /// A patch with precomputed data for repeated evaluation.

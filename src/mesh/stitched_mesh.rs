@@ -6,10 +6,12 @@
 
 use super::sampler::Sampler;
 use crate::bernstein::evaluate::evaluate;
+use crate::mesh::cell_triangulator::{
+    Cell, CellTriangulator, first, index_of, pair, second, sort_distinct,
+};
 use crate::numeric::list::Points;
 use crate::surface::network::Surface;
 use crate::surface::topology::{SIDES, SideUse};
-use casteljau_kernels::{Cell, CellTriangulator, first, index_of, pair, second, sort_distinct};
 use glam::DVec3;
 
 /// Marks a vertex without a node.

@@ -3,3 +3,12 @@
 pub(crate) mod float;
 pub(crate) mod list;
 pub(crate) mod sort;
+
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod gauss;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod trigonometry;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod work_limit;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::numeric::{gauss, trigonometry, work_limit};

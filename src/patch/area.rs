@@ -4,9 +4,9 @@ use super::Patch;
 use super::tile_area::TileArea;
 use crate::numeric::float::ratio;
 use crate::numeric::sort::sort_by;
+use crate::numeric::work_limit::WorkLimit;
 use crate::surface::frame::Frame;
 use crate::surface::network::Surface;
-use casteljau_kernels::WorkLimit;
 
 /// Relative error at which the integration of the area stops: a tenth of the documented error.
 const AREA_ERROR: f64 = 1e-9;

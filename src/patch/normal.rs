@@ -10,9 +10,9 @@
 use super::net::transpose;
 use crate::bernstein::casteljau::blossom_piece;
 use crate::bernstein::evaluate::evaluate;
+pub(crate) use crate::bernstein::weights::binomial;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
-pub(crate) use casteljau_kernels::binomial;
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; the coefficients of the unit-sized differences carry noise of about

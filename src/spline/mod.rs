@@ -23,6 +23,7 @@ mod nearest;
 pub(crate) mod offset;
 mod repair;
 mod simplify;
+pub(crate) mod spline_builder;
 pub(crate) mod spline_set;
 mod split;
 

@@ -8,7 +8,7 @@ use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// The ratio of the tolerance that is spent on the polyline that approximates the spline.
 const POLYLINE_SHARE: f64 = 1.0 / 32.0;

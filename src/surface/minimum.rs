@@ -2,7 +2,7 @@
 
 use super::piece::{Jet, MODERATE_DEGREE, Piece};
 use super::waiting::Waiting;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Rounding error of coefficients of size 1 to 8 after products and halvings; values that differ by at most this count

@@ -7,9 +7,10 @@
 //! theoretical development for the computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2
 //! (1980).
 
+use crate::bernstein::halve::halve_coefficients;
 use crate::numeric::float::ratio;
+use crate::numeric::work_limit::WorkLimit;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
-use casteljau_kernels::{WorkLimit, halve_coefficients};
 
 /// More halvings than the parameters allow in both directions: each has 53 bits, and a few more until the step becomes
 /// 0.

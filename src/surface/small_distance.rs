@@ -8,7 +8,7 @@
 
 use super::piece::{MODERATE_DEGREE, Piece};
 use super::waiting::Waiting;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `SHARE` of that

@@ -6,7 +6,7 @@
 
 use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
 use super::piece::{Piece, search};
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
 pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;

@@ -8,9 +8,9 @@ use crate::curve::Curve;
 use crate::curve::extrema::{extrema_of, times_of};
 use crate::curve::inflections::inflections_of;
 use crate::curve::nearest::distance::Distance;
+use crate::curve::nearest::search::nearest_in_space;
 use crate::curve::nearest::{Nearest, nearest_on, nearest_parameter};
 use crate::numeric::float::ulp;
-use casteljau_kernels::nearest_in_space;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -5,9 +5,9 @@ use super::arena;
 use super::arena::Arena;
 use super::optional;
 use crate::curve::Curve;
-use crate::curve::offset::SplineBuilder;
 use crate::spline::Spline;
 use crate::spline::offset::{OffsetJoin, offset_of_curves};
+use crate::spline::spline_builder::SplineBuilder;
 use glam::{DVec2, DVec3};
 use wasm_bindgen::prelude::wasm_bindgen;
 

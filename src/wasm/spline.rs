@@ -50,7 +50,7 @@ pub(crate) fn changed(
     })
 }
 
-/// The joint mode of a code, as in `js/spline.js`.
+/// The joint mode of a code, as in `js/geometry/joints.js`.
 fn mode(code: usize) -> JointMode {
     const MODES: [JointMode; 6] = [
         JointMode::Free,

@@ -36,14 +36,18 @@ const COMMANDS = {
  */
 export async function startFirefox(path) {
   const profile = await mkdtemp(join(tmpdir(), "casteljau-firefox-"));
-  const lines = Object.entries(PREFERENCES).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`);
+  const lines = Object.entries(PREFERENCES).map(
+    ([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`,
+  );
   await writeFile(join(profile, "user.js"), lines.join(""));
   const screen = await startScreen(); // without one (--headless) there is no WebGL in software
   const env = { ...process.env, DISPLAY: screen.display };
   const firefox = spawn(path, ["--marionette", "--no-remote", "--profile", profile], { stdio: "ignore", env });
   const ended = new Promise((done) => firefox.once("exit", done));
   try {
-    const port = await until("Firefox to listen", () => readFile(join(profile, PORT_FILE), "utf8").then(Number, () => 0));
+    const port = await until("Firefox to listen", () =>
+      readFile(join(profile, PORT_FILE), "utf8").then(Number, () => 0),
+    );
     const { call, close } = await dial(port);
     await call("WebDriver:NewSession", {});
     const end = async () => {

@@ -40,9 +40,13 @@ export function inEach(define) {
 function found() {
   const { env } = process;
   const folders = (env.PATH ?? "").split(delimiter);
-  const onPath = (names) => names.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
+  const onPath = (names) =>
+    names.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
   const given = PROGRAMS.filter(({ variable }) => env[variable]);
-  return (given.length > 0 ? given : PROGRAMS).map(({ name, variable, names }) => [name, env[variable] ?? onPath(names)]);
+  return (given.length > 0 ? given : PROGRAMS).map(({ name, variable, names }) => [
+    name,
+    env[variable] ?? onPath(names),
+  ]);
 }
 
 /** One server, and one session of each browser, for all tests of a process. */

@@ -7,11 +7,12 @@ import { spawn } from "node:child_process";
  */
 export async function startScreen() {
   if (process.env.DISPLAY || process.platform !== "linux") return { display: process.env.DISPLAY ?? "", end() {} };
-  const server = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1280x1400x24", "-nolisten", "tcp"], { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  const server = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1280x1400x24", "-nolisten", "tcp"], {
+    stdio: ["ignore", "ignore", "ignore", "pipe"],
+  });
   const number = await new Promise((done, failed) => {
     server.once("error", failed).once("exit", () => failed(new Error("Xvfb ended")));
     /** @type {import("node:stream").Readable} */ (server.stdio[3]).once("data", (bytes) => done(String(bytes).trim()));
   });
   return { display: `:${number}`, end: () => void server.kill() };
 }
-

@@ -29,7 +29,10 @@ const label = (session, words) =>
     const box = found.getBoundingClientRect();
     return [box.x + box.width / 2, box.y + box.height / 2];
   }, words);
-const click = async (session, words) => (await session.drag(await label(session, words)), await session.frame());
+const click = async (session, words) => {
+  await session.drag(await label(session, words));
+  await session.frame();
+};
 
 inEach((test) => {
   test("a point follows the pointer, the others stay", tutorialPage(), async (session) => {
@@ -42,37 +45,54 @@ inEach((test) => {
 
   test("Tab and arrow keys move a point", tutorialPage(), async (session) => {
     const before = await points(session);
-    await session.evaluate(() => document.querySelector("canvas").parentNode.shadowRoot.querySelector('[aria-label="P4 x"]').focus());
+    await session.evaluate(() =>
+      document.querySelector("canvas").parentNode.shadowRoot.querySelector('[aria-label="P4 x"]').focus(),
+    );
     await session.press("ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight");
     await session.frame();
     assertNear((await points(session))[4], [before[4][0] + 2.1, before[4][1] - 9], 1e-9);
     await session.press("Tab", "Tab");
-    const focused = await session.evaluate(() => document.activeElement.shadowRoot.activeElement.getAttribute("aria-label"));
+    const focused = await session.evaluate(() =>
+      document.activeElement.shadowRoot.activeElement.getAttribute("aria-label"),
+    );
     assert.equal(focused, "P6 x");
   });
 
-  test("m hides and brings back three points, r randomizes them; the buttons do, too", tutorialPage(), async (session) => {
-    const before = await points(session);
-    await session.press("m");
-    assert.equal(await app(session, "mode"), 4);
-    await session.press("m");
-    assert.deepEqual([await app(session, "mode"), await points(session)], [7, before]);
-    await session.press("r");
-    const random = await points(session);
-    assert.equal(random.filter(([x, y], i) => x !== before[i][0] && y !== before[i][1]).length, 7);
-    await click(session, "Show 4 points");
-    assert.equal(await app(session, "mode"), 4);
-  });
+  test(
+    "m hides and brings back three points, r randomizes them; the buttons do, too",
+    tutorialPage(),
+    async (session) => {
+      const before = await points(session);
+      await session.press("m");
+      assert.equal(await app(session, "mode"), 4);
+      await session.press("m");
+      assert.deepEqual([await app(session, "mode"), await points(session)], [7, before]);
+      await session.press("r");
+      const random = await points(session);
+      assert.equal(random.filter(([x, y], i) => x !== before[i][0] && y !== before[i][1]).length, 7);
+      await click(session, "Show 4 points");
+      assert.equal(await app(session, "mode"), 4);
+    },
+  );
 
   test("a smooth joint is held while its points are dragged", tutorialPage(), async (session) => {
     await click(session, "C1");
     assert.equal(await app(session, "joint"), "c1");
-    for (const [index, dx, dy] of [[2, 30, -60], [3, 40, 20], [4, -50, 30]]) {
+    for (const [index, dx, dy] of [
+      [2, 30, -60],
+      [3, 40, 20],
+      [4, -50, 30],
+    ]) {
       await drag(session, index, dx, dy);
       const { sine, cosine, before, after } = joint(await points(session));
       assert.ok(Math.abs(sine) < 1e-9 && cosine > 0);
       assertNear([before], [after], 1e-9);
     }
-    assert.match(await session.evaluate(() => document.querySelector("canvas").parentNode.shadowRoot.querySelector('[part="status"]').textContent), /C1/);
+    assert.match(
+      await session.evaluate(
+        () => document.querySelector("canvas").parentNode.shadowRoot.querySelector('[part="status"]').textContent,
+      ),
+      /C1/,
+    );
   });
 });

@@ -3,7 +3,10 @@ import assert from "node:assert/strict";
 import { surfacePage } from "../page/surface-page.js";
 import { inEach } from "./page.js";
 
-const ready = (session) => session.waitFor(() => /triangles/.test(document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? ""));
+const ready = (session) =>
+  session.waitFor(() =>
+    /triangles/.test(document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? ""),
+  );
 
 /** How many pixels of the picture are drawn on, in how many colours, and a number that tells pictures apart. */
 const look = (session) =>
@@ -11,7 +14,10 @@ const look = (session) =>
     const element = document.querySelector("bezier-surface");
     await element.updateComplete;
     const bitmap = await createImageBitmap(await element.toBlob());
-    const context = Object.assign(document.createElement("canvas"), { width: bitmap.width, height: bitmap.height }).getContext("2d");
+    const context = Object.assign(document.createElement("canvas"), {
+      width: bitmap.width,
+      height: bitmap.height,
+    }).getContext("2d");
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     const colours = new Set();
@@ -31,7 +37,9 @@ const element = (session, name) => session.evaluate((name) => document.querySele
 inEach((test) => {
   test("the teapot is drawn, shaded, in WebGL2", surfacePage("controls"), async (session) => {
     await ready(session);
-    const message = await session.evaluate(() => document.querySelector("bezier-surface").shadowRoot.querySelector(".message").textContent.trim());
+    const message = await session.evaluate(() =>
+      document.querySelector("bezier-surface").shadowRoot.querySelector(".message").textContent.trim(),
+    );
     assert.equal(message, "");
     const { inked, colours } = await look(session);
     assert.ok(inked > 30_000 && colours > 100, `${inked} pixels in ${colours} colours`);
@@ -58,26 +66,38 @@ inEach((test) => {
     await ready(session);
     await session.frame();
     const [x, y] = await session.evaluate(() => {
-      const box = document.querySelector("bezier-surface").shadowRoot.querySelectorAll(".handle")[5].getBoundingClientRect();
+      const box = document
+        .querySelector("bezier-surface")
+        .shadowRoot.querySelectorAll(".handle")[5]
+        .getBoundingClientRect();
       return [box.x + box.width / 2, box.y + box.height / 2];
     });
-    const vertex = () => session.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices.slice(15, 18)]);
+    const vertex = () =>
+      session.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices.slice(15, 18)]);
     const before = await vertex();
     await session.drag([x, y], [x + 10, y - 20], [x + 20, y - 40]);
     const after = await vertex();
     assert.ok(Math.hypot(...after.map((value, k) => value - before[k])) > 0.1);
   });
 
-  test("what draws is asked for again where it could not be fetched", surfacePage('model="patch" hidden'), async (session, pages) => {
-    const part = "/dist/elements-surface.js";
-    pages.set(part, "no script");
-    await session.waitFor(() => customElements.get("bezier-surface") !== undefined);
-    await session.evaluate(() => void (document.querySelector("bezier-surface").hidden = false));
-    await session.waitFor(() => /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot.textContent));
-    pages.delete(part);
-    await session.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
-    await ready(session);
-    assert.ok((await look(session)).inked > 3000);
-    await session.evaluate(() => void window.problems.splice(0)); // the refusal is told in the console
-  });
+  test(
+    "what draws is asked for again where it could not be fetched",
+    surfacePage('model="patch" hidden'),
+    async (session, pages) => {
+      const part = "/dist/elements-surface.js";
+      pages.set(part, "no script");
+      await session.waitFor(() => customElements.get("bezier-surface") !== undefined);
+      await session.evaluate(() => {
+        document.querySelector("bezier-surface").hidden = false;
+      });
+      await session.waitFor(() =>
+        /could not be loaded/.test(document.querySelector("bezier-surface").shadowRoot.textContent),
+      );
+      pages.delete(part);
+      await session.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
+      await ready(session);
+      assert.ok((await look(session)).inked > 3000);
+      await session.evaluate(() => void window.problems.splice(0)); // the refusal is told in the console
+    },
+  );
 });

@@ -23,7 +23,11 @@ export async function startWebKit(path) {
   const screen = await startScreen();
   const port = await freePort();
   // A group of its own, so that the browser and its processes end with the driver.
-  const driver = spawn(path, [`--port=${port}`], { stdio: "ignore", detached: true, env: { ...process.env, DISPLAY: screen.display } });
+  const driver = spawn(path, [`--port=${port}`], {
+    stdio: "ignore",
+    detached: true,
+    env: { ...process.env, DISPLAY: screen.display },
+  });
   const stop = () => {
     try {
       process.kill(-(driver.pid ?? 0));
@@ -34,11 +38,22 @@ export async function startWebKit(path) {
   };
   const base = `http://127.0.0.1:${port}/`;
   try {
-    await until("WebKitWebDriver to listen", () => fetch(`${base}status`).then((answer) => answer.ok, () => false));
+    await until("WebKitWebDriver to listen", () =>
+      fetch(`${base}status`).then(
+        (answer) => answer.ok,
+        () => false,
+      ),
+    );
     const { sessionId } = await ask("POST", `${base}session`, { capabilities: {} });
     const session = `${base}session/${sessionId}`;
     const send = (command, parameters) => ask(COMMANDS[command][0], `${session}/${COMMANDS[command][1]}`, parameters);
-    return { send, end: () => ask("DELETE", session).catch(() => {}).then(stop) };
+    return {
+      send,
+      end: () =>
+        ask("DELETE", session)
+          .catch(() => {})
+          .then(stop),
+    };
   } catch (error) {
     stop();
     throw error;
@@ -49,7 +64,8 @@ export async function startWebKit(path) {
 async function ask(method, url, parameters) {
   const body = method === "POST" ? JSON.stringify(parameters ?? {}) : undefined;
   const { value } = await (await fetch(url, { method, body })).json();
-  if (value?.error) throw new Error(`${new URL(url).pathname.split("/").slice(3).join("/")}: ${value.error}: ${value.message}`);
+  if (value?.error)
+    throw new Error(`${new URL(url).pathname.split("/").slice(3).join("/")}: ${value.error}: ${value.message}`);
   return value;
 }
 

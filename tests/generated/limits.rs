@@ -1,4 +1,4 @@
-//! The maximum number of steps of one call of a function, as counted by `casteljau_kernels::take_steps`.
+//! The maximum number of steps of one call of a function, as counted by `casteljau::take_steps`.
 
 /// For functions without a documented limit of their own.
 const DEFAULT: usize = 1_000_000;

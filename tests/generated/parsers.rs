@@ -94,7 +94,7 @@ fn handles(case: &Case) -> [f64; 4] {
 
 fn easing_new(case: &Case) -> Checked {
     let [x1, y1, x2, y2] = handles(case);
-    casteljau_kernels::take_steps();
+    casteljau::take_steps();
     let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
     let ends = call(case, || [easing.eval(0.0), easing.eval(1.0)])?;
     ensure!(ends == [0.0, 1.0], "the ends are {ends:?}");

@@ -6,7 +6,14 @@ import { Speaker } from "../../js/applet/voice.js";
 /** A live region that keeps every text it gets. */
 const region = () => {
   const texts = [];
-  return { texts, element: { set textContent(text) { texts.push(text); } } };
+  return {
+    texts,
+    element: {
+      set textContent(text) {
+        texts.push(text);
+      },
+    },
+  };
 };
 
 test("several changes in a row are announced once, with what else there is to say; after the end nothing is", (t) => {

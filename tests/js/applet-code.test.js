@@ -8,7 +8,8 @@ import { BASES, firstState } from "../../js/elements/applet/state.js";
 import { Curve, Spline } from "../../js/index.js";
 
 const { points } = firstState();
-const pointOf = (code) => new Function("Spline", "Curve", `${code.replace(/import.*\n/, "")}; return { x, y };`)(Spline, Curve);
+const pointOf = (code) =>
+  new Function("Spline", "Curve", `${code.replace(/import.*\n/, "")}; return { x, y };`)(Spline, Curve);
 
 for (const basis of BASES) {
   test(`${basis}: the program's point is the one at t, in every segment and beyond its ends`, () => {
@@ -18,7 +19,10 @@ for (const basis of BASES) {
         const figure = figureOf(state);
         const { x, y } = pointOf(codeOf(state, figure, "js"));
         const shown = figure.pieces[Math.min(segment, figure.pieces.length - 1)].curve.eval(t);
-        assert.ok(Math.hypot(x - shown.x, y - shown.y) < 0.01, `t = ${t} in ${segment}: ${x}, ${y}, not ${shown.x}, ${shown.y}`);
+        assert.ok(
+          Math.hypot(x - shown.x, y - shown.y) < 0.01,
+          `t = ${t} in ${segment}: ${x}, ${y}, not ${shown.x}, ${shown.y}`,
+        );
       }
     }
   });
@@ -26,7 +30,8 @@ for (const basis of BASES) {
 
 test("where there is no curve every language says so", () => {
   const state = stateOf({ points, mode: 3 });
-  for (const language of ["js", "rust", "canvas"]) assert.equal(codeOf(state, figureOf(state), language), "// Too few points for a curve.\n");
+  for (const language of ["js", "rust", "canvas"])
+    assert.equal(codeOf(state, figureOf(state), language), "// Too few points for a curve.\n");
 });
 
 test('mode="" shows all points, as it is read', () => {

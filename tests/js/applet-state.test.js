@@ -7,21 +7,54 @@ import { figureOf, nameOf } from "../../js/elements/applet/figure.js";
 import { withText } from "../../js/elements/applet/files.js";
 import { History } from "../../js/elements/applet/history.js";
 import { snapped, turnedBy15 } from "../../js/elements/applet/snap.js";
-import { BASES, firstState, isHome, MOST_POINTS, toggled, toPlane, withHome, withPoints, withView, zoomed } from "../../js/elements/applet/state.js";
+import {
+  BASES,
+  firstState,
+  isHome,
+  MOST_POINTS,
+  toggled,
+  toPlane,
+  withHome,
+  withPoints,
+  withView,
+  zoomed,
+} from "../../js/elements/applet/state.js";
 import { generator } from "../../js/applet/random.js";
 
-const near = (got, expected, slack = 1e-9) => expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${got}, not ${expected}`));
+const near = (got, expected, slack = 1e-9) =>
+  expected.forEach((x, i) => assert.ok(Math.abs(got[i] - x) <= slack, `${got}, not ${expected}`));
 /** A chain of so many random cubics, some points waiting. */
-const randomState = (seed, segments, rest = 0) => edits.randomized(withPoints(firstState(), Array.from({ length: 3 * segments + 1 + rest }, () => [0, 0])), seed);
+const randomState = (seed, segments, rest = 0) =>
+  edits.randomized(
+    withPoints(
+      firstState(),
+      Array.from({ length: 3 * segments + 1 + rest }, () => [0, 0]),
+    ),
+    seed,
+  );
 
 test("every field: written, parsed and put it is the same, through attributes and through JSON", () => {
   for (let seed = 0; seed < 50; seed++) {
     const random = generator(seed);
     let state = randomState(seed, 1 + (seed % 4), seed % 3);
-    state = { ...state, t: random(), basis: BASES[seed % BASES.length], matrix: Array.from({ length: 16 }, random), degree: seed % 5 ? 1 + (seed % 7) : "n", joints: ["c1", "g2"], tolerance: 0.1 + random(), offset: 100 * random() - 50 };
-    state = zoomed({ ...state, layers: new Set(["tree", "comb"]), shown: Math.min(4, state.points.length) }, 1 + 5 * random(), [100, 100]);
+    state = {
+      ...state,
+      t: random(),
+      basis: BASES[seed % BASES.length],
+      matrix: Array.from({ length: 16 }, random),
+      degree: seed % 5 ? 1 + (seed % 7) : "n",
+      joints: ["c1", "g2"],
+      tolerance: 0.1 + random(),
+      offset: 100 * random() - 50,
+    };
+    state = zoomed(
+      { ...state, layers: new Set(["tree", "comb"]), shown: Math.min(4, state.points.length) },
+      1 + 5 * random(),
+      [100, 100],
+    );
     let read = firstState();
-    for (const { put, parse, write } of Object.values(FIELDS)) if (write(state) !== "") read = put(read, parse(write(state)));
+    for (const { put, parse, write } of Object.values(FIELDS))
+      if (write(state) !== "") read = put(read, parse(write(state)));
     assert.deepEqual({ ...read, view: null }, { ...state, view: null });
     near(Object.values(read.view), Object.values(state.view));
     assert.deepEqual(jsonOf(stateOf(JSON.parse(JSON.stringify(jsonOf(read))))), jsonOf(read));
@@ -41,12 +74,34 @@ test("refusals name the field and what came", () => {
       return `${error.name} ${error.message}`;
     }
   };
-  assert.equal(refused({ points: [[1, 2], [3, NaN]] }), "RangeError y of points[1]: expected a finite number, got NaN");
-  assert.equal(refused({ points: [[1, 2], [3, 2e6]] }), "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000");
-  assert.equal(refused({ points: Array(MOST_POINTS + 1).fill([0, 0]) }), "RangeError points: expected 2 to 500 points, got 501");
+  assert.equal(
+    refused({
+      points: [
+        [1, 2],
+        [3, NaN],
+      ],
+    }),
+    "RangeError y of points[1]: expected a finite number, got NaN",
+  );
+  assert.equal(
+    refused({
+      points: [
+        [1, 2],
+        [3, 2e6],
+      ],
+    }),
+    "RangeError points[1]: expected coordinates from −1000000 to 1000000, got 2000000",
+  );
+  assert.equal(
+    refused({ points: Array(MOST_POINTS + 1).fill([0, 0]) }),
+    "RangeError points: expected 2 to 500 points, got 501",
+  );
   assert.equal(refused({ t: 1.5 }), "RangeError t: expected a number from 0 to 1, got 1.5");
   assert.equal(refused({ t: 1.5, show: ["extrapolation"] }), undefined, "there t goes on");
-  assert.equal(refused({ t: 1.6, show: ["extrapolation"] }), "RangeError t: expected a number from -0.5 to 1.5, got 1.6");
+  assert.equal(
+    refused({ t: 1.6, show: ["extrapolation"] }),
+    "RangeError t: expected a number from -0.5 to 1.5, got 1.6",
+  );
   assert.equal(refused({ mode: 8 }), "RangeError mode: expected a number from 2 to 7, got 8");
   assert.equal(refused({ matrix: [1] }), "RangeError matrix: expected 16 numbers, got 1");
   assert.equal(refused({ joints: { 0: "g1" } }), "TypeError joints: expected an array, got Object");
@@ -57,12 +112,17 @@ test("a cut leaves the curve and healing it gives the points back, in every chai
   for (let seed = 0; seed < 60; seed++) {
     const [segments, degree] = [1 + (seed % 4), 1 + (seed % 5)];
     const random = generator(seed);
-    const points = Array.from({ length: segments * degree + 1 + (seed % degree) }, () => [600 * random(), 400 * random()]);
+    const points = Array.from({ length: segments * degree + 1 + (seed % degree) }, () => [
+      600 * random(),
+      400 * random(),
+    ]);
     const state = { ...withPoints(firstState(), points), degree, segment: seed % segments, t: 0.1 + 0.8 * random() };
     const cut = edits.inserted(state);
     assert.equal(cut.points.length, points.length + degree);
     const whole = figureOf(state).pieces[state.segment].curve;
-    const [a, b] = figureOf(cut).pieces.slice(state.segment, state.segment + 2).map(({ curve }) => curve);
+    const [a, b] = figureOf(cut)
+      .pieces.slice(state.segment, state.segment + 2)
+      .map(({ curve }) => curve);
     for (const t of [0, 0.3, 0.7, 1]) {
       const [first, second] = [a.eval(t), b.eval(t)];
       const [p, q] = [whole.eval(t * state.t), whole.eval(state.t + t * (1 - state.t))];
@@ -126,7 +186,15 @@ test("enlarging keeps the place it is about, and the proportions", () => {
 });
 
 test("places to click into: the mirror image, the line; 15° about the anchor", () => {
-  const state = withPoints(firstState(), [[0, 0], [50, 0], [100, 100], [200, 100], [300, 300], [400, 0], [500, 0]]);
+  const state = withPoints(firstState(), [
+    [0, 0],
+    [50, 0],
+    [100, 100],
+    [200, 100],
+    [300, 300],
+    [400, 0],
+    [500, 0],
+  ]);
   assert.deepEqual(snapped(state, 4, [303, 101], 1), [300, 100]);
   assert.deepEqual(snapped(state, 4, [370, 103], 1), [370, 100]);
   assert.deepEqual(snapped(state, 4, [370, 110], 1), [370, 110], "not near enough");
@@ -138,7 +206,10 @@ test("places to click into: the mirror image, the line; 15° about the anchor", 
 });
 
 test("names: P0, P1, b with its index below", () => {
-  assert.deepEqual(["P0", "P1", "b0", "p0", "none"].map((labels) => nameOf(labels, 12)), ["P12", "P13", "b₁₂", "p12", "P12"]);
+  assert.deepEqual(
+    ["P0", "P1", "b0", "p0", "none"].map((labels) => nameOf(labels, 12)),
+    ["P12", "P13", "b₁₂", "p12", "P12"],
+  );
 });
 
 test("a path of lines, quadratics and arcs becomes cubics that meet", () => {
@@ -153,7 +224,10 @@ test("a path of lines, quadratics and arcs becomes cubics that meet", () => {
 });
 
 test("no edit makes more points than can be read back", () => {
-  const full = withPoints(firstState(), Array.from({ length: MOST_POINTS }, (_, i) => [i, i]));
+  const full = withPoints(
+    firstState(),
+    Array.from({ length: MOST_POINTS }, (_, i) => [i, i]),
+  );
   const refusal = { name: "RangeError", message: /^points: expected at most 500, got 50[13]$/ };
   assert.throws(() => edits.appended(full, [1, 2]), refusal);
   assert.throws(() => edits.inserted(full, 0.5), refusal);

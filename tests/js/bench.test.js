@@ -13,7 +13,17 @@ const bench = (...args) => spawnSync(process.execPath, ["benches/js/run.js", ...
 test("all sides of the benchmarks give the same answers", () => {
   const { status, stdout, stderr } = bench("--quick");
   assert.equal(status, 0, stderr);
-  for (const work of ["1,000 points", "eval(t)", "split(t)", "teapot, 16 segments", "teapot, 64 segments", "tolerance diagonal / 1000", "first call", "package", "32,000"]) {
+  for (const work of [
+    "1,000 points",
+    "eval(t)",
+    "split(t)",
+    "teapot, 16 segments",
+    "teapot, 64 segments",
+    "tolerance diagonal / 1000",
+    "first call",
+    "package",
+    "32,000",
+  ]) {
     assert.ok(stdout.includes(work), work);
   }
 });
@@ -26,9 +36,14 @@ test("a part of a name chooses rows", () => {
 });
 
 test("each target belongs to a row", async () => {
-  const modules = await Promise.all(["curve", "easing", "intersect", "measure", "nearest", "offset", "path", "teapot"].map((name) => import(`../../benches/js/${name}.js`)));
+  const modules = await Promise.all(
+    ["curve", "easing", "intersect", "measure", "nearest", "offset", "path", "teapot"].map(
+      (name) => import(`../../benches/js/${name}.js`),
+    ),
+  );
   const ids = modules.flatMap(({ rows }) => rows).map(({ id }) => id);
   assert.equal(new Set(ids).size, ids.length);
-  const other = /^(adaptive-(verb|triangles?)|growth-\w+|(flatten|intersect|length|nearest|offset)(-[\d.]+)?-(kurbo|lyon_geom)(-segments)?|first-call|frame|size(-elements)?)$/;
+  const other =
+    /^(adaptive-(verb|triangles?)|growth-\w+|(flatten|intersect|length|nearest|offset)(-[\d.]+)?-(kurbo|lyon_geom)(-segments)?|first-call|frame|size(-elements)?)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
 });

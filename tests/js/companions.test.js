@@ -11,18 +11,35 @@ import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from ".
 import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
 
 const near = (a, b, slack = 1e-12) => assert.ok(Math.abs(a - b) <= slack, `${a} and ${b}`);
-const POINTS = [[70, 330], [110, 90], [235, 120], [325, 230]];
+const POINTS = [
+  [70, 330],
+  [110, 90],
+  [235, 120],
+  [325, 230],
+];
 const TS = [-0.4, 0, 0.1, 0.5, 0.9, 1, 1.3];
 
 test("numbers are read as people write them, and nothing else is one", () => {
   const good = { 12: 12, "-3.5": -3.5, "−3": -3, " 7 ": 7, ".5": 0.5, "5.": 5, "1e3": 1000, "+2E−2": 0.02 };
   for (const [text, value] of Object.entries(good)) assert.equal(readNumber(text), value, text);
-  for (const bad of ["", " ", "NaN", "Infinity", "1e999", "-1e999", "0x10", "1,5", "12px", "--1", "1 2", "e5", "."]) assert.ok(Number.isNaN(readNumber(bad)), bad);
+  for (const bad of ["", " ", "NaN", "Infinity", "1e999", "-1e999", "0x10", "1,5", "12px", "--1", "1 2", "e5", "."])
+    assert.ok(Number.isNaN(readNumber(bad)), bad);
 });
 
 test("points are read from attributes and from tables; what is wrong is named with its line", () => {
-  const two = [[1, 2], [3, 4.5]];
-  for (const text of ["1,2 3,4.5", "1 2 3 4.5", "1,2\n3,4.5", "1\t2\r\n3\t4.5\r\n", "1;2\n\n3;4.5\n", " 1, 2\n 3 , 4.5"]) assert.deepEqual(readPoints(text), two, JSON.stringify(text));
+  const two = [
+    [1, 2],
+    [3, 4.5],
+  ];
+  for (const text of [
+    "1,2 3,4.5",
+    "1 2 3 4.5",
+    "1,2\n3,4.5",
+    "1\t2\r\n3\t4.5\r\n",
+    "1;2\n\n3;4.5\n",
+    " 1, 2\n 3 , 4.5",
+  ])
+    assert.deepEqual(readPoints(text), two, JSON.stringify(text));
   assert.throws(() => readPoints("1,2\n3"), /^RangeError: line 2: expected pairs of numbers x,y, got “3”/);
   assert.throws(() => readPoints("1,2\nx,4"), /^RangeError: line 2: expected a number, got “x”/);
   assert.throws(() => readPoints("1,2 3,1e999"), /^RangeError: expected a number, got “1e999”/);
@@ -30,7 +47,10 @@ test("points are read from attributes and from tables; what is wrong is named wi
 });
 
 test("numbers are shown short, with a real minus, never as −0", () => {
-  assert.deepEqual([0, -0, 1 / 3, -2.5, 1e-9, 12345678, -0.0004].map((x) => shown(x)), ["0", "0", "0.333", "−2.5", "1.0e−9", "1.23e+7", "0"]);
+  assert.deepEqual(
+    [0, -0, 1 / 3, -2.5, 1e-9, 12345678, -0.0004].map((x) => shown(x)),
+    ["0", "0", "0.333", "−2.5", "1.0e−9", "1.23e+7", "0"],
+  );
   assert.deepEqual([1 / 6, -2 / 3, 4, -0.5, 0.1, -0].map(shownFraction), ["1/6", "−2/3", "4", "−1/2", "0.1", "0"]);
   assert.equal(quoted(""), "nothing");
   assert.ok(quoted("x".repeat(1e6)).length < 40);
@@ -47,14 +67,20 @@ test("matrices and recursions give the weights that the core has", () => {
     for (let i = 0; i <= degree; i++) {
       const points = Array.from({ length: degree + 1 }, (_, k) => [k === i ? 1 : 0, 0]);
       const spline = Spline.fromBSpline(points, { degree });
-      for (const t of [0, 0.25, 0.8, 1]) near(weightsAt({ basis: "b-spline", degree, matrix: null }, t)[i], spline.eval(t).x);
+      for (const t of [0, 0.25, 0.8, 1])
+        near(weightsAt({ basis: "b-spline", degree, matrix: null }, t)[i], spline.eval(t).x);
     }
   }
 });
 
 test("point weights sum to 1, at any t and in every basis", () => {
   for (const t of TS) {
-    for (const [basis, degree] of [["bezier", 64], ["b-spline", 3], ["b-spline", 9], ["catmull-rom", 3]]) {
+    for (const [basis, degree] of [
+      ["bezier", 64],
+      ["b-spline", 3],
+      ["b-spline", 9],
+      ["catmull-rom", 3],
+    ]) {
       const sum = weightsAt({ basis, degree, matrix: null }, t).reduce((a, b) => a + b, 0);
       if (degree < 20 || (t >= 0 && t <= 1)) near(sum, 1, 1e-9);
     }
@@ -63,7 +89,16 @@ test("point weights sum to 1, at any t and in every basis", () => {
   }
 });
 
-const figure = (basis, curve, more = {}) => ({ points: POINTS, names: ["P0", "P1", "P2", "P3"], basis, matrix: null, t: 0.3, segment: 0, pieces: [{ curve, indices: [0, 1, 2, 3] }], ...more });
+const figure = (basis, curve, more = {}) => ({
+  points: POINTS,
+  names: ["P0", "P1", "P2", "P3"],
+  basis,
+  matrix: null,
+  t: 0.3,
+  segment: 0,
+  pieces: [{ curve, indices: [0, 1, 2, 3] }],
+  ...more,
+});
 /** Weights times points. */
 const blended = ({ points, ...subject }) => {
   const weights = weightsAt(subject, subject.t);
@@ -80,7 +115,28 @@ test("weights times points is the point of the curve, whatever the basis", () =>
     figure("b-spline", Curve.fromBasis("b-spline", POINTS)),
     figure("catmull-rom", Curve.fromBasis("catmull-rom", POINTS)),
     figure("matrix", Curve.fromBasis(own, POINTS), { matrix: own }),
-    figure("natural", new Curve([[0, 0], [1, 5], [2, 5], [9, 0]]), { pieces: [{ curve: new Curve([[0, 0], [1, 5], [2, 5], [9, 0]]), indices: [0, 1] }] }),
+    figure(
+      "natural",
+      new Curve([
+        [0, 0],
+        [1, 5],
+        [2, 5],
+        [9, 0],
+      ]),
+      {
+        pieces: [
+          {
+            curve: new Curve([
+              [0, 0],
+              [1, 5],
+              [2, 5],
+              [9, 0],
+            ]),
+            indices: [0, 1],
+          },
+        ],
+      },
+    ),
   ];
   for (const each of figures) {
     const { x, y } = each.pieces[0].curve.eval(0.3);
@@ -92,12 +148,22 @@ test("weights times points is the point of the curve, whatever the basis", () =>
   assert.deepEqual(hermite.names, ["P0", "P3", "P1−P0", "P3−P2"]);
   const same = inPoints(hermite, matrixOf("hermite", 3, null));
   assert.deepEqual(same.names, ["P0", "P1", "P2", "P3"]);
-  assert.deepEqual(blended(same).map((x) => x.toFixed(9)), blended(hermite).map((x) => x.toFixed(9)));
+  assert.deepEqual(
+    blended(same).map((x) => x.toFixed(9)),
+    blended(hermite).map((x) => x.toFixed(9)),
+  );
 });
 
 test("the piece that is looked at counts; no piece is no subject; names may be missing", () => {
   const [first, second] = [new Curve(POINTS), new Curve([...POINTS].reverse())];
-  const two = figure("bezier", first, { names: [], segment: 1, pieces: [{ curve: first, indices: [0, 1, 2, 3] }, { curve: second, indices: [3, 2, 1, 0] }] });
+  const two = figure("bezier", first, {
+    names: [],
+    segment: 1,
+    pieces: [
+      { curve: first, indices: [0, 1, 2, 3] },
+      { curve: second, indices: [3, 2, 1, 0] },
+    ],
+  });
   assert.deepEqual([subjectOf(two).points[0], subjectOf(two).names[0]], [POINTS[3], "P3"]);
   assert.equal(subjectOf({ ...two, segment: 9 }).curve, first);
   assert.equal(subjectOf({ ...two, pieces: [] }), null);
@@ -106,22 +172,52 @@ test("the piece that is looked at counts; no piece is no subject; names may be m
 
 test("alone: attributes that cannot be used are named, and the defaults stand in", () => {
   const problems = [];
-  const check = (name, value, usable, _, fallback) => (usable ? value : (problems.push(name), fallback));
+  const check = (name, value, usable, _, fallback) => {
+    if (usable) return value;
+    problems.push(name);
+    return fallback;
+  };
   const bad = ownSubject({ given: "1,2 3", t: NaN, degree: 99, basis: "nurbs", matrix: "1 2" }, check);
   assert.deepEqual(problems.sort(), ["basis", "degree", "points", "t"]);
   assert.deepEqual([bad.basis, bad.degree, bad.t, bad.points], ["bezier", 3, 0.5, POINTS]);
-  const strict = (name, value, usable) => (assert.ok(usable, name), value);
-  assert.equal(ownSubject({ given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" }, strict).degree, 2);
-  for (const given of [7, [[1]], [[1, NaN], [2, 3]], {}]) assert.equal(ownPoints(given, check), ownPoints(null, check));
+  const strict = (name, value, usable) => {
+    assert.ok(usable, name);
+    return value;
+  };
+  assert.equal(
+    ownSubject({ given: "0,0 1,1 2,0", t: 0.5, degree: null, basis: "bezier", matrix: "" }, strict).degree,
+    2,
+  );
+  for (const given of [
+    7,
+    [[1]],
+    [
+      [1, NaN],
+      [2, 3],
+    ],
+    {},
+  ])
+    assert.equal(ownPoints(given, check), ownPoints(null, check));
   assert.equal(ownMatrix("1 ".repeat(15)), null);
   assert.equal(ownMatrix("1, ".repeat(16)).length, 16);
 });
 
 test("the plot: every line inside, the peaks labelled apart, t back from its place", () => {
-  for (const [basis, degree] of [["bezier", 1], ["bezier", 3], ["bezier", 64], ["hermite", 3], ["catmull-rom", 3]]) {
+  for (const [basis, degree] of [
+    ["bezier", 1],
+    ["bezier", 3],
+    ["bezier", 64],
+    ["hermite", 3],
+    ["catmull-rom", 3],
+  ]) {
     const { frame, lines } = plotOf({ basis, degree, matrix: null, t: 0.5 });
     assert.equal(lines.length, degree + 1);
-    for (const { points } of lines) for (const pair of points.split(" ")) assert.ok(pair.split(",").every((x) => x >= 0 && x <= 400), pair);
+    for (const { points } of lines)
+      for (const pair of points.split(" "))
+        assert.ok(
+          pair.split(",").every((x) => x >= 0 && x <= 400),
+          pair,
+        );
     const labels = lines.filter(({ labelled }) => labelled).map(({ peak }) => peak);
     labels.forEach((a, i) => labels.slice(i + 1).forEach((b) => assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 17)));
     assert.ok(lines[0].labelled && lines.at(-1).labelled);
@@ -141,7 +237,18 @@ test("timing functions: read, written, refused", () => {
     assert.equal(easing(...handles)(1), 1);
     assert.ok(presetOf(handles));
   }
-  for (const bad of ["", "cubic-bezier()", "cubic-bezier(1,2,3)", "cubic-bezier(1,2,3,4,5)", "cubic-bezier(0, NaN, 0, 0)", "cubic-bezier(0, 1e999, 0, 0)", "go too far", "steps(3)", "cubic-bezier(0,0,0,0", "<script>"]) {
+  for (const bad of [
+    "",
+    "cubic-bezier()",
+    "cubic-bezier(1,2,3)",
+    "cubic-bezier(1,2,3,4,5)",
+    "cubic-bezier(0, NaN, 0, 0)",
+    "cubic-bezier(0, 1e999, 0, 0)",
+    "go too far",
+    "steps(3)",
+    "cubic-bezier(0,0,0,0",
+    "<script>",
+  ]) {
     assert.throws(() => readTiming(bad), /expected cubic-bezier/, bad);
   }
   assert.throws(() => readTiming("cubic-bezier(1.1, 0, 0, 0)"), /x1: expected a number from 0 to 1, got 1.1/);

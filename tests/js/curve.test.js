@@ -7,7 +7,26 @@ import { coordinates, CUBIC, deCasteljau, near, owned, pairs, SPACE } from "./re
 const cubic = new Curve(CUBIC);
 const space = new Curve(SPACE);
 const TS = [0, 0.1, 0.25, 0.5, 0.75, 0.999, 1, -0.5, 1.5];
-const CURVES = [[[0, 10], [200, 100]], [[3, 5], [14, 3], [19, 14]], CUBIC, SPACE, [[0, 0], [0, 1], [1, 1], [1, 2], [2, 2]]];
+const CURVES = [
+  [
+    [0, 10],
+    [200, 100],
+  ],
+  [
+    [3, 5],
+    [14, 3],
+    [19, 14],
+  ],
+  CUBIC,
+  SPACE,
+  [
+    [0, 0],
+    [0, 1],
+    [1, 1],
+    [1, 2],
+    [2, 2],
+  ],
+];
 
 test("eval, evalAt and sample are the points of de Casteljau's algorithm", () => {
   for (const points of CURVES) {
@@ -17,8 +36,14 @@ test("eval, evalAt and sample are the points of de Casteljau's algorithm", () =>
     for (const t of TS) near(curve.eval(t), deCasteljau(points, t));
     assert.deepEqual(coordinates(curve.eval(0)), points[0]);
     assert.deepEqual(coordinates(curve.eval(1)), points.at(-1));
-    near(curve.evalAt(TS), TS.flatMap((t) => deCasteljau(points, t)));
-    near(curve.sample(5), [0, 0.2, 0.4, 0.6, 0.8, 1].flatMap((t) => deCasteljau(points, t)));
+    near(
+      curve.evalAt(TS),
+      TS.flatMap((t) => deCasteljau(points, t)),
+    );
+    near(
+      curve.sample(5),
+      [0, 0.2, 0.4, 0.6, 0.8, 1].flatMap((t) => deCasteljau(points, t)),
+    );
     assert.deepEqual(curve.evalAt(new Float32Array(0)), new Float64Array(0));
   }
 });
@@ -40,11 +65,25 @@ test("derivatives", () => {
   assert.deepEqual(cubic.derivativeAt(0.3, 0), cubic.eval(0.3));
   assert.deepEqual(cubic.derivativeAt(0.3, 4), { x: 0, y: 0 });
   assert.equal(cubic.derivative().degree, 2);
-  assert.deepEqual([...new Curve([[1, 2], [4, 1]]).derivative().controlPoints()], [3, -1, 3, -1]);
+  assert.deepEqual(
+    [
+      ...new Curve([
+        [1, 2],
+        [4, 1],
+      ])
+        .derivative()
+        .controlPoints(),
+    ],
+    [3, -1, 3, -1],
+  );
 });
 
 test("tangent, normal, curvature: signs as with y up, limits at zero-length handles", () => {
-  const parabola = new Curve([[-1, 1], [0, -1], [1, 1]]);
+  const parabola = new Curve([
+    [-1, 1],
+    [0, -1],
+    [1, 1],
+  ]);
   for (const t of TS.slice(0, 7)) {
     const x = 2 * t - 1;
     const length = Math.hypot(1, 2 * x);
@@ -53,22 +92,53 @@ test("tangent, normal, curvature: signs as with y up, limits at zero-length hand
     near([parabola.curvature(t)], [2 / length ** 3]);
     near([parabola.reverse().curvature(1 - t)], [-2 / length ** 3]);
   }
-  const stopping = new Curve([[0, 0], [0, 0], [1, 1], [2, 0]]);
+  const stopping = new Curve([
+    [0, 0],
+    [0, 0],
+    [1, 1],
+    [2, 0],
+  ]);
   near(stopping.tangent(0), [Math.SQRT1_2, Math.SQRT1_2]);
   assert.equal(stopping.curvature(0), -Infinity);
-  assert.deepEqual(new Curve([[3, 3], [3, 3]]).tangent(0.5), { x: 0, y: 0 });
+  assert.deepEqual(
+    new Curve([
+      [3, 3],
+      [3, 3],
+    ]).tangent(0.5),
+    { x: 0, y: 0 },
+  );
   // (6t², t⁴) at its start, and backwards at its end.
-  const slow = new Curve([[0, 0], [0, 0], [1, 0], [3, 0], [6, 1]]);
+  const slow = new Curve([
+    [0, 0],
+    [0, 0],
+    [1, 0],
+    [3, 0],
+    [6, 1],
+  ]);
   near([slow.curvature(0), slow.reverse().curvature(1)], [1 / 18, -1 / 18]);
 });
 
 test("in space the normal is the principal one and the curvature is not negative", () => {
   // (t, t², t³)
-  const twisted = new Curve([[0, 0, 0], [1 / 3, 0, 0], [2 / 3, 1 / 3, 0], [1, 1, 1]]);
-  near(twisted.tangent(1), [1, 2, 3].map((x) => x / Math.sqrt(14)));
+  const twisted = new Curve([
+    [0, 0, 0],
+    [1 / 3, 0, 0],
+    [2 / 3, 1 / 3, 0],
+    [1, 1, 1],
+  ]);
+  near(
+    twisted.tangent(1),
+    [1, 2, 3].map((x) => x / Math.sqrt(14)),
+  );
   near(twisted.normal(0), [0, 1, 0]);
   near([twisted.curvature(0), twisted.reverse().curvature(1)], [2, 2]);
-  assert.deepEqual(new Curve([[0, 0, 0], [1, 2, 3]]).normal(0.5), { x: 0, y: 0, z: 0 });
+  assert.deepEqual(
+    new Curve([
+      [0, 0, 0],
+      [1, 2, 3],
+    ]).normal(0.5),
+    { x: 0, y: 0, z: 0 },
+  );
 });
 
 test("split, halve, subsegment, reverse, elevate keep the curve", () => {
@@ -96,8 +166,23 @@ test("split, halve, subsegment, reverse, elevate keep the curve", () => {
 
 test("deCasteljau gives every level of the triangle", () => {
   const levels = cubic.deCasteljau(0.5).map((level) => pairs(level));
-  assert.deepEqual(levels, [CUBIC, [[0, 4], [4, 8], [8, 4]], [[2, 6], [6, 6]], [[4, 6]]]);
-  assert.deepEqual(space.deCasteljau(0.5).map((level) => level.length), [12, 9, 6, 3]);
+  assert.deepEqual(levels, [
+    CUBIC,
+    [
+      [0, 4],
+      [4, 8],
+      [8, 4],
+    ],
+    [
+      [2, 6],
+      [6, 6],
+    ],
+    [[4, 6]],
+  ]);
+  assert.deepEqual(
+    space.deCasteljau(0.5).map((level) => level.length),
+    [12, 9, 6, 3],
+  );
 });
 
 test("bernstein and basisMatrix", () => {
@@ -106,15 +191,50 @@ test("bernstein and basisMatrix", () => {
   near([Curve.bernstein(64, 0.3).reduce((sum, w) => sum + w)], [1], 1e-15);
   assert.deepEqual([...Curve.basisMatrix("bezier")], [-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0]);
   assert.deepEqual([...Curve.basisMatrix("hermite")], [2, -2, 1, 1, -3, 3, -2, -1, 0, 0, 1, 0, 1, 0, 0, 0]);
-  near(Curve.basisMatrix("b-spline"), [-1, 3, -3, 1, 3, -6, 3, 0, -3, 0, 3, 0, 1, 4, 1, 0].map((x) => x / 6));
-  near(Curve.basisMatrix("catmull-rom"), [-1, 3, -3, 1, 2, -5, 4, -1, -1, 0, 1, 0, 0, 2, 0, 0].map((x) => x / 2));
+  near(
+    Curve.basisMatrix("b-spline"),
+    [-1, 3, -3, 1, 3, -6, 3, 0, -3, 0, 3, 0, 1, 4, 1, 0].map((x) => x / 6),
+  );
+  near(
+    Curve.basisMatrix("catmull-rom"),
+    [-1, 3, -3, 1, 2, -5, 4, -1, -1, 0, 1, 0, 0, 2, 0, 0].map((x) => x / 2),
+  );
 });
 
 test("fromBasis and toBasis, by name and by matrix in three forms", () => {
   const control = (basis, points) => pairs(Curve.fromBasis(basis, points).controlPoints(), points[0].length);
-  assert.deepEqual(control("hermite", [[0, 0], [9, 3], [3, 6], [6, 0]]), [[0, 0], [1, 2], [7, 3], [9, 3]]);
-  near(control("catmull-rom", [[0, 0], [1, 1], [3, 1], [4, 0]]).flat(), [1, 1, 1.5, 7 / 6, 2.5, 7 / 6, 3, 1]);
-  near(control("b-spline", [[0, 6, 0], [6, 0, 0], [0, 0, 6], [6, 6, 6]]).flat(), [4, 1, 1, 4, 0, 2, 2, 0, 4, 2, 1, 5]);
+  assert.deepEqual(
+    control("hermite", [
+      [0, 0],
+      [9, 3],
+      [3, 6],
+      [6, 0],
+    ]),
+    [
+      [0, 0],
+      [1, 2],
+      [7, 3],
+      [9, 3],
+    ],
+  );
+  near(
+    control("catmull-rom", [
+      [0, 0],
+      [1, 1],
+      [3, 1],
+      [4, 0],
+    ]).flat(),
+    [1, 1, 1.5, 7 / 6, 2.5, 7 / 6, 3, 1],
+  );
+  near(
+    control("b-spline", [
+      [0, 6, 0],
+      [6, 0, 0],
+      [0, 0, 6],
+      [6, 6, 6],
+    ]).flat(),
+    [4, 1, 1, 4, 0, 2, 2, 0, 4, 2, 1, 5],
+  );
   const flat = Curve.basisMatrix("hermite");
   const rows = [0, 4, 8, 12].map((i) => [...flat.slice(i, i + 4)]);
   for (const matrix of [flat, [...flat], rows]) {
@@ -130,7 +250,18 @@ test("fromBasis and toBasis, by name and by matrix in three forms", () => {
 });
 
 test("flatten keeps its tolerance and says where", () => {
-  for (const curve of [cubic, space, new Curve([[0, 0], [9, 1], [-3, 4], [5, 5], [2, 0], [0, 7]])]) {
+  for (const curve of [
+    cubic,
+    space,
+    new Curve([
+      [0, 0],
+      [9, 1],
+      [-3, 4],
+      [5, 5],
+      [2, 0],
+      [0, 7],
+    ]),
+  ]) {
     for (const tolerance of [1, 0.01, 0.0001]) {
       const { points, ts } = curve.flatten(tolerance);
       [points, ts].forEach(owned);
@@ -146,7 +277,15 @@ test("flatten keeps its tolerance and says where", () => {
       }
     }
   }
-  assert.deepEqual([...new Curve([[0, 0], [1, 1]]).flatten(0.1).points], [0, 0, 1, 1]);
+  assert.deepEqual(
+    [
+      ...new Curve([
+        [0, 0],
+        [1, 1],
+      ]).flatten(0.1).points,
+    ],
+    [0, 0, 1, 1],
+  );
 });
 
 /** The distance from a point to a segment. */
@@ -155,7 +294,12 @@ function fromSegment(p, a, b) {
   const minus = (u, v) => u.map((x, i) => x - v[i]);
   const [chord, way] = [minus(b, a), minus(p, a)];
   const s = Math.min(1, Math.max(0, dot(way, chord) / dot(chord, chord) || 0));
-  return Math.hypot(...minus(way, chord.map((x) => x * s)));
+  return Math.hypot(
+    ...minus(
+      way,
+      chord.map((x) => x * s),
+    ),
+  );
 }
 
 test("subdivide is a tree of halves that ends where D1 - D2 is below the tolerance", () => {
@@ -180,15 +324,48 @@ test("subdivide is a tree of halves that ends where D1 - D2 is below the toleran
 test("bounds, controlBounds, hull", () => {
   assert.deepEqual(cubic.bounds(), { min: { x: 0, y: 0 }, max: { x: 8, y: 6 } });
   assert.deepEqual(cubic.controlBounds(), { min: { x: 0, y: 0 }, max: { x: 8, y: 8 } });
-  near(new Curve([[0, 0, 0], [1, 2, -1], [2, -2, 3], [3, 0, 0]]).bounds().max, [3, 1 / Math.sqrt(3), 1.1371134247365535]);
-  assert.deepEqual([...new Curve([[4, 4], [0, 0], [8, 0], [4, 1], [0, 8]]).hull()], [0, 0, 8, 0, 0, 8]);
+  near(
+    new Curve([
+      [0, 0, 0],
+      [1, 2, -1],
+      [2, -2, 3],
+      [3, 0, 0],
+    ]).bounds().max,
+    [3, 1 / Math.sqrt(3), 1.1371134247365535],
+  );
+  assert.deepEqual(
+    [
+      ...new Curve([
+        [4, 4],
+        [0, 0],
+        [8, 0],
+        [4, 1],
+        [0, 8],
+      ]).hull(),
+    ],
+    [0, 0, 8, 0, 0, 8],
+  );
 });
 
 test("equals compares point by point, toJSON and fromJSON are each other's inverse", () => {
-  const other = new Curve([[0, 0], [0, 8], [8, 8], [8, 0.5]]);
-  assert.ok(cubic.equals(new Curve(CUBIC)) && !cubic.equals(other) && cubic.equals(other, 0.5) && !cubic.equals(other, 0.4));
+  const other = new Curve([
+    [0, 0],
+    [0, 8],
+    [8, 8],
+    [8, 0.5],
+  ]);
+  assert.ok(
+    cubic.equals(new Curve(CUBIC)) && !cubic.equals(other) && cubic.equals(other, 0.5) && !cubic.equals(other, 0.4),
+  );
   assert.ok(!cubic.equals(cubic.elevate(), 100) && !cubic.equals(new Curve(CUBIC, { dimension: 2 }).elevate()));
-  for (const curve of [cubic, space, new Curve([[0.1, 1e-300], [1 / 3, 1e300]])]) {
+  for (const curve of [
+    cubic,
+    space,
+    new Curve([
+      [0.1, 1e-300],
+      [1 / 3, 1e300],
+    ]),
+  ]) {
     const again = Curve.fromJSON(JSON.parse(JSON.stringify(curve)));
     assert.ok(again.equals(curve));
     assert.equal(again.dimension, curve.dimension);

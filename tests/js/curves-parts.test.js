@@ -12,7 +12,15 @@ import { treeWords } from "../../www/curves/tree.js";
 import { viewAt } from "../../www/curves/zoom.js";
 
 test("speed and curvature along a chain jump where the joint says so", () => {
-  const chain = new Spline([[70, 330], [90, 120], [250, 110], [330, 200], [430, 300], [560, 380], [600, 160]]);
+  const chain = new Spline([
+    [70, 330],
+    [90, 120],
+    [250, 110],
+    [330, 200],
+    [430, 300],
+    [560, 380],
+    [600, 160],
+  ]);
   const told = (mode, what) => {
     const { lines, joints } = along((mode ? chain.setJoint(1, mode) : chain).segments(), what);
     const values = lines.flat().map(([, y]) => y);
@@ -20,14 +28,29 @@ test("speed and curvature along a chain jump where the joint says so", () => {
     assert.deepEqual([lines[0][0][0], lines[0].at(-1)[0], lines[1].at(-1)[0]], [0, 1, 2]);
     return jumps(joints[0], Math.max(...values) - Math.min(0, ...values));
   };
-  assert.deepEqual([told(null, "speed"), told("g1", "speed"), told("c1", "speed"), told("c2", "speed")], [true, true, false, false]);
+  assert.deepEqual(
+    [told(null, "speed"), told("g1", "speed"), told("c1", "speed"), told("c2", "speed")],
+    [true, true, false, false],
+  );
   assert.deepEqual([told("c1", "curvature"), told("c2", "curvature")], [true, false]);
-  const [line] = along([new Curve([[0, 0], [30, 40]])], "speed").lines;
+  const [line] = along(
+    [
+      new Curve([
+        [0, 0],
+        [30, 40],
+      ]),
+    ],
+    "speed",
+  ).lines;
   assert.ok(line.every(([, speed]) => Math.abs(speed - 50) < 1e-12));
 });
 
 test("an affine map does the same to the control points and to the curve", () => {
-  for (const map of [{ turn: 0, shear: 0, width: 1 }, { turn: 25, shear: 0.3, width: 1 }, { turn: -180, shear: -1, width: 0.3 }]) {
+  for (const map of [
+    { turn: 0, shear: 0, width: 1 },
+    { turn: 25, shear: 0.3, width: 1 },
+    { turn: -180, shear: -1, width: 0.3 },
+  ]) {
     const { dots, gap } = bothWays(map);
     assert.ok(gap < 1e-12 && dots.length > 10, String(gap));
   }
@@ -37,8 +60,17 @@ test("an affine map does the same to the control points and to the curve", () =>
 
 test("numbers of the matrix are read and written as people do", () => {
   assert.deepEqual(["1", "−1/6", " 2 / 3 ", "-0.5", "1e3"].map(numberIn), [1, -1 / 6, 2 / 3, -0.5, 1000]);
-  for (const wrong of ["", "x", "1/2/3", "NaN", "1/0", "/2", "Infinity"]) assert.ok(!Number.isFinite(numberIn(wrong)), wrong);
-  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(written), ["−1", "0", "0.5", "1/6", "−2/3", "2/3", "0.1"]);
+  for (const wrong of ["", "x", "1/2/3", "NaN", "1/0", "/2", "Infinity"])
+    assert.ok(!Number.isFinite(numberIn(wrong)), wrong);
+  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(written), [
+    "−1",
+    "0",
+    "0.5",
+    "1/6",
+    "−2/3",
+    "2/3",
+    "0.1",
+  ]);
   for (const name of ["bezier", "hermite", "b-spline", "catmull-rom"]) {
     for (const x of Curve.basisMatrix(name)) assert.ok(Math.abs(numberIn(written(x)) - x) < 1e-15, `${name}: ${x}`);
   }
@@ -47,8 +79,22 @@ test("numbers of the matrix are read and written as people do", () => {
 });
 
 test("words and views", () => {
-  assert.equal(hermiteWords([[90, 370], [180, 120], [440, 80], [590, 330]]), "From (90, 370) with the velocity (270, −750), to (590, 330) with (450, 750).");
-  assert.equal(hermiteWords([[0, 0], [1, 1]]), "");
+  assert.equal(
+    hermiteWords([
+      [90, 370],
+      [180, 120],
+      [440, 80],
+      [590, 330],
+    ]),
+    "From (90, 370) with the velocity (270, −750), to (590, 330) with (450, 750).",
+  );
+  assert.equal(
+    hermiteWords([
+      [0, 0],
+      [1, 1],
+    ]),
+    "",
+  );
   assert.equal(treeWords({ segments: 1, error: 26.456 }), "1 piece, measured error 26.46 px.");
   assert.equal(treeWords({ segments: 64, error: 0.0012 }), "64 pieces, measured error 1.2e-3 px.");
   assert.equal(treeWords(null), "");
@@ -57,11 +103,25 @@ test("words and views", () => {
 });
 
 test("distances: a polyline's from its curve, and between curves", () => {
-  const arch = new Curve([[0, 0], [50, 100], [100, 0]]);
+  const arch = new Curve([
+    [0, 0],
+    [50, 100],
+    [100, 0],
+  ]);
   assert.equal(polylineError(arch, 1), 50); // the vertex of the parabola over its chord
   assert.ok(Math.abs(polylineError(arch, 2) - 12.5 * Math.SQRT1_2) < 1e-12); // a quarter, at right angles to a chord that climbs by 1
   assert.equal(apart(arch, arch.elevate()) < 1e-12, true);
-  assert.equal(apart(arch, new Curve([[0, 0], [50, 0], [100, 0]])), 50);
+  assert.equal(
+    apart(
+      arch,
+      new Curve([
+        [0, 0],
+        [50, 0],
+        [100, 0],
+      ]),
+    ),
+    50,
+  );
 });
 
 test("the build draws an applet as its attributes say", () => {

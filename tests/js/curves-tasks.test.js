@@ -8,12 +8,16 @@ const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.
 /** What a task sees of <bezier-applet>: one curve of all points, or cubics that share their ends. */
 function applet({ points, whole = false, ...rest }) {
   const pieces = () => {
-    if (element.basis === "matrix") return [{ curve: Curve.fromBasis(element.matrix.split(" ").map(Number), element.points) }];
+    if (element.basis === "matrix")
+      return [{ curve: Curve.fromBasis(element.matrix.split(" ").map(Number), element.points) }];
     if (whole || element.points.length < 7) return [{ curve: new Curve(element.points) }];
     return new Spline(element.points).segments().map((curve) => ({ curve }));
   };
   const element = {
-    points, basis: "bezier", t: 0.5, ...rest,
+    points,
+    basis: "bezier",
+    t: 0.5,
+    ...rest,
     insert(t) {
       const flat = new Spline(element.points).insert(t).controlPoints();
       element.points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
@@ -26,27 +30,96 @@ function applet({ points, whole = false, ...rest }) {
   return element;
 }
 
-const ARCH = [[60, 400], [160, 40], [480, 40], [600, 400]];
-const HILL = [[70, 300], [160, 40], [400, 60], [610, 430]];
+const ARCH = [
+  [60, 400],
+  [160, 40],
+  [480, 40],
+  [600, 400],
+];
+const HILL = [
+  [70, 300],
+  [160, 40],
+  [400, 60],
+  [610, 430],
+];
 /** The places of the site's figure, and the orders that it offers. */
-const PLACES = [[16, 62], [30, 14], [80, 24], [68, 68]];
-const ORDERS = [0, 1, 2, 3].flatMap((a) => [0, 1, 2, 3].flatMap((b) => [0, 1, 2, 3].flatMap((c) => [0, 1, 2, 3].map((d) => [a, b, c, d])))).filter((order) => new Set(order).size === 4);
-const SEVEN = [[70, 330], [90, 120], [250, 110], [330, 200], [430, 300], [560, 380], [600, 160]];
+const PLACES = [
+  [16, 62],
+  [30, 14],
+  [80, 24],
+  [68, 68],
+];
+const ORDERS = [0, 1, 2, 3]
+  .flatMap((a) => [0, 1, 2, 3].flatMap((b) => [0, 1, 2, 3].flatMap((c) => [0, 1, 2, 3].map((d) => [a, b, c, d]))))
+  .filter((order) => new Set(order).size === 4);
+const SEVEN = [
+  [70, 330],
+  [90, 120],
+  [250, 110],
+  [330, 200],
+  [430, 300],
+  [560, 380],
+  [600, 160],
+];
 
 /** Each task: its start, what one may try in vain, and what does it. The answer that it reveals must count too. */
 const TASKS = {
-  "half-height": { start: () => ({ t: 0.5 }), vain: [(e) => (e.t = 0.69), (e) => (e.t = -0.71)], right: (e) => (e.t = 0.71) },
-  "half-pixel": { start: () => applet({ points: ARCH, segments: "4" }), vain: [(e) => (e.segments = "23"), (e) => (e.segments = "25")], right: (e) => (e.segments = "24") },
-  "top-180": {
-    start: () => applet({ points: [[80, 420], [335, 200], [590, 420]] }),
-    vain: [(e) => (e.points = [[80, 420], [335, 240], [590, 420]]), (e) => (e.points = [[80, 420], [335, 60], [590, 300]])],
-    right: (e) => (e.points = [[80, 420], [200, 61], [590, 420]]),
+  "half-height": {
+    start: () => ({ t: 0.5 }),
+    vain: [(e) => (e.t = 0.69), (e) => (e.t = -0.71)],
+    right: (e) => (e.t = 0.71),
   },
-  "equal-weights": { start: () => applet({ points: ARCH }), vain: [(e) => (e.t = 0.33), (e) => (e.t = 0.24 - 0.02)], right: (e) => (e.t = 0.25) },
-  "basis-through": { start: () => applet({ points: ARCH }), vain: [(e) => (e.basis = "hermite"), (e) => (e.basis = "natural")], right: (e) => (e.basis = "catmull-rom") },
+  "half-pixel": {
+    start: () => applet({ points: ARCH, segments: "4" }),
+    vain: [(e) => (e.segments = "23"), (e) => (e.segments = "25")],
+    right: (e) => (e.segments = "24"),
+  },
+  "top-180": {
+    start: () =>
+      applet({
+        points: [
+          [80, 420],
+          [335, 200],
+          [590, 420],
+        ],
+      }),
+    vain: [
+      (e) =>
+        (e.points = [
+          [80, 420],
+          [335, 240],
+          [590, 420],
+        ]),
+      (e) =>
+        (e.points = [
+          [80, 420],
+          [335, 60],
+          [590, 300],
+        ]),
+    ],
+    right: (e) =>
+      (e.points = [
+        [80, 420],
+        [200, 61],
+        [590, 420],
+      ]),
+  },
+  "equal-weights": {
+    start: () => applet({ points: ARCH }),
+    vain: [(e) => (e.t = 0.33), (e) => (e.t = 0.24 - 0.02)],
+    right: (e) => (e.t = 0.25),
+  },
+  "basis-through": {
+    start: () => applet({ points: ARCH }),
+    vain: [(e) => (e.basis = "hermite"), (e) => (e.basis = "natural")],
+    right: (e) => (e.basis = "catmull-rom"),
+  },
   "straight-matrix": {
     start: () => applet({ points: ARCH }),
-    vain: [(e) => Object.assign(e, { basis: "matrix", matrix: [...Curve.basisMatrix("bezier")].join(" ") }), (e) => (e.matrix = "0 0 0 0 -1 0 0 1 0 0 0 0 1 0 0 0")],
+    vain: [
+      (e) => Object.assign(e, { basis: "matrix", matrix: [...Curve.basisMatrix("bezier")].join(" ") }),
+      (e) => (e.matrix = "0 0 0 0 -1 0 0 1 0 0 0 0 1 0 0 0"),
+    ],
     right: (e) => (e.matrix = "0 0 0 0 0 0 0 0 -1 0 0 1 1 0 0 0"),
   },
   "level-scaffold": {
@@ -61,45 +134,138 @@ const TASKS = {
   },
   "make-s": {
     start: () => applet({ points: ARCH }),
-    vain: [(e) => (e.points = [[60, 400], [300, 60], [600, 400]]), (e) => (e.points = [[60, 300], [540, 60], [180, 60], [600, 300]])],
-    right: (e) => (e.points = [[60, 400], [600, 400], [60, 60], [600, 60]]),
+    vain: [
+      (e) =>
+        (e.points = [
+          [60, 400],
+          [300, 60],
+          [600, 400],
+        ]),
+      (e) =>
+        (e.points = [
+          [60, 300],
+          [540, 60],
+          [180, 60],
+          [600, 300],
+        ]),
+    ],
+    right: (e) =>
+      (e.points = [
+        [60, 400],
+        [600, 400],
+        [60, 60],
+        [600, 60],
+      ]),
   },
   "match-shape": {
     start: () => applet({ points: ARCH }),
-    vain: [(e) => (e.points = [[110, 370], [30, 60], [520, 30], [560, 330]])],
-    right: (e) => (e.points = [[111, 369], [32, 42], [519, 29], [560, 331]]),
+    vain: [
+      (e) =>
+        (e.points = [
+          [110, 370],
+          [30, 60],
+          [520, 30],
+          [560, 330],
+        ]),
+    ],
+    right: (e) =>
+      (e.points = [
+        [111, 369],
+        [32, 42],
+        [519, 29],
+        [560, 331],
+      ]),
   },
   "inflection-amid": {
-    start: () => applet({ points: [[80, 380], [420, 440], [160, 20], [590, 300]] }),
+    start: () =>
+      applet({
+        points: [
+          [80, 380],
+          [420, 440],
+          [160, 20],
+          [590, 300],
+        ],
+      }),
     vain: [(e) => (e.points = ARCH)],
-    right: (e) => (e.points = [[60, 400], [600, 400], [60, 60], [600, 60]]),
+    right: (e) =>
+      (e.points = [
+        [60, 400],
+        [600, 400],
+        [60, 60],
+        [600, 60],
+      ]),
   },
   "cut-at-top": {
     start: () => applet({ points: HILL }),
     vain: [(e) => e.insert(0.5)],
-    right: (e) => ((e.points = HILL), e.insert(new Curve(HILL).extrema().y[0] + 0.003)),
+    right: (e) => {
+      e.points = HILL;
+      e.insert(new Curve(HILL).extrema().y[0] + 0.003);
+    },
   },
   "make-c1": {
     start: () => applet({ points: SEVEN }),
-    vain: [(e) => (e.points = SEVEN.with(4, [370, 245])), (e) => (e.points = SEVEN.slice(0, 4)), (e) => (e.points = SEVEN.with(2, [330, 200]).with(4, [330, 200]))],
+    vain: [
+      (e) => (e.points = SEVEN.with(4, [370, 245])),
+      (e) => (e.points = SEVEN.slice(0, 4)),
+      (e) => (e.points = SEVEN.with(2, [330, 200]).with(4, [330, 200])),
+    ],
     right: (e) => (e.points = SEVEN.with(4, [411, 288])),
   },
   "aligned-only": {
     start: () => applet({ points: SEVEN }),
-    vain: [(e) => (e.points = SEVEN.with(4, [410, 290])), (e) => (e.points = SEVEN.with(4, [426, 308])), (e) => (e.points = SEVEN.with(4, [290, 155])), (e) => (e.points = SEVEN.slice(0, 4))],
+    vain: [
+      (e) => (e.points = SEVEN.with(4, [410, 290])),
+      (e) => (e.points = SEVEN.with(4, [426, 308])),
+      (e) => (e.points = SEVEN.with(4, [290, 155])),
+      (e) => (e.points = SEVEN.slice(0, 4)),
+    ],
     right: (e) => (e.points = SEVEN.with(4, [490, 382])),
   },
   "raise-degree": {
-    start: () => applet({ points: [[80, 390], [335, 30], [335, 30], [590, 390]] }),
-    vain: [(e) => (e.points = [[80, 390], [207, 210], [463, 210], [590, 390]])],
-    right: (e) => (e.points = [[80, 390], [250, 150], [420, 150], [590, 390]]),
+    start: () =>
+      applet({
+        points: [
+          [80, 390],
+          [335, 30],
+          [335, 30],
+          [590, 390],
+        ],
+      }),
+    vain: [
+      (e) =>
+        (e.points = [
+          [80, 390],
+          [207, 210],
+          [463, 210],
+          [590, 390],
+        ]),
+    ],
+    right: (e) =>
+      (e.points = [
+        [80, 390],
+        [250, 150],
+        [420, 150],
+        [590, 390],
+      ]),
   },
   "touch-with-spline": {
-    start: () => applet({ points: [[60, 380], [170, 110], [300, 330], [420, 90], [610, 300]], basis: "b-spline", whole: true }),
+    start: () =>
+      applet({
+        points: [
+          [60, 380],
+          [170, 110],
+          [300, 330],
+          [420, 90],
+          [610, 300],
+        ],
+        basis: "b-spline",
+        whole: true,
+      }),
     vain: [(e) => (e.points = e.points.with(2, [330, 330])), (e) => (e.basis = "natural")],
     right: (e) => Object.assign(e, { basis: "b-spline", points: e.points.with(2, [296, 101]) }),
   },
-  "overshoot": {
+  overshoot: {
     start: () => ({ value: "cubic-bezier(0.25, 0.1, 0.25, 1)" }),
     vain: [(e) => (e.value = "cubic-bezier(0.3, 3, 0.6, 1)"), (e) => (e.value = "cubic-bezier(.3, 1.2, .6, 1)")],
     right: (e) => (e.value = "cubic-bezier(.34, 1.6, .64, 1)"),
@@ -140,7 +306,14 @@ test("task enough-pieces", async () => {
   assert.equal(check({ tree: null }).done, false);
   const element = { tolerance: "8" };
   reveal(element);
-  const pieces = leaves(new Curve([[60, 300], [60, 20], [620, 20], [600, 300]]).subdivide(Number(element.tolerance)));
+  const pieces = leaves(
+    new Curve([
+      [60, 300],
+      [60, 20],
+      [620, 20],
+      [600, 300],
+    ]).subdivide(Number(element.tolerance)),
+  );
   const error = Math.max(...pieces.map(({ curve }) => curve.hausdorff(new Curve([curve.eval(0), curve.eval(1)]))));
   assert.equal(tree(pieces.length, error), true);
 });

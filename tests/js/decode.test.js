@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { gzipSync } from "node:zlib";
-import { decode } from "../../js/decode.js";
+import { decodeBytes } from "../../js/wasm/decode-bytes.js";
 import * as curves from "../../js/glue/curves-bytes.js";
 import * as surfaces from "../../js/glue/surfaces-bytes.js";
 
@@ -13,7 +13,7 @@ for (const [name, { text, frequent, length }] of Object.entries({ curves, surfac
   const wasm = await readFile(new URL(`../../js/glue/${name}.wasm`, import.meta.url));
 
   test(`${name}: the text decodes to the wasm file`, () => {
-    assert.ok(Buffer.from(decode(text, alphabet, frequent, length)).equals(wasm));
+    assert.ok(Buffer.from(decodeBytes(text, alphabet, frequent, length)).equals(wasm));
   });
 
   test(`${name}: gzip still sees through the text`, () => {
@@ -26,5 +26,5 @@ test("each form of byte decodes: one character, two characters, the last of each
   const first = Array.from({ length: 60 }, (_, i) => i + 100);
   const single = alphabet[0] + alphabet[59];
   const double = alphabet[60] + alphabet[0] + alphabet[62] + alphabet[195 - 2 * alphabet.length];
-  assert.deepEqual([...decode(single + double, alphabet, first, 4)], [100, 159, 0, 255]);
+  assert.deepEqual([...decodeBytes(single + double, alphabet, first, 4)], [100, 159, 0, 255]);
 });

@@ -24,7 +24,21 @@ function detached(length = 8) {
   return array;
 }
 
-const NOT_NUMBERS = [undefined, null, "1", "", true, {}, [], [0.5], 1n, Symbol("t"), () => 1, new Date(0), { valueOf: () => 1 }];
+const NOT_NUMBERS = [
+  undefined,
+  null,
+  "1",
+  "",
+  true,
+  {},
+  [],
+  [0.5],
+  1n,
+  Symbol("t"),
+  () => 1,
+  new Date(0),
+  { valueOf: () => 1 },
+];
 const NOT_FINITE = [NaN, Infinity, -Infinity];
 
 test("points: wrong counts", () => {
@@ -36,7 +50,11 @@ test("points: wrong counts", () => {
   refused(() => Curve.fromBasis("hermite", CUBIC.slice(1)), RangeError, /^points: expected 4 points, got 3$/);
   refused(() => Curve.fromBasis("hermite", []), RangeError, /^points: expected 4 points, got 0$/);
   for (const count of [0, 1, 2, 3, 5, 6, 8]) {
-    refused(() => new Spline(new Array(count).fill([0, 0])), RangeError, /^points: expected a multiple of 3, and one more, .*got \d$/);
+    refused(
+      () => new Spline(new Array(count).fill([0, 0])),
+      RangeError,
+      /^points: expected a multiple of 3, and one more, .*got \d$/,
+    );
   }
   for (const count of [0, 1, 2, 4, 7]) {
     const make = () => new Spline(new Array(count).fill([0, 0]), { closed: true });
@@ -53,7 +71,19 @@ test("points: a million of them", () => {
 });
 
 test("points: values of the wrong kind", () => {
-  for (const points of [undefined, null, 5, "0,0 1,1", {}, { length: 2, 0: [0, 0], 1: [1, 1] }, new DataView(new ArrayBuffer(32)), new Map(), 1n, Symbol("p"), () => CUBIC]) {
+  for (const points of [
+    undefined,
+    null,
+    5,
+    "0,0 1,1",
+    {},
+    { length: 2, 0: [0, 0], 1: [1, 1] },
+    new DataView(new ArrayBuffer(32)),
+    new Map(),
+    1n,
+    Symbol("p"),
+    () => CUBIC,
+  ]) {
     for (const make of [(p) => new Curve(p), (p) => new Spline(p), (p) => Curve.fromBasis("bezier", p)]) {
       refused(() => make(points), TypeError, /^points: expected an array of points, got /);
     }
@@ -64,15 +94,36 @@ test("points: values of the wrong kind", () => {
   }
   refused(() => new Curve([[0, 0], 5, [1, 1]]), TypeError, /^points\[1\]: expected a point .*got 5$/);
   for (const bad of NOT_NUMBERS) {
-    refused(() => new Curve([[0, 0], [1, bad]]), TypeError, /^points\[1\]\[1\]: expected a number, got /);
-    refused(() => new Curve([{ x: 0, y: 0 }, { x: bad, y: 0 }]), TypeError, /^points\[1\]\.x: expected a number, got /);
+    refused(
+      () =>
+        new Curve([
+          [0, 0],
+          [1, bad],
+        ]),
+      TypeError,
+      /^points\[1\]\[1\]: expected a number, got /,
+    );
+    refused(
+      () =>
+        new Curve([
+          { x: 0, y: 0 },
+          { x: bad, y: 0 },
+        ]),
+      TypeError,
+      /^points\[1\]\.x: expected a number, got /,
+    );
     refused(() => new Curve([0, 0, bad, 1]), TypeError, /^points\[2\]: expected a number, got /);
   }
   refused(() => new Curve(BigInt64Array.of(1n, 2n, 3n, 4n)), TypeError, /^points\[0\]: expected a number, got 1n$/);
 });
 
 test("points: holes in arrays", () => {
-  const holes = [[0, 0], [1, 1], [2, 2], [3, 3]];
+  const holes = [
+    [0, 0],
+    [1, 1],
+    [2, 2],
+    [3, 3],
+  ];
   delete holes[2];
   refused(() => new Curve(holes), TypeError, /^points\[2\]: expected a point .*got undefined$/);
   const flat = [0, 0, 1, 1];
@@ -82,27 +133,91 @@ test("points: holes in arrays", () => {
   const curves = [cubic, cubic, cubic];
   delete curves[1];
   refused(() => Spline.fromCurves(curves), TypeError, /^curves\[1\]: expected a Curve, got undefined$/);
+  // biome-ignore lint/suspicious/noSparseArray: a hole is the input under test
   refused(() => cubic.evalAt([0, , 1]), TypeError, /^ts\[1\]: expected a number, got undefined$/);
 });
 
 test("points: NaN and infinities", () => {
   for (const bad of NOT_FINITE) {
-    refused(() => new Curve([[0, 0], [bad, 1]]), RangeError, /^points\[1\]\[0\]: expected a finite number, got -?(NaN|Infinity)$/);
-    refused(() => new Curve([{ x: 0, y: 0 }, { x: 0, y: bad }]), RangeError, /^points\[1\]\.y: /);
+    refused(
+      () =>
+        new Curve([
+          [0, 0],
+          [bad, 1],
+        ]),
+      RangeError,
+      /^points\[1\]\[0\]: expected a finite number, got -?(NaN|Infinity)$/,
+    );
+    refused(
+      () =>
+        new Curve([
+          { x: 0, y: 0 },
+          { x: 0, y: bad },
+        ]),
+      RangeError,
+      /^points\[1\]\.y: /,
+    );
     refused(() => new Spline(Float64Array.of(0, 0, bad, 1), { degree: 1 }), RangeError, /^points\[2\]: /);
-    refused(() => new Curve([[0, 0, 0], [1, 1, bad]]), RangeError, /^points\[1\]\[2\]: /);
-    refused(() => Curve.fromBasis("hermite", [[0, 0], [1, 1], [2, 2], [bad, 0]]), RangeError, /^points\[3\]\[0\]: /);
+    refused(
+      () =>
+        new Curve([
+          [0, 0, 0],
+          [1, 1, bad],
+        ]),
+      RangeError,
+      /^points\[1\]\[2\]: /,
+    );
+    refused(
+      () =>
+        Curve.fromBasis("hermite", [
+          [0, 0],
+          [1, 1],
+          [2, 2],
+          [bad, 0],
+        ]),
+      RangeError,
+      /^points\[3\]\[0\]: /,
+    );
   }
 });
 
 test("points: dimensions that do not fit", () => {
-  refused(() => new Curve([[0, 0], [1, 1, 1]]), RangeError, /^points\[1\]: expected 2 coordinates, got 3$/);
-  refused(() => new Curve([[0, 0, 0], [1, 1]]), RangeError, /^points\[1\]: expected 3 coordinates, got 2$/);
+  refused(
+    () =>
+      new Curve([
+        [0, 0],
+        [1, 1, 1],
+      ]),
+    RangeError,
+    /^points\[1\]: expected 2 coordinates, got 3$/,
+  );
+  refused(
+    () =>
+      new Curve([
+        [0, 0, 0],
+        [1, 1],
+      ]),
+    RangeError,
+    /^points\[1\]: expected 3 coordinates, got 2$/,
+  );
   refused(() => new Curve([[0], [1]]), RangeError, /^points\[0\]: expected 2 or 3 coordinates, got 1$/);
   refused(() => new Curve(CUBIC, { dimension: 3 }), RangeError, /^points\[0\]: expected 3 coordinates, got 2$/);
-  refused(() => new Curve([{ x: 0, y: 0 }, { x: 1, y: 1 }], { dimension: 3 }), TypeError, /^points\[0\]\.z: /);
-  for (const dimension of [0, 1, 4, 2.5, NaN]) refused(() => new Curve(CUBIC, { dimension }), RangeError, /^dimension: expected 2 or 3, got /);
-  for (const dimension of ["2", null, 2n, {}]) refused(() => new Curve(CUBIC, { dimension }), TypeError, /^dimension: expected 2 or 3, got /);
+  refused(
+    () =>
+      new Curve(
+        [
+          { x: 0, y: 0 },
+          { x: 1, y: 1 },
+        ],
+        { dimension: 3 },
+      ),
+    TypeError,
+    /^points\[0\]\.z: /,
+  );
+  for (const dimension of [0, 1, 4, 2.5, NaN])
+    refused(() => new Curve(CUBIC, { dimension }), RangeError, /^dimension: expected 2 or 3, got /);
+  for (const dimension of ["2", null, 2n, {}])
+    refused(() => new Curve(CUBIC, { dimension }), TypeError, /^dimension: expected 2 or 3, got /);
   for (const options of [5, "closed", true, 3n]) {
     refused(() => new Curve(CUBIC, options), TypeError, /^options: expected an object, got /);
     refused(() => new Spline(SEVEN, options), TypeError, /^options: expected an object, got /);
@@ -113,19 +228,33 @@ test("degrees", () => {
   for (const degree of [0, -1, 65, 1.5, NaN, Infinity]) {
     refused(() => new Spline(SEVEN, { degree }), RangeError, /^degree: expected a whole number from 1 to 64, got /);
   }
-  for (const degree of [-1, 65, 0.5, NaN]) refused(() => Curve.bernstein(degree, 0.5), RangeError, /^degree: expected a whole number from 0 to 64, got /);
+  for (const degree of [-1, 65, 0.5, NaN])
+    refused(() => Curve.bernstein(degree, 0.5), RangeError, /^degree: expected a whole number from 0 to 64, got /);
   for (const bad of ["3", null, 3n]) {
     refused(() => new Spline(SEVEN, { degree: bad }), TypeError, /^degree: /);
     refused(() => Curve.bernstein(bad, 0.5), TypeError, /^degree: /);
   }
-  refused(() => new Curve(new Array(65).fill([0, 0])).elevate(), RangeError, /^degree: expected a degree below 64, got 64$/);
+  refused(
+    () => new Curve(new Array(65).fill([0, 0])).elevate(),
+    RangeError,
+    /^degree: expected a degree below 64, got 64$/,
+  );
 });
 
 test("parameters", () => {
   const calls = [
-    (t) => cubic.eval(t), (t) => cubic.derivativeAt(t), (t) => cubic.tangent(t), (t) => cubic.normal(t), (t) => cubic.curvature(t),
-    (t) => cubic.split(t), (t) => cubic.deCasteljau(t), (t) => seven.eval(t), (t) => seven.insert(t), (t) => Curve.bernstein(3, t),
-    (t) => new Curve(SPACE).eval(t), (t) => new Curve(CUBIC.slice(1)).eval(t),
+    (t) => cubic.eval(t),
+    (t) => cubic.derivativeAt(t),
+    (t) => cubic.tangent(t),
+    (t) => cubic.normal(t),
+    (t) => cubic.curvature(t),
+    (t) => cubic.split(t),
+    (t) => cubic.deCasteljau(t),
+    (t) => seven.eval(t),
+    (t) => seven.insert(t),
+    (t) => Curve.bernstein(3, t),
+    (t) => new Curve(SPACE).eval(t),
+    (t) => new Curve(CUBIC.slice(1)).eval(t),
   ];
   for (const call of calls) {
     for (const bad of NOT_NUMBERS) refused(() => call(bad), TypeError, /^t: expected a number, got /);
@@ -134,19 +263,25 @@ test("parameters", () => {
   refused(() => cubic.subsegment("0", 1), TypeError, /^t0: /);
   refused(() => cubic.subsegment(0, NaN), RangeError, /^t1: /);
   for (const call of [(ts) => cubic.evalAt(ts), (ts) => seven.evalAt(ts)]) {
-    for (const bad of [undefined, null, 0.5, "0.5", {}]) refused(() => call(bad), TypeError, /^ts: expected an array of numbers, got /);
+    for (const bad of [undefined, null, 0.5, "0.5", {}])
+      refused(() => call(bad), TypeError, /^ts: expected an array of numbers, got /);
     refused(() => call([0, "1"]), TypeError, /^ts\[1\]: /);
     refused(() => call([0, NaN]), RangeError, /^ts\[1\]: /);
     refused(() => call(BigInt64Array.of(0n)), TypeError, /^ts\[0\]: /);
     assert.deepEqual(call(detached()), new Float64Array(0));
   }
-  for (const k of [-1, 0.5, NaN]) refused(() => cubic.derivativeAt(0.5, k), RangeError, /^k: expected a whole number from 0/);
+  for (const k of [-1, 0.5, NaN])
+    refused(() => cubic.derivativeAt(0.5, k), RangeError, /^k: expected a whole number from 0/);
   refused(() => cubic.derivativeAt(0.5, "1"), TypeError, /^k: /);
-  for (const t of [-0.1, 2.1]) refused(() => seven.insert(t), RangeError, /^t: expected 0 to the number of segments, got /);
+  for (const t of [-0.1, 2.1])
+    refused(() => seven.insert(t), RangeError, /^t: expected 0 to the number of segments, got /);
 });
 
 test("segments", () => {
-  for (const [call, name] of [[(n) => cubic.sample(n), "segments"], [(n) => seven.sample(n), "segmentsPerCurve"]]) {
+  for (const [call, name] of [
+    [(n) => cubic.sample(n), "segments"],
+    [(n) => seven.sample(n), "segmentsPerCurve"],
+  ]) {
     for (const bad of [0, -1, 1.5, NaN, Infinity, 2 ** 32]) {
       refused(() => call(bad), RangeError, new RegExp(`^${name}: expected a whole number from 1.*got `));
     }
@@ -157,11 +292,17 @@ test("segments", () => {
 });
 
 test("into", () => {
-  const calls = [(into) => cubic.sample(3, { into }), (into) => cubic.evalAt([0, 1], { into }), (into) => seven.sample(1, { into }), (into) => seven.evalAt([0, 1], { into })];
+  const calls = [
+    (into) => cubic.sample(3, { into }),
+    (into) => cubic.evalAt([0, 1], { into }),
+    (into) => seven.sample(1, { into }),
+    (into) => seven.evalAt([0, 1], { into }),
+  ];
   for (const call of calls) {
     refused(() => call(new Float64Array(3)), RangeError, /^into: expected at least \d numbers, got 3$/);
     refused(() => call(detached()), RangeError, /^into: expected at least \d numbers, got 0$/);
-    for (const bad of [null, [], new Float32Array(99), new ArrayBuffer(99), "into", 5]) refused(() => call(bad), TypeError, /^into: expected a Float64Array, got /);
+    for (const bad of [null, [], new Float32Array(99), new ArrayBuffer(99), "into", 5])
+      refused(() => call(bad), TypeError, /^into: expected a Float64Array, got /);
   }
   const into = new Float64Array(3).fill(5);
   assert.throws(() => cubic.sample(9, { into }));
@@ -173,7 +314,11 @@ test("tolerances", () => {
     for (const bad of [0, -0, -1]) refused(() => call(bad), RangeError, /^tolerance: expected a number above 0, got /);
     for (const bad of NOT_FINITE) refused(() => call(bad), RangeError, /^tolerance: expected a finite number, got /);
     for (const bad of NOT_NUMBERS) refused(() => call(bad), TypeError, /^tolerance: expected a number, got /);
-    refused(() => call(1e-16), RangeError, /^tolerance: expected at least \S+ \(4 ulps of the largest coordinate\), got 1e-16$/);
+    refused(
+      () => call(1e-16),
+      RangeError,
+      /^tolerance: expected at least \S+ \(4 ulps of the largest coordinate\), got 1e-16$/,
+    );
   }
   refused(() => cubic.flatten(4e-15), RangeError, /^vertices: expected at most 16777216, this needs /);
   refused(() => cubic.subdivide(1e-14), RangeError, /^leaves: expected at most 65536, this needs /);
@@ -188,7 +333,17 @@ test("bases and matrices", () => {
   for (const call of [(basis) => Curve.fromBasis(basis, CUBIC), (basis) => cubic.toBasis(basis)]) {
     refused(() => call("spline"), RangeError, /^basis: expected one of "bezier", .*got "spline"$/);
     for (const bad of [undefined, null, 5, {}]) refused(() => call(bad), TypeError, /^basis: /);
-    for (const bad of [[], new Array(15).fill(1), new Float64Array(17), detached(16), [[1, 2], [3, 4]]]) refused(() => call(bad), RangeError, /^basis: expected 16 numbers/);
+    for (const bad of [
+      [],
+      new Array(15).fill(1),
+      new Float64Array(17),
+      detached(16),
+      [
+        [1, 2],
+        [3, 4],
+      ],
+    ])
+      refused(() => call(bad), RangeError, /^basis: expected 16 numbers/);
     refused(() => call(new Array(16).fill(NaN)), RangeError, /^basis\[0\]: /);
     refused(() => call(new Array(16).fill("1")), TypeError, /^basis\[0\]: /);
   }
@@ -197,8 +352,10 @@ test("bases and matrices", () => {
   for (const bad of ["hermit", ""]) refused(() => Curve.basisMatrix(bad), RangeError, /^basis: /);
   for (const bad of [undefined, 1, [1]]) refused(() => Curve.basisMatrix(bad), TypeError, /^basis: /);
   for (const shape of [cubic, seven]) {
-    for (const bad of [undefined, null, 5, "matrix(1 0 0 1 0 0)", {}]) refused(() => shape.transform(bad), TypeError, /^matrix: /);
-    for (const bad of [[], [1, 0, 0, 1, 0], new Array(9).fill(0), detached(6)]) refused(() => shape.transform(bad), RangeError, /^matrix: expected 6 or 16 numbers, got /);
+    for (const bad of [undefined, null, 5, "matrix(1 0 0 1 0 0)", {}])
+      refused(() => shape.transform(bad), TypeError, /^matrix: /);
+    for (const bad of [[], [1, 0, 0, 1, 0], new Array(9).fill(0), detached(6)])
+      refused(() => shape.transform(bad), RangeError, /^matrix: expected 6 or 16 numbers, got /);
     refused(() => shape.transform([1, 0, 0, 1, NaN, 0]), RangeError, /^matrix\[4\]: /);
     const perspective = [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
     refused(() => shape.transform(perspective), RangeError, /^matrix: expected an affine map .*got 1 0 0 1$/);
@@ -207,33 +364,60 @@ test("bases and matrices", () => {
 
 test("curves of a spline", () => {
   const line = (...points) => new Curve(points);
-  for (const bad of [undefined, null, cubic, "x", { 0: cubic, length: 1 }]) refused(() => Spline.fromCurves(bad), TypeError, /^curves: expected an array of curves, got /);
+  for (const bad of [undefined, null, cubic, "x", { 0: cubic, length: 1 }])
+    refused(() => Spline.fromCurves(bad), TypeError, /^curves: expected an array of curves, got /);
   refused(() => Spline.fromCurves([]), RangeError, /^curves: expected at least 1 curve, got 0$/);
   refused(() => Spline.fromCurves([cubic, CUBIC]), TypeError, /^curves\[1\]: expected a Curve, got an array of 4$/);
-  refused(() => Spline.fromCurves([cubic, new Curve(SPACE)]), TypeError, /^curves\[1\]: expected a 2D curve, got a 3D one$/);
-  refused(() => Spline.fromCurves([line([0, 0], [1, 0]), line([1, 2], [3, 3])]), RangeError, /^curves\[1\]: expected to start .*gap of 2$/);
-  refused(() => Spline.fromCurves([cubic], { closed: true }), RangeError, /^curves\[0\]: expected to start .*gap of 8$/);
+  refused(
+    () => Spline.fromCurves([cubic, new Curve(SPACE)]),
+    TypeError,
+    /^curves\[1\]: expected a 2D curve, got a 3D one$/,
+  );
+  refused(
+    () => Spline.fromCurves([line([0, 0], [1, 0]), line([1, 2], [3, 3])]),
+    RangeError,
+    /^curves\[1\]: expected to start .*gap of 2$/,
+  );
+  refused(
+    () => Spline.fromCurves([cubic], { closed: true }),
+    RangeError,
+    /^curves\[0\]: expected to start .*gap of 8$/,
+  );
 });
 
 test("indices, joints and modes", () => {
-  for (const bad of [-1, 7, 0.5, NaN]) refused(() => seven.movePoint(bad, [0, 0]), RangeError, /^index: expected a whole number from 0 to 6, got /);
+  for (const bad of [-1, 7, 0.5, NaN])
+    refused(() => seven.movePoint(bad, [0, 0]), RangeError, /^index: expected a whole number from 0 to 6, got /);
   refused(() => seven.movePoint("1", [0, 0]), TypeError, /^index: /);
   for (const call of [(k) => seven.continuity(k), (k) => seven.setJoint(k, "g1"), (k) => seven.remove(k)]) {
-    for (const bad of [-1, 0, 2, 0.5, NaN]) refused(() => call(bad), RangeError, /^joint: expected a whole number from 1 to 1, got /);
+    for (const bad of [-1, 0, 2, 0.5, NaN])
+      refused(() => call(bad), RangeError, /^joint: expected a whole number from 1 to 1, got /);
     for (const bad of ["1", null, undefined, 1n]) refused(() => call(bad), TypeError, /^joint: /);
   }
   for (const mode of ["G1", "smooth", ""]) {
-    refused(() => seven.setJoint(1, mode), RangeError, /^mode: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /);
-    refused(() => seven.movePoint(1, [0, 0], { joints: { 1: mode } }), RangeError, /^joints\[1\]: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /);
+    refused(
+      () => seven.setJoint(1, mode),
+      RangeError,
+      /^mode: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /,
+    );
+    refused(
+      () => seven.movePoint(1, [0, 0], { joints: { 1: mode } }),
+      RangeError,
+      /^joints\[1\]: expected one of "free", "g1", "c1", "c2", "g2", "auto", got /,
+    );
   }
   refused(() => seven.setJoint(1, 2), TypeError, /^mode: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: [null, 1] }), TypeError, /^joints\[[01]\]: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: "g1" }), TypeError, /^joints: expected an object, got "g1"$/);
-  for (const [call, name] of [[(p) => seven.movePoint(1, p), "to"], [(p) => seven.append(p), "point"]]) {
+  for (const [call, name] of [
+    [(p) => seven.movePoint(1, p), "to"],
+    [(p) => seven.append(p), "point"],
+  ]) {
     refused(() => call([0, 0, 0]), RangeError, new RegExp(`^${name}: expected 2 coordinates, got 3$`));
     refused(() => call([0, Infinity]), RangeError, new RegExp(`^${name}\\[1\\]: `));
     refused(() => call({ x: 0 }), TypeError, new RegExp(`^${name}\\.y: expected a number, got undefined$`));
-    for (const bad of [undefined, null, "0,0", 5]) refused(() => call(bad), TypeError, new RegExp(`^${name}: expected a point`));
+    for (const bad of [undefined, null, "0,0", 5])
+      refused(() => call(bad), TypeError, new RegExp(`^${name}: expected a point`));
   }
   const closed = new Spline(CUBIC.slice(1), { closed: true });
   refused(() => closed.append([0, 0]), RangeError, /^append: expected an open spline/);
@@ -241,7 +425,8 @@ test("indices, joints and modes", () => {
 });
 
 test("others, hulls, JSON", () => {
-  for (const bad of [undefined, null, CUBIC, {}, seven]) refused(() => cubic.equals(bad), TypeError, /^other: expected a Curve, got /);
+  for (const bad of [undefined, null, CUBIC, {}, seven])
+    refused(() => cubic.equals(bad), TypeError, /^other: expected a Curve, got /);
   refused(() => seven.equals(cubic), TypeError, /^other: expected a Spline, got an object \(Curve\)$/);
   refused(() => new Curve(SPACE).hull(), TypeError, /^hull: expected a 2D curve, got a 3D one$/);
   for (const bad of [undefined, null, "{}", 5]) {

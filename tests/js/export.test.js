@@ -55,7 +55,10 @@ function gumbo() {
   }
   const { vertices, patches } = JSON.parse(readFileSync(file, "utf8"));
   const surface = new Surface({ vertices, patches });
-  return [["Gumbo", surface.tessellate({ tolerance: 0.02 })], ["Gumbo as tubes", surface.wireframe({ lines: 2, radius: 0.05 })]];
+  return [
+    ["Gumbo", surface.tessellate({ tolerance: 0.02 })],
+    ["Gumbo as tubes", surface.wireframe({ lines: 2, radius: 0.05 })],
+  ];
 }
 
 /** Every way to a mesh. */
@@ -88,7 +91,9 @@ for (const [name, mesh] of meshes) {
     assert.equal(bytes.length, 84 + 50 * count);
     assert.notEqual(new TextDecoder().decode(bytes.subarray(0, 5)), "solid");
     for (let k = 0; k < count; k += Math.ceil(count / 500)) {
-      const [normal, a, b, c] = [0, 1, 2, 3].map((v) => [0, 1, 2].map((axis) => view.getFloat32(84 + 50 * k + 12 * v + 4 * axis, true)));
+      const [normal, a, b, c] = [0, 1, 2, 3].map((v) =>
+        [0, 1, 2].map((axis) => view.getFloat32(84 + 50 * k + 12 * v + 4 * axis, true)),
+      );
       [a, b, c].forEach((corner, i) => {
         const at = 3 * mesh.indices[3 * k + i];
         assert.deepEqual(corner, [...mesh.positions.subarray(at, at + 3)].map(Math.fround));
@@ -101,7 +106,11 @@ for (const [name, mesh] of meshes) {
   });
 
   test(`obj reads back: ${name}`, () => {
-    const rows = mesh.toOBJ().trimEnd().split("\n").map((line) => line.split(" "));
+    const rows = mesh
+      .toOBJ()
+      .trimEnd()
+      .split("\n")
+      .map((line) => line.split(" "));
     const of = (word) => rows.filter(([first]) => first === word).map(([, ...rest]) => rest);
     const numbers = (word, Type) => Type.from(of(word).flat().map(Number));
     const { constructor: Real } = mesh.positions;
@@ -109,16 +118,30 @@ for (const [name, mesh] of meshes) {
     assert.deepEqual(numbers("vn", Real), mesh.normals);
     assert.deepEqual(numbers("vt", Float32Array), mesh.uvs ?? new Float32Array());
     const faces = mesh.quads ?? mesh.indices;
-    const corners = of("f").flat().map((corner) => corner.split("/"));
-    assert.deepEqual(corners.map(([vertex]) => vertex - 1), [...faces]);
+    const corners = of("f")
+      .flat()
+      .map((corner) => corner.split("/"));
+    assert.deepEqual(
+      corners.map(([vertex]) => vertex - 1),
+      [...faces],
+    );
     assert.ok(corners.every(([v, vt, vn]) => vn === v && vt === (mesh.uvs ? v : "")));
   });
 }
 
 test("faces of an obj", () => {
   const mesh = Surface.teapot().grid({ segments: 2, quads: true });
-  const sizes = (options) => new Set(mesh.toOBJ(options).match(/^f.*$/gm)?.map((line) => line.split(" ").length - 1));
-  assert.deepEqual([sizes(), sizes({ quads: true }), sizes({ quads: false })], [new Set([4]), new Set([4]), new Set([3])]);
+  const sizes = (options) =>
+    new Set(
+      mesh
+        .toOBJ(options)
+        .match(/^f.*$/gm)
+        ?.map((line) => line.split(" ").length - 1),
+    );
+  assert.deepEqual(
+    [sizes(), sizes({ quads: true }), sizes({ quads: false })],
+    [new Set([4]), new Set([4]), new Set([3])],
+  );
   const triangles = Surface.teapot().grid({ segments: 2 });
   refused(() => triangles.toOBJ({ quads: true }), RangeError, /^quads: expected a mesh with quads, got one without$/);
 });
@@ -128,7 +151,10 @@ test("three.js gets the mesh's own arrays", () => {
   const geometry = mesh.toThree(THREE);
   assert.ok(geometry instanceof THREE.BufferGeometry);
   const { position, normal, uv } = geometry.attributes;
-  assert.deepEqual([position.array, normal.array, uv.array, geometry.index?.array], [mesh.positions, mesh.normals, mesh.uvs, mesh.indices]);
+  assert.deepEqual(
+    [position.array, normal.array, uv.array, geometry.index?.array],
+    [mesh.positions, mesh.normals, mesh.uvs, mesh.indices],
+  );
   assert.equal(position.array, mesh.positions);
   geometry.computeBoundingBox();
   assert.ok(Math.abs((geometry.boundingBox?.max.y ?? 0) - 3.15) < 1e-6);
@@ -142,10 +168,21 @@ test("three.js gets the mesh's own arrays", () => {
 test("three.js is what the caller says", () => {
   const mesh = meshOf(square);
   const made = [];
-  class BufferAttribute { constructor(array, size) { made.push([array, size]); } }
-  class BufferGeometry { setAttribute() {} setIndex() {} }
+  class BufferAttribute {
+    constructor(array, size) {
+      made.push([array, size]);
+    }
+  }
+  class BufferGeometry {
+    setAttribute() {}
+    setIndex() {}
+  }
   assert.ok(mesh.toThree({ BufferGeometry, BufferAttribute }) instanceof BufferGeometry);
-  assert.deepEqual(made, [[mesh.positions, 3], [mesh.normals, 3], [mesh.indices, 1]]);
+  assert.deepEqual(made, [
+    [mesh.positions, 3],
+    [mesh.normals, 3],
+    [mesh.indices, 1],
+  ]);
   for (const bad of [undefined, null, {}, "three", { BufferGeometry }]) {
     refused(() => mesh.toThree(bad), TypeError, /^THREE: expected the namespace of three\.js, got /);
   }
@@ -153,7 +190,8 @@ test("three.js is what the caller says", () => {
 
 test("meshes that do not belong together are refused", () => {
   const all = [(m) => m.toOBJ(), (m) => m.toSTL(), (m) => m.toGLB()];
-  const wrong = (change, message) => all.forEach((act) => refused(() => act(meshOf({ ...square, ...change })), RangeError, message));
+  const wrong = (change, message) =>
+    all.forEach((act) => refused(() => act(meshOf({ ...square, ...change })), RangeError, message));
   wrong({ indices: [0, 1, 3] }, /^indices: expected an index from 0 to 2, got 3$/);
   wrong({ indices: [0, 1] }, /^indices: expected 3 vertex numbers for each face, got 2$/);
   wrong({ positions: square.positions.slice(1) }, /^positions: expected 3 numbers for each vertex, got 8$/);
@@ -162,5 +200,6 @@ test("meshes that do not belong together are refused", () => {
   wrong({ positions: [NaN, ...square.positions.slice(1)] }, /^positions\[0\]: expected a finite number, got NaN$/);
   const wide = meshOf({ ...square, precision: "f64", positions: [1e39, ...square.positions.slice(1)] });
   assert.match(wide.toOBJ(), /^v 1e\+39 0 0$/m);
-  for (const act of all.slice(1)) refused(() => act(wide), RangeError, /^positions: expected numbers that 32 bits can hold, got 1e\+39$/);
+  for (const act of all.slice(1))
+    refused(() => act(wide), RangeError, /^positions: expected numbers that 32 bits can hold, got 1e\+39$/);
 });

@@ -15,9 +15,14 @@ const pairs = (flat) => Array.from({ length: flat.length / 2 }, (_, k) => [flat[
 
 /** Numbers, or nested lists of them, within the fact's tolerance. */
 function near(got, expected, tol, what = "") {
-  if (got && typeof got === "object" && "x" in got) near([got.x, got.y, got.z].slice(0, expected.length), expected, tol, what);
+  if (got && typeof got === "object" && "x" in got)
+    near([got.x, got.y, got.z].slice(0, expected.length), expected, tol, what);
   else if (Array.isArray(expected)) {
-    assert.equal(got.length, expected.length, `${what}: got ${JSON.stringify(Array.from(got))}, expected ${JSON.stringify(expected)}`);
+    assert.equal(
+      got.length,
+      expected.length,
+      `${what}: got ${JSON.stringify(Array.from(got))}, expected ${JSON.stringify(expected)}`,
+    );
     expected.forEach((part, k) => near(got[k], part, tol, `${what}[${k}]`));
   } else assert.ok(Math.abs(got - expected) <= tol, `${what}: got ${got}, expected ${expected} ± ${tol}`);
 }
@@ -25,11 +30,18 @@ function near(got, expected, tol, what = "") {
 /** Meetings: an overlap, or points with kinds. */
 function meetings({ input, expect, tol }) {
   const found = new Curve(input.a).intersections(new Curve(input.b));
-  if (expect.overlap) return assert.ok(found.some(({ kind }) => kind === "overlap"), JSON.stringify(found));
+  if (expect.overlap)
+    return assert.ok(
+      found.some(({ kind }) => kind === "overlap"),
+      JSON.stringify(found),
+    );
   if (expect.count === undefined) return; // the note tells what is acceptable
   assert.equal(found.length, expect.count, JSON.stringify(found));
   // Equal t may be in either order.
-  const order = (list) => list.map((_, k) => k).sort((i, j) => (Math.abs(list[i].t - list[j].t) > 1e-6 ? list[i].t - list[j].t : list[i].u - list[j].u));
+  const order = (list) =>
+    list
+      .map((_, k) => k)
+      .sort((i, j) => (Math.abs(list[i].t - list[j].t) > 1e-6 ? list[i].t - list[j].t : list[i].u - list[j].u));
   const wanted = expect.t.map((t, k) => ({ t, u: expect.s[k], point: expect.points[k], tangent: expect.tangent?.[k] }));
   const [mine, theirs] = [order(found), order(wanted)];
   mine.forEach((i, k) => {
@@ -46,7 +58,10 @@ function offset({ input, expect, tol }) {
   assert.ok(points.every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y)));
   if (expect.ends) {
     near([points[0], points.at(-1)], expect.ends, tol, "ends");
-    assert.ok(points.every(({ y }) => Math.abs(y - expect.ends[0][1]) <= tol), "straight");
+    assert.ok(
+      points.every(({ y }) => Math.abs(y - expect.ends[0][1]) <= tol),
+      "straight",
+    );
     return;
   }
   // Past a cusp of the offset a point may be nearer to another part of the curve, never farther.
@@ -59,7 +74,12 @@ function svg({ input, expect, tol }) {
   const path = Path.fromSVG(input.d);
   const curves = path.subpaths.flatMap((spline) => spline.segments());
   if (expect.segments) {
-    near(curves.map((curve) => pairs(curve.controlPoints())), expect.segments.map(([, points]) => points), tol, "segments");
+    near(
+      curves.map((curve) => pairs(curve.controlPoints())),
+      expect.segments.map(([, points]) => points),
+      tol,
+      "segments",
+    );
   }
   if (expect.segment_count) assert.equal(curves.length, expect.segment_count);
   if (expect.reversed) assert.deepEqual(path.reverse().toSVG(), Path.fromSVG(expect.reversed).toSVG());
@@ -82,7 +102,12 @@ const KINDS = {
   },
   extrema({ input, expect, tol }) {
     const { x, y } = new Curve(input.points).extrema();
-    near([x, y].map((ts) => Array.from(ts)), [expect.x, expect.y], tol, "extrema");
+    near(
+      [x, y].map((ts) => Array.from(ts)),
+      [expect.x, expect.y],
+      tol,
+      "extrema",
+    );
   },
   inflection: ({ input, expect, tol }) => near(new Curve(input.points).inflections(), expect, tol, "inflections"),
   classify: ({ input, expect }) => assert.equal(new Curve(input.points).classify(), expect.class),
@@ -95,7 +120,8 @@ const KINDS = {
     const halves = new Curve(input.points).split(input.t).map((half) => pairs(half.controlPoints()));
     near(halves, [expect.left, expect.right], tol);
   },
-  subsegment: ({ input, expect, tol }) => near(pairs(new Curve(input.points).subsegment(input.t0, input.t1).controlPoints()), expect, tol),
+  subsegment: ({ input, expect, tol }) =>
+    near(pairs(new Curve(input.points).subsegment(input.t0, input.t1).controlPoints()), expect, tol),
   elevate: ({ input, expect, tol }) => near(pairs(new Curve(input.points).elevate().controlPoints()), expect, tol),
   reduce({ input, expect, tol }) {
     const { curve, error } = new Curve(input.points).reduce();
@@ -111,7 +137,10 @@ const KINDS = {
     const found = new Curve(input.points).nearest(input.query);
     near(found.distance, expect.distance, tol, "distance");
     const ts = [expect.t, ...(expect.also_t ?? [])];
-    assert.ok(ts.some((t) => Math.abs(found.t - t) <= tol), `t: got ${found.t}, expected one of ${ts}`);
+    assert.ok(
+      ts.some((t) => Math.abs(found.t - t) <= tol),
+      `t: got ${found.t}, expected one of ${ts}`,
+    );
   },
   intersect: meetings,
   line_intersect: meetings,
@@ -125,18 +154,36 @@ const KINDS = {
     near(Math.abs(path.area()), expect.abs_area, tol);
     near(path.length(), expect.perimeter, tol);
   },
-  contains: ({ input, expect }) => assert.deepEqual(input.queries.map((p) => Path.fromSVG(input.svg).contains(p)), expect),
+  contains: ({ input, expect }) =>
+    assert.deepEqual(
+      input.queries.map((p) => Path.fromSVG(input.svg).contains(p)),
+      expect,
+    ),
   easing: ({ input, expect, tol }) => near(easing(...input.bezier)(input.x), expect, tol),
   circle({ input, expect, tol }) {
     const { k } = input;
-    const quarter = new Curve([[1, 0], [1, k], [k, 1], [0, 1]]);
+    const quarter = new Curve([
+      [1, 0],
+      [1, k],
+      [k, 1],
+      [0, 1],
+    ]);
     const errors = pairs(quarter.sample(10_000)).map(([x, y]) => Math.hypot(x, y) - 1);
     near([Math.min(...errors), Math.max(...errors)], [expect.min_radial_error, expect.max_radial_error], tol);
   },
   convert({ input, expect, tol }) {
-    if (input.catmull_rom) return near(pairs(Curve.fromBasis("catmull-rom", input.catmull_rom).controlPoints()), expect, tol);
+    if (input.catmull_rom)
+      return near(pairs(Curve.fromBasis("catmull-rom", input.catmull_rom).controlPoints()), expect, tol);
     const monomials = new Curve(input.points).toBasis([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-    near(["x", "y"].map((_, axis) => pairs(monomials).map((c) => c[axis]).reverse()), [expect.x, expect.y], tol);
+    near(
+      ["x", "y"].map((_, axis) =>
+        pairs(monomials)
+          .map((c) => c[axis])
+          .reverse(),
+      ),
+      [expect.x, expect.y],
+      tol,
+    );
   },
   bspline({ input, expect, tol }) {
     const { points, degree, knots, u } = input;
@@ -145,7 +192,10 @@ const KINDS = {
   },
   continuity({ input, expect }) {
     const { c0, g1, c1, c2 } = Spline.fromCurves([new Curve(input.a), new Curve(input.b)]).continuity(1);
-    assert.deepEqual({ C0: c0, G1: g1, C1: c1, C2: c2 }, { C0: expect.C0, G1: expect.G1, C1: expect.C1, C2: expect.C2 });
+    assert.deepEqual(
+      { C0: c0, G1: g1, C1: c1, C2: c2 },
+      { C0: expect.C0, G1: expect.G1, C1: expect.C1, C2: expect.C2 },
+    );
   },
   offset,
   flatten({ input, expect }) {

@@ -31,7 +31,9 @@ function described(name, { number, mode, message }) {
 function runOn(names, reports) {
   const progress = new SharedArrayBuffer(16);
   const current = new Float64Array(progress).fill(-1);
-  const worker = new Worker(new URL("./generated/worker.js", import.meta.url), { workerData: { path, seed, first, count, names, progress } });
+  const worker = new Worker(new URL("./generated/worker.js", import.meta.url), {
+    workerData: { path, seed, first, count, names, progress },
+  });
   return new Promise((resolve, reject) => {
     let [seen, since] = ["", Date.now()];
     const watch = setInterval(() => {
@@ -39,7 +41,11 @@ function runOn(names, reports) {
       if (now !== seen) [seen, since] = [now, Date.now()];
       else if (current[0] >= 0 && Date.now() - since > HANG_MS) {
         clearInterval(watch);
-        reports.push({ name: names[current[0]], failed: 1, failures: [{ number: current[1], mode: "watched", message: `no answer after ${HANG_MS / 1000} s` }] });
+        reports.push({
+          name: names[current[0]],
+          failed: 1,
+          failures: [{ number: current[1], mode: "watched", message: `no answer after ${HANG_MS / 1000} s` }],
+        });
         worker.terminate().then(() => resolve(current[0]));
       }
     }, LOOK_MS);
@@ -60,21 +66,33 @@ async function runAll(all) {
     names = stuck === undefined ? [] : names.slice(stuck + 1);
   }
   const bad = reports.filter(({ failed }) => failed);
-  const text = bad.map(({ name, failed, failures }) => [`${name}: ${failed} failures`, ...failures.map((failure) => described(name, failure))].join("\n"));
+  const text = bad.map(({ name, failed, failures }) =>
+    [`${name}: ${failed} failures`, ...failures.map((failure) => described(name, failure))].join("\n"),
+  );
   assert.equal(bad.length, 0, `${bad.length} functions failed\n\n${text.join("\n\n")}`);
 }
 
 const groups = [...GROUPS.map(Object.keys), Object.keys(READERS)];
-test("generated calls: every answer is true, every refusal is stated, every call returns", { concurrency: 2 }, async (t) => {
+test("generated calls: every answer is true, every refusal is stated, every call returns", {
+  concurrency: 2,
+}, async (t) => {
   await Promise.all(groups.map((names) => t.test(`${names[0]} … ${names.at(-1)}`, () => runAll(names))));
 });
 
 test("every public function has a row", () => {
   const names = Object.entries(CLASSES).flatMap(([name, type]) => [
     ...Object.getOwnPropertyNames(type.prototype).map((method) => `${name}.${method}`),
-    ...Object.getOwnPropertyNames(type).filter((method) => !["length", "name", "prototype"].includes(method)).map((method) => `${name}.${method}`),
+    ...Object.getOwnPropertyNames(type)
+      .filter((method) => !["length", "name", "prototype"].includes(method))
+      .map((method) => `${name}.${method}`),
   ]);
   const known = groups.flat();
-  assert.deepEqual(names.filter((name) => !known.includes(name)), []);
-  assert.deepEqual(Object.keys(casteljau).filter((name) => !(name in CLASSES) && !known.includes(name)), ["init"]);
+  assert.deepEqual(
+    names.filter((name) => !known.includes(name)),
+    [],
+  );
+  assert.deepEqual(
+    Object.keys(casteljau).filter((name) => !(name in CLASSES) && !known.includes(name)),
+    ["init"],
+  );
 });

@@ -8,7 +8,11 @@ import { serve } from "../page/server.js";
 
 const dist = new URL("../../dist/", import.meta.url);
 const wasm = await readFile(new URL("casteljau.wasm", dist));
-const TRIANGLE = [[0, 0], [1, 2], [2, 0]];
+const TRIANGLE = [
+  [0, 0],
+  [1, 2],
+  [2, 0],
+];
 
 /** A copy of the package with no state yet. */
 const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);
@@ -17,8 +21,16 @@ const fresh = (name) => import(new URL(`${name}?${Math.random()}`, dist).href);
 async function compilations(act) {
   const { Module, compile } = WebAssembly;
   let count = 0;
-  WebAssembly.Module = new Proxy(Module, { construct: (target, args) => (count++, new target(...args)) });
-  WebAssembly.compile = (...args) => (count++, compile(...args));
+  WebAssembly.Module = new Proxy(Module, {
+    construct: (target, args) => {
+      count++;
+      return new target(...args);
+    },
+  });
+  WebAssembly.compile = (...args) => {
+    count++;
+    return compile(...args);
+  };
   try {
     await act();
   } finally {

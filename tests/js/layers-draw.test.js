@@ -29,10 +29,23 @@ function drawAll(changes, count) {
     const points = Array.from({ length: count }, (_, i) => point(i));
     for (const view of VIEWS) {
       const words = `${changes.basis} ${changes.degree} of ${count}, ${kind}, ${view ? view.width : "unmoved"}`;
-      const state = stateWith({ ...changes, points, layers: "all", pointer: [300, 200], t: 1.3, tolerance: 0.01, segments: 50, ticks: 50, segment: 1 });
+      const state = stateWith({
+        ...changes,
+        points,
+        layers: "all",
+        pointer: [300, 200],
+        t: 1.3,
+        tolerance: 0.01,
+        segments: 50,
+        ticks: 50,
+        segment: 1,
+      });
       const { ctx, told } = drawn({ ...(view ? withView(state, view) : state), layers: "all" });
       const numbers = ctx.calls.flatMap((call) => call.filter((each) => typeof each === "number"));
-      assert.ok(numbers.every((x) => Math.abs(x) < 1e5), `${words}: ${numbers.find((x) => !(Math.abs(x) < 1e5))}`);
+      assert.ok(
+        numbers.every((x) => Math.abs(x) < 1e5),
+        `${words}: ${numbers.find((x) => !(Math.abs(x) < 1e5))}`,
+      );
       assert.ok(ctx.calls.length < 200_000, `${words}: ${ctx.calls.length} calls`);
       assert.doesNotMatch(told.map((each) => each.words).join(), /NaN|undefined|cannot/, words);
     }
@@ -48,7 +61,11 @@ for (const basis of BASES) {
 }
 
 test("all layers draw a curve of degree 64 and a chain of 500 points in bounded work", () => {
-  for (const [basis, degree, count] of [["bezier", 64, 65], ["b-spline", 64, 200], ["natural", 3, 500]]) {
+  for (const [basis, degree, count] of [
+    ["bezier", 64, 65],
+    ["b-spline", 64, 200],
+    ["natural", 3, 500],
+  ]) {
     const points = Array.from({ length: count }, (_, i) => CLOUDS.random(i));
     const { ctx } = drawn({ basis, degree, points, layers: "all", pointer: [1, 1], t: 1.5 });
     assert.ok(ctx.calls.length < 200_000, `${ctx.calls.length} calls`);
@@ -57,7 +74,12 @@ test("all layers draw a curve of degree 64 and a chain of 500 points in bounded 
 
 test("there is a layer for every name that can be switched, and each alone adds something to the picture", () => {
   assert.deepEqual(LAYERS.map(({ name }) => name).sort(), [...LAYER_NAMES].sort());
-  const S = [[100, 100], [300, 100], [100, 300], [300, 300]];
+  const S = [
+    [100, 100],
+    [300, 100],
+    [100, 300],
+    [300, 300],
+  ];
   const length = (layers) => drawn({ points: S, layers, pointer: [1, 1] }).ctx.calls.length;
   const bare = length([]);
   for (const name of LAYER_NAMES) {
@@ -67,20 +89,39 @@ test("there is a layer for every name that can be switched, and each alone adds 
 });
 
 test("drawing is a function of its arguments: twice the same, and paints are put back", () => {
-  const [first, second] = [drawn({ layers: "all", pointer: [200, 350] }), drawn({ layers: "all", pointer: [200, 350] })];
+  const [first, second] = [
+    drawn({ layers: "all", pointer: [200, 350] }),
+    drawn({ layers: "all", pointer: [200, 350] }),
+  ];
   assert.deepEqual(first.ctx.calls, second.ctx.calls);
   assert.equal(first.ctx.globalAlpha, 1);
   assert.deepEqual(first.ctx.of("setLineDash").at(-1), [[]]);
 });
 
 test("points: discs on the curve, squares off it, hollow at the edge when they are outside, faint while they wait", () => {
-  const { ctx } = drawn({ points: [[100, 100], [900, -50], [300, 300], [400, 100], [500, 300]] });
+  const { ctx } = drawn({
+    points: [
+      [100, 100],
+      [900, -50],
+      [300, 300],
+      [400, 100],
+      [500, 300],
+    ],
+  });
   const discs = ctx.of("arc").map(([x, y, r]) => [x, y, r]);
   assert.ok(discs.some(([x, y, r]) => x === 100 && y === 100 && r === 6));
   const squares = ctx.of("rect").map(([x, y, w]) => [x + w / 2, y + w / 2]);
-  assert.deepEqual(squares, [[664, 6], [300, 300], [500, 300]]);
+  assert.deepEqual(squares, [
+    [664, 6],
+    [300, 300],
+    [500, 300],
+  ]);
   const fills = ctx.calls.flatMap((call, i) => (ctx.calls[i - 1]?.[0] === "rect" ? [call.slice(-2)] : []));
-  assert.deepEqual(fills, [["paper", 1], ["handle", 1], ["paper", 0.55]]);
+  assert.deepEqual(fills, [
+    ["paper", 1],
+    ["handle", 1],
+    ["paper", 0.55],
+  ]);
 });
 
 test("sizes are CSS pixels: on a canvas half as wide they are twice as large in the box", () => {
@@ -89,13 +130,23 @@ test("sizes are CSS pixels: on a canvas half as wide they are twice as large in 
 });
 
 test("Hermite's vectors have heads, other tangents none", () => {
-  const heads = (basis) => drawn({ basis }).ctx.calls.filter(([name, ...rest]) => name === "fill" && rest.at(-2) === "handle").length;
+  const heads = (basis) =>
+    drawn({ basis }).ctx.calls.filter(([name, ...rest]) => name === "fill" && rest.at(-2) === "handle").length;
   assert.equal(heads("hermite"), heads("bezier") + 1);
 });
 
 test("a view enlarges the curve about its corner, marks keep their size", () => {
   const view = { x: 100, y: 50, width: 67, height: 48 };
-  const lines = (changes) => drawn({ points: [[110, 60], [120, 70], [130, 60], [140, 70]], ...changes }).ctx;
+  const lines = (changes) =>
+    drawn({
+      points: [
+        [110, 60],
+        [120, 70],
+        [130, 60],
+        [140, 70],
+      ],
+      ...changes,
+    }).ctx;
   const [plain, close] = [lines({}), lines({ view })];
   const [far, near] = [plain.of("bezierCurveTo")[0], close.of("bezierCurveTo")[0]];
   far.forEach((value, i) => assert.ok(Math.abs(near[i] - 10 * (value - (i % 2 ? 50 : 100))) < 1e-9));
@@ -103,16 +154,27 @@ test("a view enlarges the curve about its corner, marks keep their size", () => 
 });
 
 test("however close, the canvas gets numbers that it can tell apart, and the visible part is right", () => {
-  const curve = new Curve([[70, 330], [110, 90], [235, 120], [325, 230]]);
+  const curve = new Curve([
+    [70, 330],
+    [110, 90],
+    [235, 120],
+    [325, 230],
+  ]);
   const at = curve.eval(0.3);
   for (const size of [1, 1e-3, 1e-6]) {
     const view = { x: at.x - size / 2, y: at.y - (size * 480) / 670 / 2, width: size, height: (size * 480) / 670 };
     const tape = new Tape();
     new Lens(tape, { box: BOX, view }).curve(curve.controlPoints());
     const vertices = tape.calls.map(([, x, y]) => [x, y]);
-    assert.ok(vertices.flat().every((x) => Math.abs(x) <= 2 ** 14), `${size}`);
+    assert.ok(
+      vertices.flat().every((x) => Math.abs(x) <= 2 ** 14),
+      `${size}`,
+    );
     const distances = vertices.slice(1).map((end, k) => new Curve([vertices[k], end]).nearest([335, 240]).distance);
-    assert.ok(Math.min(...distances) < 0.1, `${size}: the view's middle lies ${Math.min(...distances)} from what is drawn`);
+    assert.ok(
+      Math.min(...distances) < 0.1,
+      `${size}: the view's middle lies ${Math.min(...distances)} from what is drawn`,
+    );
   }
 });
 
@@ -132,7 +194,10 @@ test("lines and polygons are cut where they lie far outside; a hull around the w
   lens.polygon([-100, -100, 100, -100, 100, 100, -100, 100]);
   const corners = [...tape.of("moveTo"), ...tape.of("lineTo")];
   assert.equal(corners.length, 4);
-  assert.deepEqual(corners.map(rounded).map(([x, y]) => [Math.abs(x), Math.abs(y)]), new Array(4).fill([FAR, FAR]));
+  assert.deepEqual(
+    corners.map(rounded).map(([x, y]) => [Math.abs(x), Math.abs(y)]),
+    new Array(4).fill([FAR, FAR]),
+  );
   tape.calls = [];
   lens.polygon([1, 1, 2, 1, 2, 2]);
   assert.deepEqual(tape.of("lineTo"), []);
@@ -162,9 +227,23 @@ test("words do not lie on each other or on points where there is room", () => {
 });
 
 test("words stay inside the picture", () => {
-  const { ctx } = drawn({ points: [[0, 0], [670, 0], [670, 480], [0, 480]], layers: ["weights"] }, 2);
+  const { ctx } = drawn(
+    {
+      points: [
+        [0, 0],
+        [670, 0],
+        [670, 480],
+        [0, 480],
+      ],
+      layers: ["weights"],
+    },
+    2,
+  );
   for (const [text, x, y] of ctx.of("fillText")) {
-    assert.ok(x >= 7.5 * text.length && x <= 670 - 7.5 * text.length && y >= 16 && y <= 480 - 16, `${text} at ${x}, ${y}`);
+    assert.ok(
+      x >= 7.5 * text.length && x <= 670 - 7.5 * text.length && y >= 16 && y <= 480 - 16,
+      `${text} at ${x}, ${y}`,
+    );
   }
 });
 
@@ -186,20 +265,36 @@ test("SVG: the same picture, closed elements, no number that is none, colours th
 
 test("SVG: what comes from outside is text, not markup", () => {
   const state = stateWith();
-  const svg = svgFigure(state, figureOf(state), { label: `<script>"&"</script>`, theme: { curve: `"><script>` }, opaque: true });
+  const svg = svgFigure(state, figureOf(state), {
+    label: `<script>"&"</script>`,
+    theme: { curve: `"><script>` },
+    opaque: true,
+  });
   assert.match(svg, /<title>&lt;script&gt;&quot;&amp;&quot;&lt;\/script&gt;<\/title>/);
   assert.doesNotMatch(svg, /<script/);
   assert.match(svg, /<path fill="#ffffff" d="M0 0H670V480H0Z"\/>/);
 });
 
 test("SVG: a mark's fill and rim are one element, and so are a word and its rim", () => {
-  const state = stateWith({ layers: [], points: [[100, 100], [200, 50], [300, 300], [400, 100]] });
+  const state = stateWith({
+    layers: [],
+    points: [
+      [100, 100],
+      [200, 50],
+      [300, 300],
+      [400, 100],
+    ],
+  });
   const svg = svgFigure(state, figureOf(state));
   assert.equal(svg.match(/<path /g).length, 2 + 4 + 1); // curve, tangents, four points, the diamond
   assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#1d2733">P\d</g).length, 4);
 });
 
 test("colours go by role", () => {
-  const roles = new Set(drawn({ layers: "all" }).ctx.calls.flatMap((call) => call.slice(-3, -1)).filter(Boolean));
+  const roles = new Set(
+    drawn({ layers: "all" })
+      .ctx.calls.flatMap((call) => call.slice(-3, -1))
+      .filter(Boolean),
+  );
   for (const role of roles) assert.ok(role in theme, `${role} is no role`);
 });

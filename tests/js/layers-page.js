@@ -26,8 +26,26 @@ export function derived(name, changes) {
 export class Tape {
   calls = [];
   constructor() {
-    for (const name of ["clearRect", "beginPath", "moveTo", "lineTo", "bezierCurveTo", "quadraticCurveTo", "closePath", "arc", "rect", "setLineDash", "fill", "stroke", "strokeText", "fillText"]) {
-      this[name] = (...args) => void this.calls.push([name, ...args, this.strokeStyle, this.fillStyle, this.globalAlpha].slice(0, args.length + 4));
+    for (const name of [
+      "clearRect",
+      "beginPath",
+      "moveTo",
+      "lineTo",
+      "bezierCurveTo",
+      "quadraticCurveTo",
+      "closePath",
+      "arc",
+      "rect",
+      "setLineDash",
+      "fill",
+      "stroke",
+      "strokeText",
+      "fillText",
+    ]) {
+      this[name] = (...args) =>
+        void this.calls.push(
+          [name, ...args, this.strokeStyle, this.fillStyle, this.globalAlpha].slice(0, args.length + 4),
+        );
     }
   }
   globalAlpha = 1;

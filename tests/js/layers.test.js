@@ -12,13 +12,23 @@ import { weightsAt } from "../../js/elements/applet/layers/weights.js";
 import { BASES } from "../../js/elements/applet/state.js";
 import { derived, stateWith } from "./layers-page.js";
 
-const near = (got, wanted, tolerance, words) => assert.ok(Math.abs(got - wanted) <= tolerance, `${words ?? ""} ${got} is not ${wanted}`);
+const near = (got, wanted, tolerance, words) =>
+  assert.ok(Math.abs(got - wanted) <= tolerance, `${words ?? ""} ${got} is not ${wanted}`);
 
 /** y = x² for x from −1 to 1. */
-const PARABOLA = new Curve([[-1, 1], [0, -1], [1, 1]]);
+const PARABOLA = new Curve([
+  [-1, 1],
+  [0, -1],
+  [1, 1],
+]);
 
 /** The curve's middle part turns back on itself and comes to a point at t = ½. */
-const CUSP = new Curve([[100, 400], [560, 100], [100, 100], [560, 400]]);
+const CUSP = new Curve([
+  [100, 400],
+  [560, 100],
+  [100, 100],
+  [560, 400],
+]);
 
 test("the weights of every basis put the point where the curve is", () => {
   for (const basis of BASES) {
@@ -31,7 +41,12 @@ test("the weights of every basis put the point where the curve is", () => {
         const sum = (axis) => [...values].reduce((all, value, i) => all + value * flat[2 * i + axis], 0);
         near(sum(0), at.x, 1e-9, `${basis} of degree ${degree} at ${t}: x`);
         near(sum(1), at.y, 1e-9, `${basis} of degree ${degree} at ${t}: y`);
-        near([...values].reduce((a, b) => a + b), 1, 1e-12, `${basis}: the sum`);
+        near(
+          [...values].reduce((a, b) => a + b),
+          1,
+          1e-12,
+          `${basis}: the sum`,
+        );
       }
     }
   }
@@ -48,7 +63,10 @@ test("the weights of a cubic at ½ are 1, 3, 3, 1 eighths; those of a uniform B-
 test("the comb's teeth are the curvature, to the outer side: 2 at the parabola's vertex, below it", () => {
   const { teeth, sharpest } = combOf([PARABOLA], 4, 0.1, 10);
   near(sharpest, 2, 1e-12);
-  assert.deepEqual([...teeth[0].subarray(8, 12)].map((x) => Math.round(1e9 * x) / 1e9 + 0), [0, 0, 0, -0.2]);
+  assert.deepEqual(
+    [...teeth[0].subarray(8, 12)].map((x) => Math.round(1e9 * x) / 1e9 + 0),
+    [0, 0, 0, -0.2],
+  );
   [0.5, 0.25, 0.55, 0.2].forEach((wanted, i) => near(teeth[0][12 + i], wanted, 1e-12)); // slope 1, curvature 1/√2
 });
 
@@ -62,7 +80,13 @@ test("at a cusp the teeth have an end", () => {
 });
 
 test("every string touches the curve: the point at t divides it as t does, and it has the tangent's direction", () => {
-  const curve = new Curve([[70, 330], [110, 90], [235, 120], [325, 230], [400, 20]]);
+  const curve = new Curve([
+    [70, 330],
+    [110, 90],
+    [235, 120],
+    [325, 230],
+    [400, 20],
+  ]);
   const strings = stringsOf(curve, 16);
   for (let k = 0; k <= 16; k++) {
     const [ax, ay, bx, by] = strings.subarray(4 * k, 4 * k + 4);
@@ -71,7 +95,11 @@ test("every string touches the curve: the point at t divides it as t does, and i
     const slope = curve.derivativeAt(t);
     near(at.x, ax + t * (bx - ax), 1e-9);
     near(at.y, ay + t * (by - ay), 1e-9);
-    near((bx - ax) * slope.y - (by - ay) * slope.x, 0, 1e-6 * Math.hypot(bx - ax, by - ay) * Math.hypot(slope.x, slope.y));
+    near(
+      (bx - ax) * slope.y - (by - ay) * slope.x,
+      0,
+      1e-6 * Math.hypot(bx - ax, by - ay) * Math.hypot(slope.x, slope.y),
+    );
   }
 });
 
@@ -82,27 +110,61 @@ test("points and unit tangents, also where the derivative vanishes", () => {
   const flat = ways(PARABOLA, [0.75]); // x = ½, slope 1
   near(flat[2], Math.SQRT1_2, 1e-12);
   near(flat[3], Math.SQRT1_2, 1e-12);
-  assert.deepEqual([...ways(new Curve([[5, 5], [5, 5], [5, 5]]), [0.5])], [5, 5, 0, 0]);
+  assert.deepEqual(
+    [
+      ...ways(
+        new Curve([
+          [5, 5],
+          [5, 5],
+          [5, 5],
+        ]),
+        [0.5],
+      ),
+    ],
+    [5, 5, 0, 0],
+  );
 });
 
 test("the error of an even polyline: on y = x² the sagitta h²/4 over √(1 + slope²) of the flattest chord", () => {
   for (const n of [2, 4, 10]) {
     const h = 2 / n; // the width of a step in x; the chord from 0 to h has the slope h
     const wanted = h ** 2 / 4 / Math.hypot(1, h);
-    near(deviation(PARABOLA, Float64Array.from({ length: n + 1 }, (_, k) => k / n)), wanted, 1e-4 * wanted, `${n} steps`);
+    near(
+      deviation(
+        PARABOLA,
+        Float64Array.from({ length: n + 1 }, (_, k) => k / n),
+      ),
+      wanted,
+      1e-4 * wanted,
+      `${n} steps`,
+    );
   }
-  const { data, words } = derived("segments", { points: [[0, 0], [100, 200], [200, 0]], degree: 2, segments: 2 });
+  const { data, words } = derived("segments", {
+    points: [
+      [0, 0],
+      [100, 200],
+      [200, 0],
+    ],
+    degree: 2,
+    segments: 2,
+  });
   near(data.error, 25 / Math.SQRT2, 0.01); // 25 above the middle of a chord of slope 1
   assert.match(words, /2 segments/);
 });
 
 test("the error is that of the whole: no dense sample is farther, one is as far", () => {
-  const curve = new Curve([[70, 330], [600, 90], [-200, 120], [325, 230]]);
+  const curve = new Curve([
+    [70, 330],
+    [600, 90],
+    [-200, 120],
+    [325, 230],
+  ]);
   const ts = [0, 0.2, 0.45, 0.8, 1];
   let farthest = 0;
   for (let k = 0; k + 1 < ts.length; k++) {
     const chord = new Curve([Object.values(curve.eval(ts[k])), Object.values(curve.eval(ts[k + 1]))]);
-    for (let i = 1; i < 1000; i++) farthest = Math.max(farthest, chord.nearest(curve.eval(ts[k] + (i / 1000) * (ts[k + 1] - ts[k]))).distance);
+    for (let i = 1; i < 1000; i++)
+      farthest = Math.max(farthest, chord.nearest(curve.eval(ts[k] + (i / 1000) * (ts[k + 1] - ts[k]))).distance);
   }
   near(deviation(curve, ts), farthest, 0.005 * farthest);
 });
@@ -133,7 +195,11 @@ test("a tolerance that would take for ever is raised, and the raised one is told
 });
 
 test("extrema and boxes: y = x² has its least y at t = ½", () => {
-  const points = [[100, 400], [200, 200], [300, 400]];
+  const points = [
+    [100, 400],
+    [200, 200],
+    [300, 400],
+  ];
   const { data, words } = derived("extrema", { points, degree: 2 });
   assert.deepEqual(data.ts, [[0.5]]);
   assert.deepEqual(data.strokes, [200, 300, 1, 0]);
@@ -143,14 +209,35 @@ test("extrema and boxes: y = x² has its least y at t = ½", () => {
 });
 
 test("inflections: an S has one in the middle, an arch none", () => {
-  const { data, words } = derived("inflections", { points: [[100, 100], [300, 100], [100, 300], [300, 300]] });
+  const { data, words } = derived("inflections", {
+    points: [
+      [100, 100],
+      [300, 100],
+      [100, 300],
+      [300, 300],
+    ],
+  });
   near(data.ts[0][0], 0.5, 1e-12);
   assert.equal(words, "Inflections at t = 0.500 (serpentine)");
-  assert.equal(derived("inflections", { points: [[100, 300], [150, 100], [250, 100], [300, 300]] }).words, "Inflections: none inside (arch)");
+  assert.equal(
+    derived("inflections", {
+      points: [
+        [100, 300],
+        [150, 100],
+        [250, 100],
+        [300, 300],
+      ],
+    }).words,
+    "Inflections: none inside (arch)",
+  );
 });
 
 test("nearest: the foot of the perpendicular, on the right piece; nothing without a pointer", () => {
-  const points = [[0, 0], [100, 0], [100, 100]];
+  const points = [
+    [0, 0],
+    [100, 0],
+    [100, 100],
+  ];
   const { data, words } = derived("nearest", { points, degree: 1, pointer: [130, 25] });
   assert.deepEqual(data.found.point, { x: 100, y: 25 });
   assert.equal(words, "Nearest point: t = 0.250 on piece 2, 30 px away");
@@ -158,24 +245,62 @@ test("nearest: the foot of the perpendicular, on the right piece; nothing withou
 });
 
 test("the parallel of a line is the line moved along its normal", () => {
-  const { data } = derived("offset", { points: [[0, 50], [100, 50]], degree: 1, offset: 30 });
-  assert.deepEqual(data.curves.map((curve) => [...curve.controlPoints()]), [[0, 80, 100, 80]]);
+  const { data } = derived("offset", {
+    points: [
+      [0, 50],
+      [100, 50],
+    ],
+    degree: 1,
+    offset: 30,
+  });
+  assert.deepEqual(
+    data.curves.map((curve) => [...curve.controlPoints()]),
+    [[0, 80, 100, 80]],
+  );
 });
 
 test("ticks divide the length evenly across joints", () => {
-  const { data, words } = derived("ticks", { points: [[0, 0], [100, 0], [100, 300]], degree: 1, ticks: 4 });
+  const { data, words } = derived("ticks", {
+    points: [
+      [0, 0],
+      [100, 0],
+      [100, 300],
+    ],
+    degree: 1,
+    ticks: 4,
+  });
   const places = data.across.filter((_, i) => i % 4 < 2);
-  assert.deepEqual(places.map((x) => Math.round(1e6 * x) / 1e6), [0, 0, 100, 0, 100, 100, 100, 200, 100, 300]);
+  assert.deepEqual(
+    places.map((x) => Math.round(1e6 * x) / 1e6),
+    [0, 0, 100, 0, 100, 100, 100, 200, 100, 300],
+  );
   assert.equal(words, "Length 400 px, a tick every 100 px");
 });
 
 test("beyond the ends: t from −½ to 0 and from 1 to 1½", () => {
-  const { data } = derived("extrapolation", { points: [[0, 0], [100, 0]], degree: 1 });
-  assert.deepEqual(data.map((curve) => [...curve.controlPoints()]), [[-50, 0, 0, 0], [100, 0, 150, 0]]);
+  const { data } = derived("extrapolation", {
+    points: [
+      [0, 0],
+      [100, 0],
+    ],
+    degree: 1,
+  });
+  assert.deepEqual(
+    data.map((curve) => [...curve.controlPoints()]),
+    [
+      [-50, 0, 0, 0],
+      [100, 0, 150, 0],
+    ],
+  );
 });
 
 test("the hull of a B-spline is that of its own points, of other bases that of the Bézier form", () => {
-  const points = [[0, 0], [0, 300], [300, 300], [300, 0]];
+  const points = [
+    [0, 0],
+    [0, 300],
+    [300, 300],
+    [300, 0],
+  ];
   assert.equal(derived("hull", { points, basis: "b-spline" }).data[0].length, 8);
   assert.deepEqual(new Set(derived("hull", { points, basis: "b-spline" }).data[0]), new Set([0, 300]));
   const form = derived("hull", { points, basis: "catmull-rom" });
@@ -199,8 +324,17 @@ test("with the halves their points are called q and r, and the one at t both", (
   const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.25 });
   const figure = figureOf(state);
   const names = namesOf(figure, state);
-  assert.deepEqual(names.map(({ text }) => text), ["q0", "q1", "q2", "q3", "r0", "r1", "r2", "r3"]);
+  assert.deepEqual(
+    names.map(({ text }) => text),
+    ["q0", "q1", "q2", "q3", "r0", "r1", "r2", "r3"],
+  );
   const at = figure.pieces[0].curve.eval(0.25);
-  assert.deepEqual([[...names[3].at], [...names[4].at]], [[at.x, at.y], [at.x, at.y]]);
+  assert.deepEqual(
+    [[...names[3].at], [...names[4].at]],
+    [
+      [at.x, at.y],
+      [at.x, at.y],
+    ],
+  );
   assert.deepEqual(namesOf(figure, { ...state, labels: "none" }), []);
 });

@@ -7,7 +7,18 @@ import { refused } from "./reference.js";
 const teapot = Surface.teapot();
 const empty = new Surface({ vertices: [], patches: [] });
 const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
-const square = new Surface({ vertices: [[0, 0, 1], [3, 0, 1], [0, 2, 1], [3, 2, 1]], patches: [[0, 1, 2, 3]] }, { degreeU: 1, degreeV: 1 });
+const square = new Surface(
+  {
+    vertices: [
+      [0, 0, 1],
+      [3, 0, 1],
+      [0, 2, 1],
+      [3, 2, 1],
+    ],
+    patches: [[0, 1, 2, 3]],
+  },
+  { degreeU: 1, degreeV: 1 },
+);
 
 test("isocurves: each line once", () => {
   for (const lines of [1, 2, 5]) {
@@ -18,14 +29,41 @@ test("isocurves: each line once", () => {
   }
   assert.equal(teapot.isocurves().length, teapot.isocurves({ lines: 4 }).length);
   const [left, right, near, far] = square.isocurves({ lines: 1 }).map((curve) => [...curve.controlPoints()]);
-  assert.deepEqual([left, right, near, far], [[0, 0, 1, 0, 2, 1], [3, 0, 1, 3, 2, 1], [0, 0, 1, 3, 0, 1], [0, 2, 1, 3, 2, 1]]);
+  assert.deepEqual(
+    [left, right, near, far],
+    [
+      [0, 0, 1, 0, 2, 1],
+      [3, 0, 1, 3, 2, 1],
+      [0, 0, 1, 3, 0, 1],
+      [0, 2, 1, 3, 2, 1],
+    ],
+  );
   assert.deepEqual(empty.isocurves(), []);
 });
 
 test("isocurves are the patches'", () => {
-  const curves = new Surface({ vertices: teapot.patch(13).controlPoints(), patches: [[...Array(16).keys()]] }).isocurves({ lines: 3 });
-  curves.slice(0, 4).forEach((curve, k) => assert.deepEqual(curve.controlPoints(), teapot.patch(13).isocurveAtU(k / 3).controlPoints()));
-  curves.slice(4).forEach((curve, k) => assert.deepEqual(curve.controlPoints(), teapot.patch(13).isocurveAtV(k / 3).controlPoints()));
+  const curves = new Surface({
+    vertices: teapot.patch(13).controlPoints(),
+    patches: [[...Array(16).keys()]],
+  }).isocurves({ lines: 3 });
+  curves.slice(0, 4).forEach((curve, k) =>
+    assert.deepEqual(
+      curve.controlPoints(),
+      teapot
+        .patch(13)
+        .isocurveAtU(k / 3)
+        .controlPoints(),
+    ),
+  );
+  curves.slice(4).forEach((curve, k) =>
+    assert.deepEqual(
+      curve.controlPoints(),
+      teapot
+        .patch(13)
+        .isocurveAtV(k / 3)
+        .controlPoints(),
+    ),
+  );
 });
 
 /** How often each edge has a face, by its direction. */
@@ -57,8 +95,15 @@ test("tubes are closed bodies", () => {
 test("a ribbon along a straight side is a rectangle", () => {
   const mesh = square.wireframe({ lines: 1, width: 0.5 });
   assert.equal(mesh.indices.length, 4 * 6);
-  assert.deepEqual([...mesh.positions.slice(0, 12)].map((x) => x + 0), [-0.25, 0, 1, 0.25, 0, 1, -0.25, 2, 1, 0.25, 2, 1]);
-  for (let i = 0; i < mesh.normals.length; i += 3) assert.deepEqual([...mesh.normals.slice(i, i + 3)].map((x) => x + 0), [0, 0, 1]);
+  assert.deepEqual(
+    [...mesh.positions.slice(0, 12)].map((x) => x + 0),
+    [-0.25, 0, 1, 0.25, 0, 1, -0.25, 2, 1, 0.25, 2, 1],
+  );
+  for (let i = 0; i < mesh.normals.length; i += 3)
+    assert.deepEqual(
+      [...mesh.normals.slice(i, i + 3)].map((x) => x + 0),
+      [0, 0, 1],
+    );
   assert.deepEqual(mesh.patchRanges, [{ firstVertex: 0, vertices: 16, firstIndex: 0, indices: 24 }]);
 });
 
@@ -83,7 +128,12 @@ test("flat pieces cover the patches", () => {
   }
   assert.ok(areas.every((area) => area === 1));
   const { patch, u0, u1, v0, v1, corners } = pieces[pieces.length >> 1];
-  const expected = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].flatMap(([u, v]) => Object.values(teapot.patch(patch).eval(u, v)));
+  const expected = [
+    [u0, v0],
+    [u1, v0],
+    [u1, v1],
+    [u0, v1],
+  ].flatMap(([u, v]) => Object.values(teapot.patch(patch).eval(u, v)));
   assert.ok(expected.every((x, k) => Math.abs(x - corners[k]) < 1e-14));
   assert.equal(square.subdivide(1e-9).length, 1);
   assert.deepEqual([...square.subdivide(1)[0].corners], [0, 0, 1, 3, 0, 1, 3, 2, 1, 0, 2, 1]);
@@ -96,7 +146,11 @@ test("refused", () => {
     refused(() => teapot.isocurves({ lines }), RangeError, /^lines: expected a whole number from 1 .*got /);
     refused(wire({ lines, width: 1 }), RangeError, /^lines: expected a whole number from 1 .*got /);
   }
-  refused(wire(undefined), TypeError, /^options: expected either radius \(tubes\) or width \(ribbons\), got none of them$/);
+  refused(
+    wire(undefined),
+    TypeError,
+    /^options: expected either radius \(tubes\) or width \(ribbons\), got none of them$/,
+  );
   refused(wire({ radius: 1, width: 1 }), TypeError, /^options: expected either .*got both$/);
   refused(wire(5), TypeError, /^options: expected an object, got 5$/);
   for (const bad of [0, -1]) {
@@ -105,13 +159,23 @@ test("refused", () => {
   }
   refused(wire({ radius: NaN }), RangeError, /^radius: expected a finite number, got NaN$/);
   refused(wire({ width: "1" }), TypeError, /^width: expected a number, got "1"$/);
-  for (const sides of [2, 0, 3.5, Infinity]) refused(wire({ radius: 1, sides }), RangeError, /^sides: expected a whole number from 3 .*got /);
-  refused(wire({ radius: 1e-9 }), RangeError, /^radius: expected at least \S+ \(f32 shows nothing smaller here\), got 1e-9$/);
+  for (const sides of [2, 0, 3.5, Infinity])
+    refused(wire({ radius: 1, sides }), RangeError, /^sides: expected a whole number from 3 .*got /);
+  refused(
+    wire({ radius: 1e-9 }),
+    RangeError,
+    /^radius: expected at least \S+ \(f32 shows nothing smaller here\), got 1e-9$/,
+  );
   refused(wire({ width: 1e39 }), RangeError, /^vertices: expected coordinates that f32 can hold, got 1e\+39$/);
   refused(wire({ lines: 1e6, width: 0.1 }), RangeError, /^vertices: expected at most \d+, this needs \d+$/);
-  refused(wire({ radius: 0.1, sides: 2 ** 32 - 1 }), RangeError, /^vertices: expected at most \d+, this needs 4294967295$/);
+  refused(
+    wire({ radius: 0.1, sides: 2 ** 32 - 1 }),
+    RangeError,
+    /^vertices: expected at most \d+, this needs 4294967295$/,
+  );
   refused(wire({ radius: 0.1, into: {} }), TypeError, /^into: expected a Mesh, got /);
-  for (const bad of [0, -1]) refused(() => teapot.subdivide(bad), RangeError, /^tolerance: expected a number above 0, got /);
+  for (const bad of [0, -1])
+    refused(() => teapot.subdivide(bad), RangeError, /^tolerance: expected a number above 0, got /);
   refused(() => teapot.subdivide(undefined), TypeError, /^tolerance: expected a number, got undefined$/);
   refused(() => teapot.subdivide(1e-20), RangeError, /^tolerance: expected at least \S+ .*got 1e-20$/);
   refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 262144, this needs 262145$/);

@@ -17,13 +17,15 @@ const declared = (tagName) => declarations.find((each) => each.tagName === tagNa
 
 /** All text of some files and folders. */
 async function sources(...paths) {
-  const texts = await Promise.all(paths.map(async (path) => {
-    if (path.endsWith(".js")) return read(path);
-    const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".js"));
-    return (await Promise.all(names.map((name) => read(`${path}/${name}`)))).join("\n");
-  }));
+  const texts = await Promise.all(
+    paths.map(async (path) => {
+      if (path.endsWith(".js")) return read(path);
+      const names = (await readdir(new URL(path, root), { recursive: true })).filter((name) => name.endsWith(".js"));
+      return (await Promise.all(names.map((name) => read(`${path}/${name}`)))).join("\n");
+    }),
+  );
   // JSDoc says what there is; here it is looked for in the code.
-  return texts.join("\n").replace(/\/\*\*[^]*?\*\//g, "");
+  return texts.join("\n").replace(/\/\*\*[\s\S]*?\*\//g, "");
 }
 
 const companion = (...names) => ["companion", "style", ...names].map((name) => `js/elements/companions/${name}.js`);
@@ -50,7 +52,10 @@ test("every element that is defined", async () => {
   for (const { name, tagName } of declarations) {
     assert.equal(typeof classes[name], "function");
     const { exports } = manifest.modules[0];
-    assert.ok(exports.some((each) => each.kind === "js" && each.name === name) && exports.some((each) => each.kind === "custom-element-definition" && each.name === tagName));
+    assert.ok(
+      exports.some((each) => each.kind === "js" && each.name === name) &&
+        exports.some((each) => each.kind === "custom-element-definition" && each.name === tagName),
+    );
   }
 });
 
@@ -60,40 +65,73 @@ for (const [tagName, paths] of Object.entries(SOURCES)) {
     const text = await sources(...paths);
     const Class = classes[name];
     assert.deepEqual(names(attributes), [...Class.observedAttributes].sort());
-    for (const { name: each } of members) assert.ok(each in Class.prototype || Class.elementProperties.has(each), `${each} is there`);
+    for (const { name: each } of members)
+      assert.ok(each in Class.prototype || Class.elementProperties.has(each), `${each} is there`);
     const methods = members.filter(({ kind }) => kind === "method");
     for (const { name: each } of methods) assert.equal(typeof Class.prototype[each], "function", each);
     const told = ["change", "input", ...all(text, /new Event\("(\w+)"/g)].sort();
     assert.deepEqual(names(events), [...new Set(told)]);
     assert.deepEqual(names(cssParts), all(text, /\bpart(?:=|: )"([\w-]+)"/g));
-    assert.deepEqual(names(slots), [...(/<slot>/.test(text) ? [""] : []), ...all(text, /<slot name="([\w-]+)"/g)].sort());
+    assert.deepEqual(
+      names(slots),
+      [...(/<slot>/.test(text) ? [""] : []), ...all(text, /<slot name="([\w-]+)"/g)].sort(),
+    );
     assert.deepEqual(without(without(all(text, /(--bz-[\w-]+)/g), INSIDE), names(cssProperties)), []);
-    for (const list of [attributes, members, events, cssParts, cssProperties, slots]) assert.equal(new Set(names(list)).size, list?.length ?? 0, "nothing twice");
+    for (const list of [attributes, members, events, cssParts, cssProperties, slots])
+      assert.equal(new Set(names(list)).size, list?.length ?? 0, "nothing twice");
   });
 }
 
 test("each is described, and the attributes name their properties", () => {
   for (const { tagName, description, attributes, members, events, cssParts, cssProperties, slots } of declarations) {
     assert.ok(description?.length > 20, tagName);
-    for (const each of [...events, ...cssParts, ...cssProperties, ...slots]) assert.ok(each.description, `${tagName}: ${each.name}`);
-    for (const { name, fieldName } of attributes) assert.ok(members.some((each) => each.name === fieldName && each.attribute === name), `${tagName}: ${name}`);
+    for (const each of [...events, ...cssParts, ...cssProperties, ...slots])
+      assert.ok(each.description, `${tagName}: ${each.name}`);
+    for (const { name, fieldName } of attributes)
+      assert.ok(
+        members.some((each) => each.name === fieldName && each.attribute === name),
+        `${tagName}: ${name}`,
+      );
     for (const { name, type, kind } of members) assert.ok(kind === "method" || type.text, `${tagName}: ${name}`);
   }
 });
 
 test("no public member of an element is left undescribed", () => {
-  const { status, stderr } = spawnSync(process.execPath, ["xtask/manifest.js", "--check"], { cwd: fileURLToPath(root), encoding: "utf8" });
+  const { status, stderr } = spawnSync(process.execPath, ["xtask/manifest.js", "--check"], {
+    cwd: fileURLToPath(root),
+    encoding: "utf8",
+  });
   assert.equal(status, 0, stderr);
 });
 
 test("the methods that the sources have for pages are in it", () => {
   const methods = (tagName) => names(declared(tagName).members.filter(({ kind }) => kind === "method"));
-  const applet = ["append", "insert", "randomize", "redo", "remove", "reset", "split", "steer", "toBlob", "toCode", "toJSON", "toSVG", "undo"];
+  const applet = [
+    "append",
+    "insert",
+    "randomize",
+    "redo",
+    "remove",
+    "reset",
+    "split",
+    "steer",
+    "toBlob",
+    "toCode",
+    "toJSON",
+    "toSVG",
+    "undo",
+  ];
   assert.deepEqual(without(applet, methods("bezier-applet")), []);
   assert.deepEqual(without(["toBlob"], methods("bezier-surface")), []);
   assert.deepEqual(methods("bezier-easing"), ["checkValidity", "reportValidity", "setCustomValidity"]);
   const steer = declared("bezier-applet").members.find(({ name }) => name === "steer");
-  assert.deepEqual(steer.parameters.map(({ name, optional }) => [name, optional === true]), [["what", false], ["done", true]]);
+  assert.deepEqual(
+    steer.parameters.map(({ name, optional }) => [name, optional === true]),
+    [
+      ["what", false],
+      ["done", true],
+    ],
+  );
 });
 
 test("the package says where it is", async () => {

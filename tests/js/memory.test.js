@@ -1,7 +1,7 @@
 // Results outlive what comes after them, and large ones do not fill the memory: from the sources, to see the memory.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { memory } from "../../js/init.js";
+import { memory } from "../../js/wasm/init.js";
 import { Curve, Spline } from "../../js/index.js";
 import { CUBIC, deCasteljau, near, SEVEN } from "./reference.js";
 
@@ -19,8 +19,15 @@ test("the memory of a large result serves what comes next", () => {
 
 test("results stay what they were while the memory grows", () => {
   const kept = () => [
-    cubic.sample(100), cubic.evalAt([0, 0.3]), cubic.flatten(0.001).points, cubic.flatten(0.001).ts, cubic.hull(),
-    cubic.controlPoints(), ...cubic.deCasteljau(0.4), new Spline(SEVEN).sample(50), cubic.subdivide(0.01).curve.controlPoints(),
+    cubic.sample(100),
+    cubic.evalAt([0, 0.3]),
+    cubic.flatten(0.001).points,
+    cubic.flatten(0.001).ts,
+    cubic.hull(),
+    cubic.controlPoints(),
+    ...cubic.deCasteljau(0.4),
+    new Spline(SEVEN).sample(50),
+    cubic.subdivide(0.01).curve.controlPoints(),
   ];
   const results = kept();
   const copies = results.map((result) => [...result]);
@@ -37,7 +44,8 @@ test("ten million numbers, again and again", () => {
   const segments = 5_000_000;
   const check = (samples) => {
     assert.equal(samples.length, 2 * segments + 2);
-    for (const i of [0, 1, 1_234_567, segments]) near(samples.subarray(2 * i, 2 * i + 2), deCasteljau(CUBIC, i / segments));
+    for (const i of [0, 1, 1_234_567, segments])
+      near(samples.subarray(2 * i, 2 * i + 2), deCasteljau(CUBIC, i / segments));
   };
   check(cubic.sample(segments));
   const once = memory().buffer.byteLength;
@@ -63,7 +71,10 @@ test("large arguments come through, and their room is used again", () => {
 test("many small calls need no more memory", () => {
   const act = () => {
     const [left] = cubic.split(0.3);
-    new Spline(SEVEN).movePoint(3, [1, 1], { joints: { 1: "c1" } }).insert(0.5).flatten(0.01);
+    new Spline(SEVEN)
+      .movePoint(3, [1, 1], { joints: { 1: "c1" } })
+      .insert(0.5)
+      .flatten(0.01);
     return left.elevate().bounds();
   };
   for (let i = 0; i < 100; i++) act();

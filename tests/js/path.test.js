@@ -26,7 +26,8 @@ for (const { name, d, svg, subpaths, error, offset, ...brief } of table) {
     assert.deepEqual([got.error, got.offset], [error, offset]);
     const text = got.path.toSVG();
     if (svg !== undefined) assert.equal(text, svg);
-    for (const digits of [0, 2, 5]) if (`brief${digits}` in brief) assert.equal(got.path.toSVG({ precision: digits }), brief[`brief${digits}`]);
+    for (const digits of [0, 2, 5])
+      if (`brief${digits}` in brief) assert.equal(got.path.toSVG({ precision: digits }), brief[`brief${digits}`]);
     const again = Path.fromSVG(text);
     assert.ok(again.equals(got.path));
     assert.equal(again.toSVG(), text);
@@ -60,7 +61,11 @@ test("numbers of every size come back to the bit", () => {
     view.setUint32(0, rng.next());
     view.setUint32(4, rng.next());
     const number = view.getFloat64(0);
-    return rng.below(4) === 0 ? [0, -0, 1, 5e-324, Number.MAX_VALUE][rng.below(5)] : Number.isFinite(number) ? number : 0.5;
+    return rng.below(4) === 0
+      ? [0, -0, 1, 5e-324, Number.MAX_VALUE][rng.below(5)]
+      : Number.isFinite(number)
+        ? number
+        : 0.5;
   };
   for (let k = 0; k < 5_000; k++) {
     const closed = rng.below(2) === 0;
@@ -77,7 +82,9 @@ test("garbage", () => {
   const alphabet = "MmLlHhVvCcSsQqTtAaZz0123456789.,-+eE \t\n\r\fxé😀\0\ud800";
   const rng = new Rng(4);
   for (let k = 0; k < 20_000; k++) {
-    const d = (rng.below(4) ? "M1 2" : "") + Array.from({ length: rng.below(60) }, () => alphabet[rng.below(alphabet.length)]).join("");
+    const d =
+      (rng.below(4) ? "M1 2" : "") +
+      Array.from({ length: rng.below(60) }, () => alphabet[rng.below(alphabet.length)]).join("");
     const { path, offset = 0 } = read(d);
     assert.ok(offset <= d.length && Path.fromSVG(path.toSVG()).equals(path), d);
   }
@@ -88,16 +95,44 @@ test("ten megabytes at once; two of anything, good and bad", () => {
   const icon = "m12.5 3.25c-1.5.5-3 1.25-4 2.75s-1 3.5.25 5 4 1.5 5.5 0h2l3-1.5q1-2 0-3.5t-2-1zm2 1a2 3 15 012.5 1.5z";
   const path = Path.fromSVG(`M0 0${large(icon, 1e7)}`);
   assert.ok(path.subpathCount > 100_000 && path.length() > 1e6);
-  for (const good of ["z", "m0 0", "M0 0z", "0 0 ", "a0 0 0 0 0 0 0"]) assert.ok(Path.fromSVG(`M0 0 ${large(good)}`).subpathCount >= 0);
+  for (const good of ["z", "m0 0", "M0 0z", "0 0 ", "a0 0 0 0 0 0 0"])
+    assert.ok(Path.fromSVG(`M0 0 ${large(good)}`).subpathCount >= 0);
   for (const bad of ["9", "e", "-", ".", ",", "M", "\u00a0", "1.", "((", "😀"]) {
-    assert.throws(() => Path.fromSVG(`M0 0L${large(bad)}`), (error) => error instanceof RangeError && error.message.length < 400);
+    assert.throws(
+      () => Path.fromSVG(`M0 0L${large(bad)}`),
+      (error) => error instanceof RangeError && error.message.length < 400,
+    );
   }
 });
 
 test("curves and splines as path data", () => {
-  assert.equal(new Curve([[0, 0], [1, 1], [2, 0]]).toSVG(), "M0,0 Q1,1 2,0");
-  assert.equal(new Curve([[0, 0], [0.25, 1.5], [2, 0]]).toSVG({ precision: 1 }), "M0 0Q.3 1.5 2 0");
-  assert.equal(new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true }).toSVG(), "M0,0 L1,0 L0,1 Z");
+  assert.equal(
+    new Curve([
+      [0, 0],
+      [1, 1],
+      [2, 0],
+    ]).toSVG(),
+    "M0,0 Q1,1 2,0",
+  );
+  assert.equal(
+    new Curve([
+      [0, 0],
+      [0.25, 1.5],
+      [2, 0],
+    ]).toSVG({ precision: 1 }),
+    "M0 0Q.3 1.5 2 0",
+  );
+  assert.equal(
+    new Spline(
+      [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+      ],
+      { degree: 1, closed: true },
+    ).toSVG(),
+    "M0,0 L1,0 L0,1 Z",
+  );
   refused(() => new Curve(SPACE).toSVG(), TypeError, /^toSVG: .*2D.*3D/);
   refused(() => new Spline(SPACE).toSVG(), TypeError, /^toSVG: .*2D.*3D/);
   refused(() => new Curve(SPACE.map((p) => p.slice(0, 2))).toSVG({ tolerance: 0 }), RangeError, /^tolerance: /);
@@ -118,7 +153,14 @@ const RING = "M0 0H4V4H0Z M1 1V3H3V1Z";
 
 test("what is inside", () => {
   const ring = Path.fromSVG(RING);
-  assert.deepEqual([[0.5, 2], [2, 2], [5, 2]].map((p) => ring.windingNumber(p)), [1, 0, 0]);
+  assert.deepEqual(
+    [
+      [0.5, 2],
+      [2, 2],
+      [5, 2],
+    ].map((p) => ring.windingNumber(p)),
+    [1, 0, 0],
+  );
   assert.ok(ring.contains({ x: 0.5, y: 2 }) && !ring.contains([2, 2]));
   const twice = Path.fromSVG("M0 0H4V4H0Z M1 1H3V3H1Z");
   assert.equal(twice.windingNumber([2, 2]), 2);
@@ -131,7 +173,11 @@ test("a refusal after a part of the answer was written says why, and the next ca
   const fine = several.flatten(1e-12)[0].ts.length; // the core's memory now is large enough for what follows
   assert.ok(fine > 400_000);
   const both = new Path([...arch(1).subpaths, ...arch(1e6).subpaths]);
-  refused(() => both.flatten(1e-12), RangeError, /^tolerance: expected at least 4\.6\d*e-10 \(4 ulps of the largest coordinate\), got 1e-12$/);
+  refused(
+    () => both.flatten(1e-12),
+    RangeError,
+    /^tolerance: expected at least 4\.6\d*e-10 \(4 ulps of the largest coordinate\), got 1e-12$/,
+  );
   assert.deepEqual(arch(1).subpaths[0].eval(0.5), { x: 0.5, y: 0.75 });
   assert.equal(several.flatten(1e-12)[3].ts.length, fine);
 });
@@ -144,7 +190,10 @@ test("bounds, flattening, empty paths", () => {
   assert.deepEqual(line, path.subpaths[0].flatten(0.1));
   assert.equal(Path.fromSVG(RING).flatten(1).length, 2);
   const empty = new Path([]);
-  assert.deepEqual([empty.bounds(), empty.controlBounds(), empty.flatten(1), empty.toSVG(), empty.subpaths], [null, null, [], "", []]);
+  assert.deepEqual(
+    [empty.bounds(), empty.controlBounds(), empty.flatten(1), empty.toSVG(), empty.subpaths],
+    [null, null, [], "", []],
+  );
   assert.equal(empty.windingNumber([0, 0]), 0);
   assert.ok(empty.equals(Path.fromSVG("")));
 });
@@ -154,18 +203,47 @@ test("the nearest point", () => {
   assert.deepEqual(ring.nearest([2, 2.5]), { subpath: 1, t: 1.5, point: { x: 2, y: 3 }, distance: 0.5 });
   assert.deepEqual(ring.nearest({ x: 9, y: 4 }), { subpath: 0, t: 2, point: { x: 4, y: 4 }, distance: 5 });
   assert.equal(new Path([]).nearest([0, 0]), null);
-  const path = new Path([new Spline(SEVEN), new Curve([[0, 9], [1, 8], [5, 7]])]);
+  const path = new Path([
+    new Spline(SEVEN),
+    new Curve([
+      [0, 9],
+      [1, 8],
+      [5, 7],
+    ]),
+  ]);
   const { subpath, t, point } = path.nearest([3, -1]);
   near(path.subpaths[subpath].eval(t), point);
-  for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.nearest(bad), RangeError, /^point/);
+  for (const bad of [
+    [NaN, 0],
+    [0, Infinity],
+    [1, 2, 3],
+  ])
+    refused(() => path.nearest(bad), RangeError, /^point/);
 });
 
 test("by length", () => {
   const ring = Path.fromSVG(RING);
   assert.deepEqual(ring.timeAtLength(6), { subpath: 0, t: 1.5 });
   assert.deepEqual(ring.timeAtLength(17), { subpath: 1, t: 0.5 });
-  assert.deepEqual([ring.timeAtLength(-1), ring.timeAtLength(99)], [{ subpath: 0, t: 0 }, { subpath: 1, t: 4 }]);
-  assert.deepEqual(ring.equidistantTimes(6).map(({ subpath, t }) => [subpath, t]), [[0, 0], [0, 1], [0, 2], [0, 3], [1, 0], [1, 2], [1, 4]]);
+  assert.deepEqual(
+    [ring.timeAtLength(-1), ring.timeAtLength(99)],
+    [
+      { subpath: 0, t: 0 },
+      { subpath: 1, t: 4 },
+    ],
+  );
+  assert.deepEqual(
+    ring.equidistantTimes(6).map(({ subpath, t }) => [subpath, t]),
+    [
+      [0, 0],
+      [0, 1],
+      [0, 2],
+      [0, 3],
+      [1, 0],
+      [1, 2],
+      [1, 4],
+    ],
+  );
   const empty = new Path([]);
   assert.deepEqual([empty.timeAtLength(1), empty.equidistantTimes(3)], [null, []]);
   for (const bad of [NaN, Infinity]) refused(() => ring.timeAtLength(bad), RangeError, /^s: /);
@@ -174,7 +252,10 @@ test("by length", () => {
 
 test("where paths meet", () => {
   const ring = Path.fromSVG(RING);
-  const line = new Curve([[-1, 2.25], [2, 2.25]]);
+  const line = new Curve([
+    [-1, 2.25],
+    [2, 2.25],
+  ]);
   const expected = [
     { subpath: 0, t: 3.4375, otherSubpath: 0, u: 1 / 3, point: { x: 0, y: 2.25 }, kind: "cross" },
     { subpath: 1, t: 0.625, otherSubpath: 0, u: 2 / 3, point: { x: 1, y: 2.25 }, kind: "cross" },
@@ -182,24 +263,52 @@ test("where paths meet", () => {
   const numbers = ({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y];
   for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
     const places = ring.intersections(other);
-    assert.deepEqual(places.map(({ kind }) => kind), ["cross", "cross"]);
+    assert.deepEqual(
+      places.map(({ kind }) => kind),
+      ["cross", "cross"],
+    );
     near(places.flatMap(numbers), expected.flatMap(numbers));
   }
-  const [overlap] = ring.intersections(new Curve([[1, 4], [3, 4]]));
+  const [overlap] = ring.intersections(
+    new Curve([
+      [1, 4],
+      [3, 4],
+    ]),
+  );
   assert.equal(overlap.kind, "overlap");
   near([...numbers(overlap), overlap.tEnd, overlap.uEnd], [0, 2.25, 0, 1, 3, 4, 2.75, 0]);
   const eight = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3");
   const twice = eight.selfIntersections().flatMap(numbers);
-  near(twice, [[0, 0.5, 0, 2.5, 1, 1], [0, 0.5, 1, 1 / 3, 1, 1], [0, 1.5, 1, 2 / 3, 1, 2], [0, 2.5, 1, 1 / 3, 1, 1]].flat());
+  near(
+    twice,
+    [
+      [0, 0.5, 0, 2.5, 1, 1],
+      [0, 0.5, 1, 1 / 3, 1, 1],
+      [0, 1.5, 1, 2 / 3, 1, 2],
+      [0, 2.5, 1, 1 / 3, 1, 1],
+    ].flat(),
+  );
   assert.deepEqual(new Path([]).intersections(ring), []);
-  for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]]) refused(() => ring.intersections(bad), TypeError, /^other: expected a Path/);
+  for (const bad of [undefined, null, 5, RING, {}, [[0, 0]]])
+    refused(() => ring.intersections(bad), TypeError, /^other: expected a Path/);
   refused(() => ring.intersections(new Curve(SPACE)), TypeError, /^other: .*2D.*3D/);
 });
 
 test("paths of splines and curves, and back", () => {
   const spline = new Spline(SEVEN);
-  const ring = new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true });
-  const curve = new Curve([[0, 0], [1, 1], [2, 0]]);
+  const ring = new Spline(
+    [
+      [0, 0],
+      [1, 0],
+      [0, 1],
+    ],
+    { degree: 1, closed: true },
+  );
+  const curve = new Curve([
+    [0, 0],
+    [1, 1],
+    [2, 0],
+  ]);
   const path = new Path([spline, ring, curve]);
   assert.equal(path.subpathCount, 3);
   assert.ok(path.subpaths[0].equals(spline) && path.subpaths[1].equals(ring));
@@ -207,13 +316,34 @@ test("paths of splines and curves, and back", () => {
   assert.ok(Path.fromJSON(JSON.parse(JSON.stringify(path))).equals(path));
   assert.ok(path.reverse().reverse().equals(path));
   assert.equal(path.reverse().toSVG(), "M4,0 C4,-2 2,-4 2,0 C2,2 0,2 0,0 M0,0 L0,1 L1,0 Z M2,0 Q1,1 0,0");
-  assert.equal(path.transform([2, 0, 0, 1, 10, -1]).toSVG(), "M10,-1 C10,1 14,1 14,-1 C14,-5 18,-3 18,-1 M10,-1 L12,-1 L10,0 Z M10,-1 Q12,0 14,-1");
+  assert.equal(
+    path.transform([2, 0, 0, 1, 10, -1]).toSVG(),
+    "M10,-1 C10,1 14,1 14,-1 C14,-5 18,-3 18,-1 M10,-1 L12,-1 L10,0 Z M10,-1 Q12,0 14,-1",
+  );
   assert.ok(!path.equals(path.reverse()) && path.equals(path.transform([1, 0, 0, 1, 0, 1e-9]), 1e-8));
   assert.throws(() => path.subpaths.push(spline), TypeError);
 });
 
 test("drawing, as its splines are drawn", () => {
-  const shapes = [new Spline(SEVEN), new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true }), new Curve([[0, 0], [1, 9], [8, -9], [4, 7], [3, -5], [9, 2]])];
+  const shapes = [
+    new Spline(SEVEN),
+    new Spline(
+      [
+        [0, 0],
+        [1, 0],
+        [0, 1],
+      ],
+      { degree: 1, closed: true },
+    ),
+    new Curve([
+      [0, 0],
+      [1, 9],
+      [8, -9],
+      [4, 7],
+      [3, -5],
+      [9, 2],
+    ]),
+  ];
   for (const options of [undefined, { tolerance: 0.01 }]) {
     const [whole, parts] = [recorder(), recorder()];
     new Path(shapes).trace(whole, options);
@@ -223,27 +353,48 @@ test("drawing, as its splines are drawn", () => {
 });
 
 test("higher degrees become cubics", () => {
-  const curve = new Curve([[0, 0], [1, 9], [8, -9], [4, 7], [3, -5], [9, 2]]);
+  const curve = new Curve([
+    [0, 0],
+    [1, 9],
+    [8, -9],
+    [4, 7],
+    [3, -5],
+    [9, 2],
+  ]);
   const target = recorder();
   curve.trace(target, { tolerance: 0.01 });
   const [coarse, fine] = [1, 1e-6].map((tolerance) => new Path([curve]).toSVG({ tolerance }));
   assert.ok(coarse.length < fine.length);
-  near([...Path.fromSVG(new Path([curve]).toSVG({ tolerance: 0.01 })).subpaths[0].controlPoints()].slice(2), target.calls.slice(1).flatMap(([, ...p]) => p));
+  near(
+    [...Path.fromSVG(new Path([curve]).toSVG({ tolerance: 0.01 })).subpaths[0].controlPoints()].slice(2),
+    target.calls.slice(1).flatMap(([, ...p]) => p),
+  );
   assert.ok(/^M0,0( C\S+ \S+ \S+)+$/.test(fine), fine);
 });
 
 test("refusals", () => {
-  for (const bad of [undefined, null, 5, {}, [], new Uint8Array(3)]) refused(() => Path.fromSVG(bad), TypeError, /^d: expected a string, got /);
-  for (const bad of [undefined, null, 5, "M0 0", {}, new Spline(SEVEN)]) refused(() => new Path(bad), TypeError, /^splines: /);
-  for (const bad of [undefined, null, 5, "M0 0", [[0, 0]], new Path([])]) refused(() => new Path([bad]), TypeError, /^splines\[0\]: /);
+  for (const bad of [undefined, null, 5, {}, [], new Uint8Array(3)])
+    refused(() => Path.fromSVG(bad), TypeError, /^d: expected a string, got /);
+  for (const bad of [undefined, null, 5, "M0 0", {}, new Spline(SEVEN)])
+    refused(() => new Path(bad), TypeError, /^splines: /);
+  for (const bad of [undefined, null, 5, "M0 0", [[0, 0]], new Path([])])
+    refused(() => new Path([bad]), TypeError, /^splines\[0\]: /);
   refused(() => new Path([new Spline(SEVEN), new Spline(SPACE)]), TypeError, /^splines\[1\]: .*2D.*3D/);
+  // biome-ignore lint/suspicious/noSparseArray: a hole is the input under test
   refused(() => new Path([,]), TypeError, /^splines\[0\]: /);
-  for (const bad of [undefined, null, 5, [], {}, { subpaths: 5 }]) refused(() => Path.fromJSON(bad), TypeError, /^json: /);
+  for (const bad of [undefined, null, 5, [], {}, { subpaths: 5 }])
+    refused(() => Path.fromJSON(bad), TypeError, /^json: /);
   const path = Path.fromSVG(RING);
   for (const bad of [undefined, null, 5, "0 0"]) refused(() => path.contains(bad), TypeError, /^point: /);
-  for (const bad of [[NaN, 0], [0, Infinity], [1, 2, 3]]) refused(() => path.windingNumber(bad), RangeError, /^point/);
+  for (const bad of [
+    [NaN, 0],
+    [0, Infinity],
+    [1, 2, 3],
+  ])
+    refused(() => path.windingNumber(bad), RangeError, /^point/);
   refused(() => path.contains([0, 0], "odd"), RangeError, /^rule: /);
-  for (const bad of [-1, 0.5, 101, NaN, Infinity]) refused(() => path.toSVG({ precision: bad }), RangeError, /^precision: /);
+  for (const bad of [-1, 0.5, 101, NaN, Infinity])
+    refused(() => path.toSVG({ precision: bad }), RangeError, /^precision: /);
   refused(() => path.toSVG({ precision: "2" }), TypeError, /^precision: /);
   refused(() => path.toSVG(2), TypeError, /^options: /);
   for (const bad of [0, -1, 1e-20, NaN, Infinity]) {

@@ -59,8 +59,14 @@ test("dimension decides wherever it is given", () => {
     assert.equal(new Spline(points, { dimension: 3 }).dimension, 3);
     assert.equal(Curve.fromBasis("bezier", points, { dimension: 3 }).dimension, 3);
   }
-  const inPlane = new Curve(SPACE.map(([x, y, z]) => ({ x, y, z })), { dimension: 2 });
-  assert.deepEqual(pairs(inPlane.controlPoints()), SPACE.map(([x, y]) => [x, y]));
+  const inPlane = new Curve(
+    SPACE.map(([x, y, z]) => ({ x, y, z })),
+    { dimension: 2 },
+  );
+  assert.deepEqual(
+    pairs(inPlane.controlPoints()),
+    SPACE.map(([x, y]) => [x, y]),
+  );
   assert.equal(Curve.fromJSON({ points: flat, dimension: 3 }).dimension, 3);
 });
 
@@ -73,17 +79,30 @@ test("matrices: 6 numbers, 16 numbers, a DOMMatrix", () => {
     assert.deepEqual(pairs(new Curve(CUBIC).transform(matrix).controlPoints()), expected);
     assert.deepEqual(pairs(new Spline(CUBIC).transform(matrix).controlPoints()), expected);
     const space = pairs(new Curve(SPACE).transform(matrix).controlPoints(), 3);
-    assert.deepEqual(space, SPACE.map(([x, y, z]) => [x + 3 * y + 5, 2 * x + 4 * y + 6, z]));
+    assert.deepEqual(
+      space,
+      SPACE.map(([x, y, z]) => [x + 3 * y + 5, 2 * x + 4 * y + 6, z]),
+    );
   }
   // A quarter turn about x, then one along z.
   const turn = [1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 1, 1];
-  near(new Curve(SPACE).transform(turn).controlPoints(), SPACE.flatMap(([x, y, z]) => [x, -z, y + 1]), 0);
+  near(
+    new Curve(SPACE).transform(turn).controlPoints(),
+    SPACE.flatMap(([x, y, z]) => [x, -z, y + 1]),
+    0,
+  );
 });
 
 test("the caller's arrays may change afterwards", () => {
   const flat = Float64Array.from(CUBIC.flat());
   const nested = CUBIC.map((p) => [...p]);
-  const values = [new Curve(flat), new Curve(nested), new Spline(flat), new Spline(nested), Curve.fromBasis("bezier", flat)];
+  const values = [
+    new Curve(flat),
+    new Curve(nested),
+    new Spline(flat),
+    new Spline(nested),
+    Curve.fromBasis("bezier", flat),
+  ];
   flat.fill(99);
   nested.forEach((p) => p.fill(99));
   for (const value of values) assert.deepEqual(pairs(value.controlPoints()), CUBIC);
@@ -118,7 +137,13 @@ test("classes carry their names through the bundle", () => {
 test("properties cannot be assigned", () => {
   const curve = new Curve(CUBIC);
   const spline = new Spline(SEVEN);
-  for (const [value, name] of [[curve, "degree"], [curve, "dimension"], [spline, "closed"], [spline, "degrees"], [spline, "segmentCount"]]) {
+  for (const [value, name] of [
+    [curve, "degree"],
+    [curve, "dimension"],
+    [spline, "closed"],
+    [spline, "degrees"],
+    [spline, "segmentCount"],
+  ]) {
     assert.throws(() => (value[name] = 1), TypeError);
   }
 });
@@ -151,8 +176,18 @@ test("results are arrays of their own, of exactly their length", () => {
   const spline = new Spline(SEVEN);
   const { points, ts } = curve.flatten(0.01);
   const results = [
-    curve.controlPoints(), curve.sample(9), curve.evalAt([0.5]), curve.hull(), curve.toBasis("hermite"), points, ts,
-    Curve.bernstein(3, 0.5), Curve.basisMatrix("bezier"), ...curve.deCasteljau(0.5), spline.controlPoints(), spline.sample(9),
+    curve.controlPoints(),
+    curve.sample(9),
+    curve.evalAt([0.5]),
+    curve.hull(),
+    curve.toBasis("hermite"),
+    points,
+    ts,
+    Curve.bernstein(3, 0.5),
+    Curve.basisMatrix("bezier"),
+    ...curve.deCasteljau(0.5),
+    spline.controlPoints(),
+    spline.sample(9),
   ];
   results.forEach(owned);
   assert.equal(new Set(results.map((result) => result.buffer)).size, results.length);

@@ -9,14 +9,25 @@ const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(
 
 /** z = (u − ½)² + (v − ½)² over the unit square. */
 const bowl = new Patch(
-  Array.from({ length: 9 }, (_, i) => [(i % 3) / 2, Math.floor(i / 3) / 2, (i % 3 === 1 ? -0.25 : 0.25) + (Math.floor(i / 3) === 1 ? -0.25 : 0.25)]),
+  Array.from({ length: 9 }, (_, i) => [
+    (i % 3) / 2,
+    Math.floor(i / 3) / 2,
+    (i % 3 === 1 ? -0.25 : 0.25) + (Math.floor(i / 3) === 1 ? -0.25 : 0.25),
+  ]),
   { degreeU: 2, degreeV: 2 },
 );
 
 const cube = new Surface(
   {
     vertices: Array.from({ length: 8 }, (_, k) => [k & 1, (k >> 1) & 1, k >> 2]),
-    patches: [[0, 2, 1, 3], [4, 5, 6, 7], [0, 1, 4, 5], [2, 6, 3, 7], [0, 4, 2, 6], [1, 3, 5, 7]],
+    patches: [
+      [0, 2, 1, 3],
+      [4, 5, 6, 7],
+      [0, 1, 4, 5],
+      [2, 6, 3, 7],
+      [0, 4, 2, 6],
+      [1, 3, 5, 7],
+    ],
   },
   { degreeU: 1, degreeV: 1 },
 );
@@ -25,14 +36,23 @@ const empty = new Surface({ vertices: [], patches: [] });
 
 /** @param {{ x: number, y: number, z?: number }} a @param {number[]} b */
 const near = (a, b, most = 1e-14) =>
-  assert.ok(Math.hypot(a.x - b[0], a.y - b[1], (a.z ?? 0) - b[2]) <= most, `${JSON.stringify(a)} ≠ ${JSON.stringify(b)}`);
+  assert.ok(
+    Math.hypot(a.x - b[0], a.y - b[1], (a.z ?? 0) - b[2]) <= most,
+    `${JSON.stringify(a)} ≠ ${JSON.stringify(b)}`,
+  );
 
 /** @param {number} a @param {number} b */
 const close = (a, b, most = 1e-14) => assert.ok(Math.abs(a - b) <= most * Math.max(1, Math.abs(b)), `${a} ≠ ${b}`);
 
 test("curvature of a paraboloid at its vertex and of a plane", () => {
   const { gaussian, mean, k1, k2 } = bowl.curvature(0.5, 0.5);
-  for (const [got, expected] of [[gaussian, 4], [mean, 2], [k1, 2], [k2, 2]]) close(got, expected, 1e-12);
+  for (const [got, expected] of [
+    [gaussian, 4],
+    [mean, 2],
+    [k1, 2],
+    [k2, 2],
+  ])
+    close(got, expected, 1e-12);
   assert.deepEqual(Object.values(plane.curvature(0.3, 0.9)).map(Math.abs), [0, 0, 0, 0]);
 });
 
@@ -66,7 +86,10 @@ test("the teacup's area", () => {
 test("the nearest point, inside, on sides and at corners", () => {
   const inside = plane.nearest([0.75, 1.5, 7]);
   near(inside.point, [0.75, 1.5, 2]);
-  assert.deepEqual([inside.u, inside.v, inside.distance].map((x) => +x.toFixed(12)), [0.25, 0.5, 5]);
+  assert.deepEqual(
+    [inside.u, inside.v, inside.distance].map((x) => +x.toFixed(12)),
+    [0.25, 0.5, 5],
+  );
   near(plane.nearest({ x: -4, y: 1, z: 5 }).point, [0, 1, 2]);
   near(plane.nearest([9, 9, 9]).point, [3, 3, 2]);
   const onCube = cube.nearest([0.5, 0.25, 3]);
@@ -85,7 +108,13 @@ test("all hits of a ray, by distance", () => {
   assert.equal(bowl.intersectRay([-1, 0.5, 0], [1, 0, 0]).length, 1);
   assert.deepEqual(bowl.intersectRay([-1, 0.5, -1], [1, 0, 0]), []);
   const through = cube.intersectRay([0.5, 0.5, 9], [0, 0, -0.1]);
-  assert.deepEqual(through.map(({ patch, distance }) => [patch, distance]), [[1, 8], [0, 9]]);
+  assert.deepEqual(
+    through.map(({ patch, distance }) => [patch, distance]),
+    [
+      [1, 8],
+      [0, 9],
+    ],
+  );
   // Along a diagonal of the cube: corners, each of three faces, count once.
   assert.equal(cube.intersectRay([-1, -1, -1], [1, 1, 1]).length, 2);
   assert.equal(Surface.teapot().intersectRay([0, 0, 9], [0, 0, -1]).length, 2);
@@ -94,9 +123,22 @@ test("all hits of a ray, by distance", () => {
 
 test("deCasteljau of a patch: rows, then a curve, then the point", () => {
   const { rows, column, point } = bowl.deCasteljau(0.25, 0.75);
-  assert.deepEqual(rows.map((levels) => levels.map((level) => level.length / 3)), [[3, 2, 1], [3, 2, 1], [3, 2, 1]]);
-  assert.deepEqual(column.map((level) => level.length / 3), [3, 2, 1]);
-  assert.deepEqual(rows.map((levels) => [...levels[2]]).flat(), [...column[0]]);
+  assert.deepEqual(
+    rows.map((levels) => levels.map((level) => level.length / 3)),
+    [
+      [3, 2, 1],
+      [3, 2, 1],
+      [3, 2, 1],
+    ],
+  );
+  assert.deepEqual(
+    column.map((level) => level.length / 3),
+    [3, 2, 1],
+  );
+  assert.deepEqual(
+    rows.flatMap((levels) => [...levels[2]]),
+    [...column[0]],
+  );
   near(point, [0.25, 0.75, 0.125]);
   near(bowl.eval(0.25, 0.75), [0.25, 0.75, 0.125]);
 });
@@ -105,7 +147,10 @@ test("elevation keeps the patch", () => {
   const high = bowl.elevate();
   assert.deepEqual([high.degreeU, high.degreeV], [3, 3]);
   near(high.eval(0.2, 0.7), [0.2, 0.7, 0.13]);
-  assert.throws(() => new Patch(new Float64Array(3 * 65 * 2), { degreeU: 64, degreeV: 1 }).elevate(), /RangeError: degree: expected a degree below 64, got 64/);
+  assert.throws(
+    () => new Patch(new Float64Array(3 * 65 * 2), { degreeU: 64, degreeV: 1 }).elevate(),
+    /RangeError: degree: expected a degree below 64, got 64/,
+  );
 });
 
 test("a patch from another basis goes through the curves of that basis", () => {
@@ -120,17 +165,57 @@ test("a patch from another basis goes through the curves of that basis", () => {
 });
 
 const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
-  ["a direction of length 0", () => plane.intersectRay([0, 0, 0], [0, 0, 0]), RangeError, /^direction: expected a vector of a length above 0, got 0$/],
-  ["an origin with a NaN", () => cube.intersectRay([0, NaN, 0], [0, 0, 1]), RangeError, /^origin\[1\]: expected a finite number, got NaN$/],
-  ["a direction of the plane", () => plane.intersectRay([0, 0, 0], [0, 1]), RangeError, /^direction: expected 3 coordinates, got 2$/],
+  [
+    "a direction of length 0",
+    () => plane.intersectRay([0, 0, 0], [0, 0, 0]),
+    RangeError,
+    /^direction: expected a vector of a length above 0, got 0$/,
+  ],
+  [
+    "an origin with a NaN",
+    () => cube.intersectRay([0, NaN, 0], [0, 0, 1]),
+    RangeError,
+    /^origin\[1\]: expected a finite number, got NaN$/,
+  ],
+  [
+    "a direction of the plane",
+    () => plane.intersectRay([0, 0, 0], [0, 1]),
+    RangeError,
+    /^direction: expected 3 coordinates, got 2$/,
+  ],
   ["a point without z", () => plane.nearest({ x: 0, y: 1 }), TypeError, /^point\.z: expected a number, got undefined$/],
   ["no point", () => cube.nearest(/** @type {any} */ (7)), TypeError, /^point: expected a point/],
-  ["an infinite point", () => cube.nearest([0, 0, Infinity]), RangeError, /^point\[2\]: expected a finite number, got Infinity$/],
-  ["a parameter that is no number", () => plane.curvature(/** @type {any} */ ("0"), 0), TypeError, /^u: expected a number, got "0"$/],
+  [
+    "an infinite point",
+    () => cube.nearest([0, 0, Infinity]),
+    RangeError,
+    /^point\[2\]: expected a finite number, got Infinity$/,
+  ],
+  [
+    "a parameter that is no number",
+    () => plane.curvature(/** @type {any} */ ("0"), 0),
+    TypeError,
+    /^u: expected a number, got "0"$/,
+  ],
   ["deCasteljau at NaN", () => plane.deCasteljau(0, NaN), RangeError, /^v: expected a finite number, got NaN$/],
-  ["an unknown basis", () => Patch.fromBasis(/** @type {any} */ ("spline"), plane.controlPoints()), RangeError, /^basis: expected one of "bezier"/],
-  ["a basis of nine numbers", () => Patch.fromBasis(new Float64Array(9), plane.controlPoints()), RangeError, /^basis: expected 16 numbers \(4×4\), got 9$/],
-  ["nine points", () => Patch.fromBasis("b-spline", bowl.controlPoints()), RangeError, /^net: expected 16 points, got 9$/],
+  [
+    "an unknown basis",
+    () => Patch.fromBasis(/** @type {any} */ ("spline"), plane.controlPoints()),
+    RangeError,
+    /^basis: expected one of "bezier"/,
+  ],
+  [
+    "a basis of nine numbers",
+    () => Patch.fromBasis(new Float64Array(9), plane.controlPoints()),
+    RangeError,
+    /^basis: expected 16 numbers \(4×4\), got 9$/,
+  ],
+  [
+    "nine points",
+    () => Patch.fromBasis("b-spline", bowl.controlPoints()),
+    RangeError,
+    /^net: expected 16 points, got 9$/,
+  ],
 ]);
 
 for (const [name, act, type, message] of refusals) {

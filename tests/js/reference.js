@@ -16,7 +16,10 @@ export function near(got, expected, tolerance = 1e-12) {
   const [a, b] = [coordinates(got), coordinates(expected)];
   assert.equal(a.length, b.length, `${a} instead of ${b}`);
   const off = (x, i) => Math.abs(x - b[i]) / Math.max(1, Math.abs(b[i]));
-  assert.ok(a.every((x, i) => x === b[i] || off(x, i) <= tolerance), `${a} instead of ${b}`);
+  assert.ok(
+    a.every((x, i) => x === b[i] || off(x, i) <= tolerance),
+    `${a} instead of ${b}`,
+  );
 }
 
 /** Points of a flat array. */
@@ -48,6 +51,24 @@ export function recorder() {
   return Object.assign(target, { calls });
 }
 
-export const CUBIC = [[0, 0], [0, 8], [8, 8], [8, 0]];
-export const SPACE = [[0, 0, 0], [1, 2, 3], [3, 3, -1], [4, 0, 2]];
-export const SEVEN = [[0, 0], [0, 2], [2, 2], [2, 0], [2, -4], [4, -2], [4, 0]];
+export const CUBIC = [
+  [0, 0],
+  [0, 8],
+  [8, 8],
+  [8, 0],
+];
+export const SPACE = [
+  [0, 0, 0],
+  [1, 2, 3],
+  [3, 3, -1],
+  [4, 0, 2],
+];
+export const SEVEN = [
+  [0, 0],
+  [0, 2],
+  [2, 2],
+  [2, 0],
+  [2, -4],
+  [4, -2],
+  [4, 0],
+];

@@ -8,7 +8,8 @@ import { unwrap } from "../../www/build/samples.js";
 const folder = new URL("../../www/samples/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, folder), "utf8");
 const files = readdirSync(folder);
-const names = (ending) => files.filter((file) => file.endsWith(`.${ending}`)).map((file) => file.slice(0, -ending.length - 1));
+const names = (ending) =>
+  files.filter((file) => file.endsWith(`.${ending}`)).map((file) => file.slice(0, -ending.length - 1));
 
 /** Below www/ "casteljau" means the package that this repository is, as built. */
 for (const name of names("js")) {
@@ -26,7 +27,14 @@ for (const name of names("js")) {
       assert.doesNotMatch(shown, /println!\( /, "a call over several lines keeps them");
       assert.match(shown, language === "js" ? /console\.log\(/ : /println!\(/);
       const text = highlight(shown, language).replace(/<[^>]*>/g, "");
-      assert.equal(text.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, '"').replace(/&amp;/g, "&"), shown);
+      assert.equal(
+        text
+          .replace(/&lt;/g, "<")
+          .replace(/&gt;/g, ">")
+          .replace(/&quot;/g, '"')
+          .replace(/&amp;/g, "&"),
+        shown,
+      );
     }
   });
 }

@@ -5,17 +5,43 @@ import { Curve, Spline } from "casteljau";
 import { coordinates, deCasteljau, near, owned, pairs, refused, SEVEN } from "./reference.js";
 
 const seven = new Spline(SEVEN);
-const RING = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+const RING = [
+  [1, 0],
+  [1, 1],
+  [0, 1],
+  [-1, 1],
+  [-1, 0],
+  [-1, -1],
+  [0, -1],
+  [1, -1],
+];
 const ring = new Spline(RING, { degree: 2, closed: true });
-const mixed = Spline.fromCurves([new Curve([[0, 0, 0], [1, 0, 0]]), new Curve([[1, 0, 0], [2, 0, 1], [2, 1, 1]])]);
+const mixed = Spline.fromCurves([
+  new Curve([
+    [0, 0, 0],
+    [1, 0, 0],
+  ]),
+  new Curve([
+    [1, 0, 0],
+    [2, 0, 1],
+    [2, 1, 1],
+  ]),
+]);
 const pointsOf = (spline) => pairs(spline.controlPoints(), spline.dimension);
 
 test("seven points are two cubics; a closed spline has n · degree points", () => {
   assert.deepEqual([seven.segmentCount, seven.degrees, seven.closed, seven.dimension], [2, [3, 3], false, 2]);
   assert.deepEqual([ring.segmentCount, ring.degrees, ring.closed], [4, [2, 2, 2, 2], true]);
   assert.deepEqual(pointsOf(seven), SEVEN);
-  assert.deepEqual(seven.segments().map((curve) => pairs(curve.controlPoints())), [SEVEN.slice(0, 4), SEVEN.slice(3)]);
-  assert.deepEqual(pairs(ring.segments()[3].controlPoints()), [[0, -1], [1, -1], [1, 0]]);
+  assert.deepEqual(
+    seven.segments().map((curve) => pairs(curve.controlPoints())),
+    [SEVEN.slice(0, 4), SEVEN.slice(3)],
+  );
+  assert.deepEqual(pairs(ring.segments()[3].controlPoints()), [
+    [0, -1],
+    [1, -1],
+    [1, 0],
+  ]);
   assert.deepEqual([mixed.degrees, mixed.dimension], [[1, 2], 3]);
 });
 
@@ -34,14 +60,23 @@ test("eval, evalAt and sample: segment k covers t from k to k + 1", () => {
   assert.deepEqual(seven.eval(1), { x: 2, y: 0 });
   assert.deepEqual(ring.eval(4), { x: 1, y: 0 });
   assert.deepEqual(mixed.eval(0.5), { x: 0.5, y: 0, z: 0 });
-  near(seven.evalAt([0.5, 1.5]), [0.5, 1.5].flatMap((t) => coordinates(seven.eval(t))));
-  near(ring.sample(2), [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4].flatMap((t) => coordinates(ring.eval(t))));
+  near(
+    seven.evalAt([0.5, 1.5]),
+    [0.5, 1.5].flatMap((t) => coordinates(seven.eval(t))),
+  );
+  near(
+    ring.sample(2),
+    [0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4].flatMap((t) => coordinates(ring.eval(t))),
+  );
 });
 
 test("flatten has a vertex at each joint", () => {
   const { points, ts } = ring.flatten(0.01);
   [points, ts].forEach(owned);
-  assert.deepEqual([0, 1, 2, 3, 4].map((t) => ts.includes(t)), [true, true, true, true, true]);
+  assert.deepEqual(
+    [0, 1, 2, 3, 4].map((t) => ts.includes(t)),
+    [true, true, true, true, true],
+  );
   near(points, ring.evalAt(ts));
   // The ring is no farther than 1/√2 … 1 from the middle; so are its chords, but for the tolerance.
   for (const [x, y] of pairs(points)) assert.ok(Math.hypot(x, y) <= 1.0607 && Math.hypot(x, y) >= 0.99);
@@ -58,7 +93,14 @@ test("continuity tells what is true", () => {
   assert.deepEqual(flags, { c0: true, g1: true, c1: false, g2: false, c2: false, gap: 0 });
   assert.equal(angle, 0);
   assert.ok(ring.continuity(0).c1 && ring.continuity(0).g2 && !ring.continuity(0).c2);
-  const corner = new Spline([[0, 0], [1, 0], [1, 1]], { degree: 1 });
+  const corner = new Spline(
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+    ],
+    { degree: 1 },
+  );
   near([corner.continuity(1).angle], [Math.PI / 2]);
   assert.ok(corner.continuity(1, 10).c1);
   const [left, right] = new Curve(SEVEN.slice(0, 4)).split(0.5);
@@ -67,12 +109,36 @@ test("continuity tells what is true", () => {
 
 test("movePoint puts the point where it was told and keeps the joint", () => {
   const at = (index, to, mode) => pointsOf(seven.movePoint(index, to, mode && { joints: { 1: mode } }));
-  assert.deepEqual(at(2, [5, 0], "g1").slice(2, 5), [[5, 0], [2, 0], [-2, 0]]);
-  assert.deepEqual(at(2, { x: 5, y: 0 }, "c1").slice(2, 5), [[5, 0], [2, 0], [-1, 0]]);
-  assert.deepEqual(at(2, [5, 0], "free").slice(2, 5), [[5, 0], [2, 0], [2, -4]]);
-  assert.deepEqual(at(2, [5, 0]).slice(2, 5), [[5, 0], [2, 0], [2, -4]]);
-  assert.deepEqual(at(3, [3, 1], "g1").slice(2, 5), [[3, 3], [3, 1], [3, -3]]);
-  assert.deepEqual(at(4, Float32Array.of(5, 0), "c1").slice(2, 5), [[-1, 0], [2, 0], [5, 0]]);
+  assert.deepEqual(at(2, [5, 0], "g1").slice(2, 5), [
+    [5, 0],
+    [2, 0],
+    [-2, 0],
+  ]);
+  assert.deepEqual(at(2, { x: 5, y: 0 }, "c1").slice(2, 5), [
+    [5, 0],
+    [2, 0],
+    [-1, 0],
+  ]);
+  assert.deepEqual(at(2, [5, 0], "free").slice(2, 5), [
+    [5, 0],
+    [2, 0],
+    [2, -4],
+  ]);
+  assert.deepEqual(at(2, [5, 0]).slice(2, 5), [
+    [5, 0],
+    [2, 0],
+    [2, -4],
+  ]);
+  assert.deepEqual(at(3, [3, 1], "g1").slice(2, 5), [
+    [3, 3],
+    [3, 1],
+    [3, -3],
+  ]);
+  assert.deepEqual(at(4, Float32Array.of(5, 0), "c1").slice(2, 5), [
+    [-1, 0],
+    [2, 0],
+    [5, 0],
+  ]);
   assert.deepEqual(pointsOf(seven), SEVEN);
 });
 
@@ -81,7 +147,14 @@ test("joints as an array, with holes, and at the seam of a closed spline", () =>
   joints[1] = "g1";
   assert.deepEqual(pointsOf(seven.movePoint(2, [5, 0], { joints }))[4], [-2, 0]);
   const moved = ring.movePoint(1, [2, 1], { joints: ["c1", "c1", "c1", "c1"] });
-  assert.deepEqual([pointsOf(moved)[1], pointsOf(moved)[7], pointsOf(moved)[3]], [[2, 1], [0, -1], [-2, 1]]);
+  assert.deepEqual(
+    [pointsOf(moved)[1], pointsOf(moved)[7], pointsOf(moved)[3]],
+    [
+      [2, 1],
+      [0, -1],
+      [-2, 1],
+    ],
+  );
 });
 
 test("setJoint keeps the handle before the joint", () => {
@@ -93,7 +166,13 @@ test("setJoint keeps the handle before the joint", () => {
 
 test("joints of second order and automatic ones", () => {
   const moved = pointsOf(seven.movePoint(2, [3, 1], { joints: { 1: "c2" } }));
-  assert.deepEqual([moved[4], moved[5]], [[1, -1], [-4, -2]]);
+  assert.deepEqual(
+    [moved[4], moved[5]],
+    [
+      [1, -1],
+      [-4, -2],
+    ],
+  );
   const bent = seven.movePoint(5, [-6, -2]).movePoint(2, [2, 1], { joints: { 1: "g2" } });
   assert.ok(bent.continuity(1).g2);
   assert.deepEqual(pointsOf(bent)[4], [2, -2]);
@@ -105,11 +184,20 @@ test("joints of second order and automatic ones", () => {
   const space = new Spline(SEVEN.map(([x, y]) => [x, y, 1]));
   assert.ok(space.movePoint(2, [1, 1, 5], { joints: { 1: "c2" } }).continuity(1).c2);
   refused(() => space.setJoint(1, "g2"), RangeError, /^mode: expected a 2D spline for "g2", got a 3D one$/);
-  refused(() => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }), RangeError, /^joints\[1\]: expected a 2D spline for "g2"/);
+  refused(
+    () => space.movePoint(0, [0, 0, 0], { joints: { 1: "g2" } }),
+    RangeError,
+    /^joints\[1\]: expected a 2D spline for "g2"/,
+  );
 });
 
 test("insert keeps the curve, remove undoes it", () => {
-  for (const [spline, t] of [[seven, 1.25], [ring, 3.5], [mixed, 0.5], [mixed, 1.75]]) {
+  for (const [spline, t] of [
+    [seven, 1.25],
+    [ring, 3.5],
+    [mixed, 0.5],
+    [mixed, 1.75],
+  ]) {
     const more = spline.insert(t);
     const k = Math.floor(t);
     assert.equal(more.segmentCount, spline.segmentCount + 1);
@@ -135,7 +223,10 @@ test("reverse and transform", () => {
     for (const t of [0, 0.3, 1, 1.6]) near(back.eval(spline.segmentCount - t), spline.eval(t));
     assert.ok(back.reverse().equals(spline));
   }
-  assert.deepEqual(pointsOf(seven.transform([2, 0, 0, -1, 10, 5])), SEVEN.map(([x, y]) => [2 * x + 10, 5 - y]));
+  assert.deepEqual(
+    pointsOf(seven.transform([2, 0, 0, -1, 10, 5])),
+    SEVEN.map(([x, y]) => [2 * x + 10, 5 - y]),
+  );
   assert.deepEqual(mixed.transform([0, 1, -1, 0, 0, 0]).eval(2), { x: -1, y: 2, z: 1 });
 });
 

@@ -5,7 +5,8 @@ import { Mesh, Patch, Surface } from "../../dist/index.js";
 
 /** The plane z = 2 over [0, 3] × [0, 3]: control points on a lattice. */
 const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 2]));
-const near = (a, b) => assert.ok(Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z) < 1e-14, `${JSON.stringify(a)} ≠ ${JSON.stringify(b)}`);
+const near = (a, b) =>
+  assert.ok(Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z) < 1e-14, `${JSON.stringify(a)} ≠ ${JSON.stringify(b)}`);
 
 test("a patch over a lattice is the plane itself", () => {
   near(plane.eval(0.25, 0.5), { x: 0.75, y: 1.5, z: 2 });
@@ -60,7 +61,10 @@ test("what was done in between leaves no traces in an earlier mesh", () => {
   const fresh = surface.grid({ segments: 5, quads: true });
   const into = surface.grid({ segments: 5, quads: true });
   const between = [
-    () => (into.positions.fill(7), into.normals.fill(7)),
+    () => {
+      into.positions.fill(7);
+      into.normals.fill(7);
+    },
     () => (into.indices = into.indices.slice().reverse()),
     () => (into.uvs = new Float32Array(/** @type {any} */ (into.uvs).length)),
     () => surface.grid({ segments: 5 }),
@@ -93,8 +97,13 @@ test("an earlier grid of the same counts keeps its layout, and what was changed 
 });
 
 test("forward differences come to the same, to the last bit or so", () => {
-  for (const [shape, size] of /** @type {[Surface | Patch, number][]} */ ([[Surface.teapot(), 3.525], [plane, 3]])) {
-    const [exact, stepped] = ["bernstein", "forward-difference"].map((method) => shape.grid({ segments: 20, method: /** @type {any} */ (method) }));
+  for (const [shape, size] of /** @type {[Surface | Patch, number][]} */ ([
+    [Surface.teapot(), 3.525],
+    [plane, 3],
+  ])) {
+    const [exact, stepped] = ["bernstein", "forward-difference"].map((method) =>
+      shape.grid({ segments: 20, method: /** @type {any} */ (method) }),
+    );
     const apart = exact.positions.map((x, i) => Math.abs(x - stepped.positions[i]));
     assert.ok(Math.max(...apart) <= size * 2 ** -22);
     assert.deepEqual(stepped.indices, exact.indices);
@@ -114,13 +123,38 @@ test("one call draws the whole network", () => {
 
 const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
   ["0 segments", () => plane.grid({ segments: 0 }), RangeError, /segments: expected a whole number from 1.*got 0/],
-  ["a million segments", () => plane.grid({ segments: 1e6 }), RangeError, /segments: expected at most \d+, this needs 1000000/],
-  ["no segments", () => plane.grid(/** @type {any} */ ({})), TypeError, /segments: expected a whole number, got undefined/],
-  ["another method", () => plane.grid({ segments: 2, method: /** @type {any} */ ("horner") }), RangeError, /method: expected one of "bernstein", "forward-difference", got "horner"/],
+  [
+    "a million segments",
+    () => plane.grid({ segments: 1e6 }),
+    RangeError,
+    /segments: expected at most \d+, this needs 1000000/,
+  ],
+  [
+    "no segments",
+    () => plane.grid(/** @type {any} */ ({})),
+    TypeError,
+    /segments: expected a whole number, got undefined/,
+  ],
+  [
+    "another method",
+    () => plane.grid({ segments: 2, method: /** @type {any} */ ("horner") }),
+    RangeError,
+    /method: expected one of "bernstein", "forward-difference", got "horner"/,
+  ],
   ["fifteen points", () => new Patch(new Float64Array(45)), RangeError, /net: expected 16 control points.*got 15/],
-  ["an index past the end", () => new Surface({ vertices: [[0, 0, 0]], patches: [new Array(16).fill(1)] }), RangeError, /patches\[0\]\[0\]/],
+  [
+    "an index past the end",
+    () => new Surface({ vertices: [[0, 0, 0]], patches: [new Array(16).fill(1)] }),
+    RangeError,
+    /patches\[0\]\[0\]/,
+  ],
   ["a NaN", () => new Patch(new Float64Array(48).fill(NaN)), RangeError, /net\[0\]: expected a finite number, got NaN/],
-  ["a patch that is not there", () => Surface.teapot().patch(32), RangeError, /patch: expected a whole number from 0 to 31, got 32/],
+  [
+    "a patch that is not there",
+    () => Surface.teapot().patch(32),
+    RangeError,
+    /patch: expected a whole number from 0 to 31, got 32/,
+  ],
 ]);
 
 for (const [name, act, type, message] of refusals) {

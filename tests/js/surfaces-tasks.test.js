@@ -15,8 +15,25 @@ const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.
 /** What a task sees of <bezier-surface>, with the element's own figure. */
 function figure(properties) {
   const element = {
-    model: "teapot", parts: null, height: "squashed", up: "z", segments: 12, tolerance: null, pixels: null, flatness: null, lines: 4,
-    shading: "smooth", show: "surface", evaluation: "cpu", u: 0.5, v: 0.5, step: 4, swept: false, patch: null, given: null, ...properties,
+    model: "teapot",
+    parts: null,
+    height: "squashed",
+    up: "z",
+    segments: 12,
+    tolerance: null,
+    pixels: null,
+    flatness: null,
+    lines: 4,
+    shading: "smooth",
+    show: "surface",
+    evaluation: "cpu",
+    u: 0.5,
+    v: 0.5,
+    step: 4,
+    swept: false,
+    patch: null,
+    given: null,
+    ...properties,
     get surface() {
       return element.given ?? surfaceNamed(settingsOf(element));
     },
@@ -25,7 +42,12 @@ function figure(properties) {
     },
     get figure() {
       const { surface } = element;
-      const scene = { surface, settings: settingsOf(element), frame: frameOf(surface.vertices, "z"), picked: element.patch ?? (surface.patchCount === 1 ? 0 : null) };
+      const scene = {
+        surface,
+        settings: settingsOf(element),
+        frame: frameOf(surface.vertices, "z"),
+        picked: element.patch ?? (surface.patchCount === 1 ? 0 : null),
+      };
       return figureOf(scene, new Geometry().facts(scene));
     },
   };
@@ -33,9 +55,13 @@ function figure(properties) {
 }
 
 /** What it sees of the strip: two chains of chords. */
-const strip = () => ({ left: 4, right: 3, get figure() {
-  return { left: this.left, right: this.right, gap: this.left === this.right ? 0 : 7 };
-} });
+const strip = () => ({
+  left: 4,
+  right: 3,
+  get figure() {
+    return { left: this.left, right: this.right, gap: this.left === this.right ? 0 : 7 };
+  },
+});
 
 const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
@@ -43,22 +69,37 @@ const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 const TASKS = {
   "flat-nine": {
     start: () => figure({ given: SURFACES.nine() }),
-    vain: [(e) => (e.surface = e.surface.movePoint(4, [0, 0, 2])), (e) => (e.surface = e.surface.movePoint(0, [-3, -3, -1]).movePoint(4, [0, 0, 0]))],
+    vain: [
+      (e) => (e.surface = e.surface.movePoint(4, [0, 0, 2])),
+      (e) => (e.surface = e.surface.movePoint(0, [-3, -3, -1]).movePoint(4, [0, 0, 0])),
+    ],
     right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 0.05])),
   },
-  "corner-10": { start: () => figure({ model: "patch", u: 0.3, v: 0.7 }), vain: [(e) => Object.assign(e, { u: 0, v: 1 }), (e) => Object.assign(e, { u: 1, v: 0.01 })], right: (e) => (e.v = 0) },
+  "corner-10": {
+    start: () => figure({ model: "patch", u: 0.3, v: 0.7 }),
+    vain: [(e) => Object.assign(e, { u: 0, v: 1 }), (e) => Object.assign(e, { u: 1, v: 0.01 })],
+    right: (e) => (e.v = 0),
+  },
   "highest-point": {
     start: () => figure({ given: SURFACES.hill(), u: 0.6, v: 0.7 }),
     vain: [(e) => Object.assign(e, { u: 0, v: 0 }), (e) => Object.assign(e, { u: 0.5, v: 0.5 })],
     right: (e) => Object.assign(e, highest(e.surface.patch(0))),
   },
-  "fewest-segments": { start: () => figure({ model: "patch", segments: 4 }), vain: [(e) => (e.segments = 15), (e) => (e.segments = 17), (e) => (e.tolerance = 0.01)], right: (e) => Object.assign(e, { tolerance: null, segments: 16 }) },
-  "pole": {
+  "fewest-segments": {
+    start: () => figure({ model: "patch", segments: 4 }),
+    vain: [(e) => (e.segments = 15), (e) => (e.segments = 17), (e) => (e.tolerance = 0.01)],
+    right: (e) => Object.assign(e, { tolerance: null, segments: 16 }),
+  },
+  pole: {
     start: () => figure({ parts: "lid", patch: 0, u: 0.5, v: 0.3 }),
     vain: [(e) => (e.v = 1), (e) => Object.assign(e, { patch: null, v: 0 })],
     right: (e) => Object.assign(e, { patch: 2, u: 0.1, v: 0 }),
   },
-  "close-crack": { start: strip, vain: [(e) => (e.right = 8), (e) => Object.assign(e, { left: 3, right: 3 })], right: (e) => Object.assign(e, { left: 4, right: 4 }) },
+  "close-crack": {
+    start: strip,
+    vain: [(e) => (e.right = 8), (e) => Object.assign(e, { left: 3, right: 3 })],
+    right: (e) => Object.assign(e, { left: 4, right: 4 }),
+  },
   "round-disc": {
     start: () => figure({ given: SURFACES.disc(), flatness: 0.01 }),
     vain: [(e) => (e.flatness = 0.001), (e) => Object.assign(e, { flatness: null, tolerance: 0.1 })],
@@ -66,18 +107,46 @@ const TASKS = {
   },
   "few-triangles": {
     start: () => figure({ segments: 8 }),
-    vain: [(e) => (e.segments = 24), (e) => (e.flatness = 0.01), (e) => Object.assign(e, { flatness: null, tolerance: 0.02 })],
+    vain: [
+      (e) => (e.segments = 24),
+      (e) => (e.flatness = 0.01),
+      (e) => Object.assign(e, { flatness: null, tolerance: 0.02 }),
+    ],
     right: (e) => (e.tolerance = 0.0099),
   },
-  "hundredfold": { start: () => ({ segments: 8 }), vain: [(e) => (e.segments = 40), (e) => (e.segments = 12)], right: (e) => (e.segments = firstOver(100)) },
-  "only-handle": { start: () => figure({}), vain: [(e) => (e.parts = "handle spout"), (e) => (e.parts = ""), (e) => Object.assign(e, { parts: "handle", model: "teacup" })], right: (e) => (e.model = "teapot") },
-  "ribbons": {
+  hundredfold: {
+    start: () => ({ segments: 8 }),
+    vain: [(e) => (e.segments = 40), (e) => (e.segments = 12)],
+    right: (e) => (e.segments = firstOver(100)),
+  },
+  "only-handle": {
+    start: () => figure({}),
+    vain: [
+      (e) => (e.parts = "handle spout"),
+      (e) => (e.parts = ""),
+      (e) => Object.assign(e, { parts: "handle", model: "teacup" }),
+    ],
+    right: (e) => (e.model = "teapot"),
+  },
+  ribbons: {
     start: () => figure({ show: "tubes", lines: 3 }),
-    vain: [(e) => (e.show = "surface ribbons"), (e) => Object.assign(e, { show: "ribbons", lines: 12 }), (e) => (e.lines = 3)],
+    vain: [
+      (e) => (e.show = "surface ribbons"),
+      (e) => Object.assign(e, { show: "ribbons", lines: 12 }),
+      (e) => (e.lines = 3),
+    ],
     right: (e) => (e.lines = 4),
   },
-  "spout-hit": { start: () => figure({ patch: 4 }), vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20)], right: (e) => (e.patch = 19) },
-  "own-square": { start: () => figure({}), vain: [(e) => (e.surface = saddle(1)), (e) => (e.surface = Surface.parse("1\n1 1\n0 0 0\n2 0 0\n0 1 0\n2 1 0\n"))], right: (e) => (e.surface = saddle(0)) },
+  "spout-hit": {
+    start: () => figure({ patch: 4 }),
+    vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20)],
+    right: (e) => (e.patch = 19),
+  },
+  "own-square": {
+    start: () => figure({}),
+    vain: [(e) => (e.surface = saddle(1)), (e) => (e.surface = Surface.parse("1\n1 1\n0 0 0\n2 0 0\n0 1 0\n2 1 0\n"))],
+    right: (e) => (e.surface = saddle(0)),
+  },
 };
 
 /** To hundredths, as the sliders have it; by looking everywhere. */
@@ -89,7 +158,8 @@ function highest(patch) {
 /** By the formulas of the counts: the mesh has 32 n² + 4 n + 1 vertices of six numbers and 64 n² − 8 n triangles. */
 function firstOver(times) {
   const patches = 290 * 12 + 32 * 16 * 2;
-  const mesh = (n) => (32 * n * n + 4 * n + 1) * 24 + (64 * n * n - 8 * n) * 3 * (32 * n * n + 4 * n + 1 > 65536 ? 4 : 2);
+  const mesh = (n) =>
+    (32 * n * n + 4 * n + 1) * 24 + (64 * n * n - 8 * n) * 3 * (32 * n * n + 4 * n + 1 > 65536 ? 4 : 2);
   let n = 1;
   while (mesh(n) <= times * patches) n++;
   return n;
@@ -132,13 +202,21 @@ test("every task of the chapter is tested or only predicted, and is about a figu
     assert.ok(answer in options && because.length > 20, name);
     assert.equal(new Set(options).size, options.length);
   }
-  assert.deepEqual(Object.keys(TASKS).filter((name) => !used.some((each) => each[1] === name)), []);
+  assert.deepEqual(
+    Object.keys(TASKS).filter((name) => !used.some((each) => each[1] === name)),
+    [],
+  );
 });
 
 test("each section ends with a task and a sample", () => {
   const sections = html.split("<section ").slice(1);
   assert.ok(sections.length >= 13);
-  for (const section of sections) assert.match(section, /<lesson-task [^]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/, section.slice(0, 40));
+  for (const section of sections)
+    assert.match(
+      section,
+      /<lesson-task [\s\S]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/,
+      section.slice(0, 40),
+    );
 });
 
 test("what the text says of the predictions and of the data is so", async () => {

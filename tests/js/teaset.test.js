@@ -24,7 +24,13 @@ for (const [name, make, turn] of [
 }
 
 test("coincident points are one vertex", () => {
-  assert.deepEqual([Surface.teacup(), Surface.teaspoon()].map((s) => [s.patchCount, s.vertices.length / 3]), [[26, 251], [16, 148]]);
+  assert.deepEqual(
+    [Surface.teacup(), Surface.teaspoon()].map((s) => [s.patchCount, s.vertices.length / 3]),
+    [
+      [26, 251],
+      [16, 148],
+    ],
+  );
 });
 
 test("refused", () => {

@@ -7,7 +7,15 @@ import { Mesh, Patch, Surface } from "../../dist/index.js";
 const teapot = Surface.teapot();
 /** @type {any} any arguments, also wrong ones */
 const tessellate = (/** @type {any} */ options) => teapot.tessellate(options);
-const square = new Patch([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], { degreeU: 1, degreeV: 1 });
+const square = new Patch(
+  [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [1, 1, 1],
+  ],
+  { degreeU: 1, degreeV: 1 },
+);
 
 /** Edges of one triangle only, places compared by their numbers. */
 function boundary({ positions, indices }) {
@@ -58,7 +66,11 @@ test("uvs and patch numbers belong to patches of their own", () => {
   assert.equal(mesh.patchIds?.length, count);
   for (let i = 0; i < count; i += 7) {
     const p = teapot.patch(mesh.patchIds[i]).eval(mesh.uvs[2 * i], mesh.uvs[2 * i + 1]);
-    const apart = Math.hypot(p.x - mesh.positions[3 * i], p.y - mesh.positions[3 * i + 1], p.z - mesh.positions[3 * i + 2]);
+    const apart = Math.hypot(
+      p.x - mesh.positions[3 * i],
+      p.y - mesh.positions[3 * i + 1],
+      p.z - mesh.positions[3 * i + 2],
+    );
     assert.ok(apart < 4e-7, `vertex ${i} is ${apart} from its patch`);
   }
 });
@@ -115,9 +127,14 @@ test("an earlier mesh is filled again", () => {
 
 test("an earlier mesh of any kind will do", () => {
   const kinds = [
-    [{ segments: 3 }, { weld: "none" }], [{ segments: 9 }, { precision: "f64" }], [{ tolerance: 0.1 }, { weld: "position" }],
-    [{ segments: 46 }, { weld: "none" }], [{ segments: 2 }, { weld: "none", precision: "f64" }], [{ tolerance: 0.01 }, undefined],
-    [{ segments: 1 }, { weld: "normal" }], [{ segments: 5 }, { weld: "none" }],
+    [{ segments: 3 }, { weld: "none" }],
+    [{ segments: 9 }, { precision: "f64" }],
+    [{ tolerance: 0.1 }, { weld: "position" }],
+    [{ segments: 46 }, { weld: "none" }],
+    [{ segments: 2 }, { weld: "none", precision: "f64" }],
+    [{ tolerance: 0.01 }, undefined],
+    [{ segments: 1 }, { weld: "normal" }],
+    [{ segments: 5 }, { weld: "none" }],
   ];
   const mesh = teapot.grid({ segments: 4, quads: true });
   for (const [fineness, options] of kinds) {
@@ -141,20 +158,50 @@ test("two meshes do not share memory", () => {
 test("topology of the teapot", () => {
   const { shared, nonManifold, open, collapsed, components } = teapot.topology();
   assert.deepEqual([shared.length, nonManifold.length, open.length, collapsed.length], [52, 0, 16, 8]);
-  assert.deepEqual(components.map((patches) => patches.length), [16, 4, 4, 8]);
+  assert.deepEqual(
+    components.map((patches) => patches.length),
+    [16, 4, 4, 8],
+  );
   const sides = [...shared.flat(), ...open, ...collapsed].map(({ patch, edge }) => `${patch} ${edge}`);
   assert.equal(new Set(sides).size, 128);
   assert.ok(shared.every((pair) => pair.length === 2 && pair[0].reversed === false));
-  assert.ok(shared.flat().every(({ edge, reversed }) => ["u0", "u1", "v0", "v1"].includes(edge) && typeof reversed === "boolean"));
+  assert.ok(
+    shared
+      .flat()
+      .every(({ edge, reversed }) => ["u0", "u1", "v0", "v1"].includes(edge) && typeof reversed === "boolean"),
+  );
 });
 
 test("three patches on one side, one of them backwards", () => {
-  const vertices = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [-1, 0, 1], [-1, 1, 1], [0, 0, 2], [0, 1, 2]];
-  const fins = new Surface({ vertices, patches: [[0, 1, 2, 3], [0, 1, 4, 5], [1, 0, 7, 6]] }, { degreeU: 1, degreeV: 1 });
+  const vertices = [
+    [0, 0, 0],
+    [0, 1, 0],
+    [1, 0, 0],
+    [1, 1, 0],
+    [-1, 0, 1],
+    [-1, 1, 1],
+    [0, 0, 2],
+    [0, 1, 2],
+  ];
+  const fins = new Surface(
+    {
+      vertices,
+      patches: [
+        [0, 1, 2, 3],
+        [0, 1, 4, 5],
+        [1, 0, 7, 6],
+      ],
+    },
+    { degreeU: 1, degreeV: 1 },
+  );
   const { shared, nonManifold, open, components } = fins.topology();
-  assert.deepEqual(nonManifold, [[
-    { patch: 0, edge: "v0", reversed: false }, { patch: 1, edge: "v0", reversed: false }, { patch: 2, edge: "v0", reversed: true },
-  ]]);
+  assert.deepEqual(nonManifold, [
+    [
+      { patch: 0, edge: "v0", reversed: false },
+      { patch: 1, edge: "v0", reversed: false },
+      { patch: 2, edge: "v0", reversed: true },
+    ],
+  ]);
   assert.deepEqual([shared.length, open.length, components], [0, 9, [[0, 1, 2]]]);
   assert.equal(fins.tessellate({ segments: 4, weld: "position" }).positions.length / 3, 5 + 3 * 20);
 });
@@ -163,7 +210,11 @@ test("what was joined stays joined, and nothing else becomes so", () => {
   const before = teapot.topology();
   const { vertices } = teapot;
   const point = (/** @type {number} */ k) => [...vertices.subarray(3 * k, 3 * k + 3)];
-  for (const [index, to] of [[0, [9, 9, 9]], [5, point(6)], [100, point(0)]]) {
+  for (const [index, to] of [
+    [0, [9, 9, 9]],
+    [5, point(6)],
+    [100, point(0)],
+  ]) {
     const moved = teapot.movePoint(/** @type {number} */ (index), /** @type {any} */ (to));
     assert.deepEqual(moved.topology(), before);
     const back = moved.movePoint(/** @type {number} */ (index), point(/** @type {number} */ (index)));
@@ -192,12 +243,32 @@ const refusals = /** @type {[string, any, any, RegExp][]} */ ([
   ["an infinite tolerance", { tolerance: Infinity }, RangeError, /tolerance.*got Infinity/],
   ["a tolerance in words", { tolerance: "0.1" }, TypeError, /tolerance.*0\.1/],
   ["a tolerance below f32", { tolerance: 1e-7 }, RangeError, /tolerance: expected at least 0\.0000016\d+ .*got 1e-7/],
-  ["a tolerance below f64", { tolerance: 1e-16, precision: "f64" }, RangeError, /tolerance: expected at least 3\.1\d+e-15 .*got 1e-16/],
-  ["too many triangles", { tolerance: 1e-12, precision: "f64" }, RangeError, /triangles: expected at most \d+, this needs \d+/],
+  [
+    "a tolerance below f64",
+    { tolerance: 1e-16, precision: "f64" },
+    RangeError,
+    /tolerance: expected at least 3\.1\d+e-15 .*got 1e-16/,
+  ],
+  [
+    "too many triangles",
+    { tolerance: 1e-12, precision: "f64" },
+    RangeError,
+    /triangles: expected at most \d+, this needs \d+/,
+  ],
   ["0 pixels", { ...view, pixels: 0 }, RangeError, /pixels.*got 0/],
   ["no matrix", { ...view, viewProjection: undefined }, TypeError, /viewProjection/],
-  ["a matrix in the plane", { ...view, viewProjection: [1, 0, 0, 1, 0, 0] }, RangeError, /viewProjection: expected 16 numbers, got 6/],
-  ["a matrix with NaN", { ...view, viewProjection: view.viewProjection.with(6, NaN) }, RangeError, /viewProjection.*6.*NaN/],
+  [
+    "a matrix in the plane",
+    { ...view, viewProjection: [1, 0, 0, 1, 0, 0] },
+    RangeError,
+    /viewProjection: expected 16 numbers, got 6/,
+  ],
+  [
+    "a matrix with NaN",
+    { ...view, viewProjection: view.viewProjection.with(6, NaN) },
+    RangeError,
+    /viewProjection.*6.*NaN/,
+  ],
   ["no viewport", { ...view, viewport: undefined }, TypeError, /viewport.*undefined/],
   ["a viewport of one number", { ...view, viewport: [640] }, RangeError, /viewport: expected 2 numbers, got 1/],
   ["an empty viewport", { ...view, viewport: [640, 0] }, RangeError, /viewport\[1\].*got 0/],

@@ -12,9 +12,15 @@ for (const { name, text, error, vertices, degrees, indices } of table) {
     if (error) return assert.throws(() => Surface.parse(text), new RangeError(error));
     const surface = Surface.parse(text);
     assert.deepEqual([...surface.vertices], vertices);
-    assert.deepEqual(surface.patches.flatMap((net) => [...net]), indices);
+    assert.deepEqual(
+      surface.patches.flatMap((net) => [...net]),
+      indices,
+    );
     const patches = Array.from({ length: surface.patchCount }, (_, k) => surface.patch(k));
-    assert.deepEqual(patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]), degrees);
+    assert.deepEqual(
+      patches.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]),
+      degrees,
+    );
   });
 }
 
@@ -28,14 +34,31 @@ function thereAndBack(surface) {
 }
 
 test("text reads back", () => {
-  for (const surface of [Surface.teapot(), Surface.teapot({ height: "original", up: "y" }), Surface.teacup(), Surface.teaspoon()]) thereAndBack(surface);
+  for (const surface of [
+    Surface.teapot(),
+    Surface.teapot({ height: "original", up: "y" }),
+    Surface.teacup(),
+    Surface.teaspoon(),
+  ])
+    thereAndBack(surface);
   thereAndBack(new Surface({ vertices: [], patches: [] }));
   const wild = [0, -0, 5e-324, 2 ** -1022, Number.MAX_VALUE, 1e21, 1e-6, 1e-7, 0.1, 1e15, 1 / 3, -123456.789e-300];
   thereAndBack(new Surface({ vertices: Float64Array.from(wild), patches: [[3, 2, 1, 0]] }, { degreeU: 1, degreeV: 1 }));
 });
 
 test("the text is the documented one", () => {
-  const surface = new Surface({ vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.5]], patches: [[0, 1, 2, 3]] }, { degreeU: 1, degreeV: 1 });
+  const surface = new Surface(
+    {
+      vertices: [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0, 1, 0],
+        [1, 1, 0.5],
+      ],
+      patches: [[0, 1, 2, 3]],
+    },
+    { degreeU: 1, degreeV: 1 },
+  );
   assert.equal(surface.toText(), "surface\nvertices 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0.5\npatches 1\n1 1\n0 1\n2 3\n");
 });
 
@@ -49,12 +72,19 @@ test("large texts: time once, or a quick refusal", () => {
   const patch = `3 3\n${"0 0 0\n".repeat(14)}1.5 -2.25 1e-3\n4 5 6\n`;
   const surface = Surface.parse(`50000\n${patch.repeat(50_000)}`);
   assert.deepEqual([surface.patchCount, surface.vertices.length], [50_000, 9]);
-  for (const bad of ["1 ".repeat(1 << 23), "\n".repeat(1 << 23), "9".repeat(1 << 23), "#".repeat(1 << 23), `4294967295\n${patch}`]) {
+  for (const bad of [
+    "1 ".repeat(1 << 23),
+    "\n".repeat(1 << 23),
+    "9".repeat(1 << 23),
+    "#".repeat(1 << 23),
+    `4294967295\n${patch}`,
+  ]) {
     assert.throws(() => Surface.parse(bad), RangeError);
   }
   assert.equal(Surface.teapot().patchCount, 32);
 });
 
 test("what is no text", () => {
-  for (const bad of [undefined, null, 5, {}, [], new Uint8Array(3)]) refused(() => Surface.parse(bad), TypeError, /^text: expected a string, got /);
+  for (const bad of [undefined, null, 5, {}, [], new Uint8Array(3)])
+    refused(() => Surface.parse(bad), TypeError, /^text: expected a string, got /);
 });

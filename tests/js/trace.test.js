@@ -11,13 +11,46 @@ const drawn = (shape, options) => {
 };
 
 test("degrees 1 to 3 are drawn as they are", () => {
-  assert.deepEqual(drawn(new Curve([[1, 2], [3, 4]])), [["moveTo", 1, 2], ["lineTo", 3, 4]]);
-  assert.deepEqual(drawn(new Curve([[1, 2], [3, 4], [5, 0]])), [["moveTo", 1, 2], ["quadraticCurveTo", 3, 4, 5, 0]]);
-  assert.deepEqual(drawn(new Curve(CUBIC)), [["moveTo", 0, 0], ["bezierCurveTo", 0, 8, 8, 8, 8, 0]]);
+  assert.deepEqual(
+    drawn(
+      new Curve([
+        [1, 2],
+        [3, 4],
+      ]),
+    ),
+    [
+      ["moveTo", 1, 2],
+      ["lineTo", 3, 4],
+    ],
+  );
+  assert.deepEqual(
+    drawn(
+      new Curve([
+        [1, 2],
+        [3, 4],
+        [5, 0],
+      ]),
+    ),
+    [
+      ["moveTo", 1, 2],
+      ["quadraticCurveTo", 3, 4, 5, 0],
+    ],
+  );
+  assert.deepEqual(drawn(new Curve(CUBIC)), [
+    ["moveTo", 0, 0],
+    ["bezierCurveTo", 0, 8, 8, 8, 8, 0],
+  ]);
 });
 
 test("higher degrees are drawn by cubics, more of them for a finer tolerance", () => {
-  const points = [[0, 0], [1, 9], [8, -9], [4, 7], [3, -5], [9, 2]];
+  const points = [
+    [0, 0],
+    [1, 9],
+    [8, -9],
+    [4, 7],
+    [3, -5],
+    [9, 2],
+  ];
   const curve = new Curve(points);
   const [coarse, fine] = [drawn(curve, { tolerance: 1 }), drawn(curve, { tolerance: 1e-6 })];
   assert.ok(coarse.length < fine.length);
@@ -33,10 +66,25 @@ test("higher degrees are drawn by cubics, more of them for a finer tolerance", (
 
 test("a spline moves once; a closed one is closed", () => {
   assert.deepEqual(drawn(new Spline(SEVEN)), [
-    ["moveTo", 0, 0], ["bezierCurveTo", 0, 2, 2, 2, 2, 0], ["bezierCurveTo", 2, -4, 4, -2, 4, 0],
+    ["moveTo", 0, 0],
+    ["bezierCurveTo", 0, 2, 2, 2, 2, 0],
+    ["bezierCurveTo", 2, -4, 4, -2, 4, 0],
   ]);
-  const triangle = new Spline([[0, 0], [1, 0], [0, 1]], { degree: 1, closed: true });
-  assert.deepEqual(drawn(triangle), [["moveTo", 0, 0], ["lineTo", 1, 0], ["lineTo", 0, 1], ["lineTo", 0, 0], ["closePath"]]);
+  const triangle = new Spline(
+    [
+      [0, 0],
+      [1, 0],
+      [0, 1],
+    ],
+    { degree: 1, closed: true },
+  );
+  assert.deepEqual(drawn(triangle), [
+    ["moveTo", 0, 0],
+    ["lineTo", 1, 0],
+    ["lineTo", 0, 1],
+    ["lineTo", 0, 0],
+    ["closePath"],
+  ]);
 });
 
 test("what cannot be drawn on, and what cannot be drawn", () => {
@@ -47,7 +95,8 @@ test("what cannot be drawn on, and what cannot be drawn", () => {
   }
   refused(() => new Curve(SPACE).trace(recorder()), TypeError, /^trace: .*2D.*3D/);
   refused(() => new Spline(SPACE).trace(recorder()), TypeError, /^trace: .*2D.*3D/);
-  for (const tolerance of [0, -1, NaN, Infinity]) refused(() => curve.trace(recorder(), { tolerance }), RangeError, /^tolerance: /);
+  for (const tolerance of [0, -1, NaN, Infinity])
+    refused(() => curve.trace(recorder(), { tolerance }), RangeError, /^tolerance: /);
   const target = recorder();
   refused(() => curve.trace(target, { tolerance: 1e-30 }), RangeError, /^tolerance: /);
   refused(() => curve.trace(target, { tolerance: "1" }), TypeError, /^tolerance: /);
@@ -57,13 +106,21 @@ test("what cannot be drawn on, and what cannot be drawn", () => {
 test("a target that throws, or that calls back, does no harm", () => {
   const shapes = [new Curve(CUBIC), new Curve([...CUBIC, [1, 1], [2, 5]]), new Spline(SEVEN)];
   for (const shape of shapes) {
-    const broken = { ...recorder(), bezierCurveTo: () => { throw new Error("out of ink"); } };
+    const broken = {
+      ...recorder(),
+      bezierCurveTo: () => {
+        throw new Error("out of ink");
+      },
+    };
     assert.throws(() => shape.trace(broken), /out of ink/);
     const calls = drawn(shape);
     const busy = recorder();
     const { bezierCurveTo } = busy;
     busy.bezierCurveTo = (...args) => {
-      new Curve([[7, 7], [8, 8]]).sample(20_000);
+      new Curve([
+        [7, 7],
+        [8, 8],
+      ]).sample(20_000);
       new Spline(SEVEN).trace(recorder());
       bezierCurveTo(...args);
     };
@@ -75,13 +132,29 @@ test("a target that throws, or that calls back, does no harm", () => {
 test("methods are called on their target", () => {
   class Context {
     calls = [];
-    moveTo(...args) { this.calls.push(args); }
-    lineTo(...args) { this.calls.push(args); }
-    quadraticCurveTo(...args) { this.calls.push(args); }
-    bezierCurveTo(...args) { this.calls.push(args); }
-    closePath() { this.calls.push([]); }
+    moveTo(...args) {
+      this.calls.push(args);
+    }
+    lineTo(...args) {
+      this.calls.push(args);
+    }
+    quadraticCurveTo(...args) {
+      this.calls.push(args);
+    }
+    bezierCurveTo(...args) {
+      this.calls.push(args);
+    }
+    closePath() {
+      this.calls.push([]);
+    }
   }
   const context = new Context();
-  new Curve([[1, 2], [3, 4]]).trace(context);
-  assert.deepEqual(context.calls, [[1, 2], [3, 4]]);
+  new Curve([
+    [1, 2],
+    [3, 4],
+  ]).trace(context);
+  assert.deepEqual(context.calls, [
+    [1, 2],
+    [3, 4],
+  ]);
 });

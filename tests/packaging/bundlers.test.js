@@ -20,10 +20,20 @@ after(fixture.remove);
 const entry = await fixture.write("src/main.js", PROGRAM);
 const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
 
-for (const [format, name] of [["esm", "esbuild.mjs"], ["iife", "esbuild.cjs"]]) {
+for (const [format, name] of [
+  ["esm", "esbuild.mjs"],
+  ["iife", "esbuild.cjs"],
+]) {
   test(`esbuild, ${format}, minified`, async () => {
     const outfile = join(fixture.folder, "out", name);
-    const { warnings } = await esbuild({ entryPoints: [entry], bundle: true, format, minify: true, outfile, logLevel: "silent" });
+    const { warnings } = await esbuild({
+      entryPoints: [entry],
+      bundle: true,
+      format,
+      minify: true,
+      outfile,
+      logLevel: "silent",
+    });
     assert.deepEqual(warnings, []);
     assert.equal(await node(outfile), PRINTED);
   });
@@ -52,7 +62,10 @@ test("a program of curves carries no surfaces", async () => {
   const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
   const rolled = await (await rollup({ input: program, plugins: [plugin] })).generate({ format: "es" });
   const built = await esbuild({ entryPoints: [program], bundle: true, format: "esm", minify: true, write: false });
-  for (const [bundler, code] of [["Rollup", rolled.output[0].code], ["esbuild", built.outputFiles[0].text]]) {
+  for (const [bundler, code] of [
+    ["Rollup", rolled.output[0].code],
+    ["esbuild", built.outputFiles[0].text],
+  ]) {
     assert.ok(code.includes(marks.curves), bundler);
     assert.ok(!code.includes(marks.surfaces), bundler);
     assert.equal(await node(await fixture.write(`out/line-${bundler}.mjs`, code)), "2", bundler);
@@ -95,6 +108,9 @@ const facts = () => element.shadowRoot.querySelector(".facts").textContent;
 element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d\\u2009]+/)[0]));
 `;
   await fixture.write("node_modules/casteljau/dist/main.js", program);
-  await fixture.write("node_modules/casteljau/dist/index.html", html('<body><script type="module" src="main.js"></script></body>'));
+  await fixture.write(
+    "node_modules/casteljau/dist/index.html",
+    html('<body><script type="module" src="main.js"></script></body>'),
+  );
   assert.equal(await printedBy(t, join(fixture.installed, "dist")), "6\u2009912"); // 24 patches of 2 · 12² triangles
 });

@@ -48,11 +48,23 @@ async function visit(t, folder, path = "/index.html") {
 const outputs = {
   async Vite(outDir) {
     await fixture.write("index.html", page('<script type="module" src="/src/main.js"></script>'));
-    await vite({ root: fixture.folder, configFile: false, logLevel: "error", build: { outDir, modulePreload: { polyfill: false } } });
+    await vite({
+      root: fixture.folder,
+      configFile: false,
+      logLevel: "error",
+      build: { outDir, modulePreload: { polyfill: false } },
+    });
   },
   async "webpack 5"(path) {
-    const options = { entry, mode: "production", output: { path, filename: "main.js", publicPath: "auto" }, performance: false };
-    const stats = await new Promise((done, failed) => webpack(options, (error, result) => (error ? failed(error) : done(result))));
+    const options = {
+      entry,
+      mode: "production",
+      output: { path, filename: "main.js", publicPath: "auto" },
+      performance: false,
+    };
+    const stats = await new Promise((done, failed) =>
+      webpack(options, (error, result) => (error ? failed(error) : done(result))),
+    );
     assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
   },
   async Rollup(dir) {
@@ -62,7 +74,15 @@ const outputs = {
     await bundle.write({ dir, format: "es" });
   },
   async esbuild(outdir) {
-    const { warnings } = await esbuild({ entryPoints: [entry], bundle: true, format: "esm", splitting: true, minify: true, outdir, logLevel: "silent" });
+    const { warnings } = await esbuild({
+      entryPoints: [entry],
+      bundle: true,
+      format: "esm",
+      splitting: true,
+      minify: true,
+      outdir,
+      logLevel: "silent",
+    });
     assert.deepEqual(warnings, []);
   },
 };
@@ -71,7 +91,8 @@ for (const [bundler, build] of Object.entries(outputs)) {
   test(`${bundler}: the elements are defined, what draws comes when it is needed`, async (t) => {
     const name = `out/${bundler.replace(" ", "-")}`;
     await build(join(fixture.folder, name));
-    if (bundler !== "Vite") await fixture.write(`${name}/index.html`, page('<script type="module" src="main.js"></script>'));
+    if (bundler !== "Vite")
+      await fixture.write(`${name}/index.html`, page('<script type="module" src="main.js"></script>'));
     const { printed, scripts } = await visit(t, join(fixture.folder, name));
     assert.equal(printed, PRINTED);
     assert.ok(scripts.length > 1, `more files than one: ${scripts}`);
@@ -80,41 +101,71 @@ for (const [bundler, build] of Object.entries(outputs)) {
 
 test("esbuild, one classic script", async (t) => {
   await fixture.write("out/iife/index.html", page('<script src="main.js"></script>'));
-  await esbuild({ entryPoints: [entry], bundle: true, format: "iife", minify: true, outfile: join(fixture.folder, "out/iife/main.js"), logLevel: "silent" });
+  await esbuild({
+    entryPoints: [entry],
+    bundle: true,
+    format: "iife",
+    minify: true,
+    outfile: join(fixture.folder, "out/iife/main.js"),
+    logLevel: "silent",
+  });
   const { printed, scripts } = await visit(t, join(fixture.folder, "out/iife"));
   assert.deepEqual([printed, scripts], [PRINTED, ["/main.js"]]);
 });
 
 test("no bundler: one script tag, and tags of HTML", async (t) => {
   const folder = join(fixture.installed, "dist");
-  await fixture.write("node_modules/casteljau/dist/probe.js", `const element = document.querySelector("bezier-surface");
+  await fixture.write(
+    "node_modules/casteljau/dist/probe.js",
+    `const element = document.querySelector("bezier-surface");
 element.addEventListener("update", () => {
   const facts = element.shadowRoot.querySelector(".facts").textContent;
   if (/triangles/.test(facts)) console.log(facts.match(/[\\d\\u2009]+/)[0]);
-});\n`);
-  const lines = '<script type="module" src="elements.js"></script><bezier-surface model="patch"></bezier-surface><script src="probe.js"></script>';
+});\n`,
+  );
+  const lines =
+    '<script type="module" src="elements.js"></script><bezier-surface model="patch"></bezier-surface><script src="probe.js"></script>';
   await fixture.write("node_modules/casteljau/dist/tag.html", page(lines));
   const { printed, scripts } = await visit(t, folder, "/tag.html");
   assert.equal(printed, "288"); // 2 · 12²
-  assert.deepEqual(scripts.filter((path) => LATE.test(path)), ["/elements-surface.js"]);
+  assert.deepEqual(
+    scripts.filter((path) => LATE.test(path)),
+    ["/elements-surface.js"],
+  );
 });
 
 /** The pieces of code that a section of the site's guide shows. */
 async function documented(section) {
   const guide = await readFile(`${root}www/elements/index.html`, "utf8");
-  const [, part] = guide.match(new RegExp(`<section id="${section}">([^]*?)</section>`));
+  const [, part] = guide.match(new RegExp(`<section id="${section}">([\\s\\S]*?)</section>`));
   const plain = (text) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
-  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([^]*?)<\/code><\/pre>/g)].map(([, code]) => plain(code));
+  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([\s\S]*?)<\/code><\/pre>/g)].map(([, code]) =>
+    plain(code),
+  );
 }
 
 test("the lines of the guide, from a copied folder and from npm", async (t) => {
   const [tags] = await documented("script");
   const [program] = await documented("npm");
   assert.match(tags, /<script type="module" src="casteljau\/dist\/elements\.js">/);
-  const path = await fixture.write("src/guide.js", `${program}\nglobalThis.ready = true; globalThis.save = (state) => (globalThis.saved = state);`);
+  const path = await fixture.write(
+    "src/guide.js",
+    `${program}\nglobalThis.ready = true; globalThis.save = (state) => (globalThis.saved = state);`,
+  );
   const outdir = join(fixture.folder, "out/guide");
-  await esbuild({ entryPoints: [path], bundle: true, format: "esm", splitting: true, minify: true, outdir, logLevel: "silent" });
-  const server = await serve({ "/casteljau/": fixture.installed, "/built/": outdir }, { "Content-Security-Policy": CSP });
+  await esbuild({
+    entryPoints: [path],
+    bundle: true,
+    format: "esm",
+    splitting: true,
+    minify: true,
+    outdir,
+    logLevel: "silent",
+  });
+  const server = await serve(
+    { "/casteljau/": fixture.installed, "/built/": outdir },
+    { "Content-Security-Policy": CSP },
+  );
   const site = await openPage(t, "about:blank", { baseURL: server.url, viewport: { width: 900, height: 1600 } });
   t.after(server.close);
   for (const script of ["", '<script type="module" src="built/guide.js"></script>']) {
@@ -123,7 +174,11 @@ test("the lines of the guide, from a copied folder and from npm", async (t) => {
     const slider = site.locator('bezier-bernstein input[type="range"]');
     await slider.focus();
     await slider.press("ArrowRight");
-    await site.waitForFunction(() => Math.abs(document.querySelector("bezier-applet").t - 0.31) < 1e-9 && document.querySelector("bezier-applet").points.length === 4);
+    await site.waitForFunction(
+      () =>
+        Math.abs(document.querySelector("bezier-applet").t - 0.31) < 1e-9 &&
+        document.querySelector("bezier-applet").points.length === 4,
+    );
     if (script) assert.equal((await site.evaluate(() => globalThis.saved)).t, 0.31);
   }
 });

@@ -60,5 +60,7 @@ async function install(folder) {
   const [{ filename } = {}] = JSON.parse(report);
   if (!filename) throw new Error(`npm pack: expected the name of a file, got ${report}`);
   await writeFile(join(folder, "package.json"), '{ "name": "fixture", "private": true, "type": "module" }\n');
-  await run("npm", ["install", "--offline", "--ignore-scripts", "--no-audit", "--no-fund", join(folder, filename)], { cwd: folder });
+  await run("npm", ["install", "--offline", "--ignore-scripts", "--no-audit", "--no-fund", join(folder, filename)], {
+    cwd: folder,
+  });
 }

@@ -14,12 +14,27 @@ after(fixture.remove);
 
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
-  const expected = /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
-  assert.deepEqual(names.filter((name) => !expected.test(name)), []);
+  const expected =
+    /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+  assert.deepEqual(
+    names.filter((name) => !expected.test(name)),
+    [],
+  );
 });
 
 test("no file of the tarball names a folder of the machine that built it", async () => {
-  const names = ["index.js", "slim.js", "applet.js", "elements.js", "elements-shared.js", "elements-surface.js", "elements-applet.js", "elements-companions.js", "bezier-app.js", "casteljau.wasm"];
+  const names = [
+    "index.js",
+    "slim.js",
+    "applet.js",
+    "elements.js",
+    "elements-shared.js",
+    "elements-surface.js",
+    "elements-applet.js",
+    "elements-companions.js",
+    "bezier-app.js",
+    "casteljau.wasm",
+  ];
   for (const name of names) {
     const text = await readFile(join(fixture.installed, "dist", name), "latin1");
     assert.doesNotMatch(text, /\/(home|root|Users|work)\/|\.cargo\/registry|\.rustup/, name);
@@ -28,7 +43,10 @@ test("no file of the tarball names a folder of the machine that built it", async
 
 test("publint has nothing to say", async () => {
   const { messages, pkg } = await publint({ pkgDir: fixture.installed, strict: true });
-  assert.deepEqual(messages.map((message) => formatMessage(message, pkg, { color: false })), []);
+  assert.deepEqual(
+    messages.map((message) => formatMessage(message, pkg, { color: false })),
+    [],
+  );
 });
 
 test("attw has nothing to say", async () => {

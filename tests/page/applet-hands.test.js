@@ -13,10 +13,14 @@ test("keyboard only: Tab goes along the curve, arrows move by 1, 10 and 0.1 pixe
   const before = await points(page);
   await page.keyboard.press("Tab");
   const names = [];
-  for (let i = 0; i < 7; i++) (names.push(await focused(page)), await page.keyboard.press("Tab"));
+  for (let i = 0; i < 7; i++) {
+    names.push(await focused(page));
+    await page.keyboard.press("Tab");
+  }
   assert.deepEqual(names, ["P0 x", "P1 x", "P2 x", "P3 x", "P4 x", "P5 x", "P6 x"]);
   await page.getByLabel("P4 x").focus();
-  for (const keys of ["ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight"]) await page.keyboard.press(keys);
+  for (const keys of ["ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight"])
+    await page.keyboard.press(keys);
   await drawn(page);
   assertNear((await points(page))[4], [before[4][0] + 2.1, before[4][1] + 1 - 10], 1e-9);
   await page.getByLabel("P4 y").focus();
@@ -26,7 +30,11 @@ test("keyboard only: Tab goes along the curve, arrows move by 1, 10 and 0.1 pixe
 
 test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
   const page = await openTutorial(t);
-  const press = async (locator, key) => (await locator.focus(), await page.keyboard.press(key), await drawn(page));
+  const press = async (locator, key) => {
+    await locator.focus();
+    await page.keyboard.press(key);
+    await drawn(page);
+  };
   const app = (name) => page.evaluate((name) => bezierApp()[name], name);
   await press(page.getByRole("button", { name: /Show 4 points/ }), "Enter");
   assert.equal(await app("mode"), 4);
@@ -57,18 +65,30 @@ test("a slider moved by a screen reader moves its point; changes are announced o
   assert.equal(await page.getByLabel("P1 y").getAttribute("aria-valuetext"), "80");
   assert.equal(await page.getByLabel("P1 y").inputValue(), "400");
   const live = page.getByRole("status");
-  await page.waitForFunction(() => document.querySelector("canvas").parentNode.shadowRoot.querySelector("[role=status]").textContent);
+  await page.waitForFunction(
+    () => document.querySelector("canvas").parentNode.shadowRoot.querySelector("[role=status]").textContent,
+  );
   assert.equal(await live.textContent(), "P1 at 200, 80");
   // All five at once, so that no pause between them is long enough for a text of its own.
   const texts = await page.getByLabel("P1 x").evaluate((input) => {
     const said = [];
     const live = input.getRootNode().querySelector("[role=status]");
-    const announced = new Promise((resolve) => new MutationObserver(() => (said.push(live.textContent), resolve(said))).observe(live, { childList: true }));
-    for (let i = 0; i < 5; i++) input.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true, composed: true, cancelable: true }));
+    const announced = new Promise((resolve) =>
+      new MutationObserver(() => {
+        said.push(live.textContent);
+        resolve(said);
+      }).observe(live, { childList: true }),
+    );
+    for (let i = 0; i < 5; i++)
+      input.dispatchEvent(
+        new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true, composed: true, cancelable: true }),
+      );
     return announced;
   });
   assert.deepEqual(texts, ["P1 at 195, 80"]);
-  const description = await page.getByRole("figure").evaluate((figure) => figure.getRootNode().getElementById("description").textContent);
+  const description = await page
+    .getByRole("figure")
+    .evaluate((figure) => figure.getRootNode().getElementById("description").textContent);
   assert.match(description, /^2 cubic Bézier curves .* P0 at 70, 330, P3 at .* P1 at 195, 80/);
 });
 

@@ -7,7 +7,11 @@ const choose = (page, mode) => page.getByLabel(mode, { exact: true }).check();
 const status = (page) => page.locator('[part="status"]').innerText();
 
 /** A mode, a point, and by how many pixels it is dragged; tests/js/applet-joints.test.js has all of them. */
-const MOVES = [["G1", 2, 30, -70], ["C1", 3, 45, 25], ["C1", 4, -60, 40]];
+const MOVES = [
+  ["G1", 2, 30, -70],
+  ["C1", 3, 45, 25],
+  ["C1", 4, -60, 40],
+];
 
 test("the joint is held in the midst and at the end of dragging P2, P3 and P4", async (t) => {
   const page = await openTutorial(t);
@@ -15,7 +19,9 @@ test("the joint is held in the midst and at the end of dragging P2, P3 and P4", 
     await choose(page, mode);
     const before = await points(page);
     await pull(page, index, dx, dy);
-    for (const held of [await points(page), (await page.mouse.up(), await points(page))]) {
+    const whileDragging = await points(page);
+    await page.mouse.up();
+    for (const held of [whileDragging, await points(page)]) {
       assertNear(held[index], [before[index][0] + dx, before[index][1] + dy], 0.01, `P${index} follows the pointer`);
       const { sine, cosine, before: first, after: second } = joint(held);
       assert.ok(Math.abs(sine) < 1e-9 && cosine > 0, `aligned: ${sine}`);
@@ -69,12 +75,18 @@ test("r keeps the lock, and all points inside", async (t) => {
     const runs = await page.evaluate((mode) => {
       const app = bezierApp();
       app.joint = mode;
-      return Array.from({ length: 60 }, (_, seed) => (app.randomize(seed), app.points));
+      return Array.from({ length: 60 }, (_, seed) => {
+        app.randomize(seed);
+        return app.points;
+      });
     }, mode);
     for (const all of runs) {
       assert.ok(Math.abs(joint(all).sine) < 1e-9 && joint(all).cosine > 0);
       if (mode === "c1") assertNear([joint(all).before], [joint(all).after], 1e-9);
-      assert.ok(all.every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480), JSON.stringify(all));
+      assert.ok(
+        all.every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480),
+        JSON.stringify(all),
+      );
     }
   }
 });
@@ -86,7 +98,10 @@ test("the lock holds at hidden joints and at those added later", async (t) => {
   await drawn(page);
   await drag(page, 2, -20, 15); // P4 is hidden
   assertNear([joint(await points(page)).sine], [0], 1e-12);
-  await page.evaluate(() => (bezierApp().toggleMode(), bezierApp().append([300, 60])));
+  await page.evaluate(() => {
+    bezierApp().toggleMode();
+    bezierApp().append([300, 60]);
+  });
   await drawn(page);
   for (const act of [() => {}, () => drag(page, 5, -30, 10)]) {
     await act();
@@ -97,7 +112,9 @@ test("the lock holds at hidden joints and at those added later", async (t) => {
 
 test("a partner pushed out of the picture waits at its edge and can be fetched back", async (t) => {
   const page = await openTutorial(t);
-  await page.evaluate(() => Object.assign(bezierApp(), { joint: "c1", points: bezierApp().points.with(3, [600, 230]) }));
+  await page.evaluate(() =>
+    Object.assign(bezierApp(), { joint: "c1", points: bezierApp().points.with(3, [600, 230]) }),
+  );
   await drawn(page);
   await drag(page, 2, -100, 0);
   const [x] = (await points(page))[4];

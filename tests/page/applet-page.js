@@ -32,7 +32,8 @@ export const handle = (page, index) => page.locator(`[part="handle"][data-index=
 export const points = (page) => page.evaluate(() => bezierApp().points);
 
 /** Waits until what was changed has been drawn. */
-export const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const drawn = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Where a handle's centre is in the window. */
 export async function centre(page, index) {
@@ -91,12 +92,18 @@ export function cubicAt([p0, p1, p2, p3], t) {
 export function assertNear(actual, expected, within, words) {
   assert.equal(actual.length, expected.length, words);
   const far = Math.max(...actual.map((value, i) => Math.abs(value - expected[i])));
-  assert.ok(far <= within, `${words ?? "near"}: ${JSON.stringify(actual)} and ${JSON.stringify(expected)} differ by ${far}`);
+  assert.ok(
+    far <= within,
+    `${words ?? "near"}: ${JSON.stringify(actual)} and ${JSON.stringify(expected)} differ by ${far}`,
+  );
 }
 
 /** What P2, P3, P4 are to each other: the sine of the angle between P2P3 and P3P4, its cosine, the two lengths. */
 export function joint([, , p2, p3, p4]) {
-  const [a, b] = [[p3[0] - p2[0], p3[1] - p2[1]], [p4[0] - p3[0], p4[1] - p3[1]]];
+  const [a, b] = [
+    [p3[0] - p2[0], p3[1] - p2[1]],
+    [p4[0] - p3[0], p4[1] - p3[1]],
+  ];
   const [before, after] = [Math.hypot(...a), Math.hypot(...b)];
   const [cross, dot] = [a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]];
   return { sine: cross / before / after, cosine: dot / before / after, before, after };

@@ -4,7 +4,20 @@ import { test } from "node:test";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";
 import {
-  assertNear, BLUE, centre, countColour, cubicAt, drag, drawn, GREEN, handle, openTutorial, points, pull, tutorialPage, VERMILION,
+  assertNear,
+  BLUE,
+  centre,
+  countColour,
+  cubicAt,
+  drag,
+  drawn,
+  GREEN,
+  handle,
+  openTutorial,
+  points,
+  pull,
+  tutorialPage,
+  VERMILION,
 } from "./applet-page.js";
 
 test("the tutorial's HTML, to the letter, shows seven points and two smooth cubics", async (t) => {
@@ -13,7 +26,12 @@ test("the tutorial's HTML, to the letter, shows seven points and two smooth cubi
   const box = await page.locator("canvas").boundingBox();
   assert.deepEqual([box.width, box.height], [670, 480]);
   const all = await points(page);
-  for (const [first, at] of [[0, 0.3], [0, 0.8], [3, 0.3], [3, 0.8]]) {
+  for (const [first, at] of [
+    [0, 0.3],
+    [0, 0.8],
+    [3, 0.3],
+    [3, 0.8],
+  ]) {
     const place = cubicAt(all.slice(first, first + 4), at);
     assert.ok((await countColour(page, place, BLUE)) >= 4, `the curve runs through ${place}`);
   }
@@ -71,8 +89,13 @@ test("r puts the points at random places inside, from anywhere on the page", asy
   assert.equal(after.length, 7);
   for (let i = 0; i < 7; i++) assert.notDeepEqual(after[i], before[i]);
   for (const [x, y] of after) assert.ok(x >= 0 && x <= 670 && y >= 0 && y <= 480);
-  const blue = await Promise.all([0.2, 0.3, 0.4, 0.6, 0.7, 0.8].map((at) => countColour(page, cubicAt(after.slice(0, 4), at), BLUE)));
-  assert.ok(blue.filter((count) => count >= 3).length >= 3, `the curve goes along (in part below other lines): ${blue}`);
+  const blue = await Promise.all(
+    [0.2, 0.3, 0.4, 0.6, 0.7, 0.8].map((at) => countColour(page, cubicAt(after.slice(0, 4), at), BLUE)),
+  );
+  assert.ok(
+    blue.filter((count) => count >= 3).length >= 3,
+    `the curve goes along (in part below other lines): ${blue}`,
+  );
 });
 
 test("m shows four points, m again all of them; nothing is lost", async (t) => {
@@ -143,7 +166,9 @@ test("at most one redraw a frame, however many moves", async (t) => {
       await new Promise(requestAnimationFrame);
       counts[1]++;
       for (let i = 0; i < 20; i++) {
-        box.dispatchEvent(new PointerEvent("pointermove", { bubbles: true, pointerId: 1, clientX: 200 + i, clientY: 200 }));
+        box.dispatchEvent(
+          new PointerEvent("pointermove", { bubbles: true, pointerId: 1, clientX: 200 + i, clientY: 200 }),
+        );
       }
     }
     await new Promise(requestAnimationFrame);
@@ -178,19 +203,34 @@ test("the handle: assigned values show, a seed repeats, layers are drawn", async
   const page = await openTutorial(t);
   const seeded = await page.evaluate(() => {
     const app = bezierApp();
-    const draw = (seed) => (app.randomize(seed), JSON.stringify(app.points));
+    const draw = (seed) => {
+      app.randomize(seed);
+      return JSON.stringify(app.points);
+    };
     return [draw(7), draw(8), draw(7)];
   });
   assert.equal(seeded[0], seeded[2]);
   assert.notEqual(seeded[0], seeded[1]);
-  const cubic = [[100, 400], [100, 100], [500, 100], [500, 400]];
-  await page.evaluate((all) => Object.assign(bezierApp(), { points: all, t: 0.25, layers: { scaffold: true, halves: true, polygon: false } }), cubic);
+  const cubic = [
+    [100, 400],
+    [100, 100],
+    [500, 100],
+    [500, 400],
+  ];
+  await page.evaluate(
+    (all) =>
+      Object.assign(bezierApp(), { points: all, t: 0.25, layers: { scaffold: true, halves: true, polygon: false } }),
+    cubic,
+  );
   await drawn(page);
   assert.deepEqual(await points(page), cubic);
   assert.equal(await page.locator('[part="handle"]').count(), 4);
   assert.ok((await countColour(page, cubicAt(cubic, 0.1), BLUE)) >= 6, "the first half");
   assert.ok((await countColour(page, cubicAt(cubic, 0.6), VERMILION)) >= 6, "the second half");
-  const level = [[100, 325], [200, 100]]; // a quarter of the way on the first two sides
+  const level = [
+    [100, 325],
+    [200, 100],
+  ]; // a quarter of the way on the first two sides
   assert.ok((await countColour(page, [130, 257.5], GREEN)) >= 2, `the scaffold from ${level.join(" to ")}`);
   assert.equal(await page.getByLabel("t", { exact: true }).inputValue(), "0.25");
   assert.equal(await page.getByLabel("two halves at t").isChecked(), true);
@@ -203,13 +243,40 @@ test("what cannot be is refused by name, and the state stays", async (t) => {
     const app = bezierApp();
     const seven = app.points;
     const assignments = [
-      ["points", []], ["points", seven.slice(1)], ["points", seven.with(2, [NaN, 1])], ["points", seven.with(2, [1, Infinity])],
-      ["points", "seven"], ["points", null], ["points", seven.with(2, [1])], ["points", seven.with(2, ["1", 2])], ["points", new Array(7)],
-      ["mode", 5], ["mode", 10], ["mode", NaN], ["mode", "7"], ["joint", "G9"], ["joint", 1], ["t", 2], ["t", NaN], ["t", "half"],
-      ["layers", { bones: true }], ["layers", { hull: 1 }], ["layers", null], ["layers", { toString: true }],
+      ["points", []],
+      ["points", seven.slice(1)],
+      ["points", seven.with(2, [NaN, 1])],
+      ["points", seven.with(2, [1, Infinity])],
+      ["points", "seven"],
+      ["points", null],
+      ["points", seven.with(2, [1])],
+      ["points", seven.with(2, ["1", 2])],
+      ["points", new Array(7)],
+      ["mode", 5],
+      ["mode", 10],
+      ["mode", NaN],
+      ["mode", "7"],
+      ["joint", "G9"],
+      ["joint", 1],
+      ["t", 2],
+      ["t", NaN],
+      ["t", "half"],
+      ["layers", { bones: true }],
+      ["layers", { hull: 1 }],
+      ["layers", null],
+      ["layers", { toString: true }],
     ];
-    const calls = [() => app.append([1]), () => app.append([NaN, 0]), () => app.append("x"), () => app.randomize(0.5), () => app.randomize("x")];
-    const all = [...assignments.map(([name, value]) => [name, () => (app[name] = value)]), ...calls.map((call) => ["", call])];
+    const calls = [
+      () => app.append([1]),
+      () => app.append([NaN, 0]),
+      () => app.append("x"),
+      () => app.randomize(0.5),
+      () => app.randomize("x"),
+    ];
+    const all = [
+      ...assignments.map(([name, value]) => [name, () => (app[name] = value)]),
+      ...calls.map((call) => ["", call]),
+    ];
     return all.map(([name, act]) => {
       try {
         act();
@@ -242,13 +309,19 @@ test("huge, tiny and coincident points are no errors", async (t) => {
 });
 
 test("bezierApp takes a canvas, its id, or means #beziercanvas; the second call returns the same applet", async (t) => {
-  const page = await openTutorial(t, { more: '<canvas id="other" width="300" height="200"></canvas><p id="text"></p>' });
+  const page = await openTutorial(t, {
+    more: '<canvas id="other" width="300" height="200"></canvas><p id="text"></p>',
+  });
   const found = await page.evaluate(() => {
     const other = bezierApp("other");
     const app = bezierApp();
     return [
-      app === bezierApp(new Event("load")), app === bezierApp("beziercanvas"), app === bezierApp(document.getElementById("beziercanvas")),
-      other === bezierApp(document.getElementById("other")), other !== app, app === bezierApp(42),
+      app === bezierApp(new Event("load")),
+      app === bezierApp("beziercanvas"),
+      app === bezierApp(document.getElementById("beziercanvas")),
+      other === bezierApp(document.getElementById("other")),
+      other !== app,
+      app === bezierApp(42),
     ];
   });
   assert.deepEqual(found, new Array(6).fill(true));
@@ -257,19 +330,26 @@ test("bezierApp takes a canvas, its id, or means #beziercanvas; the second call 
 });
 
 test("bezierApp on something that is no canvas says what was expected and what came", async (t) => {
-  const page = await openPage(t, { html: '<!doctype html><html lang="en"><title>No canvas</title><p id="text">x</p><canvas id="gl"></canvas><script src="bezier-app.js"></script></html>' });
+  const page = await openPage(t, {
+    html: '<!doctype html><html lang="en"><title>No canvas</title><p id="text">x</p><canvas id="gl"></canvas><script src="bezier-app.js"></script></html>',
+  });
   const messages = await page.evaluate(() => {
     const text = document.getElementById("text");
     document.getElementById("gl").getContext("webgl2");
-    return [undefined, "nowhere", "text", text, new Event("load"), 7, document.createElement("canvas"), "gl"].map((target) => {
-      try {
-        return bezierApp(target) && "no error";
-      } catch (error) {
-        return `${error.name}: ${error.message}`;
-      }
-    });
+    return [undefined, "nowhere", "text", text, new Event("load"), 7, document.createElement("canvas"), "gl"].map(
+      (target) => {
+        try {
+          return bezierApp(target) && "no error";
+        } catch (error) {
+          return `${error.name}: ${error.message}`;
+        }
+      },
+    );
   });
-  assert.match(messages[0], /^TypeError: bezierApp: expected a canvas with the id "beziercanvas", got none in this document/);
+  assert.match(
+    messages[0],
+    /^TypeError: bezierApp: expected a canvas with the id "beziercanvas", got none in this document/,
+  );
   assert.match(messages[1], /^TypeError: .*"nowhere", got none/);
   assert.match(messages[2], /^TypeError: .*"text", got a <p> element/);
   assert.match(messages[3], /^TypeError: .*expected a canvas, its id or nothing, got a <p> element/);
@@ -288,7 +368,11 @@ test("destroy leaves the page as it was, and a new applet can follow", async (t)
   await page.evaluate(() => app.destroy());
   assert.equal(await html(), before);
   await page.keyboard.press("m");
-  await page.evaluate(() => ((app.points = app.points), app.destroy()));
+  await page.evaluate(() => {
+    const { points } = app;
+    app.points = points;
+    app.destroy();
+  });
   await drawn(page);
   assert.equal(await html(), before);
   assert.equal(await page.evaluate(() => app.mode), 7, "its keys are gone");
@@ -311,7 +395,10 @@ test("a strict content security policy is enough for the applet from npm", async
   const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'";
   const strict = await serve({ "/dist/": `${root}dist` }, { "Content-Security-Policy": policy });
   t.after(() => strict.close());
-  strict.pages.set("/", '<!doctype html><html lang="en"><title>Strict</title><canvas id="beziercanvas" width="670" height="480"></canvas></html>');
+  strict.pages.set(
+    "/",
+    '<!doctype html><html lang="en"><title>Strict</title><canvas id="beziercanvas" width="670" height="480"></canvas></html>',
+  );
   const page = await openPage(t, "/", { baseURL: strict.url });
   await page.evaluate(async () => (await import("/dist/applet.js")).bezierApp());
   assert.equal((await handle(page, 3).boundingBox()).width, 24, "the styles are in force");

@@ -8,13 +8,18 @@ export const TAGS = { "/easing/": "easing-lab", "/camera/": "camera-path", "/gly
 
 /** Opens an application and waits until it has drawn. */
 export async function open(t, path, options = {}) {
-  const page = await openPage(t, path, { viewport: { width: 1000, height: 1000 }, reducedMotion: "reduce", ...options });
+  const page = await openPage(t, path, {
+    viewport: { width: 1000, height: 1000 },
+    reducedMotion: "reduce",
+    ...options,
+  });
   await page.locator(`${TAGS[path]} svg`).first().waitFor();
   return page;
 }
 
 /** What the address holds. */
-export const state = (page) => page.evaluate(() => JSON.parse(decodeURIComponent(location.hash.slice("#state=".length))));
+export const state = (page) =>
+  page.evaluate(() => JSON.parse(decodeURIComponent(location.hash.slice("#state=".length))));
 
 /** Sets a slider. */
 export const slide = (page, name, value) => page.getByRole("slider", { name, exact: true }).first().fill(String(value));

@@ -9,7 +9,12 @@ import { serve } from "./server.js";
 for (const path of Object.keys(TAGS)) {
   test(`${path} takes no harm from addresses that somebody made up`, async (t) => {
     const page = await open(t, path);
-    for (const hash of ["%E0%A4%A", "null", "{\"points\":[[1,2]],\"curve\":[9,9,9,9],\"d\":\"M1 wrong\"}", "x".repeat(1_000_000)]) {
+    for (const hash of [
+      "%E0%A4%A",
+      "null",
+      '{"points":[[1,2]],"curve":[9,9,9,9],"d":"M1 wrong"}',
+      "x".repeat(1_000_000),
+    ]) {
       await page.evaluate((hash) => (location.hash = `#state=${hash}`), hash);
       await page.locator(".state-message").waitFor();
       assert.match(await page.locator(".state-message").innerText(), /could not be used: .+\. The page is as it was\./);
@@ -35,7 +40,9 @@ test("easing: presets, text and editor are one value, which the address keeps", 
   await page.getByRole("button", { name: "overshoot" }).click();
   assert.match(await page.locator("pre").first().innerText(), /cubic-bezier\(0\.34, 1\.56, 0\.64, 1\)/);
   assert.deepEqual(await state(page), { curve: [0.34, 1.56, 0.64, 1] });
-  await page.waitForFunction(() => document.querySelector("bezier-easing").value === "cubic-bezier(0.34, 1.56, 0.64, 1)");
+  await page.waitForFunction(
+    () => document.querySelector("bezier-easing").value === "cubic-bezier(0.34, 1.56, 0.64, 1)",
+  );
   const text = page.getByLabel("Value");
   for (const wrong of ["cubic-bezier(2, 0, 0, 1)", "bouncy", "cubic-bezier(0, NaN, 1, 1)", ""]) {
     await text.fill(wrong);
@@ -67,14 +74,20 @@ test("easing: the preview is where the browser's own animation is, and x is not 
     await slide(page, "time x", 0.6);
     const value = await page.evaluate(() => document.querySelector("easing-lab").value);
     const browsers = await page.evaluate((numbers) => {
-      const animation = document.body.animate([{ opacity: 1 }, { opacity: 1 }], { duration: 1000, easing: `cubic-bezier(${numbers})`, fill: "both" });
+      const animation = document.body.animate([{ opacity: 1 }, { opacity: 1 }], {
+        duration: 1000,
+        easing: `cubic-bezier(${numbers})`,
+        fill: "both",
+      });
       animation.pause();
       animation.currentTime = 600;
       const { progress } = animation.effect.getComputedTiming();
       animation.cancel();
       return progress;
     }, value);
-    const shown = await page.locator("[data-preview=move]").evaluate((box) => box.offsetLeft / (box.parentElement.clientWidth - box.offsetWidth));
+    const shown = await page
+      .locator("[data-preview=move]")
+      .evaluate((box) => box.offsetLeft / (box.parentElement.clientWidth - box.offsetWidth));
     close(shown, browsers, 0.005); // whole pixels
     const t = Number(await page.locator(".t").innerText());
     close(3 * (1 - t) ** 2 * t * value[0] + 3 * (1 - t) * t * t * value[2] + t ** 3, 0.6, 2e-4);
@@ -97,7 +110,10 @@ test("easing: playing runs the time, stops at its end, and can be stopped", asyn
     }
     return words;
   });
-  assert.deepEqual(words, [["Stop", true], ["Play", false]]);
+  assert.deepEqual(words, [
+    ["Stop", true],
+    ["Play", false],
+  ]);
   await slide(page, "Duration", 200);
   await button.click();
   await page.waitForFunction(() => document.querySelector("easing-lab").x === 1);

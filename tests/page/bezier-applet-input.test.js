@@ -3,40 +3,70 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ask, button, centre, drag, ink, message, openApplet, points, settled } from "./bezier-applet-page.js";
 
-const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
+const near = (got, expected, slack, name) =>
+  expected
+    .flat()
+    .forEach((x, i) =>
+      assert.ok(
+        Math.abs(got.flat()[i] - x) <= slack,
+        `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`,
+      ),
+    );
 
 /** For each attribute a text that cannot be used; tests/js/applet-joints.test.js has more of them. */
 const UNUSABLE = {
-  points: "1,2 3,NaN", mode: "99", joints: "g1 x", basis: "__proto__", degree: "2.5", matrix: "1 2 3", t: "", show: "hasOwnProperty", labels: "Q",
-  tolerance: "-3", segments: "1e9", offset: "x", ticks: "0", view: "0 0 1e-400 1", segment: "-1",
+  points: "1,2 3,NaN",
+  mode: "99",
+  joints: "g1 x",
+  basis: "__proto__",
+  degree: "2.5",
+  matrix: "1 2 3",
+  t: "",
+  show: "hasOwnProperty",
+  labels: "Q",
+  tolerance: "-3",
+  segments: "1e9",
+  offset: "x",
+  ticks: "0",
+  view: "0 0 1e-400 1",
+  segment: "-1",
 };
 
 test("any string in attributes: what cannot be used is told, the last good one stays, undo works", async (t) => {
   const page = await openApplet(t, 'points="10,20 30,200 300,40 400,300" t="0.25" show="hull"');
   const good = await ask(page, () => JSON.stringify(a.state));
-  const told = await page.evaluate(async ([unusable, good]) => {
-    const told = [];
-    for (const [name, text] of Object.entries(unusable)) {
-      a.setAttribute(name, text);
-      await a.updateComplete;
-      told.push([name, a.shadowRoot.querySelector(".message").textContent, JSON.stringify(a.state)]);
-      a.removeAttribute(name);
-      a.state = JSON.parse(good);
-      await a.updateComplete;
-    }
-    return told;
-  }, [UNUSABLE, good]);
+  const told = await page.evaluate(
+    async ([unusable, good]) => {
+      const told = [];
+      for (const [name, text] of Object.entries(unusable)) {
+        a.setAttribute(name, text);
+        await a.updateComplete;
+        told.push([name, a.shadowRoot.querySelector(".message").textContent, JSON.stringify(a.state)]);
+        a.removeAttribute(name);
+        a.state = JSON.parse(good);
+        await a.updateComplete;
+      }
+      return told;
+    },
+    [UNUSABLE, good],
+  );
   for (const [name, message, state] of told) {
     assert.match(message.trim(), new RegExp(`^${name}|of ${name}|${name}\\[`), name);
     assert.equal(state, good, name);
   }
-  for (const name of ["theme", "hotkeys", "controls", "label", "readonly"]) await ask(page, `a.setAttribute(${JSON.stringify(name)}, "<b>&'x")`);
+  for (const name of ["theme", "hotkeys", "controls", "label", "readonly"])
+    await ask(page, `a.setAttribute(${JSON.stringify(name)}, "<b>&'x")`);
   await settled(page);
   await ask(page, () => a.removeAttribute("readonly"));
   assert.equal(await message(page), "");
   await drag(page, 1, 20, 20);
   await ask(page, () => a.undo());
-  assert.deepEqual(await points(page), [[10, 20], [30, 200], [300, 40], [400, 300]]);
+  assert.deepEqual(await points(page), [
+    [10, 20],
+    [30, 200],
+    [300, 40],
+    [400, 300],
+  ]);
 });
 
 test("a megabyte in an attribute, or in a drop, is refused and shown short", async (t) => {
@@ -57,9 +87,39 @@ test("properties refuse with the right errors, and nothing changes", async (t) =
   const before = await ask(page, () => JSON.stringify(a));
   const refused = await ask(page, () =>
     [
-      () => (a.points = 3), () => (a.points = [[1, 2]]), () => (a.points = [[1, NaN], [2, 3]]), () => (a.points = [[1, 2], "x"]), () => (a.t = "0.5"), () => (a.t = 7), () => (a.t = NaN),
-      () => (a.joints = "g1"), () => (a.joints = ["x"]), () => (a.state = null), () => (a.state = { points: [[0, 0], [1, 1]], basis: "x" }), () => (a.state = { points: 1 }),
-      () => a.insert(2), () => a.insert("x"), () => a.remove(99), () => a.remove(1.5), () => a.append([1]), () => a.append([NaN, 1]), () => a.randomize(0.5), () => a.split(3), () => a.steer({ index: 99, point: [1, 1] }), () => a.steer({ t: 9 }),
+      () => (a.points = 3),
+      () => (a.points = [[1, 2]]),
+      () =>
+        (a.points = [
+          [1, NaN],
+          [2, 3],
+        ]),
+      () => (a.points = [[1, 2], "x"]),
+      () => (a.t = "0.5"),
+      () => (a.t = 7),
+      () => (a.t = NaN),
+      () => (a.joints = "g1"),
+      () => (a.joints = ["x"]),
+      () => (a.state = null),
+      () =>
+        (a.state = {
+          points: [
+            [0, 0],
+            [1, 1],
+          ],
+          basis: "x",
+        }),
+      () => (a.state = { points: 1 }),
+      () => a.insert(2),
+      () => a.insert("x"),
+      () => a.remove(99),
+      () => a.remove(1.5),
+      () => a.append([1]),
+      () => a.append([NaN, 1]),
+      () => a.randomize(0.5),
+      () => a.split(3),
+      () => a.steer({ index: 99, point: [1, 1] }),
+      () => a.steer({ t: 9 }),
     ].map((act) => {
       try {
         act();
@@ -79,7 +139,9 @@ async function drop(page, text) {
   await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.setData("text/plain", text);
-    a.shadowRoot.querySelector(".overlay").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, composed: true, cancelable: true }));
+    a.shadowRoot
+      .querySelector(".overlay")
+      .dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, composed: true, cancelable: true }));
   }, text);
   await settled(page);
 }
@@ -87,27 +149,67 @@ async function drop(page, text) {
 test("dropped and pasted: points, an SVG path, a file, JSON; what is none of these is told", async (t) => {
   const page = await openApplet(t, "controls");
   await drop(page, "10,20 30,40 50,60 70,80");
-  assert.deepEqual(await points(page), [[10, 20], [30, 40], [50, 60], [70, 80]]);
+  assert.deepEqual(await points(page), [
+    [10, 20],
+    [30, 40],
+    [50, 60],
+    [70, 80],
+  ]);
   await drop(page, '<svg viewBox="0 0 9 9"><path stroke="red" d="M10 10Q60 10 60 60L10 60Z"/></svg>');
   const path = await points(page);
   assert.equal(path.length, 10);
-  assert.deepEqual([path[0], path[3], path[6], path[9]], [[10, 10], [60, 60], [10, 60], [10, 10]]);
+  assert.deepEqual(
+    [path[0], path[3], path[6], path[9]],
+    [
+      [10, 10],
+      [60, 60],
+      [10, 60],
+      [10, 10],
+    ],
+  );
   await drop(page, "M0 0 L2000 0");
-  assert.ok((await points(page)).every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480), "made to fit");
-  await drop(page, JSON.stringify({ points: [[1, 2], [3, 4], [5, 6], [7, 8]], t: 0.125, show: ["comb"] }));
+  assert.ok(
+    (await points(page)).every(([x, y]) => x >= 0 && x <= 670 && y >= 0 && y <= 480),
+    "made to fit",
+  );
+  await drop(
+    page,
+    JSON.stringify({
+      points: [
+        [1, 2],
+        [3, 4],
+        [5, 6],
+        [7, 8],
+      ],
+      t: 0.125,
+      show: ["comb"],
+    }),
+  );
   assert.deepEqual(await ask(page, () => [a.t, a.show, a.points[3]]), [0.125, "comb", [7, 8]]);
-  for (const [text, words] of [["hello world", /no figure: points/], ["{", /no figure/], ["[1, 2]", /no figure/], ["<svg></svg>", /no figure: .*path/], ["M0 0 L x", /no figure/], ["", /no figure/], ['{"points": [[1, null]]}', /no figure/]]) {
+  for (const [text, words] of [
+    ["hello world", /no figure: points/],
+    ["{", /no figure/],
+    ["[1, 2]", /no figure/],
+    ["<svg></svg>", /no figure: .*path/],
+    ["M0 0 L x", /no figure/],
+    ["", /no figure/],
+    ['{"points": [[1, null]]}', /no figure/],
+  ]) {
     await drop(page, text);
     assert.match(await message(page), words, text);
     assert.deepEqual((await points(page))[3], [7, 8]);
   }
   await page.locator("bezier-applet summary", { hasText: "Save" }).click();
-  await page.locator('bezier-applet input[type="file"]').setInputFiles({ name: "a.txt", mimeType: "text/plain", buffer: Buffer.from("5,5 9,9 20,30 40,50") });
+  await page
+    .locator('bezier-applet input[type="file"]')
+    .setInputFiles({ name: "a.txt", mimeType: "text/plain", buffer: Buffer.from("5,5 9,9 20,30 40,50") });
   await page.waitForFunction(() => a.points[0][0] === 5);
   await page.evaluate(() => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", "[[1,1],[2,2],[3,3],[4,4]]");
-    a.shadowRoot.querySelector("[data-index] input").dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, composed: true, cancelable: true }));
+    a.shadowRoot
+      .querySelector("[data-index] input")
+      .dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, composed: true, cancelable: true }));
   });
   assert.deepEqual((await points(page))[3], [4, 4]);
   await ask(page, () => a.undo());
@@ -119,7 +221,12 @@ test("SVG, PNG and code come out, and the code draws the same curve", async (t) 
   const svg = await ask(page, () => a.toSVG());
   const parsed = await page.evaluate((text) => {
     const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
-    return [root.localName, root.querySelectorAll("parsererror").length, root.querySelectorAll("path").length > 10, root.textContent.includes("P1223")];
+    return [
+      root.localName,
+      root.querySelectorAll("parsererror").length,
+      root.querySelectorAll("path").length > 10,
+      root.textContent.includes("P1223"),
+    ];
   }, svg);
   assert.deepEqual(parsed, ["svg", 0, true, true]);
   const image = await ask(page, async () => {
@@ -137,15 +244,21 @@ test("SVG, PNG and code come out, and the code draws the same curve", async (t) 
   await page.getByRole("combobox", { name: "Code" }).selectOption("canvas");
   await settled(page);
   const calls = await code.innerText();
-  assert.match(calls, /^ctx\.beginPath\(\);\nctx\.moveTo\(70, 330\);\nctx\.bezierCurveTo\(110, 90, 235, 120, 325, 230\);/);
+  assert.match(
+    calls,
+    /^ctx\.beginPath\(\);\nctx\.moveTo\(70, 330\);\nctx\.bezierCurveTo\(110, 90, 235, 120, 325, 230\);/,
+  );
   for (const basis of ["bezier", "b-spline", "natural", "centripetal", "hermite", "catmull-rom"]) {
-    const same = await ask(page, `(async () => {
+    const same = await ask(
+      page,
+      `(async () => {
       a.basis = "${basis}";
       const text = (await a.toCode("js")).replace(/import.*\\n/, "") + "; return [x, y];";
       const [x, y] = new Function("Spline", "Curve", text)(bezier.Spline, bezier.Curve);
       const place = a.figure.pieces[a.figure.segment].curve.eval(a.t);
       return Math.hypot(place.x - x, place.y - y);
-    })()`);
+    })()`,
+    );
     assert.ok(same < 0.01, `${basis}: ${same}`);
   }
 });
@@ -201,7 +314,11 @@ test("two fingers on the picture enlarge it", async (t) => {
   const page = await openApplet(t, "", { hasTouch: true });
   const { x, y } = await page.locator("bezier-applet .overlay").boundingBox();
   const client = await page.context().newCDPSession(page);
-  const touch = (type, ...places) => client.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([dx, dy], id) => ({ x: x + dx, y: y + dy, id })) });
+  const touch = (type, ...places) =>
+    client.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: places.map(([dx, dy], id) => ({ x: x + dx, y: y + dy, id })),
+    });
   await touch("touchStart", [400, 100]);
   await touch("touchStart", [400, 100], [440, 100]);
   for (const d of [10, 20, 30, 40]) await touch("touchMove", [400 - d, 100], [440 + d, 100]);

@@ -1,9 +1,30 @@
 // <bezier-applet>: joints that are held and told, snapping, cutting and healing, bases and degrees.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { ask, button, centre, drag, focus, message, openApplet, points, press, pull, set, settled } from "./bezier-applet-page.js";
+import {
+  ask,
+  button,
+  centre,
+  drag,
+  focus,
+  message,
+  openApplet,
+  points,
+  press,
+  pull,
+  set,
+  settled,
+} from "./bezier-applet-page.js";
 
-const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
+const near = (got, expected, slack, name) =>
+  expected
+    .flat()
+    .forEach((x, i) =>
+      assert.ok(
+        Math.abs(got.flat()[i] - x) <= slack,
+        `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`,
+      ),
+    );
 const continuity = (page) => ask(page, () => a.figure.continuity);
 const row = (page, k = 0) => page.locator("bezier-applet .joints li").nth(k);
 const THREE = 'points="60,300 100,100 200,100 250,250 300,380 380,400 430,240 470,100 560,120 610,300"';
@@ -13,7 +34,11 @@ const ROUND = 'points="60,300 60,150 150,60 300,60 450,60 540,150 540,300 540,42
 
 test("what is held at the joints stays while points are dragged, and the label says what is true", async (t) => {
   const page = await openApplet(t, `controls joints="g2" ${ROUND}`);
-  for (const [index, dx, dy] of [[2, 30, 20], [4, -20, 35], [3, 25, 25]]) {
+  for (const [index, dx, dy] of [
+    [2, 30, 20],
+    [4, -20, 35],
+    [3, 25, 25],
+  ]) {
     await pull(page, index, dx, dy);
     for (const { g2 } of await continuity(page)) assert.ok(g2, `P${index}`);
     await page.mouse.up();
@@ -26,7 +51,10 @@ test("each joint has its own mode: by its control, by Enter on its point", async
   await page.getByLabel("At P6 hold").selectOption("c1");
   await settled(page);
   assert.deepEqual(await ask(page, () => a.joints), ["free", "c1"]);
-  assert.deepEqual((await continuity(page)).map(({ c1 }) => c1), [false, true]);
+  assert.deepEqual(
+    (await continuity(page)).map(({ c1 }) => c1),
+    [false, true],
+  );
   await focus(page, 3);
   await press(page, "Enter");
   assert.deepEqual(await ask(page, () => a.joints), ["g1", "c1"]);
@@ -44,7 +72,17 @@ test("each joint has its own mode: by its control, by Enter on its point", async
 test("the label tells the angle and the ratio of what is not held", async (t) => {
   const page = await openApplet(t, 'controls points="0,200 50,200 100,200 200,200 200,300 350,300 400,400"');
   assert.match(await row(page).innerText(), /C0\s+At P3 hold[\s\S]*turns by 90°, tangents 1 : 1$/);
-  await set(page, { points: [[0, 200], [50, 200], [100, 200], [200, 200], [250, 200], [350, 300], [400, 400]] });
+  await set(page, {
+    points: [
+      [0, 200],
+      [50, 200],
+      [100, 200],
+      [200, 200],
+      [250, 200],
+      [350, 300],
+      [400, 400],
+    ],
+  });
   assert.match(await row(page).innerText(), /G1[\s\S]*tangents 1 : 0.5$/);
 });
 
@@ -56,7 +94,10 @@ test("near a smooth joint a point clicks into place; with Ctrl it does not", asy
   assert.ok((await continuity(page))[0].c1);
   await drag(page, 4, 40, 39);
   near((await points(page))[4], [441.9, 367.7], 2, "on the line through P2 and P3");
-  assert.deepEqual((await continuity(page)).map(({ g1, c1 }) => [g1, c1]), [[true, false]]);
+  assert.deepEqual(
+    (await continuity(page)).map(({ g1, c1 }) => [g1, c1]),
+    [[true, false]],
+  );
   await ask(page, () => a.undo());
   await page.keyboard.down("Control");
   await drag(page, 4, 2, 2);
@@ -91,7 +132,12 @@ test("Alt breaks the joint for good", async (t) => {
 test("i cuts the segment of the point at t and leaves the curve; Delete heals it", async (t) => {
   const page = await openApplet(t, 't="0.3"');
   const before = await points(page);
-  const samples = () => ask(page, () => [0.1, 0.4, 0.9].map((t) => a.figure.spline.nearest(a.figure.spline.eval(t * a.figure.spline.segmentCount)).distance));
+  const samples = () =>
+    ask(page, () =>
+      [0.1, 0.4, 0.9].map(
+        (t) => a.figure.spline.nearest(a.figure.spline.eval(t * a.figure.spline.segmentCount)).distance,
+      ),
+    );
   const whole = await ask(page, () => a.figure.spline.length());
   await focus(page, 5);
   await press(page, "i");
@@ -146,7 +192,14 @@ test("split shows the halves and returns them", async (t) => {
   assert.deepEqual(await ask(page, () => [a.t, a.show]), [0.25, "polygon halves"]);
 });
 
-const FLAT = [[100, 300], [150, 100], [300, 100], [350, 300], [450, 420], [550, 300]];
+const FLAT = [
+  [100, 300],
+  [150, 100],
+  [300, 100],
+  [350, 300],
+  [450, 420],
+  [550, 300],
+];
 
 test("in every basis a point is dragged, and undone it is back", async (t) => {
   const page = await openApplet(t, `controls points="${FLAT.map((point) => point.join(",")).join(" ")}"`);
@@ -198,7 +251,8 @@ test("two fingers move two points", async (t) => {
   const page = await openApplet(t, "", { hasTouch: true });
   const client = await page.context().newCDPSession(page);
   const [[x1, y1], [x2, y2]] = [await centre(page, 1), await centre(page, 5)];
-  const touch = (type, ...places) => client.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
+  const touch = (type, ...places) =>
+    client.send("Input.dispatchTouchEvent", { type, touchPoints: places.map(([x, y], id) => ({ x, y, id })) });
   const before = await points(page);
   await touch("touchStart", [x1, y1]);
   await touch("touchStart", [x1, y1], [x2, y2]);

@@ -2,18 +2,52 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./browser.js";
-import { appletPage, ask, button, centre, drag, ink, openApplet, points, press, set, settled } from "./bezier-applet-page.js";
+import {
+  appletPage,
+  ask,
+  button,
+  centre,
+  drag,
+  ink,
+  openApplet,
+  points,
+  press,
+  set,
+  settled,
+} from "./bezier-applet-page.js";
 
-const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
+const near = (got, expected, slack, name) =>
+  expected
+    .flat()
+    .forEach((x, i) =>
+      assert.ok(
+        Math.abs(got.flat()[i] - x) <= slack,
+        `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`,
+      ),
+    );
 
 test("nothing runs before it is near; what the page put in is shown until then", async (t) => {
-  const page = await openPage(t, { html: appletPage("controls", '<svg viewBox="0 0 670 480" id="still"><rect width="670" height="480"/></svg>').replace("<h1>", '<h1 style="margin-bottom: 3000px">') }, { viewport: { width: 800, height: 700 } });
+  const page = await openPage(
+    t,
+    {
+      html: appletPage(
+        "controls",
+        '<svg viewBox="0 0 670 480" id="still"><rect width="670" height="480"/></svg>',
+      ).replace("<h1>", '<h1 style="margin-bottom: 3000px">'),
+    },
+    { viewport: { width: 800, height: 700 } },
+  );
   await page.waitForFunction(() => globalThis.bezier && document.getElementById("a").updateComplete);
   const late = await page.evaluate(async () => {
     globalThis.a = document.getElementById("a");
     await a.updateComplete;
     const parts = performance.getEntriesByType("resource").map(({ name }) => name);
-    return [a.shadowRoot.querySelectorAll("canvas, .handle").length, parts.some((name) => name.includes("elements-applet")), document.getElementById("still").getBoundingClientRect().height, a.figure.pieces.length];
+    return [
+      a.shadowRoot.querySelectorAll("canvas, .handle").length,
+      parts.some((name) => name.includes("elements-applet")),
+      document.getElementById("still").getBoundingClientRect().height,
+      a.figure.pieces.length,
+    ];
   });
   assert.deepEqual(late, [0, false, 480, 2], "its figure is known all the same");
   await page.evaluate(() => a.scrollIntoView());
@@ -22,7 +56,11 @@ test("nothing runs before it is near; what the page put in is shown until then",
 });
 
 test("without script the poster is there", async (t) => {
-  const page = await openPage(t, { html: appletPage("", '<svg viewBox="0 0 670 480" id="still"><rect width="670" height="480"/></svg>') }, { javaScriptEnabled: false });
+  const page = await openPage(
+    t,
+    { html: appletPage("", '<svg viewBox="0 0 670 480" id="still"><rect width="670" height="480"/></svg>') },
+    { javaScriptEnabled: false },
+  );
   assert.ok(await page.locator("#still").isVisible());
 });
 
@@ -40,7 +78,12 @@ test("moved about it keeps its state and works; taken away it stops", async (t) 
   await page.evaluate(() => a.remove());
   assert.equal(await ask(page, () => a.isConnected), false, "remove without an index is every element's");
   await page.evaluate(() => {
-    a.points = [[1, 1], [2, 2], [3, 3], [4, 4]];
+    a.points = [
+      [1, 1],
+      [2, 2],
+      [3, 3],
+      [4, 4],
+    ];
     document.querySelector("main").append(a);
   });
   await page.waitForFunction(() => a.shadowRoot.querySelectorAll(".handle").length === 4);
@@ -116,23 +159,46 @@ test("on paper a dark page's picture is drawn for daylight", async (t) => {
 
 for (const width of [320, 360, 420]) {
   test(`${width} pixels wide nothing is cut off`, async (t) => {
-    const page = await openApplet(t, 'controls basis="matrix" show="tree segments offset ticks comb"', { viewport: { width, height: 900 } });
+    const page = await openApplet(t, 'controls basis="matrix" show="tree segments offset ticks comb"', {
+      viewport: { width, height: 900 },
+    });
     await page.locator("bezier-applet summary").evaluateAll((all) => all.forEach((summary) => summary.click()));
     await settled(page);
-    const wide = await ask(page, () => [document.documentElement.scrollWidth, ...[...a.shadowRoot.querySelectorAll(".controls *, .joints *")].filter((each) => !each.closest("pre") && each.getBoundingClientRect().right > a.getBoundingClientRect().right + 1).map((each) => each.outerHTML)]);
+    const wide = await ask(page, () => [
+      document.documentElement.scrollWidth,
+      ...[...a.shadowRoot.querySelectorAll(".controls *, .joints *")]
+        .filter(
+          (each) => !each.closest("pre") && each.getBoundingClientRect().right > a.getBoundingClientRect().right + 1,
+        )
+        .map((each) => each.outerHTML),
+    ]);
     assert.ok(wide[0] <= width && wide.length === 1, wide.join("\n"));
   });
 }
 
 test("targets are 24 pixels at least", async (t) => {
   const page = await openApplet(t, "controls");
-  const small = await ask(page, () => [...a.shadowRoot.querySelectorAll("button, select, summary, .handle, .controls input:not([type=file])")].map((each) => (each.type === "checkbox" ? each.parentElement : each)).filter((each) => each.checkVisibility() && (each.getBoundingClientRect().height < 24 || each.getBoundingClientRect().width < 24)).map((each) => each.outerHTML));
+  const small = await ask(page, () =>
+    [...a.shadowRoot.querySelectorAll("button, select, summary, .handle, .controls input:not([type=file])")]
+      .map((each) => (each.type === "checkbox" ? each.parentElement : each))
+      .filter(
+        (each) =>
+          each.checkVisibility() &&
+          (each.getBoundingClientRect().height < 24 || each.getBoundingClientRect().width < 24),
+      )
+      .map((each) => each.outerHTML),
+  );
   assert.deepEqual(small, []);
 });
 
 test("parts of the panel by the words of `controls`", async (t) => {
   const page = await openApplet(t, 'controls="t joints"');
-  const shown = () => ask(page, () => [...a.shadowRoot.querySelectorAll(".joints, .t, .row, fieldset, details")].map((each) => each.className || each.localName));
+  const shown = () =>
+    ask(page, () =>
+      [...a.shadowRoot.querySelectorAll(".joints, .t, .row, fieldset, details")].map(
+        (each) => each.className || each.localName,
+      ),
+    );
   assert.deepEqual(await shown(), ["joints", "t"]);
   await set(page, { controls: "show" });
   assert.deepEqual(await shown(), ["fieldset"]);
@@ -143,11 +209,13 @@ test("parts of the panel by the words of `controls`", async (t) => {
 });
 
 test("what the page wrote before the element was known counts", async (t) => {
-  const page = await openPage(t, { html: `<!doctype html><html lang="en"><title>Early</title><body><main></main><script type="module">
+  const page = await openPage(t, {
+    html: `<!doctype html><html lang="en"><title>Early</title><body><main></main><script type="module">
     const early = Object.assign(document.createElement("bezier-applet"), { points: [[1, 2], [30, 40], [50, 60], [70, 80]], t: 0.125, show: "hull" });
     document.querySelector("main").append(early);
     await import("./dist/elements.js");
-    globalThis.early = early;</script>` });
+    globalThis.early = early;</script>`,
+  });
   await page.waitForFunction(() => globalThis.early);
   assert.deepEqual(await page.evaluate(() => [early.points[0], early.t, early.show]), [[1, 2], 0.125, "hull"]);
 });

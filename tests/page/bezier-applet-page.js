@@ -14,12 +14,19 @@ export const appletPage = (attributes = "", inside = "", more = "") =>
  * @param {import("playwright-core").BrowserContextOptions & { inside?: string, more?: string }} [options]
  */
 export async function openApplet(t, attributes = "", { inside, more, ...options } = {}) {
-  const page = await openPage(t, { html: appletPage(attributes, inside, more) }, { viewport: { width: 800, height: 1500 }, ...options });
-  await page.waitForFunction(() => globalThis.bezier && document.querySelector("bezier-applet").shadowRoot?.querySelector(".overlay")?.style.width);
+  const page = await openPage(
+    t,
+    { html: appletPage(attributes, inside, more) },
+    { viewport: { width: 800, height: 1500 }, ...options },
+  );
+  await page.waitForFunction(
+    () =>
+      globalThis.bezier && document.querySelector("bezier-applet").shadowRoot?.querySelector(".overlay")?.style.width,
+  );
   await page.evaluate(() => {
     globalThis.a = document.getElementById("a");
     globalThis.events = [];
-    for (const type of ["input", "change", "update"]) document.addEventListener(type, (event) => events.push(type), true);
+    for (const type of ["input", "change", "update"]) document.addEventListener(type, () => events.push(type), true);
   });
   await settled(page);
   await page.evaluate(() => void events.splice(0));
@@ -92,12 +99,17 @@ export const message = (page) => page.evaluate(() => a.shadowRoot.querySelector(
 
 /** How many pixels of the picture, round a place, differ from those of the paper. */
 export const ink = (page, [x, y], half = 4) =>
-  page.evaluate(([x, y, half]) => {
-    const canvas = a.shadowRoot.querySelector("canvas");
-    const scale = canvas.width / 670;
-    const data = canvas.getContext("2d").getImageData((x - half) * scale, (y - half) * scale, 2 * half * scale, 2 * half * scale).data;
-    return data.filter((value, i) => i % 4 === 3 && value > 128).length;
-  }, [x, y, half]);
+  page.evaluate(
+    ([x, y, half]) => {
+      const canvas = a.shadowRoot.querySelector("canvas");
+      const scale = canvas.width / 670;
+      const data = canvas
+        .getContext("2d")
+        .getImageData((x - half) * scale, (y - half) * scale, 2 * half * scale, 2 * half * scale).data;
+      return data.filter((value, i) => i % 4 === 3 && value > 128).length;
+    },
+    [x, y, half],
+  );
 
 /** A cubic at t. */
 export const cubicAt = (p, t) => {

@@ -2,17 +2,50 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertAccessible, assertAccessibleInBothThemes, doubleClick } from "./browser.js";
-import { ask, button, centre, cubicAt, drag, fired, focus, handle, ink, message, openApplet, points, press, pull, set, settled } from "./bezier-applet-page.js";
+import {
+  ask,
+  button,
+  centre,
+  cubicAt,
+  drag,
+  fired,
+  focus,
+  handle,
+  ink,
+  message,
+  openApplet,
+  points,
+  press,
+  pull,
+  set,
+  settled,
+} from "./bezier-applet-page.js";
 
-const near = (got, expected, slack, name) => expected.flat().forEach((x, i) => assert.ok(Math.abs(got.flat()[i] - x) <= slack, `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`));
+const near = (got, expected, slack, name) =>
+  expected
+    .flat()
+    .forEach((x, i) =>
+      assert.ok(
+        Math.abs(got.flat()[i] - x) <= slack,
+        `${name ?? ""} ${JSON.stringify(got)}, not ${JSON.stringify(expected)}`,
+      ),
+    );
 
 test("seven points, two curves, and nothing more without controls", async (t) => {
   const page = await openApplet(t);
   assert.equal(await page.locator('bezier-applet [part="handle"]').count(), 7);
   assert.equal(await page.locator("bezier-applet button:visible").count(), 0);
   const all = await points(page);
-  for (const [from, at] of [[0, 0.3], [3, 0.7]]) assert.ok((await ink(page, cubicAt(all.slice(from, from + 4), at))) > 8);
-  assert.equal(await ask(page, () => a.outerHTML), '<bezier-applet id="a"></bezier-applet>', "what goes without saying is not written");
+  for (const [from, at] of [
+    [0, 0.3],
+    [3, 0.7],
+  ])
+    assert.ok((await ink(page, cubicAt(all.slice(from, from + 4), at))) > 8);
+  assert.equal(
+    await ask(page, () => a.outerHTML),
+    '<bezier-applet id="a"></bezier-applet>',
+    "what goes without saying is not written",
+  );
 });
 
 test("a drag: the point follows with its grip, input and update while it moves, one change, one undo step, the attribute", async (t) => {
@@ -48,7 +81,11 @@ test("Esc and a lost pointer take a drag back, and leave no undo step", async (t
   assert.deepEqual(await points(page), before);
   await page.mouse.up();
   await pull(page, 2, 30, 60);
-  await page.evaluate(() => a.shadowRoot.querySelector('[data-index="2"]').dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1, bubbles: true })));
+  await page.evaluate(() =>
+    a.shadowRoot
+      .querySelector('[data-index="2"]')
+      .dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1, bubbles: true })),
+  );
   await settled(page);
   assert.deepEqual(await points(page), before);
   assert.ok(await button(page, "Undo").isDisabled());
@@ -57,13 +94,27 @@ test("Esc and a lost pointer take a drag back, and leave no undo step", async (t
 test("a page that takes the dragged point away meanwhile: nothing breaks", async (t) => {
   const page = await openApplet(t, "controls");
   await pull(page, 6, -40, 40);
-  await ask(page, () => void (a.points = [[10, 10], [200, 300]]));
+  await ask(page, () => {
+    a.points = [
+      [10, 10],
+      [200, 300],
+    ];
+  });
   await settled(page);
   await page.mouse.move(100, 100);
   await settled(page);
   await page.mouse.up();
   await settled(page);
-  assert.deepEqual([await points(page), await message(page)], [[[10, 10], [200, 300]], ""]);
+  assert.deepEqual(
+    [await points(page), await message(page)],
+    [
+      [
+        [10, 10],
+        [200, 300],
+      ],
+      "",
+    ],
+  );
   await drag(page, 1, 20, -30);
   assert.deepEqual((await points(page))[1], [220, 270]);
 });
@@ -121,7 +172,12 @@ test("keys count only while the focus is inside, and can be switched off", async
 
 test("every key has a button", async (t) => {
   const page = await openApplet(t, "controls");
-  for (const [name, key] of [[/^Cut at t/, "i"], [/^Fewer points/, "m"], [/^Randomize/, "r"], [/^Keys/, "?"]]) {
+  for (const [name, key] of [
+    [/^Cut at t/, "i"],
+    [/^Fewer points/, "m"],
+    [/^Randomize/, "r"],
+    [/^Keys/, "?"],
+  ]) {
     assert.equal(await button(page, name).getAttribute("aria-keyshortcuts"), key);
   }
   await focus(page, 3);
@@ -131,7 +187,11 @@ test("every key has a button", async (t) => {
   assert.equal((await points(page)).length, 7);
   await button(page, "Add a point").click();
   assert.equal((await points(page)).length, 10);
-  assert.equal(await ask(page, () => a.shadowRoot.activeElement.getAttribute("aria-label")), "P9 x", "the new point has the focus");
+  assert.equal(
+    await ask(page, () => a.shadowRoot.activeElement.getAttribute("aria-label")),
+    "P9 x",
+    "the new point has the focus",
+  );
   await button(page, "Reset").click();
   assert.equal((await points(page)).length, 7);
   await button(page, /^Fewer points/).click();
@@ -169,7 +229,8 @@ test("the panel's own events stay inside: what is heard is the element's", async
   await page.getByRole("slider", { name: "t", exact: true }).focus();
   await page.evaluate(() => {
     globalThis.heard = [];
-    for (const type of ["input", "change"]) document.addEventListener(type, (event) => heard.push(event.composedPath()[0] === a));
+    for (const type of ["input", "change"])
+      document.addEventListener(type, (event) => heard.push(event.composedPath()[0] === a));
   });
   await press(page, "ArrowRight");
   const own = await ask(page, () => heard);
@@ -177,7 +238,12 @@ test("the panel's own events stay inside: what is heard is the element's", async
 });
 
 test("Reset gives back what the page gave", async (t) => {
-  const given = [[10, 10], [100, 200], [300, 200], [400, 10]];
+  const given = [
+    [10, 10],
+    [100, 200],
+    [300, 200],
+    [400, 10],
+  ];
   const page = await openApplet(t, `controls points="${given.join(" ")}" t="0.25"`);
   await button(page, "Reset").click();
   assert.deepEqual(await points(page), given, "before anything has changed, too");
@@ -203,7 +269,14 @@ test("a double click adds a segment that ends there", async (t) => {
 
 test("what the page writes fires no input and no change, and can be undone", async (t) => {
   const page = await openApplet(t);
-  await set(page, { points: [[0, 0], [100, 100], [200, 0], [300, 300]] });
+  await set(page, {
+    points: [
+      [0, 0],
+      [100, 100],
+      [200, 0],
+      [300, 300],
+    ],
+  });
   await set(page, { t: 0.25 });
   await ask(page, () => a.insert(0.5));
   await ask(page, () => a.randomize(7));
@@ -245,18 +318,43 @@ test("the state goes through JSON and back to the last bit, and a second element
   await settled(page);
   const [one, other] = await ask(page, () => [a, b].map((each) => JSON.stringify([each.state, each.figure])));
   assert.equal(one, other);
-  assert.equal(await ask(page, () => ["points", "joints", "t", "show", "labels", "tolerance", "view"].every((name) => a.getAttribute(name) === b.getAttribute(name))), true);
+  assert.equal(
+    await ask(page, () =>
+      ["points", "joints", "t", "show", "labels", "tolerance", "view"].every(
+        (name) => a.getAttribute(name) === b.getAttribute(name),
+      ),
+    ),
+    true,
+  );
   assert.equal(await ask(page, () => b.getAttribute("view")), "10 20 67 48");
 });
 
 test("attributes are read in any order, reflect, and go back to the defaults when they are taken away", async (t) => {
-  const page = await openApplet(t, 'mode="4" joints="c1" t="0.2" show="hull" points="0,0 10,100 20,100 100,0 200,-90 300,10 310,20"');
-  assert.deepEqual(await ask(page, () => [a.mode, a.t, a.points.length, a.figure.points.length, a.show]), ["4", 0.2, 7, 4, "hull"]);
+  const page = await openApplet(
+    t,
+    'mode="4" joints="c1" t="0.2" show="hull" points="0,0 10,100 20,100 100,0 200,-90 300,10 310,20"',
+  );
+  assert.deepEqual(await ask(page, () => [a.mode, a.t, a.points.length, a.figure.points.length, a.show]), [
+    "4",
+    0.2,
+    7,
+    4,
+    "hull",
+  ]);
   await ask(page, () => a.removeAttribute("mode"));
   await settled(page);
   const { points: all, continuity } = await ask(page, () => ({ points: a.points, continuity: a.figure.continuity }));
   assert.ok(continuity[0].c1);
-  near(all.slice(0, 4), [[0, 0], [10, 100], [20, 100], [100, 0]], 0);
+  near(
+    all.slice(0, 4),
+    [
+      [0, 0],
+      [10, 100],
+      [20, 100],
+      [100, 0],
+    ],
+    0,
+  );
   near(all[4], [180, -100], 1e-9, "held from the start");
   await ask(page, () => ["points", "t", "show", "joints"].forEach((name) => a.removeAttribute(name)));
   await settled(page);
@@ -284,7 +382,10 @@ test("t plays only when it is asked to, pauses, and stops when the element is ta
 });
 
 test("axe finds nothing, light and dark: panel, folded parts, dialog", async (t) => {
-  const page = await openApplet(t, 'controls basis="matrix" show="polygon hull scaffold halves weights tree segments offset ticks nearest"');
+  const page = await openApplet(
+    t,
+    'controls basis="matrix" show="polygon hull scaffold halves weights tree segments offset ticks nearest"',
+  );
   await page.locator("bezier-applet summary").evaluateAll((all) => all.forEach((summary) => summary.click()));
   await settled(page);
   await assertAccessibleInBothThemes(page, settled);
@@ -299,7 +400,10 @@ test("a screen reader finds a figure with instructions, its description from the
   const figure = page.getByRole("figure", { name: /Bézier curve/ });
   assert.match(await figure.innerText(), /pair of sliders/);
   const description = () => ask(page, () => a.shadowRoot.getElementById("description").textContent);
-  assert.match(await description(), /2 Bézier curves of degree 3\. P0 at 70, 330; P1 at 110, 90, off the curve.*At P3: C1/);
+  assert.match(
+    await description(),
+    /2 Bézier curves of degree 3\. P0 at 70, 330; P1 at 110, 90, off the curve.*At P3: C1/,
+  );
   assert.equal(await ask(page, () => a.shadowRoot.querySelectorAll('[role="status"], [aria-live]').length), 1);
   const input = page.getByLabel("P6 y");
   assert.equal(await input.getAttribute("tabindex"), "-1");
@@ -311,7 +415,11 @@ test("a screen reader finds a figure with instructions, its description from the
   assert.deepEqual((await points(page))[6], [600, 380], "more is higher up");
   await page.waitForFunction(() => /P6 at 600, 380/.test(a.shadowRoot.querySelector("[role=status]").textContent));
   assert.match(await description(), /P6 at 600, 380/);
-  const told = (words) => page.waitForFunction((pattern) => new RegExp(pattern).test(a.shadowRoot.querySelector("[role=status]").textContent), words);
+  const told = (words) =>
+    page.waitForFunction(
+      (pattern) => new RegExp(pattern).test(a.shadowRoot.querySelector("[role=status]").textContent),
+      words,
+    );
   await ask(page, () => (a.joints = ["free"]));
   await drag(page, 4, 50, 40);
   await told("^P4 at .*At P3: C0$");

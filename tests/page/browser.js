@@ -105,7 +105,10 @@ export const intersectionsReported = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; i++) {
       await new Promise((resolve) => {
-        const observer = new IntersectionObserver(() => (observer.disconnect(), resolve()));
+        const observer = new IntersectionObserver(() => {
+          observer.disconnect();
+          resolve();
+        });
         observer.observe(document.documentElement);
       });
     }
@@ -125,9 +128,19 @@ export async function doubleClick(page, [x, y]) {
   await page.mouse.move(x, y);
   const client = await page.context().newCDPSession(page);
   const first = Date.now() / 1000;
-  for (const [clickCount, timestamp] of [[1, first], [2, first + DOUBLE_CLICK_S]]) {
+  for (const [clickCount, timestamp] of [
+    [1, first],
+    [2, first + DOUBLE_CLICK_S],
+  ]) {
     for (const type of ["mousePressed", "mouseReleased"]) {
-      await client.send("Input.dispatchMouseEvent", { type: /** @type {any} */ (type), x, y, button: "left", clickCount, timestamp });
+      await client.send("Input.dispatchMouseEvent", {
+        type: /** @type {any} */ (type),
+        x,
+        y,
+        button: "left",
+        clickCount,
+        timestamp,
+      });
     }
   }
 }

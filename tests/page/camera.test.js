@@ -6,13 +6,18 @@ import { close, open, slide, state } from "./application-page.js";
 
 test("camera: equal times are equal ways at even speed only", async (t) => {
   const page = await open(t, "/camera/");
-  const ways = (even) => page.locator(`[data-even=${even}]`).evaluateAll((ticks) => ticks.map((tick) => Number(tick.dataset.s)));
+  const ways = (even) =>
+    page.locator(`[data-even=${even}]`).evaluateAll((ticks) => ticks.map((tick) => Number(tick.dataset.s)));
   const steps = (list) => list.slice(1).map((s, i) => s - list[i]);
   const even = steps(await ways(true));
   const raw = steps(await ways(false));
   close(Math.max(...even), Math.min(...even), 1e-9);
   assert.ok(Math.max(...raw) > 1.5 * Math.min(...raw), "raw speed is uneven");
-  close(raw.reduce((a, b) => a + b), even.reduce((a, b) => a + b), 1e-9);
+  close(
+    raw.reduce((a, b) => a + b),
+    even.reduce((a, b) => a + b),
+    1e-9,
+  );
   const at = async () => Number(await page.locator("b.t").innerText());
   await slide(page, "Time", 0.5);
   const evenly = await at();
@@ -28,20 +33,25 @@ test("camera: the code on the page finds the place on the page", async (t) => {
   const [, body, , place] = code.match(/^import .+?;\n(.*)\n(cameraAt\(0\.37\))\.position; \/\/ \((.+)\)$/s);
   const cameraAt = new Function("Spline", `${body}; return cameraAt;`)(Spline);
   const { position, forward, up } = cameraAt(0.37);
-  place.replaceAll("−", "-").split(", ").forEach((text, k) => close(position[k], Number(text), 1e-3));
+  place
+    .replaceAll("−", "-")
+    .split(", ")
+    .forEach((text, k) => close(position[k], Number(text), 1e-3));
   close(forward[0] * up[0] + forward[1] * up[1] + forward[2] * up[2], 0, 1e-12);
 });
 
 test("camera: Frenet's frame leaps where the bend changes sides, the minimising one never", async (t) => {
   const page = await open(t, "/camera/");
   assert.ok(parseFloat(await page.locator("b.leap").innerText()) > 90);
-  const ups = (kind) => page.evaluate(async (kind) => {
-    const camera = document.querySelector("camera-path");
-    camera.state = { ...camera.state, frames: kind };
-    await camera.updateComplete;
-    return camera.frames.map(({ normal }) => normal);
-  }, kind);
-  const least = (list) => Math.min(...list.slice(1).map((n, i) => n[0] * list[i][0] + n[1] * list[i][1] + n[2] * list[i][2]));
+  const ups = (kind) =>
+    page.evaluate(async (kind) => {
+      const camera = document.querySelector("camera-path");
+      camera.state = { ...camera.state, frames: kind };
+      await camera.updateComplete;
+      return camera.frames.map(({ normal }) => normal);
+    }, kind);
+  const least = (list) =>
+    Math.min(...list.slice(1).map((n, i) => n[0] * list[i][0] + n[1] * list[i][1] + n[2] * list[i][2]));
   assert.ok(least(await ups("minimising")) > 0.9);
   assert.ok(least(await ups("frenet")) < 0);
   assert.ok((await ups("upright")).every((normal) => normal[2] > 0.5));
@@ -72,7 +82,10 @@ test("camera: points are moved by hand and keys, added, deleted; the address has
   assert.equal((await points()).length, before.length);
   const kept = (await state(page)).points;
   await page.reload();
-  await page.waitForFunction((kept) => JSON.stringify(document.querySelector("camera-path").state.points) === kept, JSON.stringify(kept));
+  await page.waitForFunction(
+    (kept) => JSON.stringify(document.querySelector("camera-path").state.points) === kept,
+    JSON.stringify(kept),
+  );
 });
 
 test("camera: Escape takes a drag back; playing moves, pausing stops", async (t) => {
@@ -99,13 +112,14 @@ test("camera: Escape takes a drag back; playing moves, pausing stops", async (t)
 
 test("camera: both pictures are drawn, and change with the time and the theme", async (t) => {
   const page = await open(t, "/camera/");
-  const picture = (id) => page.evaluate(async (id) => {
-    const camera = document.querySelector("camera-path");
-    await camera.updateComplete;
-    const canvas = camera.shadowRoot.getElementById(id);
-    const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
-    return { inked: data.filter((value, i) => i % 4 === 3 && value > 60).length, url: canvas.toDataURL() };
-  }, id);
+  const picture = (id) =>
+    page.evaluate(async (id) => {
+      const camera = document.querySelector("camera-path");
+      await camera.updateComplete;
+      const canvas = camera.shadowRoot.getElementById(id);
+      const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+      return { inked: data.filter((value, i) => i % 4 === 3 && value > 60).length, url: canvas.toDataURL() };
+    }, id);
   for (const id of ["eye", "outside"]) {
     const first = await picture(id);
     assert.ok(first.inked > 2000, `${id}: ${first.inked}`);
@@ -113,7 +127,10 @@ test("camera: both pictures are drawn, and change with the time and the theme", 
     const second = await picture(id);
     assert.notEqual(second.url, first.url);
     await page.emulateMedia({ colorScheme: "dark" });
-    await page.waitForFunction(([id, url]) => document.querySelector("camera-path").shadowRoot.getElementById(id).toDataURL() !== url, [id, second.url]);
+    await page.waitForFunction(
+      ([id, url]) => document.querySelector("camera-path").shadowRoot.getElementById(id).toDataURL() !== url,
+      [id, second.url],
+    );
     await page.emulateMedia({ colorScheme: "light" });
     await slide(page, "Time", 0);
   }

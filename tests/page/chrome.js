@@ -8,8 +8,16 @@ import { runTests } from "../node-tests.js";
 const WINDOW_FEATURES = ["WebUIOmniboxPopup", "WebUIOmniboxAimPopup", "WebUIOmniboxFullPopup", "PreloadTopChromeWebUI"];
 /** Those that Playwright switches off and that matter here: of two lists of features Chromium reads the last. */
 const PLAYWRIGHT_FEATURES = [
-  "DestroyProfileOnBrowserClose", "HttpsUpgrades", "HttpsFirstBalancedModeAutoEnable", "LensOverlay", "MediaRouter", "PaintHolding",
-  "ThirdPartyStoragePartitioning", "OptimizationHints", "NetworkTimeServiceQuerying", "PreconnectToSearch",
+  "DestroyProfileOnBrowserClose",
+  "HttpsUpgrades",
+  "HttpsFirstBalancedModeAutoEnable",
+  "LensOverlay",
+  "MediaRouter",
+  "PaintHolding",
+  "ThirdPartyStoragePartitioning",
+  "OptimizationHints",
+  "NetworkTimeServiceQuerying",
+  "PreconnectToSearch",
 ];
 
 /** The same as in xtask/src/browser.rs, WebGL2 in software, and some features off. */
@@ -62,7 +70,10 @@ const CONCURRENCY = 2;
 export async function runInSharedBrowser(chosen, env = {}) {
   const browser = await chromium.launchServer({ ...launchOptions(), host: "127.0.0.1" });
   try {
-    return await runTests(chosen, { concurrency: CONCURRENCY, env: { ...env, [BROWSER_ADDRESS]: browser.wsEndpoint() } });
+    return await runTests(chosen, {
+      concurrency: CONCURRENCY,
+      env: { ...env, [BROWSER_ADDRESS]: browser.wsEndpoint() },
+    });
   } finally {
     await browser.close();
   }

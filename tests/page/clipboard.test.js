@@ -13,9 +13,16 @@ test("Run prints what the tests expect; Copy copies what is shown", async (t) =>
   const name = await sample.getAttribute("name");
   await sample.getByRole("button", { name: "Run" }).click();
   await sample.locator("output:not(:empty)").waitFor();
-  assert.equal(await sample.locator("output").textContent(), readFileSync(`${root}www/samples/${name}.txt`, "utf8").trimEnd());
+  assert.equal(
+    await sample.locator("output").textContent(),
+    readFileSync(`${root}www/samples/${name}.txt`, "utf8").trimEnd(),
+  );
   const button = sample.getByRole("button", { name: "Copy" });
-  const said = await button.evaluateHandle((copy) => ({ next: new Promise((resolve) => new MutationObserver(() => resolve(copy.textContent)).observe(copy, { childList: true })) }));
+  const said = await button.evaluateHandle((copy) => ({
+    next: new Promise((resolve) =>
+      new MutationObserver(() => resolve(copy.textContent)).observe(copy, { childList: true }),
+    ),
+  }));
   await button.click();
   assert.equal(await said.evaluate(({ next }) => next), "Copied"); // for two seconds
   const copied = await page.evaluate(() => navigator.clipboard.readText());

@@ -4,14 +4,20 @@ import { test } from "node:test";
 import { intersectionsReported, openPage, QUIET_FRAMES } from "./browser.js";
 import { companionsPage, on, openCompanions, settled, shown, text } from "./companions-page.js";
 
-const t = (page, selector = "bezier-bernstein") => on(page, selector, ({ shadowRoot }) => Number(shadowRoot.querySelector('input[type="range"]').value));
+const t = (page, selector = "bezier-bernstein") =>
+  on(page, selector, ({ shadowRoot }) => Number(shadowRoot.querySelector('input[type="range"]').value));
 const linked = (page) => page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "figure");
 
 test("the companion may stand before the applet, and be there before it is", async (test) => {
   const page = await openCompanions(test, '<bezier-bernstein for="figure"></bezier-bernstein><div id="place"></div>');
-  assert.match(await text(page, "bezier-bernstein .message"), /^for: expected the id of a bezier-applet, got “figure”, which is nowhere\.$/);
+  assert.match(
+    await text(page, "bezier-bernstein .message"),
+    /^for: expected the id of a bezier-applet, got “figure”, which is nowhere\.$/,
+  );
   assert.equal(await t(page), 0.5, "until then its own attributes count");
-  await page.evaluate(() => (document.querySelector("#place").innerHTML = '<p><bezier-applet id="figure" t="0.2"></bezier-applet></p>'));
+  await page.evaluate(
+    () => (document.querySelector("#place").innerHTML = '<p><bezier-applet id="figure" t="0.2"></bezier-applet></p>'),
+  );
   await linked(page);
   await settled(page);
   assert.equal(await t(page), 0.2);
@@ -23,19 +29,39 @@ test("either of the two may be defined first", async (test) => {
   const page = await openCompanions(test, body);
   assert.match(await text(page, "bezier-bernstein .message"), /a late-figure that is not defined/);
   await page.evaluate(() =>
-    customElements.define("late-figure", class extends HTMLElement {
-      figure = { points: [[0, 0], [1, 1]], names: ["A", "B"], basis: "bezier", matrix: null, t: 0.75, segment: 0, pieces: [] };
-      steer() {}
-    }));
+    customElements.define(
+      "late-figure",
+      class extends HTMLElement {
+        figure = {
+          points: [
+            [0, 0],
+            [1, 1],
+          ],
+          names: ["A", "B"],
+          basis: "bezier",
+          matrix: null,
+          t: 0.75,
+          segment: 0,
+          pieces: [],
+        };
+        steer() {}
+      },
+    ),
+  );
   await page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "late");
   assert.equal(await text(page, "bezier-bernstein .message"), "");
 });
 
 test("ids that change are followed, and so are applets that are taken away and put back", async (test) => {
-  const page = await openCompanions(test, '<bezier-applet id="figure" t="0.2"></bezier-applet><bezier-bernstein for="figure"></bezier-bernstein>');
+  const page = await openCompanions(
+    test,
+    '<bezier-applet id="figure" t="0.2"></bezier-applet><bezier-bernstein for="figure"></bezier-bernstein>',
+  );
   await linked(page);
   await page.evaluate(() => (document.querySelector("bezier-applet").id = "other"));
-  await page.waitForFunction(() => /nowhere/.test(document.querySelector("bezier-bernstein").shadowRoot.querySelector(".message").textContent));
+  await page.waitForFunction(() =>
+    /nowhere/.test(document.querySelector("bezier-bernstein").shadowRoot.querySelector(".message").textContent),
+  );
   await page.evaluate(() => (document.querySelector("bezier-bernstein").htmlFor = "other"));
   await page.waitForFunction(() => document.querySelector("bezier-bernstein").target?.id === "other");
   await page.evaluate(() => {
@@ -53,27 +79,50 @@ test("ids that change are followed, and so are applets that are taken away and p
 });
 
 test("an id of something else, none, and every text: a message, nothing breaks", async (test) => {
-  const page = await openCompanions(test, '<p id="text">text</p><bezier-bernstein for="text"></bezier-bernstein><bezier-equation></bezier-equation>');
+  const page = await openCompanions(
+    test,
+    '<p id="text">text</p><bezier-bernstein for="text"></bezier-bernstein><bezier-equation></bezier-equation>',
+  );
   assert.match(await text(page, "bezier-bernstein .message"), /got “text”, a p\.$/);
   for (const word of ["", " ", "#", "<b>", "a b", "\\", '"', "x".repeat(1e5), "0"]) {
     for (const name of ["for", "degree", "t", "basis", "points", "matrix", "form", "label", "theme"]) {
-      await page.evaluate(([name, word]) => document.querySelectorAll("bezier-bernstein, bezier-equation").forEach((each) => each.setAttribute(name, word)), [name, word]);
+      await page.evaluate(
+        ([name, word]) =>
+          document
+            .querySelectorAll("bezier-bernstein, bezier-equation")
+            .forEach((each) => each.setAttribute(name, word)),
+        [name, word],
+      );
     }
     await settled(page);
     assert.ok((await text(page, "bezier-equation .message")).length < 1000);
   }
-  await page.evaluate(() => document.querySelectorAll("bezier-bernstein, bezier-equation").forEach((each) => [...each.attributes].forEach(({ name }) => each.removeAttribute(name))));
+  await page.evaluate(() =>
+    document
+      .querySelectorAll("bezier-bernstein, bezier-equation")
+      .forEach((each) => [...each.attributes].forEach(({ name }) => each.removeAttribute(name))),
+  );
   await settled(page);
-  assert.deepEqual([await text(page, "bezier-bernstein .message"), await text(page, "bezier-equation .message"), await t(page)], ["", "", 0.5]);
+  assert.deepEqual(
+    [await text(page, "bezier-bernstein .message"), await text(page, "bezier-equation .message"), await t(page)],
+    ["", "", 0.5],
+  );
 });
 
 test("inside of a shadow root the link goes to the applet there", async (test) => {
-  const page = await openPage(test, { html: companionsPage('<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>') }, { viewport: { width: 800, height: 2000 } });
+  const page = await openPage(
+    test,
+    { html: companionsPage('<bezier-applet id="figure" t="0.1"></bezier-applet><div id="host"></div>') },
+    { viewport: { width: 800, height: 2000 } },
+  );
   await page.evaluate(() => {
     const root = document.querySelector("#host").attachShadow({ mode: "open" });
-    root.innerHTML = '<bezier-bernstein for="figure"></bezier-bernstein><bezier-applet id="figure" t="0.7"></bezier-applet>';
+    root.innerHTML =
+      '<bezier-bernstein for="figure"></bezier-bernstein><bezier-applet id="figure" t="0.7"></bezier-applet>';
   });
-  await page.waitForFunction(() => document.querySelector("#host").shadowRoot.querySelector("bezier-bernstein").target?.figure.t === 0.7);
+  await page.waitForFunction(
+    () => document.querySelector("#host").shadowRoot.querySelector("bezier-bernstein").target?.figure.t === 0.7,
+  );
 });
 
 /** Everything that a page can be asked to remember, counted. */
@@ -111,12 +160,15 @@ for (const name of ["MutationObserver", "IntersectionObserver", "ResizeObserver"
 const TIMES = 40;
 
 test("removed and put back many times they leave nothing", async (test) => {
-  const page = await openCompanions(test, '<bezier-applet id="figure"></bezier-applet><div id="place"></div>', { script: COUNTING });
+  const page = await openCompanions(test, '<bezier-applet id="figure"></bezier-applet><div id="place"></div>', {
+    script: COUNTING,
+  });
   await page.waitForFunction(() => document.querySelector("bezier-applet").shadowRoot?.querySelector(".handle"));
   await settled(page);
   const alone = await page.evaluate(() => held);
   await page.evaluate(() => {
-    const four = '<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing>';
+    const four =
+      '<bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation><bezier-coordinates for="figure"></bezier-coordinates><bezier-easing></bezier-easing>';
     document.querySelector("#place").innerHTML = four;
   });
   await shown(page);
@@ -147,7 +199,10 @@ test("removed and put back many times they leave nothing", async (test) => {
     document.querySelector("#place").remove();
     let frames = 0;
     const original = requestAnimationFrame;
-    globalThis.requestAnimationFrame = (act) => (frames++, original(act));
+    globalThis.requestAnimationFrame = (act) => {
+      frames++;
+      return original(act);
+    };
     document.querySelector("bezier-applet").steer({ t: 0.11 }, true);
     for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     return frames;
@@ -160,7 +215,10 @@ test("far down the page nothing is fetched or drawn until it comes near", async 
   const page = await openPage(test, { html }, { viewport: { width: 800, height: 600 } });
   await page.waitForFunction(() => customElements.get("bezier-bernstein"));
   await intersectionsReported(page);
-  const fetched = () => page.evaluate(() => performance.getEntriesByType("resource").some(({ name }) => name.endsWith("elements-companions.js")));
+  const fetched = () =>
+    page.evaluate(() =>
+      performance.getEntriesByType("resource").some(({ name }) => name.endsWith("elements-companions.js")),
+    );
   assert.equal(await fetched(), false);
   assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);
   await page.locator("bezier-bernstein").scrollIntoViewIfNeeded();
@@ -172,18 +230,40 @@ test("what could not be fetched is said, and asked for again", async (test) => {
   const page = await openPage(test, "about:blank", { viewport: { width: 800, height: 600 } });
   let broken = true;
   await page.route("**/elements-companions.js", (route) => (broken ? route.abort() : route.continue()));
-  await page.route("**/lost.html", (route) => route.fulfill({ contentType: "text/html", body: companionsPage('<bezier-easing></bezier-easing><div style="height: 3000px"></div>') }));
+  await page.route("**/lost.html", (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: companionsPage('<bezier-easing></bezier-easing><div style="height: 3000px"></div>'),
+    }),
+  );
   await page.goto("/lost.html");
   await page.getByText("could not be loaded").waitFor();
   broken = false;
   // Away and near again, until it has seen both.
-  await page.waitForFunction(() => document.querySelector("bezier-easing").shadowRoot.querySelector(".frame") || (scrollTo(0, scrollY > 1000 ? 0 : 2500), false), null, { polling: "raf" });
+  await page.waitForFunction(
+    () => {
+      if (document.querySelector("bezier-easing").shadowRoot.querySelector(".frame")) return true;
+      scrollTo(0, scrollY > 1000 ? 0 : 2500);
+      return false;
+    },
+    null,
+    { polling: "raf" },
+  );
   page.problems.length = 0;
 });
 
 test("the theme may be other than the page's", async (test) => {
-  const page = await openCompanions(test, '<bezier-bernstein></bezier-bernstein><bezier-bernstein theme="dark"></bezier-bernstein><bezier-bernstein theme="light"></bezier-bernstein><bezier-bernstein theme="pink"></bezier-bernstein>', { colorScheme: "light" });
-  const ground = (which) => on(page, `bezier-bernstein >> nth=${which}`, ({ shadowRoot }) => getComputedStyle(shadowRoot.querySelector("[part=plot]")).backgroundColor);
+  const page = await openCompanions(
+    test,
+    '<bezier-bernstein></bezier-bernstein><bezier-bernstein theme="dark"></bezier-bernstein><bezier-bernstein theme="light"></bezier-bernstein><bezier-bernstein theme="pink"></bezier-bernstein>',
+    { colorScheme: "light" },
+  );
+  const ground = (which) =>
+    on(
+      page,
+      `bezier-bernstein >> nth=${which}`,
+      ({ shadowRoot }) => getComputedStyle(shadowRoot.querySelector("[part=plot]")).backgroundColor,
+    );
   assert.deepEqual([await ground(0), await ground(2), await ground(3)], Array(3).fill("rgb(255, 255, 255)"));
   assert.equal(await ground(1), "rgb(18, 23, 29)");
   await page.emulateMedia({ colorScheme: "dark" });
@@ -191,7 +271,9 @@ test("the theme may be other than the page's", async (test) => {
 });
 
 test("paper shows what no one has scrolled to", async (test) => {
-  const html = companionsPage('<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-equation for="figure"></bezier-equation><div style="height: 4000px"></div><bezier-bernstein for="figure"></bezier-bernstein>');
+  const html = companionsPage(
+    '<bezier-applet id="figure" t="0.25"></bezier-applet><bezier-equation for="figure"></bezier-equation><div style="height: 4000px"></div><bezier-bernstein for="figure"></bezier-bernstein>',
+  );
   const page = await openPage(test, { html }, { viewport: { width: 800, height: 900 } });
   await page.waitForFunction(() => document.querySelector("bezier-equation").shadowRoot?.querySelector("math"));
   assert.equal(await on(page, "bezier-bernstein", ({ shadowRoot }) => shadowRoot.querySelector("svg")), null);

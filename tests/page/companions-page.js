@@ -16,7 +16,11 @@ export const companionsPage = (body, script = "") =>
  * @param {import("playwright-core").BrowserContextOptions & { script?: string }} [options]
  */
 export async function openCompanions(t, body, { script, ...options } = {}) {
-  const page = await openPage(t, { html: companionsPage(body, script) }, { viewport: { width: 800, height: 2000 }, reducedMotion: "reduce", ...options });
+  const page = await openPage(
+    t,
+    { html: companionsPage(body, script) },
+    { viewport: { width: 800, height: 2000 }, reducedMotion: "reduce", ...options },
+  );
   await shown(page);
   return page;
 }
@@ -26,14 +30,24 @@ const STILL_FRAMES = 3;
 
 /** Waits until every element of the page shows something, and nothing moves any more. */
 export async function shown(page) {
-  await page.waitForFunction(() => [...document.querySelectorAll("bezier-bernstein, bezier-equation, bezier-coordinates, bezier-easing")].every((each) => each.shadowRoot?.querySelector(".frame, .quiet")));
-  await page.waitForFunction(() => [...document.querySelectorAll("bezier-applet")].every((each) => each.shadowRoot?.querySelector(".handle")));
-  await page.waitForFunction((frames) => {
-    const height = document.documentElement.scrollHeight;
-    globalThis.framesOfHeight = height === globalThis.heightBefore ? globalThis.framesOfHeight + 1 : 0;
-    globalThis.heightBefore = height;
-    return globalThis.framesOfHeight >= frames;
-  }, STILL_FRAMES, { polling: "raf" });
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("bezier-bernstein, bezier-equation, bezier-coordinates, bezier-easing")].every(
+      (each) => each.shadowRoot?.querySelector(".frame, .quiet"),
+    ),
+  );
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("bezier-applet")].every((each) => each.shadowRoot?.querySelector(".handle")),
+  );
+  await page.waitForFunction(
+    (frames) => {
+      const height = document.documentElement.scrollHeight;
+      globalThis.framesOfHeight = height === globalThis.heightBefore ? globalThis.framesOfHeight + 1 : 0;
+      globalThis.heightBefore = height;
+      return globalThis.framesOfHeight >= frames;
+    },
+    STILL_FRAMES,
+    { polling: "raf" },
+  );
 }
 
 /** Waits until what was changed is drawn. */
@@ -52,11 +66,13 @@ export const heard = (page) => page.evaluate(() => globalThis.heard.splice(0));
 export const on = (page, selector, act, given) => page.locator(selector).evaluate(act, given);
 
 /** Pastes a text into a field. */
-export async function paste(page, locator, text) {
+export async function paste(locator, text) {
   await locator.focus();
   await locator.evaluate((field, pasted) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text", pasted);
-    field.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, composed: true, cancelable: true }));
+    field.dispatchEvent(
+      new ClipboardEvent("paste", { clipboardData, bubbles: true, composed: true, cancelable: true }),
+    );
   }, text);
 }

@@ -6,16 +6,31 @@ import { openPage, root } from "./browser.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS = [
-  "parameter", "quadratic", "bernstein", "basis-matrix", "de-casteljau", "properties", "splitting", "joining",
-  "higher-degrees", "splines", "recursive-rendering", "uses",
+  "parameter",
+  "quadratic",
+  "bernstein",
+  "basis-matrix",
+  "de-casteljau",
+  "properties",
+  "splitting",
+  "joining",
+  "higher-degrees",
+  "splines",
+  "recursive-rendering",
+  "uses",
 ];
 
 /** Everything that draws. Those of the package draw on a canvas once they are near; the site's own draw an SVG. */
-const FIGURES = "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-binomial, fig-bytes, fig-compare, fig-costs, fig-curve-3d, fig-parabola, fig-pyramid, fig-reorder, fig-rounding, fig-speed)";
+const FIGURES =
+  "main :is(bezier-applet, bezier-bernstein, bezier-equation, bezier-easing, fig-affine, fig-binomial, fig-bytes, fig-compare, fig-costs, fig-curve-3d, fig-parabola, fig-pyramid, fig-reorder, fig-rounding, fig-speed)";
 
 /** @param {import("node:test").TestContext} t */
 async function open(t, options = {}) {
-  const page = await openPage(t, "/curves/", { viewport: { width: 1100, height: 800 }, reducedMotion: "reduce", ...options });
+  const page = await openPage(t, "/curves/", {
+    viewport: { width: 1100, height: 800 },
+    reducedMotion: "reduce",
+    ...options,
+  });
   await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("lesson-task"));
   return page;
 }
@@ -42,7 +57,10 @@ async function task(page, name, guess) {
 
 /** Waits until a task is done. */
 async function done(page, name) {
-  await page.waitForFunction((name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done", name);
+  await page.waitForFunction(
+    (name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done",
+    name,
+  );
   return page.locator(`lesson-task[name="${name}"] .words`).innerText();
 }
 
@@ -64,12 +82,23 @@ test("every figure draws when the reader comes near, and the console stays clean
 test("the sections, and every place that the list of the texts links to, are there", async (t) => {
   const page = await open(t);
   assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
-  const bare = await page.locator("main > section").evaluateAll((all) => all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id));
+  const bare = await page
+    .locator("main > section")
+    .evaluateAll((all) =>
+      all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id),
+    );
   assert.deepEqual(bare, [], "each has a task and a sample");
   const listed = (await readFile(`${root}www/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
-  const missing = await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), Array.from(listed, ([, id]) => id));
+  const missing = await page.evaluate(
+    (ids) => ids.filter((id) => !document.getElementById(id)),
+    Array.from(listed, ([, id]) => id),
+  );
   assert.deepEqual(missing, []);
-  const own = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map(({ hash }) => hash.slice(1)).filter((id) => !document.getElementById(id)));
+  const own = await page.evaluate(() =>
+    [...document.querySelectorAll('a[href^="#"]')]
+      .map(({ hash }) => hash.slice(1))
+      .filter((id) => !document.getElementById(id)),
+  );
   assert.deepEqual(own, []);
   assert.equal(await page.locator("#de-casteljau h2 .permalink").getAttribute("href"), "#de-casteljau");
 });
@@ -151,7 +180,8 @@ test("the matrix: a basis by its name, then numbers typed, NaN refused", async (
   assert.match(await done(page, "basis-through"), /from P1 to P2/);
   const fields = page.locator("#matrix input");
   await page.waitForFunction(() => document.querySelector("#matrix input").value === "−0.5");
-  for (const [i, value] of [0, 0, 0, 0, 0, 0, 0, 0, "−1", 0, 0, 1, 1, 0, 0, 0].entries()) await fields.nth(i).fill(String(value));
+  for (const [i, value] of [0, 0, 0, 0, 0, 0, 0, 0, "−1", 0, 0, 1, 1, 0, 0, 0].entries())
+    await fields.nth(i).fill(String(value));
   await done(page, "straight-matrix");
   await fields.nth(0).fill("NaN");
   assert.match(await page.locator("#matrix .words").innerText(), /NaN is no number/);
@@ -163,21 +193,31 @@ test("figures that share their points move together, and a dashed curve lies whe
   const page = await open(t);
   const four = page.locator("#figure-bases bezier-applet");
   await four.first().scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => document.querySelector("#figure-bases bezier-applet").shadowRoot.querySelector("[data-index]"));
+  await page.waitForFunction(() =>
+    document.querySelector("#figure-bases bezier-applet").shadowRoot.querySelector("[data-index]"),
+  );
   await four.first().locator("[data-index='1'] input").first().focus();
   await page.keyboard.press("Shift+ArrowUp");
-  for (const points of await four.evaluateAll((all) => all.map(({ points }) => points[1]))) assert.deepEqual(points, [190, 100]);
+  for (const points of await four.evaluateAll((all) => all.map(({ points }) => points[1])))
+    assert.deepEqual(points, [190, 100]);
 
   const large = await near(page, "quadratic-steps");
   await large.getByRole("slider", { name: "t", exact: true }).fill("0.2");
-  assert.deepEqual(await page.locator("#figure-steps bezier-applet").evaluateAll((all) => all.map(({ t }) => t)), [0.2, 0.2, 0.2]);
+  assert.deepEqual(
+    await page.locator("#figure-steps bezier-applet").evaluateAll((all) => all.map(({ t }) => t)),
+    [0.2, 0.2, 0.2],
+  );
 
   const match = await near(page, "match");
   await task(page, "match-shape");
   await page.locator('lesson-task[name="match-shape"]').getByRole("button", { name: "Reveal" }).click();
   assert.match(await page.locator('lesson-task[name="match-shape"] .words').innerText(), /Within 0\.00 px/);
-  const [picture, dashed] = await Promise.all([match.locator("canvas").boundingBox(), page.locator("#figure-match .target > svg").boundingBox()]);
-  for (const side of ["x", "y", "width", "height"]) assert.ok(Math.abs(picture[side] - dashed[side]) < 2.5, `${side}: ${picture[side]} and ${dashed[side]}`);
+  const [picture, dashed] = await Promise.all([
+    match.locator("canvas").boundingBox(),
+    page.locator("#figure-match .target > svg").boundingBox(),
+  ]);
+  for (const side of ["x", "y", "width", "height"])
+    assert.ok(Math.abs(picture[side] - dashed[side]) < 2.5, `${side}: ${picture[side]} and ${dashed[side]}`);
 });
 
 test("what can be seen before the scripts: pictures of the applets, the text, the code", async (t) => {
@@ -190,12 +230,21 @@ test("what can be seen before the scripts: pictures of the applets, the text, th
 /** Scrolls through the page, so that everything starts. */
 async function walk(page) {
   for (const handle of await page.locator(FIGURES).elementHandles()) await handle.scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => [...document.querySelectorAll("bezier-applet")].every((element) => element.shadowRoot.querySelector("[data-index]")));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("bezier-applet")].every((element) =>
+      element.shadowRoot.querySelector("[data-index]"),
+    ),
+  );
 }
 
 test("on a narrow phone nothing scrolls sideways", async (t) => {
   const page = await open(t, PHONE);
   await walk(page);
-  const wide = await page.evaluate(() => [document.documentElement.scrollWidth, ...[...document.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix")).map((e) => e.outerHTML.slice(0, 80))]);
+  const wide = await page.evaluate(() => [
+    document.documentElement.scrollWidth,
+    ...[...document.querySelectorAll("main *")]
+      .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest(".scroll, math, svg, pre, .matrix"))
+      .map((e) => e.outerHTML.slice(0, 80)),
+  ]);
   assert.deepEqual(wide, [360]);
 });

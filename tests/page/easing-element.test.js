@@ -9,13 +9,17 @@ const value = (page) => on(page, "bezier-easing", (element) => element.value);
 const handleBox = (page, index) => page.locator(`bezier-easing .handle[data-index="${index}"]`).boundingBox();
 const centre = ({ x, y, width, height }) => [x + width / 2, y + height / 2];
 
-const TWO = '<bezier-easing name="a" label="Way in"></bezier-easing><bezier-easing label="Way out" required></bezier-easing>';
+const TWO =
+  '<bezier-easing name="a" label="Way in"></bezier-easing><bezier-easing label="Way out" required></bezier-easing>';
 
 test("it is accessible, light and dark", async (t) => {
   await assertAccessibleInBothThemes(await openCompanions(t, TWO), settled);
 });
 
-for (const [options, least] of [[{}, 24], [{ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }, 44]]) {
+for (const [options, least] of [
+  [{}, 24],
+  [{ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }, 44],
+]) {
   test(`it fits its page, and handles are ${least} pixels large at least`, async (t) => {
     const page = await openCompanions(t, TWO, options);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
@@ -43,7 +47,9 @@ test("a handle is dragged: x stays within 0 and 1, y may leave the square; input
   await settled(page);
   const inside = await page.evaluate(() => {
     const { shadowRoot } = document.querySelector("bezier-easing");
-    const [stage, handle] = [".stage", ".handle"].map((selector) => shadowRoot.querySelector(selector).getBoundingClientRect());
+    const [stage, handle] = [".stage", ".handle"].map((selector) =>
+      shadowRoot.querySelector(selector).getBoundingClientRect(),
+    );
     return handle.top + handle.height / 2 > stage.top;
   });
   assert.ok(inside, "the picture makes room for it");
@@ -66,7 +72,11 @@ test("Escape takes a drag back", async (t) => {
 test("two fingers move both handles", async (t) => {
   const page = await openCompanions(t, "<bezier-easing></bezier-easing>", { hasTouch: true });
   const session = await page.context().newCDPSession(page);
-  const points = [centre(await handleBox(page, 0)), centre(await handleBox(page, 1))].map(([x, y], id) => ({ x, y, id }));
+  const points = [centre(await handleBox(page, 0)), centre(await handleBox(page, 1))].map(([x, y], id) => ({
+    x,
+    y,
+    id,
+  }));
   await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points });
   const moved = points.map(({ x, y, id }) => ({ x: x + 30, y: y + (id ? 30 : -30), id }));
   await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: moved });
@@ -84,7 +94,10 @@ test("by the keyboard alone: handles, numbers, presets", async (t) => {
   for (let i = 0; i < 4; i++) await page.keyboard.press("Shift+ArrowLeft");
   assert.equal(await value(page), "cubic-bezier(0, 0.2, 0.25, 1)", "no farther than 0");
   await page.keyboard.press("Tab");
-  assert.equal(await page.evaluate(() => document.activeElement.shadowRoot.activeElement.getAttribute("aria-label")), "Second handle x");
+  assert.equal(
+    await page.evaluate(() => document.activeElement.shadowRoot.activeElement.getAttribute("aria-label")),
+    "Second handle x",
+  );
   await page.keyboard.press("Tab");
   await page.keyboard.type("linear");
   await settled(page);
@@ -106,18 +119,35 @@ test("numbers that are none, or out of range, are refused at their field", async
   await field.fill("");
   await page.keyboard.press("Tab");
   assert.match(await text(page, "bezier-easing .error"), /got nothing; 0\.25 is kept/);
-  await paste(page, field, "fast");
+  await paste(field, "fast");
   assert.match(await text(page, "bezier-easing .error"), /got “fast”/);
-  await paste(page, field, "cubic-bezier(.1, .2, .3, .4)");
+  await paste(field, "cubic-bezier(.1, .2, .3, .4)");
   assert.equal(await value(page), "cubic-bezier(0.1, 0.2, 0.3, 0.4)");
 });
 
 test("any text as value: what is good is taken, the rest is said and changes nothing", async (t) => {
   const page = await openCompanions(t, '<bezier-easing value="ease-in"></bezier-easing>');
   assert.equal(await value(page), "cubic-bezier(0.42, 0, 1, 1)");
-  const set = (text) => on(page, "bezier-easing", (element, text) => ((element.value = text), element.value), text);
+  const set = (text) =>
+    on(
+      page,
+      "bezier-easing",
+      (element, text) => {
+        element.value = text;
+        return element.value;
+      },
+      text,
+    );
   assert.equal(await set("CUBIC-BEZIER(0,2,1,-1)"), "cubic-bezier(0, 2, 1, -1)");
-  for (const bad of ["steps(4)", "cubic-bezier(2, 0, 0, 0)", "cubic-bezier(0, 1e999, 0, 0)", "cubic-bezier(0, NaN, 0, 0)", "<script>", "x".repeat(1e6), "cubic-bezier(" + "1,".repeat(1e5) + "1)"]) {
+  for (const bad of [
+    "steps(4)",
+    "cubic-bezier(2, 0, 0, 0)",
+    "cubic-bezier(0, 1e999, 0, 0)",
+    "cubic-bezier(0, NaN, 0, 0)",
+    "<script>",
+    "x".repeat(1e6),
+    `cubic-bezier(${"1,".repeat(1e5)}1)`,
+  ]) {
     assert.equal(await set(bad), "cubic-bezier(0, 2, 1, -1)");
     await settled(page);
     const message = await text(page, "bezier-easing .message");
@@ -138,10 +168,11 @@ test("in a form: value, name, reset, required, validity, label, fieldset", async
   const first = page.locator("bezier-easing").first();
   assert.deepEqual(await data(page), ["motion=cubic-bezier(0, 0, 0.58, 1)", "other="]);
   assert.equal(await page.evaluate(() => document.forms[0].checkValidity()), false);
-  const state = (which) => page.evaluate((which) => {
-    const { validity, validationMessage, willValidate, form } = document.querySelectorAll("bezier-easing")[which];
-    return [validity.valid, validity.valueMissing, validationMessage, willValidate, form === document.forms[0]];
-  }, which);
+  const state = (which) =>
+    page.evaluate((which) => {
+      const { validity, validationMessage, willValidate, form } = document.querySelectorAll("bezier-easing")[which];
+      return [validity.valid, validity.valueMissing, validationMessage, willValidate, form === document.forms[0]];
+    }, which);
   assert.deepEqual(await state(0), [true, false, "", true, true]);
   assert.deepEqual(await state(1), [false, true, "Choose an easing.", true, true]);
   assert.equal(await page.locator("bezier-easing:invalid").count(), 1);
@@ -173,7 +204,9 @@ test("a click on its label goes into it; what is missing is shown and focused wh
 
 test("the browser gives back what was chosen", async (t) => {
   const page = await openCompanions(t, FORM);
-  await on(page, "bezier-easing >> nth=0", (element) => element.formStateRestoreCallback("cubic-bezier(0.1, 0.2, 0.3, 0.4)", "restore"));
+  await on(page, "bezier-easing >> nth=0", (element) =>
+    element.formStateRestoreCallback("cubic-bezier(0.1, 0.2, 0.3, 0.4)", "restore"),
+  );
   assert.equal((await data(page))[0], "motion=cubic-bezier(0.1, 0.2, 0.3, 0.4)");
 });
 
@@ -183,40 +216,67 @@ test("the attribute is what it begins with: it counts until the user or the page
   });
   assert.equal(await value(page), "cubic-bezier(0, 0, 1, 1)", "written before it was defined");
   await on(page, "bezier-easing", (element) => element.setAttribute("value", "ease-in"));
-  assert.deepEqual(await on(page, "bezier-easing", ({ value, defaultValue }) => [value, defaultValue]), ["cubic-bezier(0, 0, 1, 1)", "ease-in"]);
+  assert.deepEqual(await on(page, "bezier-easing", ({ value, defaultValue }) => [value, defaultValue]), [
+    "cubic-bezier(0, 0, 1, 1)",
+    "ease-in",
+  ]);
 });
 
 test("the ball moves as the easing has it: at once after a change, or by the button", async (t) => {
-  const page = await openCompanions(t, '<bezier-easing value="linear"></bezier-easing>', { reducedMotion: "no-preference" });
-  const left = () => on(page, "bezier-easing", ({ shadowRoot }) => parseFloat(shadowRoot.querySelector(".ball").style.insetInlineStart || "20"));
+  const page = await openCompanions(t, '<bezier-easing value="linear"></bezier-easing>', {
+    reducedMotion: "no-preference",
+  });
+  const left = () =>
+    on(page, "bezier-easing", ({ shadowRoot }) =>
+      parseFloat(shadowRoot.querySelector(".ball").style.insetInlineStart || "20"),
+    );
   assert.equal(await left(), 20);
   await page.getByLabel("Preset").selectOption("ease");
-  await page.waitForFunction(() => parseFloat(document.querySelector("bezier-easing").shadowRoot.querySelector(".ball").style.insetInlineStart) === 80);
+  await page.waitForFunction(
+    () =>
+      parseFloat(document.querySelector("bezier-easing").shadowRoot.querySelector(".ball").style.insetInlineStart) ===
+      80,
+  );
 });
 
 test("for those who want less motion nothing moves before they ask", async (t) => {
   const page = await openCompanions(t, "<bezier-easing></bezier-easing>");
   await page.evaluate(() => {
-    globalThis.frames = 0;
+    globalThis.frameCount = 0;
     globalThis.original = requestAnimationFrame;
-    globalThis.requestAnimationFrame = (act) => (frames++, original(act));
+    globalThis.requestAnimationFrame = (act) => {
+      globalThis.frameCount++;
+      return original(act);
+    };
   });
   await page.getByLabel("Preset").selectOption("linear");
-  assert.equal(await page.evaluate(() => frames), 0);
+  assert.equal(await page.evaluate(() => globalThis.frameCount), 0);
   await page.getByRole("button", { name: "Play" }).click();
-  await page.waitForFunction(() => frames > 2);
-  const more = await on(page, "bezier-easing", async (element, quiet) => {
-    element.remove();
-    const before = frames;
-    for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
-    return frames - before;
-  }, QUIET_FRAMES);
+  await page.waitForFunction(() => globalThis.frameCount > 2);
+  const more = await on(
+    page,
+    "bezier-easing",
+    async (element, quiet) => {
+      element.remove();
+      const before = frames;
+      for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
+      return frames - before;
+    },
+    QUIET_FRAMES,
+  );
   assert.equal(more, 0);
 });
 
 test("far down the page, a field that is missing is found when the form is sent", async (t) => {
   const page = await openCompanions(t, "<p></p>", { viewport: { width: 600, height: 400 } });
-  await page.evaluate(() => document.querySelector("main").insertAdjacentHTML("beforeend", '<form><div style="height: 3000px"></div><bezier-easing name="far" required></bezier-easing></form>'));
+  await page.evaluate(() =>
+    document
+      .querySelector("main")
+      .insertAdjacentHTML(
+        "beforeend",
+        '<form><div style="height: 3000px"></div><bezier-easing name="far" required></bezier-easing></form>',
+      ),
+  );
   assert.deepEqual(await data(page), ["far="]);
   assert.equal(await page.evaluate(() => document.forms[0].reportValidity()), false);
   await shown(page);

@@ -11,11 +11,19 @@ const ATTRIBUTES = { "bezier-surface": { model: "patch", segments: "2" } };
 /** A page on a server of its own, with a strict policy; its script defines the elements of every bundle in `bundles`. */
 export async function openStrict(t, { bundles = ["/dist/"], body = "", ...options } = {}) {
   const server = await serve({ "/dist/": `${root}dist`, "/copy/": `${root}dist` }, { "Content-Security-Policy": CSP });
-  const page = await openPage(t, "about:blank", { baseURL: server.url, viewport: { width: 800, height: 900 }, reducedMotion: "reduce", ...options });
+  const page = await openPage(t, "about:blank", {
+    baseURL: server.url,
+    viewport: { width: 800, height: 900 },
+    reducedMotion: "reduce",
+    ...options,
+  });
   t.after(server.close); // when the page is closed
   await keepLedger(page);
   const scripts = bundles.map((folder) => `<script type="module" src="${folder}elements.js"></script>`).join("");
-  server.pages.set("/index.html", `<!doctype html><html lang="en"><meta charset="utf-8"><title>Host</title>${scripts}<body>${body}<main></main></body></html>`);
+  server.pages.set(
+    "/index.html",
+    `<!doctype html><html lang="en"><meta charset="utf-8"><title>Host</title>${scripts}<body>${body}<main></main></body></html>`,
+  );
   await page.goto("/index.html");
   await page.waitForFunction(() => globalThis.ledger.names.length > 0);
   return page;
@@ -59,4 +67,7 @@ export const comeAndGo = (page, times) =>
 
 /** Waits until all have begun again, which they do a little after they came: as much is alive as there was. */
 export const begunAgain = (page, { listeners, observers }) =>
-  page.waitForFunction(([listeners, observers]) => ledger.count().listeners >= listeners && ledger.count().observers >= observers, [listeners, observers]);
+  page.waitForFunction(
+    ([listeners, observers]) => ledger.count().listeners >= listeners && ledger.count().observers >= observers,
+    [listeners, observers],
+  );

@@ -50,7 +50,11 @@ test("two copies of the bundle on one page: the first defines, both work", async
   assert.equal(new Set(names).size, names.length, `${names}`);
   const made = await page.evaluate(async () => {
     const [first, second] = await Promise.all([import("/dist/elements.js"), import("/copy/elements.js")]);
-    return Object.entries(second).map(([name, type]) => [name, type === first[name], new type() instanceof HTMLElement]);
+    return Object.entries(second).map(([name, type]) => [
+      name,
+      type === first[name],
+      new type() instanceof HTMLElement,
+    ]);
   });
   assert.ok(made.length > 0);
   for (const [name, same, element] of made) assert.ok(same && element, name);
@@ -60,7 +64,9 @@ test("under a strict policy every kind of element is drawn, styled, and the cons
   const page = await openStrict(t);
   await populate(page);
   await settled(page);
-  const sheets = await page.evaluate(() => all.map(({ localName, shadowRoot }) => [localName, shadowRoot.adoptedStyleSheets.length]));
+  const sheets = await page.evaluate(() =>
+    all.map(({ localName, shadowRoot }) => [localName, shadowRoot.adoptedStyleSheets.length]),
+  );
   for (const [name, count] of sheets) assert.ok(count > 0, name);
 });
 
@@ -69,7 +75,12 @@ test("where what draws cannot be fetched every kind says so, and asks again when
   const parts = /elements-(applet|companions|surface)\.js/;
   await page.route(parts, (route) => route.abort());
   const names = await populate(page);
-  const saying = (count) => page.waitForFunction((count) => all.filter(({ shadowRoot }) => /could not be (loaded|fetched)/.test(shadowRoot.textContent)).length === count, count);
+  const saying = (count) =>
+    page.waitForFunction(
+      (count) =>
+        all.filter(({ shadowRoot }) => /could not be (loaded|fetched)/.test(shadowRoot.textContent)).length === count,
+      count,
+    );
   await saying(names.length);
   await page.unroute(parts);
   await page.evaluate(() => {

@@ -5,12 +5,17 @@ import { Path } from "../../dist/index.js";
 import { close, open, PHONE, slide, state } from "./application-page.js";
 
 /** The outline of the page as a Path of ours. */
-const outline = async (page) => Path.fromJSON(await page.evaluate(() => document.querySelector("glyph-editor").path.toJSON()));
+const outline = async (page) =>
+  Path.fromJSON(await page.evaluate(() => document.querySelector("glyph-editor").path.toJSON()));
 const data = (page) => page.getByLabel("SVG path data");
 
 test("glyph: letters are inked where their contours wind, holes are holes", async (t) => {
   const page = await open(t, "/glyph/");
-  for (const [name, inside, hole] of [["a", [570, 600], [400, 650]], ["R", [200, 400], [400, 300]], ["&", [470, 560], [380, 250]]]) {
+  for (const [name, inside, hole] of [
+    ["a", [570, 600], [400, 650]],
+    ["R", [200, 400], [400, 300]],
+    ["&", [470, 560], [380, 250]],
+  ]) {
     await page.getByRole("button", { name, exact: true }).click();
     const path = await outline(page);
     assert.ok(path.windingNumber(inside) > 0, `${name} has ink`);
@@ -84,10 +89,18 @@ test("glyph: points are added without changing the outline, and healed away agai
 test("glyph: path data in; what is none is refused with its place, the last good outline kept", async (t) => {
   const page = await open(t, "/glyph/");
   const good = await data(page).inputValue();
-  for (const [wrong, reason] of [["M10 10 L", /character/], ["hello", /character 0/], ["", /at least one/], [`M0 0${"h1v1".repeat(3000)}`, /at most 2000/]]) {
+  for (const [wrong, reason] of [
+    ["M10 10 L", /character/],
+    ["hello", /character 0/],
+    ["", /at least one/],
+    [`M0 0${"h1v1".repeat(3000)}`, /at most 2000/],
+  ]) {
     await data(page).fill(wrong);
     await data(page).blur();
-    await page.waitForFunction((reason) => new RegExp(reason).test(document.querySelector("glyph-editor").problem), reason.source);
+    await page.waitForFunction(
+      (reason) => new RegExp(reason).test(document.querySelector("glyph-editor").problem),
+      reason.source,
+    );
     assert.match(await page.locator(".problem").innerText(), /^Not taken: .+The last good outline is kept\.$/s);
     assert.equal(await page.evaluate(() => document.querySelector("glyph-editor").path.toSVG({ precision: 2 })), good);
   }
@@ -98,7 +111,10 @@ test("glyph: path data in; what is none is refused with its place, the last good
   assert.equal(await page.locator(".problem").innerText(), "");
   const kept = await state(page);
   await page.reload();
-  await page.waitForFunction((d) => document.querySelector("glyph-editor")?.path?.toSVG({ precision: 2 }) === d, kept.d);
+  await page.waitForFunction(
+    (d) => document.querySelector("glyph-editor")?.path?.toSVG({ precision: 2 }) === d,
+    kept.d,
+  );
 });
 
 test("glyph: quadratics within the tolerance, measured", async (t) => {
@@ -111,8 +127,13 @@ test("glyph: quadratics within the tolerance, measured", async (t) => {
     await page.getByRole("button", { name: "Make it quadratic" }).click();
     const quadratic = await outline(page);
     assert.ok(quadratic.subpaths.every((spline) => spline.degrees.every((degree) => degree <= 2)));
-    assert.equal(Number(await page.locator("td.theirs").innerText()), quadratic.subpaths.reduce((sum, spline) => sum + spline.controlPoints().length / 2, 0));
-    const far = before.equidistantTimes(900).map(({ subpath, t }) => quadratic.nearest(Object.values(before.subpaths[subpath].eval(t))).distance);
+    assert.equal(
+      Number(await page.locator("td.theirs").innerText()),
+      quadratic.subpaths.reduce((sum, spline) => sum + spline.controlPoints().length / 2, 0),
+    );
+    const far = before
+      .equidistantTimes(900)
+      .map(({ subpath, t }) => quadratic.nearest(Object.values(before.subpaths[subpath].eval(t))).distance);
     close(Math.max(...far), error, 0.05 * error);
     await page.getByRole("button", { name: "Undo" }).click();
   }
@@ -135,17 +156,22 @@ test("glyph: where boxes for fingers overlap, the nearest handle is taken", asyn
   const page = await open(t, "/glyph/", PHONE);
   const first = page.locator(".handle").first();
   await first.scrollIntoViewIfNeeded();
-  const centres = await page.locator(".handle").evaluateAll((handles) => handles.map((handle) => {
-    const { x, y, width, height } = handle.getBoundingClientRect();
-    return { x: x + width / 2, y: y + height / 2, width, name: handle.querySelector("input").ariaLabel };
-  }));
+  const centres = await page.locator(".handle").evaluateAll((handles) =>
+    handles.map((handle) => {
+      const { x, y, width, height } = handle.getBoundingClientRect();
+      return { x: x + width / 2, y: y + height / 2, width, name: handle.querySelector("input").ariaLabel };
+    }),
+  );
   assert.ok(centres.length > 30 && centres[0].width >= 44, "boxes for fingers");
   const seen = centres.filter(({ y }) => y > 0 && y < 740).slice(0, 16);
   for (const { x, y, name } of seen) {
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.up();
-    assert.equal(await page.evaluate(() => document.querySelector("glyph-editor").shadowRoot.activeElement.ariaLabel), name);
+    assert.equal(
+      await page.evaluate(() => document.querySelector("glyph-editor").shadowRoot.activeElement.ariaLabel),
+      name,
+    );
   }
 });
 
@@ -158,7 +184,17 @@ test("glyph: two fingers zoom", async (t) => {
   const before = await units();
   const { x, y, width } = await sheet.boundingBox();
   const cdp = await page.context().newCDPSession(page);
-  const touch = (type, apart) => cdp.send("Input.dispatchTouchEvent", { type, touchPoints: apart === null ? [] : [{ x: x + 6, y: y + 20, id: 1 }, { x: x + 6 + apart, y: y + 20, id: 2 }] });
+  const touch = (type, apart) =>
+    cdp.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints:
+        apart === null
+          ? []
+          : [
+              { x: x + 6, y: y + 20, id: 1 },
+              { x: x + 6 + apart, y: y + 20, id: 2 },
+            ],
+    });
   await touch("touchStart", 0.25 * width);
   for (const part of [0.3, 0.35, 0.4, 0.45, 0.5]) await touch("touchMove", part * width);
   await touch("touchEnd", null);

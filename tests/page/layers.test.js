@@ -3,17 +3,36 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./browser.js";
 
-const LIGHT = { curve: [0, 114, 178], handle: [213, 94, 0], level1: [0, 158, 115], level2: [204, 121, 167], paper: [255, 255, 255] };
-const DARK = { curve: [86, 180, 233], handle: [230, 159, 0], level1: [0, 158, 115], level2: [204, 121, 167], paper: [18, 23, 29] };
+const LIGHT = {
+  curve: [0, 114, 178],
+  handle: [213, 94, 0],
+  level1: [0, 158, 115],
+  level2: [204, 121, 167],
+  paper: [255, 255, 255],
+};
+const DARK = {
+  curve: [86, 180, 233],
+  handle: [230, 159, 0],
+  level1: [0, 158, 115],
+  level2: [204, 121, 167],
+  paper: [18, 23, 29],
+};
 
 /** A page with one element, as wide as its box; waits until the picture is there. */
 async function openApplet(t, attributes, options = {}) {
   const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark"><title>Layers</title>
     <body style="margin: 0"><main><h1 style="margin: 0">Layers</h1><bezier-applet ${attributes}></bezier-applet></main><script type="module" src="./dist/elements.js"></script></body></html>`;
-  const page = await openPage(t, { html }, { viewport: { width: 700, height: 900 }, reducedMotion: "reduce", ...options });
+  const page = await openPage(
+    t,
+    { html },
+    { viewport: { width: 700, height: 900 }, reducedMotion: "reduce", ...options },
+  );
   await page.waitForFunction(() => {
     const canvas = document.querySelector("bezier-applet")?.shadowRoot?.querySelector("canvas");
-    return canvas?.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((x) => x > 0);
+    return canvas
+      ?.getContext("2d")
+      .getImageData(0, 0, canvas.width, canvas.height)
+      .data.some((x) => x > 0);
   });
   return page;
 }
@@ -33,8 +52,14 @@ const count = (page, colour, [x, y] = [335, 240], radius = 1000) =>
     ([[r, g, b], x, y, radius]) => {
       const canvas = document.querySelector("bezier-applet").shadowRoot.querySelector("canvas");
       const scale = canvas.width / 670;
-      const [left, top] = [Math.max(0, Math.round((x - radius) * scale)), Math.max(0, Math.round((y - radius) * scale))];
-      const [right, bottom] = [Math.min(canvas.width, Math.round((x + radius) * scale)), Math.min(canvas.height, Math.round((y + radius) * scale))];
+      const [left, top] = [
+        Math.max(0, Math.round((x - radius) * scale)),
+        Math.max(0, Math.round((y - radius) * scale)),
+      ];
+      const [right, bottom] = [
+        Math.min(canvas.width, Math.round((x + radius) * scale)),
+        Math.min(canvas.height, Math.round((y + radius) * scale)),
+      ];
       const { data } = canvas.getContext("2d").getImageData(left, top, right - left, bottom - top);
       let found = 0;
       for (let i = 0; i < data.length; i += 4) {
@@ -109,7 +134,10 @@ test("the exported SVG shows what the canvas shows", async (t) => {
       return context.getImageData(0, 0, 670, 480).data;
     };
     const own = element.shadowRoot.querySelector("canvas");
-    const [a, b] = [pixels((context) => context.drawImage(own, 0, 0, 670, 480)), pixels((context) => context.drawImage(picture, 0, 0, 670, 480))];
+    const [a, b] = [
+      pixels((context) => context.drawImage(own, 0, 0, 670, 480)),
+      pixels((context) => context.drawImage(picture, 0, 0, 670, 480)),
+    ];
     const apart = (i, k) => Math.abs(a[i] - b[k]) + Math.abs(a[i + 1] - b[k + 1]) + Math.abs(a[i + 2] - b[k + 2]);
     const around = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => 4 * (670 * dy + dx))); // edges may fall on the next pixel
     let [differing, drawn] = [0, 0];

@@ -3,9 +3,27 @@
 
 /** Runs in the page. */
 function keep() {
-  const live = { listeners: new Map(), frames: new Set(), intervals: new Set(), observed: new Map(), contexts: 0, made: 0 };
-  const beyond = (target) => target === window || target === document || target === document?.documentElement || target === document?.body || target instanceof MediaQueryList || target === window.visualViewport || target === document?.fonts;
-  const keyOf = (type, listener, options) => [type, Boolean(typeof options === "object" ? options?.capture : options), listener];
+  const live = {
+    listeners: new Map(),
+    frames: new Set(),
+    intervals: new Set(),
+    observed: new Map(),
+    contexts: 0,
+    made: 0,
+  };
+  const beyond = (target) =>
+    target === window ||
+    target === document ||
+    target === document?.documentElement ||
+    target === document?.body ||
+    target instanceof MediaQueryList ||
+    target === window.visualViewport ||
+    target === document?.fonts;
+  const keyOf = (type, listener, options) => [
+    type,
+    Boolean(typeof options === "object" ? options?.capture : options),
+    listener,
+  ];
   const same = (a, b) => a.every((x, i) => x === b[i]);
   const { addEventListener: add, removeEventListener: remove } = EventTarget.prototype;
   const forget = (target, key) => {
@@ -30,19 +48,33 @@ function keep() {
     forget(target, keyOf(type, listener, options));
     return remove.call(target, type, listener, options);
   };
-  const { requestAnimationFrame: request, cancelAnimationFrame: cancel, setInterval: start, clearInterval: stop } = window;
+  const {
+    requestAnimationFrame: request,
+    cancelAnimationFrame: cancel,
+    setInterval: start,
+    clearInterval: stop,
+  } = window;
   window.requestAnimationFrame = (act) => {
-    const id = request.call(window, (now) => (live.frames.delete(id), act(now)));
+    const id = request.call(window, (now) => {
+      live.frames.delete(id);
+      act(now);
+    });
     live.frames.add(id);
     return id;
   };
-  window.cancelAnimationFrame = (id) => (live.frames.delete(id), cancel.call(window, id));
+  window.cancelAnimationFrame = (id) => {
+    live.frames.delete(id);
+    cancel.call(window, id);
+  };
   window.setInterval = (...args) => {
     const id = start.apply(window, args);
     live.intervals.add(id);
     return id;
   };
-  window.clearInterval = (id) => (live.intervals.delete(id), stop.call(window, id));
+  window.clearInterval = (id) => {
+    live.intervals.delete(id);
+    stop.call(window, id);
+  };
   for (const name of ["ResizeObserver", "IntersectionObserver", "MutationObserver"]) {
     const { prototype } = window[name];
     const { observe, disconnect, unobserve } = prototype;
@@ -125,8 +157,15 @@ async function heapBytes(client) {
   client.on("HeapProfiler.addHeapSnapshotChunk", listen);
   await client.send("HeapProfiler.takeHeapSnapshot");
   client.off("HeapProfiler.addHeapSnapshotChunk", listen);
-  const { nodes, snapshot: { meta } } = JSON.parse(chunks.join(""));
-  const [step, type, size] = [meta.node_fields.length, meta.node_fields.indexOf("type"), meta.node_fields.indexOf("self_size")];
+  const {
+    nodes,
+    snapshot: { meta },
+  } = JSON.parse(chunks.join(""));
+  const [step, type, size] = [
+    meta.node_fields.length,
+    meta.node_fields.indexOf("type"),
+    meta.node_fields.indexOf("self_size"),
+  ];
   const foreign = new Set(NOT_OURS.map((name) => meta.node_types[type].indexOf(name)));
   let bytes = 0;
   for (let i = 0; i < nodes.length; i += step) if (!foreign.has(nodes[i + type])) bytes += nodes[i + size];

@@ -6,7 +6,8 @@ import { assertAccessible, openPage, root } from "./browser.js";
 
 const read = (path) => readFileSync(`${root}www/${path}`, "utf8");
 /** A page of the site that the parts are on. */
-const open = (t, path, options = {}) => openPage(t, path, { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", ...options });
+const open = (t, path, options = {}) =>
+  openPage(t, path, { viewport: { width: 1000, height: 900 }, reducedMotion: "reduce", ...options });
 
 test("a sample has two tabs: arrows, Home and End choose, and all samples follow", async (t) => {
   const page = await open(t, "/curves/");
@@ -20,7 +21,8 @@ test("a sample has two tabs: arrows, Home and End choose, and all samples follow
   assert.match(await sample.getByRole("tabpanel", { name: "Rust" }).innerText(), /println!\(/);
   assert.equal(await sample.getByRole("tabpanel").count(), 1);
   const others = page.locator("lesson-sample [role=tab][data-language=rs]");
-  for (let i = 0; i < (await others.count()); i++) assert.equal(await others.nth(i).getAttribute("aria-selected"), "true");
+  for (let i = 0; i < (await others.count()); i++)
+    assert.equal(await others.nth(i).getAttribute("aria-selected"), "true");
   await page.keyboard.press("ArrowRight");
   assert.equal(await js.getAttribute("aria-selected"), "true", "around the end");
   await page.keyboard.press("End");
@@ -33,7 +35,9 @@ test("a sample has two tabs: arrows, Home and End choose, and all samples follow
 test("all samples of the chapters run in the browser as they do in Node", async (t) => {
   for (const path of ["/curves/", "/surfaces/"]) {
     const page = await open(t, path);
-    await page.waitForFunction(() => [...document.querySelectorAll("lesson-sample")].every((sample) => sample.querySelector(".bar")));
+    await page.waitForFunction(() =>
+      [...document.querySelectorAll("lesson-sample")].every((sample) => sample.querySelector(".bar")),
+    );
     const outputs = await page.evaluate(() =>
       Promise.all(
         [...document.querySelectorAll("lesson-sample")].map(async (sample) => {
@@ -62,7 +66,13 @@ async function openTask(t) {
   await task.scrollIntoViewIfNeeded();
   await task.locator("button").first().waitFor();
   const applet = page.locator(`#${await task.getAttribute("for")}`);
-  return { page, task, applet, said: task.getByRole("status"), press: (name) => task.getByRole("button", { name }).click() };
+  return {
+    page,
+    task,
+    applet,
+    said: task.getByRole("status"),
+    press: (name) => task.getByRole("button", { name }).click(),
+  };
 }
 
 test("a task is predicted, checked, and done as soon as the reader has it right", async (t) => {
@@ -78,10 +88,11 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   assert.equal(await task.getAttribute("data-state"), "open");
   await assertAccessible(page, { part: `lesson-task[name="${TASK}"]` });
 
-  const toSolution = (by) => applet.evaluate((element, by) => {
-    const [, , p2, p3] = element.points;
-    element.steer({ index: 4, point: [2 * p3[0] - p2[0] + by, 2 * p3[1] - p2[1]] }, true);
-  }, by);
+  const toSolution = (by) =>
+    applet.evaluate((element, by) => {
+      const [, , p2, p3] = element.points;
+      element.steer({ index: 4, point: [2 * p3[0] - p2[0] + by, 2 * p3[1] - p2[1]] }, true);
+    }, by);
   await toSolution(60);
   assert.equal(await task.getAttribute("data-state"), "open");
   await toSolution(0);

@@ -31,7 +31,10 @@ export async function serve(folders, headers = {}) {
   await new Promise((done) => server.listen(0, "127.0.0.1", () => done(undefined)));
   const address = /** @type {import("node:net").AddressInfo} */ (server.address());
   server.unref();
-  const close = () => (server.closeAllConnections(), server.close());
+  const close = () => {
+    server.closeAllConnections();
+    return server.close();
+  };
   return { url: `http://localhost:${address.port}`, pages, close };
 }
 
@@ -41,7 +44,7 @@ async function find(path, pages, folders) {
   const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
   const prefix = prefixes.find((candidate) => path.startsWith(candidate));
   const file = prefix && resolve(folders[prefix], normalize(`./${path.slice(prefix.length)}`));
-  const body = file && file.startsWith(resolve(folders[prefix])) && (await content(file));
+  const body = file?.startsWith(resolve(folders[prefix])) && (await content(file));
   if (!body) return { status: 404, type: "text/plain", body: `no ${path}` };
   return { status: 200, type: TYPES[extname(body.name)] ?? "application/octet-stream", body: body.bytes };
 }

@@ -12,7 +12,10 @@ async function openAt(t, path, fragment) {
   await ready(page);
   return page;
 }
-const ready = async (page) => (await page.waitForSelector("html[data-address]"), await settled(page));
+const ready = async (page) => {
+  await page.waitForSelector("html[data-address]");
+  await settled(page);
+};
 const hero = (page) => page.locator("#hero bezier-applet");
 const attribute = (page, name) => hero(page).getAttribute(name);
 const pointOf = (page, i) => hero(page).evaluate((applet, i) => applet.points[i], i);
@@ -32,7 +35,10 @@ test("a drag is in the address when it is done, undone it is gone, and the addre
   assert.ok((await page.evaluate(() => history.length)) <= 2, "no entry in the history");
   const moved = await pointOf(page, 1);
   const other = await openAt(t, "/", await hash(page));
-  assert.ok((await pointOf(other, 1)).every((value, k) => Math.abs(value - moved[k]) <= 0.005), `${await pointOf(other, 1)} and ${moved}`);
+  assert.ok(
+    (await pointOf(other, 1)).every((value, k) => Math.abs(value - moved[k]) <= 0.005),
+    `${await pointOf(other, 1)} and ${moved}`,
+  );
   assert.equal(await message(other).count(), 0);
   await hero(page).getByRole("button", { name: "Undo" }).click();
   await page.waitForFunction(() => location.hash === "#hero");
@@ -49,15 +55,24 @@ test("whatever an address can set of an element, it can be read off it", async (
   const page = await openAt(t, "/surfaces/", "#figure-patch?u=0.2&v=0.9&segments=5");
   const patch = page.locator("#figure-patch bezier-surface");
   assert.deepEqual(await patch.evaluate(({ u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
-  for (const [path, name] of [["/", "bezier-applet"], ["/surfaces/", "bezier-surface"]]) {
+  for (const [path, name] of [
+    ["/", "bezier-applet"],
+    ["/surfaces/", "bezier-surface"],
+  ]) {
     await page.goto(path);
     await ready(page);
-    const kinds = await page.locator(name).first().evaluate((element, names) => names.map((each) => [each, typeof element[each]]), Object.keys(SHARED[name]));
+    const kinds = await page
+      .locator(name)
+      .first()
+      .evaluate((element, names) => names.map((each) => [each, typeof element[each]]), Object.keys(SHARED[name]));
     for (const [each, kind] of kinds) assert.match(kind, /^(string|number|object)$/, `${name}.${each} is a ${kind}`);
   }
   await page.goto("/");
   await ready(page);
-  await hero(page).evaluate((applet) => (applet.setAttribute("show", "hull"), applet.steer({ t: 0.25 }, true)));
+  await hero(page).evaluate((applet) => {
+    applet.setAttribute("show", "hull");
+    applet.steer({ t: 0.25 }, true);
+  });
   await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });
 
@@ -68,21 +83,27 @@ const ABUSE = [
   ["#hero?points=1,2 3,NaN", /points: expected pairs of numbers/],
   ["#hero?points=1,2,3", /points/],
   ["#hero?points=%E0%A4%A", /points/],
-  ["#hero?onclick=alert(1)&style=color:red&__proto__=1", /“onclick” is not known.*“style” is not known.*“__proto__” is not known/],
+  [
+    "#hero?onclick=alert(1)&style=color:red&__proto__=1",
+    /“onclick” is not known.*“style” is not known.*“__proto__” is not known/,
+  ],
   ["#hero?show=<img src=x onerror=alert(1)>", /show: expected words/],
   ["#%E0%A4%A", /not on this page/],
   ["#nowhere?t=0.3", /not on this page/],
   ["#main?t=0.3&%=%", /is not known here/],
   ["#learn?t=0.3", /no figure/],
   ["#?", /not on this page/],
-  ["#hero?" + "t=0.1&".repeat(170_000), /1020006 characters long/],
+  [`#hero?${"t=0.1&".repeat(170_000)}`, /1020006 characters long/],
 ];
 
 test("any address: told, nothing breaks, the last good state stays", async (t) => {
   const page = await openAt(t, "/", "#hero?t=0.3");
   for (const [fragment, words] of ABUSE) {
     await page.evaluate((fragment) => (location.hash = fragment), fragment);
-    await page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".address-message")?.textContent), words.source);
+    await page.waitForFunction(
+      (source) => new RegExp(source).test(document.querySelector(".address-message")?.textContent),
+      words.source,
+    );
     assert.equal(await attribute(page, "t"), "0.3", fragment.slice(0, 60));
     assert.equal(await hero(page).evaluate((applet) => applet.points.length), 7);
   }
@@ -111,7 +132,11 @@ const EMBEDDED = [
   ["", "bezier-applet", null],
   ["?points=60,360+160,60+500,60+600,360&t=0.3&controls=", "bezier-applet", null],
   ["?element=bezier-surface&model=patch&show=surface+net&u=0.3", "bezier-surface", null],
-  ["?element=script&src=x", "bezier-applet", /element: expected bezier-applet or bezier-surface, got “script”.*“src” is not known/],
+  [
+    "?element=script&src=x",
+    "bezier-applet",
+    /element: expected bezier-applet or bezier-surface, got “script”.*“src” is not known/,
+  ],
   ["?element=constructor", "bezier-applet", /got “constructor”/],
   ["?onload=1&style=x&t=%E0%A4%A", "bezier-applet", /“onload”.*“style”.*t: expected a number/],
   [`?t=0.3&x=${"y".repeat(12_000)}`, "bezier-applet", /longer than 10000/],
@@ -126,7 +151,8 @@ test("embed.html: one element as the query says; the rest is told", async (t) =>
     assert.equal(await page.locator("main > :not(p, h1)").count(), 1);
     if (words) assert.match(await message(page).innerText(), words);
     else assert.equal(await message(page).count(), 0, query);
-    for (const [key, value] of words ? [] : new URLSearchParams(query)) if (key !== "element") assert.equal(await element.getAttribute(key), value);
+    for (const [key, value] of words ? [] : new URLSearchParams(query))
+      if (key !== "element") assert.equal(await element.getAttribute(key), value);
   }
 });
 

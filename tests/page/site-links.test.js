@@ -54,18 +54,28 @@ test("every link and asset is there, by a relative address", () => {
 test("every anchor is there", () => {
   const anchors = links.filter(({ target }) => target.hash);
   assert.ok(anchors.length > 100, `${anchors.length} anchors`);
-  const missing = anchors.filter(({ target }) => !idsOf(found.get(target.href.split("#")[0])?.text ?? "").includes(decodeURIComponent(target.hash.slice(1))));
+  const missing = anchors.filter(
+    ({ target }) =>
+      !idsOf(found.get(target.href.split("#")[0])?.text ?? "").includes(decodeURIComponent(target.hash.slice(1))),
+  );
   assert.deepEqual([...new Set(missing.map(({ from, reference }) => `${from}: ${reference}`))], []);
 });
 
 test("no id is given twice, and all pages have the same names of pages above", () => {
-  const names = (html) => [...html.matchAll(/<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g)].slice(0, 8).map(([, path, name]) => `${path} ${name}`);
+  const names = (html) =>
+    [...html.matchAll(/<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g)]
+      .slice(0, 8)
+      .map(([, path, name]) => `${path} ${name}`);
   const expected = names(readFileSync(`${root}site/index.html`, "utf8"));
   assert.equal(expected.length, 8);
   for (const path of PAGES) {
     const { text } = found.get(new URL(`.${path}`, server.url + FOLDER).href);
     const all = idsOf(text);
-    assert.deepEqual(all.filter((id, i) => all.indexOf(id) !== i), [], path);
+    assert.deepEqual(
+      all.filter((id, i) => all.indexOf(id) !== i),
+      [],
+      path,
+    );
     if (text.includes('class="site"')) assert.deepEqual(names(text), expected, path);
   }
 });
@@ -74,19 +84,34 @@ test("in the browser, too, nothing is missing and nothing is asked of another pl
   const context = await (await launch()).newContext();
   t.after(() => context.close());
   const wrong = [];
-  context.on("response", (response) => response.status() >= 400 && wrong.push(`${response.status()} ${response.url()}`));
-  context.on("request", (request) => /^https?:/.test(request.url()) && !request.url().startsWith(server.url + FOLDER) && wrong.push(request.url()));
+  context.on(
+    "response",
+    (response) => response.status() >= 400 && wrong.push(`${response.status()} ${response.url()}`),
+  );
+  context.on(
+    "request",
+    (request) =>
+      /^https?:/.test(request.url()) && !request.url().startsWith(server.url + FOLDER) && wrong.push(request.url()),
+  );
   const left = "net::ERR_ABORTED"; // asked for by a page that was left meanwhile
-  context.on("requestfailed", (request) => request.failure()?.errorText === left || wrong.push(`${request.failure()?.errorText} ${request.url()}`));
+  context.on(
+    "requestfailed",
+    (request) =>
+      request.failure()?.errorText === left || wrong.push(`${request.failure()?.errorText} ${request.url()}`),
+  );
   const pending = new Set();
   let whenIdle = () => {};
   context.on("request", (request) => pending.add(request));
-  for (const type of ["requestfinished", "requestfailed"]) context.on(/** @type {any} */ (type), (request) => pending.delete(request) && pending.size === 0 && whenIdle());
+  for (const type of ["requestfinished", "requestfailed"])
+    context.on(/** @type {any} */ (type), (request) => pending.delete(request) && pending.size === 0 && whenIdle());
   const page = await context.newPage();
   for (const path of PAGES) {
     await page.goto(new URL(`.${path}`, server.url + FOLDER).href);
     await intersectionsReported(page); // what draws has been asked for
     if (pending.size > 0) await new Promise((resolve) => (whenIdle = () => resolve(undefined)));
   }
-  assert.deepEqual(wrong.filter((line) => !line.endsWith("/favicon.ico")), []);
+  assert.deepEqual(
+    wrong.filter((line) => !line.endsWith("/favicon.ico")),
+    [],
+  );
 });

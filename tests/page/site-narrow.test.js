@@ -22,7 +22,9 @@ for (const path of PAGES) {
 async function fits(page, { width }) {
   const wide = await page.evaluate(() =>
     [...document.querySelectorAll("body *")]
-      .filter((element) => element.getBoundingClientRect().right > innerWidth + 1 && !element.closest("math, .scroll, .skip"))
+      .filter(
+        (element) => element.getBoundingClientRect().right > innerWidth + 1 && !element.closest("math, .scroll, .skip"),
+      )
       .map((element) => element.outerHTML.slice(0, 80)),
   );
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, wide.join("\n"));

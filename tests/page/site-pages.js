@@ -12,7 +12,8 @@ export const PAGES = readdirSync(`${root}site`, { recursive: true, encoding: "ut
 
 /** These carry the tutorial's inline lines, to the letter. */
 const INLINE = ["/", "/applet/"];
-const POLICY = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
+const POLICY =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
 
 /** A software renderer's own remarks. */
 const DRIVER = /GL Driver Message|Automatic fallback to software WebGL/;
@@ -21,7 +22,8 @@ const shared = { strict: undefined };
 after(async () => (await shared.strict)?.close());
 
 /** The site with the strict policy as a header. */
-export const strictSite = () => (shared.strict ??= serve({ "/": `${root}site` }, { "Content-Security-Policy": POLICY }));
+export const strictSite = () =>
+  (shared.strict ??= serve({ "/": `${root}site` }, { "Content-Security-Policy": POLICY }));
 
 /**
  * Opens a page with the strict policy, where it allows for it; anything in the console is a problem, not errors alone.
@@ -34,7 +36,13 @@ export async function openStrict(t, path, options = {}) {
   await launch();
   const baseURL = INLINE.includes(path) ? undefined : (await strictSite()).url;
   const page = await openPage(t, "about:blank", { ...options, ...(baseURL && { baseURL }) });
-  page.on("console", (message) => DRIVER.test(message.text()) || message.type() === "error" || page.problems.push(`${message.type()}: ${message.text()}`));
+  page.on(
+    "console",
+    (message) =>
+      DRIVER.test(message.text()) ||
+      message.type() === "error" ||
+      page.problems.push(`${message.type()}: ${message.text()}`),
+  );
   await page.goto(path, { waitUntil: "load" });
   await settled(page);
   return page;

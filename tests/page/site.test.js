@@ -21,7 +21,10 @@ test("the picture changes with the colour scheme, and is as sharp as the display
   const page = await openTutorial(t, { deviceScaleFactor: 2 });
   const picture = () => page.evaluate(() => document.querySelector("canvas").toDataURL());
   await drawn(page);
-  assert.deepEqual(await page.evaluate(() => [document.querySelector("canvas").width, document.querySelector("canvas").height]), [1340, 960]);
+  assert.deepEqual(
+    await page.evaluate(() => [document.querySelector("canvas").width, document.querySelector("canvas").height]),
+    [1340, 960],
+  );
   const light = await picture();
   await page.emulateMedia({ colorScheme: "dark" });
   await drawn(page);
@@ -30,10 +33,16 @@ test("the picture changes with the colour scheme, and is as sharp as the display
 
 test("the first page holds the applet and the code that embeds it, to the letter", async (t) => {
   const page = await openPage(t, "/");
-  await page.locator("section", { has: page.locator("#embed") }).locator('[part="handle"][data-index="6"]').waitFor();
+  await page
+    .locator("section", { has: page.locator("#embed") })
+    .locator('[part="handle"][data-index="6"]')
+    .waitFor();
   const shown = (await page.locator("pre").allInnerTexts()).join("\n");
   assert.ok(shown.includes(TUTORIAL), shown);
-  for (const [name, title] of [["The applet on a plain page", /applet/], ["The teapot", /teapot/i]]) {
+  for (const [name, title] of [
+    ["The applet on a plain page", /applet/],
+    ["The teapot", /teapot/i],
+  ]) {
     await page.goto("/");
     await page.getByRole("link", { name }).click();
     assert.match(await page.title(), title);
@@ -50,11 +59,16 @@ test("the page to copy shows the coordinates live", async (t) => {
   await page.keyboard.press("r");
   await drawn(page);
   const [x, y] = (await points(page))[5];
-  assert.match(await page.getByRole("row", { name: "P5" }).innerText(), new RegExp(`${x.toFixed(1)}\\s+${y.toFixed(1)}`));
+  assert.match(
+    await page.getByRole("row", { name: "P5" }).innerText(),
+    new RegExp(`${x.toFixed(1)}\\s+${y.toFixed(1)}`),
+  );
 });
 
 test("the page to copy is short and carries the tutorial's lines", async () => {
-  const files = await Promise.all(["index.html", "main.js", "style.css"].map((name) => readFile(`${root}www/applet/${name}`, "utf8")));
+  const files = await Promise.all(
+    ["index.html", "main.js", "style.css"].map((name) => readFile(`${root}www/applet/${name}`, "utf8")),
+  );
   const lines = files.reduce((sum, text) => sum + text.split("\n").length, 0);
   assert.ok(lines <= 300, `${lines} lines`);
   const unindented = files[0].replaceAll(/^ +/gm, "");
@@ -72,7 +86,9 @@ test("on a narrow phone the picture keeps its shape and fingers their aim", asyn
   await drag(page, 5, -50, -20);
   const after = await points(page);
   const scale = 670 / box.width;
-  assert.ok(Math.abs(after[5][0] - before[5][0] + 50 * scale) < 0.1 && Math.abs(after[5][1] - before[5][1] + 20 * scale) < 0.1);
+  assert.ok(
+    Math.abs(after[5][0] - before[5][0] + 50 * scale) < 0.1 && Math.abs(after[5][1] - before[5][1] + 20 * scale) < 0.1,
+  );
 });
 
 test("the guide names every attribute of every element, and no other", async (t) => {

@@ -5,7 +5,10 @@ import { openPage } from "./browser.js";
 import { difference, look, openSurface, ready, set, settled, surfacePage } from "./surface-page.js";
 
 /** The element's figure without its surface. */
-const figure = (page) => page.evaluate(() => JSON.parse(JSON.stringify({ ...document.querySelector("bezier-surface").figure, surface: null })));
+const figure = (page) =>
+  page.evaluate(() =>
+    JSON.parse(JSON.stringify({ ...document.querySelector("bezier-surface").figure, surface: null })),
+  );
 
 test("the figure tells what is shown, and update follows every change", async (t) => {
   const page = await openSurface(t, 'model="patch" segments="4" u="1" v="0"');
@@ -56,12 +59,22 @@ test("the nearest point to a probe is told and drawn; what is no point shows not
   await set(page, { probe: "3 -3, 4" });
   const { nearest, probe } = await figure(page);
   assert.deepEqual(probe, [3, -3, 4]);
-  const away = (u, v) => page.evaluate(([u, v]) => {
-    const { x, y, z } = document.querySelector("bezier-surface").surface.patch(0).eval(u, v);
-    return Math.hypot(x - 3, y + 3, z - 4);
-  }, [u, v]);
+  const away = (u, v) =>
+    page.evaluate(
+      ([u, v]) => {
+        const { x, y, z } = document.querySelector("bezier-surface").surface.patch(0).eval(u, v);
+        return Math.hypot(x - 3, y + 3, z - 4);
+      },
+      [u, v],
+    );
   assert.ok(Math.abs((await away(nearest.u, nearest.v)) - nearest.distance) < 1e-12);
-  for (const [u, v] of [[1, 0], [0.9, 0.1], [0.5, 0.5], [1, 0.2]]) assert.ok((await away(u, v)) >= nearest.distance - 1e-12, `${u}, ${v}`);
+  for (const [u, v] of [
+    [1, 0],
+    [0.9, 0.1],
+    [0.5, 0.5],
+    [1, 0.2],
+  ])
+    assert.ok((await away(u, v)) >= nearest.distance - 1e-12, `${u}, ${v}`);
   assert.ok((await difference(page, plain, await look(page))) > 100);
   for (const none of ["", "1 2", "1 2 x", "1 2 3 4", "NaN 0 0", null]) {
     await set(page, { probe: none });
@@ -71,8 +84,14 @@ test("the nearest point to a probe is told and drawn; what is no point shows not
 });
 
 test("of twenty elements only those near what is seen hold the graphics card, and all can be seen", async (t) => {
-  const many = Array.from({ length: 20 }, (_, k) => `<bezier-surface style="margin-block: 200px" segments="${(k % 5) + 1}"></bezier-surface>`).join("");
-  const html = surfacePage("", many).replace("<script", '<script>const ask = HTMLCanvasElement.prototype.getContext; globalThis.contexts = new Set(); HTMLCanvasElement.prototype.getContext = function (...args) { const got = ask.apply(this, args); if (got) contexts.add(got); return got; };</script><script');
+  const many = Array.from(
+    { length: 20 },
+    (_, k) => `<bezier-surface style="margin-block: 200px" segments="${(k % 5) + 1}"></bezier-surface>`,
+  ).join("");
+  const html = surfacePage("", many).replace(
+    "<script",
+    "<script>const ask = HTMLCanvasElement.prototype.getContext; globalThis.contexts = new Set(); HTMLCanvasElement.prototype.getContext = function (...args) { const got = ask.apply(this, args); if (got) contexts.add(got); return got; };</script><script",
+  );
   const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 }, reducedMotion: "reduce" });
   page.on("console", (message) => /context/i.test(message.text()) && page.problems.push(message.text()));
   await ready(page);
@@ -80,15 +99,23 @@ test("of twenty elements only those near what is seen hold the graphics card, an
   const elements = page.locator("bezier-surface");
   for (const k of [...Array(21).keys(), 0, 20, 10]) {
     await elements.nth(k).scrollIntoViewIfNeeded();
-    await page.waitForFunction((k) => /triangles/.test(document.querySelectorAll("bezier-surface")[k].shadowRoot.querySelector(".facts").textContent), k);
+    await page.waitForFunction(
+      (k) =>
+        /triangles/.test(document.querySelectorAll("bezier-surface")[k].shadowRoot.querySelector(".facts").textContent),
+      k,
+    );
     await page.evaluate(async (k) => {
-      while (!(await document.querySelectorAll("bezier-surface")[k].toBlob())) await new Promise((done) => requestAnimationFrame(done));
+      while (!(await document.querySelectorAll("bezier-surface")[k].toBlob()))
+        await new Promise((done) => requestAnimationFrame(done));
     }, k);
     assert.ok((await living()) <= 8, `${await living()} at ${k}`);
   }
   const inked = await page.evaluate(async () => {
     const bitmap = await createImageBitmap(await document.querySelectorAll("bezier-surface")[10].toBlob());
-    const context = Object.assign(document.createElement("canvas"), { width: bitmap.width, height: bitmap.height }).getContext("2d");
+    const context = Object.assign(document.createElement("canvas"), {
+      width: bitmap.width,
+      height: bitmap.height,
+    }).getContext("2d");
     context.drawImage(bitmap, 0, 0);
     return context.getImageData(0, 0, bitmap.width, bitmap.height).data.filter((x, i) => i % 4 === 3 && x > 128).length;
   });

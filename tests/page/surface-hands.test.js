@@ -17,7 +17,8 @@ const centre = async (page, index) => {
 const listen = (page) =>
   page.evaluate(() => {
     globalThis.heard = { input: 0, change: 0 };
-    for (const type of ["input", "change"]) document.addEventListener(type, (event) => event.target.localName === "bezier-surface" && heard[type]++);
+    for (const type of ["input", "change"])
+      document.addEventListener(type, (event) => event.target.localName === "bezier-surface" && heard[type]++);
   });
 const heard = (page) => page.evaluate(() => ({ ...globalThis.heard }));
 
@@ -84,14 +85,25 @@ test("one finger turns, two zoom", async (t) => {
   const page = await openSurface(t, "", { hasTouch: true });
   const [x, y] = await middle(page);
   const session = await page.context().newCDPSession(page);
-  const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })) });
+  const touch = (type, points) =>
+    session.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: points.map(([px, py], id) => ({ x: px, y: py, id })),
+    });
   await touch("touchStart", [[x, y]]);
   for (const dx of [10, 30, 50]) await touch("touchMove", [[x + dx, y]]);
   await touch("touchEnd", []);
   const turned = await view(page);
   assert.ok(turned.turn > -30, JSON.stringify(turned));
-  await touch("touchStart", [[x - 40, y], [x + 40, y]]);
-  for (const d of [50, 70, 80]) await touch("touchMove", [[x - d, y], [x + d, y]]);
+  await touch("touchStart", [
+    [x - 40, y],
+    [x + 40, y],
+  ]);
+  for (const d of [50, 70, 80])
+    await touch("touchMove", [
+      [x - d, y],
+      [x + d, y],
+    ]);
   await touch("touchEnd", []);
   const zoomed = await view(page);
   assert.ok(zoomed.zoom > 1.6 && zoomed.zoom < 2.4, JSON.stringify(zoomed));
@@ -100,7 +112,8 @@ test("one finger turns, two zoom", async (t) => {
 test("a control point is dragged in the plane of the picture, and Escape or a cancelled pointer takes it back", async (t) => {
   const page = await openSurface(t, 'model="patch" show="surface net"');
   await listen(page);
-  const vertex = () => page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices.slice(15, 18)]);
+  const vertex = () =>
+    page.evaluate(() => [...document.querySelector("bezier-surface").surface.vertices.slice(15, 18)]);
   const before = await vertex();
   const [x, y] = await centre(page, 5);
   await drag(page, [x, y], 40, 30);
@@ -121,7 +134,12 @@ test("a control point is dragged in the plane of the picture, and Escape or a ca
   await page.mouse.move(ax - 30, ay, { steps: 3 });
   await settled(page);
   assert.notDeepEqual(await vertex(), after);
-  await page.evaluate(() => document.querySelector("bezier-surface").shadowRoot.querySelector(".overlay").dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })));
+  await page.evaluate(() =>
+    document
+      .querySelector("bezier-surface")
+      .shadowRoot.querySelector(".overlay")
+      .dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })),
+  );
   await page.mouse.up();
   assert.deepEqual(await vertex(), after);
 });
@@ -148,7 +166,9 @@ test("the controls set the properties, which reflect", async (t) => {
   await page.getByLabel("mesh", { exact: true }).check();
   await page.getByRole("slider", { name: "Segments" }).fill("4");
   await settled(page);
-  const attributes = await page.evaluate(() => ["shading", "parts", "show", "segments"].map((name) => document.querySelector("bezier-surface").getAttribute(name)));
+  const attributes = await page.evaluate(() =>
+    ["shading", "parts", "show", "segments"].map((name) => document.querySelector("bezier-surface").getAttribute(name)),
+  );
   assert.deepEqual(attributes, ["flat", "rim body handle spout bottom", "surface mesh", "4"]);
   assert.equal((await facts(page)).triangles, 24 * 2 * 16);
   const told = await heard(page);
@@ -209,7 +229,10 @@ test("a click picks the patch under it, which gets handles; a click beside takes
 test("the mesh is taken away as OBJ, STL and GLB, the picture as PNG", async (t) => {
   const page = await openSurface(t, 'controls segments="4"');
   const save = async (name) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name, exact: true }).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name, exact: true }).click(),
+    ]);
     const chunks = [];
     for await (const chunk of await download.createReadStream()) chunks.push(chunk);
     return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
@@ -222,7 +245,9 @@ test("the mesh is taken away as OBJ, STL and GLB, the picture as PNG", async (t)
   assert.ok(stl.bytes.readUInt32LE(80) > 900, "almost all triangles: those at the poles are gone");
   const glb = await save("GLB");
   assert.equal(glb.bytes.toString("latin1", 0, 4), "glTF");
-  const max = JSON.parse(glb.bytes.toString("utf8", 20, 20 + glb.bytes.readUInt32LE(12))).accessors.find(({ max }) => max?.length === 3).max;
+  const max = JSON.parse(glb.bytes.toString("utf8", 20, 20 + glb.bytes.readUInt32LE(12))).accessors.find(
+    ({ max }) => max?.length === 3,
+  ).max;
   assert.ok(Math.abs(max[1] - 3.15) < 0.01, `y is up: ${max}`);
   const png = await save("PNG");
   assert.equal(png.bytes.toString("latin1", 1, 4), "PNG");

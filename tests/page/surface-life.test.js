@@ -12,9 +12,16 @@ test("with everything switched on it is accessible, light and dark", async (t) =
 });
 
 test("it fits a narrow phone, sharp", async (t) => {
-  const page = await openSurface(t, FULL, { viewport: { width: 360, height: 740 }, deviceScaleFactor: 3, hasTouch: true, isMobile: true });
+  const page = await openSurface(t, FULL, {
+    viewport: { width: 360, height: 740 },
+    deviceScaleFactor: 3,
+    hasTouch: true,
+    isMobile: true,
+  });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
-  const [width, shown] = await page.locator("bezier-surface canvas").evaluate((canvas) => [canvas.width, canvas.clientWidth]);
+  const [width, shown] = await page
+    .locator("bezier-surface canvas")
+    .evaluate((canvas) => [canvas.width, canvas.clientWidth]);
   assert.equal(width, 3 * shown);
 });
 
@@ -26,7 +33,9 @@ test("without WebGL2 it is drawn as lines, and says so", async (t) => {
       return kind === "webgl2" ? null : original.call(this, kind, ...rest);
     };
   });
-  await page.route("**/fallback.html", (route) => route.fulfill({ contentType: "text/html", body: surfacePage("controls") }));
+  await page.route("**/fallback.html", (route) =>
+    route.fulfill({ contentType: "text/html", body: surfacePage("controls") }),
+  );
   await page.goto("/fallback.html");
   await ready(page);
   await page.getByText("no WebGL2").waitFor();
@@ -53,7 +62,9 @@ test("a lost context comes back with its picture", async (t) => {
 });
 
 test("moved to another place it shows the same; taken away it leaves nothing running", async (t) => {
-  const page = await openSurface(t, 'model="patch" show="surface net"', { more: '<div id="elsewhere" style="width: 640px"></div>' });
+  const page = await openSurface(t, 'model="patch" show="surface net"', {
+    more: '<div id="elsewhere" style="width: 640px"></div>',
+  });
   await set(page, { view: { turn: 20, zoom: 1.5 } });
   const before = await look(page);
   await page.evaluate(() => document.querySelector("#elsewhere").append(document.querySelector("bezier-surface")));
@@ -68,7 +79,10 @@ test("moved to another place it shows the same; taken away it leaves nothing run
     element.remove();
     let count = 0;
     const original = requestAnimationFrame;
-    globalThis.requestAnimationFrame = (act) => (count++, original(act));
+    globalThis.requestAnimationFrame = (act) => {
+      count++;
+      return original(act);
+    };
     element.segments = 5;
     for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
     globalThis.requestAnimationFrame = original;
@@ -123,11 +137,14 @@ test("far down the page nothing runs until it comes near", async (t) => {
 test("surfaces of every kind are shown: none, a point, a high degree, very large, very small", async (t) => {
   const page = await openSurface(t, 'controls show="surface mesh isocurves tubes net casteljau" segments="4"');
   const show = async (make, properties = {}) => {
-    await page.evaluate(([make, properties]) => {
-      const element = document.querySelector("bezier-surface");
-      element.surface = new Function("Surface", `return ${make}`)(bezier.Surface);
-      Object.assign(element, properties);
-    }, [make, properties]);
+    await page.evaluate(
+      ([make, properties]) => {
+        const element = document.querySelector("bezier-surface");
+        element.surface = new Function("Surface", `return ${make}`)(bezier.Surface);
+        Object.assign(element, properties);
+      },
+      [make, properties],
+    );
     await settled(page);
   };
   const grid = (n, size) => `(() => {
@@ -150,12 +167,15 @@ test("surfaces of every kind are shown: none, a point, a high degree, very large
 });
 
 test("what was written before the element was defined counts, and no view is impossible", async (t) => {
-  const html = surfacePage().replace('import "./dist/elements.js"; import * as casteljau from "./dist/index.js"; globalThis.bezier = casteljau;', `
+  const html = surfacePage().replace(
+    'import "./dist/elements.js"; import * as casteljau from "./dist/index.js"; globalThis.bezier = casteljau;',
+    `
     import { Surface } from "./dist/index.js";
     const element = document.querySelector("bezier-surface");
     element.surface = new Surface({ vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], patches: [[0, 1, 2, 3]] }, { degreeU: 1, degreeV: 1 });
     element.view = { turn: 50, zoom: NaN };
-    await import("./dist/elements.js");`);
+    await import("./dist/elements.js");`,
+  );
   const page = await openPage(t, { html });
   await ready(page);
   const [patches, { turn, zoom }] = await page.evaluate(() => {
@@ -173,7 +193,10 @@ const BPT = `1
 0 1 0
 1 1 1
 `;
-const give = (page, name, text) => page.locator('bezier-surface input[type="file"]').setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+const give = (page, name, text) =>
+  page
+    .locator('bezier-surface input[type="file"]')
+    .setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 
 test("a patch file is shown; one that is none is refused, and the picture stays", async (t) => {
   const page = await openSurface(t, 'controls segments="2"');

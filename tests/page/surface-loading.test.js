@@ -12,7 +12,10 @@ const MISSING = "could not be loaded";
 async function openWithRoute(t, html, answer) {
   const page = await openPage(t, "about:blank", { viewport: { width: 800, height: 900 }, reducedMotion: "reduce" });
   const asked = { count: 0 };
-  await page.route(PART, (route) => (asked.count++, answer(route)));
+  await page.route(PART, (route) => {
+    asked.count++;
+    return answer(route);
+  });
   await page.route("**/loading.html", (route) => route.fulfill({ contentType: "text/html", body: html }));
   await page.goto("/loading.html");
   await page.waitForFunction(() => customElements.get("bezier-surface"));
@@ -27,12 +30,19 @@ function gate() {
 }
 
 test("a page without a surface in sight does not fetch it; it is fetched once for two that come near", async (t) => {
-  const html = surfacePage("", "<bezier-surface id=second></bezier-surface>").replace("<main>", '<main><div style="height: 4000px"></div>');
+  const html = surfacePage("", "<bezier-surface id=second></bezier-surface>").replace(
+    "<main>",
+    '<main><div style="height: 4000px"></div>',
+  );
   const { page, asked } = await openWithRoute(t, html, (route) => route.continue());
   await intersectionsReported(page);
   assert.equal(asked.count, 0);
   await page.locator("#second").scrollIntoViewIfNeeded();
-  await page.waitForFunction(() => [...document.querySelectorAll("bezier-surface")].every((each) => /triangles/.test(each.shadowRoot.querySelector(".facts").textContent)));
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll("bezier-surface")].every((each) =>
+      /triangles/.test(each.shadowRoot.querySelector(".facts").textContent),
+    ),
+  );
   assert.equal(asked.count, 1);
 });
 
@@ -102,13 +112,16 @@ test("taken out and put in again before it arrives, it is built once", async (t)
 
 test("where it cannot be fetched the element says so, and asks again when it is put in again", async (t) => {
   let broken = true;
-  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), (route) => (broken ? route.abort() : route.continue()));
+  const { page } = await openWithRoute(t, surfacePage('model="patch" segments="4" controls'), (route) =>
+    broken ? route.abort() : route.continue(),
+  );
   await page.getByText(MISSING).waitFor();
   await page.getByRole("slider", { name: "Segments" }).fill("5"); // the panel goes on
   const element = page.locator("bezier-surface");
   const pictureType = () => element.evaluate((each) => each.toBlob().then((picture) => picture?.type)); // waits for the attempt that is under way
   assert.equal(await pictureType(), undefined);
-  const putInAgain = () => page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
+  const putInAgain = () =>
+    page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));
   const refused = page.waitForEvent("requestfailed", (request) => PART.test(request.url()));
   await putInAgain();
   await refused;

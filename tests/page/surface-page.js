@@ -22,14 +22,24 @@ const DRIVER = /GL Driver Message|ReadPixels/;
  */
 export async function openSurface(t, attributes = "", { more, ...options } = {}) {
   const viewport = { width: 800, height: 1200 };
-  const page = await openPage(t, { html: surfacePage(attributes, more) }, { viewport, reducedMotion: "reduce", ...options });
-  page.on("console", (message) => message.type() === "warning" && !DRIVER.test(message.text()) && page.problems.push(message.text()));
+  const page = await openPage(
+    t,
+    { html: surfacePage(attributes, more) },
+    { viewport, reducedMotion: "reduce", ...options },
+  );
+  page.on(
+    "console",
+    (message) => message.type() === "warning" && !DRIVER.test(message.text()) && page.problems.push(message.text()),
+  );
   await ready(page);
   return page;
 }
 
 /** Waits until the element has drawn and told so. */
-export const ready = (page) => page.waitForFunction(() => /triangles/.test(document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? ""));
+export const ready = (page) =>
+  page.waitForFunction(() =>
+    /triangles/.test(document.querySelector("bezier-surface")?.shadowRoot?.querySelector(".facts")?.textContent ?? ""),
+  );
 
 /** Sets properties of the element and waits until they are drawn. */
 export async function set(page, properties) {
@@ -53,7 +63,9 @@ export const look = (page) =>
   page.evaluate(async () => {
     const bitmap = await createImageBitmap(await document.querySelector("bezier-surface").toBlob());
     const { width, height } = bitmap;
-    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", { willReadFrequently: true });
+    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", {
+      willReadFrequently: true,
+    });
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     const colours = new Set();
@@ -66,21 +78,25 @@ export const look = (page) =>
       const x = (i / 4) % width;
       [left, right] = [Math.min(left, x), Math.max(right, x)];
     }
-    const number = (globalThis.pictures ??= []).push(data) - 1;
+    globalThis.pictures ??= [];
+    const number = globalThis.pictures.push(data) - 1;
     return { inked, loud, left, right, width, height, colours: colours.size, number };
   });
 
 /** How many pixels of two pictures differ by more than so much in some channel. */
 export const difference = (page, a, b, threshold = 24) =>
-  page.evaluate(([i, j, threshold]) => {
-    const [a, b] = [globalThis.pictures[i], globalThis.pictures[j]];
-    let count = 0;
-    for (let at = 0; at < a.length; at += 4) {
-      const far = (k) => Math.abs(a[at + k] - b[at + k]) > threshold;
-      if (far(0) || far(1) || far(2) || far(3)) count++;
-    }
-    return count;
-  }, [a.number, b.number, threshold]);
+  page.evaluate(
+    ([i, j, threshold]) => {
+      const [a, b] = [globalThis.pictures[i], globalThis.pictures[j]];
+      let count = 0;
+      for (let at = 0; at < a.length; at += 4) {
+        const far = (k) => Math.abs(a[at + k] - b[at + k]) > threshold;
+        if (far(0) || far(1) || far(2) || far(3)) count++;
+      }
+      return count;
+    },
+    [a.number, b.number, threshold],
+  );
 
 /** What the read-out says. */
 export const facts = async (page) => {

@@ -16,7 +16,10 @@ test("the teapot is drawn, whole and large, in each shading", async (t) => {
     pictures.push(seen);
   }
   for (let i = 1; i < pictures.length; i++) {
-    assert.ok((await difference(page, pictures[i - 1], pictures[i], 6)) > 2000, `${SHADINGS[i]} differs from ${SHADINGS[i - 1]}`);
+    assert.ok(
+      (await difference(page, pictures[i - 1], pictures[i], 6)) > 2000,
+      `${SHADINGS[i]} differs from ${SHADINGS[i - 1]}`,
+    );
   }
 });
 
@@ -87,7 +90,10 @@ test("a finer tolerance makes more triangles, and pixels follow the view: smalle
 test("the recursion of the text leaves cracks, which are shown; a grid has none", async (t) => {
   const page = await openSurface(t, 'flatness="0.05"');
   const { text, triangles } = await facts(page);
-  const [, pieces, depth] = text.replaceAll("\u2009", "").match(/(\d+)\s+pieces,\s+(\d+)\s+deep/).map(Number);
+  const [, pieces, depth] = text
+    .replaceAll("\u2009", "")
+    .match(/(\d+)\s+pieces,\s+(\d+)\s+deep/)
+    .map(Number);
   assert.equal(triangles, 2 * pieces);
   assert.ok(pieces > 100 && depth >= 2, text);
   const cracks = Number(text.replaceAll("\u2009", "").match(/(\d+)\s+cracks/)[1]);
@@ -100,7 +106,10 @@ test("the recursion of the text leaves cracks, which are shown; a grid has none"
   await page.evaluate(() => {
     const { Surface } = bezier;
     const points = [0, 1, 2, 3].flatMap((y) => [0, 1, 2, 3].map((x) => [x, y, 0]));
-    document.querySelector("bezier-surface").surface = new Surface({ vertices: points, patches: [points.map((_, k) => k)] });
+    document.querySelector("bezier-surface").surface = new Surface({
+      vertices: points,
+      patches: [points.map((_, k) => k)],
+    });
   });
   await set(page, {});
   assert.match((await facts(page)).text, /1\s+pieces, 0\s+deep\s+0\s+cracks/);

@@ -5,7 +5,21 @@ import { test } from "node:test";
 import { openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
-const SECTIONS = ["patches", "evaluation", "curves", "tessellation", "normals", "cracks", "adaptive", "forward-differencing", "gpu", "teapot", "wireframe", "rays", "files"];
+const SECTIONS = [
+  "patches",
+  "evaluation",
+  "curves",
+  "tessellation",
+  "normals",
+  "cracks",
+  "adaptive",
+  "forward-differencing",
+  "gpu",
+  "teapot",
+  "wireframe",
+  "rays",
+  "files",
+];
 /** Browsers lend about sixteen. */
 const MOST_CONTEXTS = 10;
 
@@ -13,10 +27,14 @@ test("every figure is drawn when the reader comes near, and few hold the graphic
   const page = await open(t);
   const ids = await page.locator("bezier-surface").evaluateAll((all) => all.map(({ id }) => id));
   assert.ok(ids.length >= 18, `${ids.length} figures`);
-  const living = () => page.locator("bezier-surface").evaluateAll((all) => all.filter((each) => {
-    const canvas = each.shadowRoot.querySelector("canvas");
-    return canvas.width > 1 && canvas.getContext("webgl2")?.isContextLost() === false;
-  }).length);
+  const living = () =>
+    page.locator("bezier-surface").evaluateAll(
+      (all) =>
+        all.filter((each) => {
+          const canvas = each.shadowRoot.querySelector("canvas");
+          return canvas.width > 1 && canvas.getContext("webgl2")?.isContextLost() === false;
+        }).length,
+    );
   for (const id of [...ids, ids[0]]) {
     await near(page, id);
     await page.evaluate(async (id) => {
@@ -30,11 +48,19 @@ test("the sections, the figures' own places, and all that other pages link to ar
   const page = await open(t);
   assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
   assert.deepEqual(await page.locator("main figure:not([id])").count(), 0);
-  const pages = readdirSync(`${root}www`, { recursive: true, encoding: "utf8" }).filter((name) => name.endsWith(".html"));
-  const wanted = pages.flatMap((name) => [...readFileSync(`${root}www/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id));
+  const pages = readdirSync(`${root}www`, { recursive: true, encoding: "utf8" }).filter((name) =>
+    name.endsWith(".html"),
+  );
+  const wanted = pages.flatMap((name) =>
+    [...readFileSync(`${root}www/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id),
+  );
   assert.ok(wanted.length > 15);
   assert.deepEqual(await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), wanted), []);
-  const own = await page.evaluate(() => [...document.querySelectorAll('a[href^="#"]')].map(({ hash }) => hash.slice(1)).filter((id) => !document.getElementById(id)));
+  const own = await page.evaluate(() =>
+    [...document.querySelectorAll('a[href^="#"]')]
+      .map(({ hash }) => hash.slice(1))
+      .filter((id) => !document.getElementById(id)),
+  );
   assert.deepEqual(own, []);
 });
 
@@ -55,7 +81,10 @@ test("without JavaScript every figure is there as lines, and the code can be rea
   assert.equal(await page.locator("bezier-surface > svg[role=img] path").count(), count);
   const { width, height } = await figures.first().locator("svg path").boundingBox();
   assert.ok(width > 100 && height > 60, `${width} × ${height}`);
-  assert.ok(await page.getByText("fn sample").count() === 0 && await page.getByText("TessellationOptions::tolerance").first().isVisible());
+  assert.ok(
+    (await page.getByText("fn sample").count()) === 0 &&
+      (await page.getByText("TessellationOptions::tolerance").first().isVisible()),
+  );
 });
 
 test("a figure shows its lines until it is drawn, and again while it is far away", async (t) => {

@@ -3,9 +3,19 @@ import { openPage } from "./browser.js";
 
 /** @param {import("node:test").TestContext} t */
 export async function open(t, options = {}) {
-  const page = await openPage(t, "/surfaces/", { viewport: { width: 1100, height: 800 }, reducedMotion: "reduce", ...options });
-  page.on("console", (message) => message.type() === "warning" && /context/i.test(message.text()) && page.problems.push(message.text()));
-  await page.waitForFunction(() => customElements.get("bezier-surface") && customElements.get("lesson-task") && customElements.get("surface-knobs"));
+  const page = await openPage(t, "/surfaces/", {
+    viewport: { width: 1100, height: 800 },
+    reducedMotion: "reduce",
+    ...options,
+  });
+  page.on(
+    "console",
+    (message) => message.type() === "warning" && /context/i.test(message.text()) && page.problems.push(message.text()),
+  );
+  await page.waitForFunction(
+    () =>
+      customElements.get("bezier-surface") && customElements.get("lesson-task") && customElements.get("surface-knobs"),
+  );
   return page;
 }
 
@@ -34,7 +44,10 @@ export async function task(page, name, guess) {
 
 /** Waits until a task is done; what it says then. */
 export async function done(page, name) {
-  await page.waitForFunction((name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done", name);
+  await page.waitForFunction(
+    (name) => document.querySelector(`lesson-task[name="${name}"]`)?.dataset.state === "done",
+    name,
+  );
   return page.locator(`lesson-task[name="${name}"] .words`).innerText();
 }
 

@@ -18,7 +18,8 @@ test("a corner, by the sliders' keys, after a guess", async (t) => {
 test("the square is dragged, and turned by arrow keys", async (t) => {
   const page = await open(t);
   await near(page, "map-surface");
-  const place = () => page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
+  const place = () =>
+    page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
   const box = await page.locator("unit-square .square").boundingBox();
   await page.mouse.move(box.x + 5, box.y + 5);
   await page.mouse.down();
@@ -114,7 +115,10 @@ test("a patch file is written and shown; what is none is refused in words", asyn
   const text = page.getByRole("textbox", { name: "A patch file" });
   await text.fill("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 one 0");
   await page.getByRole("button", { name: "Show it" }).click();
-  await page.locator("patch-text .note").getByText(/line|row|number/).waitFor();
+  await page
+    .locator("patch-text .note")
+    .getByText(/line|row|number/)
+    .waitFor();
   assert.equal(await page.evaluate(() => document.querySelector("#file-surface").surface.patchCount), 32);
   await text.fill("1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 0");
   await page.getByRole("button", { name: "Show it" }).click();
@@ -128,7 +132,10 @@ test("a point is moved, and the nearest place of the pot follows", async (t) => 
   const before = await words();
   assert.match(before, /away: patch \d+, u = 0\.\d\d, v = [01]\.\d\d/);
   await knobs(page, "nearest-surface").getByRole("slider", { name: "z" }).fill("4");
-  await page.waitForFunction((before) => document.querySelector('surface-knobs[for="nearest-surface"] .note').textContent !== before, before);
+  await page.waitForFunction(
+    (before) => document.querySelector('surface-knobs[for="nearest-surface"] .note').textContent !== before,
+    before,
+  );
   const { distance, expected } = await page.evaluate(() => {
     const { figure, surface } = document.querySelector("#nearest-surface");
     return { distance: figure.nearest.distance, expected: surface.nearest([3.2, -0.4, 4]).distance };

@@ -34,7 +34,10 @@ test("the teapot is drawn, inside the picture, and turns", async (t) => {
 test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
   const page = await openPage(t, "/teapot/");
   await page.getByRole("button", { name: "Pause" }).click();
-  const still = async () => (await drawn(page), (await look(page)).image);
+  const still = async () => {
+    await drawn(page);
+    return (await look(page)).image;
+  };
   const paused = await still();
   await frames(page, QUIET_FRAMES);
   assert.equal(await still(), paused);

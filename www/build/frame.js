@@ -26,7 +26,9 @@ const head = (up) => `<meta charset="utf-8">
  */
 function header(up, here) {
   const current = (/** @type {string} */ folder) => (folder === here ? ' aria-current="page"' : "");
-  const items = Object.entries(PAGES).map(([folder, name]) => `          <li><a href="${up}${folder}/"${current(folder)}>${name}</a></li>`);
+  const items = Object.entries(PAGES).map(
+    ([folder, name]) => `          <li><a href="${up}${folder}/"${current(folder)}>${name}</a></li>`,
+  );
   return `<a class="skip" href="#main">Skip to the text</a>
     <header class="site">
       <a class="brand" href="${up || "./"}">casteljau</a>
@@ -50,7 +52,10 @@ export const siteFrame = {
     handler: (/** @type {string} */ html, /** @type {{ path: string }} */ { path }) => {
       const folders = path.split("/").slice(1, -1);
       const up = "../".repeat(folders.length);
-      return html.replace("<!-- head -->", head(up)).replace("<!-- header -->", header(up, folders[0])).replace("<!-- footer -->", FOOTER);
+      return html
+        .replace("<!-- head -->", head(up))
+        .replace("<!-- header -->", header(up, folders[0]))
+        .replace("<!-- footer -->", FOOTER);
     },
   },
 };

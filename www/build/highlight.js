@@ -8,10 +8,12 @@ const KEYWORDS = {
 };
 
 /** Order matters: what begins a comment or a string is neither a word nor a number. A Rust lifetime is no string. */
-const TOKENS = /(?<comment>\/\/[^\n]*|\/\*[^]*?\*\/|<!--[^]*?-->)|(?<string>"(?:\\.|[^"\\])*"|`(?:\\.|[^`\\])*`|'(?:\\.|[^'\\\n])')|(?<number>\b\d[\d_]*(?:\.\d+)?(?:e[+-]?\d+)?(?:f64|f32|u32|usize|_f64)?\b)|(?<word>[A-Za-z_$][\w$]*)/g;
+const TOKENS =
+  /(?<comment>\/\/[^\n]*|\/\*[\s\S]*?\*\/|<!--[\s\S]*?-->)|(?<string>"(?:\\.|[^"\\])*"|`(?:\\.|[^`\\])*`|'(?:\\.|[^'\\\n])')|(?<number>\b\d[\d_]*(?:\.\d+)?(?:e[+-]?\d+)?(?:f64|f32|u32|usize|_f64)?\b)|(?<word>[A-Za-z_$][\w$]*)/g;
 
 /** @param {string} text */
-export const escapeHtml = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
+export const escapeHtml = (text) =>
+  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
 
 /**
  * The code as HTML, with `<span class="comment|string|number|keyword">` around what is one.

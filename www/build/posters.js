@@ -14,7 +14,8 @@ const THEME = { ink: "var(--ink)", quiet: "var(--quiet)", paper: "var(--ground)"
  * @param {string} tag
  * @returns {Record<string, string>}
  */
-const attributesOf = (tag) => Object.fromEntries(Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)")?/g), ([, name, value = ""]) => [name, value]));
+const attributesOf = (tag) =>
+  Object.fromEntries(Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)")?/g), ([, name, value = ""]) => [name, value]));
 
 /**
  * The picture of an applet with these attributes.
@@ -33,6 +34,10 @@ export const appletPosters = {
   name: "applet-posters",
   transformIndexHtml: {
     order: /** @type {const} */ ("pre"),
-    handler: (/** @type {string} */ html) => html.replace(/<bezier-applet\b([^>]*)>\s*(?=<\/bezier-applet>)/g, (tag, attributes) => tag + posterOf(attributesOf(attributes))),
+    handler: (/** @type {string} */ html) =>
+      html.replace(
+        /<bezier-applet\b([^>]*)>\s*(?=<\/bezier-applet>)/g,
+        (tag, attributes) => tag + posterOf(attributesOf(attributes)),
+      ),
   },
 };

@@ -12,7 +12,11 @@ const WRAPPERS = {
   rs: {
     head: /^pub\(crate\) fn sample\(out: &mut String\) \{\n/m,
     indent: 4,
-    print: [[/\bwriteln!\(\s*out, ?(\n?)/g, "println!($1"], [/\bwriteln!\(\s*out\s*\)/g, "println!()"], [/\bwrite!\(\s*out,\s?/g, "print!("]],
+    print: [
+      [/\bwriteln!\(\s*out, ?(\n?)/g, "println!($1"],
+      [/\bwriteln!\(\s*out\s*\)/g, "println!()"],
+      [/\bwrite!\(\s*out,\s?/g, "print!("],
+    ],
   },
 };
 
@@ -30,7 +34,10 @@ export function unwrap(source, language) {
   const end = rest.search(/^\}\n/m);
   const body = rest.slice(0, end).replace(new RegExp(`^ {${indent}}`, "gm"), "");
   const after = rest.slice(end + 2);
-  const shown = print.reduce((text, [from, to]) => text.replace(/** @type {RegExp} */ (from), /** @type {string} */ (to)), body + after);
+  const shown = print.reduce(
+    (text, [from, to]) => text.replace(/** @type {RegExp} */ (from), /** @type {string} */ (to)),
+    body + after,
+  );
   return `${before.trim()}\n\n${shown.trim()}`.trim();
 }
 
@@ -51,9 +58,14 @@ export const lessonSamples = {
   transformIndexHtml: {
     order: /** @type {const} */ ("pre"),
     handler: (/** @type {string} */ html) =>
-      html.replace(/(<lesson-sample\b[^>]*\bname="([\w-]+)"[^>]*>)\s*(?=<\/lesson-sample>)/g, (_, tag, name) => {
-        if (!existsSync(`${folder}${name}.js`)) throw new Error(`there is no sample www/samples/${name}.js`);
-        return tag + written(name);
-      }).replace(/(<code data-code="(\w+)">)([^<]*)(?=<\/code>)/g, (_, tag, language, code) => tag + highlight(plain(code), language)),
+      html
+        .replace(/(<lesson-sample\b[^>]*\bname="([\w-]+)"[^>]*>)\s*(?=<\/lesson-sample>)/g, (_, tag, name) => {
+          if (!existsSync(`${folder}${name}.js`)) throw new Error(`there is no sample www/samples/${name}.js`);
+          return tag + written(name);
+        })
+        .replace(
+          /(<code data-code="(\w+)">)([^<]*)(?=<\/code>)/g,
+          (_, tag, language, code) => tag + highlight(plain(code), language),
+        ),
   },
 };

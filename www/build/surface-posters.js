@@ -17,7 +17,13 @@ const ROOM = 4;
  * @param {string} tag
  * @returns {Record<string, string>}
  */
-const attributesOf = (tag) => Object.fromEntries(Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)"|='([^']*)')?/g), ([, name, value, other]) => [name, value ?? other ?? ""]));
+const attributesOf = (tag) =>
+  Object.fromEntries(
+    Array.from(tag.matchAll(/\s([\w-]+)(?:="([^"]*)"|='([^']*)')?/g), ([, name, value, other]) => [
+      name,
+      value ?? other ?? "",
+    ]),
+  );
 
 /**
  * The curves of the surface with these attributes, as an SVG. A curve's control points are put where the lens shows them: for
@@ -34,14 +40,20 @@ export function surfacePoster(attributes) {
   const view = moved(HOME, JSON.parse(attributes["data-view"] ?? "{}"));
   const sight = sightOf(view, frame, WIDTH, HEIGHT);
   const lines = surface.patchCount < ROOM ? MANY : FEW;
-  const path = surface.isocurves({ lines }).map((curve) => pathOf(curve, sight)).join("");
+  const path = surface
+    .isocurves({ lines })
+    .map((curve) => pathOf(curve, sight))
+    .join("");
   return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${attributes.label ?? "A surface of Bézier patches"}"><path d="${path}" fill="none" stroke="currentColor" stroke-opacity="0.6"/></svg>`;
 }
 
 /** @param {import("casteljau").Curve} curve @param {import("../../js/elements/surface/camera.js").Sight} sight */
 function pathOf(curve, sight) {
   const points = curve.controlPoints();
-  const places = Array.from({ length: points.length / 3 }, (_, k) => placeOf(sight, points, 3 * k, WIDTH, HEIGHT) ?? [0, 0]);
+  const places = Array.from(
+    { length: points.length / 3 },
+    (_, k) => placeOf(sight, points, 3 * k, WIDTH, HEIGHT) ?? [0, 0],
+  );
   const [first, ...rest] = places.map((place) => place.map((x) => x.toFixed(1)).join(" "));
   return `M${first}${rest.length === 3 ? "C" : rest.length === 2 ? "Q" : "L"}${rest.join(" ")}`;
 }
@@ -51,6 +63,10 @@ export const surfacePosters = {
   name: "surface-posters",
   transformIndexHtml: {
     order: /** @type {const} */ ("pre"),
-    handler: (/** @type {string} */ html) => html.replace(/(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g, (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes))),
+    handler: (/** @type {string} */ html) =>
+      html.replace(
+        /(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g,
+        (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes)),
+      ),
   },
 };

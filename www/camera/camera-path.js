@@ -19,8 +19,16 @@ const COLOURS = /** @type {const} */ (["ink", "quiet", "grid", "curve", "handle"
 
 /** `<camera-path>` */
 export class CameraPath extends Figure {
-  static properties = { state: { attribute: false }, progress: { state: true }, chosen: { state: true }, playing: { state: true }, orbit: { state: true } };
-  static styles = [Figure.styles, css`
+  static properties = {
+    state: { attribute: false },
+    progress: { state: true },
+    chosen: { state: true },
+    playing: { state: true },
+    orbit: { state: true },
+  };
+  static styles = [
+    Figure.styles,
+    css`
     .views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 1px; background: var(--rim); }
     .view { position: relative; background: var(--paper); }
     .view > b { position: absolute; inset: 0.5rem auto auto 0.7rem; font-size: 0.875rem; font-weight: 600; pointer-events: none; }
@@ -28,7 +36,8 @@ export class CameraPath extends Figure {
     #eye { aspect-ratio: 2 / 1; }
     .key-line { display: inline-block; inline-size: 1.1rem; block-size: 0; border-block-start: 3px solid; vertical-align: middle; margin-inline: 0.6rem 0.3rem; }
     .wide { grid-column: 1 / -1; }
-  `];
+  `,
+  ];
 
   constructor() {
     super();
@@ -86,7 +95,11 @@ export class CameraPath extends Figure {
     // Frenet's frame keeps its last answer where the path is straight, so it is asked all along the way.
     const ts = [...Array.from({ length: 60 }, (_, i) => (t * i) / 60), t];
     const frame = /** @type {import("./path.js").Frame} */ (framesOf(this.path, ts, this.state.frames).at(-1));
-    return { t, frame, camera: cameraIn(this.state.look === "teapot" ? lookingAt(frame, TEAPOT_MIDDLE) : frame, HALF_SIGHT) };
+    return {
+      t,
+      frame,
+      camera: cameraIn(this.state.look === "teapot" ? lookingAt(frame, TEAPOT_MIDDLE) : frame, HALF_SIGHT),
+    };
   }
 
   play() {
@@ -137,7 +150,8 @@ export class CameraPath extends Figure {
     if (!width) return;
     const height = canvas.clientHeight;
     const sharp = devicePixelRatio;
-    if (canvas.width !== Math.round(width * sharp)) [canvas.width, canvas.height] = [width, height].map((side) => Math.round(side * sharp));
+    if (canvas.width !== Math.round(width * sharp))
+      [canvas.width, canvas.height] = [width, height].map((side) => Math.round(side * sharp));
     const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
     ctx.setTransform(sharp, 0, 0, sharp, 0, 0);
     ctx.clearRect(0, 0, width, height);
@@ -151,9 +165,14 @@ export class CameraPath extends Figure {
     target.setPointerCapture(start.pointerId);
     const { turn, tilt } = this.orbit;
     const ends = new AbortController();
-    const move = (/** @type {PointerEvent} */ event) => this.orbitTo(turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL, tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL);
+    const move = (/** @type {PointerEvent} */ event) =>
+      this.orbitTo(
+        turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
+        tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
+      );
     target.addEventListener("pointermove", move, { signal: ends.signal });
-    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+    for (const type of ["pointerup", "pointercancel"])
+      target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
   }
 
   /** @param {KeyboardEvent} event */
@@ -177,9 +196,12 @@ export class CameraPath extends Figure {
     const height = Math.round((wide * 2) / 3);
     const scale = Math.min(wide / (BOX.max[0] - BOX.min[0]), height / (BOX.max[1] - BOX.min[1])) * 0.94;
     const [cx, cy] = [0, 1].map((k) => (BOX.min[k] + BOX.max[k]) / 2);
-    const place = (/** @type {readonly number[]} */ [x, y]) => /** @type {[number, number]} */ ([wide / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale]);
-    const unplace = (/** @type {readonly number[]} */ [px, py]) => /** @type {[number, number]} */ ([cx + (px - wide / 2) / scale, cy - (py - height / 2) / scale]);
-    const flat = (/** @type {ArrayLike<number>} */ points) => Array.from({ length: points.length / 3 }, (_, i) => place([points[3 * i], points[3 * i + 1]])).flat();
+    const place = (/** @type {readonly number[]} */ [x, y]) =>
+      /** @type {[number, number]} */ ([wide / 2 + (x - cx) * scale, height / 2 - (y - cy) * scale]);
+    const unplace = (/** @type {readonly number[]} */ [px, py]) =>
+      /** @type {[number, number]} */ ([cx + (px - wide / 2) / scale, cy - (py - height / 2) / scale]);
+    const flat = (/** @type {ArrayLike<number>} */ points) =>
+      Array.from({ length: points.length / 3 }, (_, i) => place([points[3 * i], points[3 * i + 1]])).flat();
     const stops = flat(this.stops);
     const { frame } = this.here;
     const [ex, ey] = place(frame.point);
@@ -195,10 +217,21 @@ export class CameraPath extends Figure {
         })}
         <path class="at" d="M${ex + 11 * tx} ${ey + 11 * ty}L${ex - 7 * tx - 7 * ty} ${ey - 7 * ty + 7 * tx}L${ex - 7 * tx + 7 * ty} ${ey - 7 * ty - 7 * tx}Z" />
       </svg>
-      ${this.state.points.map((point, k) => handle({
-        name: `Point ${k + 1}`, at: [point[0], point[1]], place, unplace, size: [wide, height], box: { min: [BOX.min[0], BOX.min[1]], max: [BOX.max[0], BOX.max[1]] }, step: 0.1,
-        say: (value) => short(value, 2), move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])), done: () => this.tell(), focus: () => (this.chosen = k),
-      }))}
+      ${this.state.points.map((point, k) =>
+        handle({
+          name: `Point ${k + 1}`,
+          at: [point[0], point[1]],
+          place,
+          unplace,
+          size: [wide, height],
+          box: { min: [BOX.min[0], BOX.min[1]], max: [BOX.max[0], BOX.max[1]] },
+          step: 0.1,
+          say: (value) => short(value, 2),
+          move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])),
+          done: () => this.tell(),
+          focus: () => (this.chosen = k),
+        }),
+      )}
     `;
   }
 
@@ -208,20 +241,78 @@ export class CameraPath extends Figure {
     return html`
       <div class="controls">
         <button @click=${this.play}>${this.playing ? "Pause" : "Play"}</button>
-        ${slider({ name: "Time", value: this.progress, min: 0, max: 1, step: 0.001, text: decimal(this.progress), change: (progress) => { this.stop(); this.progress = progress; } })}
-        ${choice({ name: "Speed", options: [[true, "even"], [false, html`raw <i>t</i>`]], value: state.even, change: (even) => set({ even }) })}
-        ${choice({ name: "Frame", options: [["minimising", "rotation-minimising"], ["frenet", "Frenet"], ["upright", "upright"]], value: state.frames, change: (frames) => set({ frames }) })}
-        ${choice({ name: "Look", options: [["ahead", "ahead"], ["teapot", "at the teapot"]], value: state.look, change: (look) => set({ look }) })}
+        ${slider({
+          name: "Time",
+          value: this.progress,
+          min: 0,
+          max: 1,
+          step: 0.001,
+          text: decimal(this.progress),
+          change: (progress) => {
+            this.stop();
+            this.progress = progress;
+          },
+        })}
+        ${choice({
+          name: "Speed",
+          options: [
+            [true, "even"],
+            [false, html`raw <i>t</i>`],
+          ],
+          value: state.even,
+          change: (even) => set({ even }),
+        })}
+        ${choice({
+          name: "Frame",
+          options: [
+            ["minimising", "rotation-minimising"],
+            ["frenet", "Frenet"],
+            ["upright", "upright"],
+          ],
+          value: state.frames,
+          change: (frames) => set({ frames }),
+        })}
+        ${choice({
+          name: "Look",
+          options: [
+            ["ahead", "ahead"],
+            ["teapot", "at the teapot"],
+          ],
+          value: state.look,
+          change: (look) => set({ look }),
+        })}
       </div>
       <div class="controls">
-        ${slider({ name: `Height of point ${this.chosen + 1}`, value: state.points[this.chosen][2], min: BOX.min[2], max: BOX.max[2], step: 0.1, text: decimal(state.points[this.chosen][2], 1),
-          change: (z) => this.change(moved(state, this.chosen, [state.points[this.chosen][0], state.points[this.chosen][1], z])) })}
+        ${slider({
+          name: `Height of point ${this.chosen + 1}`,
+          value: state.points[this.chosen][2],
+          min: BOX.min[2],
+          max: BOX.max[2],
+          step: 0.1,
+          text: decimal(state.points[this.chosen][2], 1),
+          change: (z) =>
+            this.change(moved(state, this.chosen, [state.points[this.chosen][0], state.points[this.chosen][1], z])),
+        })}
         <div class="row">
-          <button @click=${() => this.change(added(state, this.chosen, (t) => { const { x, y, z } = /** @type {any} */ (this.path.eval(t)); return [x, y, z]; }))}>Add a point behind ${this.chosen + 1}</button>
+          <button @click=${() =>
+            this.change(
+              added(state, this.chosen, (t) => {
+                const { x, y, z } = /** @type {any} */ (this.path.eval(t));
+                return [x, y, z];
+              }),
+            )}>Add a point behind ${this.chosen + 1}</button>
           <button ?disabled=${state.points.length <= FEWEST_POINTS} @click=${() => this.change(removed(state, this.chosen))}>Delete point ${this.chosen + 1}</button>
           <button @click=${() => this.change(FIRST)}>Reset</button>
         </div>
-        ${list({ name: "Path", options: [["natural", "natural spline"], ["catmull-rom", "centripetal Catmull-Rom"]], value: state.kind, change: (kind) => set({ kind: /** @type {"natural"} */ (kind) }) })}
+        ${list({
+          name: "Path",
+          options: [
+            ["natural", "natural spline"],
+            ["catmull-rom", "centripetal Catmull-Rom"],
+          ],
+          value: state.kind,
+          change: (kind) => set({ kind: /** @type {"natural"} */ (kind) }),
+        })}
         ${check({ name: "closed", value: state.closed, change: (closed) => set({ closed }) })}
       </div>
     `;

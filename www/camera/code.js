@@ -10,7 +10,10 @@ export function cameraCode({ points, kind, closed, even, frames }, progress, poi
   const list = points.map((p) => `  [${p.map((value) => Number(value.toFixed(2))).join(", ")}],`).join("\n");
   const options = `{ kind: "${kind}"${closed ? ", closed: true" : ""} }`;
   const time = even ? "path.timeAtLength(progress * length)" : "progress * path.segmentCount";
-  const note = frames === "minimising" ? "" : `  // (the page shows ${frames === "frenet" ? "Frenet's" : "upright"} frames; these do not roll)\n`;
+  const note =
+    frames === "minimising"
+      ? ""
+      : `  // (the page shows ${frames === "frenet" ? "Frenet's" : "upright"} frames; these do not roll)\n`;
   return `import { Spline } from "casteljau";
 
 const path = Spline.interpolate([

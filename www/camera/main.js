@@ -11,5 +11,8 @@ keepInAddress(camera, {
   read: (state) => {
     camera.state = checked(state);
   },
-  write: () => ({ ...camera.state, points: camera.state.points.map((point) => point.map((value) => Number(value.toFixed(2)))) }),
+  write: () => ({
+    ...camera.state,
+    points: camera.state.points.map((point) => point.map((value) => Number(value.toFixed(2)))),
+  }),
 });

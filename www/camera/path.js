@@ -30,7 +30,11 @@ const triple = (flat, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]];
  * @param {readonly Vector[]} points
  * @param {{ kind: "natural" | "catmull-rom", closed: boolean }} options
  */
-export const pathThrough = (points, { kind, closed }) => Spline.interpolate(points.map((point) => [...point]), { kind, closed, dimension: 3 });
+export const pathThrough = (points, { kind, closed }) =>
+  Spline.interpolate(
+    points.map((point) => [...point]),
+    { kind, closed, dimension: 3 },
+  );
 
 /**
  * Where the camera is after a part of the time.
@@ -40,7 +44,8 @@ export const pathThrough = (points, { kind, closed }) => Spline.interpolate(poin
  * @param {boolean} even equal ways in equal times; otherwise equal steps of t
  * @returns {number} t
  */
-export const timeAt = (path, progress, even) => (even ? path.timeAtLength(progress * path.length()) : progress * path.segmentCount);
+export const timeAt = (path, progress, even) =>
+  even ? path.timeAtLength(progress * path.length()) : progress * path.segmentCount;
 
 /**
  * The times of equal steps.
@@ -50,7 +55,9 @@ export const timeAt = (path, progress, even) => (even ? path.timeAtLength(progre
  * @param {boolean} even
  */
 export const equalSteps = (path, steps, even) =>
-  even ? path.equidistantTimes(steps) : Float64Array.from({ length: steps + 1 }, (_, i) => (i / steps) * path.segmentCount);
+  even
+    ? path.equidistantTimes(steps)
+    : Float64Array.from({ length: steps + 1 }, (_, i) => (i / steps) * path.segmentCount);
 
 /**
  * Rotation-minimising frames: carried along from the start without turning about the path.
@@ -63,7 +70,10 @@ export function minimising(path, ts) {
   // The start comes first, whatever is asked: that is where the camera stands upright.
   const { points, tangents, normals, binormals } = path.frames([0, ...Array.from(ts)], { normal: UP });
   return Array.from(ts, (_, i) => ({
-    point: triple(points, i + 1), tangent: triple(tangents, i + 1), normal: triple(normals, i + 1), binormal: triple(binormals, i + 1),
+    point: triple(points, i + 1),
+    tangent: triple(tangents, i + 1),
+    normal: triple(normals, i + 1),
+    binormal: triple(binormals, i + 1),
   }));
 }
 
@@ -103,7 +113,9 @@ export function framesOf(path, ts, kind) {
   if (kind === "minimising") return carried;
   if (kind === "upright") return carried.map(upright);
   let last = carried[0];
-  return carried.map((frame, i) => (last = frenet(path, ts[i]) ?? { ...frame, normal: last.normal, binormal: last.binormal }));
+  return carried.map(
+    (frame, i) => (last = frenet(path, ts[i]) ?? { ...frame, normal: last.normal, binormal: last.binormal }),
+  );
 }
 
 /**
@@ -112,7 +124,8 @@ export function framesOf(path, ts, kind) {
  * @param {Frame} frame
  * @param {Frame} carried
  */
-export const roll = (frame, carried) => (Math.atan2(dot(frame.normal, carried.binormal), dot(frame.normal, carried.normal)) * 180) / Math.PI;
+export const roll = (frame, carried) =>
+  (Math.atan2(dot(frame.normal, carried.binormal), dot(frame.normal, carried.normal)) * 180) / Math.PI;
 
 /**
  * The frame for a camera that turns to a place instead of looking ahead.

@@ -12,7 +12,8 @@ const ROLL_STEPS = 240;
 export function strip(camera) {
   const [left, right] = [74, 16];
   const x = (/** @type {number} */ s) => left + (s / camera.length) * (camera.wide - left - right);
-  const lengths = (/** @type {boolean} */ even) => Array.from(equalSteps(camera.path, camera.steps, even), (t) => lengthUpTo(camera.path, t));
+  const lengths = (/** @type {boolean} */ even) =>
+    Array.from(equalSteps(camera.path, camera.steps, even), (t) => lengthUpTo(camera.path, t));
   const row = (/** @type {boolean} */ even, /** @type {number} */ y, /** @type {string} */ words) => svg`
     <text class="end ${even === camera.state.even ? "strong" : "quiet"}" x=${left - 10} y=${y + 4}>${words}</text>
     <path class="axis" d="M${left} ${y}H${camera.wide - right}" />
@@ -41,14 +42,25 @@ export const rolls = (camera) => guard([camera.state, camera.wide], () => rollPl
 function rollPlot(camera) {
   const ts = camera.path.equidistantTimes(ROLL_STEPS);
   const carried = minimising(camera.path, ts);
-  const kinds = /** @type {const} */ ([["minimising", "level1", "", "rotation-minimising"], ["frenet", "handle", "2 4", "Frenet"], ["upright", "curve", "8 4", "upright"]]);
+  const kinds = /** @type {const} */ ([
+    ["minimising", "level1", "", "rotation-minimising"],
+    ["frenet", "handle", "2 4", "Frenet"],
+    ["upright", "curve", "8 4", "upright"],
+  ]);
   const [left, right, height] = [74, 16, 130];
   const x = (/** @type {number} */ i) => left + (i / ROLL_STEPS) * (camera.wide - left - right);
   const y = (/** @type {number} */ degrees) => 12 + ((180 - degrees) / 360) * (height - 34);
   const lists = kinds.map(([kind]) => framesOf(camera.path, ts, kind).map((frame, i) => roll(frame, carried[i])));
   // A leap from 180° to −180° is none: the line is lifted there.
-  const trace = (/** @type {number[]} */ list) => list.map((value, i) => `${i === 0 || Math.abs(value - list[i - 1]) > 300 ? "M" : "L"}${x(i).toFixed(1)} ${y(value).toFixed(1)}`).join("");
-  const leap = (/** @type {number[]} */ list) => Math.max(...list.slice(1).map((value, i) => Math.abs(((value - list[i] + 540) % 360) - 180)));
+  const trace = (/** @type {number[]} */ list) =>
+    list
+      .map(
+        (value, i) =>
+          `${i === 0 || Math.abs(value - list[i - 1]) > 300 ? "M" : "L"}${x(i).toFixed(1)} ${y(value).toFixed(1)}`,
+      )
+      .join("");
+  const leap = (/** @type {number[]} */ list) =>
+    Math.max(...list.slice(1).map((value, i) => Math.abs(((value - list[i] + 540) % 360) - 180)));
   return html`
     <svg viewBox="0 0 ${camera.wide} ${height}" role="img" aria-label="How far frames are turned about the path, in degrees, along the way">
       ${[-180, 0, 180].map((degrees) => svg`<path class="gridline" d="M${left} ${y(degrees)}H${camera.wide - right}" /><text class="quiet end" x=${left - 10} y=${y(degrees) + 4}>${decimal(degrees, 0)}°</text>`)}

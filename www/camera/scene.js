@@ -15,21 +15,33 @@ const LINES = 3;
 const PIECES = 10;
 
 /** The teapot's curves as polylines, made once: 32 patches, each from a dozen numbers. */
-const teapot = Surface.teapot({ up: "z" }).isocurves({ lines: LINES }).map((curve) => curve.sample(PIECES));
+const teapot = Surface.teapot({ up: "z" })
+  .isocurves({ lines: LINES })
+  .map((curve) => curve.sample(PIECES));
 /** The middle of the teapot. */
 export const TEAPOT_MIDDLE = /** @type {Vector} */ ([0, 0, 1.5]);
 
 const floor = Array.from({ length: (2 * FLOOR) / FLOOR_STEP + 1 }, (_, i) => -FLOOR + i * FLOOR_STEP).flatMap((at) => [
-  pieces([at, -FLOOR, 0], [at, FLOOR, 0]), pieces([-FLOOR, at, 0], [FLOOR, at, 0]),
+  pieces([at, -FLOOR, 0], [at, FLOOR, 0]),
+  pieces([-FLOOR, at, 0], [FLOOR, at, 0]),
 ]);
 
 /** A line in pieces, so that those behind the eye can be left out. @param {Vector} from @param {Vector} to */
 function pieces(from, to) {
-  return Float64Array.from({ length: 3 * (FLOOR + 1) }, (_, i) => from[i % 3] + ((to[i % 3] - from[i % 3]) * Math.floor(i / 3)) / FLOOR);
+  return Float64Array.from(
+    { length: 3 * (FLOOR + 1) },
+    (_, i) => from[i % 3] + ((to[i % 3] - from[i % 3]) * Math.floor(i / 3)) / FLOOR,
+  );
 }
 
 /** A camera that stands in a frame. @param {Frame} frame @param {number} angle @returns {Camera} */
-export const cameraIn = ({ point, tangent, normal, binormal }, angle) => ({ eye: point, forward: tangent, up: normal, right: binormal, angle });
+export const cameraIn = ({ point, tangent, normal, binormal }, angle) => ({
+  eye: point,
+  forward: tangent,
+  up: normal,
+  right: binormal,
+  angle,
+});
 
 /**
  * Seen from outside.
@@ -44,7 +56,13 @@ export function orbiting(turn, tilt, distance) {
   const outward = /** @type {Vector} */ ([Math.cos(a) * Math.cos(b), Math.sin(a) * Math.cos(b), Math.sin(b)]);
   const right = /** @type {Vector} */ ([-Math.sin(a), Math.cos(a), 0]);
   const forward = times(outward, -1);
-  return { eye: plus([-2.2, 0, 1.4], times(outward, distance)), forward, right, up: unit(cross(right, forward)), angle: 0.36 };
+  return {
+    eye: plus([-2.2, 0, 1.4], times(outward, distance)),
+    forward,
+    right,
+    up: unit(cross(right, forward)),
+    angle: 0.36,
+  };
 }
 
 /** Into the camera's own axes: right, up, ahead. @param {Camera} camera @param {Vector} point @returns {Vector} */
@@ -83,7 +101,8 @@ export function line(sheet, flat) {
 /** @param {Sheet} sheet @param {Vector} a @param {Vector} b @param {boolean} first */
 function segment(sheet, a, b, first) {
   if (a[2] <= NEAR && b[2] <= NEAR) return;
-  const cut = (/** @type {Vector} */ hidden, /** @type {Vector} */ shown) => plus(hidden, times(minus(shown, hidden), (NEAR - hidden[2]) / (shown[2] - hidden[2])));
+  const cut = (/** @type {Vector} */ hidden, /** @type {Vector} */ shown) =>
+    plus(hidden, times(minus(shown, hidden), (NEAR - hidden[2]) / (shown[2] - hidden[2])));
   const from = a[2] <= NEAR ? cut(a, b) : a;
   const to = b[2] <= NEAR ? cut(b, a) : b;
   if (first || from !== a) sheet.ctx.moveTo(...onSheet(sheet, from));
@@ -120,10 +139,16 @@ export function drawScene(sheet, colours) {
  * @param {{ handle: string, level1: string, level2: string }} colours
  */
 export function drawFrames(sheet, frames, size, colours) {
-  const axes = /** @type {const} */ ([["binormal", colours.level2], ["normal", colours.level1], ["tangent", colours.handle]]);
+  const axes = /** @type {const} */ ([
+    ["binormal", colours.level2],
+    ["normal", colours.level1],
+    ["tangent", colours.handle],
+  ]);
   for (const [axis, colour] of axes) {
     const length = axis === "tangent" ? size / 2 : size;
-    stroke(sheet, colour, 2, () => frames.forEach((frame) => line(sheet, [...frame.point, ...plus(frame.point, times(frame[axis], length))])));
+    stroke(sheet, colour, 2, () =>
+      frames.forEach((frame) => line(sheet, [...frame.point, ...plus(frame.point, times(frame[axis], length))])),
+    );
   }
 }
 

@@ -13,12 +13,30 @@ export const FEWEST_POINTS = 3;
 
 /** @type {State} */
 export const FIRST = {
-  points: [[-12.5, -6, 1.4], [-9.5, -4.8, 1.4], [-5, -6, 1.8], [-0.5, -4.3, 3], [4.2, -6.6, 3], [7.8, -2, 4.6], [4.2, 4.8, 5], [-3.2, 5.8, 2.6], [-9, 2.2, 1.8]],
-  kind: "natural", closed: false, even: true, frames: "minimising", look: "ahead",
+  points: [
+    [-12.5, -6, 1.4],
+    [-9.5, -4.8, 1.4],
+    [-5, -6, 1.8],
+    [-0.5, -4.3, 3],
+    [4.2, -6.6, 3],
+    [7.8, -2, 4.6],
+    [4.2, 4.8, 5],
+    [-3.2, 5.8, 2.6],
+    [-9, 2.2, 1.8],
+  ],
+  kind: "natural",
+  closed: false,
+  even: true,
+  frames: "minimising",
+  look: "ahead",
 };
 
 const CHOICES = /** @type {const} */ ({
-  kind: ["natural", "catmull-rom"], closed: [true, false], even: [true, false], frames: ["minimising", "frenet", "upright"], look: ["ahead", "teapot"],
+  kind: ["natural", "catmull-rom"],
+  closed: [true, false],
+  even: [true, false],
+  frames: ["minimising", "frenet", "upright"],
+  look: ["ahead", "teapot"],
 });
 
 /** @param {number} value @param {number} axis */
@@ -33,15 +51,27 @@ const inside = (value, axis) => Math.min(Math.max(value, BOX.min[axis]), BOX.max
  */
 export function checked(json) {
   const given = /** @type {Record<string, unknown>} */ (json);
-  if (typeof given !== "object" || given === null || !Array.isArray(given.points)) throw new RangeError("state: expected an object with points");
+  if (typeof given !== "object" || given === null || !Array.isArray(given.points))
+    throw new RangeError("state: expected an object with points");
   const { points } = given;
-  const fine = points.length >= FEWEST_POINTS && points.length <= MOST_POINTS && points.every((point) => Array.isArray(point) && point.length === 3 && point.every(Number.isFinite));
+  const fine =
+    points.length >= FEWEST_POINTS &&
+    points.length <= MOST_POINTS &&
+    points.every((point) => Array.isArray(point) && point.length === 3 && point.every(Number.isFinite));
   if (!fine) throw new RangeError(`points: expected ${FEWEST_POINTS} to ${MOST_POINTS} times three numbers`);
   for (const [name, values] of Object.entries(CHOICES)) {
-    if (!(/** @type {readonly unknown[]} */ (values).includes(given[name]))) throw new RangeError(`${name}: expected one of ${values.join(", ")}`);
+    if (!(/** @type {readonly unknown[]} */ (values).includes(given[name])))
+      throw new RangeError(`${name}: expected one of ${values.join(", ")}`);
   }
   const { kind, closed, even, frames, look } = /** @type {any} */ (given);
-  return { points: points.map((/** @type {Vector} */ point) => /** @type {Vector} */ (point.map(inside))), kind, closed, even, frames, look };
+  return {
+    points: points.map((/** @type {Vector} */ point) => /** @type {Vector} */ (point.map(inside))),
+    kind,
+    closed,
+    even,
+    frames,
+    look,
+  };
 }
 
 /**
@@ -50,7 +80,10 @@ export function checked(json) {
  * @param {Vector} to
  * @returns {State}
  */
-export const moved = (state, index, to) => ({ ...state, points: state.points.map((point, k) => (k === index ? /** @type {Vector} */ (to.map(inside)) : point)) });
+export const moved = (state, index, to) => ({
+  ...state,
+  points: state.points.map((point, k) => (k === index ? /** @type {Vector} */ (to.map(inside)) : point)),
+});
 
 /**
  * One more point behind `index`, in the middle of the path's next piece (or before the last point).
@@ -69,4 +102,5 @@ export function added(state, index, at) {
 }
 
 /** @param {State} state @param {number} index @returns {State} */
-export const removed = (state, index) => (state.points.length <= FEWEST_POINTS ? state : { ...state, points: state.points.filter((_, k) => k !== index) });
+export const removed = (state, index) =>
+  state.points.length <= FEWEST_POINTS ? state : { ...state, points: state.points.filter((_, k) => k !== index) };

@@ -2,7 +2,12 @@
 import { Curve } from "casteljau";
 
 /** About the middle of the figure, y down. @type {[number, number][]} */
-const POINTS = [[-60, 46], [-46, -52], [44, -58], [62, 30]];
+const POINTS = [
+  [-60, 46],
+  [-46, -52],
+  [44, -58],
+  [62, 30],
+];
 /** Dots on the curve. */
 const DOTS = 16;
 
@@ -26,7 +31,9 @@ export function bothWays(map) {
   const [a, b, c, d, e, f] = matrixOf(map);
   const before = new Curve(POINTS);
   const after = before.transform([a, b, c, d, e, f]);
-  const dots = Array.from({ length: DOTS + 1 }, (_, i) => before.eval(i / DOTS)).map(({ x, y }) => /** @type {[number, number]} */ ([a * x + c * y + e, b * x + d * y + f]));
+  const dots = Array.from({ length: DOTS + 1 }, (_, i) => before.eval(i / DOTS)).map(
+    ({ x, y }) => /** @type {[number, number]} */ ([a * x + c * y + e, b * x + d * y + f]),
+  );
   const gap = Math.max(...dots.map(([x, y], i) => Math.hypot(x - after.eval(i / DOTS).x, y - after.eval(i / DOTS).y)));
   return { before, after, dots, gap };
 }

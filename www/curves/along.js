@@ -22,8 +22,15 @@ const MEASURES = {
  */
 export function along(pieces, what) {
   const measure = MEASURES[what];
-  const lines = pieces.map((piece, k) => Array.from({ length: STEPS + 1 }, (_, i) => /** @type {[number, number]} */ ([k + i / STEPS, measure(piece, i / STEPS)])));
-  const joints = pieces.slice(1).map((piece, k) => ({ at: k + 1, before: measure(pieces[k], 1), after: measure(piece, 0) }));
+  const lines = pieces.map((piece, k) =>
+    Array.from(
+      { length: STEPS + 1 },
+      (_, i) => /** @type {[number, number]} */ ([k + i / STEPS, measure(piece, i / STEPS)]),
+    ),
+  );
+  const joints = pieces
+    .slice(1)
+    .map((piece, k) => ({ at: k + 1, before: measure(pieces[k], 1), after: measure(piece, 0) }));
   return { lines, joints };
 }
 

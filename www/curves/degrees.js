@@ -18,10 +18,15 @@ export function byDegree({ element, more, less, words }) {
     words.textContent = `Degree ${curve.degree}. ${text}`;
     update();
   };
-  more.addEventListener("click", () => show(new Curve(element.points).elevate(), "Not a pixel of the curve has moved."));
+  more.addEventListener("click", () =>
+    show(new Curve(element.points).elevate(), "Not a pixel of the curve has moved."),
+  );
   less.addEventListener("click", () => {
     const { curve, error } = new Curve(element.points).reduce();
-    show(curve, error < SAME ? "Not a pixel of the curve has moved." : `The curve has moved by up to ${error.toFixed(1)} px.`);
+    show(
+      curve,
+      error < SAME ? "Not a pixel of the curve has moved." : `The curve has moved by up to ${error.toFixed(1)} px.`,
+    );
   });
   element.addEventListener("update", update);
   update();

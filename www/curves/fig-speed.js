@@ -22,7 +22,9 @@ export class FigSpeed extends Figure {
   }
 
   get target() {
-    return /** @type {(HTMLElement & { figure: { pieces: { curve: Piece }[] } }) | null} */ (document.getElementById(this.for));
+    return /** @type {(HTMLElement & { figure: { pieces: { curve: Piece }[] } }) | null} */ (
+      document.getElementById(this.for)
+    );
   }
 
   connectedCallback() {
@@ -38,12 +40,19 @@ export class FigSpeed extends Figure {
 
   /** @param {ReturnType<typeof along>} plot */
   picture({ lines, joints }) {
-    const values = lines.flat().map(([, y]) => y).filter(Number.isFinite);
+    const values = lines
+      .flat()
+      .map(([, y]) => y)
+      .filter(Number.isFinite);
     const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];
     const range = high - low || 1;
     const x = (/** @type {number} */ t) => LEFT + (t / lines.length) * (this.wide - LEFT - RIGHT);
     const y = (/** @type {number} */ value) => TOP + ((high - value) / range) * (HEIGHT - TOP - BOTTOM);
-    const line = (/** @type {[number, number][]} */ places) => polyline("curve", places.filter(([, v]) => Number.isFinite(v)).flatMap(([t, v]) => [x(t), y(v)]));
+    const line = (/** @type {[number, number][]} */ places) =>
+      polyline(
+        "curve",
+        places.filter(([, v]) => Number.isFinite(v)).flatMap(([t, v]) => [x(t), y(v)]),
+      );
     return html`
       <svg viewBox="0 0 ${this.wide} ${HEIGHT}" role="img" aria-label="${this.what === "speed" ? "Speed" : "Curvature"} over time. ${this.words(joints, range)}">
         <path class="axis" d="M${LEFT} ${TOP}V${HEIGHT - BOTTOM}M${LEFT} ${y(0)}H${this.wide - RIGHT}" />
@@ -59,18 +68,36 @@ export class FigSpeed extends Figure {
 
   /** @param {ReturnType<typeof along>["joints"]} joints @param {number} range */
   words(joints, range) {
-    const told = joints.map((joint) => (jumps(joint, range) ? `It jumps from ${short(joint.before)} to ${short(joint.after)} at the joint.` : `No jump at the joint.`));
+    const told = joints.map((joint) =>
+      jumps(joint, range)
+        ? `It jumps from ${short(joint.before)} to ${short(joint.after)} at the joint.`
+        : `No jump at the joint.`,
+    );
     return told.join(" ") || "There is one piece only.";
   }
 
   render() {
     const plot = along(this.target?.figure?.pieces.map(({ curve }) => curve) ?? [], this.what);
-    const values = plot.lines.flat().map(([, y]) => y).filter(Number.isFinite);
+    const values = plot.lines
+      .flat()
+      .map(([, y]) => y)
+      .filter(Number.isFinite);
     const range = Math.max(0, ...values) - Math.min(0, ...values) || 1;
     return html`
       <div class="frame">
         <div class="controls first">
-          ${choice({ name: "Over time:", options: [["speed", "speed"], ["curvature", "curvature"]], value: this.what, change: (what) => { this.what = /** @type {"speed" | "curvature"} */ (what); this.tell(); } })}
+          ${choice({
+            name: "Over time:",
+            options: [
+              ["speed", "speed"],
+              ["curvature", "curvature"],
+            ],
+            value: this.what,
+            change: (what) => {
+              this.what = /** @type {"speed" | "curvature"} */ (what);
+              this.tell();
+            },
+          })}
         </div>
         <div class="stage">${this.picture(plot)}</div>
         <p class="facts">${this.words(plot.joints, range)}</p>

@@ -20,7 +20,9 @@ export function matrixEditor(place, applet) {
   place.append(table(fields), words);
   place.addEventListener("input", () => {
     const wrong = fields.find((input) => !Number.isFinite(numberIn(input.value)));
-    words.textContent = wrong ? `${wrong.getAttribute("aria-label")}: ${wrong.value.trim() || "nothing"} is no number. The last matrix holds.` : tell(fields.map((input) => numberIn(input.value)));
+    words.textContent = wrong
+      ? `${wrong.getAttribute("aria-label")}: ${wrong.value.trim() || "nothing"} is no number. The last matrix holds.`
+      : tell(fields.map((input) => numberIn(input.value)));
     fields.forEach((input) => input.setAttribute("aria-invalid", String(input === wrong)));
     if (wrong) return;
     applet.setAttribute("matrix", fields.map((input) => numberIn(input.value)).join(" "));
@@ -53,12 +55,17 @@ export function tell(matrix) {
   const sums = ROWS.map((_, i) => matrix.slice(4 * i, 4 * i + 4).reduce((sum, x) => sum + x, 0));
   const near = (/** @type {number} */ a, /** @type {number} */ b) => Math.abs(a - b) < 1e-6;
   const mixture = near(sums[3], 1) && sums.slice(0, 3).every((sum) => near(sum, 0));
-  return mixture ? "At every t the weights add up to 1: a mixture of the points." : "The weights do not add up to 1: move the whole figure, and the curve does not move along.";
+  return mixture
+    ? "At every t the weights add up to 1: a mixture of the points."
+    : "The weights do not add up to 1: move the whole figure, and the curve does not move along.";
 }
 
 /** "−1/6" or "0.5" as a number. @param {string} text */
 export function numberIn(text) {
-  const [top, bottom, ...more] = text.replace("−", "-").split("/").map((part) => (part.trim() === "" ? NaN : Number(part)));
+  const [top, bottom, ...more] = text
+    .replace("−", "-")
+    .split("/")
+    .map((part) => (part.trim() === "" ? NaN : Number(part)));
   return more.length > 0 ? NaN : bottom === undefined ? top : top / bottom;
 }
 
@@ -74,7 +81,12 @@ const signed = (text) => text.replace("-", "−");
 
 /** @param {string} name @param {number} index */
 function field(name, index) {
-  const input = Object.assign(document.createElement("input"), { type: "text", inputMode: "text", autocomplete: "off", spellcheck: false });
+  const input = Object.assign(document.createElement("input"), {
+    type: "text",
+    inputMode: "text",
+    autocomplete: "off",
+    spellcheck: false,
+  });
   input.setAttribute("aria-label", name);
   input.dataset.index = String(index);
   return input;

@@ -3,7 +3,8 @@
 
 /** @param {ParentNode} root */
 export function steerFrom(root) {
-  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (root.querySelectorAll("input[data-for][data-sets]"))) steer(input);
+  for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (root.querySelectorAll("input[data-for][data-sets]")))
+    steer(input);
 }
 
 /** @param {HTMLInputElement} input */
@@ -17,7 +18,7 @@ function steer(input) {
   for (const type of ["input", "change"]) {
     input.addEventListener(type, () => {
       if (input.type === "radio" && !input.checked) return;
-      target.setAttribute(name, valueOf(input));
+      target.setAttribute(name, exactValueOf(input));
       target.dispatchEvent(new Event(type, { bubbles: true, composed: true })); // a reader did this
     });
   }
@@ -36,7 +37,7 @@ function follow(input, value) {
 }
 
 /** @param {HTMLInputElement} input */
-function valueOf({ value, dataset }) {
+function exactValueOf({ value, dataset }) {
   const power = Number(dataset.power);
   return power ? String(Number((power ** Number(value)).toPrecision(6))) : value;
 }

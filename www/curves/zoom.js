@@ -9,7 +9,9 @@ const [WIDTH, HEIGHT] = [670, 480];
  */
 export function zoomButtons(buttons, applet) {
   for (const button of buttons) {
-    button.addEventListener("click", () => applet.setAttribute("view", viewAt(Number(button.dataset.zoom), applet.figure.pieces[0].curve.eval(applet.t))));
+    button.addEventListener("click", () =>
+      applet.setAttribute("view", viewAt(Number(button.dataset.zoom), applet.figure.pieces[0].curve.eval(applet.t))),
+    );
   }
 }
 

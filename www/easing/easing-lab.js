@@ -20,7 +20,13 @@ const PREVIEWS = [
 ];
 
 /** @param {readonly number[]} value */
-export const curveOf = ([x1, y1, x2, y2]) => new Curve([[0, 0], [x1, y1], [x2, y2], [1, 1]]);
+export const curveOf = ([x1, y1, x2, y2]) =>
+  new Curve([
+    [0, 0],
+    [x1, y1],
+    [x2, y2],
+    [1, 1],
+  ]);
 
 /** @param {readonly number[]} value */
 const timing = ([x1, y1, x2, y2]) => easing(x1, y1, x2, y2);
@@ -29,8 +35,18 @@ const timing = ([x1, y1, x2, y2]) => easing(x1, y1, x2, y2);
  * `<easing-lab>`: holds the value; a `<bezier-easing>` inside edits it. Tells "change" when the user is done.
  */
 export class EasingLab extends Figure {
-  static properties = { value: { attribute: false }, against: { state: true }, x: { state: true }, duration: { state: true }, problem: { state: true }, even: { state: true }, playing: { state: true } };
-  static styles = [Figure.styles, styles`
+  static properties = {
+    value: { attribute: false },
+    against: { state: true },
+    x: { state: true },
+    duration: { state: true },
+    problem: { state: true },
+    even: { state: true },
+    playing: { state: true },
+  };
+  static styles = [
+    Figure.styles,
+    styles`
     .lanes { display: grid; grid-template-columns: auto 1fr 1fr; gap: 0.5rem 0.9rem; align-items: center; padding: 0.7rem 0.9rem; background: var(--paper); }
     .lanes > b { font-weight: 600; font-size: 0.875rem; }
     .lane { position: relative; block-size: 2.8rem; border-radius: 8px; background: var(--panel); border: 1px solid var(--rim); overflow: clip; overflow-clip-margin: 1.5rem; }
@@ -43,7 +59,8 @@ export class EasingLab extends Figure {
     .editor { padding: 0.9rem; background: var(--paper); }
     @media (forced-colors: active) { .lane span { forced-color-adjust: none; background: CanvasText; } .lane .other { background: Canvas; } }
     @media (max-width: 480px) { .lanes { grid-template-columns: 1fr 1fr; } .lanes > b.name { grid-column: 1 / -1; margin-block-start: 0.3rem; } .lanes > .corner { display: none; } }
-  `];
+  `,
+  ];
 
   constructor() {
     super();
@@ -135,21 +152,56 @@ export class EasingLab extends Figure {
   previews() {
     const other = /** @type {readonly number[]} */ (PRESETS.find(([name]) => name === this.against)?.[1]);
     const [mine, theirs] = [timing(this.value)(this.x), timing(other)(this.x)];
-    const style = (/** @type {Record<string, string>} */ rules) => Object.entries(rules).map(([name, text]) => `${name}: ${text}`).join("; ");
+    const style = (/** @type {Record<string, string>} */ rules) =>
+      Object.entries(rules)
+        .map(([name, text]) => `${name}: ${text}`)
+        .join("; ");
     return html`
       <div class="frame">
         <div class="lanes">
           <b class="corner"></b><b>yours</b><b>${this.against}</b>
-          ${PREVIEWS.map(([name, look]) => html`
+          ${PREVIEWS.map(
+            ([name, look]) => html`
             <b class="name">${name}</b>
             <div class="lane"><span class="mine" data-preview=${name} .style=${style(look(mine))}></span></div>
-            <div class="lane"><span class="other" .style=${style(look(theirs))}></span></div>`)}
+            <div class="lane"><span class="other" .style=${style(look(theirs))}></span></div>`,
+          )}
         </div>
         <div class="controls">
           <button @click=${this.play}>${this.playing ? "Stop" : "Play"}</button>
-          ${slider({ name: html`time <i>x</i>`, value: this.x, min: 0, max: 1, step: 0.005, text: decimal(this.x), change: (x) => { this.stop(); this.x = x; } })}
-          ${slider({ name: "Duration", value: this.duration, min: 200, max: 4000, step: 100, text: `${(this.duration / 1000).toFixed(1)} s`, change: (ms) => { this.duration = ms; this.tell(); } })}
-          ${list({ name: "beside", options: PRESETS.map(([name]) => [name, name]), value: this.against, change: (name) => { this.against = name; this.tell(); } })}
+          ${slider({
+            name: html`time <i>x</i>`,
+            value: this.x,
+            min: 0,
+            max: 1,
+            step: 0.005,
+            text: decimal(this.x),
+            change: (x) => {
+              this.stop();
+              this.x = x;
+            },
+          })}
+          ${slider({
+            name: "Duration",
+            value: this.duration,
+            min: 200,
+            max: 4000,
+            step: 100,
+            text: `${(this.duration / 1000).toFixed(1)} s`,
+            change: (ms) => {
+              this.duration = ms;
+              this.tell();
+            },
+          })}
+          ${list({
+            name: "beside",
+            options: PRESETS.map(([name]) => [name, name]),
+            value: this.against,
+            change: (name) => {
+              this.against = name;
+              this.tell();
+            },
+          })}
         </div>
       </div>
     `;
@@ -175,7 +227,7 @@ export class EasingLab extends Figure {
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="The curve of ${css(this.value)}: at the time ${decimal(this.x)} it is at ${decimal(ease(this.x), 3)}">
         <path class="gridline" d="M${place(0, 0)}H${left + scale}V${place(1, 1)[1]}H${left}Z" />
-        ${marks.map(([x, , bx, by]) => svg`<path class="axis" d="M${bx} ${by}v-7" />`)}
+        ${marks.map(([, , bx, by]) => svg`<path class="axis" d="M${bx} ${by}v-7" />`)}
         ${polyline("polygon", [...points[0], ...points[1]])}${polyline("polygon", [...points[2], ...points[3]])}
         <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
         ${marks.map(([x, y]) => ring(x, y, "var(--handle)", 3))}
@@ -202,9 +254,26 @@ export class EasingLab extends Figure {
         </p>
         <div class="controls">
           <fieldset><legend>Marks at equal steps of</legend>
-            ${[["t", html`<i>t</i>`], ["x", html`time`]].map(([key, words]) => html`<label><input type="radio" name="even" .checked=${this.even === key} @change=${() => (this.even = String(key))} />${words}</label>`)}
+            ${[
+              ["t", html`<i>t</i>`],
+              ["x", html`time`],
+            ].map(
+              ([key, words]) =>
+                html`<label><input type="radio" name="even" .checked=${this.even === key} @change=${() => (this.even = String(key))} />${words}</label>`,
+            )}
           </fieldset>
-          ${slider({ name: html`time <i>x</i>`, value: this.x, min: 0, max: 1, step: 0.005, text: decimal(this.x), change: (x) => { this.stop(); this.x = x; } })}
+          ${slider({
+            name: html`time <i>x</i>`,
+            value: this.x,
+            min: 0,
+            max: 1,
+            step: 0.005,
+            text: decimal(this.x),
+            change: (x) => {
+              this.stop();
+              this.x = x;
+            },
+          })}
         </div>
       </div>
     `;

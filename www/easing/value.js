@@ -26,7 +26,11 @@ const DIGITS = 4;
  * @throws {RangeError} with the reason
  */
 export function parse(text) {
-  const trimmed = text.trim().replace(/^[\w-]+\s*:\s*/, "").replace(/;$/, "").trim();
+  const trimmed = text
+    .trim()
+    .replace(/^[\w-]+\s*:\s*/, "")
+    .replace(/;$/, "")
+    .trim();
   const named = PRESETS.find(([name]) => NAMES.has(name) && name === trimmed.toLowerCase());
   if (named) return [...named[1]];
   const parts = trimmed.match(CURVE)?.slice(1) ?? trimmed.split(/[\s,]+/);

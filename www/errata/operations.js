@@ -3,14 +3,28 @@
 const tally = { "−": 0, "+": 0, "×": 0 };
 
 /** @param {number} a @param {number} b */
-const sub = (a, b) => (tally["−"]++, a - b);
+const sub = (a, b) => {
+  tally["−"]++;
+  return a - b;
+};
 /** @param {number} a @param {number} b */
-const add = (a, b) => (tally["+"]++, a + b);
+const add = (a, b) => {
+  tally["+"]++;
+  return a + b;
+};
 /** @param {...number} xs */
-const mul = (...xs) => ((tally["×"] += xs.length - 1), xs.reduce((a, b) => a * b));
+const mul = (...xs) => {
+  tally["×"] += xs.length - 1;
+  return xs.reduce((a, b) => a * b);
+};
 
 /** Points in space, whatever they are. */
-const POINTS = [[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]];
+const POINTS = [
+  [0, 2, 3],
+  [2, 3, 5],
+  [6, 7, 9],
+  [3, 4, 5],
+];
 const T = 0.3;
 
 /** @param {number[]} p @param {number} k */
@@ -32,7 +46,12 @@ function levels(divide) {
 export const listings = {
   weights() {
     const t = T;
-    return blend([mul(sub(1, t), sub(1, t), sub(1, t)), mul(3, sub(1, t), sub(1, t), t), mul(3, sub(1, t), t, t), mul(t, t, t)]);
+    return blend([
+      mul(sub(1, t), sub(1, t), sub(1, t)),
+      mul(3, sub(1, t), sub(1, t), t),
+      mul(3, sub(1, t), t, t),
+      mul(t, t, t),
+    ]);
   },
   casteljau: () => levels((p, q) => plus(scaled(p, sub(1, T)), scaled(q, T))),
   sharedWeights() {
@@ -45,7 +64,16 @@ export const listings = {
   halvesDirectly() {
     const [a, b, c, d] = POINTS.map(([x]) => x);
     const middle = mul(add(add(a, mul(3, add(b, c))), d), 1 / 8);
-    return [a, mul(add(a, b), 1 / 2), mul(add(add(a, mul(2, b)), c), 1 / 4), middle, middle, mul(add(add(d, mul(2, c)), b), 1 / 4), mul(add(c, d), 1 / 2), d];
+    return [
+      a,
+      mul(add(a, b), 1 / 2),
+      mul(add(add(a, mul(2, b)), c), 1 / 4),
+      middle,
+      middle,
+      mul(add(add(d, mul(2, c)), b), 1 / 4),
+      mul(add(c, d), 1 / 2),
+      d,
+    ];
   },
   /** The same from six middles. */
   halvesByMiddles() {

@@ -9,7 +9,9 @@ const LAST_PLACE = 2 ** -23;
 export const SAMPLES = 200;
 
 /** Pascal's row. */
-const CHOOSE = VALUES.map((_, i) => Array.from({ length: i }, (_, k) => (DEGREE - k) / (k + 1)).reduce((a, b) => a * b, 1)).map(Math.round);
+const CHOOSE = VALUES.map((_, i) =>
+  Array.from({ length: i }, (_, k) => (DEGREE - k) / (k + 1)).reduce((a, b) => a * b, 1),
+).map(Math.round);
 
 /** @param {number} t */
 function bernstein(t) {
@@ -19,7 +21,10 @@ function bernstein(t) {
     for (; k > 0; k--) product = f(product * x);
     return product;
   };
-  return VALUES.reduce((total, value, i) => f(total + f(f(f(CHOOSE[i] * power(t, i)) * power(s, DEGREE - i)) * value)), 0);
+  return VALUES.reduce(
+    (total, value, i) => f(total + f(f(f(CHOOSE[i] * power(t, i)) * power(s, DEGREE - i)) * value)),
+    0,
+  );
 }
 
 /** @param {number} t */
@@ -46,6 +51,8 @@ const powers = (t) => COEFFICIENTS.reduceRight((total, c) => f(f(total * t) + c)
 export function rounding() {
   const exact = new Curve(VALUES.map((y) => [0, y]));
   const worst = (/** @type {(t: number) => number} */ way) =>
-    Math.max(...Array.from({ length: SAMPLES + 1 }, (_, i) => f(i / SAMPLES)).map((t) => Math.abs(way(t) - exact.eval(t).y))) / LAST_PLACE;
+    Math.max(
+      ...Array.from({ length: SAMPLES + 1 }, (_, i) => f(i / SAMPLES)).map((t) => Math.abs(way(t) - exact.eval(t).y)),
+    ) / LAST_PLACE;
   return { bernstein: worst(bernstein), casteljau: worst(casteljau), powers: worst(powers) };
 }

@@ -17,13 +17,17 @@ export function keepInAddress(element, { read, write }) {
     const text = location.hash;
     if (!text.startsWith(PREFIX)) return;
     try {
-      if (text.length > LONGEST) throw new RangeError(`it is ${text.length} characters long, at most ${LONGEST} are read`);
+      if (text.length > LONGEST)
+        throw new RangeError(`it is ${text.length} characters long, at most ${LONGEST} are read`);
       const state = JSON.parse(decodeURIComponent(text.slice(PREFIX.length)));
       if (typeof state !== "object" || state === null) throw new RangeError("expected an object behind #state=");
       read(state);
       tell(element, "");
     } catch (error) {
-      tell(element, `The address of this page could not be used: ${/** @type {Error} */ (error).message}. The page is as it was.`);
+      tell(
+        element,
+        `The address of this page could not be used: ${/** @type {Error} */ (error).message}. The page is as it was.`,
+      );
     }
   };
   const save = () => {

@@ -24,9 +24,18 @@ export function counting() {
   const counts = { sub: 0, add: 0, mul: 0 };
   return {
     counts,
-    add: (a, b) => (counts.add++, a + b),
-    sub: (a, b) => (counts.sub++, a - b),
-    mul: (a, b) => (counts.mul++, a * b),
+    add: (a, b) => {
+      counts.add++;
+      return a + b;
+    },
+    sub: (a, b) => {
+      counts.sub++;
+      return a - b;
+    },
+    mul: (a, b) => {
+      counts.mul++;
+      return a * b;
+    },
   };
 }
 

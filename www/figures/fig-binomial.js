@@ -17,7 +17,8 @@ const TRIANGLE_LINE = 27;
  */
 export function pascal(n) {
   const rows = [[1]];
-  for (let k = 1; k <= n; k++) rows.push(Array.from({ length: k + 1 }, (_, i) => (rows[k - 1][i - 1] ?? 0) + (rows[k - 1][i] ?? 0)));
+  for (let k = 1; k <= n; k++)
+    rows.push(Array.from({ length: k + 1 }, (_, i) => (rows[k - 1][i - 1] ?? 0) + (rows[k - 1][i] ?? 0)));
   return rows;
 }
 
@@ -38,23 +39,31 @@ export class FigBinomial extends Figure {
     const rows = pascal(this.degree);
     const gap = Math.min(46, this.wide / (this.degree + 2));
     const height = rows.length * TRIANGLE_LINE + 18;
-    const place = (/** @type {number} */ row, /** @type {number} */ i) => [this.wide / 2 + (i - row / 2) * gap, 24 + row * TRIANGLE_LINE];
+    const place = (/** @type {number} */ row, /** @type {number} */ i) => [
+      this.wide / 2 + (i - row / 2) * gap,
+      24 + row * TRIANGLE_LINE,
+    ];
     const last = rows.length - 1;
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="Pascal's triangle down to row ${last}: ${rows[last].join(", ")}">
         <rect class="row" x=${this.wide / 2 - ((last + 1) * gap) / 2} y=${place(last, 0)[1] - 17} width=${(last + 1) * gap} height="25" rx="8" />
-        ${rows.map((row, k) => row.map((number, i) => {
-          const [x, y] = place(k, i);
-          return svg`<text class="middle ${k === last ? "strong" : "quiet"}" x=${x} y=${y}>${number}</text>`;
-        }))}
+        ${rows.map((row, k) =>
+          row.map((number, i) => {
+            const [x, y] = place(k, i);
+            return svg`<text class="middle ${k === last ? "strong" : "quiet"}" x=${x} y=${y}>${number}</text>`;
+          }),
+        )}
       </svg>
     `;
   }
 
   /** The factors of a term, in words. @param {number} i @param {number} binomial */
   term(i, binomial) {
-    const power = (/** @type {string} */ base, /** @type {number} */ exponent) => (exponent === 0 ? "" : exponent === 1 ? base : base + superscript(exponent));
-    return [binomial === 1 ? "" : String(binomial), power("(1−t)", this.degree - i), power("t", i)].filter(Boolean).join(" ");
+    const power = (/** @type {string} */ base, /** @type {number} */ exponent) =>
+      exponent === 0 ? "" : exponent === 1 ? base : base + superscript(exponent);
+    return [binomial === 1 ? "" : String(binomial), power("(1−t)", this.degree - i), power("t", i)]
+      .filter(Boolean)
+      .join(" ");
   }
 
   bars() {
@@ -80,7 +89,10 @@ export class FigBinomial extends Figure {
           <path class="axis" d="M${left} ${y - 4}H${this.wide - 8}" />
           <text class="end" x=${left - 10} y=${y + 18}>sum</text>
           ${Array.from(weights, (weight, i) => svg`<rect class="bar bar${i % 2}" x=${left + starts[i] * length} y=${y + 4} width=${weight * length} height="18" />`)}
-          <text class="end strong" x=${this.wide - 10} y=${y + 18}>${decimal(weights.reduce((sum, w) => sum + w, 0), 4)}</text>`)(18 + (this.degree + 1) * LINE)}
+          <text class="end strong" x=${this.wide - 10} y=${y + 18}>${decimal(
+            weights.reduce((sum, w) => sum + w, 0),
+            4,
+          )}</text>`)(18 + (this.degree + 1) * LINE)}
       </svg>
     `;
   }
@@ -95,8 +107,26 @@ export class FigBinomial extends Figure {
         </p>
         <div class="stage">${this.bars()}</div>
         <div class="controls">
-          ${slider({ name: html`<i>t</i>`, value: this.t, min: 0, max: 1, text: decimal(this.t), change: (t) => { this.t = t; this.tell(); } })}
-          ${choice({ name: "Degree", options: DEGREES.map((n) => [n, n]), value: this.degree, change: (n) => { this.degree = n; this.tell(); } })}
+          ${slider({
+            name: html`<i>t</i>`,
+            value: this.t,
+            min: 0,
+            max: 1,
+            text: decimal(this.t),
+            change: (t) => {
+              this.t = t;
+              this.tell();
+            },
+          })}
+          ${choice({
+            name: "Degree",
+            options: DEGREES.map((n) => [n, n]),
+            value: this.degree,
+            change: (n) => {
+              this.degree = n;
+              this.tell();
+            },
+          })}
         </div>
       </div>
     `;

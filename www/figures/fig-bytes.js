@@ -21,7 +21,12 @@ const teapot = () => (known ??= Surface.teapot());
  * @returns {Weight[]}
  */
 export function curveBytes(segments) {
-  const curve = new Curve([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+  const curve = new Curve([
+    [0, 2, 3],
+    [2, 3, 5],
+    [6, 7, 9],
+    [3, 4, 5],
+  ]);
   return [
     { name: "control points", bytes: curve.controlPoints().length * BYTES_PER_NUMBER },
     { name: "polyline", bytes: curve.sample(segments).length * BYTES_PER_NUMBER },
@@ -35,7 +40,6 @@ export function curveBytes(segments) {
  * @returns {Weight[]}
  */
 export function teapotBytes(segments) {
-
   const mesh = teapot().tessellate({ segments, weld: "position" });
   const indices = teapot().patches.reduce((sum, patch) => sum + patch.length, 0);
   return [
@@ -66,10 +70,12 @@ export class FigBytes extends Figure {
     const height = weights.length * line + 16;
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label=${weights.map(({ name, bytes }) => `${name}: ${bytes} bytes`).join("; ")}>
-        ${weights.map(({ name, bytes }, i) => svg`
+        ${weights.map(
+          ({ name, bytes }, i) => svg`
           <text class="end" x=${left - 10} y=${i * line + 32}>${name}</text>
           <rect class="bar ${i === 0 ? "mine" : ""}" x=${left} y=${i * line + 14} width=${Math.max(1, (length * bytes) / most)} height="26" rx="2" />
-          <text x=${left + Math.max(1, (length * bytes) / most) + 8} y=${i * line + 32} data-bytes=${bytes}>${grouped(bytes)} B</text>`)}
+          <text x=${left + Math.max(1, (length * bytes) / most) + 8} y=${i * line + 32} data-bytes=${bytes}>${grouped(bytes)} B</text>`,
+        )}
       </svg>
     `;
   }
@@ -81,14 +87,38 @@ export class FigBytes extends Figure {
       <div class="frame">
         <div class="stage">${this.picture(weights)}</div>
         <p class="facts">
-          ${this.model === "teapot"
-            ? html`${teapot().vertices.length / 3} points and ${teapot().patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
-            : html`4 points against the ${this.segments + 1} of a polyline:`}
+          ${
+            this.model === "teapot"
+              ? html`${teapot().vertices.length / 3} points and ${teapot().patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
+              : html`4 points against the ${this.segments + 1} of a polyline:`
+          }
           <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> the bytes${ratio < 1 ? ", yes, fewer" : ""}, and still not round when you come closer.
         </p>
         <div class="controls">
-          ${slider({ name: "Segments", value: this.segments, min: 1, max: MOST_SEGMENTS, step: 1, text: String(this.segments), change: (n) => { this.segments = n; this.tell(); } })}
-          ${choice({ name: "Of", options: [["teapot", "the teapot"], ["curve", "a curve"]], value: this.model, change: (model) => { this.model = model; this.tell(); } })}
+          ${slider({
+            name: "Segments",
+            value: this.segments,
+            min: 1,
+            max: MOST_SEGMENTS,
+            step: 1,
+            text: String(this.segments),
+            change: (n) => {
+              this.segments = n;
+              this.tell();
+            },
+          })}
+          ${choice({
+            name: "Of",
+            options: [
+              ["teapot", "the teapot"],
+              ["curve", "a curve"],
+            ],
+            value: this.model,
+            change: (model) => {
+              this.model = model;
+              this.tell();
+            },
+          })}
         </div>
       </div>
     `;

@@ -14,9 +14,29 @@ const MOST_WIDTH = 460;
 /** @typedef {{ ends: [Place, Place], middle: Place, handles: [Place, Place] }} Shape */
 
 /** @type {Shape} an S */
-const S = { ends: [[10, 60], [90, 16]], middle: [50, 4], handles: [[44, 0], [56, 76]] };
+const S = {
+  ends: [
+    [10, 60],
+    [90, 16],
+  ],
+  middle: [50, 4],
+  handles: [
+    [44, 0],
+    [56, 76],
+  ],
+};
 /** @type {Shape} an arch, where both are one curve */
-const ARCH = { ends: [[12, 62], [88, 62]], middle: [56, 6], handles: [[12 + (2 * 44) / 3, 62 - (2 * 56) / 3], [88 - (2 * 32) / 3, 62 - (2 * 56) / 3]] };
+const ARCH = {
+  ends: [
+    [12, 62],
+    [88, 62],
+  ],
+  middle: [56, 6],
+  handles: [
+    [12 + (2 * 44) / 3, 62 - (2 * 56) / 3],
+    [88 - (2 * 32) / 3, 62 - (2 * 56) / 3],
+  ],
+};
 
 /** @param {Shape} shape */
 export const quadraticOf = ({ ends, middle }) => new Curve([ends[0], middle, ends[1]]);
@@ -33,11 +53,16 @@ export const cubicOf = ({ ends, handles }) => new Curve([ends[0], ...handles, en
  * @returns {Shape}
  */
 export function moved({ ends, middle, handles }, part, to) {
-  const by = (/** @type {Place} */ from, /** @type {Place} */ point) => /** @type {Place} */ ([point[0] + to[0] - from[0], point[1] + to[1] - from[1]]);
+  const by = (/** @type {Place} */ from, /** @type {Place} */ point) =>
+    /** @type {Place} */ ([point[0] + to[0] - from[0], point[1] + to[1] - from[1]]);
   if (part === "start") return { ends: [to, ends[1]], middle, handles };
   if (part === "end") return { ends: [ends[0], to], middle, handles };
   if (part === "middle") return { ends, middle: to, handles: [by(middle, handles[0]), by(middle, handles[1])] };
-  return { ends, middle: by(handles[part === "first" ? 0 : 1], middle), handles: part === "first" ? [to, handles[1]] : [handles[0], to] };
+  return {
+    ends,
+    middle: by(handles[part === "first" ? 0 : 1], middle),
+    handles: part === "first" ? [to, handles[1]] : [handles[0], to],
+  };
 }
 
 /** `<fig-compare>`, `<fig-compare shape="s">` */
@@ -66,7 +91,16 @@ export class FigCompare extends Figure {
   /** The quadratic's control points, raised to a cubic. */
   elevate() {
     const flat = quadraticOf(this.points).elevate().controlPoints();
-    this.show({ ...this.points, handles: [[flat[2], flat[3]], [flat[4], flat[5]]] }, this.fit);
+    this.show(
+      {
+        ...this.points,
+        handles: [
+          [flat[2], flat[3]],
+          [flat[4], flat[5]],
+        ],
+      },
+      this.fit,
+    );
     this.tell();
   }
 
@@ -77,7 +111,9 @@ export class FigCompare extends Figure {
     const height = Math.round((HEIGHT + 18) * scale);
     const [left, top] = [2 * scale, 11 * scale];
     return {
-      wide, height, scale,
+      wide,
+      height,
+      scale,
       place: ([x, y]) => [left + x * scale, top + y * scale],
       unplace: ([x, y]) => [(x - left) / scale, (y - top) / scale],
     };
@@ -97,7 +133,8 @@ export class FigCompare extends Figure {
     const drawn = onPaper(curve);
     const behind = ghost && onPaper(ghost.curve);
     const hollow = behind && kind === "cubic" ? Array.from(behind.controlPoints()) : [];
-    const move = (/** @type {Parameters<typeof moved>[1]} */ part) => (/** @type {Place} */ to) => (this.points = moved(this.points, part, to));
+    const move = (/** @type {Parameters<typeof moved>[1]} */ part) => (/** @type {Place} */ to) =>
+      (this.points = moved(this.points, part, to));
     return html`
       <div class="stage ${kind}">
         <svg viewBox="0 0 ${wide} ${height}" role="img" aria-label="${kind}${ghost ? `, and ${ghost.words}` : ""}">
@@ -120,32 +157,64 @@ export class FigCompare extends Figure {
     const raised = quadratic.elevate();
     const turns = cubic.inflections().length;
     const same = raised.equals(cubic, 1e-9);
-    const outer = /** @type {const} */ ([{ part: "start", at: ends[0], name: "P0", kind: "on" }, { part: "end", at: ends[1], kind: "on" }]);
+    const outer = /** @type {const} */ ([
+      { part: "start", at: ends[0], name: "P0", kind: "on" },
+      { part: "end", at: ends[1], kind: "on" },
+    ]);
     const last = (/** @type {string} */ name) => ({ ...outer[1], name });
     return html`
       <div class="frame">
         <div class="sides">
-          ${this.side("quadratic", this.fit ? best.curve : quadratic, this.fit ? { curve: cubic, words: "the cubic, dashed" } : null,
-            this.fit ? [] : [outer[0], { part: "middle", at: middle, name: "P1", kind: "off" }, last("P2")])}
-          ${this.side("cubic", cubic, this.fit ? null : { curve: raised, words: "the quadratic raised to a cubic, dashed" },
-            [outer[0], { part: "first", at: handles[0], name: "P1", kind: "off" }, { part: "second", at: handles[1], name: "P2", kind: "off" }, last("P3")])}
+          ${this.side(
+            "quadratic",
+            this.fit ? best.curve : quadratic,
+            this.fit ? { curve: cubic, words: "the cubic, dashed" } : null,
+            this.fit ? [] : [outer[0], { part: "middle", at: middle, name: "P1", kind: "off" }, last("P2")],
+          )}
+          ${this.side(
+            "cubic",
+            cubic,
+            this.fit ? null : { curve: raised, words: "the quadratic raised to a cubic, dashed" },
+            [
+              outer[0],
+              { part: "first", at: handles[0], name: "P1", kind: "off" },
+              { part: "second", at: handles[1], name: "P2", kind: "off" },
+              last("P3"),
+            ],
+          )}
         </div>
         <p class="facts">
-          ${this.fit
-            ? html`On the left the quadratic that comes nearest to the cubic: at best it stays within <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide), at equal <i>t</i>.`
-            : same ? html`Both are the same curve: every quadratic is a cubic too, with its two handles two thirds of the way to P1 (the rings).`
-              : html`The two curves differ by <b>${decimal(raised.hausdorff(cubic))}</b>. The rings show where the cubic's handles would have to be to draw the quadratic.`}
+          ${
+            this.fit
+              ? html`On the left the quadratic that comes nearest to the cubic: at best it stays within <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide), at equal <i>t</i>.`
+              : same
+                ? html`Both are the same curve: every quadratic is a cubic too, with its two handles two thirds of the way to P1 (the rings).`
+                : html`The two curves differ by <b>${decimal(raised.hausdorff(cubic))}</b>. The rings show where the cubic's handles would have to be to draw the quadratic.`
+          }
         </p>
         <p class="facts">
           The cubic changes the side to which it bends <b class="turns">${turns === 0 ? "nowhere" : turns === 1 ? "once" : "twice"}</b>. A quadratic never does: it is a piece of a parabola.
         </p>
         <div class="controls">
           <div class="row">
-            <button @click=${() => { this.show(ARCH, false); this.tell(); }}>Arch</button>
-            <button @click=${() => { this.show(S, this.fit); this.tell(); }}>S-shape</button>
+            <button @click=${() => {
+              this.show(ARCH, false);
+              this.tell();
+            }}>Arch</button>
+            <button @click=${() => {
+              this.show(S, this.fit);
+              this.tell();
+            }}>S-shape</button>
             <button @click=${this.elevate}>Make the cubic the quadratic</button>
           </div>
-          ${check({ name: "best quadratic for the cubic", value: this.fit, change: (fit) => { this.fit = fit; this.tell(); } })}
+          ${check({
+            name: "best quadratic for the cubic",
+            value: this.fit,
+            change: (fit) => {
+              this.fit = fit;
+              this.tell();
+            },
+          })}
         </div>
       </div>
     `;

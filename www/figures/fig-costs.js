@@ -9,15 +9,26 @@ import { decimal } from "./words.js";
 /** @typedef {readonly [number, number, number]} Point */
 /** @typedef {(o: Arithmetic, points: readonly Point[], t: number) => readonly number[]} Way */
 
-const scale = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {number} */ k) => p.map((x) => o.mul(x, k));
-const plus = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {readonly number[]} */ q) => p.map((x, i) => o.add(x, q[i]));
-const sum = (/** @type {Arithmetic} */ o, /** @type {readonly (readonly number[])[]} */ points) => points.reduce((a, b) => plus(o, a, b));
+const scale = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {number} */ k) =>
+  p.map((x) => o.mul(x, k));
+const plus = (/** @type {Arithmetic} */ o, /** @type {readonly number[]} */ p, /** @type {readonly number[]} */ q) =>
+  p.map((x, i) => o.add(x, q[i]));
+const sum = (/** @type {Arithmetic} */ o, /** @type {readonly (readonly number[])[]} */ points) =>
+  points.reduce((a, b) => plus(o, a, b));
 
 /** As lessons write it: 1 − t and its powers anew in every weight. @type {Way} */
 const writtenOut = (o, points, t) => {
   const s = () => o.sub(1, t);
-  const k = [o.mul(o.mul(s(), s()), s()), o.mul(o.mul(o.mul(3, s()), s()), t), o.mul(o.mul(o.mul(3, s()), t), t), o.mul(o.mul(t, t), t)];
-  return sum(o, points.map((p, i) => scale(o, p, k[i])));
+  const k = [
+    o.mul(o.mul(s(), s()), s()),
+    o.mul(o.mul(o.mul(3, s()), s()), t),
+    o.mul(o.mul(o.mul(3, s()), t), t),
+    o.mul(o.mul(t, t), t),
+  ];
+  return sum(
+    o,
+    points.map((p, i) => scale(o, p, k[i])),
+  );
 };
 
 /** 1 − t and its square computed once. @type {Way} */
@@ -25,7 +36,10 @@ const shared = (o, points, t) => {
   const s = o.sub(1, t);
   const [ss, tt] = [o.mul(s, s), o.mul(t, t)];
   const k = [o.mul(ss, s), o.mul(o.mul(3, ss), t), o.mul(o.mul(3, s), tt), o.mul(tt, t)];
-  return sum(o, points.map((p, i) => scale(o, p, k[i])));
+  return sum(
+    o,
+    points.map((p, i) => scale(o, p, k[i])),
+  );
 };
 
 /** Six divisions of a line, 1 − t anew in each. @type {Way} */
@@ -38,7 +52,18 @@ const casteljauWritten = (o, points, t) => {
 /** The same as a + t (b − a): one multiplication less a coordinate. @type {Way} */
 const casteljauLerp = (o, points, t) => {
   let row = points.map((p) => [...p]);
-  while (row.length > 1) row = row.slice(1).map((q, i) => plus(o, row[i], scale(o, q.map((x, k) => o.sub(x, row[i][k])), t)));
+  while (row.length > 1)
+    row = row.slice(1).map((q, i) =>
+      plus(
+        o,
+        row[i],
+        scale(
+          o,
+          q.map((x, k) => o.sub(x, row[i][k])),
+          t,
+        ),
+      ),
+    );
   return row[0];
 };
 
@@ -47,30 +72,69 @@ const horner = (o, [a, b, c, d], t) => plus(o, scale(o, plus(o, scale(o, plus(o,
 
 /** Plain JavaScript of each way, for the clock: what one would write by hand. Points and results are flat. */
 const HAND = {
-  written(/** @type {Float64Array} */ p, /** @type {number} */ t, /** @type {Float64Array} */ out, /** @type {number} */ at) {
-    const a = (1 - t) * (1 - t) * (1 - t), b = 3 * (1 - t) * (1 - t) * t, c = 3 * (1 - t) * t * t, d = t * t * t;
+  written(
+    /** @type {Float64Array} */ p,
+    /** @type {number} */ t,
+    /** @type {Float64Array} */ out,
+    /** @type {number} */ at,
+  ) {
+    const a = (1 - t) * (1 - t) * (1 - t),
+      b = 3 * (1 - t) * (1 - t) * t,
+      c = 3 * (1 - t) * t * t,
+      d = t * t * t;
     for (let k = 0; k < 3; k++) out[at + k] = p[k] * a + p[k + 3] * b + p[k + 6] * c + p[k + 9] * d;
   },
-  shared(/** @type {Float64Array} */ p, /** @type {number} */ t, /** @type {Float64Array} */ out, /** @type {number} */ at) {
-    const s = 1 - t, ss = s * s, tt = t * t;
-    const a = ss * s, b = 3 * ss * t, c = 3 * s * tt, d = tt * t;
+  shared(
+    /** @type {Float64Array} */ p,
+    /** @type {number} */ t,
+    /** @type {Float64Array} */ out,
+    /** @type {number} */ at,
+  ) {
+    const s = 1 - t,
+      ss = s * s,
+      tt = t * t;
+    const a = ss * s,
+      b = 3 * ss * t,
+      c = 3 * s * tt,
+      d = tt * t;
     for (let k = 0; k < 3; k++) out[at + k] = p[k] * a + p[k + 3] * b + p[k + 6] * c + p[k + 9] * d;
   },
-  casteljau(/** @type {Float64Array} */ p, /** @type {number} */ t, /** @type {Float64Array} */ out, /** @type {number} */ at) {
+  casteljau(
+    /** @type {Float64Array} */ p,
+    /** @type {number} */ t,
+    /** @type {Float64Array} */ out,
+    /** @type {number} */ at,
+  ) {
     for (let k = 0; k < 3; k++) {
-      const a = (1 - t) * p[k] + t * p[k + 3], b = (1 - t) * p[k + 3] + t * p[k + 6], c = (1 - t) * p[k + 6] + t * p[k + 9];
-      const d = (1 - t) * a + t * b, e = (1 - t) * b + t * c;
+      const a = (1 - t) * p[k] + t * p[k + 3],
+        b = (1 - t) * p[k + 3] + t * p[k + 6],
+        c = (1 - t) * p[k + 6] + t * p[k + 9];
+      const d = (1 - t) * a + t * b,
+        e = (1 - t) * b + t * c;
       out[at + k] = (1 - t) * d + t * e;
     }
   },
-  lerp(/** @type {Float64Array} */ p, /** @type {number} */ t, /** @type {Float64Array} */ out, /** @type {number} */ at) {
+  lerp(
+    /** @type {Float64Array} */ p,
+    /** @type {number} */ t,
+    /** @type {Float64Array} */ out,
+    /** @type {number} */ at,
+  ) {
     for (let k = 0; k < 3; k++) {
-      const a = p[k] + t * (p[k + 3] - p[k]), b = p[k + 3] + t * (p[k + 6] - p[k + 3]), c = p[k + 6] + t * (p[k + 9] - p[k + 6]);
-      const d = a + t * (b - a), e = b + t * (c - b);
+      const a = p[k] + t * (p[k + 3] - p[k]),
+        b = p[k + 3] + t * (p[k + 6] - p[k + 3]),
+        c = p[k + 6] + t * (p[k + 9] - p[k + 6]);
+      const d = a + t * (b - a),
+        e = b + t * (c - b);
       out[at + k] = d + t * (e - d);
     }
   },
-  horner(/** @type {Float64Array} */ c, /** @type {number} */ t, /** @type {Float64Array} */ out, /** @type {number} */ at) {
+  horner(
+    /** @type {Float64Array} */ c,
+    /** @type {number} */ t,
+    /** @type {Float64Array} */ out,
+    /** @type {number} */ at,
+  ) {
     for (let k = 0; k < 3; k++) out[at + k] = ((c[k + 9] * t + c[k + 6]) * t + c[k + 3]) * t + c[k];
   },
 };
@@ -84,7 +148,12 @@ export const WAYS = [
   { key: "horner", name: "Horner, coefficients at hand", way: horner },
 ];
 
-const POINTS = /** @type {const} */ ([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+const POINTS = /** @type {const} */ ([
+  [0, 2, 3],
+  [2, 3, 5],
+  [6, 7, 9],
+  [3, 4, 5],
+]);
 const SEGMENTS = 1000;
 /** So long each way runs, in short turns with the others in between. */
 const TURN_MS = 4;
@@ -106,14 +175,21 @@ export function operations(way) {
 export function contestants() {
   const curve = new Curve(POINTS);
   const flat = curve.controlPoints();
-  const rising = [0, 1, 2, 3].map((j) => curve.derivativeAt(0, j)).flatMap(({ x, y, z }, j) => [x, y, z].map((value) => value / [1, 1, 2, 6][j]));
-  const given = { ...Object.fromEntries(Object.keys(HAND).map((key) => [key, flat])), horner: Float64Array.from([...Object.values(curve.eval(0)), ...rising.slice(3)]) };
+  const rising = [0, 1, 2, 3]
+    .map((j) => curve.derivativeAt(0, j))
+    .flatMap(({ x, y, z }, j) => [x, y, z].map((value) => value / [1, 1, 2, 6][j]));
+  const given = {
+    ...Object.fromEntries(Object.keys(HAND).map((key) => [key, flat])),
+    horner: Float64Array.from([...Object.values(curve.eval(0)), ...rising.slice(3)]),
+  };
   const out = new Float64Array(3 * (SEGMENTS + 1));
   const byHand = (/** @type {keyof typeof HAND} */ key) => () => {
     for (let i = 0; i <= SEGMENTS; i++) HAND[key](/** @type {Float64Array} */ (given[key]), i / SEGMENTS, out, 3 * i);
     return out;
   };
-  const ways = Object.fromEntries(/** @type {(keyof typeof HAND)[]} */ (Object.keys(HAND)).map((key) => [key, byHand(key)]));
+  const ways = Object.fromEntries(
+    /** @type {(keyof typeof HAND)[]} */ (Object.keys(HAND)).map((key) => [key, byHand(key)]),
+  );
   return { ...ways, package: () => /** @type {Float64Array} */ (curve.sample(SEGMENTS, { into: out })) };
 }
 
@@ -177,7 +253,8 @@ export class FigCosts extends Figure {
   }
 
   render() {
-    const words = (/** @type {number[] | undefined} */ counts) => (counts ? `${counts[0]}−, ${counts[1]}+, ${counts[2]}×` : "–");
+    const words = (/** @type {number[] | undefined} */ counts) =>
+      counts ? `${counts[0]}−, ${counts[1]}+, ${counts[2]}×` : "–";
     return html`
       <div class="frame">
         <div class="table first" tabindex="0" role="region" aria-label="Operations and time">
@@ -185,8 +262,10 @@ export class FigCosts extends Figure {
             <caption>One point of a cubic in space</caption>
             <thead><tr><th>Method</th><th>Said in the lesson</th><th>Counted here</th><th>Time a point</th><th>against the first</th></tr></thead>
             <tbody>
-              ${WAYS.map(({ key, name, way, text }) => html`
-                <tr data-way=${key}><th scope="row">${name}</th><td class="counts">${words(text)}</td><td class="counts">${words(operations(way))}</td>${this.time(key)}</tr>`)}
+              ${WAYS.map(
+                ({ key, name, way, text }) => html`
+                <tr data-way=${key}><th scope="row">${name}</th><td class="counts">${words(text)}</td><td class="counts">${words(operations(way))}</td>${this.time(key)}</tr>`,
+              )}
               <tr data-way="package"><th scope="row">This package, <code>sample</code> (wasm)</th><td>–</td><td>–</td>${this.time("package")}</tr>
             </tbody>
           </table>

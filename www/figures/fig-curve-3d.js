@@ -5,7 +5,12 @@ import { Figure, numeric } from "./figure.js";
 import { check, diamond, disc, polyline, ring, slider, square } from "./parts.js";
 import { decimal, short, subscript, tuple } from "./words.js";
 
-const POINTS = /** @type {const} */ ([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+const POINTS = /** @type {const} */ ([
+  [0, 2, 3],
+  [2, 3, 5],
+  [6, 7, 9],
+  [3, 4, 5],
+]);
 /** The corner of the coordinate planes that is opposite to the origin. */
 const FAR = /** @type {const} */ ([7, 8, 10]);
 const DEGREES_PER_PIXEL = 0.5;
@@ -26,7 +31,8 @@ export function seen(turn, tilt) {
 }
 
 /** @param {ArrayLike<number>} flat @returns {number[][]} */
-const triples = (flat) => Array.from({ length: flat.length / 3 }, (_, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]]);
+const triples = (flat) =>
+  Array.from({ length: flat.length / 3 }, (_, i) => [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]]);
 
 /** `<fig-curve-3d t="0.5" turn="-42" tilt="22">` */
 export class FigCurve3d extends Figure {
@@ -63,9 +69,17 @@ export class FigCurve3d extends Figure {
     target.setPointerCapture(start.pointerId);
     const [turn, tilt] = [this.turn, this.tilt];
     const ends = new AbortController();
-    target.addEventListener("pointermove", (event) =>
-      this.orbit(turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL, tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL), { signal: ends.signal });
-    for (const type of ["pointerup", "pointercancel"]) target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
+    target.addEventListener(
+      "pointermove",
+      (event) =>
+        this.orbit(
+          turn - (event.clientX - start.clientX) * DEGREES_PER_PIXEL,
+          tilt + (event.clientY - start.clientY) * DEGREES_PER_PIXEL,
+        ),
+      { signal: ends.signal },
+    );
+    for (const type of ["pointerup", "pointercancel"])
+      target.addEventListener(type, () => ends.abort(), { signal: ends.signal });
   }
 
   /** @param {KeyboardEvent} event */
@@ -104,16 +118,23 @@ export class FigCurve3d extends Figure {
 
   planes(/** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
     const planes = this.behind();
-    const lines = [0, 1, 2].flatMap((along) => [0, 1, 2].filter((across) => across !== along).flatMap((across) => {
-      const fixed = 3 - along - across; // the plane's own axis
-      return Array.from({ length: FAR[across] + 1 }, (_, i) => [0, FAR[along]].flatMap((end) => {
-        const point = [0, 0, 0];
-        [point[along], point[across], point[fixed]] = [end, i, planes[fixed]];
-        return place(point);
-      }));
-    }));
+    const lines = [0, 1, 2].flatMap((along) =>
+      [0, 1, 2]
+        .filter((across) => across !== along)
+        .flatMap((across) => {
+          const fixed = 3 - along - across; // the plane's own axis
+          return Array.from({ length: FAR[across] + 1 }, (_, i) =>
+            [0, FAR[along]].flatMap((end) => {
+              const point = [0, 0, 0];
+              [point[along], point[across], point[fixed]] = [end, i, planes[fixed]];
+              return place(point);
+            }),
+          );
+        }),
+    );
     const axes = ["x", "y", "z"].map((name, axis) => {
-      const at = (/** @type {number} */ value) => place([0, 1, 2].map((k) => (k === axis ? value : k === 2 || axis === 2 ? planes[k] : FAR[k] - planes[k])));
+      const at = (/** @type {number} */ value) =>
+        place([0, 1, 2].map((k) => (k === axis ? value : k === 2 || axis === 2 ? planes[k] : FAR[k] - planes[k])));
       const [x, y] = at(FAR[axis] / 2);
       const away = axis === 2 ? [-16, 0] : [0, 16];
       return svg`<text class="middle math quiet" x=${x + away[0]} y=${y + 4 + away[1]}>${name}</text>`;
@@ -134,8 +155,11 @@ export class FigCurve3d extends Figure {
 
   bounds(/** @type {(point: ArrayLike<number>) => [number, number]} */ place) {
     const { min, max } = this.curve.bounds();
-    const corner = (/** @type {number} */ k) => place([k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z]);
-    const edges = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) => [1, 2, 4].filter((bit) => !(k & bit)).map((bit) => [k, k | bit]));
+    const corner = (/** @type {number} */ k) =>
+      place([k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z]);
+    const edges = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((k) =>
+      [1, 2, 4].filter((bit) => !(k & bit)).map((bit) => [k, k | bit]),
+    );
     return edges.map(([p, q]) => polyline("edge", [...corner(p), ...corner(q)]));
   }
 
@@ -163,7 +187,8 @@ export class FigCurve3d extends Figure {
   render() {
     const at = this.curve.eval(this.t);
     const { min, max } = this.curve.bounds();
-    const range = (/** @type {"x" | "y" | "z"} */ axis) => html`<i>${axis}</i> from ${short(min[axis], 3)} to ${short(max[axis], 3)}`;
+    const range = (/** @type {"x" | "y" | "z"} */ axis) =>
+      html`<i>${axis}</i> from ${short(min[axis], 3)} to ${short(max[axis], 3)}`;
     const turnTo = (/** @type {number} */ turn) => this.orbit(turn, this.tilt);
     return html`
       <div class="frame">
@@ -174,7 +199,17 @@ export class FigCurve3d extends Figure {
         </p>
         <p class="facts">The curve's box: ${range("x")}, ${range("y")}, ${range("z")}. Length ${decimal(this.curve.length(), 4)}.</p>
         <div class="controls">
-          ${slider({ name: html`<i>t</i>`, value: this.t, min: 0, max: 1, text: decimal(this.t), change: (t) => { this.t = t; this.tell(); } })}
+          ${slider({
+            name: html`<i>t</i>`,
+            value: this.t,
+            min: 0,
+            max: 1,
+            text: decimal(this.t),
+            change: (t) => {
+              this.t = t;
+              this.tell();
+            },
+          })}
           ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
           ${slider({ name: "Tilt", value: this.tilt, min: -90, max: 90, step: 1, text: `${decimal(this.tilt, 0)}°`, change: (tilt) => this.orbit(this.turn, tilt) })}
           ${check({ name: "scaffold", value: this.scaffold, change: (on) => (this.scaffold = on) })}

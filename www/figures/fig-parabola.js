@@ -6,7 +6,11 @@ import { check, diamond, disc, pathOf, polyline, slider, square } from "./parts.
 import { decimal, short, tuple } from "./words.js";
 
 /** The parabola for t from 0 to 1: (t, t²) in Bernstein form. Beyond, it goes on by itself. */
-const PARABOLA = new Curve([[0, 0], [0.5, 0], [1, 1]]);
+const PARABOLA = new Curve([
+  [0, 0],
+  [0.5, 0],
+  [1, 1],
+]);
 /** What is shown. */
 const X = /** @type {const} */ ([-1.6, 1.6]);
 const Y = /** @type {const} */ ([-0.45, 2.3]);
@@ -32,8 +36,12 @@ export class FigParabola extends Figure {
     const height = Math.min(420, Math.round((this.wide * (Y[1] - Y[0])) / (X[1] - X[0])));
     const scale = height / (Y[1] - Y[0]);
     const middle = this.wide / 2;
-    const place = (/** @type {readonly [number, number]} */ [x, y]) => [middle + x * scale, height - (y - Y[0]) * scale];
-    const onPaper = (/** @type {Curve} */ curve) => curve.transform([scale, 0, 0, -scale, middle, height + Y[0] * scale]);
+    const place = (/** @type {readonly [number, number]} */ [x, y]) => [
+      middle + x * scale,
+      height - (y - Y[0]) * scale,
+    ];
+    const onPaper = (/** @type {Curve} */ curve) =>
+      curve.transform([scale, 0, 0, -scale, middle, height + Y[0] * scale]);
     const part = PARABOLA.subsegment(this.from, this.to);
     const at = PARABOLA.eval(this.t);
     const [px, py] = place([at.x, at.y]);
@@ -53,9 +61,13 @@ export class FigParabola extends Figure {
         <text class="math" x=${this.wide - 16} y=${oy - 7}>t</text><text class="math" x=${ox + 8} y="16">y</text>
         <path class="ghost" d=${onPaper(PARABOLA.subsegment(-1.52, 1.52)).toSVG({ precision: 2 })} />
         <path class="dropped" d=${pathOf([px, oy, px, py, ox, py])} />
-        ${this.bezier ? svg`${polyline("polygon", drawn.controlPoints())}<path class="curve" d=${drawn.toSVG({ precision: 2 })} />
+        ${
+          this.bezier
+            ? svg`${polyline("polygon", drawn.controlPoints())}<path class="curve" d=${drawn.toSVG({ precision: 2 })} />
           ${disc(q0[0], q0[1])}${square(q1[0], q1[1])}${disc(q2[0], q2[1])}
-          ${control.map(([x, y], i) => svg`<text class="strong haloed middle" x=${x + [-18, 0, 20][i]} y=${y + [-10, 36, 4][i]}>P${i}</text>`)}` : ""}
+          ${control.map(([x, y], i) => svg`<text class="strong haloed middle" x=${x + [-18, 0, 20][i]} y=${y + [-10, 36, 4][i]}>P${i}</text>`)}`
+            : ""
+        }
         ${diamond(px, py)}
       </svg>
     `;
@@ -85,9 +97,13 @@ export class FigParabola extends Figure {
         <div class="controls">
           ${slider({ name: html`<i>t</i>`, value: this.t, ...range, step: 0.01, text: decimal(this.t), change: set("t") })}
           ${check({ name: "as a Bézier curve", value: this.bezier, change: (bezier) => (this.bezier = bezier) })}
-          ${this.bezier ? html`
+          ${
+            this.bezier
+              ? html`
             ${slider({ name: "from", value: this.from, ...range, text: decimal(this.from), change: set("from") })}
-            ${slider({ name: "to", value: this.to, ...range, text: decimal(this.to), change: set("to") })}` : ""}
+            ${slider({ name: "to", value: this.to, ...range, text: decimal(this.to), change: set("to") })}`
+              : ""
+          }
         </div>
       </div>
     `;

@@ -77,7 +77,12 @@ export class FigPyramid extends Figure {
   async key(event) {
     const [level, index] = this.chosen;
     /** @type {Record<string, [number, number]>} */
-    const moves = { ArrowLeft: [level, index - 1], ArrowRight: [level, index + 1], ArrowUp: [level - 1, Math.min(index, level - 1)], ArrowDown: [level + 1, index] };
+    const moves = {
+      ArrowLeft: [level, index - 1],
+      ArrowRight: [level, index + 1],
+      ArrowUp: [level - 1, Math.min(index, level - 1)],
+      ArrowDown: [level + 1, index],
+    };
     const to = moves[event.key];
     if (!to || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -88,13 +93,23 @@ export class FigPyramid extends Figure {
   }
 
   /** Whether the arrow from a node, to the left or the right, lies on what is shown. */
-  lit(/** @type {number} */ level, /** @type {number} */ index, /** @type {0 | 1} */ step, /** @type {Steps[]} */ ways) {
+  lit(
+    /** @type {number} */ level,
+    /** @type {number} */ index,
+    /** @type {0 | 1} */ step,
+    /** @type {Steps[]} */ ways,
+  ) {
     const shown = this.way === null ? ways : [ways[this.way]];
     const at = (/** @type {Steps} */ way) => way.slice(0, level).reduce((sum, s) => sum + s, 0);
     return shown.some((way) => way.length > level && at(way) === index && way[level] === step);
   }
 
-  arrow(/** @type {number} */ level, /** @type {number} */ index, /** @type {0 | 1} */ step, /** @type {Steps[]} */ ways) {
+  arrow(
+    /** @type {number} */ level,
+    /** @type {number} */ index,
+    /** @type {0 | 1} */ step,
+    /** @type {Steps[]} */ ways,
+  ) {
     const [x0, y0] = this.place(level, index);
     const [x1, y1] = this.place(level + 1, index + step);
     const from = [x0 + (x1 - x0) * 0.26, y0 + (y1 - y0) * 0.26];
@@ -130,7 +145,13 @@ export class FigPyramid extends Figure {
     const { degree } = this;
     const height = TOP + degree * ROW + 48;
     const levels = Array.from({ length: degree + 1 }, (_, level) => level);
-    const arrows = levels.slice(0, -1).flatMap((level) => levels.slice(0, level + 1).flatMap((index) => [this.arrow(level, index, 0, ways), this.arrow(level, index, 1, ways)]));
+    const arrows = levels
+      .slice(0, -1)
+      .flatMap((level) =>
+        levels
+          .slice(0, level + 1)
+          .flatMap((index) => [this.arrow(level, index, 0, ways), this.arrow(level, index, 1, ways)]),
+      );
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="group" aria-label="Pyramid of coefficients of degree ${degree}; arrow keys go from one to the next" @keydown=${this.key}>
         ${arrows}${levels.map((level) => levels.slice(0, level + 1).map((index) => this.node(level, index)))}
@@ -158,9 +179,11 @@ export class FigPyramid extends Figure {
     const words = (/** @type {Steps} */ way) => way.map((step) => (step ? "t" : "(1−t)")).join(" · ") || "1";
     return html`
       <div class="ways" role="group" aria-label="The ways to this coefficient" @pointerleave=${show(null)} @focusout=${show(null)}>
-        ${ways.map((way, k) => html`
+        ${ways.map(
+          (way, k) => html`
           <button aria-pressed=${this.way === k} @pointerenter=${show(k)} @focus=${show(k)} @click=${show(k)}><span class="math">${words(way)}</span> = ${decimal(product(way, this.t), 3)}</button>
-        `)}
+        `,
+        )}
       </div>
     `;
   }
@@ -172,8 +195,26 @@ export class FigPyramid extends Figure {
         <div class="stage">${this.picture(ways)}</div>
         ${this.sum(ways)}${this.ways(ways)}
         <div class="controls">
-          ${slider({ name: html`<i>t</i>`, value: this.t, min: 0, max: 1, text: decimal(this.t), change: (t) => { this.t = t; this.tell(); } })}
-          ${choice({ name: "Degree", options: DEGREES.map((n) => [n, n]), value: this.degree, change: (n) => { this.degree = n; this.tell(); } })}
+          ${slider({
+            name: html`<i>t</i>`,
+            value: this.t,
+            min: 0,
+            max: 1,
+            text: decimal(this.t),
+            change: (t) => {
+              this.t = t;
+              this.tell();
+            },
+          })}
+          ${choice({
+            name: "Degree",
+            options: DEGREES.map((n) => [n, n]),
+            value: this.degree,
+            change: (n) => {
+              this.degree = n;
+              this.tell();
+            },
+          })}
         </div>
       </div>
     `;

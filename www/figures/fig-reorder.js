@@ -7,7 +7,12 @@ import { disc, handle, polyline, square } from "./parts.js";
 import { short } from "./words.js";
 
 /** The places of the figure, in a box of 100 × 80. @type {[number, number][]} */
-const PLACES = [[16, 62], [30, 14], [80, 24], [68, 68]];
+const PLACES = [
+  [16, 62],
+  [30, 14],
+  [80, 24],
+  [68, 68],
+];
 const BOX = /** @type {const} */ ({ min: [4, 4], max: [96, 76] });
 const [WIDTH, HEIGHT] = [100, 80];
 
@@ -19,7 +24,11 @@ const [WIDTH, HEIGHT] = [100, 80];
  */
 export function orders(n) {
   const insert = (/** @type {number[]} */ used) =>
-    used.length === n ? [used] : Array.from({ length: n }, (_, k) => k).filter((k) => !used.includes(k)).flatMap((k) => insert([...used, k]));
+    used.length === n
+      ? [used]
+      : Array.from({ length: n }, (_, k) => k)
+          .filter((k) => !used.includes(k))
+          .flatMap((k) => insert([...used, k]));
   return insert([]);
 }
 
@@ -46,11 +55,14 @@ export class FigReorder extends Figure {
     const height = Math.round(Math.min(380, this.wide * 0.62));
     const scale = Math.min(this.wide / WIDTH, height / HEIGHT);
     const origin = [(this.wide - WIDTH * scale) / 2, (height - HEIGHT * scale) / 2];
-    const place = (/** @type {readonly [number, number]} */ [x, y]) => /** @type {[number, number]} */ ([origin[0] + x * scale, origin[1] + y * scale]);
-    const unplace = (/** @type {readonly [number, number]} */ [x, y]) => /** @type {[number, number]} */ ([(x - origin[0]) / scale, (y - origin[1]) / scale]);
+    const place = (/** @type {readonly [number, number]} */ [x, y]) =>
+      /** @type {[number, number]} */ ([origin[0] + x * scale, origin[1] + y * scale]);
+    const unplace = (/** @type {readonly [number, number]} */ [x, y]) =>
+      /** @type {[number, number]} */ ([(x - origin[0]) / scale, (y - origin[1]) / scale]);
     const order = ORDERS[this.chosen];
     const drawn = this.curve(this.chosen).transform([scale, 0, 0, scale, ...origin]);
-    const move = (/** @type {number} */ k) => (/** @type {[number, number]} */ to) => (this.places = this.places.map((old, i) => (i === k ? to : old)));
+    const move = (/** @type {number} */ k) => (/** @type {[number, number]} */ to) =>
+      (this.places = this.places.map((old, i) => (i === k ? to : old)));
     return html`
       <svg viewBox="0 0 ${this.wide} ${height}" role="img" aria-label="The cubic that takes the four points in the order ${this.name(this.chosen)}">
         ${polyline("polygon", drawn.controlPoints())}<path class="curve" d=${drawn.toSVG({ precision: 2 })} />
@@ -75,7 +87,10 @@ export class FigReorder extends Figure {
     const twin = k === BACKWARDS[this.chosen];
     return html`
       <label class="thumb" data-twin=${twin} title=${this.name(k)}>
-        <input type="radio" name="order" .checked=${live(k === this.chosen)} @change=${() => { this.chosen = k; this.tell(); }} />
+        <input type="radio" name="order" .checked=${live(k === this.chosen)} @change=${() => {
+          this.chosen = k;
+          this.tell();
+        }} />
         <span class="away">${this.name(k)}</span>
         <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" aria-hidden="true">
           <path class="thin" d=${polylineOf(curve)} /><path class="curve" d=${curve.toSVG({ precision: 1 })} />

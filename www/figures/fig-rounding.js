@@ -18,7 +18,11 @@ export const METHODS = /** @type {const} */ ([
 ]);
 
 /** A wave of control points that repeats on no machine number. @param {number} n @param {number} centre */
-const wave = (n, centre = 0) => Array.from({ length: n + 1 }, (_, i) => /** @type {[number, number]} */ ([centre + i / n, centre + Math.sin(2.4 * i + 0.7)]));
+const wave = (n, centre = 0) =>
+  Array.from(
+    { length: n + 1 },
+    (_, i) => /** @type {[number, number]} */ ([centre + i / n, centre + Math.sin(2.4 * i + 0.7)]),
+  );
 
 /** @type {Record<string, { words: string, points: [number, number][] }>} */
 export const CASES = {
@@ -84,7 +88,8 @@ export class FigRounding extends Figure {
     const [low, high] = [Math.floor(Math.log10(unit / 8)), Math.ceil(Math.log10(greatest * 1.2))];
     const [left, top, bottom, right] = [54, 14, 34, 12];
     const height = Math.max(260, Math.min(340, this.wide * 0.55));
-    const y = (/** @type {number} */ error) => top + ((high - Math.max(Math.log10(error || 1e-300), low)) / (high - low)) * (height - top - bottom);
+    const y = (/** @type {number} */ error) =>
+      top + ((high - Math.max(Math.log10(error || 1e-300), low)) / (high - low)) * (height - top - bottom);
     const x = (/** @type {number} */ t) => left + t * (this.wide - left - right);
     const decades = Array.from({ length: high - low + 1 }, (_, k) => low + k);
     const every = Math.ceil(decades.length / 9);
@@ -93,9 +98,13 @@ export class FigRounding extends Figure {
         ${decades.filter((_, k) => k % every === 0).map((k) => svg`<path class="gridline" d="M${left} ${y(10 ** k)}H${this.wide - right}" /><text class="quiet end" x=${left - 7} y=${y(10 ** k) + 4}>10${superscript(k)}</text>`)}
         ${[0, 0.25, 0.5, 0.75, 1].map((t) => svg`<path class="gridline" d="M${x(t)} ${top}V${height - bottom}" /><text class="quiet middle" x=${Math.min(x(t), this.wide - 16)} y=${height - 14}>${t}</text>`)}
         <path class="axis" stroke-dasharray="3 4" d="M${left} ${y(unit)}H${this.wide - right}" />
-        ${METHODS.map(({ key, mark, dash }, k) => this.muted.has(key) ? "" : svg`
+        ${METHODS.map(({ key, mark, dash }, k) =>
+          this.muted.has(key)
+            ? ""
+            : svg`
           <path data-method=${key} fill="none" stroke="var(--${mark})" stroke-width="2.25" stroke-dasharray=${dash} stroke-linejoin="round"
-            d=${pathOf(Array.from(all[k], (error, i) => [x((i + 0.5) / PLACES), y(error)]).flat())} />`)}
+            d=${pathOf(Array.from(all[k], (error, i) => [x((i + 0.5) / PLACES), y(error)]).flat())} />`,
+        )}
         <text class="haloed quiet end" x=${this.wide - right - 4} y=${y(unit) - 5}>last place of a 32-bit number</text>
         <text class="math" x=${x(0.5) + 26} y=${height - 14}>t</text>
       </svg>
@@ -117,14 +126,16 @@ export class FigRounding extends Figure {
         <table>
           <thead><tr><th>Method</th><th>Greatest error</th><th>in last places</th><th>against the best</th></tr></thead>
           <tbody>
-            ${METHODS.map(({ key, name, mark, dash }, k) => html`
+            ${METHODS.map(
+              ({ key, name, mark, dash }, k) => html`
               <tr data-method=${key}>
                 <th scope="row"><div class="key">
                   <svg viewBox="0 0 34 12" aria-hidden="true"><path d="M1 6H33" stroke="var(--${mark})" stroke-width="2.5" stroke-dasharray=${dash} /></svg>
                   ${check({ name, value: !this.muted.has(key), change: toggle(key) })}
                 </div></th>
                 <td data-error=${all[k]}>${scientific(all[k])}</td><td>${decimal(all[k] / unit, 1)}</td><td>${decimal(all[k] / best, 1)} ×</td>
-              </tr>`)}
+              </tr>`,
+            )}
           </tbody>
         </table>
       </div>
@@ -135,7 +146,15 @@ export class FigRounding extends Figure {
     const options = Object.entries(CASES).map(([key, { words }]) => /** @type {const} */ ([key, words]));
     return html`
       <div class="frame">
-        <div class="controls first">${list({ name: "Control points", options, value: this.case, change: (name) => { this.case = name; this.tell(); } })}</div>
+        <div class="controls first">${list({
+          name: "Control points",
+          options,
+          value: this.case,
+          change: (name) => {
+            this.case = name;
+            this.tell();
+          },
+        })}</div>
         <div class="stage">${this.picture()}</div>
         ${this.table()}
         <p class="facts">

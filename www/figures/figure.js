@@ -51,11 +51,13 @@ export class Figure extends LitElement {
  * @param {{ least?: number, most?: number, whole?: boolean, otherwise: number }} options
  * @returns {(text: string | null) => number}
  */
-export const numberFrom = ({ least = -Infinity, most = Infinity, whole = false, otherwise }) => (text) => {
-  const number = text === null || text.trim() === "" ? NaN : Number(text);
-  const usable = number >= least && number <= most && Number.isFinite(number) && (!whole || Number.isInteger(number));
-  return usable ? number : otherwise;
-};
+export const numberFrom =
+  ({ least = -Infinity, most = Infinity, whole = false, otherwise }) =>
+  (text) => {
+    const number = text === null || text.trim() === "" ? NaN : Number(text);
+    const usable = number >= least && number <= most && Number.isFinite(number) && (!whole || Number.isInteger(number));
+    return usable ? number : otherwise;
+  };
 
 /**
  * A property that is an attribute with a number.
@@ -70,5 +72,7 @@ export const numeric = (options) => ({ converter: { fromAttribute: numberFrom(op
  * @param {readonly string[]} words
  */
 export const oneOf = (words) => ({
-  converter: { fromAttribute: (/** @type {string | null} */ text) => (text !== null && words.includes(text) ? text : words[0]) },
+  converter: {
+    fromAttribute: (/** @type {string | null} */ text) => (text !== null && words.includes(text) ? text : words[0]),
+  },
 });

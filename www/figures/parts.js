@@ -26,9 +26,11 @@ export const slider = ({ name, value, min, max, step = 0.01, text, spoken = text
 export const choice = ({ name, options, value, change }) => html`
   <fieldset>
     <legend>${name}</legend>
-    ${options.map(([key, words]) => html`
+    ${options.map(
+      ([key, words]) => html`
       <label><input type="radio" name=${name} .checked=${live(key === value)} @change=${() => change(key)} />${words}</label>
-    `)}
+    `,
+    )}
   </fieldset>
 `;
 
@@ -56,13 +58,16 @@ export const check = ({ name, value, change }) => html`
 export const disc = (x, y, radius = 6) => svg`<circle class="on" cx=${x} cy=${y} r=${radius} />`;
 
 /** A square: a point off the curve. @param {number} x @param {number} y */
-export const square = (x, y, half = 5) => svg`<rect class="off" x=${x - half} y=${y - half} width=${2 * half} height=${2 * half} />`;
+export const square = (x, y, half = 5) =>
+  svg`<rect class="off" x=${x - half} y=${y - half} width=${2 * half} height=${2 * half} />`;
 
 /** A diamond: the point at t. @param {number} x @param {number} y */
-export const diamond = (x, y, half = 7) => svg`<path class="at" d="M${x} ${y - half}L${x + half} ${y}L${x} ${y + half}L${x - half} ${y}Z" />`;
+export const diamond = (x, y, half = 7) =>
+  svg`<path class="at" d="M${x} ${y - half}L${x + half} ${y}L${x} ${y + half}L${x - half} ${y}Z" />`;
 
 /** A small ring: a point that was computed. @param {number} x @param {number} y @param {string} colour */
-export const ring = (x, y, colour, radius = 3.5) => svg`<circle class="hollow" cx=${x} cy=${y} r=${radius} stroke=${colour} />`;
+export const ring = (x, y, colour, radius = 3.5) =>
+  svg`<circle class="hollow" cx=${x} cy=${y} r=${radius} stroke=${colour} />`;
 
 /**
  * A polyline through places.
@@ -171,8 +176,11 @@ function drag(start, { at, place, unplace, size, box, move, done = () => {}, can
   const [x, y] = pixels(start);
   const [cx, cy] = place(at);
   const ends = new AbortController();
-  const listen = (/** @type {string} */ type, /** @type {(event: any) => void} */ listener, /** @type {EventTarget} */ target = handle) =>
-    target.addEventListener(type, listener, { signal: ends.signal });
+  const listen = (
+    /** @type {string} */ type,
+    /** @type {(event: any) => void} */ listener,
+    /** @type {EventTarget} */ target = handle,
+  ) => target.addEventListener(type, listener, { signal: ends.signal });
   const end = (/** @type {boolean} */ kept) => {
     ends.abort();
     if (!kept) cancel();

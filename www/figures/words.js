@@ -48,7 +48,8 @@ export function scientific(value, digits = 1) {
 /**
  * @param {number} whole
  */
-export const superscript = (whole) => (whole < 0 ? "⁻" : "") + [...String(Math.abs(whole))].map((digit) => SUPERSCRIPTS[Number(digit)]).join("");
+export const superscript = (whole) =>
+  (whole < 0 ? "⁻" : "") + [...String(Math.abs(whole))].map((digit) => SUPERSCRIPTS[Number(digit)]).join("");
 
 /**
  * @param {number} whole

@@ -5,7 +5,18 @@ import { Figure } from "../figures/figure.js";
 import { short } from "../figures/words.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { History } from "./history.js";
-import { addRound, bendOrStraighten, fromSvg, insert, MODES, nodesOf, pathOf, remove, setMode, toQuadratics } from "./outline.js";
+import {
+  addRound,
+  bendOrStraighten,
+  fromSvg,
+  insert,
+  MODES,
+  nodesOf,
+  pathOf,
+  remove,
+  setMode,
+  toQuadratics,
+} from "./outline.js";
 import { conversion, joint, proof, tools } from "./panels.js";
 import { sheet } from "./sheet.js";
 import { fitted, panned, zoomed } from "./view.js";
@@ -22,9 +33,18 @@ const NEAR_PX = 14;
 /** `<glyph-editor>` */
 export class GlyphEditor extends Figure {
   static properties = {
-    outline: { attribute: false }, chosen: { state: true }, view: { state: true }, tolerance: { state: true }, filled: { state: true }, ghost: { state: true }, problem: { state: true }, pointer: { state: true },
+    outline: { attribute: false },
+    chosen: { state: true },
+    view: { state: true },
+    tolerance: { state: true },
+    filled: { state: true },
+    ghost: { state: true },
+    problem: { state: true },
+    pointer: { state: true },
   };
-  static styles = [Figure.styles, css`
+  static styles = [
+    Figure.styles,
+    css`
     .ink { fill: var(--ink); fill-opacity: 0.16; stroke: none; fill-rule: nonzero; }
     .ink.solid { fill-opacity: 1; }
     .guide { stroke: var(--level1); stroke-width: 1; stroke-dasharray: 3 5; fill: none; }
@@ -43,7 +63,8 @@ export class GlyphEditor extends Figure {
     .keys p { margin: 0.3rem 0 0; text-wrap: pretty; }
     kbd { font: 600 0.8em/1 ui-monospace, Menlo, Consolas, monospace; border: 1px solid var(--field); border-radius: 4px; padding: 0.1em 0.35em; }
     .proof path { fill: var(--ink); }
-  `];
+  `,
+  ];
 
   constructor() {
     super();
@@ -75,7 +96,8 @@ export class GlyphEditor extends Figure {
       this.path = pathOf(this.outline);
       const contour = this.outline[this.chosen.c];
       if (!contour) this.chosen = { c: 0, index: 0 };
-      else if (this.chosen.index >= contour.spline.controlPoints().length / 2) this.chosen = { c: this.chosen.c, index: 0 };
+      else if (this.chosen.index >= contour.spline.controlPoints().length / 2)
+        this.chosen = { c: this.chosen.c, index: 0 };
     }
     // Measuring is for finished drags: it takes longer than a frame may.
     if (this.history.now !== this.measured || changed.has("tolerance")) {
@@ -129,7 +151,9 @@ export class GlyphEditor extends Figure {
   }
 
   get seen() {
-    const box = /** @type {NonNullable<ReturnType<import("casteljau").Path["controlBounds"]>>} */ (this.path.controlBounds());
+    const box = /** @type {NonNullable<ReturnType<import("casteljau").Path["controlBounds"]>>} */ (
+      this.path.controlBounds()
+    );
     return this.view ?? fitted(box, this.aspect);
   }
 
@@ -155,7 +179,10 @@ export class GlyphEditor extends Figure {
   /** Where an event is, in units. @param {MouseEvent} event @returns {Place} */
   locate(event) {
     const rect = /** @type {Element} */ (this.renderRoot.querySelector(".sheet")).getBoundingClientRect();
-    return this.scales().unplace([((event.clientX - rect.left) * this.wide) / rect.width, ((event.clientY - rect.top) * this.wide) / rect.width]);
+    return this.scales().unplace([
+      ((event.clientX - rect.left) * this.wide) / rect.width,
+      ((event.clientY - rect.top) * this.wide) / rect.width,
+    ]);
   }
 
   /** One finger or the mouse moves the picture, two fingers zoom. @param {PointerEvent} start */
@@ -165,7 +192,9 @@ export class GlyphEditor extends Figure {
     target.setPointerCapture(start.pointerId);
     this.fingers.set(start.pointerId, start);
     const ends = new AbortController();
-    target.addEventListener("pointermove", (event) => this.panTo(/** @type {PointerEvent} */ (event)), { signal: ends.signal });
+    target.addEventListener("pointermove", (event) => this.panTo(/** @type {PointerEvent} */ (event)), {
+      signal: ends.signal,
+    });
     const end = (/** @type {any} */ { pointerId }) => {
       if (pointerId !== start.pointerId) return;
       this.fingers.delete(pointerId);
@@ -184,7 +213,8 @@ export class GlyphEditor extends Figure {
       this.view = panned(this.seen, event.clientX - before.clientX, event.clientY - before.clientY, this.wide);
       return;
     }
-    const apart = (/** @type {PointerEvent} */ finger) => Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
+    const apart = (/** @type {PointerEvent} */ finger) =>
+      Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
     if (apart(before) > 0 && apart(event) > 0) this.zoom(apart(event) / apart(before), this.locate(other));
   }
 
@@ -199,9 +229,14 @@ export class GlyphEditor extends Figure {
   sheetKey(event) {
     /** @type {Record<string, () => void>} */
     const keys = {
-      "+": () => this.zoom(ZOOM_STEP), "=": () => this.zoom(ZOOM_STEP), "-": () => this.zoom(1 / ZOOM_STEP), 0: () => (this.view = null),
-      ArrowLeft: () => (this.view = panned(this.seen, PAN_KEY_PX, 0, this.wide)), ArrowRight: () => (this.view = panned(this.seen, -PAN_KEY_PX, 0, this.wide)),
-      ArrowUp: () => (this.view = panned(this.seen, 0, PAN_KEY_PX, this.wide)), ArrowDown: () => (this.view = panned(this.seen, 0, -PAN_KEY_PX, this.wide)),
+      "+": () => this.zoom(ZOOM_STEP),
+      "=": () => this.zoom(ZOOM_STEP),
+      "-": () => this.zoom(1 / ZOOM_STEP),
+      0: () => (this.view = null),
+      ArrowLeft: () => (this.view = panned(this.seen, PAN_KEY_PX, 0, this.wide)),
+      ArrowRight: () => (this.view = panned(this.seen, -PAN_KEY_PX, 0, this.wide)),
+      ArrowUp: () => (this.view = panned(this.seen, 0, PAN_KEY_PX, this.wide)),
+      ArrowDown: () => (this.view = panned(this.seen, 0, -PAN_KEY_PX, this.wide)),
     };
     if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
@@ -216,7 +251,8 @@ export class GlyphEditor extends Figure {
     const name = event.key.toLowerCase();
     if (control && name === "z" && !event.shiftKey) this.undo();
     else if (control && (name === "y" || (name === "z" && event.shiftKey))) this.redo();
-    else if (!control && (event.key === "Delete" || event.key === "Backspace") && target.closest(".handle")) this.deleteChosen();
+    else if (!control && (event.key === "Delete" || event.key === "Backspace") && target.closest(".handle"))
+      this.deleteChosen();
     else if (!control && name === "i" && target.closest(".handle")) this.insertAfter();
     else if (!control && event.key === "Enter" && target.closest(".handle")) this.nextMode();
     else return;
@@ -232,7 +268,15 @@ export class GlyphEditor extends Figure {
   /** The next mode for the chosen joint. */
   nextMode() {
     const { contour, node } = this.selected;
-    if (node.on) this.take(setMode(this.outline, this.chosen.c, node.joint, MODES[(MODES.indexOf(contour.modes[node.joint]) + 1) % MODES.length]));
+    if (node.on)
+      this.take(
+        setMode(
+          this.outline,
+          this.chosen.c,
+          node.joint,
+          MODES[(MODES.indexOf(contour.modes[node.joint]) + 1) % MODES.length],
+        ),
+      );
   }
 
   insertAfter() {
@@ -250,15 +294,26 @@ export class GlyphEditor extends Figure {
 
   addContour() {
     const { unplace, height } = this.scales();
-    const next = addRound(this.outline, /** @type {Place} */ (unplace([this.wide / 2, height / 2]).map(Math.round)), Math.max(1, Math.round(this.seen.units / 10)));
+    const next = addRound(
+      this.outline,
+      /** @type {Place} */ (unplace([this.wide / 2, height / 2]).map(Math.round)),
+      Math.max(1, Math.round(this.seen.units / 10)),
+    );
     this.take(next);
     this.chosen = { c: next.length - 1, index: 0 };
   }
 
   render() {
     const d = this.path.toSVG({ precision: PRECISION });
-    const { min, max } = /** @type {{ min: { x: number, y: number }, max: { x: number, y: number } }} */ (this.path.bounds());
-    const box = [Math.floor(min.x), Math.floor(min.y), Math.ceil(max.x - Math.floor(min.x)), Math.ceil(max.y - Math.floor(min.y))];
+    const { min, max } = /** @type {{ min: { x: number, y: number }, max: { x: number, y: number } }} */ (
+      this.path.bounds()
+    );
+    const box = [
+      Math.floor(min.x),
+      Math.floor(min.y),
+      Math.ceil(max.x - Math.floor(min.x)),
+      Math.ceil(max.y - Math.floor(min.y)),
+    ];
     return html`
       <div @keydown=${this.key}>
         <div class="frame">

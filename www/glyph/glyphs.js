@@ -2,7 +2,11 @@
 
 export const EM = 1000;
 /** Heights to align with, by name. @type {readonly (readonly [string, number])[]} */
-export const GUIDES = [["capitals", 100], ["x-height", 300], ["baseline", 800]];
+export const GUIDES = [
+  ["capitals", 100],
+  ["x-height", 300],
+  ["baseline", 800],
+];
 
 /** @type {Readonly<Record<string, string>>} */
 export const GLYPHS = {

@@ -34,12 +34,14 @@ export class History {
   undo() {
     if (!this.canUndo) return this.now;
     this.#future.push(this.now);
-    return (this.now = /** @type {T} */ (this.#past.pop()));
+    this.now = /** @type {T} */ (this.#past.pop());
+    return this.now;
   }
 
   redo() {
     if (!this.canRedo) return this.now;
     this.#past.push(this.now);
-    return (this.now = /** @type {T} */ (this.#future.pop()));
+    this.now = /** @type {T} */ (this.#future.pop());
+    return this.now;
   }
 }

@@ -12,11 +12,13 @@ keepInAddress(editor, {
     const { d, modes } = /** @type {{ d: string, modes: string[][] }} */ (state);
     const outline = fromSvg(d);
     const known = (/** @type {unknown} */ mode) => /** @type {readonly unknown[]} */ (MODES).includes(mode);
-    editor.take(outline.map((contour, c) => {
-      const given = modes?.[c];
-      const fits = Array.isArray(given) && given.length === contour.modes.length && given.every(known);
-      return fits ? { ...contour, modes: /** @type {any} */ (given) } : contour;
-    }));
+    editor.take(
+      outline.map((contour, c) => {
+        const given = modes?.[c];
+        const fits = Array.isArray(given) && given.length === contour.modes.length && given.every(known);
+        return fits ? { ...contour, modes: /** @type {any} */ (given) } : contour;
+      }),
+    );
   },
   write: () => ({ d: pathOf(editor.outline).toSVG({ precision: 2 }), modes: editor.outline.map(({ modes }) => modes) }),
 });

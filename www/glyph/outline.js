@@ -26,7 +26,8 @@ export function contourOf(spline) {
   // Letters are drawn on whole numbers: a thousandth of the size is as smooth as anybody means.
   const { min, max } = spline.controlBounds();
   const close = Math.hypot(max.x - min.x, max.y - min.y) * 1e-3;
-  const smooth = (/** @type {number} */ k) => inner(k) && segmentsAt(spline, k).some((curve) => curve.degree > 1) && spline.continuity(k, close).g1;
+  const smooth = (/** @type {number} */ k) =>
+    inner(k) && segmentsAt(spline, k).some((curve) => curve.degree > 1) && spline.continuity(k, close).g1;
   return { spline, modes: Array.from({ length: joints }, (_, k) => (smooth(k) ? "g1" : "free")) };
 }
 
@@ -59,11 +60,17 @@ export function fromSvg(d) {
  */
 export function nodesOf(spline) {
   const flat = spline.controlPoints();
-  const starts = spline.degrees.reduce((/** @type {number[]} */ list, degree) => [...list, list[list.length - 1] + degree], [0]);
+  const starts = [0];
+  for (const degree of spline.degrees) starts.push(starts[starts.length - 1] + degree);
   return Array.from({ length: flat.length / 2 }, (_, index) => {
     const after = starts.findIndex((start) => start > index);
     const joint = (after === -1 ? starts.length : after) - 1;
-    return { at: /** @type {Place} */ ([flat[2 * index], flat[2 * index + 1]]), on: starts.includes(index), joint, index };
+    return {
+      at: /** @type {Place} */ ([flat[2 * index], flat[2 * index + 1]]),
+      on: starts.includes(index),
+      joint,
+      index,
+    };
   });
 }
 
@@ -86,7 +93,10 @@ export function movePoint(outline, c, index, to) {
 /** @param {Outline} outline @param {number} c @param {number} joint @param {Mode} mode */
 export function setMode(outline, c, joint, mode) {
   const { spline, modes } = outline[c];
-  return replaced(outline, c, { spline: spline.setJoint(joint, mode), modes: modes.map((old, k) => (k === joint ? mode : old)) });
+  return replaced(outline, c, {
+    spline: spline.setJoint(joint, mode),
+    modes: modes.map((old, k) => (k === joint ? mode : old)),
+  });
 }
 
 /** One more joint, exactly on the outline. @param {Outline} outline @param {number} c @param {number} t */
@@ -125,7 +135,10 @@ function changeSegment(outline, c, k, change) {
 export function bendOrStraighten(outline, c, k) {
   const straighten = (/** @type {Curve} */ curve) => {
     const [a, b] = [curve.eval(0), curve.eval(1)];
-    return new Curve([[a.x, a.y], [b.x, b.y]]);
+    return new Curve([
+      [a.x, a.y],
+      [b.x, b.y],
+    ]);
   };
   return changeSegment(outline, c, k, (curve) => (curve.degree === 1 ? curve.elevate().elevate() : straighten(curve)));
 }
@@ -134,20 +147,25 @@ export function bendOrStraighten(outline, c, k) {
 export function reverse(outline, c) {
   const { spline, modes } = outline[c];
   // A closed contour keeps its first point.
-  return replaced(outline, c, { spline: spline.reverse(), modes: spline.closed ? [modes[0], ...modes.slice(1).reverse()] : modes.toReversed() });
+  return replaced(outline, c, {
+    spline: spline.reverse(),
+    modes: spline.closed ? [modes[0], ...modes.slice(1).reverse()] : modes.toReversed(),
+  });
 }
 
 /** A round contour, clockwise as seen. @param {Outline} outline @param {Place} centre @param {number} radius */
 export function addRound(outline, [x, y], radius) {
-  const arc = (/** @type {number} */ dx, /** @type {number} */ dy) => `A${radius} ${radius} 0 0 1 ${x + dx * radius} ${y + dy * radius}`;
+  const arc = (/** @type {number} */ dx, /** @type {number} */ dy) =>
+    `A${radius} ${radius} 0 0 1 ${x + dx * radius} ${y + dy * radius}`;
   return [...outline, ...fromSvg(`M${x + radius} ${y}${arc(0, 1)}${arc(-1, 0)}${arc(0, -1)}${arc(1, 0)}Z`)];
 }
 
 /** @param {Outline} outline */
-export const toCubics = (outline) => outline.map(({ spline }) => {
-  const raised = spline.segments().map((segment) => (segment.degree === 2 ? segment.elevate() : segment));
-  return contourOf(Spline.fromCurves(raised, { closed: spline.closed }));
-});
+export const toCubics = (outline) =>
+  outline.map(({ spline }) => {
+    const raised = spline.segments().map((segment) => (segment.degree === 2 ? segment.elevate() : segment));
+    return contourOf(Spline.fromCurves(raised, { closed: spline.closed }));
+  });
 
 /** So many pieces a cubic at most. */
 const MOST_PIECES = 64;
@@ -168,7 +186,11 @@ export function quadratics(curve, tolerance) {
     // Ends kept, the middle where the end tangents of the cubic balance; neighbours share their ends to the bit.
     const curves = flat.map((p, i) => {
       const end = flat[i + 1] ?? p.subarray(6);
-      return new Curve([[p[0], p[1]], [(3 * (p[2] + p[4]) - p[0] - p[6]) / 4, (3 * (p[3] + p[5]) - p[1] - p[7]) / 4], [end[0], end[1]]]);
+      return new Curve([
+        [p[0], p[1]],
+        [(3 * (p[2] + p[4]) - p[0] - p[6]) / 4, (3 * (p[3] + p[5]) - p[1] - p[7]) / 4],
+        [end[0], end[1]],
+      ]);
     });
     const error = Math.max(...curves.map((quadratic, i) => quadratic.hausdorff(pieces[i])));
     if (error <= tolerance || n === MOST_PIECES) return { curves, error };
@@ -187,7 +209,12 @@ export function toQuadratics(outline, tolerance) {
   const contours = outline.map(({ spline }) => {
     const parts = spline.segments().map((segment) => quadratics(segment, tolerance));
     error = Math.max(error, ...parts.map((part) => part.error));
-    return contourOf(Spline.fromCurves(parts.flatMap((part) => part.curves), { closed: spline.closed }));
+    return contourOf(
+      Spline.fromCurves(
+        parts.flatMap((part) => part.curves),
+        { closed: spline.closed },
+      ),
+    );
   });
   return { outline: contours, error };
 }

@@ -76,7 +76,9 @@ export function proof(editor) {
     for (let i = 0; i < 3; i++) {
       const width = (advance * size) / EM;
       if (x + width > editor.wide - 6) [x, line, base] = [6, line + 1, base + size * 1.15];
-      letters.push(svg`<path d=${d} transform="translate(${x + SIDE_BEARING * size} ${base}) scale(${size / EM}) translate(${-box.min.x} -800)" />`);
+      letters.push(
+        svg`<path d=${d} transform="translate(${x + SIDE_BEARING * size} ${base}) scale(${size / EM}) translate(${-box.min.x} -800)" />`,
+      );
       x += width;
     }
   }

@@ -36,16 +36,25 @@ function ways(outline, place) {
 /** @param {GlyphEditor} editor */
 export function sheet(editor) {
   const { place, unplace, height, matrix } = editor.scales();
-  const visible = ([x, y] = /** @type {Place} */ ([0, 0])) => x > -HANDLE_MARGIN_PX && y > -HANDLE_MARGIN_PX && x < editor.wide + HANDLE_MARGIN_PX && y < height + HANDLE_MARGIN_PX;
+  const visible = ([x, y] = /** @type {Place} */ ([0, 0])) =>
+    x > -HANDLE_MARGIN_PX &&
+    y > -HANDLE_MARGIN_PX &&
+    x < editor.wide + HANDLE_MARGIN_PX &&
+    y < height + HANDLE_MARGIN_PX;
   const nodes = editor.outline.flatMap(({ spline }, c) => nodesOf(spline).map((node) => ({ ...node, c })));
   const shown = nodes.filter((node) => visible(place(node.at)));
-  const rods = editor.outline.flatMap(({ spline }) => spline.segments().flatMap((segment) => {
-    const flat = segment.transform(matrix).controlPoints();
-    const n = flat.length;
-    return segment.degree > 1 ? [polyline("rod", flat.subarray(0, 4)), polyline("rod", flat.subarray(n - 4))] : [];
-  }));
+  const rods = editor.outline.flatMap(({ spline }) =>
+    spline.segments().flatMap((segment) => {
+      const flat = segment.transform(matrix).controlPoints();
+      const n = flat.length;
+      return segment.degree > 1 ? [polyline("rod", flat.subarray(0, 4)), polyline("rod", flat.subarray(n - 4))] : [];
+    }),
+  );
   const reach = editor.seen.units * 4;
-  const box = { min: [editor.seen.x - reach, editor.seen.y - reach], max: [editor.seen.x + reach, editor.seen.y + reach] };
+  const box = {
+    min: [editor.seen.x - reach, editor.seen.y - reach],
+    max: [editor.seen.x + reach, editor.seen.y + reach],
+  };
   const [sx, sy] = place(editor.selected.node.at);
   const counts = countPoints(editor.outline);
   return html`
@@ -57,19 +66,42 @@ export function sheet(editor) {
       ${editor.ghost ? svg`<path class="ghost" d=${pathOf(editor.quadratic.outline).transform(matrix).toSVG({ precision: PRECISION })} />` : ""}
       <path class="curve" d=${editor.path.transform(matrix).toSVG({ precision: PRECISION })} stroke-width="2" />
       ${rods}${ways(editor.outline, place)}
-      ${editor.ghost ? editor.quadratic.outline.flatMap(({ spline }) => nodesOf(spline).map(({ at, on }) => {
-        const [x, y] = place(at);
-        return visible([x, y]) ? svg`<circle class="hollow" cx=${x} cy=${y} r=${on ? 4 : 2.5} stroke="var(--quiet)" />` : "";
-      })) : ""}
+      ${
+        editor.ghost
+          ? editor.quadratic.outline.flatMap(({ spline }) =>
+              nodesOf(spline).map(({ at, on }) => {
+                const [x, y] = place(at);
+                return visible([x, y])
+                  ? svg`<circle class="hollow" cx=${x} cy=${y} r=${on ? 4 : 2.5} stroke="var(--quiet)" />`
+                  : "";
+              }),
+            )
+          : ""
+      }
       ${shown.map(({ at, on }) => {
         const [x, y] = place(at);
-        return on ? svg`<circle class="on" cx=${x} cy=${y} r="5.5" />` : svg`<rect class="off" x=${x - 4.5} y=${y - 4.5} width="9" height="9" />`;
+        return on
+          ? svg`<circle class="on" cx=${x} cy=${y} r="5.5" />`
+          : svg`<rect class="off" x=${x - 4.5} y=${y - 4.5} width="9" height="9" />`;
       })}
       <circle class="picked" cx=${sx} cy=${sy} r="11" />
     </svg>
-    ${shown.map(({ at, on, index, c }) => handle({
-      name: `Contour ${c + 1}, ${on ? "point" : "handle"} ${index}`, kind: on ? "on" : "off", at, place, unplace, size: [editor.wide, height], box: /** @type {any} */ (box), step: editor.seen.units < CLOSE_UNITS ? 0.1 : 1,
-      say: (value) => short(value, 1), move: (to) => (editor.outline = movePoint(editor.history.now, c, index, to)), done: () => editor.take(editor.outline), cancel: () => (editor.outline = editor.history.now), focus: () => (editor.chosen = { c, index }),
-    }))}
+    ${shown.map(({ at, on, index, c }) =>
+      handle({
+        name: `Contour ${c + 1}, ${on ? "point" : "handle"} ${index}`,
+        kind: on ? "on" : "off",
+        at,
+        place,
+        unplace,
+        size: [editor.wide, height],
+        box: /** @type {any} */ (box),
+        step: editor.seen.units < CLOSE_UNITS ? 0.1 : 1,
+        say: (value) => short(value, 1),
+        move: (to) => (editor.outline = movePoint(editor.history.now, c, index, to)),
+        done: () => editor.take(editor.outline),
+        cancel: () => (editor.outline = editor.history.now),
+        focus: () => (editor.chosen = { c, index }),
+      }),
+    )}
   `;
 }

@@ -35,4 +35,8 @@ export function zoomed(view, factor, [x, y], width) {
 }
 
 /** @param {View} view @param {number} dx pixels @param {number} dy @param {number} width @returns {View} */
-export const panned = (view, dx, dy, width) => ({ ...view, x: view.x - (dx * view.units) / width, y: view.y - (dy * view.units) / width });
+export const panned = (view, dx, dy, width) => ({
+  ...view,
+  x: view.x - (dx * view.units) / width,
+  y: view.y - (dy * view.units) / width,
+});

@@ -9,31 +9,61 @@ const POINTS = "points";
 const NUMBER = "number";
 const NUMBERS = "numbers";
 const WORDS = "words";
-const TEXT = "text";
 
-/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS | typeof TEXT} Form */
+/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS} Form */
 
 /** @type {Record<string, Record<string, Form>>} by the element's name, then the attribute's */
 export const SHARED = {
   "bezier-applet": {
-    points: POINTS, mode: NUMBER, joints: WORDS, basis: WORDS, degree: WORDS, matrix: NUMBERS, t: NUMBER, segment: NUMBER, show: WORDS, labels: WORDS,
-    tolerance: NUMBER, segments: NUMBER, offset: NUMBER, ticks: NUMBER, view: NUMBERS,
+    points: POINTS,
+    mode: NUMBER,
+    joints: WORDS,
+    basis: WORDS,
+    degree: WORDS,
+    matrix: NUMBERS,
+    t: NUMBER,
+    segment: NUMBER,
+    show: WORDS,
+    labels: WORDS,
+    tolerance: NUMBER,
+    segments: NUMBER,
+    offset: NUMBER,
+    ticks: NUMBER,
+    view: NUMBERS,
   },
   "bezier-surface": {
-    model: WORDS, parts: WORDS, height: WORDS, up: WORDS, segments: NUMBER, tolerance: NUMBER, pixels: NUMBER, flatness: NUMBER, lines: NUMBER,
-    shading: WORDS, show: WORDS, evaluation: WORDS, u: NUMBER, v: NUMBER, step: NUMBER, patch: NUMBER,
+    model: WORDS,
+    parts: WORDS,
+    height: WORDS,
+    up: WORDS,
+    segments: NUMBER,
+    tolerance: NUMBER,
+    pixels: NUMBER,
+    flatness: NUMBER,
+    lines: NUMBER,
+    shading: WORDS,
+    show: WORDS,
+    evaluation: WORDS,
+    u: NUMBER,
+    v: NUMBER,
+    step: NUMBER,
+    patch: NUMBER,
   },
 };
 
 /** Whose empty value is a yes. */
 const FLAGS = { controls: true, readonly: true, turn: true, swept: true };
 
-const isNumber = (/** @type {string} */ text) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) && Number.isFinite(Number(text));
+const isNumber = (/** @type {string} */ text) =>
+  /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) && Number.isFinite(Number(text));
 const parts = (/** @type {string} */ text, /** @type {RegExp} */ between) => text.trim().split(between);
 
 /** @type {Record<Form, { is: (text: string) => boolean, expected: string }>} */
 const FORMS = {
-  points: { is: (text) => parts(text, /\s+/).every((pair) => pair.split(",").length === 2 && pair.split(",").every(isNumber)), expected: "pairs of numbers such as 10,20 30,40" },
+  points: {
+    is: (text) => parts(text, /\s+/).every((pair) => pair.split(",").length === 2 && pair.split(",").every(isNumber)),
+    expected: "pairs of numbers such as 10,20 30,40",
+  },
   number: { is: isNumber, expected: "a number" },
   numbers: { is: (text) => parts(text, /[\s,]+/).every(isNumber), expected: "numbers" },
   words: { is: (text) => /^[\w\s,-]*$/.test(text), expected: "words" },
@@ -75,7 +105,11 @@ export function apply(element, values) {
 
 /** Coordinates to a hundredth; nothing encoded that may stand in an address as it is. @param {Map<string, string>} values */
 export function write(values) {
-  const tidy = (/** @type {string} */ text) => text.replace(/-?\d+\.\d{3,}(?![\de])/g, (number) => String(Number(Number(number).toFixed(2))));
-  const pairs = Array.from(values, ([name, value]) => `${name}=${encodeURIComponent(name === "points" ? tidy(value) : value)}`);
+  const tidy = (/** @type {string} */ text) =>
+    text.replace(/-?\d+\.\d{3,}(?![\de])/g, (number) => String(Number(Number(number).toFixed(2))));
+  const pairs = Array.from(
+    values,
+    ([name, value]) => `${name}=${encodeURIComponent(name === "points" ? tidy(value) : value)}`,
+  );
   return pairs.join("&").replaceAll("%20", "+").replaceAll("%2C", ",");
 }

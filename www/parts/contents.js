@@ -16,11 +16,17 @@ function mark(links) {
   const update = () => {
     const line = innerHeight / 3;
     const at = targets.findLastIndex((target) => target && target.getBoundingClientRect().top < line);
-    links.forEach((link, i) => (i === at ? link.setAttribute("aria-current", "location") : link.removeAttribute("aria-current")));
+    links.forEach((link, i) =>
+      i === at ? link.setAttribute("aria-current", "location") : link.removeAttribute("aria-current"),
+    );
   };
   let frame = 0;
   const soon = () => {
-    frame ||= requestAnimationFrame(() => ((frame = 0), update()));
+    if (frame === 0)
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        update();
+      });
   };
   addEventListener("scroll", soon, { passive: true });
   addEventListener("resize", soon);

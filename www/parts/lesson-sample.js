@@ -30,7 +30,11 @@ export class LessonSample extends HTMLElement {
     const copy = button("Copy", () => this.#copy(copy));
     const bar = document.createElement("div");
     bar.className = "bar";
-    bar.append(list, button("Run", () => void this.run(), "run"), copy);
+    bar.append(
+      list,
+      button("Run", () => void this.run(), "run"),
+      copy,
+    );
     this.#output.hidden = true;
     this.#output.setAttribute("aria-label", "Output");
     this.prepend(bar);
@@ -90,7 +94,10 @@ export class LessonSample extends HTMLElement {
   /** @param {HTMLButtonElement} copy */
   async #copy(copy) {
     const text = this.#panels.find((panel) => !panel.hidden)?.textContent ?? "";
-    copy.textContent = await navigator.clipboard.writeText(`${text}\n`).then(() => "Copied", () => "Not allowed");
+    copy.textContent = await navigator.clipboard.writeText(`${text}\n`).then(
+      () => "Copied",
+      () => "Not allowed",
+    );
     setTimeout(() => (copy.textContent = "Copy"), 2000);
   }
 }

@@ -152,7 +152,10 @@ export class LessonTask extends HTMLElement {
   #judged() {
     const { predict } = this.#task;
     if (!predict) return "";
-    const right = this.#guess === predict.answer ? "You predicted it." : `Your guess was another; the answer is: ${predict.options[predict.answer]}.`;
+    const right =
+      this.#guess === predict.answer
+        ? "You predicted it."
+        : `Your guess was another; the answer is: ${predict.options[predict.answer]}.`;
     return `${right} ${predict.because}`;
   }
 

@@ -12,7 +12,8 @@ const originals = new WeakMap();
 /** A property's value as its attribute would have it; "" for none. @param {unknown} value */
 const text = (value) => (Array.isArray(value) ? value.map(String).join(" ") : String(value ?? ""));
 /** @param {any} element */
-const settings = (element) => new Map(Object.keys(SHARED[element.localName]).map((name) => [name, text(element[name])]));
+const settings = (element) =>
+  new Map(Object.keys(SHARED[element.localName]).map((name) => [name, text(element[name])]));
 
 /** An element and the id by which the address names it: its own, or its figure's. @param {Element} element */
 const idOf = (element) => element.id || element.closest("[id]")?.id || "";
@@ -25,7 +26,9 @@ function elementOf(id) {
 
 /** Says it above the text; an empty text takes it away. @param {string} words @param {Element | null} [near] */
 function tell(words, near) {
-  const line = document.querySelector(".address-message") ?? Object.assign(document.createElement("p"), { className: "address-message" });
+  const line =
+    document.querySelector(".address-message") ??
+    Object.assign(document.createElement("p"), { className: "address-message" });
   line.setAttribute("role", "status");
   if (!words) return line.remove();
   const place = near?.closest("figure") ?? near;
@@ -47,7 +50,10 @@ function decoded(text) {
 function load() {
   const { hash } = location;
   if (hash.length < 2 || hash.startsWith(OTHERS)) return tell("");
-  if (hash.length > LONGEST_ADDRESS) return tell(`The part of the address after # is ${hash.length} characters long; at most ${LONGEST_ADDRESS} are read. The page is as it was.`);
+  if (hash.length > LONGEST_ADDRESS)
+    return tell(
+      `The part of the address after # is ${hash.length} characters long; at most ${LONGEST_ADDRESS} are read. The page is as it was.`,
+    );
   const [name, query] = hash.slice(1).split(/\?(.*)/s);
   const id = decoded(name);
   if (!document.getElementById(id)) return tell("The address asks for a place that is not on this page.");
@@ -74,7 +80,9 @@ function save({ target }) {
 
 async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];
-  await Promise.all([...new Set(elements.map((element) => element.localName))].map((name) => customElements.whenDefined(name)));
+  await Promise.all(
+    [...new Set(elements.map((element) => element.localName))].map((name) => customElements.whenDefined(name)),
+  );
   await Promise.all(elements.map((element) => /** @type {any} */ (element).updateComplete));
   for (const element of elements) originals.set(element, settings(element));
   load();

@@ -3,7 +3,12 @@ import { Curve } from "casteljau";
 const show = ({ x, y }) => `[${x.toFixed(1)}, ${y.toFixed(1)}]`;
 
 export function sample(print) {
-  const points = [[120, 360], [200, 120], [470, 120], [550, 360]];
+  const points = [
+    [120, 360],
+    [200, 120],
+    [470, 120],
+    [550, 360],
+  ];
 
   // Four points, four readings of them. Where does each curve begin and end?
   for (const basis of ["bezier", "b-spline", "catmull-rom"]) {
@@ -14,7 +19,12 @@ export function sample(print) {
 
   // Hermite takes two ends and the velocities there, three handles long.
   const bezier = new Curve(points);
-  const data = [[120, 360], [550, 360], [240, -720], [240, 720]];
+  const data = [
+    [120, 360],
+    [550, 360],
+    [240, -720],
+    [240, 720],
+  ];
   const hermite = Curve.fromBasis("hermite", data);
   print(`the same curve: ${hermite.equals(bezier, 1e-9)}`);
 

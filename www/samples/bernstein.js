@@ -1,7 +1,12 @@
 import { Curve } from "casteljau";
 
 export function sample(print) {
-  const points = [[60, 400], [160, 40], [480, 40], [600, 400]];
+  const points = [
+    [60, 400],
+    [160, 40],
+    [480, 40],
+    [600, 400],
+  ];
   const t = 0.25;
 
   const weights = Curve.bernstein(3, t);

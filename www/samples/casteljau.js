@@ -9,7 +9,12 @@ function casteljau(points, t) {
 }
 
 export function sample(print) {
-  const points = [[0, 4], [2, 0], [6, 0], [8, 4]];
+  const points = [
+    [0, 4],
+    [2, 0],
+    [6, 0],
+    [8, 4],
+  ];
   print(`by hand: (${casteljau(points, 0.25).join(", ")})`);
 
   // The library keeps all levels: four points, three, two, one.

@@ -11,7 +11,11 @@ const show = (curve) => {
 
 export function sample(print) {
   // The same curve with more and more points: the polygon closes in on it.
-  let curve = new Curve([[0, 0], [3, 6], [6, 0]]);
+  let curve = new Curve([
+    [0, 0],
+    [3, 6],
+    [6, 0],
+  ]);
   for (let n = 2; n <= 5; n++) {
     print(`degree ${curve.degree}: ${show(curve)}`);
     curve = curve.elevate();
@@ -21,7 +25,12 @@ export function sample(print) {
   const { curve: lower, error } = curve.reduce();
   const exact = error < 1e-12;
   print(`${curve.degree} to ${lower.degree}: error below 1e-12: ${exact}`);
-  const cubic = new Curve([[0, 0], [0, 3], [6, 3], [6, 6]]);
+  const cubic = new Curve([
+    [0, 0],
+    [0, 3],
+    [6, 3],
+    [6, 6],
+  ]);
   print(`a real cubic: error ${cubic.reduce().error.toFixed(3)}`);
 
   // One of eleven points moves by 100. How far does the curve move?

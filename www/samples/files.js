@@ -5,7 +5,14 @@ export function sample(print) {
   const saddle = Surface.parse(text);
   print(`area ${saddle.area().toFixed(6)}`);
   const mesh = saddle.tessellate({ segments: 8 });
-  print(`OBJ: ${mesh.toOBJ().split("\n").filter((line) => line.startsWith("f ")).length} faces`);
+  print(
+    `OBJ: ${
+      mesh
+        .toOBJ()
+        .split("\n")
+        .filter((line) => line.startsWith("f ")).length
+    } faces`,
+  );
   print(`STL: ${mesh.toSTL().length} bytes`);
   print(`GLB: ${new TextDecoder().decode(mesh.toGLB().subarray(0, 4))}`);
 }

@@ -7,8 +7,17 @@ const tell = (of) => {
 
 export function sample(print) {
   // P2, P3, P4 on one line, but P3 not amid them: smooth only to the eye.
-  const first = [[70, 330], [90, 120], [210, 100], [330, 200]];
-  const second = [[390, 250], [520, 400], [600, 160]];
+  const first = [
+    [70, 330],
+    [90, 120],
+    [210, 100],
+    [330, 200],
+  ];
+  const second = [
+    [390, 250],
+    [520, 400],
+    [600, 160],
+  ];
   const spline = new Spline([...first, ...second]);
   print(`aligned: ${tell(spline.continuity(1))}`);
 

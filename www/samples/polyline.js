@@ -1,7 +1,12 @@
 import { Curve } from "casteljau";
 
 export function sample(print) {
-  const curve = new Curve([[60, 400], [160, 40], [480, 40], [600, 400]]);
+  const curve = new Curve([
+    [60, 400],
+    [160, 40],
+    [480, 40],
+    [600, 400],
+  ]);
 
   // Ten segments, eleven points. i / 10 reaches 1; adding 0.1 ten times does not.
   let sum = 0;

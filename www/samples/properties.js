@@ -2,7 +2,12 @@ import { Curve } from "casteljau";
 
 export function sample(print) {
   // A curve in space. Its velocities at the ends are 3(P1 − P0) and 3(P3 − P2).
-  const curve = new Curve([[0, 2, 3], [2, 3, 5], [6, 7, 9], [3, 4, 5]]);
+  const curve = new Curve([
+    [0, 2, 3],
+    [2, 3, 5],
+    [6, 7, 9],
+    [3, 4, 5],
+  ]);
   const show = ({ x, y, z }) => `(${x}, ${y}, ${z})`;
   print(`amid: ${show(curve.eval(0.5))}`);
   print(`sets off with ${show(curve.derivativeAt(0))}`);
@@ -10,7 +15,12 @@ export function sample(print) {
 
   // Map the points, then draw; or draw, then map: the same. (Half as large, turned.)
   const matrix = [0, 0.5, -0.5, 0, 300, 20];
-  const flat = new Curve([[60, 400], [160, 40], [480, 40], [600, 400]]);
+  const flat = new Curve([
+    [60, 400],
+    [160, 40],
+    [480, 40],
+    [600, 400],
+  ]);
   const p = flat.eval(0.3);
   const moved = { x: -0.5 * p.y + 300, y: 0.5 * p.x + 20 };
   const other = flat.transform(matrix).eval(0.3);
@@ -22,6 +32,11 @@ export function sample(print) {
   print(`y from ${low} to ${high}, points from 40 to 400`);
 
   // What no quadratic does: an S. It turns the other way at an inflection.
-  const s = new Curve([[60, 400], [600, 400], [60, 60], [600, 60]]);
+  const s = new Curve([
+    [60, 400],
+    [600, 400],
+    [60, 60],
+    [600, 60],
+  ]);
   print(`${s.classify()}, inflection at t = ${s.inflections().join(", ")}`);
 }

@@ -15,7 +15,12 @@ function draw(curve, tolerance, line) {
 }
 
 export function sample(print) {
-  const curve = new Curve([[60, 400], [60, 20], [620, 20], [600, 400]]);
+  const curve = new Curve([
+    [60, 400],
+    [60, 20],
+    [620, 20],
+    [600, 400],
+  ]);
 
   // D1 − D2 is no distance. How far is the curve from what is drawn for it?
   for (const tolerance of [64, 8, 1, 0.125]) {

@@ -1,7 +1,13 @@
 import { Spline } from "casteljau";
 
 export function sample(print) {
-  const points = [[60, 380], [170, 110], [300, 330], [420, 90], [610, 300]];
+  const points = [
+    [60, 380],
+    [170, 110],
+    [300, 330],
+    [420, 90],
+    [610, 300],
+  ];
   const kinds = {
     natural: Spline.interpolate(points, { kind: "natural" }),
     "Catmull-Rom": Spline.interpolate(points, { kind: "catmull-rom", alpha: 0.5 }),

@@ -6,7 +6,12 @@ const show = (curve) => {
 };
 
 export function sample(print) {
-  const points = [[0, 8], [8, 0], [24, 0], [32, 8]];
+  const points = [
+    [0, 8],
+    [8, 0],
+    [24, 0],
+    [32, 8],
+  ];
   const curve = new Curve(points);
 
   const [q, r] = curve.split(0.5);

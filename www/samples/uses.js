@@ -7,7 +7,12 @@ export function sample(print) {
   print(`ease-in-out: ${values.join(" ")}`);
 
   // A camera: through four stops, at even speed. t does not run evenly.
-  const way = Spline.interpolate([[60, 380], [170, 110], [420, 90], [610, 300]]);
+  const way = Spline.interpolate([
+    [60, 380],
+    [170, 110],
+    [420, 90],
+    [610, 300],
+  ]);
   const ts = [...way.equidistantTimes(4)].map((t) => t.toFixed(3));
   print(`a quarter of the way each: t = ${ts.join(" ")}`);
 

@@ -1,8 +1,8 @@
 import { verdict } from "../curves/judge.js";
 
 const WORDS = {
-  "bezier": "Bézier: it touches P0 and P3 only.",
-  "hermite": "Hermite: P0 and P3 again; the other two set the speed there.",
+  bezier: "Bézier: it touches P0 and P3 only.",
+  hermite: "Hermite: P0 and P3 again; the other two set the speed there.",
   "b-spline": "B-spline: it touches none of the four.",
   "catmull-rom": "Catmull–Rom: it runs from P1 to P2.",
 };
@@ -15,8 +15,13 @@ export const predict = {
 
 /** @param {{ basis: string }} figure */
 export function check({ basis }) {
-  return verdict(basis === "catmull-rom", WORDS[/** @type {keyof typeof WORDS} */ (basis)] ?? "That is another basis: choose one of the four.");
+  return verdict(
+    basis === "catmull-rom",
+    WORDS[/** @type {keyof typeof WORDS} */ (basis)] ?? "That is another basis: choose one of the four.",
+  );
 }
 
 /** @param {{ basis: string }} element */
-export const reveal = (element) => void (element.basis = "catmull-rom");
+export const reveal = (element) => {
+  element.basis = "catmull-rom";
+};

@@ -10,8 +10,13 @@ export const predict = {
 /** @param {{ t: number }} figure */
 export function check({ t }) {
   const [w0, w1] = Curve.bernstein(3, t);
-  return verdict(Math.abs(w0 - w1) < 0.02, `At t = ${t.toFixed(2)} P0 weighs ${w0.toFixed(2)} and P1 ${w1.toFixed(2)}.`);
+  return verdict(
+    Math.abs(w0 - w1) < 0.02,
+    `At t = ${t.toFixed(2)} P0 weighs ${w0.toFixed(2)} and P1 ${w1.toFixed(2)}.`,
+  );
 }
 
 /** @param {{ t: number }} element */
-export const reveal = (element) => void (element.t = 0.25);
+export const reveal = (element) => {
+  element.t = 0.25;
+};

@@ -8,7 +8,10 @@ export function check({ mesh: { error, unit, triangles } }) {
   if (unit !== "") return verdict(false, "Pixels depend on where you look from. Choose a distance.");
   if (error > WANTED) return verdict(false, `The error may be ${shown(error, 3)}: too much.`);
   const done = triangles < MOST;
-  return verdict(done, `${many(triangles)} triangles${done ? ": where the pot is nearly flat they are large." : ", but they need not be as many."}`);
+  return verdict(
+    done,
+    `${many(triangles)} triangles${done ? ": where the pot is nearly flat they are large." : ", but they need not be as many."}`,
+  );
 }
 
 /** @param {any} element */

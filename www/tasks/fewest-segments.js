@@ -8,14 +8,21 @@ const oneFewer = (error, n) => (error * n * n) / (n - 1) ** 2;
 /** @param {{ segments: number | null, mesh: { error: number | null } }} figure */
 export function check({ segments, mesh: { error } }) {
   if (segments === null || error === null) return verdict(false, "Cut evenly, by segments.");
-  if (error >= WANTED) return verdict(false, `With ${segments} segments the error is ${shown(error, 3)} at most: too much.`);
+  if (error >= WANTED)
+    return verdict(false, `With ${segments} segments the error is ${shown(error, 3)} at most: too much.`);
   const spared = segments > 1 && oneFewer(error, segments) < WANTED;
   if (spared) return verdict(false, `${shown(error, 3)} is fine enough, but fewer segments would do.`);
-  return verdict(true, `${segments} segments: ${shown(error, 3)}; with one fewer it would be ${shown(oneFewer(error, segments), 3)}.`);
+  return verdict(
+    true,
+    `${segments} segments: ${shown(error, 3)}; with one fewer it would be ${shown(oneFewer(error, segments), 3)}.`,
+  );
 }
 
 /** @param {any} element */
 export function reveal(element) {
-  const { segments, mesh: { error } } = element.figure;
+  const {
+    segments,
+    mesh: { error },
+  } = element.figure;
   element.segments = Math.floor(segments * Math.sqrt(error / WANTED)) + 1;
 }

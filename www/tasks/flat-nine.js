@@ -8,7 +8,12 @@ const HAND = 0.12;
 export function check({ points }) {
   const most = Math.max(...points.map(([, , z]) => Math.abs(z)));
   const done = most <= HAND;
-  return verdict(done, done ? "Flat: all nine points lie in one plane, and the patch within their hull." : `A point is still ${shown(most)} away from the plane of the corners.`);
+  return verdict(
+    done,
+    done
+      ? "Flat: all nine points lie in one plane, and the patch within their hull."
+      : `A point is still ${shown(most)} away from the plane of the corners.`,
+  );
 }
 
 /** @param {any} element */

@@ -8,7 +8,12 @@ function top(patch) {
   for (let step = 0.25; step > 0.002; step /= 2) {
     for (let again = true; again; ) {
       again = false;
-      for (const [du, dv] of [[step, 0], [-step, 0], [0, step], [0, -step]]) {
+      for (const [du, dv] of [
+        [step, 0],
+        [-step, 0],
+        [0, step],
+        [0, -step],
+      ]) {
         const next = { u: Math.min(Math.max(best.u + du, 0), 1), v: Math.min(Math.max(best.v + dv, 0), 1) };
         if (patch.eval(next.u, next.v).z <= patch.eval(best.u, best.v).z) continue;
         best = next;
@@ -24,7 +29,9 @@ export function check({ surface, place }) {
   const highest = surface.bounds().max.z;
   const height = place?.point[2] ?? -Infinity;
   const done = highest - height <= NEAR;
-  const words = done ? `The top is ${shown(highest, 3)} high; you are at ${shown(height, 3)}.` : `You are ${shown(height, 3)} high, and there is a place ${shown(highest - height, 3)} above you.`;
+  const words = done
+    ? `The top is ${shown(highest, 3)} high; you are at ${shown(height, 3)}.`
+    : `You are ${shown(height, 3)} high, and there is a place ${shown(highest - height, 3)} above you.`;
   return verdict(done, words);
 }
 

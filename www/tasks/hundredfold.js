@@ -10,7 +10,10 @@ function ratioAt(segments) {
   const teapot = Surface.teapot();
   const { positions, normals, indices } = teapot.tessellate({ segments, weld: "position" });
   const numbers = teapot.patches.reduce((sum, net) => sum + net.length, 0);
-  return (positions.byteLength + normals.byteLength + indices.byteLength) / (teapot.vertices.length * NUMBER + numbers * INDEX);
+  return (
+    (positions.byteLength + normals.byteLength + indices.byteLength) /
+    (teapot.vertices.length * NUMBER + numbers * INDEX)
+  );
 }
 
 /** @param {unknown} _figure @param {{ segments: number }} element */

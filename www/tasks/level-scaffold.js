@@ -15,7 +15,10 @@ export function check(figure) {
   const degrees = Math.abs((Math.atan2(y, x) * 180) / Math.PI);
   const slope = Math.min(degrees, 180 - degrees);
   const inside = figure.t > 0 && figure.t < 1;
-  return verdict(inside && Math.abs(y) < LEVEL, `At t = ${figure.t.toFixed(2)} the last leg slopes by ${slope.toFixed(1)}°.`);
+  return verdict(
+    inside && Math.abs(y) < LEVEL,
+    `At t = ${figure.t.toFixed(2)} the last leg slopes by ${slope.toFixed(1)}°.`,
+  );
 }
 
 /** @param {{ t: number, figure: any }} element */

@@ -10,7 +10,12 @@ export const predict = {
 export function check({ model, parts, surface }) {
   if (model !== "teapot") return verdict(false, "Back to the teapot first.");
   const done = parts.length === 1 && parts[0] === "handle";
-  return verdict(done, done ? `The handle alone: ${surface.patchCount} patches.` : `There are ${surface.patchCount} patches now: ${parts.join(", ") || "nothing"}.`);
+  return verdict(
+    done,
+    done
+      ? `The handle alone: ${surface.patchCount} patches.`
+      : `There are ${surface.patchCount} patches now: ${parts.join(", ") || "nothing"}.`,
+  );
 }
 
 /** @param {any} element */

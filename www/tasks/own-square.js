@@ -3,7 +3,8 @@ import { verdict } from "../surfaces/judge.js";
 
 /** @param {{ surface: any, degreeU: number, degreeV: number }} figure */
 export function check({ surface, degreeU, degreeV }) {
-  if (surface.patchCount !== 1 || degreeU !== 1 || degreeV !== 1) return verdict(false, "The figure does not show a single patch of degree 1 × 1 yet.");
+  if (surface.patchCount !== 1 || degreeU !== 1 || degreeV !== 1)
+    return verdict(false, "The figure does not show a single patch of degree 1 × 1 yet.");
   const area = surface.area();
   const { min, max } = surface.bounds();
   const flat = max.z === min.z;

@@ -15,7 +15,10 @@ export function check({ surface, patch, u, v, place }) {
   const partials = surface.patch(patch).partials(u, v);
   const [along, across] = [lengthOf(partials.u), lengthOf(partials.v)];
   if (along > NOTHING * across) return verdict(false, `Here the derivative along u is ${shown(along)} long.`);
-  return verdict(true, `Here it has no length, and the normal is (${place.normal.map((x) => shown(x + 0)).join(", ")}).`);
+  return verdict(
+    true,
+    `Here it has no length, and the normal is (${place.normal.map((x) => shown(x + 0)).join(", ")}).`,
+  );
 }
 
 /** @param {any} element */

@@ -4,7 +4,11 @@ const WANTED = 0.01;
 
 /** @param {{ flatness?: number, mesh: { error: number | null, unit: string, triangles: number } }} figure */
 export function check({ flatness, mesh: { error, unit, triangles } }) {
-  if (flatness !== undefined) return verdict(false, `${triangles} triangles, and “flat enough” is content at any distance. Choose the other recipe.`);
+  if (flatness !== undefined)
+    return verdict(
+      false,
+      `${triangles} triangles, and “flat enough” is content at any distance. Choose the other recipe.`,
+    );
   const done = error !== null && unit === "" && error <= WANTED;
   return verdict(done, done ? `Round, within ${shown(error, 3)}.` : "Round, but not within 0.01 yet.");
 }

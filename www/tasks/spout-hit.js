@@ -6,8 +6,15 @@ const [FIRST, LAST] = [16, 19];
 export function check({ patch }) {
   if (patch === null) return verdict(false, "That went past the pot.");
   const done = patch >= FIRST && patch <= LAST;
-  return verdict(done, done ? `Patch ${patch}. The spout has the numbers ${FIRST} to ${LAST}.` : `That is patch ${patch}, and not of the spout.`);
+  return verdict(
+    done,
+    done
+      ? `Patch ${patch}. The spout has the numbers ${FIRST} to ${LAST}.`
+      : `That is patch ${patch}, and not of the spout.`,
+  );
 }
 
 /** @param {any} element */
-export const reveal = (element) => void (element.patch = FIRST);
+export const reveal = (element) => {
+  element.patch = FIRST;
+};

@@ -10,7 +10,12 @@ export function check(figure) {
   const curve = firstCurve(figure);
   if (!curve) return verdict(false, "This matrix makes no curve.");
   const gap = apart(curve, new Curve([figure.points[0], figure.points[3]]));
-  return verdict(gap < 0.5, gap < 0.5 ? "The straight line from P0 to P3, evenly run through." : `The curve is up to ${px(gap)} from where the line would be at the same t.`);
+  return verdict(
+    gap < 0.5,
+    gap < 0.5
+      ? "The straight line from P0 to P3, evenly run through."
+      : `The curve is up to ${px(gap)} from where the line would be at the same t.`,
+  );
 }
 
 /** @param {{ matrix: string, basis: string }} element */

@@ -13,7 +13,10 @@ export const predict = {
 export function check({ points: [p0, p1, p2] }) {
   if (Math.abs(p0[1] - p2[1]) > HAND) return verdict(false, "Leave P0 and P2 level with each other: move P1 only.");
   const high = (p0[1] + p2[1]) / 2 - p1[1];
-  return verdict(Math.abs(high / 2 - WANTED) <= HAND / 2, `P1 is ${px(high)} above the line, the curve reaches ${px(Math.max(0, high / 2))}.`);
+  return verdict(
+    Math.abs(high / 2 - WANTED) <= HAND / 2,
+    `P1 is ${px(high)} above the line, the curve reaches ${px(Math.max(0, high / 2))}.`,
+  );
 }
 
 /** @param {{ points: [number, number][] }} element */

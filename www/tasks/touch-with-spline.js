@@ -7,7 +7,12 @@ const missed = ([, p1, p2, p3]) => Math.hypot(p1[0] + p3[0] - 2 * p2[0], p1[1] +
 export function check({ points, basis }) {
   if (basis !== "b-spline") return verdict(false, "Keep the B-spline: the others go through their points anyway.");
   const off = missed(points);
-  return verdict(off <= HAND / 2, off <= HAND / 2 ? "It runs through P2: P1 and P3 lie on opposite sides of it, equally far." : `It misses P2 by ${px(off)}.`);
+  return verdict(
+    off <= HAND / 2,
+    off <= HAND / 2
+      ? "It runs through P2: P1 and P3 lie on opposite sides of it, equally far."
+      : `It misses P2 by ${px(off)}.`,
+  );
 }
 
 /** @param {{ points: [number, number][] }} element */

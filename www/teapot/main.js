@@ -12,7 +12,9 @@ const LONGEST_FRAME_MS = 100;
 
 const canvas = document.getElementById("teapot");
 const context = canvas.getContext("2d");
-const [button, turnSlider, tiltSlider, lineSlider] = ["rotate", "turn", "tilt", "lines"].map((id) => document.getElementById(id));
+const [button, turnSlider, tiltSlider, lineSlider] = ["rotate", "turn", "tilt", "lines"].map((id) =>
+  document.getElementById(id),
+);
 
 const teapot = Surface.teapot({ up: "z" });
 const sphere = sphereAround(teapot.vertices);
@@ -42,7 +44,7 @@ function step(now) {
 }
 
 function schedule() {
-  frame ||= requestAnimationFrame(step);
+  if (frame === 0) frame = requestAnimationFrame(step);
 }
 
 function turnTo(turn, tilt) {
@@ -78,7 +80,10 @@ canvas.addEventListener("pointermove", (event) => {
   if (!canvas.hasPointerCapture(event.pointerId)) return;
   const [x, y] = lastPlace;
   lastPlace = [event.clientX, event.clientY];
-  turnTo(view.turn + (event.clientX - x) * DEGREES_PER_DRAGGED_PIXEL, view.tilt + (event.clientY - y) * DEGREES_PER_DRAGGED_PIXEL);
+  turnTo(
+    view.turn + (event.clientX - x) * DEGREES_PER_DRAGGED_PIXEL,
+    view.tilt + (event.clientY - y) * DEGREES_PER_DRAGGED_PIXEL,
+  );
 });
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };

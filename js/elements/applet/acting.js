@@ -67,7 +67,11 @@ export class Acting {
 
   /** The picture with all its layers. */
   toSVG() {
-    return svgFigure(this.host.now(), this.host.made(), { theme: this.stage?.theme, label: this.host.name, opaque: true });
+    return svgFigure(this.host.now(), this.host.made(), {
+      theme: this.stage?.theme,
+      label: this.host.name,
+      opaque: true,
+    });
   }
 
   /** @param {import("./export.js").Language} language */
@@ -126,7 +130,10 @@ export class Acting {
    */
   hold(joint, mode) {
     const { names, degree } = this.host.made();
-    this.do((state) => edits.withJoint(state, joint, mode), `${names[joint * degree]} held: ${MODE_NAMES[/** @type {states.JointMode} */ (mode)]}`);
+    this.do(
+      (state) => edits.withJoint(state, joint, mode),
+      `${names[joint * degree]} held: ${MODE_NAMES[/** @type {states.JointMode} */ (mode)]}`,
+    );
   }
 
   /**
@@ -163,13 +170,18 @@ export class Acting {
 
   #actions() {
     const download = (/** @type {string} */ ending, /** @type {BlobPart} */ content, /** @type {string} */ type) =>
-      save(this.host.ownerDocument, `curve.${ending}`, content instanceof Blob ? content : new Blob([content], { type }));
+      save(
+        this.host.ownerDocument,
+        `curve.${ending}`,
+        content instanceof Blob ? content : new Blob([content], { type }),
+      );
     return {
       play: () => this.#play(),
       undo: () => this.#goBack(() => this.host.undo(), "Undone"),
       redo: () => this.#goBack(() => this.host.redo(), "Done again"),
       reset: () => void this.do(() => this.host.origin, "As at first"),
-      randomize: () => void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
+      randomize: () =>
+        void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
       toggle: () => void (this.do(states.toggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
       append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
       insert: () => void this.do((state) => edits.inserted(state), "Cut at t"),
@@ -201,8 +213,11 @@ export class Acting {
   panelPort() {
     const figure = this.host.made();
     const state = this.host.now();
-    const wanted = String(this.host.controls === true ? "" : this.host.controls).split(/\s+/).filter(Boolean);
-    const codeShown = /** @type {HTMLDetailsElement | null} */ (this.host.renderRoot.querySelector("details.save"))?.open;
+    const wanted = String(this.host.controls === true ? "" : this.host.controls)
+      .split(/\s+/)
+      .filter(Boolean);
+    const codeShown = /** @type {HTMLDetailsElement | null} */ (this.host.renderRoot.querySelector("details.save"))
+      ?.open;
     return {
       state,
       figure,

@@ -8,22 +8,31 @@ import { firstState } from "./state.js";
 
 /** What goes without saying is no attribute. @param {string} first */
 const text = (first) => ({
-  converter: { fromAttribute: (/** @type {string | null} */ value) => value ?? first, toAttribute: (/** @type {unknown} */ value) => (value === first ? null : String(value)) },
+  converter: {
+    fromAttribute: (/** @type {string | null} */ value) => value ?? first,
+    toAttribute: (/** @type {unknown} */ value) => (value === first ? null : String(value)),
+  },
   reflect: true,
 });
 /** true and false as well as the words of an attribute. */
 const converter = {
   fromAttribute: (/** @type {string | null} */ value) => value,
-  toAttribute: (/** @type {unknown} */ value) => (value === true ? "" : value === false || value === null ? null : String(value)),
+  toAttribute: (/** @type {unknown} */ value) =>
+    value === true ? "" : value === false || value === null ? null : String(value),
 };
 
 /** Keeps the state and the attributes the same. */
 export class AppletAttributes extends LitElement {
   static properties = {
-    controls: { converter, reflect: true }, readonly: { type: Boolean, reflect: true }, hotkeys: text("on"), theme: text("auto"), label: text(""),
+    controls: { converter, reflect: true },
+    readonly: { type: Boolean, reflect: true },
+    hotkeys: text("on"),
+    theme: text("auto"),
+    label: text(""),
   };
 
   static get observedAttributes() {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on
     return [...super.observedAttributes, ...Object.keys(FIELDS)];
   }
 

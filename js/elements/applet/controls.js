@@ -11,7 +11,8 @@ import { html, nothing } from "lit";
  */
 export function choice(label, words, chosen, names, act, off = false) {
   const changed = (/** @type {Event} */ event) => act(/** @type {HTMLSelectElement} */ (event.target).value);
-  const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+  const option = (/** @type {string} */ word) =>
+    html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
   return html`<label class="line"><span>${label}</span><select ?disabled=${off} @change=${changed}>${words.map(option)}</select></label>`;
 }
 
@@ -23,7 +24,8 @@ export function choice(label, words, chosen, names, act, off = false) {
  * @param {(value: number, done: boolean) => void} act
  */
 export function slider(label, name, value, { min, max, step }, act) {
-  const to = (/** @type {boolean} */ done) => (/** @type {Event} */ event) => act(Number(/** @type {HTMLInputElement} */ (event.target).value), done);
+  const to = (/** @type {boolean} */ done) => (/** @type {Event} */ event) =>
+    act(Number(/** @type {HTMLInputElement} */ (event.target).value), done);
   return html`<label class="line"><span>${label}</span>
     <input type="range" name=${name} min=${Math.min(min, value)} max=${Math.max(max, value)} step=${step} .value=${String(value)} @input=${to(false)} @change=${to(true)}>
     <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(step < 0.1 ? 2 : 1) : Number(value.toFixed(1))}</span></label>`;
@@ -53,4 +55,5 @@ export function button(label, act, { key, name, off = false, pressed } = {}) {
  * @param {string} d
  * @param {boolean} [solid]
  */
-export const icon = (d, solid = false) => html`<svg viewBox="0 0 24 24" aria-hidden="true"><path class=${solid ? "solid" : ""} d=${d}></path></svg>`;
+export const icon = (d, solid = false) =>
+  html`<svg viewBox="0 0 24 24" aria-hidden="true"><path class=${solid ? "solid" : ""} d=${d}></path></svg>`;

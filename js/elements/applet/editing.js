@@ -130,7 +130,10 @@ export class AppletEditing extends AppletAttributes {
     if (this.readonly && (index !== undefined || values.points)) return;
     const given = /** @type {Record<string, unknown>} */ (values);
     this.during((state) => {
-      const next = Object.entries(FIELDS).reduce((at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])), state);
+      const next = Object.entries(FIELDS).reduce(
+        (at, [name, { put }]) => (given[name] === undefined ? at : put(at, given[name])),
+        state,
+      );
       return index === undefined ? next : edits.withPointAt(next, index, point);
     });
     if (done) this.settle();

@@ -23,7 +23,11 @@ export function chainOf(state) {
   const segments = Math.floor((whole - 1) / degree);
   if (segments < 1) return null;
   const used = segments * degree + 1;
-  return { spline: new Spline(state.points.slice(0, used), { degree, dimension: 2 }), degree, rest: state.points.slice(used) };
+  return {
+    spline: new Spline(state.points.slice(0, used), { degree, dimension: 2 }),
+    degree,
+    rest: state.points.slice(used),
+  };
 }
 
 /**
@@ -62,9 +66,11 @@ function withChain(state, spline, rest) {
  * @returns {State}
  */
 function withList(state, points) {
-  if (points.length > MOST_POINTS) throw new RangeError(`points: expected at most ${MOST_POINTS}, got ${points.length}`);
+  if (points.length > MOST_POINTS)
+    throw new RangeError(`points: expected at most ${MOST_POINTS}, got ${points.length}`);
   const change = points.length - state.points.length;
-  const shown = state.shown === state.points.length ? points.length : Math.min(Math.max(state.shown + change, 2), points.length);
+  const shown =
+    state.shown === state.points.length ? points.length : Math.min(Math.max(state.shown + change, 2), points.length);
   return { ...state, points, shown };
 }
 
@@ -94,7 +100,8 @@ export function withPointAt(state, index, to) {
   const at = wholeIn(index, "index", 0, state.points.length - 1);
   const place = placeIn(to, "point");
   const chain = chainOf(state);
-  if (!chain || at >= state.points.length - chain.rest.length) return { ...state, points: spliced(state.points, at, 1, place) };
+  if (!chain || at >= state.points.length - chain.rest.length)
+    return { ...state, points: spliced(state.points, at, 1, place) };
   const { spline, rest } = chain;
   return withChain(state, spline.movePoint(at, place, { joints: ["free", ...modesFor(state, spline)] }), rest);
 }
@@ -179,7 +186,8 @@ export function canInsert({ basis }) {
  * @returns {State}
  */
 export function inserted(state, t = state.t) {
-  if (!canInsert(state)) throw new RangeError(`insert: expected the basis bezier or hermite, whose segments can be cut, got ${state.basis}`);
+  if (!canInsert(state))
+    throw new RangeError(`insert: expected the basis bezier or hermite, whose segments can be cut, got ${state.basis}`);
   const at = numberIn(t, "t", 0, 1);
   const { pieces, degree } = figureOf(state);
   const segment = Math.min(state.segment, pieces.length - 1);
@@ -189,7 +197,11 @@ export function inserted(state, t = state.t) {
   const middle = [...halves[0], ...halves[1].slice(1)];
   const modes = allModes(state);
   const points = [...state.points.slice(0, from), ...middle, ...state.points.slice(from + degree + 1)];
-  return { ...withList(state, points), degree: state.degree === "n" ? degree : state.degree, joints: spliced(modes, segment, 0, "g1") };
+  return {
+    ...withList(state, points),
+    degree: state.degree === "n" ? degree : state.degree,
+    joints: spliced(modes, segment, 0, "g1"),
+  };
 }
 
 /**
@@ -199,8 +211,11 @@ export function inserted(state, t = state.t) {
  */
 function pointsOf(curve, basis) {
   const [a, b, c, d, ...more] = pairs(curve.controlPoints());
-  const far = (/** @type {Place} */ end, /** @type {Place} */ near) => /** @type {Place} */ (end.map((x, i) => x + 3 * (near[i] - x)));
-  return basis === "hermite" ? [a, far(a, b), far(d, c), d] : /** @type {Place[]} */ ([a, b, c, d, ...more].filter(Boolean));
+  const far = (/** @type {Place} */ end, /** @type {Place} */ near) =>
+    /** @type {Place} */ (end.map((x, i) => x + 3 * (near[i] - x)));
+  return basis === "hermite"
+    ? [a, far(a, b), far(d, c), d]
+    : /** @type {Place[]} */ ([a, b, c, d, ...more].filter(Boolean));
 }
 
 /**
@@ -232,7 +247,12 @@ function healed(state, { spline, degree, rest }, at) {
   if (!Number.isInteger(joint)) return onChord(state, degree, at);
   if (last === 1) throw new RangeError("remove: expected a joint or a handle, got an end of the only segment");
   const points = pairs(spline.controlPoints());
-  const shorter = joint === 0 ? points.slice(degree) : joint === last ? points.slice(0, -degree) : pairs(spline.remove(joint).controlPoints());
+  const shorter =
+    joint === 0
+      ? points.slice(degree)
+      : joint === last
+        ? points.slice(0, -degree)
+        : pairs(spline.remove(joint).controlPoints());
   const joints = spliced(allModes(state), Math.min(Math.max(joint, 1), last - 1) - 1, 1);
   return { ...withList(state, [...shorter, ...rest]), joints: joints.length ? joints : ["free"], segment: 0 };
 }
@@ -245,7 +265,11 @@ function healed(state, { spline, degree, rest }, at) {
 function onChord(state, degree, at) {
   const from = at - (at % degree);
   const [a, b] = [state.points[from], state.points[from + degree]];
-  return withPointAt(state, at, a.map((x, i) => x + ((b[i] - x) * (at % degree)) / degree));
+  return withPointAt(
+    state,
+    at,
+    a.map((x, i) => x + ((b[i] - x) * (at % degree)) / degree),
+  );
 }
 
 /**
@@ -259,7 +283,10 @@ function onChord(state, degree, at) {
 export function appended(state, point) {
   const place = placeIn(point, "point");
   const chain = state.degree === "n" ? null : chainOf({ ...state, shown: state.points.length });
-  const next = chain && !chain.rest.length ? withChain(state, longer(state, chain.spline, place), []) : withList(state, [...state.points, place]);
+  const next =
+    chain && !chain.rest.length
+      ? withChain(state, longer(state, chain.spline, place), [])
+      : withList(state, [...state.points, place]);
   return { ...next, shown: next.points.length };
 }
 
@@ -283,7 +310,8 @@ function longer(state, spline, place) {
 export function randomized(state, seed) {
   const random = generator(wholeIn(seed, "seed", -(2 ** 53), 2 ** 53));
   const chain = chainOf(state);
-  if (!chain || chain.degree !== 3) return withJoints({ ...state, points: randomPlaces(state.box, state.points.length, random) }, state.joints);
+  if (chain?.degree !== 3)
+    return withJoints({ ...state, points: randomPlaces(state.box, state.points.length, random) }, state.joints);
   const modes = modesFor(state, chain.spline);
   const spline = randomChain(state.box, chain.spline.segmentCount, (joint) => modes[joint - 1], random);
   return withChain(state, spline, randomPlaces(state.box, chain.rest.length, random));

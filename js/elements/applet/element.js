@@ -55,7 +55,9 @@ export class BezierApplet extends AppletEditing {
   connectedCallback() {
     super.connectedCallback();
     adoptProperties(this, ["state", "points", "joints", ...Object.keys(FIELDS)]);
-    this.#watch ??= new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
+    this.#watch ??= new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), {
+      rootMargin: NEAR,
+    });
     this.#watch.observe(this);
   }
 
@@ -103,6 +105,9 @@ export class BezierApplet extends AppletEditing {
   }
 
   render() {
-    return this.#hands?.template() ?? html`<slot name="label"></slot><div class="poster"><slot name="poster"><slot></slot></slot></div>${this.message}<slot name="caption"></slot>`;
+    return (
+      this.#hands?.template() ??
+      html`<slot name="label"></slot><div class="poster"><slot name="poster"><slot></slot></slot></div>${this.message}<slot name="caption"></slot>`
+    );
   }
 }

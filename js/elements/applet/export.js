@@ -15,7 +15,10 @@ import { drawFigure } from "./layers/index.js";
  */
 export function blobOf(state, figure, theme) {
   const scale = Math.max(1, devicePixelRatio);
-  const canvas = Object.assign(document.createElement("canvas"), { width: state.box.width * scale, height: state.box.height * scale });
+  const canvas = Object.assign(document.createElement("canvas"), {
+    width: state.box.width * scale,
+    height: state.box.height * scale,
+  });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   ctx.scale(scale, scale);
   drawFigure({ ctx, theme, px: 1 }, state, figure);
@@ -69,7 +72,8 @@ const MAKERS = {
 function jsOf({ basis, t, segment }, figure) {
   const { points, kinds, pieces, degree } = figure;
   const make = MAKERS[basis];
-  const list = (/** @type {readonly (readonly number[])[]} */ places) => `[\n${places.map((place) => `  [${place.map(short).join(", ")}],`).join("\n")}\n]`;
+  const list = (/** @type {readonly (readonly number[])[]} */ places) =>
+    `[\n${places.map((place) => `  [${place.map(short).join(", ")}],`).join("\n")}\n]`;
   if (make) {
     const used = points.filter((_, i) => kinds[i] !== "wait");
     const at = Math.min(segment, pieces.length - 1);
@@ -86,7 +90,12 @@ function jsOf({ basis, t, segment }, figure) {
  * @param {Figure} figure
  */
 function rustOf({ t, segment }, { pieces }) {
-  const lists = pieces.map(({ curve }) => `    Curve::new(&[${pairsOf(curve.controlPoints()).map((place) => `DVec2::new(${place.map(float).join(", ")})`).join(", ")}])?,`);
+  const lists = pieces.map(
+    ({ curve }) =>
+      `    Curve::new(&[${pairsOf(curve.controlPoints())
+        .map((place) => `DVec2::new(${place.map(float).join(", ")})`)
+        .join(", ")}])?,`,
+  );
   const at = Math.min(segment, pieces.length - 1);
   return `use casteljau::{Curve, glam::DVec2};\n\nlet curves = [\n${lists.join("\n")}\n];\nlet point = curves[${at}].eval(${float(t)});\n`;
 }
@@ -98,7 +107,10 @@ function rustOf({ t, segment }, { pieces }) {
 function canvasOf(_, { pieces, spline }) {
   /** @type {string[]} */
   const calls = [];
-  const call = (/** @type {string | symbol} */ name) => (/** @type {number[]} */ ...numbers) => calls.push(`ctx.${String(name)}(${numbers.map(short).join(", ")});`);
+  const call =
+    (/** @type {string | symbol} */ name) =>
+    (/** @type {number[]} */ ...numbers) =>
+      calls.push(`ctx.${String(name)}(${numbers.map(short).join(", ")});`);
   const ctx = /** @type {any} */ (new Proxy({}, { get: (__, name) => call(name) }));
   if (spline) spline.trace(ctx);
   else for (const { curve } of pieces) curve.trace(ctx);

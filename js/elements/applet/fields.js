@@ -36,7 +36,8 @@ export function numberOf(text) {
  */
 function list(value, name, count) {
   if (!Array.isArray(value)) throw new TypeError(`${name}: expected an array, got ${kindOf(value)}`);
-  if (count !== undefined && value.length !== count) throw new RangeError(`${name}: expected ${count} numbers, got ${value.length}`);
+  if (count !== undefined && value.length !== count)
+    throw new RangeError(`${name}: expected ${count} numbers, got ${value.length}`);
   return Array.from(value);
 }
 
@@ -80,26 +81,41 @@ export const FIELDS = {
     write: ({ points }) => points.map((point) => point.join(",")).join(" "),
   },
   basis: field("basis", (value) => states.wordIn(value, "basis", states.BASES), { parse: trimmed }),
-  matrix: field("matrix", (value) => list(value, "matrix", 16).map((x, i) => states.numberIn(x, `matrix[${i}]`, -1e6, 1e6)), {
-    parse: (text) => words(text).map(numberOf),
-    get: ({ matrix }) => [...matrix],
-  }),
+  matrix: field(
+    "matrix",
+    (value) => list(value, "matrix", 16).map((x, i) => states.numberIn(x, `matrix[${i}]`, -1e6, 1e6)),
+    {
+      parse: (text) => words(text).map(numberOf),
+      get: ({ matrix }) => [...matrix],
+    },
+  ),
   degree: field("degree", (value) => (value === "n" ? value : states.wholeIn(value, "degree", 1, states.MOST_DEGREE)), {
     parse: (text) => (trimmed(text) === "n" ? "n" : numberOf(text)),
   }),
   mode: {
     parse: (text) => (trimmed(text) === "" ? null : numberOf(text)), // as it is written
-    put: (state, value) => ({ ...state, shown: value === null ? state.points.length : states.wholeIn(value, "mode", 2, state.points.length) }),
+    put: (state, value) => ({
+      ...state,
+      shown: value === null ? state.points.length : states.wholeIn(value, "mode", 2, state.points.length),
+    }),
     get: ({ points, shown }) => (shown < points.length ? shown : null),
     write: ({ points, shown }) => (shown < points.length ? String(shown) : ""),
   },
-  joints: field("joints", (value) => list(value, "joints").map((mode, k) => states.wordIn(mode, `joints[${k}]`, states.MODES)), {
-    parse: words,
-    get: ({ joints }) => [...joints],
-  }),
+  joints: field(
+    "joints",
+    (value) => list(value, "joints").map((mode, k) => states.wordIn(mode, `joints[${k}]`, states.MODES)),
+    {
+      parse: words,
+      get: ({ joints }) => [...joints],
+    },
+  ),
   show: {
     parse: words,
-    put: (state, value) => states.withLayers(state, list(value, "show").map((name, k) => states.wordIn(name, `show[${k}]`, states.LAYER_NAMES))),
+    put: (state, value) =>
+      states.withLayers(
+        state,
+        list(value, "show").map((name, k) => states.wordIn(name, `show[${k}]`, states.LAYER_NAMES)),
+      ),
     get: ({ layers }) => [...layers],
     write: ({ layers }) => [...layers].join(" "),
   },
@@ -123,10 +139,13 @@ export const FIELDS = {
  * @returns {import("./state.js").View}
  */
 function viewIn(value) {
-  if (typeof value !== "object" || value === null || "more" in value) throw new TypeError(`view: expected x, y, width and height, got ${kindOf(value)}`);
+  if (typeof value !== "object" || value === null || "more" in value)
+    throw new TypeError(`view: expected x, y, width and height, got ${kindOf(value)}`);
   const given = /** @type {Record<string, unknown>} */ (value);
   const [x, y] = [given.x, given.y].map((place, i) => states.numberIn(place, `${VIEW[i]} of view`, -1e6, 1e6));
-  const [width, height] = [given.width, given.height].map((size, i) => states.numberIn(size, `${VIEW[2 + i]} of view`, Number.MIN_VALUE, 1e6));
+  const [width, height] = [given.width, given.height].map((size, i) =>
+    states.numberIn(size, `${VIEW[2 + i]} of view`, Number.MIN_VALUE, 1e6),
+  );
   return { x, y, width, height };
 }
 
@@ -138,7 +157,10 @@ function viewIn(value) {
  */
 export function pointsIn(text) {
   const numbers = words(text).map(numberOf);
-  if (numbers.length % 2 !== 0) throw new RangeError(`points: expected pairs of numbers, got ${numbers.length} ${numbers.length === 1 ? `word (${states.brief(text)})` : "numbers"}`);
+  if (numbers.length % 2 !== 0)
+    throw new RangeError(
+      `points: expected pairs of numbers, got ${numbers.length} ${numbers.length === 1 ? `word (${states.brief(text)})` : "numbers"}`,
+    );
   return Array.from({ length: numbers.length / 2 }, (_, i) => {
     const pair = [numbers[2 * i], numbers[2 * i + 1]];
     const wrong = pair.find((x) => typeof x === "string");
@@ -155,7 +177,9 @@ export function pointsIn(text) {
  */
 export function jsonOf(state) {
   const first = states.firstState();
-  const entries = Object.entries(FIELDS).filter(([name, { write }]) => name === "points" || write(state) !== write(first));
+  const entries = Object.entries(FIELDS).filter(
+    ([name, { write }]) => name === "points" || write(state) !== write(first),
+  );
   return Object.fromEntries(entries.map(([name, { get }]) => [name, get(state)]));
 }
 
@@ -166,7 +190,11 @@ export function jsonOf(state) {
  * @returns {State}
  */
 export function stateOf(json) {
-  if (typeof json !== "object" || json === null || Array.isArray(json)) throw new TypeError(`state: expected an object with points, got ${kindOf(json)}`);
+  if (typeof json !== "object" || json === null || Array.isArray(json))
+    throw new TypeError(`state: expected an object with points, got ${kindOf(json)}`);
   const given = /** @type {Record<string, unknown>} */ (json);
-  return Object.entries(FIELDS).reduce((state, [name, { put }]) => (given[name] === undefined ? state : put(state, given[name])), states.firstState());
+  return Object.entries(FIELDS).reduce(
+    (state, [name, { put }]) => (given[name] === undefined ? state : put(state, given[name])),
+    states.firstState(),
+  );
 }

@@ -122,7 +122,8 @@ function byGroups(points, _, matrix) {
  */
 function through(points, kind) {
   const spline = points.length > 1 ? Spline.interpolate(points, { kind, dimension: 2 }) : null;
-  const near = (/** @type {number} */ k) => points.map((_, i) => i).filter((i) => kind === "natural" || (i >= k - 1 && i <= k + 2));
+  const near = (/** @type {number} */ k) =>
+    points.map((_, i) => i).filter((i) => kind === "natural" || (i >= k - 1 && i <= k + 2));
   const pieces = (spline?.segments() ?? []).map((curve, k) => ({ curve, indices: near(k) }));
   return { pieces, spline, kinds: points.map(() => "on") };
 }
@@ -134,7 +135,14 @@ function through(points, kind) {
  * @returns {Piece}
  */
 function piece(points, indices, matrix) {
-  return { curve: Curve.fromBasis(matrix, indices.map((i) => points[i]), { dimension: 2 }), indices };
+  return {
+    curve: Curve.fromBasis(
+      matrix,
+      indices.map((i) => points[i]),
+      { dimension: 2 },
+    ),
+    indices,
+  };
 }
 
 /**
@@ -166,7 +174,9 @@ function groupsOf(points, degree) {
  * @returns {number[][]}
  */
 function windows(points, degree) {
-  return Array.from({ length: Math.max(0, points.length - degree) }, (_, k) => Array.from({ length: degree + 1 }, (_, i) => k + i));
+  return Array.from({ length: Math.max(0, points.length - degree) }, (_, k) =>
+    Array.from({ length: degree + 1 }, (_, i) => k + i),
+  );
 }
 
 /**
@@ -190,9 +200,14 @@ const ROUNDING = 1e-9;
 function chain(pieces) {
   const flat = pieces.map(({ curve }) => curve.controlPoints());
   const size = Math.max(1, ...flat.flatMap((numbers) => [...numbers].map(Math.abs)));
-  const meet = flat.every((next, k) => k === 0 || Math.hypot(next[0] - flat[k - 1][6], next[1] - flat[k - 1][7]) <= ROUNDING * size);
+  const meet = flat.every(
+    (next, k) => k === 0 || Math.hypot(next[0] - flat[k - 1][6], next[1] - flat[k - 1][7]) <= ROUNDING * size,
+  );
   if (!flat.length || !meet) return null;
-  return new Spline(flat.flatMap((numbers, k) => [...(k === 0 ? numbers : numbers.subarray(2))]), { dimension: 2 });
+  return new Spline(
+    flat.flatMap((numbers, k) => [...(k === 0 ? numbers : numbers.subarray(2))]),
+    { dimension: 2 },
+  );
 }
 
 const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";

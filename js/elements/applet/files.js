@@ -32,10 +32,15 @@ export function withText(state, text) {
  * @returns {State}
  */
 function read(state, text) {
-  if (text.length > MOST_CHARACTERS) throw new RangeError(`expected points, an SVG path or JSON, got ${text.length} characters`);
+  if (text.length > MOST_CHARACTERS)
+    throw new RangeError(`expected points, an SVG path or JSON, got ${text.length} characters`);
   const given = text.trim();
   if (/^[[{]/.test(given)) return withJson(state, given);
-  const d = /^<|<svg|<path/i.test(given) ? (/\sd\s*=\s*["']([^"']+)/.exec(given)?.[1] ?? "") : /^[Mm]/.test(given) ? given : null;
+  const d = /^<|<svg|<path/i.test(given)
+    ? (/\sd\s*=\s*["']([^"']+)/.exec(given)?.[1] ?? "")
+    : /^[Mm]/.test(given)
+      ? given
+      : null;
   if (d === "") throw new RangeError("expected an SVG with a path, got one without");
   return d === null ? withPoints(state, pointsIn(given)) : withPath(state, d);
 }
@@ -62,7 +67,10 @@ function withPath(state, d) {
     while (curve.degree < 3) curve = curve.elevate();
     return pairs(curve.controlPoints()).slice(k === 0 ? 0 : 1);
   });
-  return withPoints({ ...state, basis: "bezier", degree: 3, joints: ["free"], shown: state.points.length }, fitted(points, state.box));
+  return withPoints(
+    { ...state, basis: "bezier", degree: 3, joints: ["free"], shown: state.points.length },
+    fitted(points, state.box),
+  );
 }
 
 /**
@@ -89,7 +97,11 @@ function fitted(points, box) {
  * @param {{ busy: (event: Event) => boolean, take: (text: string) => void }} port `busy`: the event is for something else
  */
 export function listenToFiles(host, { busy, take }) {
-  host.addEventListener("dragover", (event) => event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") && event.preventDefault());
+  host.addEventListener(
+    "dragover",
+    (event) =>
+      event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") && event.preventDefault(),
+  );
   host.addEventListener("drop", async (event) => {
     if (busy(event) || !event.dataTransfer) return;
     event.preventDefault();

@@ -33,7 +33,11 @@ export function listenToGestures(overlay, port) {
     pointers.set(event.pointerId, event);
     const after = span([...pointers.values()]);
     if (pointers.size === 1 && !port.enlarged()) return;
-    port.look(before.width > 0 && after.width > 0 ? after.width / before.width : 1, port.place(before.centre), port.place(after.centre));
+    port.look(
+      before.width > 0 && after.width > 0 ? after.width / before.width : 1,
+      port.place(before.centre),
+      port.place(after.centre),
+    );
   });
   for (const type of ["pointerup", "pointercancel", "lostpointercapture"]) {
     overlay.addEventListener(type, (event) => pointers.delete(/** @type {PointerEvent} */ (event).pointerId));
@@ -57,5 +61,8 @@ function turned(event, port) {
  */
 function span([a, b = a]) {
   const centre = { clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2 };
-  return { centre: /** @type {MouseEvent} */ (centre), width: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) };
+  return {
+    centre: /** @type {MouseEvent} */ (centre),
+    width: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY),
+  };
 }

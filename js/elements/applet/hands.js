@@ -32,13 +32,17 @@ export class Hands extends Acting {
     const { host } = this;
     if (!this.stage) {
       const find = (/** @type {string} */ selector) => /** @type {any} */ (host.renderRoot.querySelector(selector));
-      const stage = new Stage({ canvas: find("canvas"), overlay: find(".overlay"), probe: find(".probe") }, this.#stagePort());
+      const stage = new Stage(
+        { canvas: find("canvas"), overlay: find(".overlay"), probe: find(".probe") },
+        this.#stagePort(),
+      );
       this.begin(stage, new Speaker(find("[role=status]"), () => this.#describe()));
       this.#describe();
     }
     if (!this.heard.includes(this.message)) this.speaker?.say();
     this.stage?.start();
-    if (this.#theme !== host.theme) this.stage?.recolour(); // asks for the computed style, which costs as much as the picture
+    if (this.#theme !== host.theme)
+      this.stage?.recolour(); // asks for the computed style, which costs as much as the picture
     else this.stage?.refresh();
     this.#theme = host.theme;
   }
@@ -54,7 +58,12 @@ export class Hands extends Acting {
   #describe() {
     const figure = this.host.made();
     const joints = jointsOf(figure);
-    const words = description(this.host.now(), figure, joints, this.tells.map((told) => told.words));
+    const words = description(
+      this.host.now(),
+      figure,
+      joints,
+      this.tells.map((told) => told.words),
+    );
     setText(/** @type {HTMLElement} */ (this.host.renderRoot.querySelector("#description")), words);
     const truths = joints.map(({ at, verdict }) => `At ${at}: ${verdict}`);
     const news = [this.message, ...truths].filter((each) => each && !this.heard.includes(each));
@@ -93,7 +102,11 @@ export class Hands extends Acting {
     const { shiftKey = false, altKey = false, ctrlKey = false, metaKey = false } = event ?? {};
     this.host.during((state) => {
       const free = altKey ? edits.broken(state, index) : state;
-      const place = shiftKey ? turnedBy15(free, index, to, from) : ctrlKey || metaKey || altKey ? to : snapped(free, index, to, this.stage?.reach ?? 1);
+      const place = shiftKey
+        ? turnedBy15(free, index, to, from)
+        : ctrlKey || metaKey || altKey
+          ? to
+          : snapped(free, index, to, this.stage?.reach ?? 1);
       return edits.withPointAt(free, index, place);
     });
   }
@@ -123,7 +136,10 @@ export class Hands extends Acting {
       },
       slid: () => this.host.settle(),
       doubleTap: (at) => this.host.readonly || this.tapping || this.appendAt(at),
-      tap: (at) => this.tapping && this.chosen >= 0 && this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
+      tap: (at) =>
+        this.tapping &&
+        this.chosen >= 0 &&
+        this.do((state) => edits.withPointAt(state, this.chosen, at), this.places([this.chosen])),
       point: (at) => this.host.now().layers.has("nearest") && this.host.display({ ...this.host.now(), pointer: at }),
       look: (factor, from, to) => this.#look(factor, from, to),
       drawn: (told) => this.hear(told),
@@ -172,7 +188,9 @@ export class Hands extends Acting {
     if (this.host.readonly) return;
     const scale = states.scaleOf(this.host.now());
     const [x, y] = this.host.now().points[index];
-    this.host.attempt(() => this.host.during((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])));
+    this.host.attempt(() =>
+      this.host.during((state) => edits.withPointAt(state, index, [x + dx * scale, y + dy * scale])),
+    );
     this.speaker?.say(this.places([index]));
   }
 

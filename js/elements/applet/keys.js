@@ -24,7 +24,10 @@ import { arrowStep, isForText } from "../../applet/keys.js";
  */
 export function listenToKeys(host, port) {
   host.addEventListener("keydown", (event) => {
-    const elsewhere = event.defaultPrevented || isForText(event) || event.composedPath().some((each) => each instanceof HTMLDialogElement);
+    const elsewhere =
+      event.defaultPrevented ||
+      isForText(event) ||
+      event.composedPath().some((each) => each instanceof HTMLDialogElement);
     if (!elsewhere && pressed(event, port)) event.preventDefault();
   });
   for (const type of ["keyup", "focusout"]) host.addEventListener(type, () => port.settled());

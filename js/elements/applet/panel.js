@@ -51,10 +51,12 @@ export function panel(port) {
  */
 function joints({ joints: facts, modes, hold, readonly }) {
   if (!facts.length) return nothing;
-  return html`<ul class="joints" part="joints">${facts.map((each, k) => html`<li>
+  return html`<ul class="joints" part="joints">${facts.map(
+    (each, k) => html`<li>
     <span class="verdict" data-verdict=${each.verdict}>${each.verdict}</span>
     ${modes[k] ? choice(html`At <b>${each.at}</b> hold`, MODES, modes[k], MODE_NAMES, (mode) => hold(k + 1, mode), readonly) : html`<span>At <b>${each.at}</b></span>`}
-    <span class="fact">${jointWords(each)}</span></li>`)}</ul>`;
+    <span class="fact">${jointWords(each)}</span></li>`,
+  )}</ul>`;
 }
 
 /** @param {PanelPort} port */
@@ -104,7 +106,11 @@ function kind({ state, put, readonly }) {
  */
 function matrix({ matrix: numbers }, put) {
   const entry = (/** @type {number} */ x, /** @type {number} */ i) => {
-    const changed = (/** @type {Event} */ event) => put("matrix", numbers.map((old, k) => (k === i ? /** @type {HTMLInputElement} */ (event.target).valueAsNumber : old)));
+    const changed = (/** @type {Event} */ event) =>
+      put(
+        "matrix",
+        numbers.map((old, k) => (k === i ? /** @type {HTMLInputElement} */ (event.target).valueAsNumber : old)),
+      );
     return html`<input class="number" type="number" step="any" aria-label=${`row ${Math.floor(i / 4) + 1}, column ${(i % 4) + 1}`} .value=${String(Number(x.toFixed(4)))} @change=${changed}>`;
   };
   return html`<div class="matrix" role="group" aria-label="Basis matrix">${numbers.map(entry)}</div>`;
@@ -121,7 +127,8 @@ const MEASURES = {
 /** @param {PanelPort} port */
 function layers({ state, set, put, tells }) {
   const titles = Object.fromEntries(LAYERS.map(({ name, title }) => [name, title]));
-  const layer = (/** @type {typeof LAYER_NAMES[number]} */ name) => box(titles[name] ?? name, state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
+  const layer = (/** @type {typeof LAYER_NAMES[number]} */ name) =>
+    box(titles[name] ?? name, state.layers.has(name), (on) => set((now) => withLayer(now, name, on)));
   const measures = Object.entries(MEASURES).filter(([layerName]) => state.layers.has(/** @type {any} */ (layerName)));
   return html`<fieldset><legend>Show</legend><div class="layers">${LAYER_NAMES.map(layer)}</div>
     <div class="measure">${measures.map(([, [label, name, range]]) => slider(label, name, state[name], range, (value, done) => put(name, value, done)))}</div>

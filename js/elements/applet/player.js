@@ -24,7 +24,8 @@ export class Player {
 
   start() {
     if (this.playing) return;
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) this.#timer = window.setInterval(() => this.#by(STEP), STEP_MS);
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches)
+      this.#timer = window.setInterval(() => this.#by(STEP), STEP_MS);
     else this.#frame = requestAnimationFrame((now) => this.#first(now));
   }
 

@@ -85,7 +85,15 @@ export class Stage {
   start() {
     if (this.#endings.length) return;
     this.#endings = [
-      followTheme(this.#probe, (theme) => ((this.#theme = theme), this.draw()), ROLES), // at once: a printer does not wait for a frame
+      // Draws immediately, because a printer does not wait for a frame.
+      followTheme(
+        this.#probe,
+        (theme) => {
+          this.#theme = theme;
+          this.draw();
+        },
+        ROLES,
+      ),
       followSize(this.#canvas, /** @type {any} */ ({ overlay: this.#overlay }), (width) => this.#resized(width)),
       () => cancelAnimationFrame(this.#frame),
     ];
@@ -139,7 +147,10 @@ export class Stage {
   place() {
     const { state, figure } = this.#port.now();
     const { names, kinds, points } = figure;
-    this.#handles.update(points, state.view, { nameOf: (i) => (state.labels === "none" ? nameOf("P0", i) : names[i]), kindOf: (i) => kinds[i] });
+    this.#handles.update(points, state.view, {
+      nameOf: (i) => (state.labels === "none" ? nameOf("P0", i) : names[i]),
+      kindOf: (i) => kinds[i],
+    });
     for (const input of this.#overlay.getElementsByTagName("input")) input.disabled = this.#port.fixed();
   }
 
@@ -162,7 +173,10 @@ export class Stage {
   #placeAt({ clientX, clientY }) {
     const { left, top, width, height } = this.#overlay.getBoundingClientRect();
     const { state } = this.#port.now();
-    return toPlane(state, [((clientX - left) / width) * state.box.width, ((clientY - top) / height) * state.box.height]);
+    return toPlane(state, [
+      ((clientX - left) / width) * state.box.width,
+      ((clientY - top) / height) * state.box.height,
+    ]);
   }
 
   #listen() {
@@ -207,7 +221,8 @@ export class Stage {
         port.grabbed(index);
       },
       schedule: () => this.schedule(),
-      move: (index, to, drag) => index < port.now().figure.points.length && port.move(index, clamped(port.now().state.view, to), drag),
+      move: (index, to, drag) =>
+        index < port.now().figure.points.length && port.move(index, clamped(port.now().state.view, to), drag),
       begun: port.begun,
       restored: port.restored,
       ended: port.ended,

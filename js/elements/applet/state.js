@@ -32,7 +32,15 @@ import { DEFAULT_BOX, firstState as smallApplet, pointsOf } from "../../applet/s
  * @property {Place | null} pointer where the user points
  */
 
-export const BASES = /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom", "natural", "centripetal", "matrix"]);
+export const BASES = /** @type {const} */ ([
+  "bezier",
+  "hermite",
+  "b-spline",
+  "catmull-rom",
+  "natural",
+  "centripetal",
+  "matrix",
+]);
 /** @type {Record<Basis, string>} */
 export const BASIS_NAMES = {
   bezier: "Bézier",
@@ -46,8 +54,25 @@ export const BASIS_NAMES = {
 export const MODES = /** @type {readonly JointMode[]} */ (["free", "g1", "c1", "c2", "g2", "auto"]);
 export const LABELS = /** @type {const} */ (["P0", "P1", "b0", "p0", "none"]);
 export const LAYER_NAMES = /** @type {const} */ ([
-  "polygon", "hull", "scaffold", "halves", "weights", "tangents", "normals", "comb", "bounds", "extrema", "inflections", "tree",
-  "segments", "nearest", "offset", "ticks", "envelope", "extrapolation", "names",
+  "polygon",
+  "hull",
+  "scaffold",
+  "halves",
+  "weights",
+  "tangents",
+  "normals",
+  "comb",
+  "bounds",
+  "extrema",
+  "inflections",
+  "tree",
+  "segments",
+  "nearest",
+  "offset",
+  "ticks",
+  "envelope",
+  "extrapolation",
+  "names",
 ]);
 
 /** What the core goes up to. */
@@ -103,7 +128,8 @@ export function firstState() {
  */
 export function withPoints(state, value) {
   if (!Array.isArray(value)) throw new TypeError(`points: expected an array of [x, y], got ${kindOf(value)}`);
-  if (value.length < 2 || value.length > MOST_POINTS) throw new RangeError(`points: expected 2 to ${MOST_POINTS} points, got ${value.length}`);
+  if (value.length < 2 || value.length > MOST_POINTS)
+    throw new RangeError(`points: expected 2 to ${MOST_POINTS} points, got ${value.length}`);
   const points = Array.from(value, (point, i) => placeIn(point, `points[${i}]`));
   const shown = state.shown === state.points.length ? points.length : Math.min(state.shown, points.length);
   return { ...state, points, shown };
@@ -117,7 +143,8 @@ export function withPoints(state, value) {
 export function placeIn(value, name) {
   const place = pointPair(value, name);
   const far = place.find((x) => Math.abs(x) > FARTHEST);
-  if (far !== undefined) throw new RangeError(`${name}: expected coordinates from −${FARTHEST} to ${FARTHEST}, got ${far}`);
+  if (far !== undefined)
+    throw new RangeError(`${name}: expected coordinates from −${FARTHEST} to ${FARTHEST}, got ${far}`);
   return place;
 }
 
@@ -130,7 +157,8 @@ export function placeIn(value, name) {
  */
 export function numberIn(value, name, least, most) {
   const number = finiteNumber(value, name, `a number from ${least} to ${most}`);
-  if (number < least || number > most) throw new RangeError(`${name}: expected a number from ${least} to ${most}, got ${number}`);
+  if (number < least || number > most)
+    throw new RangeError(`${name}: expected a number from ${least} to ${most}, got ${number}`);
   return number;
 }
 
@@ -200,7 +228,10 @@ export function withLayers(state, names) {
  * @returns {State}
  */
 export function withLayer(state, name, on) {
-  return withLayers(state, LAYER_NAMES.filter((each) => (each === name ? on : state.layers.has(each))));
+  return withLayers(
+    state,
+    LAYER_NAMES.filter((each) => (each === name ? on : state.layers.has(each))),
+  );
 }
 
 /**
@@ -236,7 +267,12 @@ export function withHome(state) {
 export function zoomed(state, factor, [x, y]) {
   const { view, box } = state;
   const ratio = Math.min(Math.max(1 / factor, (CLOSEST * box.width) / view.width), (WIDEST * box.width) / view.width);
-  const next = { x: x + (view.x - x) * ratio, y: y + (view.y - y) * ratio, width: view.width * ratio, height: view.height * ratio };
+  const next = {
+    x: x + (view.x - x) * ratio,
+    y: y + (view.y - y) * ratio,
+    width: view.width * ratio,
+    height: view.height * ratio,
+  };
   return { ...state, view: next };
 }
 

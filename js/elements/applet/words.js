@@ -124,13 +124,21 @@ const MOST_TOLD = 24;
  */
 export function description(state, figure, joints, tells) {
   const { pieces, points, names, kinds, degree } = figure;
-  const kind = state.basis === "bezier" ? `Bézier ${pieces.length === 1 ? "curve" : "curves"} of degree ${degree}` : BASIS_NAMES[state.basis];
-  const told = points.slice(0, MOST_TOLD).map((point, i) => `${names[i]} at ${placeWords(point)}${kinds[i] === "off" ? ", off the curve" : ""}`);
+  const kind =
+    state.basis === "bezier"
+      ? `Bézier ${pieces.length === 1 ? "curve" : "curves"} of degree ${degree}`
+      : BASIS_NAMES[state.basis];
+  const told = points
+    .slice(0, MOST_TOLD)
+    .map((point, i) => `${names[i]} at ${placeWords(point)}${kinds[i] === "off" ? ", off the curve" : ""}`);
   const modes = modesOf(state);
   return [
     pieces.length ? `${pieces.length} ${kind}` : "Too few points for a curve",
     `${told.join("; ")}${points.length > MOST_TOLD ? `; and ${points.length - MOST_TOLD} more` : ""}`,
-    ...joints.map((facts, k) => `At ${facts.at}: ${facts.verdict}, ${jointWords(facts)}${modes[k] && modes[k] !== "free" ? `, held ${MODE_NAMES[modes[k]]}` : ""}`),
+    ...joints.map(
+      (facts, k) =>
+        `At ${facts.at}: ${facts.verdict}, ${jointWords(facts)}${modes[k] && modes[k] !== "free" ? `, held ${MODE_NAMES[modes[k]]}` : ""}`,
+    ),
     `t is ${state.t.toFixed(2)}`,
     ...tells,
   ].join(". ");

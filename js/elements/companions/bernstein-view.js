@@ -15,7 +15,13 @@ import { BASES, MATRIX_DEGREE, MOST_DEGREE, weightsAt } from "./weights.js";
 
 const DEFAULTS = { degree: 3, t: 0.5, basis: /** @type {Basis} */ ("bezier") };
 /** @type {Record<string, string>} */
-const TITLES = { bezier: "Bernstein polynomials", hermite: "Hermite weights", "b-spline": "B-spline weights", "catmull-rom": "Catmull-Rom weights", matrix: "Weights of the matrix" };
+const TITLES = {
+  bezier: "Bernstein polynomials",
+  hermite: "Hermite weights",
+  "b-spline": "B-spline weights",
+  "catmull-rom": "Catmull-Rom weights",
+  matrix: "Weights of the matrix",
+};
 /** So many values are read out; of more, the greatest. */
 const MOST_SPOKEN = 8;
 /** A Hermite curve's weights stand in the order P0, P3, P1 − P0, P3 − P2. */
@@ -29,7 +35,9 @@ const HERMITE_SLOTS = [0, 2, 3, 1];
  * @csspart sum - what they add up to
  */
 export class BernsteinView {
-  static styles = [style, css`
+  static styles = [
+    style,
+    css`
     svg { display: block; inline-size: 100%; background: var(--bz-paper); touch-action: pan-y; cursor: ew-resize; user-select: none; -webkit-user-select: none; }
     text { font-size: 12.5px; fill: var(--bz-ink); paint-order: stroke; stroke: var(--bz-paper); stroke-width: 3px; stroke-linejoin: round; }
     @container (min-width: 560px) { text { font-size: 9.5px; } }
@@ -46,7 +54,8 @@ export class BernsteinView {
     li button[aria-pressed="true"] { border-color: var(--bz-accent); background: var(--bz-paper); }
     .sum { padding: 0 0.8rem 0.6rem; }
     @media print { ul { max-block-size: none; } li button { display: flex; } }
-  `];
+  `,
+  ];
 
   /** The polynomial that was chosen here, and the one of the applet's focused point. @type {number | null} */
   #chosen = null;
@@ -69,12 +78,19 @@ export class BernsteinView {
     const linked = subjectOf(host.target?.figure);
     if (linked) return linked;
     const known = BASES.some((name) => name === host.basis);
-    const basis = host.checked("basis", /** @type {Basis} */ (host.basis), known, `one of ${BASES.join(", ")}`, DEFAULTS.basis);
+    const basis = host.checked(
+      "basis",
+      /** @type {Basis} */ (host.basis),
+      known,
+      `one of ${BASES.join(", ")}`,
+      DEFAULTS.basis,
+    );
     const whole = Number.isInteger(host.degree) && host.degree >= 1 && host.degree <= MOST_DEGREE;
     const free = host.checked("degree", host.degree, whole, `a whole number from 1 to ${MOST_DEGREE}`, DEFAULTS.degree);
     const degree = basis === "bezier" || basis === "b-spline" ? free : MATRIX_DEGREE;
     const t = host.checked("t", host.t, Number.isFinite(host.t), "a number", DEFAULTS.t);
-    const names = basis === "hermite" ? ["P0", "P3", "P1−P0", "P3−P2"] : Array.from({ length: degree + 1 }, (_, i) => `P${i}`);
+    const names =
+      basis === "hermite" ? ["P0", "P3", "P1−P0", "P3−P2"] : Array.from({ length: degree + 1 }, (_, i) => `P${i}`);
     return { basis, degree, t, matrix: null, names };
   }
 
@@ -169,13 +185,24 @@ export class BernsteinView {
 
 /** @param {Frame} frame */
 function axes(frame) {
-  const { x: [from, to], y: [low, high] } = frame;
+  const {
+    x: [from, to],
+    y: [low, high],
+  } = frame;
   const ts = [from, 0, 0.5, 1, to].filter((t, k, all) => all.indexOf(t) === k);
   const levels = [0, 0.5, 1].filter((y) => y >= low && y <= high);
-  return svg`${levels.map((y) => svg`<line class=${y ? "grid" : "axis"} x1=${PLOT.left} x2=${PLOT.width - PLOT.right} y1=${yOf(frame, y)} y2=${yOf(frame, y)} />
-      <text class="tick" x=${PLOT.left - 6} y=${yOf(frame, y) + 4} text-anchor="end">${y}</text>`)}
-    ${ts.map((t) => svg`<line class=${t ? "grid" : "axis"} x1=${xOf(frame, t)} x2=${xOf(frame, t)} y1=${PLOT.top} y2=${PLOT.height - PLOT.bottom} />
-      <text class="tick" x=${xOf(frame, t)} y=${PLOT.height - 9} text-anchor=${t > 1 ? "end" : "middle"}>${shown(t, 2)}</text>`)}`;
+  return svg`${levels.map(
+    (
+      y,
+    ) => svg`<line class=${y ? "grid" : "axis"} x1=${PLOT.left} x2=${PLOT.width - PLOT.right} y1=${yOf(frame, y)} y2=${yOf(frame, y)} />
+      <text class="tick" x=${PLOT.left - 6} y=${yOf(frame, y) + 4} text-anchor="end">${y}</text>`,
+  )}
+    ${ts.map(
+      (
+        t,
+      ) => svg`<line class=${t ? "grid" : "axis"} x1=${xOf(frame, t)} x2=${xOf(frame, t)} y1=${PLOT.top} y2=${PLOT.height - PLOT.bottom} />
+      <text class="tick" x=${xOf(frame, t)} y=${PLOT.height - 9} text-anchor=${t > 1 ? "end" : "middle"}>${shown(t, 2)}</text>`,
+    )}`;
 }
 
 /**

@@ -67,11 +67,16 @@ export class Companion extends LitElement {
 
   connectedCallback() {
     super.connectedCallback();
-    const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR });
+    const observer = new IntersectionObserver((entries) => this.#seen(entries[entries.length - 1].isIntersecting), {
+      rootMargin: NEAR,
+    });
     observer.observe(this);
     const printing = () => this.renderNow();
     window.addEventListener("beforeprint", printing);
-    this.#endings.push(() => observer.disconnect(), () => window.removeEventListener("beforeprint", printing));
+    this.#endings.push(
+      () => observer.disconnect(),
+      () => window.removeEventListener("beforeprint", printing),
+    );
   }
 
   disconnectedCallback() {
@@ -112,7 +117,7 @@ export class Companion extends LitElement {
    */
   checked(name, value, usable, expected, fallback) {
     if (usable) return value;
-    const came = typeof value === "string" ? value : this.getAttribute(name) ?? String(value);
+    const came = typeof value === "string" ? value : (this.getAttribute(name) ?? String(value));
     this.#wrong.push(`${name}: expected ${expected}, got “${came.slice(0, MOST_QUOTED)}”; ${fallback} is used.`);
     return fallback;
   }

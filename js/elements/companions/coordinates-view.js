@@ -17,7 +17,9 @@ const AXES = /** @type {const} */ (["x", "y"]);
  * @csspart field - each number in it
  */
 export class CoordinatesView {
-  static styles = [style, css`
+  static styles = [
+    style,
+    css`
     .scroll { max-block-size: 24rem; }
     table { border-collapse: collapse; inline-size: 100%; }
     caption { text-align: start; padding: 0.5rem 0.8rem; font-weight: 600; }
@@ -26,7 +28,8 @@ export class CoordinatesView {
     thead th { position: sticky; inset-block-start: 0; background: var(--bz-panel); z-index: 1; padding-block: 0.1rem; } thead th:first-child { padding-inline-start: 0.8rem; }
     td input { inline-size: 100%; min-inline-size: 4.5rem; max-inline-size: 11rem; } td .error { display: block; max-inline-size: 16rem; }
     tr:last-child > * { padding-block-end: 0.6rem; }
-  `];
+  `,
+  ];
   #host;
   #fields = new Fields({
     read: (key) => this.#host.places()[indexOf(key)]?.[axisOf(key)] ?? 0,

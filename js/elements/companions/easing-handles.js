@@ -57,7 +57,11 @@ export class HandleDrag {
     box.setPointerCapture(event.pointerId);
     box.querySelector("input")?.focus({ preventScroll: true });
     event.preventDefault(); // the focus stays
-    this.#held.set(event.pointerId, { which, grip: [event.clientX - left - width / 2, event.clientY - top - height / 2], before: this.#port.handles() });
+    this.#held.set(event.pointerId, {
+      which,
+      grip: [event.clientX - left - width / 2, event.clientY - top - height / 2],
+      before: this.#port.handles(),
+    });
   }
 
   /** @param {PointerEvent} event */
@@ -106,7 +110,11 @@ export class HandleDrag {
   #place(event, [gripX, gripY]) {
     const stage = /** @type {HTMLElement} */ (/** @type {HTMLElement} */ (event.currentTarget).parentElement);
     const { left, top, width, height } = stage.getBoundingClientRect();
-    return placeAt(this.#port.heights(), (event.clientX - gripX - left) / width, (event.clientY - gripY - top) / height);
+    return placeAt(
+      this.#port.heights(),
+      (event.clientX - gripX - left) / width,
+      (event.clientY - gripY - top) / height,
+    );
   }
 }
 
@@ -128,8 +136,14 @@ const pairOf = (handles, which) => [handles[2 * which], handles[2 * which + 1]];
 export function handle(which, handles, heights, drag) {
   const [x, y] = pairOf(handles, which);
   const release = (/** @type {PointerEvent} */ event) => drag.release(event);
-  const slider = (/** @type {string} */ axis, /** @type {number} */ value, /** @type {number[]} */ range, /** @type {(value: number) => [number, number]} */ place) => {
-    const slid = (/** @type {Event} */ event) => drag.to(which, ...place(Number(/** @type {HTMLInputElement} */ (event.target).value)), event.type === "change");
+  const slider = (
+    /** @type {string} */ axis,
+    /** @type {number} */ value,
+    /** @type {number[]} */ range,
+    /** @type {(value: number) => [number, number]} */ place,
+  ) => {
+    const slid = (/** @type {Event} */ event) =>
+      drag.to(which, ...place(Number(/** @type {HTMLInputElement} */ (event.target).value)), event.type === "change");
     return html`<input type="range" aria-label="${NAMES[which]} ${axis}" tabindex=${axis === "x" ? 0 : -1} min=${range[0]} max=${range[1]} step="0.01" .value=${String(value)} aria-valuetext=${shown(value)} @input=${slid} @change=${slid}>`;
   };
   // The place as a property: a strict policy forbids the attribute.

@@ -15,7 +15,8 @@ import { across, down, SQUARE } from "./timing.js";
 export function picture([x1, y1, x2, y2], heights, name) {
   const at = (/** @type {number} */ x, /** @type {number} */ y) => [across(x), down(heights, y)];
   const [start, first, second, end] = [at(0, 0), at(x1, y1), at(x2, y2), at(1, 1)];
-  const arm = (/** @type {number[]} */ from, /** @type {number[]} */ to) => svg`<line class="arm" x1=${from[0]} y1=${from[1]} x2=${to[0]} y2=${to[1]} />`;
+  const arm = (/** @type {number[]} */ from, /** @type {number[]} */ to) =>
+    svg`<line class="arm" x1=${from[0]} y1=${from[1]} x2=${to[0]} y2=${to[1]} />`;
   const { width, height } = SQUARE;
   return html`<svg part="plot" role="img" aria-label=${name} viewBox="0 0 ${width} ${height}">
     <rect class="beyond" width=${width} height=${end[1]} /><rect class="beyond" width=${width} y=${start[1]} height=${height - start[1]} />

@@ -26,7 +26,9 @@ const COORDINATES = ["x1", "y1", "x2", "y2"];
  * @csspart value - the text of the value
  */
 export class EasingView {
-  static styles = [style, css`
+  static styles = [
+    style,
+    css`
     .parts { display: grid; grid-template-columns: minmax(0, 17rem) minmax(0, 1fr); }
     @container (max-width: 420px) { .parts { grid-template-columns: minmax(0, 1fr); } }
     .stage { position: relative; background: var(--bz-paper); touch-action: pan-y; }
@@ -51,7 +53,8 @@ export class EasingView {
     .track::before, .track::after { content: ""; position: absolute; inset-block: 16px 0; border-inline-start: 1px solid var(--bz-field); inset-inline-start: 20%; } .track::after { inset-inline-start: 80%; }
     output { font: 0.8125rem/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; user-select: all; }
     @media (forced-colors: active) { .ball, .handle::before { forced-color-adjust: none; } }
-  `];
+  `,
+  ];
 
   #host;
   /** What is shown; it stands still while a handle is dragged. @type {Heights} */
@@ -126,7 +129,8 @@ export class EasingView {
 
   #options() {
     const chosen = this.#host.value ? presetOf(this.#host.handles) : "none";
-    const option = (/** @type {string} */ word, /** @type {string} */ text) => html`<option value=${word} .selected=${word === chosen}>${text}</option>`;
+    const option = (/** @type {string} */ word, /** @type {string} */ text) =>
+      html`<option value=${word} .selected=${word === chosen}>${text}</option>`;
     const first = chosen === "none" ? option("none", "choose one") : chosen === "" ? option("", "your own") : nothing;
     return [first, ...Object.keys(PRESETS).map((word) => option(word, word))];
   }

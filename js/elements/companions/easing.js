@@ -104,6 +104,9 @@ export class BezierEasing extends FormField {
   #report() {
     const missing = this.required && !this.#chosen;
     this.internals.setFormValue(this.value, this.value);
-    this.internals.setValidity({ valueMissing: missing, customError: this.#custom !== "" }, this.#custom || (missing ? MISSING : ""));
+    this.internals.setValidity(
+      { valueMissing: missing, customError: this.#custom !== "" },
+      this.#custom || (missing ? MISSING : ""),
+    );
   }
 }

@@ -1,6 +1,19 @@
 import { css, html, mathml, nothing } from "lit";
 import { Fields } from "./fields.js";
-import { bernsteinTerm, factor, matrix, name, number, pair, point, polynomial, powers, sign, square, symbol } from "./formulas.js";
+import {
+  bernsteinTerm,
+  factor,
+  matrix,
+  name,
+  number,
+  pair,
+  point,
+  polynomial,
+  powers,
+  sign,
+  square,
+  symbol,
+} from "./formulas.js";
 import { shown } from "./numbers.js";
 import { ownMatrix, ownSubject } from "./own.js";
 import { slider } from "./slider.js";
@@ -16,7 +29,13 @@ import { BASES, MATRIX_DEGREE, matrixOf, throughMatrix, weightsAt } from "./weig
 
 const FORMS = ["sum", "matrix", "casteljau"];
 /** @type {Record<string, string>} */
-const BASIS_NAMES = { bezier: "Bézier", hermite: "Hermite", "b-spline": "B-spline", "catmull-rom": "Catmull-Rom", matrix: "own numbers" };
+const BASIS_NAMES = {
+  bezier: "Bézier",
+  hermite: "Hermite",
+  "b-spline": "B-spline",
+  "catmull-rom": "Catmull-Rom",
+  matrix: "own numbers",
+};
 /** Of higher degrees, a page has no room for the matrix, */
 const MOST_MATRIX = 10;
 /** and of de Casteljau's triangle for the last levels only. */
@@ -29,7 +48,9 @@ const MOST_LEVELS = 6;
  * @csspart field - each number of a matrix that can be edited
  */
 export class EquationView {
-  static styles = [style, css`
+  static styles = [
+    style,
+    css`
     .scroll { padding: 0.7rem 0.8rem; background: var(--bz-paper); max-block-size: 26rem; }
     math { font-size: 1.05em; math-style: normal; } math[display="block"] { inline-size: max-content; margin: 0 0 0.5rem; }
     .lines mtd { text-align: start; padding: 0.12em 0.35em; } .lines mtd.sign { text-align: end; padding-inline-end: 0; }
@@ -41,7 +62,8 @@ export class EquationView {
     .cells input { inline-size: 100%; min-inline-size: 0; appearance: textfield; } .cells .error { grid-column: 1 / -1; }
     .note { padding: 0 0.8rem 0.5rem; }
     @media print { .scroll { max-block-size: none; } }
-  `];
+  `,
+  ];
   #host;
   #fields = new Fields({
     read: (key) => this.#matrix()[Number(key)],
@@ -63,8 +85,15 @@ export class EquationView {
   content() {
     const subject = this.#subject();
     if (!subject) return html`<p class="quiet">No curve yet.</p>`;
-    const form = this.#host.checked("form", this.#host.form, FORMS.includes(this.#host.form), `one of ${FORMS.join(", ")}`, FORMS[0]);
-    const body = form === "matrix" ? this.#matrixForm(subject) : form === "casteljau" ? casteljauForm(subject) : sumForm(subject);
+    const form = this.#host.checked(
+      "form",
+      this.#host.form,
+      FORMS.includes(this.#host.form),
+      `one of ${FORMS.join(", ")}`,
+      FORMS[0],
+    );
+    const body =
+      form === "matrix" ? this.#matrixForm(subject) : form === "casteljau" ? casteljauForm(subject) : sumForm(subject);
     return html`<div class="frame" part="frame">
       ${slider(subject.t, [Math.min(0, subject.t), Math.max(1, subject.t)], (t, done) => this.#host.setT(t, done))}
       ${form === "matrix" ? this.#chooser(subject) : nothing}
@@ -75,8 +104,10 @@ export class EquationView {
   /** @param {Subject} subject */
   #chooser({ basis }) {
     const words = [...BASES, ...(this.#host.editable || basis === "matrix" ? ["matrix"] : [])];
-    const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === basis}>${BASIS_NAMES[word]}</option>`;
-    const chosen = (/** @type {Event} */ event) => this.#setBasis(/** @type {HTMLSelectElement} */ (event.target).value);
+    const option = (/** @type {string} */ word) =>
+      html`<option value=${word} .selected=${word === basis}>${BASIS_NAMES[word]}</option>`;
+    const chosen = (/** @type {Event} */ event) =>
+      this.#setBasis(/** @type {HTMLSelectElement} */ (event.target).value);
     return html`<label class="bar">Basis <select @change=${chosen}>${words.map(option)}</select></label>`;
   }
 
@@ -85,13 +116,17 @@ export class EquationView {
     if (this.#host.editable) subject = editableForm(subject);
     const { basis, degree, t, points, names } = subject;
     const numbers = degree <= MOST_MATRIX ? matrixOf(basis, degree, subject.matrix) : null;
-    if (!numbers) return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MOST_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
+    if (!numbers)
+      return html`<p class="quiet">The matrix is shown up to degree ${basis === "bezier" ? MOST_MATRIX : MATRIX_DEGREE}; this is degree ${degree}.</p>`;
     const weights = throughMatrix(numbers, t);
     const column = matrix(names.map((each) => [name(each)]));
     const editable = this.#host.editable && numbers.length === 16;
     const before = html`<math>${symbol}${sign("=")}${powers(degree)}</math>`;
-    const cell = (/** @type {unknown} */ _, /** @type {number} */ k) => this.#fields.field(String(k), `Row ${(k >> 2) + 1}, column ${(k & 3) + 1}`, { step: "0.1", decimals: 4 });
-    const amid = editable ? html`<div class="cells" role="group" aria-label="Matrix">${numbers.map(cell)}</div>` : html`<math aria-label=${`the matrix ${rowsSpoken(numbers)}`}>${square(numbers)}</math>`;
+    const cell = (/** @type {unknown} */ _, /** @type {number} */ k) =>
+      this.#fields.field(String(k), `Row ${(k >> 2) + 1}, column ${(k & 3) + 1}`, { step: "0.1", decimals: 4 });
+    const amid = editable
+      ? html`<div class="cells" role="group" aria-label="Matrix">${numbers.map(cell)}</div>`
+      : html`<math aria-label=${`the matrix ${rowsSpoken(numbers)}`}>${square(numbers)}</math>`;
     const row = matrix([weights.map(number)]);
     const at = numbersAt(points, weights);
     return html`<div class="product">${before}${amid}<math>${column}</math></div>
@@ -111,7 +146,10 @@ export class EquationView {
    * @param {boolean} done
    */
   #setMatrix(k, value, done) {
-    this.#giveMatrix(this.#matrix().map((x, i) => (i === k ? value : x)), done);
+    this.#giveMatrix(
+      this.#matrix().map((x, i) => (i === k ? value : x)),
+      done,
+    );
   }
 
   /**
@@ -154,10 +192,12 @@ function sumForm(subject) {
   const weights = weightsAt(subject, t);
   const at = numbersAt(points, weights);
   const formula = symbolic(subject);
-  const plus = (/** @type {number} */ i, minus = false) => mathml`<mtd class="sign">${sign(i === 0 ? "=" : minus ? "−" : "+")}</mtd>`;
+  const plus = (/** @type {number} */ i, minus = false) =>
+    mathml`<mtd class="sign">${sign(i === 0 ? "=" : minus ? "−" : "+")}</mtd>`;
   const numeric = (/** @type {number} */ i, /** @type {0 | 1} */ axis) => mathml`${plus(i, weights[i] < 0)}
       <mtd>${number(i ? Math.abs(weights[i]) : weights[i])}${sign("·")}${factor(points[i][axis])}</mtd>`;
-  const head = (/** @type {string} */ letter) => mathml`<mrow><mi>${letter}</mi><mo>(</mo>${number(t)}<mo>)</mo></mrow>`;
+  const head = (/** @type {string} */ letter) =>
+    mathml`<mrow><mi>${letter}</mi><mo>(</mo>${number(t)}<mo>)</mo></mrow>`;
   return html`<math class="lines" aria-label=${`${spoken(t, at)}, from ${weights.map((w, i) => `${shown(w)} ${names[i]}`).join(" plus ")}`}><mtable>
     <mtr><mtd class="sign"></mtd><mtd>${symbol}</mtd><mtd class="sign"></mtd><mtd>${head("x")}</mtd><mtd class="sign"></mtd><mtd>${head("y")}</mtd></mtr>
     ${points.map((_, i) => mathml`<mtr>${plus(i)}<mtd>${formula(i)}${name(names[i])}</mtd>${numeric(i, 0)}${numeric(i, 1)}</mtr>`)}
@@ -182,11 +222,15 @@ function symbolic({ basis, degree, matrix }) {
 /** @param {Subject} subject */
 function casteljauForm({ curve, names, basis, t }) {
   if (!curve) return nothing;
-  const levels = curve.deCasteljau(t).map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
+  const levels = curve
+    .deCasteljau(t)
+    .map((flat) => Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]));
   const first = Math.max(0, levels.length - MOST_LEVELS);
   const bezier = basis === "bezier" ? names : bezierForm(curve).names;
-  const own = (/** @type {number} */ level, /** @type {number} */ i) => (level ? mathml`<msubsup><mi>b</mi><mn>${i}</mn><mn>${level}</mn></msubsup>` : name(bezier[i]));
-  const cell = (/** @type {number} */ level, /** @type {number} */ i) => mathml`<mtd>${levels[level][i] && mathml`${own(level, i)}${sign("=")}${pair(levels[level][i])}`}</mtd>`;
+  const own = (/** @type {number} */ level, /** @type {number} */ i) =>
+    level ? mathml`<msubsup><mi>b</mi><mn>${i}</mn><mn>${level}</mn></msubsup>` : name(bezier[i]);
+  const cell = (/** @type {number} */ level, /** @type {number} */ i) =>
+    mathml`<mtd>${levels[level][i] && mathml`${own(level, i)}${sign("=")}${pair(levels[level][i])}`}</mtd>`;
   const columns = Array.from({ length: levels.length - first }, (_, k) => first + k);
   const at = levels[levels.length - 1][0];
   return html`<math display="block" aria-label="Each point lies between two of the level before, at t of the way"><mrow><msubsup><mi>b</mi><mi>i</mi><mi>k</mi></msubsup>${sign("=")}
@@ -220,5 +264,10 @@ const spoken = (t, at) => `B of ${shown(t)} is x ${shown(at[0])}, y ${shown(at[1
 /** @param {number[]} numbers */
 function rowsSpoken(numbers) {
   const size = Math.sqrt(numbers.length);
-  return Array.from({ length: size }, (_, row) => numbers.slice(row * size, (row + 1) * size).map((x) => shown(x)).join(", ")).join("; ");
+  return Array.from({ length: size }, (_, row) =>
+    numbers
+      .slice(row * size, (row + 1) * size)
+      .map((x) => shown(x))
+      .join(", "),
+  ).join("; ");
 }

@@ -61,7 +61,9 @@ export function bernsteinTerm(n, i) {
  */
 export function polynomial(coefficients) {
   const divisor = [1, 2, 3, 6].find((d) => coefficients.every((c) => Math.abs(c * d - Math.round(c * d)) < 1e-12)) ?? 1;
-  const terms = coefficients.map((c, k) => ({ factor: c * divisor, exponent: coefficients.length - 1 - k })).filter(({ factor }) => factor !== 0);
+  const terms = coefficients
+    .map((c, k) => ({ factor: c * divisor, exponent: coefficients.length - 1 - k }))
+    .filter(({ factor }) => factor !== 0);
   const written = terms.map(({ factor, exponent }, k) => {
     const size = Math.abs(factor);
     const before = k > 0 ? sign(factor < 0 ? "−" : "+") : factor < 0 ? mathml`<mo form="prefix">−</mo>` : nothing;
@@ -89,12 +91,20 @@ export function matrix(rows) {
  */
 export function square(numbers) {
   const size = Math.sqrt(numbers.length);
-  return matrix(Array.from({ length: size }, (_, row) => numbers.slice(row * size, (row + 1) * size).map((x) => mathml`<mn>${shownFraction(x)}</mn>`)));
+  return matrix(
+    Array.from({ length: size }, (_, row) =>
+      numbers.slice(row * size, (row + 1) * size).map((x) => mathml`<mn>${shownFraction(x)}</mn>`),
+    ),
+  );
 }
 
 /** tⁿ … t 1. @param {number} degree */
 export function powers(degree) {
-  return matrix([Array.from({ length: degree + 1 }, (_, k) => (k === degree ? mathml`<mn>1</mn>` : power(mathml`<mi>t</mi>`, degree - k)))]);
+  return matrix([
+    Array.from({ length: degree + 1 }, (_, k) =>
+      k === degree ? mathml`<mn>1</mn>` : power(mathml`<mi>t</mi>`, degree - k),
+    ),
+  ]);
 }
 
 /** (x, y). @param {ArrayLike<number>} place */

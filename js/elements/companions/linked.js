@@ -83,7 +83,8 @@ export class Linked extends Companion {
     const awaited = found !== null && !able && found.localName.includes("-") && !customElements.get(found.localName);
     if (awaited) this.#awaitDefinition(found.localName);
     const what = found ? `a ${found.localName}${awaited ? " that is not defined" : ""}` : "which is nowhere";
-    const broken = able || !this.#id ? "" : `for: expected the id of a bezier-applet, got ${quoted(this.#id)}, ${what}.`;
+    const broken =
+      able || !this.#id ? "" : `for: expected the id of a bezier-applet, got ${quoted(this.#id)}, ${what}.`;
     if (broken !== this.#broken) this.requestUpdate();
     this.#broken = broken;
     this.#follow(able ? /** @type {Target} */ (found) : null);

@@ -31,7 +31,10 @@ export function readPoints(text) {
     const numbers = words.map(readNumber);
     const bad = numbers.findIndex(Number.isNaN);
     if (bad >= 0) throw new RangeError(`${where}expected a number, got ${quoted(words[bad])}`);
-    return Array.from({ length: numbers.length / 2 }, (_, k) => /** @type {[number, number]} */ ([numbers[2 * k], numbers[2 * k + 1]]));
+    return Array.from(
+      { length: numbers.length / 2 },
+      (_, k) => /** @type {[number, number]} */ ([numbers[2 * k], numbers[2 * k + 1]]),
+    );
   });
 }
 
@@ -67,7 +70,8 @@ export function shown(x, decimals = 3) {
 export function shownFraction(x) {
   for (const divisor of [1, 2, 3, 6]) {
     const top = x * divisor;
-    if (Math.abs(top - Math.round(top)) < 1e-12 && Math.abs(top) < 1e6) return minus(`${Math.round(top) + 0}${divisor > 1 ? `/${divisor}` : ""}`);
+    if (Math.abs(top - Math.round(top)) < 1e-12 && Math.abs(top) < 1e6)
+      return minus(`${Math.round(top) + 0}${divisor > 1 ? `/${divisor}` : ""}`);
   }
   return shown(x, 4);
 }

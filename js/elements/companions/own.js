@@ -21,17 +21,37 @@ const FIRST_T = 0.5;
 export function ownSubject({ given: points, t: given, degree, basis: word, matrix: numbers }, check) {
   const matrix = ownMatrix(numbers);
   const known = BASES.some((name) => name === word) || (word === "matrix" && matrix !== null);
-  const basis = /** @type {Basis} */ (check("basis", word, known, `one of ${BASES.join(", ")}, or matrix and 16 numbers in matrix`, BASES[0]));
+  const basis = /** @type {Basis} */ (
+    check("basis", word, known, `one of ${BASES.join(", ")}, or matrix and 16 numbers in matrix`, BASES[0])
+  );
   const t = check("t", given, Number.isFinite(given), "a number", FIRST_T);
   const all = ownPoints(points, check);
   const free = basis === "bezier" || basis === "b-spline";
   const most = Math.min(all.length - 1, MOST_DEGREE);
   const wanted = degree ?? (free ? most : MATRIX_DEGREE);
-  const count = check("degree", wanted, Number.isInteger(wanted) && wanted >= 1 && wanted <= most, `a whole number from 1 to ${most}, for ${all.length} points`, most);
-  const chosen = free ? all.slice(0, count + 1) : all.length > MATRIX_DEGREE ? all.slice(0, MATRIX_DEGREE + 1) : FIRST_POINTS;
+  const count = check(
+    "degree",
+    wanted,
+    Number.isInteger(wanted) && wanted >= 1 && wanted <= most,
+    `a whole number from 1 to ${most}, for ${all.length} points`,
+    most,
+  );
+  const chosen = free
+    ? all.slice(0, count + 1)
+    : all.length > MATRIX_DEGREE
+      ? all.slice(0, MATRIX_DEGREE + 1)
+      : FIRST_POINTS;
   const names = chosen.map((_, i) => `P${i}`);
   const geometry = basis === "hermite" ? withTangents(chosen, names) : { points: chosen, names };
-  return { basis, degree: chosen.length - 1, matrix, t, ...geometry, curve: curveOf(basis, geometry.points, matrix), indices: [] };
+  return {
+    basis,
+    degree: chosen.length - 1,
+    matrix,
+    t,
+    ...geometry,
+    curve: curveOf(basis, geometry.points, matrix),
+    indices: [],
+  };
 }
 
 /**
@@ -42,7 +62,7 @@ export function ownSubject({ given: points, t: given, degree, basis: word, matri
 function curveOf(basis, points, matrix) {
   if (basis === "bezier") return new Curve(points);
   if (points.length !== MATRIX_DEGREE + 1) return null;
-  return Curve.fromBasis(basis === "matrix" ? matrix ?? [] : basis, points);
+  return Curve.fromBasis(basis === "matrix" ? (matrix ?? []) : basis, points);
 }
 
 /**
@@ -51,6 +71,9 @@ function curveOf(basis, points, matrix) {
  * @param {string | null} text
  */
 export function ownMatrix(text) {
-  const numbers = (text ?? "").split(/[\s,;]+/).filter(Boolean).map(readNumber);
+  const numbers = (text ?? "")
+    .split(/[\s,;]+/)
+    .filter(Boolean)
+    .map(readNumber);
   return numbers.length === 16 && !numbers.some(Number.isNaN) ? numbers : null;
 }

@@ -31,8 +31,17 @@ export function plotOf(subject) {
   const rows = ts.map((t) => weightsAt(subject, t));
   const inside = rows.filter((_, k) => ts[k] >= 0 && ts[k] <= 1).flat();
   const beyond = to - from > 1 ? MARGIN : 0;
-  const frame = /** @type {Frame} */ ({ x: [from, to], y: [Math.min(0, ...inside) - beyond, Math.max(1, ...inside) + beyond] });
-  const lines = rows[0].map((_, i) => lineOf(frame, ts, rows.map((row) => row[i])));
+  const frame = /** @type {Frame} */ ({
+    x: [from, to],
+    y: [Math.min(0, ...inside) - beyond, Math.max(1, ...inside) + beyond],
+  });
+  const lines = rows[0].map((_, i) =>
+    lineOf(
+      frame,
+      ts,
+      rows.map((row) => row[i]),
+    ),
+  );
   chooseLabels(lines);
   return { frame, lines };
 }
@@ -54,7 +63,11 @@ function lineOf(frame, ts, values) {
   values.forEach((value, k) => {
     if (ts[k] >= 0 && ts[k] <= 1 && (most < 0 || Math.abs(value) > Math.abs(values[most]) + 1e-9)) most = k;
   });
-  return { points, peak: { x: xOf(frame, ts[most]), y: yOf(frame, values[most]), above: values[most] >= 0 }, labelled: false };
+  return {
+    points,
+    peak: { x: xOf(frame, ts[most]), y: yOf(frame, values[most]), above: values[most] >= 0 },
+    labelled: false,
+  };
 }
 
 /**

@@ -9,7 +9,12 @@ import { ownPoints, pointsText } from "./points.js";
 export class Pointed extends Linked {
   /** @type {import("lit").PropertyDeclarations} */
   static properties = {
-    given: { attribute: "points", reflect: true, useDefault: true, converter: { fromAttribute: (/** @type {string | null} */ text) => text, toAttribute: pointsText } },
+    given: {
+      attribute: "points",
+      reflect: true,
+      useDefault: true,
+      converter: { fromAttribute: (/** @type {string | null} */ text) => text, toAttribute: pointsText },
+    },
     points: { attribute: false, noAccessor: true },
   };
 
@@ -30,6 +35,6 @@ export class Pointed extends Linked {
 
   /** @internal @returns {Place[]} what is shown: the applet's points, or its own */
   places() {
-    return this.target ? this.target.figure?.points ?? [] : ownPoints(this.given, (...args) => this.checked(...args));
+    return this.target ? (this.target.figure?.points ?? []) : ownPoints(this.given, (...args) => this.checked(...args));
   }
 }

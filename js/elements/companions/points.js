@@ -6,7 +6,12 @@ import { readPoints } from "./numbers.js";
 /** @typedef {<T>(name: string, value: T, usable: boolean, expected: string, fallback: T) => T} Check */
 
 /** The first curve of the applet. @type {Place[]} */
-export const FIRST_POINTS = [[70, 330], [110, 90], [235, 120], [325, 230]];
+export const FIRST_POINTS = [
+  [70, 330],
+  [110, 90],
+  [235, 120],
+  [325, 230],
+];
 
 /**
  * The points of an attribute or a property, two at least; else the first curve's.

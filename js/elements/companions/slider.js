@@ -9,7 +9,8 @@ import { shown } from "./numbers.js";
  * @param {(t: number, done: boolean) => void} set
  */
 export function slider(t, [from, to], set) {
-  const slid = (/** @type {Event} */ event) => set(Number(/** @type {HTMLInputElement} */ (event.target).value), event.type === "change");
+  const slid = (/** @type {Event} */ event) =>
+    set(Number(/** @type {HTMLInputElement} */ (event.target).value), event.type === "change");
   return html`<label class="t bar"><i>t</i>
     <input type="range" aria-label="t" min=${from} max=${to} step="0.01" .value=${String(t)} @input=${slid} @change=${slid}>
     <span class="value" aria-hidden="true">${shown(t)}</span></label>`;

@@ -53,7 +53,12 @@ export function subjectOf(figure) {
   const { indices } = piece;
   const points = indices.map((i) => figure.points[i]);
   const names = indices.map((i) => figure.names?.[i] || `P${i}`);
-  return { ...of, degree: indices.length - 1, indices, ...(basis === "hermite" ? withTangents(points, names) : { points, names }) };
+  return {
+    ...of,
+    degree: indices.length - 1,
+    indices,
+    ...(basis === "hermite" ? withTangents(points, names) : { points, names }),
+  };
 }
 
 /**
@@ -63,7 +68,10 @@ export function subjectOf(figure) {
  */
 export function bezierForm(curve) {
   const flat = curve.controlPoints();
-  const points = Array.from({ length: flat.length / 2 }, (_, i) => /** @type {Place} */ ([flat[2 * i], flat[2 * i + 1]]));
+  const points = Array.from(
+    { length: flat.length / 2 },
+    (_, i) => /** @type {Place} */ ([flat[2 * i], flat[2 * i + 1]]),
+  );
   return { points, names: points.map((_, i) => `b${i}`), degree: points.length - 1 };
 }
 
@@ -74,9 +82,14 @@ export function bezierForm(curve) {
  * @param {string[]} names
  */
 export function withTangents([a, b, c, d], [nameA, nameB, nameC, nameD]) {
-  const away = (/** @type {Place} */ to, /** @type {Place} */ from) => /** @type {Place} */ ([to[0] - from[0], to[1] - from[1]]);
+  const away = (/** @type {Place} */ to, /** @type {Place} */ from) =>
+    /** @type {Place} */ ([to[0] - from[0], to[1] - from[1]]);
   const control = { points: [a, b, c, d], names: [nameA, nameB, nameC, nameD] };
-  return { points: [a, d, away(b, a), away(d, c)], names: [nameA, nameD, `${nameB}−${nameA}`, `${nameD}−${nameC}`], control };
+  return {
+    points: [a, d, away(b, a), away(d, c)],
+    names: [nameA, nameD, `${nameB}−${nameA}`, `${nameD}−${nameC}`],
+    control,
+  };
 }
 
 /**
@@ -88,7 +101,12 @@ export function withTangents([a, b, c, d], [nameA, nameB, nameC, nameD]) {
  */
 export function inPoints(subject, m) {
   if (!subject.control) return subject;
-  const matrix = [0, 4, 8, 12].flatMap((row) => [m[row] - m[row + 2], m[row + 2], -m[row + 3] + 0, m[row + 1] + m[row + 3]]);
+  const matrix = [0, 4, 8, 12].flatMap((row) => [
+    m[row] - m[row + 2],
+    m[row + 2],
+    -m[row + 3] + 0,
+    m[row + 1] + m[row + 3],
+  ]);
   return { ...subject, ...subject.control, basis: "matrix", matrix };
 }
 

@@ -16,7 +16,7 @@ export const PRESETS = {
   "ease-in-out": [0.42, 0, 0.58, 1],
   "step back first": [0.36, 0, 0.66, -0.56],
   "go too far": [0.34, 1.56, 0.64, 1],
-  "both": [0.68, -0.6, 0.32, 1.6],
+  both: [0.68, -0.6, 0.32, 1.6],
 };
 /** So many of them are words of CSS. */
 const KEYWORDS = 5;
@@ -28,11 +28,14 @@ const KEYWORDS = 5;
  */
 export function readTiming(text) {
   const word = text.trim().toLowerCase();
-  const keyword = Object.keys(PRESETS).slice(0, KEYWORDS).find((name) => name === word);
+  const keyword = Object.keys(PRESETS)
+    .slice(0, KEYWORDS)
+    .find((name) => name === word);
   if (keyword) return [...PRESETS[keyword]];
   const inside = word.match(/^cubic-bezier\((.*)\)$/)?.[1];
   const numbers = inside?.split(",").map(readNumber) ?? [];
-  if (numbers.length !== 4 || numbers.some(Number.isNaN)) throw new RangeError(`expected cubic-bezier(x1, y1, x2, y2), got ${quoted(text)}`);
+  if (numbers.length !== 4 || numbers.some(Number.isNaN))
+    throw new RangeError(`expected cubic-bezier(x1, y1, x2, y2), got ${quoted(text)}`);
   ["x1", "", "x2"].forEach((name, k) => name && checkAbscissa(name, numbers[k]));
   return /** @type {Handles} */ (numbers);
 }
@@ -100,7 +103,8 @@ export function down([low, high], y) {
  */
 export function placeAt([low, high], left, top) {
   const x = (left * SQUARE.width - SQUARE.side) / (SQUARE.width - 2 * SQUARE.side);
-  const clamp = (/** @type {number} */ value, /** @type {number} */ least, /** @type {number} */ most) => Math.min(Math.max(value, least), most);
+  const clamp = (/** @type {number} */ value, /** @type {number} */ least, /** @type {number} */ most) =>
+    Math.min(Math.max(value, least), most);
   return [rounded(clamp(x, 0, 1)), rounded(clamp(high - top * (high - low), low, high))];
 }
 

@@ -83,7 +83,10 @@ function uniformWeights(degree, t) {
   let weights = [1];
   for (let n = 1; n <= degree; n++) {
     const before = weights;
-    weights = Array.from({ length: n + 1 }, (_, i) => ((t + n - i) * (before[i - 1] ?? 0) + (i + 1 - t) * (before[i] ?? 0)) / n);
+    weights = Array.from(
+      { length: n + 1 },
+      (_, i) => ((t + n - i) * (before[i - 1] ?? 0) + (i + 1 - t) * (before[i] ?? 0)) / n,
+    );
   }
   return weights;
 }

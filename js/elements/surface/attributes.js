@@ -10,9 +10,27 @@ const flag = { type: Boolean, reflect: true };
 /** All that can be written as an attribute; what it means is documented in ../types.js. */
 export class SurfaceAttributes extends LitElement {
   static properties = {
-    model: text, parts: text, height: text, up: text, shading: text, show: text, evaluation: text, label: text, probe: text,
-    segments: number, tolerance: number, pixels: number, flatness: number, lines: number, u: number, v: number, step: number, patch: number,
-    controls: flag, turn: flag, swept: flag,
+    model: text,
+    parts: text,
+    height: text,
+    up: text,
+    shading: text,
+    show: text,
+    evaluation: text,
+    label: text,
+    probe: text,
+    segments: number,
+    tolerance: number,
+    pixels: number,
+    flatness: number,
+    lines: number,
+    u: number,
+    v: number,
+    step: number,
+    patch: number,
+    controls: flag,
+    turn: flag,
+    swept: flag,
   };
 
   #memo = new Memo();
@@ -55,8 +73,44 @@ export class SurfaceAttributes extends LitElement {
    * @returns {import("./settings.js").Settings}
    */
   settings() {
-    const { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept, probe } = this;
-    const given = { model, parts, height, up, segments, tolerance, pixels, flatness, lines, shading, show, evaluation, u, v, step, swept, probe };
+    const {
+      model,
+      parts,
+      height,
+      up,
+      segments,
+      tolerance,
+      pixels,
+      flatness,
+      lines,
+      shading,
+      show,
+      evaluation,
+      u,
+      v,
+      step,
+      swept,
+      probe,
+    } = this;
+    const given = {
+      model,
+      parts,
+      height,
+      up,
+      segments,
+      tolerance,
+      pixels,
+      flatness,
+      lines,
+      shading,
+      show,
+      evaluation,
+      u,
+      v,
+      step,
+      swept,
+      probe,
+    };
     return this.#memo.get("settings", Object.values(given), () => settingsOf(given));
   }
 }

@@ -26,7 +26,11 @@ export function errorBound(surface, n) {
 function secondDerivatives(patch) {
   const [n, m, net] = [patch.degreeU, patch.degreeV, patch.controlPoints()];
   const size = (/** @type {[number, number, number][]} */ ...terms) =>
-    Math.hypot(...[0, 1, 2].map((axis) => terms.reduce((sum, [i, j, weight]) => sum + weight * net[3 * (j * (n + 1) + i) + axis], 0)));
+    Math.hypot(
+      ...[0, 1, 2].map((axis) =>
+        terms.reduce((sum, [i, j, weight]) => sum + weight * net[3 * (j * (n + 1) + i) + axis], 0),
+      ),
+    );
   let [uu, uv, vv] = [0, 0, 0];
   for (let j = 0; j <= m; j++) {
     for (let i = 0; i <= n; i++) {

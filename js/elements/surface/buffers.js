@@ -39,7 +39,10 @@ export class Batch {
     if (this.#refill(arrays, indices)) return;
     this.drop();
     this.#version = version;
-    const specified = /** @type {any} */ ({ ...arrays, ...(indices && { indices: { numComponents: 3, data: indices } }) });
+    const specified = /** @type {any} */ ({
+      ...arrays,
+      ...(indices && { indices: { numComponents: 3, data: indices } }),
+    });
     this.#info = twgl.createBufferInfoFromArrays(this.#gl, specified);
     this.#array = twgl.createVAOFromBufferInfo(this.#gl, program, this.#info);
   }
@@ -74,7 +77,8 @@ export class Batch {
     const [gl, info] = [this.#gl, this.#info];
     if (!info || this.#length === 0) return;
     gl.bindVertexArray(this.#array);
-    if (info.indices) gl.drawElementsInstanced(mode, this.#length, info.elementType ?? gl.UNSIGNED_SHORT, 0, instances ?? 1);
+    if (info.indices)
+      gl.drawElementsInstanced(mode, this.#length, info.elementType ?? gl.UNSIGNED_SHORT, 0, instances ?? 1);
     else gl.drawArraysInstanced(mode, 0, this.#length, instances ?? 1);
     gl.bindVertexArray(null);
   }

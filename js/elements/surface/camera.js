@@ -46,7 +46,8 @@ const NEAREST = 0.02;
 export function moved(view, changes) {
   const finite = Object.fromEntries(Object.entries(changes).filter(([, value]) => Number.isFinite(value)));
   const { turn, tilt, zoom, panX, panY } = { ...view, ...finite };
-  const clamp = (/** @type {number} */ x, /** @type {number} */ least, /** @type {number} */ most) => Math.min(Math.max(x, least), most);
+  const clamp = (/** @type {number} */ x, /** @type {number} */ least, /** @type {number} */ most) =>
+    Math.min(Math.max(x, least), most);
   return {
     turn: ((((turn + 180) % 360) + 360) % 360) - 180,
     tilt: clamp(tilt, -MOST_TILT, MOST_TILT),
@@ -85,7 +86,10 @@ export function radiiPerPixel({ zoom }, width, height) {
  * @returns {Frame}
  */
 export function frameOf(points, up) {
-  const [min, max] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  const [min, max] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
   for (let i = 0; i < points.length; i++) {
     min[i % 3] = Math.min(min[i % 3], points[i]);
     max[i % 3] = Math.max(max[i % 3], points[i]);
@@ -93,7 +97,8 @@ export function frameOf(points, up) {
   if (points.length === 0) return { centre: [0, 0, 0], radius: 1, up };
   const centre = /** @type {Vector} */ (min.map((low, k) => low / 2 + max[k] / 2));
   let radius = 0;
-  for (let i = 0; i < points.length; i += 3) radius = Math.max(radius, Math.hypot(...centre.map((c, k) => points[i + k] - c)));
+  for (let i = 0; i < points.length; i += 3)
+    radius = Math.max(radius, Math.hypot(...centre.map((c, k) => points[i + k] - c)));
   return { centre, radius: radius || 1, up };
 }
 
@@ -108,15 +113,31 @@ export function sightOf({ turn, tilt, zoom, panX, panY }, { centre, radius, up }
   const least = fittedSide(width, height);
   const slope = SLOPE / zoom; // by the lens: the eye never gets into the surface
   const distance = radius / (SLOPE * FILLED);
-  const projection = perspective((slope * width) / least, (slope * height) / least, Math.max(distance - DEPTH_RADII * radius, NEAREST * distance), distance + DEPTH_RADII * radius);
+  const projection = perspective(
+    (slope * width) / least,
+    (slope * height) / least,
+    Math.max(distance - DEPTH_RADII * radius, NEAREST * distance),
+    distance + DEPTH_RADII * radius,
+  );
   const upright = up === "y" ? aboutX(90) : translation(0, 0, 0);
   const turned = multiply(multiply(aboutX(tilt - 90), aboutZ(turn)), upright);
-  const view = multiply(translation(panX * radius, panY * radius, -distance), multiply(turned, translation(-centre[0], -centre[1], -centre[2])));
+  const view = multiply(
+    translation(panX * radius, panY * radius, -distance),
+    multiply(turned, translation(-centre[0], -centre[1], -centre[2])),
+  );
   const row = (/** @type {number} */ r) => /** @type {Vector} */ ([view[r], view[r + 4], view[r + 8]]);
   const [right, upward, backward] = [row(0), row(1), row(2)];
   const along = (/** @type {number} */ k) => -(view[12] * right[k] + view[13] * upward[k] + view[14] * backward[k]);
   const forward = /** @type {Vector} */ (backward.map((x) => -x));
-  return { view, projection, viewProjection: multiply(projection, view), right, upward, forward, eye: [along(0), along(1), along(2)] };
+  return {
+    view,
+    projection,
+    viewProjection: multiply(projection, view),
+    right,
+    upward,
+    forward,
+    eye: [along(0), along(1), along(2)],
+  };
 }
 
 /**
@@ -131,7 +152,7 @@ export function sightOf({ turn, tilt, zoom, panX, panY }, { centre, radius, up }
  */
 export function placeOf(sight, point, at, width, height) {
   const [x, y, , w] = image(sight.viewProjection, point, at);
-  return w > 0 ? [(x / w + 1) * width / 2, (1 - y / w) * height / 2] : null;
+  return w > 0 ? [((x / w + 1) * width) / 2, ((1 - y / w) * height) / 2] : null;
 }
 
 /**

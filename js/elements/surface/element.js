@@ -69,7 +69,8 @@ export class BezierSurface extends SurfaceAttributes {
 
   /** @param {Surface | null} surface */
   set surface(surface) {
-    if (surface !== null && !(surface instanceof Surface)) throw new TypeError(`surface: expected a Surface or null, got ${typeof surface}`);
+    if (surface !== null && !(surface instanceof Surface))
+      throw new TypeError(`surface: expected a Surface or null, got ${typeof surface}`);
     this.#subject.given = surface;
     this.patch = null;
     this.requestUpdate();
@@ -125,7 +126,9 @@ export class BezierSurface extends SurfaceAttributes {
    * @param {(inside: boolean) => void} act
    */
   #watch(margin, act) {
-    const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), { rootMargin: margin });
+    const observer = new IntersectionObserver((entries) => act(entries[entries.length - 1].isIntersecting), {
+      rootMargin: margin,
+    });
     observer.observe(this);
     return observer;
   }
@@ -186,7 +189,10 @@ export class BezierSurface extends SurfaceAttributes {
       stateChanged: (state) => this.#setState(state),
       turning: () => this.#visible && this.#turns(),
     });
-    this.#handles ??= new Handles(find(".overlay"), { moved: (...args) => this.#pulled(...args), sight: () => this.#stage?.sight() ?? null });
+    this.#handles ??= new Handles(find(".overlay"), {
+      moved: (...args) => this.#pulled(...args),
+      sight: () => this.#stage?.sight() ?? null,
+    });
     const gestures = new Gestures(canvas, {
       view: () => this.view,
       move: (changes, done) => this.#moveByHand(changes, done),
@@ -281,7 +287,11 @@ export class BezierSurface extends SurfaceAttributes {
     const { origin, direction } = rayThrough(seen.sight, x, y, seen.width, seen.height);
     const [hit] = this.#scene().surface.intersectRay(origin, direction);
     this.patch = hit?.patch ?? null;
-    if (hit && ["casteljau", "place", "derivatives"].some((each) => this.settings().layers.has(/** @type {any} */ (each)))) Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
+    if (
+      hit &&
+      ["casteljau", "place", "derivatives"].some((each) => this.settings().layers.has(/** @type {any} */ (each)))
+    )
+      Object.assign(this, { u: rounded(hit.u), v: rounded(hit.v) });
     this.#fire("change");
   }
 
@@ -323,14 +333,22 @@ export class BezierSurface extends SurfaceAttributes {
 
   render() {
     const settings = this.settings();
-    const name = this.label || `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
+    const name =
+      this.label ||
+      `${this.#subject.given ? "A surface of Bézier patches" : MODEL_NAMES[settings.model]}, in three dimensions`;
     const zoomed = (/** @type {number} */ factor) => () => this.#moveByHand({ zoom: this.view.zoom * factor }, true);
     return frame({
       name,
       blank: !this.#drawn,
       message: this.#desk.message || STATES[this.#state],
       facts: this.#facts,
-      tools: { turning: this.#turns(), toggle: () => this.#toggleTurning(), nearer: zoomed(ZOOM_STEP), farther: zoomed(1 / ZOOM_STEP), home: () => this.#moveByHand(HOME, true) },
+      tools: {
+        turning: this.#turns(),
+        toggle: () => this.#toggleTurning(),
+        nearer: zoomed(ZOOM_STEP),
+        farther: zoomed(1 / ZOOM_STEP),
+        home: () => this.#moveByHand(HOME, true),
+      },
       panel: this.controls ? this.#panelPort() : null,
     });
   }

@@ -6,7 +6,14 @@ import { patchesOf } from "./patches.js";
  * @import { Facts, Scene } from "./geometry.js"
  */
 
-const NOTHING = { triangles: 0, vertices: 0, error: null, unit: /** @type {"" | "px"} */ (""), ms: null, recursion: null };
+const NOTHING = {
+  triangles: 0,
+  vertices: 0,
+  error: null,
+  unit: /** @type {"" | "px"} */ (""),
+  ms: null,
+  recursion: null,
+};
 
 /**
  * @param {Scene} scene

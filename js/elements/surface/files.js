@@ -20,7 +20,8 @@ export async function surfaceIn(file) {
   }
   const surface = Surface.parse(await file.text());
   if (surface.patchCount === 0) throw new RangeError("expected patches, got none");
-  if (surface.patchCount > MOST_PATCHES) throw new RangeError(`expected at most ${MOST_PATCHES} patches, got ${surface.patchCount}`);
+  if (surface.patchCount > MOST_PATCHES)
+    throw new RangeError(`expected at most ${MOST_PATCHES} patches, got ${surface.patchCount}`);
   return surface;
 }
 
@@ -44,7 +45,8 @@ export function meshFile(mesh, kind, up) {
  * @param {Mesh} mesh
  */
 function raised(mesh) {
-  const turn = (/** @type {Float32Array | Float64Array} */ numbers) => numbers.map((x, i) => (i % 3 === 0 ? x : i % 3 === 1 ? numbers[i + 1] : -numbers[i - 1]));
+  const turn = (/** @type {Float32Array | Float64Array} */ numbers) =>
+    numbers.map((x, i) => (i % 3 === 0 ? x : i % 3 === 1 ? numbers[i + 1] : -numbers[i - 1]));
   return new Mesh({ ...mesh, positions: turn(mesh.positions), normals: turn(mesh.normals) });
 }
 
@@ -69,7 +71,8 @@ export function save(page, name, blob) {
  * @returns {() => void} ends it
  */
 export function acceptDrops(target, dropped) {
-  const over = (/** @type {DragEvent} */ event) => event.dataTransfer?.types.includes("Files") && event.preventDefault();
+  const over = (/** @type {DragEvent} */ event) =>
+    event.dataTransfer?.types.includes("Files") && event.preventDefault();
   const drop = (/** @type {DragEvent} */ event) => {
     const file = event.dataTransfer?.files[0];
     if (!file) return;

@@ -97,7 +97,11 @@ export class Geometry {
       this.#ms = ms;
       return mesh;
     };
-    return this.#memo.get("mesh", [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, method, sight], make);
+    return this.#memo.get(
+      "mesh",
+      [surface, ...Object.values(fineness), Object.keys(fineness)[0], own, method, sight],
+      make,
+    );
   }
 
   /**
@@ -126,7 +130,9 @@ export class Geometry {
    * @returns {Mesh}
    */
   closedMesh({ surface, settings: { fineness } }) {
-    return "segments" in fineness ? surface.tessellate(fineness) : this.#make(surface, fineness, false, "bernstein", undefined);
+    return "segments" in fineness
+      ? surface.tessellate(fineness)
+      : this.#make(surface, fineness, false, "bernstein", undefined);
   }
 
   /**
@@ -185,9 +191,15 @@ export class Geometry {
    * @returns {Mesh}
    */
   wires(kind, scene) {
-    const { frame, settings: { lines: count } } = scene;
+    const {
+      frame,
+      settings: { lines: count },
+    } = scene;
     const surface = this.shown(scene);
-    const size = kind === "tubes" ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES } : { width: frame.radius * RIBBON_WIDTH };
+    const size =
+      kind === "tubes"
+        ? { radius: frame.radius * TUBE_RADIUS, sides: TUBE_SIDES }
+        : { width: frame.radius * RIBBON_WIDTH };
     const make = (/** @type {Mesh | undefined} */ into) => {
       const [mesh, ms] = timed(() => surface.wireframe({ lines: count, ...size, into }));
       this.#wiresMs[kind] = ms;
@@ -208,12 +220,16 @@ export class Geometry {
 
   /** @param {Scene} scene */
   outline({ surface, picked }) {
-    return this.#memo.get("outline", [surface, picked], () => (picked === null ? new Float32Array() : lines.outline(patchesOf(surface)[picked])));
+    return this.#memo.get("outline", [surface, picked], () =>
+      picked === null ? new Float32Array() : lines.outline(patchesOf(surface)[picked]),
+    );
   }
 
   /** @param {Scene} scene */
   casteljau({ surface, picked, settings: { u, v, step } }) {
-    return this.#memo.get("casteljau", [surface, picked, u, v, step], () => lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step));
+    return this.#memo.get("casteljau", [surface, picked, u, v, step], () =>
+      lines.casteljau(patchesOf(surface)[picked ?? 0], u, v, step),
+    );
   }
 
   /** The point that the page asks about, the nearest one of the surface, and the way between them. @param {Scene} scene */
@@ -222,7 +238,11 @@ export class Geometry {
       const found = probe && surface.nearest(probe);
       if (!found) return null;
       const { x, y, z = 0 } = found.point;
-      return { way: Float32Array.from([...probe, x, y, z]), at: Float32Array.from(probe), nearest: Float32Array.of(x, y, z) };
+      return {
+        way: Float32Array.from([...probe, x, y, z]),
+        at: Float32Array.from(probe),
+        nearest: Float32Array.of(x, y, z),
+      };
     });
   }
 
@@ -233,7 +253,9 @@ export class Geometry {
 
   /** The derivatives and the normal at (u, v). @param {Scene} scene */
   derivatives({ surface, picked, frame, settings: { u, v } }) {
-    return this.#memo.get("derivatives", [surface, picked, u, v], () => arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius));
+    return this.#memo.get("derivatives", [surface, picked, u, v], () =>
+      arrowsAt(patchesOf(surface)[picked ?? 0], u, v, frame.radius),
+    );
   }
 
   /**
@@ -246,7 +268,9 @@ export class Geometry {
     const { layers } = scene.settings;
     const shown = layers.has("surface") || layers.has("mesh");
     /** @type {Facts} */
-    const facts = shown ? this.#meshFacts(scene) : { triangles: 0, vertices: 0, ms: 0, error: null, unit: "", recursion: null };
+    const facts = shown
+      ? this.#meshFacts(scene)
+      : { triangles: 0, vertices: 0, ms: 0, error: null, unit: "", recursion: null };
     for (const kind of WIRES) {
       if (!layers.has(kind)) continue;
       const { indices, positions } = this.wires(kind, scene);
@@ -262,15 +286,30 @@ export class Geometry {
    * @returns {Facts}
    */
   #meshFacts(scene) {
-    const { surface, settings: { fineness } } = scene;
+    const {
+      surface,
+      settings: { fineness },
+    } = scene;
     if (this.onGpu(scene) && "segments" in fineness) {
       const { segments } = fineness;
       const count = surface.patchCount;
-      return { triangles: 2 * count * segments ** 2, vertices: count * (segments + 1) ** 2, ms: null, ...this.#error(scene), recursion: null };
+      return {
+        triangles: 2 * count * segments ** 2,
+        vertices: count * (segments + 1) ** 2,
+        ms: null,
+        ...this.#error(scene),
+        recursion: null,
+      };
     }
     const mesh = this.mesh(scene);
     const recursion = this.#recursion(scene);
-    return { triangles: mesh.indices.length / 3, vertices: mesh.positions.length / 3, ms: this.#ms, ...this.#error(scene), recursion };
+    return {
+      triangles: mesh.indices.length / 3,
+      vertices: mesh.positions.length / 3,
+      ms: this.#ms,
+      ...this.#error(scene),
+      recursion,
+    };
   }
 
   /**
@@ -283,7 +322,10 @@ export class Geometry {
     if ("flatness" in fineness) return { error: null, unit: "" }; // it bounds no distance
     if ("tolerance" in fineness) return { error: fineness.tolerance, unit: "" };
     if ("pixels" in fineness) return { error: fineness.pixels, unit: "px" };
-    return { error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)), unit: "" };
+    return {
+      error: this.#memo.get("error", [surface, fineness.segments], () => errorBound(surface, fineness.segments)),
+      unit: "",
+    };
   }
 
   /**
@@ -292,7 +334,14 @@ export class Geometry {
    */
   #recursion(scene) {
     const cracks = this.cracks(scene);
-    return cracks && { pieces: this.#pieces.length, depth: depthOf(this.#pieces), cracks: cracks.triangles.length / 9, widest: cracks.widest };
+    return (
+      cracks && {
+        pieces: this.#pieces.length,
+        depth: depthOf(this.#pieces),
+        cracks: cracks.triangles.length / 9,
+        widest: cracks.widest,
+      }
+    );
   }
 }
 

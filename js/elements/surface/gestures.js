@@ -151,7 +151,11 @@ export class Gestures {
     if (arrow && event.shiftKey) {
       const scale = PAN_PER_KEY / view.zoom;
       this.#port.move({ panX: view.panX + arrow[0] * scale, panY: view.panY - arrow[1] * scale }, true);
-    } else if (arrow) this.#port.move({ turn: view.turn + arrow[0] * DEGREES_PER_KEY, tilt: view.tilt + arrow[1] * DEGREES_PER_KEY }, true);
+    } else if (arrow)
+      this.#port.move(
+        { turn: view.turn + arrow[0] * DEGREES_PER_KEY, tilt: view.tilt + arrow[1] * DEGREES_PER_KEY },
+        true,
+      );
     else if (event.key === "+" || event.key === "=") this.#port.move({ zoom: view.zoom * ZOOM_STEP }, true);
     else if (event.key === "-" || event.key === "_") this.#port.move({ zoom: view.zoom / ZOOM_STEP }, true);
     else if (event.key === "0") this.#port.home();

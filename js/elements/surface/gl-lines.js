@@ -41,11 +41,15 @@ export class GlLines {
     const { scene, geometry, theme } = picture;
     const { layers } = scene.settings;
     if (layers.has("mesh") && onGpu) this.#gridEdges(picture);
-    else if (layers.has("mesh")) this.#bands(picture, "edges", geometry.edges(scene), { colour: theme.line, width: THIN, alpha: MESH_ALPHA });
-    if (layers.has("isocurves")) this.#bands(picture, "isocurves", geometry.isocurves(scene), { colour: theme.ink, width: MIDDLE });
+    else if (layers.has("mesh"))
+      this.#bands(picture, "edges", geometry.edges(scene), { colour: theme.line, width: THIN, alpha: MESH_ALPHA });
+    if (layers.has("isocurves"))
+      this.#bands(picture, "isocurves", geometry.isocurves(scene), { colour: theme.ink, width: MIDDLE });
     this.#cracks(picture);
-    if (scene.picked !== null && scene.surface.patchCount > 1) this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
-    if (layers.has("net")) this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
+    if (scene.picked !== null && scene.surface.patchCount > 1)
+      this.#bands(picture, "outline", geometry.outline(scene), { colour: theme.ink, width: MIDDLE, hidden: true });
+    if (layers.has("net"))
+      this.#bands(picture, "net", geometry.net(scene), { colour: theme.handle, width: MIDDLE, hidden: true });
     if (layers.has("casteljau") && scene.surface.patchCount) this.#casteljau(picture);
     this.#probe(picture);
     if (layers.has("place") && scene.surface.patchCount) this.#place(picture);
@@ -63,7 +67,11 @@ export class GlLines {
     if (!cracks || !scene.settings.layers.has("surface")) return;
     const program = this.#kit.program("plain");
     const batch = this.#kit.batch("gaps");
-    batch.fill(this.#versions.of(cracks.triangles), () => ({ arrays: { position: { numComponents: 3, data: cracks.triangles } } }), program);
+    batch.fill(
+      this.#versions.of(cracks.triangles),
+      () => ({ arrays: { position: { numComponents: 3, data: cracks.triangles } } }),
+      program,
+    );
     this.#kit.gl.useProgram(program.program);
     twgl.setUniforms(program, { view: sight.view, projection: sight.projection, ink: [...theme.gap, 1] });
     batch.draw(this.#kit.gl.TRIANGLES);
@@ -117,7 +125,10 @@ export class GlLines {
    * @param {Picture} picture
    */
   #gridEdges(picture) {
-    const { surface, settings: { segments } } = picture.scene;
+    const {
+      surface,
+      settings: { segments },
+    } = picture.scene;
     const program = this.#kit.program("edges");
     const make = () => {
       const { ends, indices } = unitEdges(segments);
@@ -162,7 +173,14 @@ export class GlLines {
     const halfWidth = (pen.width * ratio) / 2;
     const ink = [...pen.colour, pen.alpha ?? 1];
     const cap = pen.alpha === undefined ? ROUND : 0; // pieces that let something through must not overlap
-    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, viewport: [width / 2, height / 2], width: halfWidth, ink, cap });
+    twgl.setUniforms(program, {
+      view: sight.view,
+      projection: sight.projection,
+      viewport: [width / 2, height / 2],
+      width: halfWidth,
+      ink,
+      cap,
+    });
   }
 
   /**
@@ -177,10 +195,21 @@ export class GlLines {
     const gl = this.#kit.gl;
     const program = this.#kit.program("points");
     const batch = this.#kit.batch(name);
-    batch.fill(this.#versions.of(points), () => ({ arrays: { position: { numComponents: 3, data: points } } }), program);
+    batch.fill(
+      this.#versions.of(points),
+      () => ({ arrays: { position: { numComponents: 3, data: points } } }),
+      program,
+    );
     gl.useProgram(program.program);
     gl.disable(gl.DEPTH_TEST);
-    twgl.setUniforms(program, { view: sight.view, projection: sight.projection, width: size * ratio, ink: [...colour, 1], paper: theme.paper, diamond });
+    twgl.setUniforms(program, {
+      view: sight.view,
+      projection: sight.projection,
+      width: size * ratio,
+      ink: [...colour, 1],
+      paper: theme.paper,
+      diamond,
+    });
     batch.draw(gl.POINTS);
     gl.enable(gl.DEPTH_TEST);
   }

@@ -73,7 +73,10 @@ export class GlView {
       arrays: {
         position: { numComponents: 3, data: /** @type {Float32Array} */ (mesh.positions) },
         normal: { numComponents: 3, data: /** @type {Float32Array} */ (mesh.normals) },
-        patchId: { numComponents: 1, data: Float32Array.from(mesh.patchIds ?? { length: mesh.positions.length / 3 }, (id) => id ?? 0) },
+        patchId: {
+          numComponents: 1,
+          data: Float32Array.from(mesh.patchIds ?? { length: mesh.positions.length / 3 }, (id) => id ?? 0),
+        },
         curvature: { numComponents: 2, data: curvatures ?? new Float32Array((2 * mesh.positions.length) / 3) },
       },
       indices: mesh.indices,
@@ -112,7 +115,10 @@ export class GlView {
    * @param {Picture} picture
    */
   #patches(picture) {
-    const { surface, settings: { segments } } = picture.scene;
+    const {
+      surface,
+      settings: { segments },
+    } = picture.scene;
     const program = this.#kit.program("patches");
     const make = () => {
       const { uv, indices } = unitGrid(segments);

@@ -50,7 +50,8 @@ export class Handles {
   constructor(overlay, port) {
     this.#overlay = overlay;
     this.#port = port;
-    const on = (/** @type {string} */ type, /** @type {(event: any) => void} */ listener) => overlay.addEventListener(type, listener);
+    const on = (/** @type {string} */ type, /** @type {(event: any) => void} */ listener) =>
+      overlay.addEventListener(type, listener);
     on("pointerdown", (event) => this.#down(event));
     on("pointermove", (event) => this.#pulled(event));
     on("pointerup", (event) => this.#released(event, true));
@@ -111,7 +112,8 @@ export class Handles {
       const inside = at && at[0] >= 0 && at[1] >= 0 && at[0] <= width && at[1] <= height;
       button.hidden = !inside && !button.matches(":focus");
       if (!at || button.hidden) return;
-      const clamped = (/** @type {number} */ x, /** @type {number} */ most) => Math.min(Math.max(x, 0), most).toFixed(2);
+      const clamped = (/** @type {number} */ x, /** @type {number} */ most) =>
+        Math.min(Math.max(x, 0), most).toFixed(2);
       button.style.translate = `${clamped(at[0], width)}px ${clamped(at[1], height)}px`;
     });
   }
@@ -134,7 +136,13 @@ export class Handles {
     event.preventDefault();
     this.#buttons[i].focus({ preventScroll: true });
     this.#overlay.setPointerCapture(event.pointerId);
-    this.#drags.set(event.pointerId, { vertex: this.#vertices[i], x: event.clientX, y: event.clientY, before: this.#pointAt(i), moved: false });
+    this.#drags.set(event.pointerId, {
+      vertex: this.#vertices[i],
+      x: event.clientX,
+      y: event.clientY,
+      before: this.#pointAt(i),
+      moved: false,
+    });
   }
 
   /** @param {number} i */
@@ -177,7 +185,12 @@ export class Handles {
     if (i < 0 || !way || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
     const step = event.shiftKey ? WIDE_STEP_PX : event.altKey ? FINE_STEP_PX : STEP_PX;
-    this.#shift(this.#vertices[i], this.#pointAt(i), way.map((x) => x * step), true);
+    this.#shift(
+      this.#vertices[i],
+      this.#pointAt(i),
+      way.map((x) => x * step),
+      true,
+    );
   }
 
   /**
@@ -192,6 +205,10 @@ export class Handles {
     const { sight, width, height } = seen;
     const flat = shiftOf(sight, from, dx, dy, width, height);
     const unit = Math.hypot(...shiftOf(sight, from, 1, 0, width, height));
-    this.#port.moved(vertex, from.map((x, k) => x + flat[k] + away * unit * sight.forward[k]), done);
+    this.#port.moved(
+      vertex,
+      from.map((x, k) => x + flat[k] + away * unit * sight.forward[k]),
+      done,
+    );
   }
 }

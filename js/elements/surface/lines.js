@@ -77,7 +77,11 @@ export function outline(patch) {
 export function place(patch, u, v) {
   const at = patch.eval(u, v);
   const pieces = (/** @type {Curve} */ curve) => Float32Array.from(chain(curve.sample(2 * PIECES)));
-  return { ofU: pieces(patch.isocurveAtU(u)), ofV: pieces(patch.isocurveAtV(v)), at: Float32Array.of(at.x, at.y, at.z ?? 0) };
+  return {
+    ofU: pieces(patch.isocurveAtU(u)),
+    ofV: pieces(patch.isocurveAtV(v)),
+    at: Float32Array.of(at.x, at.y, at.z ?? 0),
+  };
 }
 
 /**
@@ -109,7 +113,9 @@ function net(patch) {
 function linesOf({ degreeU, degreeV }, points) {
   const width = 3 * (degreeU + 1);
   const rows = Array.from({ length: degreeV + 1 }, (_, j) => points.slice(j * width, (j + 1) * width));
-  const columns = Array.from({ length: degreeU + 1 }, (_, i) => Float64Array.from(rows.flatMap((row) => [...row.subarray(3 * i, 3 * i + 3)])));
+  const columns = Array.from({ length: degreeU + 1 }, (_, i) =>
+    Float64Array.from(rows.flatMap((row) => [...row.subarray(3 * i, 3 * i + 3)])),
+  );
   return [rows, columns];
 }
 
@@ -137,7 +143,8 @@ function linesOf({ degreeU, degreeV }, points) {
 export function casteljau(patch, u, v, step) {
   const rows = linesOf(patch, patch.controlPoints())[0].map((row) => new Curve(row, { dimension: 3 }));
   const column = patch.isocurveAtU(u);
-  const from = (/** @type {number} */ least, /** @type {() => number[]} */ make) => Float32Array.from(step >= least ? make() : []);
+  const from = (/** @type {number} */ least, /** @type {() => number[]} */ make) =>
+    Float32Array.from(step >= least ? make() : []);
   const at = patch.eval(u, v);
   return {
     rowLines: from(1, () => rows.flatMap((row) => dividing(row, u))),

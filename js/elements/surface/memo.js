@@ -18,7 +18,8 @@ export class Memo {
    */
   get(name, inputs, make) {
     const kept = this.#kept.get(name);
-    if (kept && kept.inputs.length === inputs.length && kept.inputs.every((input, i) => Object.is(input, inputs[i]))) return kept.value;
+    if (kept && kept.inputs.length === inputs.length && kept.inputs.every((input, i) => Object.is(input, inputs[i])))
+      return kept.value;
     const value = make(kept?.value);
     this.#kept.set(name, { inputs, value, version: ++this.#versions });
     return value;

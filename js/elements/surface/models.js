@@ -19,7 +19,9 @@ export function surfaceNamed({ model, parts, height, up }) {
   if (model === "patch") return hill(up);
   if (model === "teacup") return Surface.teacup({ up });
   if (model === "teaspoon") return Surface.teaspoon({ up });
-  const options = Object.fromEntries(["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, parts.has(/** @type {any} */ (part))]));
+  const options = Object.fromEntries(
+    ["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, parts.has(/** @type {any} */ (part))]),
+  );
   return Surface.teapot({ ...options, height, up });
 }
 

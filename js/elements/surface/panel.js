@@ -1,7 +1,27 @@
 // The controls below the picture: native form controls that set the element's properties.
 import { html, nothing } from "lit";
-import { AXES, EVALUATIONS, HEIGHTS, LAYERS, MODELS, MOST_LINES, MOST_SEGMENTS, PARTS, SHADINGS, STEPS, toggled } from "./settings.js";
-import { EVALUATION_NAMES, figures, FINENESS_NAMES, LAYER_NAMES, MODEL_NAMES, SHADING_NAMES, STEP_WORDS } from "./words.js";
+import {
+  AXES,
+  EVALUATIONS,
+  HEIGHTS,
+  LAYERS,
+  MODELS,
+  MOST_LINES,
+  MOST_SEGMENTS,
+  PARTS,
+  SHADINGS,
+  STEPS,
+  toggled,
+} from "./settings.js";
+import {
+  EVALUATION_NAMES,
+  figures,
+  FINENESS_NAMES,
+  LAYER_NAMES,
+  MODEL_NAMES,
+  SHADING_NAMES,
+  STEP_WORDS,
+} from "./words.js";
 
 /**
  * @import { Settings } from "./settings.js"
@@ -60,7 +80,8 @@ function select(name, label, words, chosen, names, { set }) {
  */
 function choice(label, words, chosen, names, act) {
   const changed = (/** @type {Event} */ event) => act(/** @type {HTMLSelectElement} */ (event.target).value);
-  const option = (/** @type {string} */ word) => html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
+  const option = (/** @type {string} */ word) =>
+    html`<option value=${word} .selected=${word === chosen}>${names[word] ?? word}</option>`;
   return html`<label class="line"><span>${label}</span><select @change=${changed}>${words.map(option)}</select></label>`;
 }
 
@@ -72,7 +93,8 @@ function choice(label, words, chosen, names, act) {
  * @param {PanelPort} port
  */
 function slider(name, label, value, { min, max, step }, { set }) {
-  const to = (/** @type {"input" | "change"} */ type) => (/** @type {Event} */ event) => set(name, Number(/** @type {HTMLInputElement} */ (event.target).value), type);
+  const to = (/** @type {"input" | "change"} */ type) => (/** @type {Event} */ event) =>
+    set(name, Number(/** @type {HTMLInputElement} */ (event.target).value), type);
   return html`<label class="line"><span>${label}</span>
     <input type="range" name=${name} min=${min} max=${max} step=${step} .value=${String(value)} @input=${to("input")} @change=${to("change")}>
     <span class="value" aria-hidden="true">${step < 1 ? value.toFixed(2) : value}</span></label>`;
@@ -96,7 +118,8 @@ function modelControls(port) {
     return html`<fieldset><legend>Model</legend><p class="note">A surface of your own, of ${port.patches === 1 ? "one patch" : `${port.patches} patches`}.</p>
       <button type="button" @click=${port.backToModel}>Back to the ${MODEL_NAMES[model].toLowerCase()}</button></fieldset>`;
   }
-  const part = (/** @type {import("./settings.js").Part} */ each) => box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
+  const part = (/** @type {import("./settings.js").Part} */ each) =>
+    box(each, parts.has(each), (on) => set("parts", toggled(parts, PARTS, each, on), "change"));
   return html`<fieldset><legend>Model</legend>
     ${select("model", "Shape", MODELS, model, MODEL_NAMES, port)}
     ${model === "teapot" ? select("height", "Height", HEIGHTS, settings.height, { squashed: "squashed, as usual", original: "Newell’s, 4/3 as tall" }, port) : nothing}
@@ -145,8 +168,12 @@ function lookControls(port) {
 
 /** @param {PanelPort} port */
 function layerControls(port) {
-  const { settings: { layers, lines }, set } = port;
-  const layer = (/** @type {import("./settings.js").Layer} */ each) => box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
+  const {
+    settings: { layers, lines },
+    set,
+  } = port;
+  const layer = (/** @type {import("./settings.js").Layer} */ each) =>
+    box(LAYER_NAMES[each], layers.has(each), (on) => set("show", toggled(layers, LAYERS, each, on), "change"));
   return html`<fieldset><legend>Show</legend>${LAYERS.map(layer)}
     ${["isocurves", "tubes", "ribbons"].some((each) => layers.has(/** @type {any} */ (each))) ? slider("lines", "Strips", lines, { min: 1, max: MOST_LINES, step: 1 }, port) : nothing}</fieldset>`;
 }

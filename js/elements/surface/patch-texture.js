@@ -107,7 +107,10 @@ export function unitEdges(n) {
   const indices = new Uint32Array(6 * count);
   for (let k = 0; k < count; k++) {
     for (let corner = 0; corner < 4; corner++) ends.set(pieces.slice(4 * k, 4 * k + 4), 16 * k + 4 * corner);
-    indices.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * k + corner), 6 * k);
+    indices.set(
+      [0, 1, 2, 2, 1, 3].map((corner) => 4 * k + corner),
+      6 * k,
+    );
   }
   return { ends, indices };
 }

@@ -18,7 +18,12 @@ import { patchesOf } from "./patches.js";
  */
 export function piecesMesh(surface, pieces) {
   const count = 4 * pieces.length;
-  const data = { positions: new Float32Array(3 * count), normals: new Float32Array(3 * count), uvs: new Float32Array(2 * count), patchIds: new Uint32Array(count) };
+  const data = {
+    positions: new Float32Array(3 * count),
+    normals: new Float32Array(3 * count),
+    uvs: new Float32Array(2 * count),
+    patchIds: new Uint32Array(count),
+  };
   const indices = new Uint32Array(6 * pieces.length);
   const patches = patchesOf(surface);
   pieces.forEach(({ patch, corners, ...at }, k) => {
@@ -29,13 +34,22 @@ export function piecesMesh(surface, pieces) {
       data.uvs.set([u, v], 8 * k + 2 * i);
     });
     data.patchIds.fill(patch, 4 * k, 4 * k + 4);
-    indices.set([0, 1, 2, 0, 2, 3].map((i) => 4 * k + i), 6 * k);
+    indices.set(
+      [0, 1, 2, 0, 2, 3].map((i) => 4 * k + i),
+      6 * k,
+    );
   });
   return new Mesh({ ...data, indices, patchRanges: [] });
 }
 
 /** @param {{ u0: number, u1: number, v0: number, v1: number }} piece */
-const uvsOf = ({ u0, u1, v0, v1 }) => /** @type {[number, number][]} */ ([[u0, v0], [u1, v0], [u1, v1], [u0, v1]]);
+const uvsOf = ({ u0, u1, v0, v1 }) =>
+  /** @type {[number, number][]} */ ([
+    [u0, v0],
+    [u1, v0],
+    [u1, v1],
+    [u0, v1],
+  ]);
 
 /** How deep the recursion went: halves of halves of a patch. @param {Piece[]} pieces */
 export function depthOf(pieces) {
@@ -133,7 +147,9 @@ function cornersOf(surface, pieces) {
   const { shared, nonManifold } = surface.topology();
   for (const group of [...shared, ...nonManifold]) {
     const turned = (/** @type {{ reversed: boolean }} */ side, /** @type {number} */ t) => (side.reversed ? 1 - t : t);
-    const all = new Set(group.flatMap((side) => (along.get(`${side.patch} ${side.edge}`) ?? []).map((t) => turned(side, t))));
+    const all = new Set(
+      group.flatMap((side) => (along.get(`${side.patch} ${side.edge}`) ?? []).map((t) => turned(side, t))),
+    );
     for (const side of group) for (const t of all) corners[side.patch].add(key(...placeOn(side.edge, turned(side, t))));
   }
   return corners;
@@ -146,7 +162,12 @@ function cornersOf(surface, pieces) {
  * @param {number} v
  */
 function sidesAt(u, v) {
-  const sides = /** @type {[string, number, boolean][]} */ ([["u0", v, u === 0], ["u1", v, u === 1], ["v0", u, v === 0], ["v1", u, v === 1]]);
+  const sides = /** @type {[string, number, boolean][]} */ ([
+    ["u0", v, u === 0],
+    ["u1", v, u === 1],
+    ["v0", u, v === 0],
+    ["v1", u, v === 1],
+  ]);
   return sides.filter(([, , on]) => on);
 }
 

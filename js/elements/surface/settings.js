@@ -6,7 +6,17 @@ export const PARTS = /** @type {const} */ (["lid", "rim", "body", "handle", "spo
 export const HEIGHTS = /** @type {const} */ (["squashed", "original"]);
 export const AXES = /** @type {const} */ (["z", "y"]);
 export const EVALUATIONS = /** @type {const} */ (["cpu", "forward", "gpu"]);
-export const LAYERS = /** @type {const} */ (["surface", "mesh", "isocurves", "tubes", "ribbons", "net", "casteljau", "place", "derivatives"]);
+export const LAYERS = /** @type {const} */ ([
+  "surface",
+  "mesh",
+  "isocurves",
+  "tubes",
+  "ribbons",
+  "net",
+  "casteljau",
+  "place",
+  "derivatives",
+]);
 
 /** Cells along each direction of a patch. */
 export const MOST_SEGMENTS = 64;
@@ -62,7 +72,12 @@ export function settingsOf(given) {
     height: word(given.height, HEIGHTS),
     up: word(given.up, AXES),
     segments,
-    fineness: finenessOf(segments, number(given.tolerance, 0, Number.MAX_VALUE, 0), number(given.pixels, LEAST_PIXELS, 100, 0), number(given.flatness, 0, Number.MAX_VALUE, 0)),
+    fineness: finenessOf(
+      segments,
+      number(given.tolerance, 0, Number.MAX_VALUE, 0),
+      number(given.pixels, LEAST_PIXELS, 100, 0),
+      number(given.flatness, 0, Number.MAX_VALUE, 0),
+    ),
     lines: Math.round(number(given.lines, 1, MOST_LINES, 4)),
     shading: given.shading === "curvature" ? "gaussian" : word(given.shading, SHADINGS),
     layers: words(given.show ?? "surface", LAYERS),
@@ -125,7 +140,10 @@ function number(value, least, most, otherwise) {
  * @returns {number[] | null}
  */
 function point(value) {
-  const numbers = String(value ?? "").split(/[\s,]+/).filter(Boolean).map(Number);
+  const numbers = String(value ?? "")
+    .split(/[\s,]+/)
+    .filter(Boolean)
+    .map(Number);
   return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : null;
 }
 

@@ -131,7 +131,13 @@ export class Stage {
   /** How the scene is seen now, on so many CSS pixels; null before there is one. */
   sight() {
     const { clientWidth, clientHeight } = this.#canvas;
-    return this.#scene && { sight: sightOf(this.#camera, this.#scene.frame, clientWidth || 1, clientHeight || 1), width: clientWidth, height: clientHeight };
+    return (
+      this.#scene && {
+        sight: sightOf(this.#camera, this.#scene.frame, clientWidth || 1, clientHeight || 1),
+        width: clientWidth,
+        height: clientHeight,
+      }
+    );
   }
 
   schedule() {
@@ -143,7 +149,8 @@ export class Stage {
     this.#frame = 0;
     const passed = Math.min(now - this.#before, LONGEST_FRAME_MS);
     this.#before = now;
-    if (this.#port.turning() && this.#scene && !this.#lost) this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
+    if (this.#port.turning() && this.#scene && !this.#lost)
+      this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
     this.draw();
   }
 
@@ -151,7 +158,8 @@ export class Stage {
   draw() {
     const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
     if (!scene || !seen || this.#lost || seen.width === 0) return;
-    const theme = (this.#theme ??= readTheme(this.#probe));
+    this.#theme ??= readTheme(this.#probe);
+    const theme = this.#theme;
     const { width, height } = canvas;
     const ratio = width / seen.width;
     this.geometry.seen(seen.sight, seen.width, seen.height);

@@ -50,7 +50,11 @@ export class Subject {
    */
   surface(settings) {
     const { model, parts, height, up } = settings;
-    const base = this.#memo.get("base", [this.#given, model, [...parts].join(), height, up], () => this.#given ?? surfaceNamed(settings));
+    const base = this.#memo.get(
+      "base",
+      [this.#given, model, [...parts].join(), height, up],
+      () => this.#given ?? surfaceNamed(settings),
+    );
     const edit = () => [...this.#moves].reduce((surface, [vertex, to]) => surface.movePoint(vertex, to), base);
     return this.#memo.get("surface", [base, ...this.#moves.values()], edit);
   }
@@ -65,7 +69,9 @@ export class Subject {
   scene(settings, patch) {
     const { model, height, up } = settings;
     const surface = this.surface(settings);
-    const frame = this.#memo.get("frame", [this.#given, model, height, up], () => frameOf(this.#given?.vertices ?? framingPoints(settings), up));
+    const frame = this.#memo.get("frame", [this.#given, model, height, up], () =>
+      frameOf(this.#given?.vertices ?? framingPoints(settings), up),
+    );
     const known = patch !== null && patch >= 0 && patch < surface.patchCount;
     const picked = surface.patchCount === 1 ? 0 : known ? Math.floor(patch) : null;
     return this.#memo.get("scene", [settings, surface, frame, picked], () => ({ settings, surface, frame, picked }));

@@ -2,7 +2,21 @@
 import { readTheme as readColours } from "../../applet/theme.js";
 
 /** The roles of colour. Each has a custom property `--bz-<role>` in style.js. */
-const ROLES = /** @type {const} */ (["ink", "line", "paper", "front", "back", "handle", "level1", "level2", "low", "middle", "high", "gap", "wire"]);
+const ROLES = /** @type {const} */ ([
+  "ink",
+  "line",
+  "paper",
+  "front",
+  "back",
+  "handle",
+  "level1",
+  "level2",
+  "low",
+  "middle",
+  "high",
+  "gap",
+  "wire",
+]);
 
 /** @typedef {Record<typeof ROLES[number], number[]>} Theme each from 0 to 1: red, green, blue */
 

@@ -4,13 +4,35 @@ import { MISSING } from "../loading.js";
 /** @type {Record<string, string>} */
 export const MODEL_NAMES = { teapot: "Teapot", teacup: "Teacup", teaspoon: "Teaspoon", patch: "One patch" };
 /** @type {Record<string, string>} */
-export const SHADING_NAMES = { smooth: "Smooth", flat: "Flat", normals: "Normals", gaussian: "Gaussian curvature", mean: "Mean curvature", patches: "Patch colours" };
+export const SHADING_NAMES = {
+  smooth: "Smooth",
+  flat: "Flat",
+  normals: "Normals",
+  gaussian: "Gaussian curvature",
+  mean: "Mean curvature",
+  patches: "Patch colours",
+};
 /** @type {Record<string, string>} */
-export const FINENESS_NAMES = { segments: "by segments", tolerance: "by tolerance", pixels: "by pixels", flatness: "until flat enough" };
+export const FINENESS_NAMES = {
+  segments: "by segments",
+  tolerance: "by tolerance",
+  pixels: "by pixels",
+  flatness: "until flat enough",
+};
 /** @type {Record<string, string>} */
 export const EVALUATION_NAMES = { cpu: "WebAssembly", forward: "forward differences", gpu: "graphics card" };
 /** @type {Record<string, string>} */
-export const LAYER_NAMES = { surface: "surface", mesh: "mesh", isocurves: "iso-curves", tubes: "tubes", ribbons: "ribbons", net: "control net", casteljau: "de Casteljau", place: "place", derivatives: "derivatives" };
+export const LAYER_NAMES = {
+  surface: "surface",
+  mesh: "mesh",
+  isocurves: "iso-curves",
+  tubes: "tubes",
+  ribbons: "ribbons",
+  net: "control net",
+  casteljau: "de Casteljau",
+  place: "place",
+  derivatives: "derivatives",
+};
 /** What there is to say of the picture. */
 export const STATES = {
   coming: "",

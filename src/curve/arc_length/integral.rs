@@ -2,10 +2,12 @@
 
 use crate::bernstein::casteljau::blossom_piece;
 use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::weights::binomial;
+use crate::curve::arc_length::speed::speed_integral;
 use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use casteljau_kernels::{WorkLimit, binomial, speed_integral};
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// Target error as a part of the length; the documented guarantee is 10⁻¹².

@@ -9,7 +9,7 @@ use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// A cubic may differ from the curve by at most this part of the tolerance.

@@ -3,9 +3,9 @@
 use super::pair::NormalizedPair;
 use super::tolerances::{LARGEST_GAP, MIN_OVERLAP};
 use crate::bernstein::evaluate::evaluate;
+use crate::curve::intersect::clipping::Contact;
 use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
-use casteljau_kernels::Contact;
 
 /// Parameters this close are equal; some roundings.
 const SAME: f64 = 1e-13;

@@ -1,11 +1,11 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
+use super::clipping::Contact;
 use super::intersection::IntersectionKind;
 use super::stationary::stops;
+use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, Scalars};
-use casteljau_kernels as kernels;
-use casteljau_kernels::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
 
 /// Maximum number of pairs of segments: a fixed number, and an additional one for each degree above 3. This is more
@@ -70,7 +70,7 @@ impl NormalizedPair {
         cuts_a: &[f64],
         cuts_b: &[f64],
         pairs: impl IntoIterator<Item = (usize, usize)>,
-    ) -> Vec<kernels::Contact> {
+    ) -> Vec<Contact> {
         let [a, b] = &self.curves;
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {

@@ -1,11 +1,11 @@
 //! The complete intersection of a pair of curves: search, classification, removal of duplicates.
 
 use super::super::Curve;
+use super::clipping::Contact;
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
 use super::stationary::with_ends;
-use casteljau_kernels as kernels;
 use glam::DVec2;
 
 /// Parameters this close are equal: a few roundings of numbers up to 1.
@@ -37,7 +37,7 @@ impl NormalizedPair {
     }
 
     /// All contacts of the curves.
-    fn contacts(&self) -> Vec<kernels::Contact> {
+    fn contacts(&self) -> Vec<Contact> {
         if self.stops.iter().all(|stops| stops.is_empty()) {
             self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
         } else {
@@ -49,10 +49,10 @@ impl NormalizedPair {
     }
 
     /// The classified intersections of contacts, in order.
-    pub(crate) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
+    pub(crate) fn locations(&self, found: Vec<Contact>) -> Vec<ClassifiedPoint> {
         let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
-            let snap = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            let snap = |contact: &Contact| self.snapped((contact.t[0], contact.u[0]));
             locations.extend(
                 found
                     .iter()

@@ -13,7 +13,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::{ratio, ulp};
 use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

@@ -7,7 +7,7 @@ use crate::curve::Curve;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
 use crate::numeric::list::Points;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
 const MAX_LOCATIONS: usize = 600;

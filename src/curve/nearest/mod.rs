@@ -7,16 +7,22 @@
 pub(crate) mod distance;
 mod hausdorff;
 
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod search;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::curve::nearest::search;
+
 use super::Curve;
 use super::with_derivatives::CurveWithDerivatives;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::{roots_inside, sign_changes};
+use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use casteljau_kernels::{WorkLimit, nearest_in_plane, nearest_in_space};
+use crate::numeric::work_limit::WorkLimit;
 
 /// The point of a curve or of a spline that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -23,7 +23,8 @@ export function argumentsOf(given) {
 }
 
 /** An affine map: the columns as they come are those of a canvas, or of a 4 × 4 matrix. */
-const matrix = ({ map: m }) => (m.length === 6 ? m : [...m.slice(0, 3), 0, ...m.slice(3, 6), 0, ...m.slice(6, 9), 0, ...m.slice(9), 1]);
+const matrix = ({ map: m }) =>
+  m.length === 6 ? m : [...m.slice(0, 3), 0, ...m.slice(3, 6), 0, ...m.slice(6, 9), 0, ...m.slice(9), 1];
 const dimensionOf = (points) => ({ dimension: points[0].length });
 const axes = ["x", "y", "z", "w"];
 const traced = (draw) => {
@@ -34,9 +35,11 @@ const traced = (draw) => {
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
 const view = (a) => ({ pixels: a.pixels, viewProjection: a.view, viewport: [640, 480] });
-const wire = (a) => (a.wire === "tube" ? { lines: a.lines, radius: a.width, sides: a.sides } : { lines: a.lines, width: a.width });
+const wire = (a) =>
+  a.wire === "tube" ? { lines: a.lines, radius: a.width, sides: a.sides } : { lines: a.lines, width: a.width };
 const mesh = (a) => a.surface.grid({ segments: a.segments_u, quads: a.quads });
-const parts = (a) => Object.fromEntries(["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, a.parts.includes(part)]));
+const parts = (a) =>
+  Object.fromEntries(["rim", "body", "handle", "spout", "lid", "bottom"].map((part) => [part, a.parts.includes(part)]));
 const svg = (a) => ({ precision: a.precision, tolerance: a.tolerance });
 
 const CURVE = {
@@ -98,10 +101,12 @@ const CURVE = {
 const SPLINE = {
   "Spline.constructor": (a) => new Spline(a.points, { degree: a.degree, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.fromCurves": (a) => Spline.fromCurves(a.spline.segments(), { closed: a.spline.closed }),
-  "Spline.fromBSpline": (a) => Spline.fromBSpline(a.points, { degree: a.degree, knots: a.knots, closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.fromBSpline": (a) =>
+    Spline.fromBSpline(a.points, { degree: a.degree, knots: a.knots, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.fromJSON": (a) => Spline.fromJSON(a.spline.toJSON()),
   "Spline.toJSON": (a) => a.spline.toJSON(),
-  "Spline.interpolate": (a) => Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.interpolate": (a) =>
+    Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.fit": (a) => Spline.fit(a.points, a.tolerance, { closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.controlPoints": (a) => a.spline.controlPoints(),
   "Spline.dimension": (a) => a.spline.dimension,
@@ -199,7 +204,13 @@ const PATCH = {
 
 const SURFACE = {
   "Surface.constructor": ({ patch }) =>
-    new Surface({ vertices: patch.controlPoints(), patches: [[...patch.controlPoints().keys()].slice(0, patch.controlPoints().length / 3)] }, { degreeU: patch.degreeU, degreeV: patch.degreeV }),
+    new Surface(
+      {
+        vertices: patch.controlPoints(),
+        patches: [[...patch.controlPoints().keys()].slice(0, patch.controlPoints().length / 3)],
+      },
+      { degreeU: patch.degreeU, degreeV: patch.degreeV },
+    ),
   "Surface.teapot": (a) => Surface.teapot({ ...parts(a), height: a.height, up: a.up }),
   "Surface.teacup": (a) => Surface.teacup({ up: a.up }),
   "Surface.teaspoon": (a) => Surface.teaspoon({ up: a.up }),
@@ -223,7 +234,8 @@ const SURFACE = {
   "Surface.isocurves": (a) => a.surface.isocurves({ lines: a.lines }),
   "Surface.wireframe": (a) => a.surface.wireframe(wire(a)),
   "Surface.subdivide": (a) => a.surface.subdivide(a.tolerance),
-  "Surface.trace": (a) => traced((target) => a.surface.trace(target, { matrix: a.view, lines: a.lines, tolerance: a.tolerance })),
+  "Surface.trace": (a) =>
+    traced((target) => a.surface.trace(target, { matrix: a.view, lines: a.lines, tolerance: a.tolerance })),
   "Mesh.constructor": (a) => new Mesh(mesh(a)),
   "Mesh.toOBJ": (a) => mesh(a).toOBJ(),
   "Mesh.toSTL": (a) => mesh(a).toSTL(),

@@ -25,7 +25,10 @@ function readEasing({ text }) {
     assert.ok(handles.length === 4 && handles.every(Number.isFinite));
     assert.equal(easing(...handles)(1), 1);
     // The text of −0 is 0.
-    assert.deepEqual(readTiming(timingText(handles)), handles.map((x) => x + 0));
+    assert.deepEqual(
+      readTiming(timingText(handles)),
+      handles.map((x) => x + 0),
+    );
   }
   if (onPage) assert.equal(css(parse(css(onPage))), css(onPage));
   return onPage ?? inElement ?? null;
@@ -58,7 +61,10 @@ function readAddress({ text }) {
   for (const known of Object.values(SHARED)) {
     const { values, problems } = read(query, known);
     for (const name of values.keys()) assert.ok(Object.hasOwn(known, name), name);
-    assert.ok(problems.every((problem) => problem.length < 200), "a problem that quotes too much");
+    assert.ok(
+      problems.every((problem) => problem.length < 200),
+      "a problem that quotes too much",
+    );
     const again = read(write(values), known);
     assert.deepEqual([...again.values.keys()], [...values.keys()], "other values are read from what was written");
     assert.deepEqual(again.problems, []);

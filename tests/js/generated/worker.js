@@ -45,7 +45,8 @@ async function runFunction(name, place) {
         run(name, given);
       } catch (error) {
         failed++;
-        if (failures.length < SHOWN) failures.push({ number: given.number, mode: given.mode, message: `${error?.message ?? error}` });
+        if (failures.length < SHOWN)
+          failures.push({ number: given.number, mode: given.mode, message: `${error?.message ?? error}` });
       }
     }
   }

@@ -13,9 +13,19 @@ class TeapotData extends HTMLElement {
 
   connectedCallback() {
     if (this.childNodes.length > 0) return;
-    const knob = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) => this.#fill(k, true));
-    const caption = element("p", { className: "note" }, "The sixteen numbers of a patch, a row for each row of its net, and the point that each number stands for. Bold: other patches use it, too.");
-    const scroll = element("div", { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Control points of a patch" }, element("table", {}, this.#body));
+    const knob = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) =>
+      this.#fill(k, true),
+    );
+    const caption = element(
+      "p",
+      { className: "note" },
+      "The sixteen numbers of a patch, a row for each row of its net, and the point that each number stands for. Bold: other patches use it, too.",
+    );
+    const scroll = element(
+      "div",
+      { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Control points of a patch" },
+      element("table", {}, this.#body),
+    );
     this.#words.setAttribute("role", "status");
     this.append(knob.line, caption, scroll, this.#words);
     this.#fill(4, false);
@@ -25,8 +35,15 @@ class TeapotData extends HTMLElement {
   #fill(k, pick) {
     const net = Array.from(this.#nets[k]);
     const cell = (/** @type {number} */ vertex) => {
-      const at = [...this.#points.slice(3 * vertex, 3 * vertex + 3)].map((x) => String(Number(x.toFixed(5))).replace("-", "−")).join(", ");
-      return element("td", {}, element(this.#uses[vertex] > 1 ? "b" : "span", {}, String(vertex)), element("small", {}, at));
+      const at = [...this.#points.slice(3 * vertex, 3 * vertex + 3)]
+        .map((x) => String(Number(x.toFixed(5))).replace("-", "−"))
+        .join(", ");
+      return element(
+        "td",
+        {},
+        element(this.#uses[vertex] > 1 ? "b" : "span", {}, String(vertex)),
+        element("small", {}, at),
+      );
     };
     this.#body.replaceChildren(...[0, 1, 2, 3].map((j) => element("tr", {}, ...net.slice(4 * j, 4 * j + 4).map(cell))));
     const shared = new Set(net.filter((vertex) => this.#uses[vertex] > 1)).size;
@@ -40,7 +57,8 @@ class TeapotData extends HTMLElement {
 function countUses(nets) {
   /** @type {Record<number, number>} */
   const uses = {};
-  for (const net of Array.from(nets)) for (const vertex of new Set(Array.from(net))) uses[vertex] = (uses[vertex] ?? 0) + 1;
+  for (const net of Array.from(nets))
+    for (const vertex of new Set(Array.from(net))) uses[vertex] = (uses[vertex] ?? 0) + 1;
   return uses;
 }
 

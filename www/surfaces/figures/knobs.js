@@ -22,8 +22,18 @@ const LENGTHS = ["tolerance", "pixels", "flatness"];
 
 /** Choices: each button sets some properties. */
 const CHOICES = {
-  shading: { label: "Shading", options: { Smooth: { shading: "smooth" }, Flat: { shading: "flat" }, Normals: { shading: "normals" } } },
-  evaluation: { label: "Computed by", options: { "the core": { evaluation: "cpu" }, differences: { evaluation: "forward" }, "the graphics card": { evaluation: "gpu" } } },
+  shading: {
+    label: "Shading",
+    options: { Smooth: { shading: "smooth" }, Flat: { shading: "flat" }, Normals: { shading: "normals" } },
+  },
+  evaluation: {
+    label: "Computed by",
+    options: {
+      "the core": { evaluation: "cpu" },
+      differences: { evaluation: "forward" },
+      "the graphics card": { evaluation: "gpu" },
+    },
+  },
   fineness: {
     label: "Cut",
     options: {
@@ -33,17 +43,47 @@ const CHOICES = {
       "until flat enough": { tolerance: null, pixels: null, flatness: 0.03 },
     },
   },
-  recipe: { label: "Cut", options: { "until flat enough": { tolerance: null, flatness: 0.05 }, "by tolerance": { tolerance: 0.05, flatness: null } } },
-  model: { label: "Model", options: { Teapot: { model: "teapot" }, Teacup: { model: "teacup" }, Teaspoon: { model: "teaspoon" } } },
+  recipe: {
+    label: "Cut",
+    options: {
+      "until flat enough": { tolerance: null, flatness: 0.05 },
+      "by tolerance": { tolerance: 0.05, flatness: null },
+    },
+  },
+  model: {
+    label: "Model",
+    options: { Teapot: { model: "teapot" }, Teacup: { model: "teacup" }, Teaspoon: { model: "teaspoon" } },
+  },
   up: { label: "Upright", options: { z: { up: "z" }, y: { up: "y" } } },
   height: { label: "Height", options: { "as usual": { height: "squashed" }, "Newell’s": { height: "original" } } },
-  body: { label: "Bodies", options: { tubes: { show: "tubes" }, ribbons: { show: "ribbons" }, lines: { show: "surface isocurves" }, "ribbons on the pot": { show: "surface ribbons" } } },
+  body: {
+    label: "Bodies",
+    options: {
+      tubes: { show: "tubes" },
+      ribbons: { show: "ribbons" },
+      lines: { show: "surface isocurves" },
+      "ribbons on the pot": { show: "surface ribbons" },
+    },
+  },
 };
 
 /** Check boxes for the words of a list. */
 const LISTS = {
-  show: { label: "Show", words: { surface: "surface", mesh: "mesh", isocurves: "curves", net: "net", casteljau: "de Casteljau", derivatives: "derivatives" } },
-  parts: { label: "Parts", words: { lid: "lid", rim: "rim", body: "body", handle: "handle", spout: "spout", bottom: "bottom" } },
+  show: {
+    label: "Show",
+    words: {
+      surface: "surface",
+      mesh: "mesh",
+      isocurves: "curves",
+      net: "net",
+      casteljau: "de Casteljau",
+      derivatives: "derivatives",
+    },
+  },
+  parts: {
+    label: "Parts",
+    words: { lid: "lid", rim: "rim", body: "body", handle: "handle", spout: "spout", bottom: "bottom" },
+  },
 };
 
 const STEPS = [
@@ -96,7 +136,9 @@ class SurfaceKnobs extends HTMLElement {
     const value = element("output", {});
     const line = element("label", { className: "line" }, element("span", {}, label), input, value);
     for (const type of /** @type {const} */ (["input", "change"])) {
-      input.addEventListener(type, () => this.#set({ [name]: log ? Number((10 ** input.valueAsNumber).toPrecision(2)) : input.valueAsNumber }, type));
+      input.addEventListener(type, () =>
+        this.#set({ [name]: log ? Number((10 ** input.valueAsNumber).toPrecision(2)) : input.valueAsNumber }, type),
+      );
     }
     this.#followers.push(() => {
       const now = this.#target?.[name];
@@ -112,12 +154,19 @@ class SurfaceKnobs extends HTMLElement {
   /** @param {keyof typeof CHOICES} name */
   #choice(name) {
     const { label, options } = CHOICES[name];
-    const group = element("div", { className: "choice", role: "group", ariaLabel: label }, element("span", { ariaHidden: "true" }, label));
+    const group = element(
+      "div",
+      { className: "choice", role: "group", ariaLabel: label },
+      element("span", { ariaHidden: "true" }, label),
+    );
     for (const [title, properties] of Object.entries(options)) {
       const made = Object.assign(document.createElement("button"), { type: "button", textContent: title });
       made.addEventListener("click", () => this.#set(properties, "change"));
       // It is pressed when what makes it differ from its neighbours is there: words, and which lengths are in use.
-      const same = ([key, value]) => (typeof value === "number" && key !== "segments" ? this.#target?.[key] !== null : key === "segments" || this.#target?.[key] === value);
+      const same = ([key, value]) =>
+        typeof value === "number" && key !== "segments"
+          ? this.#target?.[key] !== null
+          : key === "segments" || this.#target?.[key] === value;
       this.#followers.push(() => made.setAttribute("aria-pressed", String(Object.entries(properties).every(same))));
       group.append(made);
     }
@@ -128,11 +177,20 @@ class SurfaceKnobs extends HTMLElement {
   #list(name, allowed) {
     const { label, words } = LISTS[name];
     const all = Object.keys(words);
-    const group = element("div", { className: "choice", role: "group", ariaLabel: label }, element("span", { ariaHidden: "true" }, label));
+    const group = element(
+      "div",
+      { className: "choice", role: "group", ariaLabel: label },
+      element("span", { ariaHidden: "true" }, label),
+    );
     const chosen = () => this.#target?.[name]?.split(" ") ?? all;
     for (const word of all.filter((each) => allowed.length === 0 || allowed.includes(each))) {
       const box = Object.assign(document.createElement("input"), { type: "checkbox", name: word });
-      box.addEventListener("change", () => this.#set({ [name]: all.filter((each) => (each === word ? box.checked : chosen().includes(each))).join(" ") }, "change"));
+      box.addEventListener("change", () =>
+        this.#set(
+          { [name]: all.filter((each) => (each === word ? box.checked : chosen().includes(each))).join(" ") },
+          "change",
+        ),
+      );
       this.#followers.push(() => (box.checked = chosen().includes(word)));
       group.append(element("label", {}, box, /** @type {Record<string, string>} */ (words)[word]));
     }
@@ -143,7 +201,13 @@ class SurfaceKnobs extends HTMLElement {
   #probe() {
     const now = () => this.#target?.figure?.probe ?? [0, 0, 0];
     const lines = ["x", "y", "z"].map((axis, k) => {
-      const input = Object.assign(document.createElement("input"), { type: "range", min: -4, max: 4, step: 0.05, name: axis });
+      const input = Object.assign(document.createElement("input"), {
+        type: "range",
+        min: -4,
+        max: 4,
+        step: 0.05,
+        name: axis,
+      });
       const value = element("output", {});
       for (const type of /** @type {const} */ (["input", "change"])) {
         input.addEventListener(type, () => this.#set({ probe: now().with(k, input.valueAsNumber).join(" ") }, type));
@@ -158,7 +222,9 @@ class SurfaceKnobs extends HTMLElement {
     words.setAttribute("role", "status");
     this.#followers.push(() => {
       const found = this.#target?.figure?.nearest;
-      words.textContent = found ? `${found.distance.toFixed(3)} away: patch ${found.patch}, u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.` : "";
+      words.textContent = found
+        ? `${found.distance.toFixed(3)} away: patch ${found.patch}, u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.`
+        : "";
     });
     return [...lines, words];
   }
@@ -166,8 +232,12 @@ class SurfaceKnobs extends HTMLElement {
   #stepper() {
     const words = element("p", { className: "note", id: uniqueId("step") });
     words.setAttribute("role", "status");
-    const move = (/** @type {number} */ by) => () => this.#set({ step: Math.min(Math.max(this.#target?.step + by, 1), STEPS.length) }, "change");
-    const [back, next] = [["Step back", -1], ["Next step", 1]].map(([title, by]) => {
+    const move = (/** @type {number} */ by) => () =>
+      this.#set({ step: Math.min(Math.max(this.#target?.step + by, 1), STEPS.length) }, "change");
+    const [back, next] = [
+      ["Step back", -1],
+      ["Next step", 1],
+    ].map(([title, by]) => {
       const made = Object.assign(document.createElement("button"), { type: "button", textContent: title });
       made.addEventListener("click", move(Number(by)));
       return made;

@@ -5,11 +5,21 @@ import { svg } from "./svg.js";
 const SIDE = 200;
 const MARGIN = 24;
 const LINES = 4;
-const KEYS = /** @type {Record<string, [number, number]>} */ ({ ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] });
+const KEYS = /** @type {Record<string, [number, number]>} */ ({
+  ArrowRight: [1, 0],
+  ArrowLeft: [-1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+});
 const STEP = 0.01;
 
 class UnitSquare extends HTMLElement {
-  #mark = svg("g", { class: "hand" }, svg("circle", { r: 22, fill: "transparent" }), svg("path", { d: "M0 -8 8 0 0 8 -8 0Z", class: "mark" }));
+  #mark = svg(
+    "g",
+    { class: "hand" },
+    svg("circle", { r: 22, fill: "transparent" }),
+    svg("path", { d: "M0 -8 8 0 0 8 -8 0Z", class: "mark" }),
+  );
   #ofU = svg("path", { class: "of-u" });
   #ofV = svg("path", { class: "of-v" });
   #words = element("p", { className: "note" });
@@ -30,14 +40,44 @@ class UnitSquare extends HTMLElement {
     const square = svg("rect", { x: 0, y: 0, width: SIDE, height: SIDE, class: "square" });
     const lines = Array.from({ length: LINES - 1 }, (_, k) => ((k + 1) * SIDE) / LINES);
     const grid = svg("path", { class: "grid", d: lines.map((x) => `M${x} 0V${SIDE}M0 ${x}H${SIDE}`).join("") });
-    const words = /** @type {[string, number, number, string][]} */ ([["0", -10, SIDE + 16, "end"], ["1", SIDE, SIDE + 16, "middle"], ["1", -8, 5, "end"], ["u", SIDE / 2, SIDE + 18, "middle"], ["v", -10, SIDE / 2 + 4, "end"]]);
-    const texts = words.map(([text, x, y, anchor]) => svg("text", { x, y, "text-anchor": anchor, class: /[uv]/.test(text) ? "axis" : "" }, text));
+    const words = /** @type {[string, number, number, string][]} */ ([
+      ["0", -10, SIDE + 16, "end"],
+      ["1", SIDE, SIDE + 16, "middle"],
+      ["1", -8, 5, "end"],
+      ["u", SIDE / 2, SIDE + 18, "middle"],
+      ["v", -10, SIDE / 2 + 4, "end"],
+    ]);
+    const texts = words.map(([text, x, y, anchor]) =>
+      svg("text", { x, y, "text-anchor": anchor, class: /[uv]/.test(text) ? "axis" : "" }, text),
+    );
     const size = SIDE + 2 * MARGIN;
-    const group = svg("g", { transform: `translate(${MARGIN + 6} ${MARGIN / 2})` }, square, grid, this.#ofU, this.#ofV, this.#mark, ...texts);
-    const picture = svg("svg", { viewBox: `0 0 ${size} ${size}`, role: "img", tabindex: 0, "aria-label": "The unit square. Arrow keys move the place (u, v); the sliders do the same." }, group);
+    const group = svg(
+      "g",
+      { transform: `translate(${MARGIN + 6} ${MARGIN / 2})` },
+      square,
+      grid,
+      this.#ofU,
+      this.#ofV,
+      this.#mark,
+      ...texts,
+    );
+    const picture = svg(
+      "svg",
+      {
+        viewBox: `0 0 ${size} ${size}`,
+        role: "img",
+        tabindex: 0,
+        "aria-label": "The unit square. Arrow keys move the place (u, v); the sliders do the same.",
+      },
+      group,
+    );
     picture.addEventListener("pointerdown", (event) => this.#down(/** @type {PointerEvent} */ (event), square));
-    picture.addEventListener("pointermove", (event) => this.#drag(/** @type {PointerEvent} */ (event), square, "input"));
-    picture.addEventListener("lostpointercapture", (event) => this.#drag(/** @type {PointerEvent} */ (event), square, "change"));
+    picture.addEventListener("pointermove", (event) =>
+      this.#drag(/** @type {PointerEvent} */ (event), square, "input"),
+    );
+    picture.addEventListener("lostpointercapture", (event) =>
+      this.#drag(/** @type {PointerEvent} */ (event), square, "change"),
+    );
     picture.addEventListener("keydown", (event) => this.#key(/** @type {KeyboardEvent} */ (event)));
     this.#words.setAttribute("role", "status");
     this.append(picture, this.#words);

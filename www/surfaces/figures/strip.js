@@ -5,7 +5,12 @@ import { chain, slider, svg } from "./svg.js";
 
 const [WIDTH, HEIGHT] = [420, 300];
 /** The common side, from below. */
-const SIDE = new Curve([[200, 300], [330, 210], [60, 100], [230, 0]]);
+const SIDE = new Curve([
+  [200, 300],
+  [330, 210],
+  [60, 100],
+  [230, 0],
+]);
 const MOST = 12;
 
 /** The side's chords. @param {number} segments @returns {[number, number][]} */
@@ -30,7 +35,11 @@ export function gapBetween(a, b) {
 class CrackStrip extends HTMLElement {
   #left = 4;
   #right = 3;
-  #polygons = { left: svg("polygon", { class: "left" }), right: svg("polygon", { class: "right" }), gap: svg("rect", { width: WIDTH, height: HEIGHT, class: "gap" }) };
+  #polygons = {
+    left: svg("polygon", { class: "left" }),
+    right: svg("polygon", { class: "right" }),
+    gap: svg("rect", { width: WIDTH, height: HEIGHT, class: "gap" }),
+  };
   #dots = { left: svg("g", { class: "dots left" }), right: svg("g", { class: "dots right" }) };
   #words = element("p", { className: "note" });
 
@@ -38,13 +47,32 @@ class CrackStrip extends HTMLElement {
     if (this.childNodes.length > 0) return;
     const { gap, left, right } = this.#polygons;
     const curve = svg("polyline", { points: chain(cut(64)), class: "curve" });
-    this.append(svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": "Two meshes side by side and the gap between them" }, gap, left, right, curve, this.#dots.left, this.#dots.right));
+    this.append(
+      svg(
+        "svg",
+        {
+          viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+          role: "img",
+          "aria-label": "Two meshes side by side and the gap between them",
+        },
+        gap,
+        left,
+        right,
+        curve,
+        this.#dots.left,
+        this.#dots.right,
+      ),
+    );
     const knob = (/** @type {"left" | "right"} */ name, /** @type {number} */ value) =>
-      slider(name === "left" ? "Left patch" : "Right patch", { min: 1, max: MOST, step: 1, value, name }, (count, type) => {
-        if (name === "left") this.left = count;
-        else this.right = count;
-        this.dispatchEvent(new Event(type, { bubbles: true }));
-      });
+      slider(
+        name === "left" ? "Left patch" : "Right patch",
+        { min: 1, max: MOST, step: 1, value, name },
+        (count, type) => {
+          if (name === "left") this.left = count;
+          else this.right = count;
+          this.dispatchEvent(new Event(type, { bubbles: true }));
+        },
+      );
     this.#knobs = { left: knob("left", this.#left), right: knob("right", this.#right) };
     this.#words.setAttribute("role", "status");
     this.append(this.#knobs.left.line, this.#knobs.right.line, this.#words);
@@ -80,14 +108,30 @@ class CrackStrip extends HTMLElement {
   #draw() {
     if (!this.#knobs) return;
     const { left, right, gap } = this.figure;
-    const edges = { left: /** @type {[number, number][]} */ ([[0, 0], [0, HEIGHT]]), right: /** @type {[number, number][]} */ ([[WIDTH, 0], [WIDTH, HEIGHT]]) };
+    const edges = {
+      left: /** @type {[number, number][]} */ ([
+        [0, 0],
+        [0, HEIGHT],
+      ]),
+      right: /** @type {[number, number][]} */ ([
+        [WIDTH, 0],
+        [WIDTH, HEIGHT],
+      ]),
+    };
     for (const name of /** @type {const} */ (["left", "right"])) {
       const points = cut(name === "left" ? left : right);
       this.#polygons[name].setAttribute("points", chain([...edges[name], ...points]));
-      this.#dots[name].replaceChildren(...points.map(([x, y]) => (name === "left" ? svg("circle", { cx: x, cy: y, r: 6 }) : svg("circle", { cx: x, cy: y, r: 2.5 }))));
+      this.#dots[name].replaceChildren(
+        ...points.map(([x, y]) =>
+          name === "left" ? svg("circle", { cx: x, cy: y, r: 6 }) : svg("circle", { cx: x, cy: y, r: 2.5 }),
+        ),
+      );
       this.#knobs[name].input.value = this.#knobs[name].output.textContent = String(name === "left" ? left : right);
     }
-    this.#words.textContent = gap < 1e-9 ? "The same cuts: the same vertices, and no crack." : `The meshes part by up to ${gap.toFixed(1)} units, ${left % right === 0 || right % left === 0 ? "although every vertex of the coarser one is a vertex of the finer one" : "and most vertices have no partner"}.`;
+    this.#words.textContent =
+      gap < 1e-9
+        ? "The same cuts: the same vertices, and no crack."
+        : `The meshes part by up to ${gap.toFixed(1)} units, ${left % right === 0 || right % left === 0 ? "although every vertex of the coarser one is a vertex of the finer one" : "and most vertices have no partner"}.`;
   }
 }
 

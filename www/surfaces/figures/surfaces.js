@@ -26,8 +26,27 @@ function disc() {
     return [a, [a[0] - HANDLE * a[1], a[1] + HANDLE * a[0], 0], [b[0] + HANDLE * b[1], b[1] - HANDLE * b[0], 0], b];
   };
   const [bottom, right, top, left] = [0, 1, 2, 3].map(side);
-  const inner = [[-0.9, -0.9, 0], [0.9, -0.9, 0], [-0.9, 0.9, 0], [0.9, 0.9, 0]];
-  const vertices = [...bottom, left[2], inner[0], inner[1], right[1], left[1], inner[2], inner[3], right[2], top[3], top[2], top[1], top[0]];
+  const inner = [
+    [-0.9, -0.9, 0],
+    [0.9, -0.9, 0],
+    [-0.9, 0.9, 0],
+    [0.9, 0.9, 0],
+  ];
+  const vertices = [
+    ...bottom,
+    left[2],
+    inner[0],
+    inner[1],
+    right[1],
+    left[1],
+    inner[2],
+    inner[3],
+    right[2],
+    top[3],
+    top[2],
+    top[1],
+    top[0],
+  ];
   return new Surface({ vertices, patches: [vertices.map((_, k) => k)] });
 }
 
@@ -41,7 +60,8 @@ export function exchanged(surface) {
 function neighbours() {
   const vertices = [];
   for (let j = 0; j < 4; j++) for (let i = 0; i < 7; i++) vertices.push([i - 3, 1.4 * j - 2.1, heightOf(i, j)]);
-  const net = (/** @type {number} */ from) => Array.from({ length: 16 }, (_, k) => 7 * Math.floor(k / 4) + (k % 4) + from);
+  const net = (/** @type {number} */ from) =>
+    Array.from({ length: 16 }, (_, k) => 7 * Math.floor(k / 4) + (k % 4) + from);
   return new Surface({ vertices, patches: [net(0), net(3)] });
 }
 

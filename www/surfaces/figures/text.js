@@ -8,9 +8,19 @@ class PatchText extends HTMLElement {
   connectedCallback() {
     if (this.querySelector("textarea")) return;
     const text = (this.textContent ?? "").trim();
-    const area = Object.assign(document.createElement("textarea"), { value: text, rows: text.split("\n").length, spellcheck: false, id: uniqueId("text") });
+    const area = Object.assign(document.createElement("textarea"), {
+      value: text,
+      rows: text.split("\n").length,
+      spellcheck: false,
+      id: uniqueId("text"),
+    });
     this.#words.setAttribute("role", "status");
-    this.replaceChildren(Object.assign(element("label", {}, "A patch file"), { htmlFor: area.id }), area, button("Show it", () => this.#show(area.value)), this.#words);
+    this.replaceChildren(
+      Object.assign(element("label", {}, "A patch file"), { htmlFor: area.id }),
+      area,
+      button("Show it", () => this.#show(area.value)),
+      this.#words,
+    );
   }
 
   /** @param {string} text */

@@ -6,8 +6,15 @@ class SurfaceSide extends HTMLElement {
     if (this.childNodes.length > 0) return;
     this.setAttribute("role", "group");
     this.setAttribute("aria-label", "Winding");
-    const buttons = [["with ∂u × ∂v", false], ["against it", true]].map(([title, against]) => {
-      const made = Object.assign(document.createElement("button"), { type: "button", textContent: title, ariaPressed: String(!against) });
+    const buttons = [
+      ["with ∂u × ∂v", false],
+      ["against it", true],
+    ].map(([title, against]) => {
+      const made = Object.assign(document.createElement("button"), {
+        type: "button",
+        textContent: title,
+        ariaPressed: String(!against),
+      });
       made.addEventListener("click", () => {
         if (made.ariaPressed === "true") return;
         buttons.forEach((each) => (each.ariaPressed = String(each === made)));

@@ -2,7 +2,7 @@
 
 use super::step::{Context, Done, Step, run_all};
 use super::{node, select};
-use crate::{build, shell, wasm_test};
+use crate::{build, setup, shell, wasm_test};
 use anyhow::Result;
 use std::process::Command;
 
@@ -16,11 +16,17 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 16] = [
+pub(crate) const STEPS: [Step; 17] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
         act: fmt,
+        ..PLAIN
+    },
+    Step {
+        name: "lint-js",
+        title: "JavaScript is formatted; lints",
+        act: lint_js,
         ..PLAIN
     },
     Step {
@@ -83,6 +89,13 @@ pub(crate) const STEPS: [Step; 16] = [
         ..PLAIN
     },
     Step {
+        name: "site",
+        title: "The static site",
+        needs: &["build"],
+        act: |_| build::site().map(|()| Done::Passed),
+        ..PLAIN
+    },
+    Step {
         name: "js",
         title: "Tests of the npm package",
         needs: &["build"],
@@ -91,19 +104,12 @@ pub(crate) const STEPS: [Step; 16] = [
         ..PLAIN
     },
     Step {
-        name: "site",
-        title: "The static site",
-        needs: &["build"],
-        act: |_| build::site().map(|()| Done::Passed),
-        ..PLAIN
-    },
-    Step {
         name: "page",
         title: "Page tests, in Chromium",
         needs: &["build", "site"],
         selects: true,
+        beside: Some("js"), // a browser leaves one core idle for most of the time
         act: |context| node::page(context, &[]),
-        ..PLAIN
     },
     Step {
         name: "page-firefox",
@@ -133,6 +139,13 @@ pub(crate) const STEPS: [Step; 16] = [
 
 fn fmt(_: &Context) -> Result<Done> {
     run_all([shell::cargo(&["fmt", "--all", "--check"])])
+}
+
+/// Checks the format and the lint rules of JavaScript and JSON, as biome.jsonc sets them.
+fn lint_js(_: &Context) -> Result<Done> {
+    setup::node_modules()?;
+    let biome = "node_modules/@biomejs/biome/bin/biome";
+    run_all([shell::node(&[biome, "check", "--error-on-warnings"])])
 }
 
 fn clippy(_: &Context) -> Result<Done> {

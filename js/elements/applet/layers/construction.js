@@ -115,14 +115,20 @@ export const halves = {
   /**
    * @param {Sheet} sheet
    * @param {[Curve, Curve][]} pairs
-   * @param {Figure} figure
+   * @param {Figure} _figure
    * @param {State} state
    */
-  draw(sheet, pairs, figure, { layers, segment, labels }) {
+  draw(sheet, pairs, _figure, { layers, segment, labels }) {
     const { theme } = sheet;
-    along(sheet, pairs.map(([first]) => first));
+    along(
+      sheet,
+      pairs.map(([first]) => first),
+    );
     pen.stroke(sheet, theme.first, pen.HALF_WIDTH);
-    along(sheet, pairs.map(([, second]) => second));
+    along(
+      sheet,
+      pairs.map(([, second]) => second),
+    );
     pen.stroke(sheet, theme.second, pen.HALF_WIDTH);
     if (!layers.has("names") || labels === "none" || layers.has("scaffold")) return;
     const named = pairs[Math.min(segment, pairs.length - 1)] ?? [];

@@ -17,7 +17,10 @@ export const bounds = {
   costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
-  derive: ({ pieces }) => ({ boxes: pieces.map(({ curve }) => curve.bounds()), touches: pieces.flatMap(({ curve }) => extremaOf(curve).points) }),
+  derive: ({ pieces }) => ({
+    boxes: pieces.map(({ curve }) => curve.bounds()),
+    touches: pieces.flatMap(({ curve }) => extremaOf(curve).points),
+  }),
 
   /**
    * @param {Sheet} sheet
@@ -47,7 +50,11 @@ export const extrema = {
   /** @param {Figure} figure */
   derive({ pieces }) {
     const found = pieces.map(({ curve }) => extremaOf(curve));
-    return { points: found.flatMap(({ points }) => points), strokes: found.flatMap(({ strokes }) => strokes), ts: found.map(({ ts }) => ts) };
+    return {
+      points: found.flatMap(({ points }) => points),
+      strokes: found.flatMap(({ strokes }) => strokes),
+      ts: found.map(({ ts }) => ts),
+    };
   },
 
   /**
@@ -100,7 +107,11 @@ export const inflections = {
     const strokes = across.map((value, i) => (i % 4 === 2 ? -across[i + 1] : i % 4 === 3 ? across[i - 1] : value));
     strokesAcross(sheet, strokes, INFLECTION_HALF);
     stroke(sheet, sheet.theme.level2, 2);
-    hollows(sheet, across.filter((_, i) => i % 4 < 2), sheet.theme.level2);
+    hollows(
+      sheet,
+      across.filter((_, i) => i % 4 < 2),
+      sheet.theme.level2,
+    );
   },
 
   /** @param {{ ts: number[][], kinds: string[] }} data */
@@ -115,7 +126,9 @@ const MOST_LISTED = 6;
  * @param {number[][]} ts of each piece
  */
 function list(what, ts) {
-  const all = ts.flatMap((each, k) => each.map((t) => (ts.length > 1 ? `${t.toFixed(3)} on piece ${k + 1}` : t.toFixed(3))));
+  const all = ts.flatMap((each, k) =>
+    each.map((t) => (ts.length > 1 ? `${t.toFixed(3)} on piece ${k + 1}` : t.toFixed(3))),
+  );
   return all.length ? `${what} at t = ${few(all).join(", ")}` : `${what}: none inside`;
 }
 

@@ -56,7 +56,11 @@ function ends(curve) {
 /** The largest extent of the control points, and as much as lets their numbers be told apart. @param {Curve} curve */
 function reach(curve) {
   const { min, max } = curve.controlBounds();
-  return Math.max(max.x - min.x, max.y - min.y, 1e-9 * Math.max(Math.abs(min.x), Math.abs(max.x), Math.abs(min.y), Math.abs(max.y)));
+  return Math.max(
+    max.x - min.x,
+    max.y - min.y,
+    1e-9 * Math.max(Math.abs(min.x), Math.abs(max.x), Math.abs(min.y), Math.abs(max.y)),
+  );
 }
 
 /**

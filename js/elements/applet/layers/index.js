@@ -64,7 +64,9 @@ const ALL = [
 ];
 
 /** The layers that can be switched, from the back to the front. */
-export const LAYERS = /** @type {readonly (Layer & { name: LayerName, title: string })[]} */ (ALL.filter(({ name }) => name));
+export const LAYERS = /** @type {readonly (Layer & { name: LayerName, title: string })[]} */ (
+  ALL.filter(({ name }) => name)
+);
 
 /**
  * Draws everything on a cleared canvas.
@@ -80,9 +82,15 @@ export function drawFigure(paper, state, figure) {
   ctx.clearRect(0, 0, state.box.width, state.box.height);
   ctx.lineJoin = ctx.lineCap = "round";
   const part = bounded(figure);
-  const told = ALL.filter(({ name }) => !name || state.layers.has(/** @type {LayerName} */ (name))).flatMap((layer) => drawLayer(layer, sheet, layer.costly ? part : figure, state));
+  const told = ALL.filter(({ name }) => !name || state.layers.has(/** @type {LayerName} */ (name))).flatMap((layer) =>
+    drawLayer(layer, sheet, layer.costly ? part : figure, state),
+  );
   writeWords(sheet);
-  if (part !== figure) told.push({ name: "", words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces` });
+  if (part !== figure)
+    told.push({
+      name: "",
+      words: `Layers are drawn on the first ${part.pieces.length} of ${figure.pieces.length} pieces`,
+    });
   return told;
 }
 

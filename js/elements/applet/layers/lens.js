@@ -166,7 +166,12 @@ function clipped(x0, y0, x1, y1) {
   const [dx, dy] = [x1 - x0, y1 - y0];
   if (!isNumber([dx, dy])) return null;
   let [from, to] = [0, 1];
-  for (const [start, step] of [[x0, dx], [-x0, -dx], [y0, dy], [-y0, -dy]]) {
+  for (const [start, step] of [
+    [x0, dx],
+    [-x0, -dx],
+    [y0, dy],
+    [-y0, -dy],
+  ]) {
     if (step === 0 && start > FAR) return null;
     if (step > 0) to = Math.min(to, (FAR - start) / step);
     if (step < 0) from = Math.max(from, (FAR - start) / step);
@@ -181,7 +186,12 @@ function clipped(x0, y0, x1, y1) {
  * @returns {Place[]}
  */
 function within(corners) {
-  for (const [axis, sign] of [[0, 1], [0, -1], [1, 1], [1, -1]]) {
+  for (const [axis, sign] of [
+    [0, 1],
+    [0, -1],
+    [1, 1],
+    [1, -1],
+  ]) {
     const depth = (/** @type {Place} */ corner) => FAR - sign * corner[axis];
     corners = corners.flatMap((corner, i) => {
       const before = corners.at(i - 1) ?? corner;

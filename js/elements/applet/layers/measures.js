@@ -73,7 +73,9 @@ export const offset = {
    */
   derive({ pieces, spline }, { offset, view, box }) {
     const tolerance = Math.max((OFFSET_PX * view.width) / box.width, FINEST_OFFSET);
-    const splines = spline ? [spline.offset(offset, { tolerance })] : pieces.map(({ curve }) => curve.offset(offset, { tolerance }));
+    const splines = spline
+      ? [spline.offset(offset, { tolerance })]
+      : pieces.map(({ curve }) => curve.offset(offset, { tolerance }));
     return { curves: splines.flatMap((each) => each.segments()), distance: offset };
   },
 
@@ -87,7 +89,8 @@ export const offset = {
   },
 
   /** @param {{ curves: Curve[], distance: number }} data */
-  tell: ({ curves, distance }) => `Parallel at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
+  tell: ({ curves, distance }) =>
+    `Parallel at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
 };
 
 const TICK_HALF = 7;
@@ -102,7 +105,12 @@ export const ticks = {
    * @param {State} state
    */
   derive({ pieces, spline }, { ticks }) {
-    if (!spline) return { across: pieces.flatMap(({ curve }) => [...ways(curve, curve.equidistantTimes(ticks))]), length: null, ticks };
+    if (!spline)
+      return {
+        across: pieces.flatMap(({ curve }) => [...ways(curve, curve.equidistantTimes(ticks))]),
+        length: null,
+        ticks,
+      };
     const ts = spline.equidistantTimes(ticks);
     const across = pieces.flatMap(({ curve }, k) => {
       const last = k === pieces.length - 1;
@@ -123,5 +131,6 @@ export const ticks = {
   },
 
   /** @param {{ length: number | null, ticks: number }} data */
-  tell: ({ length, ticks }) => (length === null ? "" : `Length ${short(length)} px, a tick every ${short(length / ticks)} px`),
+  tell: ({ length, ticks }) =>
+    length === null ? "" : `Length ${short(length)} px, a tick every ${short(length / ticks)} px`,
 };

@@ -60,7 +60,8 @@ function halfNames(halves) {
   return halves.flatMap((half, side) => {
     const flat = half.controlPoints();
     return Array.from({ length: flat.length / 2 }, (_, i) => {
-      const place = (/** @type {number} */ k) => /** @type {[number, number] | undefined} */ (k in flat ? [flat[k], flat[k + 1]] : undefined);
+      const place = (/** @type {number} */ k) =>
+        /** @type {[number, number] | undefined} */ (k in flat ? [flat[k], flat[k + 1]] : undefined);
       const neighbours = [place(2 * i - 2), place(2 * i + 2)];
       const away = pen.awayFrom([flat[2 * i], flat[2 * i + 1]], neighbours);
       return { text: `${"qr"[side]}${i}`, at: flat.subarray(2 * i, 2 * i + 2), away };

@@ -37,7 +37,8 @@ export const tree = {
       for (const leaf of leaves) if (leaf.depth === depth) addThrough(sheet, leaf.chord);
       stroke(sheet, hue(sheet.theme, depth + 1), WIDTH);
     }
-    if (leaves.length <= MOST_MARKS) for (const { chord, depth } of leaves) hollows(sheet, chord, hue(sheet.theme, depth + 1));
+    if (leaves.length <= MOST_MARKS)
+      for (const { chord, depth } of leaves) hollows(sheet, chord, hue(sheet.theme, depth + 1));
     drawDiagram(sheet, roots, figure);
   },
 

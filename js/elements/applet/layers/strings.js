@@ -59,7 +59,8 @@ export const extrapolation = {
   costly: /** @type {const} */ (true),
 
   /** @param {Figure} figure */
-  derive: ({ pieces }) => pieces.flatMap(({ curve }) => [curve.subsegment(-BEYOND, 0), curve.subsegment(1, 1 + BEYOND)]),
+  derive: ({ pieces }) =>
+    pieces.flatMap(({ curve }) => [curve.subsegment(-BEYOND, 0), curve.subsegment(1, 1 + BEYOND)]),
 
   /**
    * @param {Sheet} sheet

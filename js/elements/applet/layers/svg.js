@@ -36,7 +36,9 @@ export function svgFigure(state, figure, { theme, label = "Bézier curve", opaqu
 
 /** The colours of a light page, as the style sheet states them. */
 function lightTheme() {
-  return Object.fromEntries(Array.from((LIGHT + LEVELS.light).matchAll(/--bz-(\w+): (#\w+)/g), ([, role, colour]) => [role, colour]));
+  return Object.fromEntries(
+    Array.from((LIGHT + LEVELS.light).matchAll(/--bz-(\w+): (#\w+)/g), ([, role, colour]) => [role, colour]),
+  );
 }
 
 /** As much of a canvas's context as the layers use; each thing drawn is an element of SVG. */
@@ -121,7 +123,8 @@ export class Recorder {
   }
 
   fill() {
-    if (this.#path && this.globalAlpha > 0) this.#put(`<path d="${this.#path}"`, `fill="${escaped(this.fillStyle)}"${this.#opacity("fill-opacity")}`);
+    if (this.#path && this.globalAlpha > 0)
+      this.#put(`<path d="${this.#path}"`, `fill="${escaped(this.fillStyle)}"${this.#opacity("fill-opacity")}`);
   }
 
   stroke() {

@@ -43,7 +43,10 @@ export function drawDiagram(sheet, roots, figure) {
   sheet.taken.push(x + width / 2, y + height / 2, width / 2, height / 2);
   const inner = width - 2 * PADDING * px;
   const place = (/** @type {number} */ root, /** @type {Node} */ { t0, t1 }, /** @type {number} */ depth) =>
-    /** @type {Place} */ ([x + PADDING * px + (inner * (root + (t0 + t1) / 2)) / roots.length, y + (PADDING + ROW * depth) * px]);
+    /** @type {Place} */ ([
+      x + PADDING * px + (inner * (root + (t0 + t1) / 2)) / roots.length,
+      y + (PADDING + ROW * depth) * px,
+    ]);
   for (let depth = rows; depth >= 0; depth--) drawRow(sheet, roots, depth, place);
 }
 

@@ -20,7 +20,11 @@ export const truth = {
     return jointsOf(figure).map((facts, k) => {
       const { curve } = figure.pieces[k + 1];
       const { x, y } = curve.tangent(0);
-      return { text: shortWords(facts), at: curve.eval(0), away: /** @type {[number, number]} */ (x || y ? [-y, x] : [0, 1]) };
+      return {
+        text: shortWords(facts),
+        at: curve.eval(0),
+        away: /** @type {[number, number]} */ (x || y ? [-y, x] : [0, 1]),
+      };
     });
   },
 

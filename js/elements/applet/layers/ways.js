@@ -126,9 +126,17 @@ export const comb = {
    * @param {State} state
    */
   derive({ pieces, degree }, { box }) {
-    const count = Math.max(4, Math.min(TEETH * Math.max(degree, 3), MOST_TEETH_OF_ONE, Math.floor(MOST_TEETH / pieces.length)));
+    const count = Math.max(
+      4,
+      Math.min(TEETH * Math.max(degree, 3), MOST_TEETH_OF_ONE, Math.floor(MOST_TEETH / pieces.length)),
+    );
     const scale = COMB_SCALE * box.width ** 2;
-    return combOf(pieces.map(({ curve }) => curve), count, scale, LONGEST_TOOTH * box.width);
+    return combOf(
+      pieces.map(({ curve }) => curve),
+      count,
+      scale,
+      LONGEST_TOOTH * box.width,
+    );
   },
 
   /**
@@ -146,7 +154,8 @@ export const comb = {
   },
 
   /** @param {ReturnType<typeof combOf>} data */
-  tell: ({ sharpest }) => (sharpest > 0 ? `Sharpest bend: radius ${Number((1 / sharpest).toPrecision(3))} px` : "No bend"),
+  tell: ({ sharpest }) =>
+    sharpest > 0 ? `Sharpest bend: radius ${Number((1 / sharpest).toPrecision(3))} px` : "No bend",
 };
 
 /**

@@ -112,7 +112,8 @@ function drawDisc(sheet, x, y, value) {
   ctx.fill();
   ctx.globalAlpha = 1;
   stroke(sheet, colour, RIM_WIDTH);
-  if (Math.abs(value) >= LEAST_READ) sheet.words.push({ text: read(value), at, away: [0, 1], gap: NUMBER_DISTANCE, rank: 1 });
+  if (Math.abs(value) >= LEAST_READ)
+    sheet.words.push({ text: read(value), at, away: [0, 1], gap: NUMBER_DISTANCE, rank: 1 });
 }
 
 /** Outside of [0, 1] weights of high degrees are larger than any picture. */

@@ -1,0 +1,41 @@
+// Arc length of curves.
+import * as check from "./check.js";
+import { core } from "../wasm/init.js";
+import { writeArguments, readResult } from "../wasm/transfer.js";
+
+/**
+ * The arc length of a curve.
+ *
+ * @internal
+ * @param {Float64Array} p
+ * @param {2 | 3} dimension
+ * @param {number | undefined} tolerance
+ * @returns {number}
+ */
+export function curveLength(p, dimension, tolerance) {
+  // The coordinates of a 2D cubic, the most common kind of curve, are passed as arguments; this function has no
+  // tolerance.
+  if (tolerance === undefined && p.length === 8 && dimension === 2) {
+    return core().cubic_length(p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]);
+  }
+  const maxError = check.optionalTolerance(tolerance);
+  writeArguments(p);
+  return readResult(0, core().curve_length(dimension, p.length / dimension, maxError))[0];
+}
+
+/**
+ * The t at an arc length.
+ *
+ * @internal
+ * @param {Float64Array} p
+ * @param {2 | 3} dimension
+ * @param {number} s
+ * @param {number | undefined} tolerance
+ * @returns {number}
+ */
+export function curveTimeAtLength(p, dimension, s, tolerance) {
+  check.finite(s, "s");
+  const maxError = check.optionalTolerance(tolerance);
+  writeArguments(p);
+  return readResult(0, core().curve_time_at_length(dimension, p.length / dimension, s, maxError))[0];
+}

@@ -1,0 +1,38 @@
+import { numbers, oneOf } from "./check.js";
+import { core } from "../wasm/init.js";
+import { readResult } from "../wasm/transfer.js";
+
+/**
+ * @typedef {"bezier" | "hermite" | "b-spline" | "catmull-rom"} BasisName
+ */
+
+/**
+ * A basis by name, or a 4×4 matrix, row-major: 16 numbers or 4 rows of 4.
+ *
+ * @typedef {BasisName | ArrayLike<number> | ArrayLike<ArrayLike<number>>} BasisLike
+ */
+
+/**
+ * The names, in the order of the core's codes.
+ *
+ * @internal
+ * @type {readonly BasisName[]}
+ */
+export const BASES = ["bezier", "hermite", "b-spline", "catmull-rom"];
+
+/**
+ * The matrix of a basis, 16 numbers.
+ *
+ * @internal
+ * @param {BasisLike} basis
+ * @returns {Float64Array}
+ */
+export function basisNumbers(basis) {
+  if (typeof basis === "string") {
+    return readResult(0, core().basis_matrix(BASES.indexOf(oneOf(basis, "basis", BASES))));
+  }
+  const rows = Array.isArray(basis) && Array.isArray(basis[0]) ? basis.flat() : basis;
+  const matrix = numbers(rows, "basis");
+  if (matrix.length !== 16) throw new RangeError(`basis: expected 16 numbers (4×4), got ${matrix.length}`);
+  return matrix;
+}

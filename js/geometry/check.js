@@ -1,0 +1,243 @@
+// Checks of arguments. The public functions check every argument once; after that, values have the right type, are
+// finite and have matching counts.
+
+/**
+ * A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint.
+ *
+ * @typedef {ArrayLike<number> | { x: number, y: number, z?: number }} PointLike
+ */
+
+/**
+ * Points, one by one or as one flat array of coordinates.
+ *
+ * @typedef {ArrayLike<number> | ArrayLike<PointLike>} PointsLike
+ */
+
+/**
+ * An affine map: `[a, b, c, d, e, f]` in SVG order, 16 numbers column-major, or a DOMMatrix.
+ *
+ * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array }} MatrixLike
+ */
+
+/**
+ * Describes a value for the "got …" part of a message.
+ *
+ * @param {unknown} value
+ * @returns {string}
+ */
+export function describe(value) {
+  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
+  if (typeof value === "bigint") return `${value}n`;
+  if (typeof value !== "object" || value === null) return String(value);
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  return `an object (${value.constructor?.name ?? "no class"})`;
+}
+
+/**
+ * A finite number.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+export function finite(value, name) {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a number, got ${describe(value)}`);
+  if (!Number.isFinite(value)) throw new RangeError(`${name}: expected a finite number, got ${value}`);
+  return value;
+}
+
+/**
+ * A finite number greater than 0.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+export function positive(value, name) {
+  const number = finite(value, name);
+  if (number <= 0) throw new RangeError(`${name}: expected a number above 0, got ${number}`);
+  return number;
+}
+
+/**
+ * A tolerance; 0 stands for the default.
+ *
+ * @param {unknown} value
+ * @returns {number}
+ */
+export function optionalTolerance(value) {
+  return value === undefined ? 0 : positive(value, "tolerance");
+}
+
+/**
+ * An integer in a range.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @param {number} min
+ * @param {number} [max]
+ * @returns {number}
+ */
+export function whole(value, name, min, max = Infinity) {
+  if (typeof value !== "number") throw new TypeError(`${name}: expected a whole number, got ${describe(value)}`);
+  if (!Number.isInteger(value) || value < min || value > max) {
+    const range = max === Infinity ? `from ${min}` : `from ${min} to ${max}`;
+    throw new RangeError(`${name}: expected a whole number ${range}, got ${value}`);
+  }
+  return value;
+}
+
+/** The largest count that can be passed to the core, 2³² − 1; the core has lower limits of its own. */
+const MAX_COUNT = 0xffffffff;
+
+/**
+ * A number of segments.
+ *
+ * @param {unknown} value
+ * @param {string} [name]
+ * @returns {number}
+ */
+export function segmentCount(value, name = "segments") {
+  return whole(value, name, 1, MAX_COUNT);
+}
+
+/**
+ * One of several strings.
+ *
+ * @template {string} T
+ * @param {unknown} value
+ * @param {string} name
+ * @param {readonly T[]} words
+ * @returns {T}
+ */
+export function oneOf(value, name, words) {
+  const found = words.find((word) => word === value);
+  if (found !== undefined) return found;
+  const list = words.map((word) => JSON.stringify(word)).join(", ");
+  const message = `${name}: expected one of ${list}, got ${describe(value)}`;
+  throw typeof value === "string" ? new RangeError(message) : new TypeError(message);
+}
+
+/**
+ * Options: an object, undefined or null.
+ *
+ * @template {object} T
+ * @param {T | undefined} value
+ * @param {string} [name]
+ * @returns {Partial<T>}
+ */
+export function options(value, name = "options") {
+  if (value === undefined || value === null) return {};
+  if (typeof value !== "object") throw new TypeError(`${name}: expected an object, got ${describe(value)}`);
+  return value;
+}
+
+/**
+ * An instance of a class.
+ *
+ * @template T
+ * @param {unknown} value
+ * @param {string} name
+ * @param {new (...args: any[]) => T} type
+ * @returns {T}
+ */
+export function instanceOf(value, name, type) {
+  if (value instanceof type) return value;
+  throw new TypeError(`${name}: expected a ${type.name}, got ${describe(value)}`);
+}
+
+/**
+ * A dimension option.
+ *
+ * @param {unknown} value
+ * @returns {2 | 3 | undefined}
+ */
+export function optionalDimension(value) {
+  if (value === undefined || value === 2 || value === 3) return value;
+  if (typeof value !== "number") throw new TypeError(`dimension: expected 2 or 3, got ${describe(value)}`);
+  throw new RangeError(`dimension: expected 2 or 3, got ${value}`);
+}
+
+/**
+ * Whether a value holds numbers or points by index: an array or a typed array.
+ *
+ * @param {unknown} value
+ * @returns {value is ArrayLike<unknown>}
+ */
+export function isList(value) {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+}
+
+/**
+ * An array of finite numbers, copied.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function numbers(value, name) {
+  if (!isList(value)) throw new TypeError(`${name}: expected an array of numbers, got ${describe(value)}`);
+  const copy = new Float64Array(value.length);
+  for (let i = 0; i < copy.length; i++) copy[i] = finite(value[i], `${name}[${i}]`);
+  return copy;
+}
+
+/**
+ * The coefficients of a 3D affine map, as four columns of 3 numbers.
+ *
+ * @param {MatrixLike} matrix
+ * @returns {number[]}
+ */
+export function affine(matrix) {
+  const m = matrixNumbers(matrix);
+  if (m.length === 6) return [m[0], m[1], 0, m[2], m[3], 0, 0, 0, 1, m[4], m[5], 0];
+  if (m[3] !== 0 || m[7] !== 0 || m[11] !== 0 || m[15] !== 1) {
+    throw new RangeError(
+      `matrix: expected an affine map (last row 0 0 0 1), got ${[m[3], m[7], m[11], m[15]].join(" ")}`,
+    );
+  }
+  return [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10], m[12], m[13], m[14]];
+}
+
+/**
+ * The 6 or 16 numbers of a matrix.
+ *
+ * @param {MatrixLike} matrix
+ * @param {string} [name]
+ * @returns {Float64Array}
+ */
+export function matrixNumbers(matrix, name = "matrix") {
+  const dom = typeof matrix === "object" && matrix !== null && "toFloat64Array" in matrix;
+  const m = numbers(dom ? matrix.toFloat64Array() : matrix, name);
+  if (m.length === 6 || m.length === 16) return m;
+  throw new RangeError(`${name}: expected 6 or 16 numbers, got ${m.length}`);
+}
+
+/**
+ * The array for results: the caller's array, or a new one.
+ *
+ * @param {unknown} into
+ * @param {number} length
+ * @returns {Float64Array}
+ */
+export function resultArray(into, length) {
+  if (into === undefined) return new Float64Array(length);
+  if (!(into instanceof Float64Array)) throw new TypeError(`into: expected a Float64Array, got ${describe(into)}`);
+  if (into.length < length) throw new RangeError(`into: expected at least ${length} numbers, got ${into.length}`);
+  return into;
+}
+
+/**
+ * The target of `trace`: a 2D context or a Path2D.
+ *
+ * @param {unknown} value
+ * @returns {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D}
+ */
+export function drawingTarget(value) {
+  const methods = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];
+  const target = /** @type {Record<string, unknown> | null} */ (value);
+  if (typeof target === "object" && target !== null && methods.every((name) => typeof target[name] === "function")) {
+    return /** @type {any} */ (value);
+  }
+  throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${describe(value)}`);
+}

@@ -1,0 +1,48 @@
+// Interpolating splines.
+import * as check from "./check.js";
+import { core } from "../wasm/init.js";
+import { flatten } from "./points.js";
+import { writeArguments } from "../wasm/transfer.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ */
+
+/**
+ * The kind of interpolating spline: "natural", whose second derivatives are equal at all joints and zero at open ends,
+ * or "catmull-rom", whose tangent at a point depends on the point and its two neighbours. `alpha` is the exponent of
+ * the chord lengths of a Catmull-Rom spline: 0 uniform, ½ centripetal, 1 chordal.
+ *
+ * @typedef {object} InterpolateOptions
+ * @property {"natural" | "catmull-rom"} [kind] "natural" by default
+ * @property {number} [alpha] 0 to 1, by default ½
+ * @property {boolean} [closed]
+ * @property {2 | 3} [dimension]
+ */
+
+/** @type {readonly ("natural" | "catmull-rom")[]} */
+const KINDS = ["natural", "catmull-rom"];
+
+/**
+ * Computes a spline through points and leaves it in the arena.
+ *
+ * @internal
+ * @param {PointsLike} points
+ * @param {InterpolateOptions} [options]
+ * @returns {{ length: number, dimension: 2 | 3 }}
+ */
+export function interpolate(points, options) {
+  const { kind = "natural", alpha = 0.5, closed = false, dimension: requested } = check.options(options);
+  check.oneOf(kind, "kind", KINDS);
+  const exponent = check.finite(alpha, "alpha");
+  if (!(exponent >= 0 && exponent <= 1)) {
+    throw new RangeError(`alpha: expected a number from 0 to 1, got ${exponent}`);
+  }
+  const { flat, dimension } = flatten(points, requested, 2);
+  writeArguments(flat);
+  const count = flat.length / dimension;
+  return {
+    length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : exponent),
+    dimension,
+  };
+}

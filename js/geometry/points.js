@@ -1,0 +1,179 @@
+import { finite, isList, optionalDimension, describe } from "./check.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ */
+
+/**
+ * A point in a result: with `z` only in 3D.
+ *
+ * @typedef {{ x: number, y: number, z?: number }} Point
+ */
+
+/**
+ * Points as one flat array of coordinates.
+ *
+ * @internal
+ * @typedef {{ dimension: 2 | 3, flat: Float64Array }} Flat
+ */
+
+/**
+ * Converts points of any form to one flat array, copied and checked.
+ *
+ * @internal
+ * @param {PointsLike} points
+ * @param {unknown} dimension the option of the caller
+ * @param {2 | 3} flatDimension the dimension of a flat array without that option
+ * @param {string} [name]
+ * @returns {Flat}
+ */
+export function flatten(points, dimension, flatDimension, name = "points") {
+  const requested = optionalDimension(dimension);
+  if (!isList(points)) throw new TypeError(`${name}: expected an array of points, got ${describe(points)}`);
+  if (ArrayBuffer.isView(points) || typeof points[0] === "number") {
+    return fromNumbers(/** @type {ArrayLike<unknown>} */ (points), requested ?? flatDimension, name);
+  }
+  const list = /** @type {ArrayLike<unknown>} */ (points);
+  return fromPoints(list, requested ?? (list.length ? dimensionOf(list[0], `${name}[0]`) : 2), name);
+}
+
+/**
+ * @param {ArrayLike<unknown>} numbers
+ * @param {2 | 3} dimension
+ * @param {string} name
+ * @returns {Flat}
+ */
+function fromNumbers(numbers, dimension, name) {
+  if (numbers.length % dimension !== 0) {
+    throw new RangeError(`${name}: expected a multiple of ${dimension} numbers (${dimension}D), got ${numbers.length}`);
+  }
+  const flat = new Float64Array(numbers.length);
+  for (let i = 0; i < flat.length; i++) {
+    const value = numbers[i];
+    if (typeof value !== "number" || !Number.isFinite(value)) finite(value, `${name}[${i}]`);
+    flat[i] = /** @type {number} */ (value);
+  }
+  return { dimension, flat };
+}
+
+/**
+ * @param {ArrayLike<unknown>} list
+ * @param {2 | 3} dimension
+ * @param {string} name
+ * @returns {Flat}
+ */
+function fromPoints(list, dimension, name) {
+  const flat = new Float64Array(list.length * dimension);
+  for (let i = 0; i < list.length; i++) writePoint(flat, i * dimension, list[i], dimension, `${name}[${i}]`);
+  return { dimension, flat };
+}
+
+/**
+ * The dimension of a point: the length of an array; an object is 3D if it has a `z` but no `w` (as a DOMPoint has).
+ *
+ * @param {unknown} point
+ * @param {string} name
+ * @returns {2 | 3}
+ */
+function dimensionOf(point, name) {
+  if (isList(point)) {
+    if (point.length === 2 || point.length === 3) return point.length;
+    throw new RangeError(`${name}: expected 2 or 3 coordinates, got ${point.length}`);
+  }
+  if (typeof point !== "object" || point === null) throw notAPoint(point, name);
+  return "z" in point && !("w" in point) ? 3 : 2;
+}
+
+/**
+ * Writes one point into a flat array, checked.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {number} at
+ * @param {unknown} point
+ * @param {2 | 3} dimension
+ * @param {string} name
+ */
+export function writePoint(flat, at, point, dimension, name) {
+  if (isList(point)) {
+    if (point.length !== dimension) {
+      throw new RangeError(`${name}: expected ${dimension} coordinates, got ${point.length}`);
+    }
+    for (let i = 0; i < dimension; i++) flat[at + i] = finite(point[i], `${name}[${i}]`);
+    return;
+  }
+  if (typeof point !== "object" || point === null) throw notAPoint(point, name);
+  const { x, y, z } = /** @type {{ x: unknown, y: unknown, z?: unknown }} */ (point);
+  flat[at] = finite(x, `${name}.x`);
+  flat[at + 1] = finite(y, `${name}.y`);
+  if (dimension === 3) flat[at + 2] = finite(z, `${name}.z`);
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {TypeError}
+ */
+function notAPoint(value, name) {
+  return new TypeError(`${name}: expected a point ([x, y], [x, y, z], {x, y} or {x, y, z}), got ${describe(value)}`);
+}
+
+/**
+ * The point whose coordinates start at an index of a flat array.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {number} at
+ * @param {2 | 3} dimension
+ * @returns {Point}
+ */
+export function pointAt(flat, at, dimension) {
+  return dimension === 2 ? { x: flat[at], y: flat[at + 1] } : { x: flat[at], y: flat[at + 1], z: flat[at + 2] };
+}
+
+/**
+ * A box from its two corners in a flat array.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {2 | 3} dimension
+ * @returns {{ min: Point, max: Point }}
+ */
+export function boxAt(flat, dimension) {
+  return { min: pointAt(flat, 0, dimension), max: pointAt(flat, dimension, dimension) };
+}
+
+/**
+ * The points of a flat array as one array each, for JSON.
+ *
+ * @internal
+ * @param {Float64Array} flat
+ * @param {number} dimension
+ * @returns {number[][]}
+ */
+export function nested(flat, dimension) {
+  const points = [];
+  for (let i = 0; i < flat.length; i += dimension) points.push([...flat.subarray(i, i + dimension)]);
+  return points;
+}
+
+/**
+ * Whether two flat arrays of points are equal within a distance.
+ *
+ * @internal
+ * @param {Float64Array} a
+ * @param {Float64Array} b
+ * @param {number} dimension
+ * @param {unknown} tolerance
+ * @returns {boolean}
+ */
+export function samePoints(a, b, dimension, tolerance) {
+  const maxDistance = finite(tolerance, "tolerance");
+  if (maxDistance < 0) throw new RangeError(`tolerance: expected a number from 0, got ${maxDistance}`);
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i += dimension) {
+    const z = dimension === 3 ? a[i + 2] - b[i + 2] : 0;
+    if (!(Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], z) <= maxDistance)) return false;
+  }
+  return true;
+}

@@ -1,0 +1,78 @@
+import * as check from "./check.js";
+import { meshInto, segmentsOf } from "./mesh.js";
+
+/**
+ * @import { MatrixLike } from "./check.js"
+ * @import { Mesh } from "./mesh.js"
+ */
+
+/**
+ * The level of detail of a mesh: `segments` along u and v of every patch; `tolerance`, the largest distance from the
+ * surface to the mesh, in the surface's unit; or `pixels`, the largest distance on the screen (parts outside the
+ * viewport may be coarser). `viewProjection` maps (x, y, z, 1) to clip space, 16 numbers column-major; `viewport` is
+ * the width and height in pixels.
+ *
+ * @typedef {{ segments: number | { u: number, v: number } } | { tolerance: number }
+ *   | { pixels: number, viewProjection: MatrixLike, viewport: ArrayLike<number> }} Detail
+ */
+
+/**
+ * The options of a tessellation: the level of detail; `weld`, which corners become one vertex ("position": one vertex
+ * per point; "normal", the default: separate vertices where normals differ by more than 0.1°; "none": separate vertices
+ * for each patch, so that uvs and patch indices are defined); `precision`, the type of positions and normals ("f32" by
+ * default); `into`, an earlier mesh whose arrays are reused if they are large enough.
+ *
+ * @typedef {Detail & { weld?: "position" | "normal" | "none", precision?: "f32" | "f64", into?: Mesh }} TessellationOptions
+ */
+
+/** In the order of the core's codes. */
+const WELDS = /** @type {const} */ (["position", "normal", "none"]);
+const SEGMENTS = 0;
+const TOLERANCE = 1;
+const PIXELS = 2;
+
+/**
+ * The checked options of `tessellate` as arguments of the core: the kind of detail with its two numbers, the weld code
+ * and the precision; `extra` is written to the arena after the surface.
+ *
+ * @internal
+ * @param {TessellationOptions} options
+ */
+export function tessellation(options) {
+  const { weld = "normal", precision = "f32", into, ...detail } = check.options(options);
+  const weldCode = WELDS.indexOf(check.oneOf(weld, "weld", WELDS));
+  const isF64 = check.oneOf(precision, "precision", ["f32", "f64"]) === "f64";
+  const { kind, a, b = 0, extra = [] } = detailNumbers(detail);
+  const args = /** @type {[number, number, number, number, boolean]} */ ([kind, a, b, weldCode, isF64]);
+  return { args, extra, isF64, separatePatches: weld === "none", into: meshInto(into) };
+}
+
+/**
+ * @param {Record<string, any>} detail
+ * @returns {{ kind: number, a: number, b?: number, extra?: number[] }}
+ */
+function detailNumbers(detail) {
+  if ("segments" in detail) {
+    const { u, v } = segmentsOf(detail.segments);
+    return { kind: SEGMENTS, a: u, b: v };
+  }
+  if ("tolerance" in detail) return { kind: TOLERANCE, a: check.positive(detail.tolerance, "tolerance") };
+  if ("pixels" in detail)
+    return { kind: PIXELS, a: check.positive(detail.pixels, "pixels"), extra: viewNumbers(detail) };
+  throw new TypeError(
+    "options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them",
+  );
+}
+
+/**
+ * @param {Record<string, any>} view
+ * @returns {number[]}
+ */
+function viewNumbers({ viewProjection, viewport }) {
+  const matrix = check.matrixNumbers(viewProjection, "viewProjection");
+  if (matrix.length !== 16) throw new RangeError(`viewProjection: expected 16 numbers, got ${matrix.length}`);
+  if (!check.isList(viewport))
+    throw new TypeError(`viewport: expected [width, height], got ${check.describe(viewport)}`);
+  if (viewport.length !== 2) throw new RangeError(`viewport: expected 2 numbers, got ${viewport.length}`);
+  return [...matrix, check.positive(viewport[0], "viewport[0]"), check.positive(viewport[1], "viewport[1]")];
+}

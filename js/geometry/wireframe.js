@@ -1,0 +1,63 @@
+// Isocurves of a surface, and meshes of tubes or ribbons along them.
+import * as check from "./check.js";
+import { Curve } from "./curve.js";
+import { Mesh, readMesh } from "./mesh.js";
+import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../wasm/transfer.js";
+
+/**
+ * The shape of the lines: tubes with a radius and a number of sides (8 by default, at least 3), or ribbons with a width
+ * that lie in the surface. `lines`: the number of strips per patch in each direction, 4 by default; `into`: an earlier
+ * mesh whose arrays are reused if they are large enough.
+ *
+ * @typedef {{ lines?: number, radius: number, sides?: number, into?: Mesh }
+ *   | { lines?: number, width: number, into?: Mesh }} WireframeOptions
+ */
+
+/** The default number of strips per patch in each direction. */
+const DEFAULT_LINES = 4;
+const DEFAULT_SIDES = 8;
+/** The largest count that can be passed to the core, which has a lower limit of its own. */
+const MAX_SIDES = 0xffffffff;
+
+/**
+ * @internal
+ * @param {() => unknown} writeSurface writes the surface to the arena
+ * @param {{ lines?: number }} [options]
+ * @returns {Curve[]}
+ */
+export function isocurves(writeSurface, options) {
+  const lines = check.segmentCount(check.options(options).lines ?? DEFAULT_LINES, "lines");
+  writeSurface();
+  const numbers = readResult(0, core().surface_isocurves(lines));
+  releaseMemory();
+  const curves = [];
+  for (let at = 0; at < numbers.length; ) {
+    const end = at + 1 + 3 * numbers[at];
+    curves.push(new Curve(/** @type {any} */ (new CheckedPoints(numbers.slice(at + 1, end), 3))));
+    at = end;
+  }
+  return curves;
+}
+
+/**
+ * @internal
+ * @param {() => unknown} writeSurface
+ * @param {WireframeOptions} options
+ * @returns {Mesh}
+ */
+export function wireframe(writeSurface, options) {
+  const checked = /** @type {Record<string, any>} */ (check.options(options));
+  const { lines = DEFAULT_LINES, radius, sides = DEFAULT_SIDES, width, into } = checked;
+  if ((radius === undefined) === (width === undefined)) {
+    const got = radius === undefined ? "none of them" : "both";
+    throw new TypeError(`options: expected either radius (tubes) or width (ribbons), got ${got}`);
+  }
+  check.segmentCount(lines, "lines");
+  check.whole(sides, "sides", 3, MAX_SIDES);
+  const size = width === undefined ? check.positive(radius, "radius") : check.positive(width, "width");
+  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh);
+  writeSurface();
+  unwrapCount(core().surface_wireframe(lines, size, width === undefined ? sides : 0));
+  return readMesh(earlier, { separatePatches: false });
+}

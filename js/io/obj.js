@@ -1,0 +1,49 @@
+// Meshes as Wavefront OBJ text; src/io/mesh_export.rs writes the same.
+import * as check from "../geometry/check.js";
+import { formatNumber } from "./format-number.js";
+import { checkMesh } from "./mesh-file.js";
+
+/**
+ * @import { Mesh } from "../geometry/mesh.js"
+ */
+
+/**
+ * @internal
+ * @param {Mesh} mesh
+ * @param {{ quads?: boolean }} [options]
+ * @returns {string}
+ */
+export function meshToOBJ(mesh, options) {
+  const { quads = mesh.quads !== undefined } = check.options(options);
+  if (quads && !mesh.quads) throw new RangeError("quads: expected a mesh with quads, got one without");
+  const [faces, corners] = quads && mesh.quads ? [mesh.quads, 4] : [mesh.indices, 3];
+  checkMesh(mesh, faces, corners);
+  const { positions, normals, uvs } = mesh;
+  const lines = [`# ${positions.length / 3} vertices, ${faces.length / corners} faces`];
+  addLines(lines, "v", positions, 3);
+  if (uvs) addLines(lines, "vt", uvs, 2);
+  addLines(lines, "vn", normals, 3);
+  for (let i = 0; i < faces.length; i += corners) {
+    let line = "f";
+    for (let k = i; k < i + corners; k++) {
+      const number = faces[k] + 1;
+      line += uvs ? ` ${number}/${number}/${number}` : ` ${number}//${number}`;
+    }
+    lines.push(line);
+  }
+  return `${lines.join("\n")}\n`;
+}
+
+/**
+ * @param {string[]} lines
+ * @param {string} word
+ * @param {Float32Array | Float64Array} numbers
+ * @param {number} count the number of numbers per line
+ */
+function addLines(lines, word, numbers, count) {
+  for (let i = 0; i < numbers.length; i += count) {
+    let line = word;
+    for (let k = i; k < i + count; k++) line += ` ${formatNumber(numbers, k)}`;
+    lines.push(line);
+  }
+}

@@ -1,0 +1,269 @@
+// Drawing paths and writing them as SVG path data; src/io/svg_write.rs writes the same text.
+import * as check from "../geometry/check.js";
+import { core } from "../wasm/init.js";
+import { extents } from "../wasm/packed-path.js";
+import { unwrapCount } from "../wasm/errors.js";
+import { writeArguments, readResult } from "../wasm/transfer.js";
+
+/** From this value on, numbers have no digits after the decimal point, and `String` writes them with an exponent. */
+const MIN_EXPONENTIAL = 1e21;
+
+/** The maximum number of digits of `toFixed`. */
+const MAX_DIGITS = 100;
+
+const COMMANDS = ["", "L", "Q", "C"];
+
+/**
+ * The receiver of drawing commands: `move`, then `curve` with the degree (1 to 3), an array of coordinates and the
+ * index of the first control point after the start; `close`.
+ *
+ * @typedef {object} PathSink
+ * @property {(x: number, y: number) => void} move
+ * @property {(degree: number, list: Float64Array, at: number) => void} curve
+ * @property {(line: boolean) => void} close the argument says whether it has to draw the last line
+ */
+
+/**
+ * Draws a packed path; higher degrees become cubics.
+ *
+ * @param {Float64Array} packed
+ * @param {PathSink} sink
+ * @param {number} tolerance 0 for the default
+ * @param {boolean} drawClosingLine whether the last line of a closed subpath is drawn, or left to `close`
+ */
+function draw(packed, sink, tolerance, drawClosingLine) {
+  for (const { segments, closed, degrees, points, end } of extents(packed)) {
+    sink.move(packed[points], packed[points + 1]);
+    let at = points + 2;
+    let left = false;
+    for (let k = 0; k < segments; k++) {
+      const degree = packed[degrees + k];
+      const after = at + 2 * degree;
+      const endsAtStart = after > end;
+      left = endsAtStart && degree === 1 && !drawClosingLine && leftToClose(packed, points, at);
+      if (!endsAtStart && degree <= 3) sink.curve(degree, packed, at);
+      else if (!left) {
+        const curve = new Float64Array(2 * degree + 2);
+        curve.set(packed.subarray(at - 2, Math.min(after, end)));
+        if (endsAtStart) curve.set(packed.subarray(points, points + 2), 2 * degree);
+        if (degree <= 3) sink.curve(degree, curve, 2);
+        else drawCubics(sink, curve, tolerance);
+      }
+      at = after;
+    }
+    if (closed) sink.close(left && segments > 1);
+  }
+}
+
+/**
+ * Whether the last line of a closed subpath, whose end would be at an index, is the line that closing draws: it has a
+ * length, or it is the only segment.
+ *
+ * @param {Float64Array} packed
+ * @param {number} points
+ * @param {number} at
+ */
+function leftToClose(packed, points, at) {
+  return at === points + 2 || packed[at - 2] !== packed[points] || packed[at - 1] !== packed[points + 1];
+}
+
+/**
+ * @param {PathSink} sink
+ * @param {Float64Array} curve
+ * @param {number} tolerance
+ */
+function drawCubics(sink, curve, tolerance) {
+  writeArguments(curve);
+  const list = readResult(0, core().curve_cubics(curve.length / 2, tolerance));
+  for (let at = 0; at < list.length; at += 6) sink.curve(3, list, at);
+}
+
+/**
+ * Throws a RangeError for a tolerance below the precision of the coordinates.
+ *
+ * @param {Float64Array} packed
+ * @param {number} tolerance
+ */
+function checkTolerance(packed, tolerance) {
+  if (tolerance === 0) return;
+  let size = 0;
+  for (const { points, end } of extents(packed))
+    for (let k = points; k < end; k++) size = Math.max(size, Math.abs(packed[k]));
+  unwrapCount(core().path_check_tolerance(tolerance, size));
+}
+
+/**
+ * Draws a packed path on a canvas context or a Path2D.
+ *
+ * @internal
+ * @param {Float64Array} packed
+ * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+ * @param {{ tolerance?: number } | undefined} options for degrees above 3
+ */
+export function traceOn(packed, target, options) {
+  const canvas = check.drawingTarget(target);
+  const tolerance = check.optionalTolerance(check.options(options).tolerance);
+  checkTolerance(packed, tolerance);
+  const sink = {
+    move: (/** @type {number} */ x, /** @type {number} */ y) => canvas.moveTo(x, y),
+    curve: (/** @type {number} */ degree, /** @type {Float64Array} */ p, /** @type {number} */ at) => {
+      if (degree === 1) canvas.lineTo(p[at], p[at + 1]);
+      else if (degree === 2) canvas.quadraticCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3]);
+      else canvas.bezierCurveTo(p[at], p[at + 1], p[at + 2], p[at + 3], p[at + 4], p[at + 5]);
+    },
+    close: () => canvas.closePath(),
+  };
+  draw(packed, sink, tolerance, true);
+}
+
+/**
+ * The options of SVG path data: `precision` (0 to 100), the maximum number of digits after the decimal point, selects
+ * the shortest form; `tolerance` is for degrees above 3, which become cubics.
+ *
+ * @typedef {{ precision?: number, tolerance?: number }} SvgOptions
+ */
+
+/**
+ * A packed path as SVG path data.
+ *
+ * @internal
+ * @param {Float64Array} packed
+ * @param {SvgOptions | undefined} options
+ * @returns {string}
+ */
+export function svgOf(packed, options) {
+  const { precision, tolerance } = check.options(options);
+  if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
+  const maxError = check.optionalTolerance(tolerance);
+  checkTolerance(packed, maxError);
+  const writer = precision === undefined ? new ExactWriter() : new ShortWriter(precision);
+  draw(packed, writer, maxError, false);
+  return writer.text;
+}
+
+/** Writes absolute commands, each number with the fewest digits that round-trip. */
+class ExactWriter {
+  text = "";
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  move(x, y) {
+    this.text += `${this.text ? " " : ""}M${roundTrip(x)},${roundTrip(y)}`;
+  }
+
+  /**
+   * @param {number} degree
+   * @param {Float64Array} list
+   * @param {number} at
+   */
+  curve(degree, list, at) {
+    let text = ` ${COMMANDS[degree]}${roundTrip(list[at])},${roundTrip(list[at + 1])}`;
+    for (let k = at + 2; k < at + 2 * degree; k += 2) text += ` ${roundTrip(list[k])},${roundTrip(list[k + 1])}`;
+    this.text += text;
+  }
+
+  close() {
+    this.text += " Z";
+  }
+}
+
+/** Writes the shortest absolute form, with a maximum number of digits after the decimal point. */
+class ShortWriter {
+  text = "";
+  /** The current point as text. */
+  #x = "";
+  #y = "";
+  #startX = "";
+  #startY = "";
+  /** The command that numbers without a command have. */
+  #implied = "";
+  /** The previous number, if the next one follows it directly. */
+  #last = "";
+
+  /** @param {number} precision */
+  constructor(precision) {
+    this.precision = precision;
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  move(x, y) {
+    this.#x = this.#startX = fixed(x, this.precision);
+    this.#y = this.#startY = fixed(y, this.precision);
+    this.#write("M", [this.#x, this.#y]);
+  }
+
+  /**
+   * @param {number} degree
+   * @param {Float64Array} list
+   * @param {number} at
+   */
+  curve(degree, list, at) {
+    const words = Array.from(list.subarray(at, at + 2 * degree), (number) => fixed(number, this.precision));
+    const [x, y] = [words[2 * degree - 2], words[2 * degree - 1]];
+    if (degree === 1 && y === this.#y) this.#write("H", [x]);
+    else if (degree === 1 && x === this.#x) this.#write("V", [y]);
+    else this.#write(COMMANDS[degree], words);
+    this.#x = x;
+    this.#y = y;
+  }
+
+  /** @param {boolean} line */
+  close(line) {
+    // If rounding reduces the last line to length 0, it is written.
+    if (line && this.#x === this.#startX && this.#y === this.#startY) this.#write("H", [this.#x]);
+    this.text += "Z";
+    this.#implied = "";
+  }
+
+  /**
+   * @param {string} command
+   * @param {string[]} words
+   */
+  #write(command, words) {
+    let text = "";
+    let last = this.#last;
+    if (command !== this.#implied) {
+      text = command;
+      last = "";
+    }
+    this.#implied = command === "M" ? "L" : command;
+    for (const word of words) {
+      const needsNoSpace =
+        last === "" || word[0] === "-" || (word[0] === "." && (last.includes(".") || last.includes("e")));
+      text += needsNoSpace ? word : ` ${word}`;
+      last = word;
+    }
+    this.text += text;
+    this.#last = last;
+  }
+}
+
+/** @param {number} x */
+function roundTrip(x) {
+  return x === 0 && Object.is(x, -0) ? "-0" : `${x}`;
+}
+
+/**
+ * A number with at most `digits` digits after the decimal point, without redundant zeros: "-.5".
+ *
+ * @param {number} x
+ * @param {number} digits
+ */
+function fixed(x, digits) {
+  if (Math.abs(x) >= MIN_EXPONENTIAL) return String(x).replace("+", "");
+  let word = x.toFixed(digits);
+  if (digits > 0) {
+    let end = word.length;
+    while (word[end - 1] === "0") end--;
+    if (word[end - 1] === ".") end--;
+    word = word.slice(0, end);
+  }
+  if (word === "-0") return "0";
+  if (word.startsWith("0.")) return word.slice(1);
+  return word.startsWith("-0.") ? `-${word.slice(2)}` : word;
+}

@@ -1,0 +1,139 @@
+import { curvesModule } from "./curves-module.js";
+import { wasmModules } from "./wasm-module.js";
+
+/**
+ * @import { CubicEval, WasmModule } from "./wasm-module.js"
+ * @import { Functions } from "../glue/functions.js"
+ */
+
+/**
+ * Where the wasm module comes from: compiled, as bytes, as an HTTP answer, as a URL to fetch, or a promise of these.
+ *
+ * @typedef {WebAssembly.Module | BufferSource | Response | URL} WasmSource
+ */
+
+/**
+ * Compiles the core before its first use, asynchronously. With `casteljau` this is optional, because the first call
+ * compiles it synchronously. With `casteljau/slim`, which does not contain the wasm module, call it once:
+ *
+ *     await init(fetch(new URL("casteljau/casteljau.wasm", import.meta.url)));
+ *
+ * Further calls do nothing. After a failure, it can be called again.
+ *
+ * @param {WasmSource | PromiseLike<WasmSource>} [source] optional with `casteljau`, whose default is the bytes in the
+ *   package
+ * @returns {Promise<void>}
+ * @throws {TypeError} if the source is of another kind, or missing with `casteljau/slim`
+ */
+export async function init(source) {
+  const awaited = await source; // always awaited, so that a failed fetch never is an unhandled rejection
+  const uncompiled = wasmModules.filter((wasmModule) => !wasmModule.functions);
+  if (awaited === undefined) return void (await Promise.all(uncompiled.map(compileInlined)));
+  if (!uncompiled.length) return;
+  const module = await compile(awaited);
+  for (const wasmModule of uncompiled) if (!wasmModule.functions) instantiate(wasmModule, module);
+}
+
+/**
+ * The functions of the Rust core, which is instantiated by the first call. A count of −1 means an error (see
+ * `unwrapCount`).
+ *
+ * @internal
+ * @param {WasmModule} [wasmModule]
+ * @returns {Functions}
+ * @throws {Error} with `casteljau/slim`, before the promise of `init` is fulfilled
+ */
+export function core(wasmModule = curvesModule) {
+  return wasmModule.functions ?? instantiateSync(wasmModule);
+}
+
+/**
+ * The only function of the core that is called without the wrapper of wasm-bindgen.
+ *
+ * @internal
+ * @returns {CubicEval}
+ */
+export function cubicEval() {
+  if (!curvesModule.cubicEval) instantiateSync(curvesModule);
+  return /** @type {CubicEval} */ (curvesModule.cubicEval);
+}
+
+/**
+ * The core's memory. When it grows, its views are detached: never keep a view across a call.
+ *
+ * @internal
+ * @param {WasmModule} [wasmModule]
+ * @returns {WebAssembly.Memory}
+ */
+export function memory(wasmModule = curvesModule) {
+  if (!wasmModule.memory) instantiateSync(wasmModule);
+  return /** @type {WebAssembly.Memory} */ (wasmModule.memory);
+}
+
+/**
+ * @param {WasmModule} wasmModule
+ * @returns {Functions}
+ */
+function instantiateSync(wasmModule) {
+  if (!wasmModule.bytes) {
+    throw new Error("casteljau/slim carries no wasm: await init(module, bytes or response) before the first call");
+  }
+  return instantiate(wasmModule, new WebAssembly.Module(wasmModule.bytes()));
+}
+
+/**
+ * @param {WasmModule} wasmModule
+ * @param {WebAssembly.Module} module
+ * @returns {Functions}
+ */
+function instantiate(wasmModule, module) {
+  const exports = /** @type {any} */ (wasmModule.link({ module }));
+  wasmModule.memory = exports.memory;
+  wasmModule.cubicEval = exports.cubic_eval;
+  wasmModule.functions = exports;
+  return exports;
+}
+
+/** @param {WasmModule} wasmModule */
+async function compileInlined(wasmModule) {
+  if (!wasmModule.bytes) {
+    throw new TypeError("casteljau/slim: init expects a WebAssembly.Module, bytes, a Response or a URL, got nothing");
+  }
+  const module = await compile(wasmModule.bytes());
+  if (!wasmModule.functions) instantiate(wasmModule, module); // a synchronous first call may have instantiated it meanwhile
+}
+
+/**
+ * @param {WasmSource} source
+ * @returns {Promise<WebAssembly.Module>}
+ */
+async function compile(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) return WebAssembly.compile(source);
+  if (typeof URL === "function" && source instanceof URL) return compileResponse(await fetch(source));
+  if (typeof Response === "function" && source instanceof Response) return compileResponse(source);
+  throw new TypeError(
+    `init: source must be a WebAssembly.Module, bytes, a Response or a URL, or a promise of one, got ${kindOf(source)}`,
+  );
+}
+
+/**
+ * Compiles the response while it arrives if the server sends the media type of wasm; otherwise after all of it arrived.
+ *
+ * @param {Response} response
+ * @returns {Promise<WebAssembly.Module>}
+ */
+async function compileResponse(response) {
+  if (!response.ok) throw new Error(`init: ${response.url} was answered with ${response.status}`);
+  const typed = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  if (typed && WebAssembly.compileStreaming) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/**
+ * @param {unknown} value
+ * @returns {string}
+ */
+function kindOf(value) {
+  return typeof value === "object" && value ? (value.constructor?.name ?? "an object") : typeof value;
+}
