@@ -6,6 +6,10 @@
 //! bounded, not sampled (`bound`). If the bound fails, the piece is cut, at cusps of the offset curve first. Idea:
 //! Levien, "Parallel curves of cubic Béziers" (2022).
 #![allow(
+    clippy::disallowed_methods,
+    reason = "the curve is scaled to size 1: nothing overflows"
+)]
+#![allow(
     unreachable_pub,
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
