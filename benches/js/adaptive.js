@@ -3,8 +3,10 @@ import { Surface } from "casteljau";
 import { distanceToTriangle } from "./distance.js";
 import { compare } from "./harness.js";
 
+/** @typedef {{ x: number, y: number, z: number }} Vertex */
+
 const teapot = Surface.teapot();
-const { min, max } = teapot.bounds();
+const { min, max } = /** @type {{ min: Vertex, max: Vertex }} */ (teapot.bounds());
 /** A thousandth of the diagonal. */
 const TOLERANCE = Math.hypot(max.x - min.x, max.y - min.y, max.z - min.z) / 1000;
 /** The number of samples along each side of a triangle for measuring distances. */

@@ -29,9 +29,11 @@ const PAUSE_MS = 40;
 
 /** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur?: number, tdur?: number, args?: any }} TraceEvent times in µs */
 
+/** @typedef {{ id: string, work: string, peer: null, unit: string, theirs: null, ours: number, ratio: null, spread: number[] }} Result */
+
 /**
  * @param {import("./harness.js").Effort} effort
- * @returns {Promise<object[]>} empty without Chromium
+ * @returns {Promise<Result[]>} empty without Chromium
  */
 export async function results(effort) {
   if (!existsSync(chromePath())) return [];
@@ -120,7 +122,8 @@ function scriptPerMove(events) {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const times = await moves(WARM_UP_MOVES, 100);
   const sorted = [...times].sort((a, b) => a - b);
+  const slowest = sorted[sorted.length - 1];
   console.log(
-    `${times.length} moves: median ${median(times) / 1000} ms, 90 % under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, maximum ${sorted.at(-1) / 1000} ms`,
+    `${times.length} moves: median ${median(times) / 1000} ms, 90 % under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, maximum ${slowest / 1000} ms`,
   );
 }

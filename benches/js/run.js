@@ -32,8 +32,9 @@ const quick = args.includes("--quick");
 const effort = quick ? QUICK : FULL;
 const filters = args.filter((arg) => !arg.startsWith("--"));
 const isSelected = (/** @type {string} */ id) => filters.every((part) => id.includes(part));
-/** A quick run has no targets, because its times are meaningless. */
-const judge = quick ? (/** @type {object} */ result) => ({ ...result, target: null, met: null }) : withVerdict;
+/** Adds the target of a result; a quick run has none, because its times are meaningless. */
+const judge = (/** @type {{ id: string, ours: number, ratio: number | null }} */ result) =>
+  quick ? { ...result, target: null, met: null } : withVerdict(result);
 const root = new URL("../../", import.meta.url);
 const read = (/** @type {string} */ name) => readFileSync(new URL(name, root), "utf8");
 
@@ -82,9 +83,9 @@ const compared = [
 const adaptiveRows = isSelected("adaptive-verb") ? adaptive.results(effort) : [];
 const startRows = filters.length ? [] : start.results(effort);
 const frameRows = quick || !isSelected("frame") ? [] : await frame.results(effort);
-const growthRows = growth.results(effort, isSelected).map(judge);
+const growthRows = growth.results(effort, isSelected).map((result) => judge(result));
 const nativeRows = quick ? [] : native.results().filter(({ id }) => isSelected(id));
-const rows = [...compared, ...adaptiveRows, ...startRows, ...frameRows, ...nativeRows].map(judge);
+const rows = [...compared, ...adaptiveRows, ...startRows, ...frameRows, ...nativeRows].map((result) => judge(result));
 const run = conditions();
 
 console.log(`\n${run.machine.cpu}, ${run.machine.cores} cores, ${run.machine.platform}, ${run.date}`);

@@ -42,7 +42,7 @@ const toOurAxes = (numbers, raise) =>
 /**
  * three.js omits triangles with two equal corners.
  *
- * @param {{ positions: Float32Array, indices: ArrayLike<number> }} mesh
+ * @param {{ positions: ArrayLike<number>, indices: ArrayLike<number> }} mesh
  */
 function withoutDegenerate({ positions, indices }) {
   const same = (/** @type {number} */ a, /** @type {number} */ b) =>

@@ -1,7 +1,7 @@
 // The applications: addresses do no harm, a strict policy is enough; and the first of them, easing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { easing } from "../../dist/index.js";
+import { easing } from "casteljau";
 import { close, open, slide, state, TAGS } from "./application-page.js";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";

@@ -12,8 +12,8 @@ export const root = fileURLToPath(new URL("../../", import.meta.url));
 /** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
 const LONGEST_WAIT_MS = 60_000;
 
-/** One browser and one server for all tests of a file. */
-const shared = { browser: undefined, site: undefined, count: 0 };
+/** One browser and one server for all tests of a file. @type {{ browser?: Promise<import("playwright-core").Browser>, site?: ReturnType<typeof serve>, count: number }} */
+const shared = { count: 0 };
 
 after(async () => {
   await (await shared.browser)?.close();
@@ -104,13 +104,15 @@ export const QUIET_FRAMES = 12;
 export const intersectionsReported = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; i++) {
-      await new Promise((resolve) => {
-        const observer = new IntersectionObserver(() => {
-          observer.disconnect();
-          resolve();
-        });
-        observer.observe(document.documentElement);
-      });
+      await /** @type {Promise<void>} */ (
+        new Promise((resolve) => {
+          const observer = new IntersectionObserver(() => {
+            observer.disconnect();
+            resolve();
+          });
+          observer.observe(document.documentElement);
+        })
+      );
     }
     await (await fetch(location.href)).text();
   });

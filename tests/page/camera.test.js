@@ -1,7 +1,7 @@
 // The camera: even speed, calm frames, points that move; the code on the page is right.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Spline } from "../../dist/index.js";
+import { Spline } from "casteljau";
 import { close, open, slide, state } from "./application-page.js";
 
 test("camera: equal times are equal ways at even speed only", async (t) => {

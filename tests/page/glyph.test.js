@@ -1,7 +1,7 @@
 // The editor of letters: ink and holes, joints, points, path data in and out, quadratics, closeness.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Path } from "../../dist/index.js";
+import { Path } from "casteljau";
 import { close, open, PHONE, slide, state } from "./application-page.js";
 
 /** The outline of the page as a Path of ours. */
