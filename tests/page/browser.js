@@ -88,6 +88,17 @@ export async function assertAccessibleInBothThemes(page, settled = frames) {
   await assertAccessible(page, { rules: COLOUR_RULES });
 }
 
+/**
+ * The box of an element, which must be visible.
+ *
+ * @param {import("playwright-core").Locator} locator
+ */
+export async function boxOf(locator) {
+  const box = await locator.boundingBox();
+  assert.ok(box, "expected a visible element");
+  return box;
+}
+
 /** Waits for so many animation frames: after two, what was changed before has been drawn. */
 export const frames = (page, count = 2) =>
   page.evaluate(async (count) => {
