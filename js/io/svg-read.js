@@ -33,6 +33,7 @@ const CASE = 32;
 export function readSvg(d) {
   const scanner = new Scanner(d);
   const builder = new PathBuilder();
+  /** @type {{ offset: number, message: string } | null} */
   let error = null;
   try {
     read(scanner, builder);

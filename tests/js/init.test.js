@@ -24,7 +24,7 @@ async function compilations(act) {
   WebAssembly.Module = new Proxy(Module, {
     construct: (target, args) => {
       count++;
-      return new target(...args);
+      return Reflect.construct(target, args);
     },
   });
   WebAssembly.compile = (...args) => {

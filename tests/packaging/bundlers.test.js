@@ -20,10 +20,10 @@ after(fixture.remove);
 const entry = await fixture.write("src/main.js", PROGRAM);
 const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
 
-for (const [format, name] of [
+for (const [format, name] of /** @type {const} */ ([
   ["esm", "esbuild.mjs"],
   ["iife", "esbuild.cjs"],
-]) {
+])) {
   test(`esbuild, ${format}, minified`, async () => {
     const outfile = join(fixture.folder, "out", name);
     const { warnings } = await esbuild({
@@ -39,7 +39,7 @@ for (const [format, name] of [
   });
 }
 
-for (const format of ["es", "iife"]) {
+for (const format of /** @type {const} */ (["es", "iife"])) {
   test(`Rollup, ${format}`, async () => {
     const resolve = createRequire(entry).resolve;
     const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };

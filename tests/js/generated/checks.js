@@ -6,12 +6,12 @@ import { Curve, Path, Spline, Surface } from "casteljau";
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
 const INFINITE = new Set(["Curve.curvature", "Curve.torsion"]);
 
-/** All numbers of an answer. @param {unknown} value @param {(x: number) => void} see */
+/** All numbers of an answer. @param {any} value @param {(x: number) => void} see */
 function visit(value, see) {
   if (typeof value === "number") return see(value);
   if (typeof value !== "object" || value === null) return;
   if (ArrayBuffer.isView(value)) {
-    for (const x of value) see(x);
+    for (const x of /** @type {Float64Array} */ (value)) see(x);
     return;
   }
   if (Array.isArray(value)) return value.forEach((item) => visit(item, see));
@@ -55,7 +55,8 @@ export function works() {
   assert.deepEqual(new Spline(CUBIC).flatten(100).points.length >= 4, true);
 }
 
-const numbersOf = (point) => (ArrayBuffer.isView(point) || Array.isArray(point) ? [...point] : Object.values(point));
+const numbersOf = (/** @type {any} */ point) =>
+  ArrayBuffer.isView(point) || Array.isArray(point) ? Array.from(/** @type {any} */ (point)) : Object.values(point);
 const distance = (p, q) => Math.hypot(...numbersOf(p).map((x, k) => x - numbersOf(q)[k]));
 /** 64 (n + 2) roundings of the largest coordinate. */
 const slackOf = (size, degree) => 64 * (degree + 2) * Number.EPSILON * size + Number.MIN_VALUE;

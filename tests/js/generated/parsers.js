@@ -11,7 +11,7 @@ import { fromSvg, pathOf } from "../../../www/glyph/outline.js";
 function readBy(reader, text) {
   try {
     return reader(text);
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     assert.ok(error instanceof RangeError || error instanceof TypeError, `${error.stack}`);
     assert.match(error.message, /expected /);
     return undefined;
@@ -23,7 +23,7 @@ function readEasing({ text }) {
   const [onPage, inElement] = [readBy(parse, text), readBy(readTiming, text)];
   for (const handles of [onPage, inElement].filter(Boolean)) {
     assert.ok(handles.length === 4 && handles.every(Number.isFinite));
-    assert.equal(easing(...handles)(1), 1);
+    assert.equal(easing(.../** @type {[number, number, number, number]} */ (handles))(1), 1);
     // The text of −0 is 0.
     assert.deepEqual(
       readTiming(timingText(handles)),
@@ -38,7 +38,7 @@ function readEasing({ text }) {
 function stateOf(text) {
   try {
     return JSON.parse(decodeURIComponent(text));
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     assert.ok(error instanceof SyntaxError || error instanceof URIError, `${error.stack}`);
     return null;
   }
