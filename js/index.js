@@ -1,7 +1,7 @@
 // The public interface. Importing it compiles nothing; the first call does.
 export { init } from "./wasm/init.js";
-export { Curve } from "./geometry/curve.js";
-export { Spline } from "./geometry/spline.js";
+export { Curve } from "./geometry/curve/curve.js";
+export { Spline } from "./geometry/spline/spline.js";
 export { Path } from "./geometry/path.js";
 export { Patch } from "./geometry/patch.js";
 export { Surface } from "./geometry/surface.js";

@@ -1,6 +1,11 @@
-import { numbers, oneOf } from "./check.js";
+import { numbers, oneOf, options as checkedOptions } from "./check.js";
+import { flatten } from "./points.js";
 import { core } from "../wasm/init.js";
-import { readResult } from "../wasm/transfer.js";
+import { CheckedPoints, readResult, writeArguments } from "../wasm/transfer.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ */
 
 /**
  * @typedef {"bezier" | "hermite" | "b-spline" | "catmull-rom"} BasisName
@@ -35,4 +40,23 @@ export function basisNumbers(basis) {
   const matrix = numbers(rows, "basis");
   if (matrix.length !== 16) throw new RangeError(`basis: expected 16 numbers (4×4), got ${matrix.length}`);
   return matrix;
+}
+
+/**
+ * The control points of the cubic of four geometry points in a basis.
+ *
+ * @internal
+ * @param {BasisLike} basis
+ * @param {PointsLike} points
+ * @param {{ dimension?: 2 | 3 }} [options]
+ * @returns {CheckedPoints}
+ */
+export function pointsInBasis(basis, points, options) {
+  const matrix = basisNumbers(basis);
+  const { flat, dimension } = flatten(points, checkedOptions(options).dimension, 2);
+  if (flat.length !== 4 * dimension) {
+    throw new RangeError(`points: expected 4 points, got ${flat.length / dimension}`);
+  }
+  writeArguments(flat, 16).set(matrix, flat.length);
+  return new CheckedPoints(readResult(0, core().curve_from_basis(dimension)), dimension);
 }

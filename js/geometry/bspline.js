@@ -6,7 +6,7 @@ import { writeArguments } from "../wasm/transfer.js";
 
 /**
  * @import { PointsLike } from "./check.js"
- * @import { SplineData } from "./intersections.js"
+ * @import { SplineData } from "./brand.js"
  */
 
 /**

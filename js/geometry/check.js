@@ -241,3 +241,14 @@ export function drawingTarget(value) {
   }
   throw new TypeError(`target: expected a CanvasRenderingContext2D or a Path2D, got ${describe(value)}`);
 }
+
+/**
+ * Throws a TypeError in 3D.
+ *
+ * @param {string} method
+ * @param {string} what "curve" or "spline"
+ * @param {2 | 3} dimension
+ */
+export function require2D(method, what, dimension) {
+  if (dimension === 3) throw new TypeError(`${method}: expected a 2D ${what}, got a 3D one`);
+}

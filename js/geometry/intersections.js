@@ -1,26 +1,14 @@
 // Intersections of curves and splines, read from the arena.
 import { arena } from "../wasm/arena.js";
-import { describe } from "./check.js";
+import { splineData, typeOf } from "./brand.js";
+import { require2D } from "./check.js";
 import { core } from "../wasm/init.js";
 import { writeArguments, releaseMemory } from "../wasm/transfer.js";
 
 /**
+ * @import { SplineData } from "./brand.js"
  * @import { Point } from "./points.js"
  */
-
-/**
- * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
- *
- * @internal
- * @typedef {{ flat: Float64Array, dimension: 2 | 3, degrees: readonly number[], closed: boolean }} SplineData
- */
-
-/**
- * The name of the method by which curves and splines give each other their data; a curve is a spline of one segment.
- *
- * @internal
- */
-export const SPLINE_DATA = Symbol("spline data");
 
 /**
  * An intersection of two curves: t on the first, u on the second. At a "tangent" intersection, both have the same or
@@ -73,29 +61,18 @@ export function readSelfIntersections(length) {
 }
 
 /**
- * The data of a 2D curve or spline.
- *
- * @internal
- * @param {unknown} value
- * @returns {SplineData}
- * @throws {TypeError} for anything else
- */
-export function splineDataOf(value) {
-  const method = /** @type {{ [SPLINE_DATA]?: () => SplineData } | null | undefined} */ (value)?.[SPLINE_DATA];
-  if (typeof method !== "function") throw new TypeError(`other: expected a Curve or a Spline, got ${describe(value)}`);
-  return method.call(value);
-}
-
-/**
- * The intersections of two splines.
+ * The intersections of a 2D spline with a curve or a spline.
  *
  * @internal
  * @param {SplineData} spline
- * @param {SplineData} other
+ * @param {unknown} other
  * @returns {Intersection[]}
+ * @throws {TypeError} for any other value, and for a 3D one
  */
 export function intersectSplines(spline, other) {
-  writeSplines([spline, other]);
+  const data = splineData(other, "other");
+  require2D("intersections", /** @type {string} */ (typeOf(other)), data.dimension);
+  writeSplines([spline, data]);
   return readIntersections(core().spline_intersect());
 }
 
@@ -123,16 +100,4 @@ function writeSplines(splines) {
     view.set(flat, at + 2 + degrees.length);
     at += 2 + degrees.length + flat.length;
   }
-}
-
-/**
- * Throws a TypeError in 3D.
- *
- * @internal
- * @param {string} method
- * @param {string} what "curve" or "spline"
- * @param {2 | 3} dimension
- */
-export function require2D(method, what, dimension) {
-  if (dimension === 3) throw new TypeError(`${method}: expected a 2D ${what}, got a 3D one`);
 }

@@ -1,6 +1,6 @@
 import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
-import { Curve } from "./curve.js";
+import { curveOf } from "./curve/curve.js";
 import { readGrid } from "./grid-mesh.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, readMesh } from "./mesh.js";
@@ -12,6 +12,7 @@ import { CheckedPoints } from "../wasm/transfer.js";
 /**
  * @import { BasisLike } from "./basis.js"
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { Curve } from "./curve/curve.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
  * @import { Curvature, PatchPoint, PatchDeCasteljau } from "./surface-queries.js"
@@ -396,7 +397,7 @@ export class Patch {
   #isocurve(constantU, at) {
     writeArguments(this.#flat);
     const length = core().patch_isocurve(this.#degreeU, this.#degreeV, constantU, at);
-    return new Curve(/** @type {any} */ (new CheckedPoints(readResult(0, length), 3)));
+    return curveOf(new CheckedPoints(readResult(0, length), 3));
   }
 
   /**

@@ -1,20 +1,24 @@
+import { splineData } from "./brand.js";
 import * as check from "./check.js";
-import { Curve } from "./curve.js";
 import { core } from "../wasm/init.js";
-import { SPLINE_DATA } from "./intersections.js";
 import { extents, packedSplines } from "../wasm/packed-path.js";
 import { intersectPaths, nearestOnPath, readTimes } from "./path-queries.js";
 import { boxAt, samePoints, writePoint } from "./points.js";
-import { Spline, splineOf } from "./spline.js";
+import { splineDataOf } from "./spline/spline-value.js";
+import { splineOf } from "./spline/spline.js";
 import { readSvg } from "../io/svg-read.js";
 import { svgOf, traceOn } from "../io/svg-write.js";
 import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
 
 /**
+ * @import { SplineData } from "./brand.js"
  * @import { MatrixLike, PointLike } from "./check.js"
- * @import { SplineData } from "./intersections.js"
+ * @import { CoreCurve } from "./curve/core-curve.js"
  * @import { PathIntersection, PathPoint, PathTime } from "./path-queries.js"
  * @import { Point } from "./points.js"
+ * @import { CoreSpline } from "./spline/core-spline.js"
+ * @import { SplineJSON } from "./spline/spline-value.js"
+ * @import { Spline } from "./spline/spline.js"
  * @import { SvgOptions } from "../io/svg-write.js"
  */
 
@@ -55,7 +59,7 @@ export class Path {
   #subpaths = null;
 
   /**
-   * @param {ArrayLike<Spline | Curve>} splines 2D
+   * @param {ArrayLike<CoreSpline | CoreCurve>} splines 2D
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
   constructor(splines) {
@@ -88,7 +92,7 @@ export class Path {
   }
 
   /**
-   * @param {{ subpaths: Parameters<typeof Spline.fromJSON>[0][] }} json what `toJSON` returned
+   * @param {{ subpaths: SplineJSON[] }} json what `toJSON` returned
    * @returns {Path}
    */
   static fromJSON(json) {
@@ -96,9 +100,7 @@ export class Path {
       throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
     }
     return pathOf(
-      packedSplines(
-        Array.from(json.subpaths, (subpath, k) => checkedSplineData(Spline.fromJSON(subpath), `subpaths[${k}]`)),
-      ),
+      packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`))),
     );
   }
 
@@ -208,7 +210,7 @@ export class Path {
    *
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
-   * @param {Path | Spline | Curve} other
+   * @param {Path | CoreSpline | CoreCurve} other
    * @returns {PathIntersection[]}
    */
   intersections(other) {
@@ -406,10 +408,16 @@ function coordinatesOf(point) {
  * @returns {SplineData}
  */
 function checkedSplineData(spline, name, expected = "a Spline or a Curve") {
-  if (!(spline instanceof Spline || spline instanceof Curve))
-    throw new TypeError(`${name}: expected ${expected}, got ${check.describe(spline)}`);
-  if (spline.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
-  return spline[SPLINE_DATA]();
+  return require2D(splineData(spline, name, expected), name);
+}
+
+/**
+ * @param {SplineData} data
+ * @param {string} name
+ */
+function require2D(data, name) {
+  if (data.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
+  return data;
 }
 
 /**

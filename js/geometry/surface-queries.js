@@ -1,5 +1,5 @@
 // Queries of patches and surfaces: a patch is passed to the core as a surface of one patch.
-import { Curve } from "./curve.js";
+import { curveOf } from "./curve/curve.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
 import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
 import { CheckedPoints } from "../wasm/transfer.js";
@@ -144,7 +144,7 @@ export function withoutPatch({ u, v, point, distance }) {
  */
 export function deCasteljau(flat, columns, u, v) {
   const levels = (/** @type {Float64Array} */ row, /** @type {number} */ t) =>
-    new Curve(/** @type {any} */ (new CheckedPoints(row, 3))).deCasteljau(t);
+    curveOf(new CheckedPoints(row, 3)).deCasteljau(t);
   const rows = [];
   for (let i = 0; i < flat.length; i += 3 * columns) rows.push(levels(flat.slice(i, i + 3 * columns), u));
   const ends = new Float64Array(3 * rows.length);

@@ -14,7 +14,7 @@ import { isocurves, wireframe } from "./wireframe.js";
 
 /**
  * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
- * @import { Curve } from "./curve.js"
+ * @import { Curve } from "./curve/curve.js"
  * @import { FlatPiece } from "./flat-pieces.js"
  * @import { WireframeOptions } from "./wireframe.js"
  * @import { GridOptions, Mesh } from "./mesh.js"

@@ -1,9 +1,11 @@
 // Isocurves of a surface, and meshes of tubes or ribbons along them.
 import * as check from "./check.js";
-import { Curve } from "./curve.js";
+import { curveOf } from "./curve/curve.js";
 import { Mesh, readMesh } from "./mesh.js";
 import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
 import { CheckedPoints } from "../wasm/transfer.js";
+
+/** @import { Curve } from "./curve/curve.js" */
 
 /**
  * The shape of the lines: tubes with a radius and a number of sides (8 by default, at least 3), or ribbons with a width
@@ -34,7 +36,7 @@ export function isocurves(writeSurface, options) {
   const curves = [];
   for (let at = 0; at < numbers.length; ) {
     const end = at + 1 + 3 * numbers[at];
-    curves.push(new Curve(/** @type {any} */ (new CheckedPoints(numbers.slice(at + 1, end), 3))));
+    curves.push(curveOf(new CheckedPoints(numbers.slice(at + 1, end), 3)));
     at = end;
   }
   return curves;

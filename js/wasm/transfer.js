@@ -59,6 +59,34 @@ export function readResult(from, to, wasmModule = curvesModule) {
 }
 
 /**
+ * Copies a result that may be large from the start of the arena, and releases its memory.
+ *
+ * @internal
+ * @param {number} length
+ * @returns {Float64Array}
+ */
+export function readLargeResult(length) {
+  const result = readResult(0, length);
+  releaseMemory();
+  return result;
+}
+
+/**
+ * Reads a polyline from the arena.
+ *
+ * @internal
+ * @param {number} vertices
+ * @param {2 | 3} dimension
+ * @returns {{ points: Float64Array, ts: Float64Array }}
+ */
+export function readPolyline(vertices, dimension) {
+  const end = vertices * dimension;
+  const polyline = { points: readResult(0, end), ts: readResult(end, end + vertices) };
+  releaseMemory();
+  return polyline;
+}
+
+/**
  * Copies the first numbers of the arena to an array that is long enough.
  *
  * @internal

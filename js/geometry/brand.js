@@ -1,0 +1,74 @@
+// How curves and splines of one copy of this package are recognised by another copy: each entry point is a bundle with
+// its own classes, so that `instanceof` does not answer that question. Both kinds have the two members of `Branded`,
+// whose names are strings because bundlers keep an unused class that has a computed name.
+import { describe } from "./check.js";
+
+/**
+ * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
+ *
+ * @internal
+ * @typedef {{ flat: Float64Array, dimension: 2 | 3, degrees: readonly number[], closed: boolean }} SplineData
+ */
+
+/**
+ * @internal
+ * @typedef {{ readonly casteljauType: "curve" | "spline", casteljauData(): SplineData }} Branded
+ */
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @returns {"curve" | "spline" | undefined} undefined for any other value
+ */
+export function typeOf(value) {
+  return /** @type {Partial<Branded> | null | undefined} */ (value)?.casteljauType;
+}
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {SplineData}
+ * @throws {TypeError} for anything but a curve
+ */
+export function curveData(value, name) {
+  return dataOf(value, name, typeOf(value) === "curve", "a Curve");
+}
+
+/**
+ * The data of a spline, or of a curve as a spline of one segment.
+ *
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @param {string} [expected]
+ * @returns {SplineData}
+ * @throws {TypeError} for anything else
+ */
+export function splineData(value, name, expected = "a Curve or a Spline") {
+  const type = typeOf(value);
+  return dataOf(value, name, type === "curve" || type === "spline", expected);
+}
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {SplineData}
+ * @throws {TypeError} for anything but a spline
+ */
+export function onlySplineData(value, name) {
+  return dataOf(value, name, typeOf(value) === "spline", "a Spline");
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} name
+ * @param {boolean} isExpected
+ * @param {string} expected
+ * @returns {SplineData}
+ */
+function dataOf(value, name, isExpected, expected) {
+  if (isExpected) return /** @type {Branded} */ (value).casteljauData();
+  throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
+}

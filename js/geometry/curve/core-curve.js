@@ -1,0 +1,212 @@
+import { basisNumbers, BASES } from "../basis.js";
+import * as check from "../check.js";
+import { CurveEvaluation } from "./curve-evaluation.js";
+import { boxAt } from "../points.js";
+import { readTree } from "../subdivision.js";
+import { svgOf, traceOn } from "../../io/svg-write.js";
+import { core } from "../../wasm/init.js";
+import { packedSpline } from "../../wasm/packed-path.js";
+import { readPolyline, readResult } from "../../wasm/transfer.js";
+
+/**
+ * @import { BasisLike, BasisName } from "../basis.js"
+ * @import { MatrixLike } from "../check.js"
+ * @import { Point } from "../points.js"
+ * @import { Subdivision } from "../subdivision.js"
+ * @import { SvgOptions } from "../../io/svg-write.js"
+ */
+
+/**
+ * What the curves of all entry points have in common. Where a function takes a curve, it takes the curves of every entry
+ * point.
+ */
+export class CoreCurve extends CurveEvaluation {
+  /**
+   * The values of the n + 1 Bernstein polynomials of a degree at t; for t in [0, 1] their sum is 1 within one ulp.
+   *
+   * @param {number} degree 0 to 64
+   * @param {number} t
+   * @returns {Float64Array}
+   */
+  static bernstein(degree, t) {
+    check.whole(degree, "degree", 0, 64);
+    return readResult(0, core().bernstein_weights(degree, check.finite(t, "t")));
+  }
+
+  /**
+   * The 4×4 matrix of a basis, row-major: rows for t³, t², t and 1, columns for the geometry points.
+   *
+   * @param {BasisName} name
+   * @returns {Float64Array} 16 numbers
+   */
+  static basisMatrix(name) {
+    check.oneOf(name, "basis", BASES);
+    return basisNumbers(name);
+  }
+
+  /**
+   * Splits the curve at t into two.
+   *
+   * @param {number} t
+   * @returns {[this, this]}
+   */
+  split(t) {
+    if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
+    core().curve_split(this.dimension, this._write(), t);
+    const n = this._flat.length;
+    return [this._curveOf(readResult(0, n)), this._curveOf(readResult(n, 2 * n))];
+  }
+
+  /**
+   * Splits the curve at t = ½ into two.
+   *
+   * @returns {[this, this]}
+   */
+  halve() {
+    return this.split(0.5);
+  }
+
+  /**
+   * The part from t0 to t1, reversed if t0 > t1.
+   *
+   * @param {number} t0
+   * @param {number} t1
+   * @returns {this}
+   */
+  subsegment(t0, t1) {
+    check.finite(t0, "t0");
+    check.finite(t1, "t1");
+    core().curve_subsegment(this.dimension, this._write(), t0, t1);
+    return this._read(this._flat.length);
+  }
+
+  /**
+   * The same curve with the opposite direction.
+   *
+   * @returns {this}
+   */
+  reverse() {
+    const d = this.dimension;
+    const flat = new Float64Array(this._flat.length);
+    for (let i = 0; i < flat.length; i += d) flat.set(this._flat.subarray(i, i + d), flat.length - d - i);
+    return this._curveOf(flat);
+  }
+
+  /**
+   * The same curve with the degree raised by one.
+   *
+   * @returns {this}
+   * @throws {RangeError} at degree 64
+   */
+  elevate() {
+    return this._read(core().curve_elevate(this.dimension, this._write()));
+  }
+
+  /**
+   * The curve transformed by an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {this}
+   */
+  transform(matrix) {
+    core().points_transform(this.dimension, this._write(check.affine(matrix)));
+    return this._read(this._flat.length);
+  }
+
+  /**
+   * The four geometry points that give this curve (of degree at most 3) in another basis.
+   *
+   * @param {BasisLike} basis
+   * @returns {Float64Array}
+   */
+  toBasis(basis) {
+    const matrix = basisNumbers(basis);
+    return readResult(0, core().curve_to_basis(this.dimension, this._write(matrix)));
+  }
+
+  /**
+   * A polyline whose distance from the curve is nowhere greater than `tolerance`.
+   *
+   * @param {number} tolerance in the unit of the points
+   * @returns {{ points: Float64Array, ts: Float64Array }} the vertices and their parameters
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  flatten(tolerance) {
+    check.positive(tolerance, "tolerance");
+    const vertices = core().curve_flatten(this.dimension, this._write(), tolerance);
+    return readPolyline(vertices, this.dimension);
+  }
+
+  /**
+   * The tree of recursive halving until D1 − D2 < tolerance, where D1 is the length of the control polygon and D2 the
+   * length of the chord. For teaching: D1 − D2 is not a bound on the distance, but `deviationBound` is.
+   *
+   * @param {number} tolerance
+   * @returns {Subdivision<this>}
+   */
+  subdivide(tolerance) {
+    check.positive(tolerance, "tolerance");
+    const used = core().curve_subdivide(this.dimension, this._write(), tolerance);
+    return readTree(readResult(0, used), this._flat.length, (flat) => this._curveOf(flat));
+  }
+
+  /**
+   * The smallest box that contains the curve.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  bounds() {
+    return this._box(true);
+  }
+
+  /**
+   * The box of the control points, which contains the curve.
+   *
+   * @returns {{ min: Point, max: Point }}
+   */
+  controlBounds() {
+    return this._box(false);
+  }
+
+  /**
+   * The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only.
+   *
+   * @returns {Float64Array}
+   */
+  hull() {
+    this._require2D("hull");
+    return readResult(0, core().curve_hull(this._write()));
+  }
+
+  /**
+   * Draws the curve on a canvas context or a Path2D: `moveTo` its start, then the curve. 2D only.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    this._require2D("trace");
+    traceOn(packedSpline(this._flat, [this.degree], false), target, options);
+  }
+
+  /**
+   * The curve as SVG path data, see `Path.toSVG`; 2D only.
+   *
+   * @param {SvgOptions} [options]
+   * @returns {string}
+   */
+  toSVG(options) {
+    this._require2D("toSVG");
+    return svgOf(packedSpline(this._flat, [this.degree], false), options);
+  }
+
+  /**
+   * @internal
+   * @param {boolean} exact
+   * @returns {{ min: Point, max: Point }}
+   */
+  _box(exact) {
+    core().curve_bounds(this.dimension, this._write(), exact);
+    return boxAt(readResult(0, 6), this.dimension);
+  }
+}

@@ -1,0 +1,189 @@
+import { curveData } from "../brand.js";
+import * as check from "../check.js";
+import { flatten, nested, pointAt, samePoints } from "../points.js";
+import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
+
+/**
+ * @import { SplineData } from "../brand.js"
+ * @import { PointsLike } from "../check.js"
+ * @import { Point } from "../points.js"
+ */
+
+/**
+ * What `Curve.toJSON` returns; `Curve.fromJSON` also reads other forms of points.
+ *
+ * @typedef {{ points: PointsLike, dimension?: 2 | 3 }} CurveJSON
+ */
+
+/**
+ * The control points of a curve, and what the classes of curves need to pass them to the core.
+ *
+ * The members with an underscore are for the classes that extend this one. Private names cannot be shared between files,
+ * and bundlers keep an unused class that has a computed name.
+ */
+export class CurveValue {
+  /** @type {Float64Array} */
+  #flat;
+  /** @type {2 | 3} */
+  #dimension;
+
+  /**
+   * @param {PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
+   * @param {{ dimension?: 2 | 3 }} [options]
+   * @throws {RangeError} for a wrong count, a NaN or an infinity
+   * @throws {TypeError} for a value that is not a point
+   */
+  constructor(points, options) {
+    const checked = /** @type {unknown} */ (points);
+    if (checked instanceof CheckedPoints) {
+      this.#flat = checked.flat;
+      this.#dimension = checked.dimension;
+      return;
+    }
+    const { flat, dimension } = checkedPoints(points, options);
+    this.#flat = flat;
+    this.#dimension = dimension;
+  }
+
+  /** The degree n: one less than the number of control points. */
+  get degree() {
+    return this.#flat.length / this.#dimension - 1;
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#dimension;
+  }
+
+  /**
+   * @returns {Float64Array} a copy of the coordinates of P₀ … Pₙ
+   */
+  controlPoints() {
+    return this.#flat.slice();
+  }
+
+  /**
+   * Whether both have the same degree and each control point lies within a distance of its counterpart.
+   *
+   * @param {CurveValue} other
+   * @param {number} [tolerance] by default 0: equal coordinates
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const { flat, dimension } = curveData(other, "other");
+    return this.#dimension === dimension && samePoints(this.#flat, flat, dimension, tolerance);
+  }
+
+  /**
+   * @returns {{ points: number[][] }}
+   */
+  toJSON() {
+    return { points: nested(this.#flat, this.#dimension) };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"curve"}
+   */
+  get casteljauType() {
+    return "curve";
+  }
+
+  /**
+   * The curve as a spline of one segment.
+   *
+   * @internal
+   * @returns {SplineData}
+   */
+  casteljauData() {
+    return { flat: this.#flat, dimension: this.#dimension, degrees: [this.degree], closed: false };
+  }
+
+  /**
+   * The coordinates of the control points, not copied.
+   *
+   * @internal
+   */
+  get _flat() {
+    return this.#flat;
+  }
+
+  /**
+   * A curve of the same class and dimension. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {Float64Array} flat
+   * @returns {this}
+   */
+  _curveOf(flat) {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the control points, and then further numbers, to the arena.
+   *
+   * @param {ArrayLike<number>} [further]
+   * @returns {number} the number of points
+   */
+  _write(further) {
+    const view = writeArguments(this.#flat, further?.length);
+    if (further) view.set(further, this.#flat.length);
+    return this.#flat.length / this.#dimension;
+  }
+
+  /**
+   * @internal
+   * Reads the control points of a curve from the arena.
+   *
+   * @param {number} length
+   * @returns {this}
+   */
+  _read(length) {
+    return this._curveOf(readResult(0, length));
+  }
+
+  /**
+   * @internal
+   * @returns {Point}
+   */
+  _readPoint() {
+    return pointAt(readResult(0, 3), 0, this.#dimension);
+  }
+
+  /**
+   * @internal
+   * @param {string} method
+   */
+  _require2D(method) {
+    check.require2D(method, "curve", this.#dimension);
+  }
+}
+
+/**
+ * @param {PointsLike} points
+ * @param {{ dimension?: 2 | 3 }} [options]
+ * @returns {CheckedPoints}
+ */
+function checkedPoints(points, options) {
+  const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+  const count = flat.length / dimension;
+  if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);
+  throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);
+}
+
+/**
+ * The control points of a curve in JSON.
+ *
+ * @internal
+ * @param {CurveJSON} json
+ * @returns {CheckedPoints}
+ */
+export function curvePointsOf(json) {
+  if (typeof json !== "object" || json === null) {
+    throw new TypeError(`json: expected an object with points, got ${check.describe(json)}`);
+  }
+  return checkedPoints(json.points, { dimension: json.dimension });
+}

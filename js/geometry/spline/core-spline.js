@@ -1,0 +1,186 @@
+import { curveData } from "../brand.js";
+import * as check from "../check.js";
+import { modeCode, modeCodes } from "../joints.js";
+import { SplineEvaluation } from "./spline-evaluation.js";
+import { svgOf, traceOn } from "../../io/svg-write.js";
+import { core } from "../../wasm/init.js";
+import { packedSpline } from "../../wasm/packed-path.js";
+import { writeArguments, readResult } from "../../wasm/transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { Continuity, JointMode } from "../joints.js"
+ * @import { SvgOptions } from "../../io/svg-write.js"
+ */
+
+/**
+ * What the splines of all entry points have in common. Where a function takes a spline, it takes the splines of every
+ * entry point.
+ *
+ * @template {CoreCurve} [C=CoreCurve]
+ * @extends {SplineEvaluation<C>}
+ */
+export class CoreSpline extends SplineEvaluation {
+  /**
+   * The continuity at the joint t = `joint` (closed splines have a joint 0, too).
+   *
+   * @param {number} joint
+   * @param {number} [tolerance] a distance, by default 1e-9 of the extent of the two segments
+   * @returns {Continuity}
+   */
+  continuity(joint, tolerance) {
+    this._checkJoint(joint);
+    const count = core().spline_continuity(this._write(), joint, check.optionalTolerance(tolerance));
+    const [c0, g1, c1, g2, c2, gap, angle] = readResult(0, count);
+    return { c0: c0 === 1, g1: g1 === 1, c1: c1 === 1, g2: g2 === 1, c2: c2 === 1, gap, angle };
+  }
+
+  /**
+   * The spline with one more segment that ends at `point`, with automatic handles.
+   *
+   * @param {PointLike} point
+   * @returns {this}
+   */
+  append(point) {
+    if (this.closed) throw new RangeError("append: expected an open spline, which has an end, got a closed one");
+    return this._read(core().spline_append(this._write(this._coordinates(point, "point"))));
+  }
+
+  /**
+   * Moves a control point and then repairs the joints outwards from it: the nearest joint first, each joint once, and
+   * each point is moved at most once. A joint mode that cannot be satisfied leaves the points where they are;
+   * `continuity` reports what holds.
+   *
+   * The handles of a joint move with it. "c2" and "g2" need segments of degree 3 or more, otherwise they act as "c1"
+   * and "g1"; "auto" sets handles only on such segments, also the handle of a neighbouring open end.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @param {{ joints?: ArrayLike<JointMode | undefined> | Record<number, JointMode> }} [options] `joints[k]`: the mode
+   *   of the joint at t = k, by default "free"
+   * @returns {this}
+   * @throws {RangeError} for an index past the last point, an unknown mode, and "g2" in 3D
+   */
+  movePoint(index, to, options) {
+    const last = this.casteljauData().flat.length / this.dimension - 1;
+    check.whole(index, "index", 0, last);
+    const modes = modeCodes(check.options(options).joints, this.segmentCount, this.dimension);
+    const position = this._coordinates(to, "to");
+    const args = new Float64Array(position.length + modes.length);
+    args.set(position);
+    args.set(modes, position.length);
+    return this._read(core().spline_move_point(this._write(args), index));
+  }
+
+  /**
+   * The spline with the joint changed to satisfy the mode; the handle before the joint is kept ("auto" sets both
+   * handles).
+   *
+   * @param {number} joint
+   * @param {JointMode} mode
+   * @returns {this}
+   * @throws {RangeError} if there is no such joint, and for "g2" in 3D
+   */
+  setJoint(joint, mode) {
+    this._checkJoint(joint);
+    return this._read(core().spline_set_joint(this._write(), joint, modeCode(mode, "mode", this.dimension)));
+  }
+
+  /**
+   * The same spline with an additional joint at t.
+   *
+   * @param {number} t 0 to the number of segments
+   * @returns {this}
+   */
+  insert(t) {
+    check.finite(t, "t");
+    return this._read(core().spline_insert(this._write(), t));
+  }
+
+  /**
+   * The spline without a joint: its two segments become one. This is the exact inverse of `insert`.
+   *
+   * @param {number} joint
+   * @returns {this}
+   */
+  remove(joint) {
+    this._checkJoint(joint);
+    return this._read(core().spline_remove(this._write(), joint));
+  }
+
+  /**
+   * The same spline with the opposite direction.
+   *
+   * @returns {this}
+   */
+  reverse() {
+    return this._read(core().spline_reverse(this._write()));
+  }
+
+  /**
+   * The spline transformed by an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {this}
+   */
+  transform(matrix) {
+    const { flat, dimension } = this.casteljauData();
+    writeArguments(flat, 12).set(check.affine(matrix), flat.length);
+    core().points_transform(dimension, flat.length / dimension);
+    return this._splineOf({ ...this.casteljauData(), flat: readResult(0, flat.length) });
+  }
+
+  /**
+   * Draws the spline on a canvas context or a Path2D; 2D only.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    const { flat, dimension, degrees, closed } = this.casteljauData();
+    check.require2D("trace", "spline", dimension);
+    traceOn(packedSpline(flat, degrees, closed), target, options);
+  }
+
+  /**
+   * The spline as SVG path data, see `Path.toSVG`; 2D only.
+   *
+   * @param {SvgOptions} [options]
+   * @returns {string}
+   */
+  toSVG(options) {
+    const { flat, dimension, degrees, closed } = this.casteljauData();
+    check.require2D("toSVG", "spline", dimension);
+    return svgOf(packedSpline(flat, degrees, closed), options);
+  }
+
+  /**
+   * @internal
+   * @param {unknown} joint
+   */
+  _checkJoint(joint) {
+    check.whole(joint, "joint", this.closed ? 0 : 1, this.segmentCount - 1);
+  }
+}
+
+/**
+ * Joins consecutive curves and leaves the spline in the arena.
+ *
+ * @internal
+ * @param {readonly CoreCurve[]} curves
+ * @param {{ closed?: boolean }} [options]
+ * @returns {{ length: number, dimension: 2 | 3 }}
+ */
+export function joinCurves(curves, options) {
+  if (!Array.isArray(curves)) throw new TypeError(`curves: expected an array of curves, got ${check.describe(curves)}`);
+  if (curves.length === 0) throw new RangeError("curves: expected at least 1 curve, got 0");
+  const data = Array.from(curves, (curve, k) => curveData(curve, `curves[${k}]`)); // also finds holes
+  const dimension = data[0].dimension;
+  const other = data.findIndex((curve) => curve.dimension !== dimension);
+  if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a ${5 - dimension}D one`);
+  const closed = check.options(options).closed ? 1 : 0;
+  const degrees = data.map((curve) => curve.degrees[0]);
+  writeArguments(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
+  return { length: core().spline_from_curves(dimension), dimension };
+}

@@ -1,0 +1,281 @@
+import { onlySplineData } from "../brand.js";
+import * as check from "../check.js";
+import { flatten, nested, pointAt, samePoints, writePoint } from "../points.js";
+import { writeArguments, readResult } from "../../wasm/transfer.js";
+
+/**
+ * @import { SplineData } from "../brand.js"
+ * @import { PointLike, PointsLike } from "../check.js"
+ * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { Point } from "../points.js"
+ */
+
+/**
+ * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
+ */
+
+/**
+ * What `Spline.toJSON` returns; `Spline.fromJSON` also reads other forms of points.
+ *
+ * @typedef {{ points: PointsLike, degrees: number[], closed: boolean, dimension?: 2 | 3 }} SplineJSON
+ */
+
+/**
+ * The control points and segments of a spline, and what the classes of splines need to pass them to the core. The members
+ * with an underscore are for the classes that extend this one, see `CurveValue`.
+ *
+ * @template {CoreCurve} [C=CoreCurve] the class of the segments
+ */
+export class SplineValue {
+  /** @type {SplineData} */
+  #data;
+
+  /**
+   * @param {PointsLike} points n · degree + 1 control points, closed n · degree
+   * @param {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} [options] degree 3 and open by default
+   * @throws {RangeError} for a wrong number of points, a NaN or an infinity
+   */
+  constructor(points, options) {
+    const checked = /** @type {unknown} */ (points);
+    if (checked instanceof CheckedSplineData) {
+      this.#data = checked.data;
+      return;
+    }
+    this.#data = checkedData(points, options);
+  }
+
+  /** 2 in the plane, 3 in space. */
+  get dimension() {
+    return this.#data.dimension;
+  }
+
+  /** Whether the last segment ends at the start of the first. */
+  get closed() {
+    return this.#data.closed;
+  }
+
+  /** The number of segments, which is also the t of the end. */
+  get segmentCount() {
+    return this.#data.degrees.length;
+  }
+
+  /** The degree of each segment. */
+  get degrees() {
+    return [...this.#data.degrees];
+  }
+
+  /**
+   * @returns {Float64Array} a copy of the coordinates of all control points; joints are listed once
+   */
+  controlPoints() {
+    return this.#data.flat.slice();
+  }
+
+  /**
+   * @returns {C[]}
+   */
+  segments() {
+    const { flat, dimension, degrees, closed } = this.#data;
+    const closingPoint = closed ? flat.subarray(0, dimension) : flat.subarray(0, 0);
+    let from = 0;
+    return degrees.map((degree) => {
+      const to = from + degree * dimension;
+      const points = new Float64Array((degree + 1) * dimension);
+      points.set(flat.subarray(from, to + dimension));
+      if (to === flat.length) points.set(closingPoint, degree * dimension);
+      from = to;
+      return this._curveOf(points);
+    });
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param {SplineValue} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const [a, b] = [this.#data, onlySplineData(other, "other")];
+    const sameStructure = a.closed === b.closed && a.dimension === b.dimension && `${a.degrees}` === `${b.degrees}`;
+    return sameStructure && samePoints(a.flat, b.flat, a.dimension, tolerance);
+  }
+
+  /**
+   * @returns {{ points: number[][], degrees: number[], closed: boolean }}
+   */
+  toJSON() {
+    const { flat, dimension, degrees, closed } = this.#data;
+    return { points: nested(flat, dimension), degrees: [...degrees], closed };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"spline"}
+   */
+  get casteljauType() {
+    return "spline";
+  }
+
+  /**
+   * @internal
+   * @returns {SplineData}
+   */
+  casteljauData() {
+    return this.#data;
+  }
+
+  /**
+   * A segment. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {Float64Array} flat
+   * @returns {C}
+   */
+  _curveOf(flat) {
+    throw new TypeError(`expected a class that makes curves of ${flat.length} numbers`);
+  }
+
+  /**
+   * A spline of the same class. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {SplineData} data
+   * @returns {this}
+   */
+  _splineOf(data) {
+    throw new TypeError(`expected a class that makes splines of ${data.flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the spline, and then further numbers, to the arena.
+   *
+   * @param {ArrayLike<number>} [further]
+   * @returns {2 | 3} the dimension
+   */
+  _write(further) {
+    const { flat, dimension, degrees, closed } = this.#data;
+    const head = 2 + degrees.length;
+    const view = writeArguments(
+      Float64Array.of(degrees.length, closed ? 1 : 0),
+      head + flat.length + (further?.length ?? 0),
+    );
+    view.set(degrees, 2);
+    view.set(flat, head);
+    if (further) view.set(further, head + flat.length);
+    return dimension;
+  }
+
+  /**
+   * @internal
+   * Reads a spline of the same dimension from the arena.
+   *
+   * @param {number} length
+   * @returns {this}
+   */
+  _read(length) {
+    return this._splineOf(readSplineData(length, this.dimension));
+  }
+
+  /**
+   * @internal
+   * @returns {Point}
+   */
+  _readPoint() {
+    return pointAt(readResult(0, 3), 0, this.dimension);
+  }
+
+  /**
+   * @internal
+   * @param {PointLike} point
+   * @param {string} name
+   * @returns {Float64Array}
+   */
+  _coordinates(point, name) {
+    const coordinates = new Float64Array(this.dimension);
+    writePoint(coordinates, 0, point, this.dimension, name);
+    return coordinates;
+  }
+
+  /**
+   * @internal
+   * @param {string} method
+   */
+  _require2D(method) {
+    check.require2D(method, "spline", this.dimension);
+  }
+}
+
+/**
+ * Data that is already checked: the constructor accepts it from inside the package.
+ *
+ * @internal
+ */
+export class CheckedSplineData {
+  /** @param {SplineData} data */
+  constructor(data) {
+    this.data = data;
+  }
+}
+
+/**
+ * @param {PointsLike} points
+ * @param {SplineOptions | undefined} options
+ * @returns {SplineData}
+ */
+function checkedData(points, options) {
+  const { degree = 3, closed = false, dimension: requested } = check.options(options);
+  check.whole(degree, "degree", 1, 64);
+  const { flat, dimension } = flatten(points, requested, 2);
+  const count = flat.length / dimension;
+  const segments = (count - (closed ? 0 : 1)) / degree;
+  if (segments < 1 || !Number.isInteger(segments)) {
+    const rule = closed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
+    throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}`);
+  }
+  return { flat, dimension, degrees: new Array(segments).fill(degree), closed: Boolean(closed) };
+}
+
+/**
+ * The data of a spline in JSON.
+ *
+ * @internal
+ * @param {SplineJSON} json
+ * @returns {SplineData}
+ */
+export function splineDataOf(json) {
+  if (typeof json !== "object" || json === null) {
+    throw new TypeError(`json: expected an object with points, degrees and closed, got ${check.describe(json)}`);
+  }
+  const { flat, dimension } = flatten(json.points, json.dimension, 2);
+  const degrees = [...check.numbers(json.degrees, "degrees")];
+  degrees.forEach((degree, k) => check.whole(degree, `degrees[${k}]`, 1, 64));
+  const closed = Boolean(json.closed);
+  const needed = degrees.reduce((sum, degree) => sum + degree, closed ? 0 : 1);
+  if (degrees.length === 0 || needed !== flat.length / dimension) {
+    throw new RangeError(`points: expected ${needed} (the sum of the degrees), got ${flat.length / dimension}`);
+  }
+  return { flat, dimension, degrees, closed };
+}
+
+/**
+ * Reads a spline from the arena.
+ *
+ * @internal
+ * @param {number} length
+ * @param {2 | 3} dimension
+ * @returns {SplineData}
+ */
+export function readSplineData(length, dimension) {
+  const numbers = readResult(0, length);
+  const head = 2 + numbers[0];
+  return {
+    flat: numbers.slice(head),
+    dimension,
+    degrees: [...numbers.subarray(2, head)],
+    closed: numbers[1] === 1,
+  };
+}

@@ -1,0 +1,62 @@
+// The import graph of js/.
+import assert from "node:assert/strict";
+import { dirname, join, posix } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { build } from "esbuild";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
+const ENTRIES = ["js/index.js", "js/applet/index.js", "js/applet/classic.js", "js/elements/index.js"];
+
+/** For each file, the files that it imports, statically or on demand. */
+async function importGraph() {
+  const { metafile } = await build({
+    entryPoints: ENTRIES,
+    absWorkingDir: root,
+    bundle: true,
+    format: "esm",
+    outdir: "unused",
+    splitting: true,
+    packages: "external",
+    metafile: true,
+    write: false,
+  });
+  const files = Object.entries(metafile.inputs);
+  return new Map(files.map(([file, { imports }]) => [file, imports.filter((i) => !i.external).map((i) => i.path)]));
+}
+
+/** All files that a file imports, directly or indirectly. */
+function reachable(graph, from, found = new Set()) {
+  for (const file of graph.get(from) ?? []) {
+    if (found.has(file)) continue;
+    found.add(file);
+    reachable(graph, file, found);
+  }
+  return found;
+}
+
+const graph = await importGraph();
+const below = (folder) => [...graph.keys()].filter((file) => file.startsWith(`js/${folder}/`));
+
+test("imports: curves and splines are the only files that import each other", () => {
+  const inCycles = [...graph.keys()].filter((file) => reachable(graph, file).has(file));
+  assert.deepEqual(inCycles.sort(), ["js/geometry/curve/curve.js", "js/geometry/spline/spline.js"]);
+});
+
+test("imports: wasm/ imports nothing from other folders, and only its modules import the bytes", () => {
+  const allowed = /^js\/(wasm|glue)\//;
+  for (const file of below("wasm")) {
+    for (const path of graph.get(file)) assert.match(path, allowed, `${file} imports ${path}`);
+  }
+  const importers = [...graph].filter(([, paths]) => paths.some((path) => path.startsWith("js/glue/")));
+  assert.ok(importers.length > 0);
+  for (const [file] of importers) assert.match(file, /^js\/wasm\/\w+-module\.js$/);
+});
+
+test("imports: the classes that all entry points share import none of the complete classes", () => {
+  for (const file of ["js/geometry/curve/core-curve.js", "js/geometry/spline/core-spline.js"]) {
+    const names = [...reachable(graph, file)].map((path) => posix.basename(path));
+    assert.ok(names.length > 5, `${names}`);
+    for (const name of ["curve.js", "spline.js", "path.js", "patch.js"]) assert.ok(!names.includes(name), file + name);
+  }
+});
