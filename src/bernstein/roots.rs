@@ -11,6 +11,7 @@
 //! parameters among the ends and the extrema a polynomial is monotone, so the values at these parameters determine all
 //! contacts ([`contacts`], [`crossings`]).
 
+use super::de_casteljau::halve;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Scalars;
 use crate::numeric::work_limit::WorkLimit;
@@ -203,16 +204,6 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
 fn monotone(coefficients: &[f64]) -> bool {
     let mut pairs = coefficients.windows(2);
     pairs.clone().all(|p| p[0] <= p[1]) || pairs.all(|p| p[0] >= p[1])
-}
-
-/// Halves the interval whose coefficients `right` holds.
-fn halve(left: &mut [f64], right: &mut [f64]) {
-    for last in (0..right.len()).rev() {
-        left[right.len() - 1 - last] = right[0];
-        for i in 0..last {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
 }
 
 /// The number of sign changes, ignoring zeros, and the first non-zero coefficient.

@@ -7,7 +7,7 @@
 //! theoretical development for the computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2
 //! (1980).
 
-use crate::bernstein::halve::halve_coefficients;
+use crate::bernstein::de_casteljau::halve_net;
 use crate::numeric::float::ratio;
 use crate::numeric::work_limit::WorkLimit;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
@@ -191,7 +191,7 @@ impl Piece {
         let area = self.columns * self.rows;
         let planes = self.planes.chunks_exact_mut(area);
         for (plane, half) in planes.zip(other.planes.chunks_exact_mut(area)) {
-            halve_coefficients(plane, half, self.columns, along_u);
+            halve_net(plane, half, self.columns, along_u);
         }
         let [u, v] = self.middle();
         if along_u {

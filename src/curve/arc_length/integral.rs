@@ -1,6 +1,6 @@
 //! Arc length by numerical integration for any degree, and its inverse.
 
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::weights::binomial;
 use crate::curve::arc_length::speed::speed_integral;
@@ -201,7 +201,7 @@ impl ArcLengthTable {
     /// The control points of the derivative on an interval.
     fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
         let mut slopes = self.slopes.clone();
-        blossom_piece(&mut slopes, lo, hi);
+        keep_between(&mut slopes, lo, hi);
         slopes
     }
 

@@ -1,7 +1,7 @@
 //! Distances between two curves, and local searches for nearest points, crossings and tangencies.
 
 use super::pair::NormalizedPair;
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::geometry::bounds::Bounds;
@@ -100,7 +100,7 @@ impl NormalizedPair {
     /// The box of the control points of a segment; its ends may be in any order.
     fn bounds_of(&self, curve: usize, [from, to]: [f64; 2]) -> Bounds<DVec2> {
         let mut piece = Points::from(&self.curves[curve][..]);
-        blossom_piece(&mut piece, from.min(to), from.max(to));
+        keep_between(&mut piece, from.min(to), from.max(to));
         Curve::from_points(piece).control_bounds()
     }
 

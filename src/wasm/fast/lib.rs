@@ -5,7 +5,7 @@
 
 #[path = "../../bernstein"]
 pub mod bernstein {
-    pub mod halve;
+    pub mod de_casteljau;
     pub mod weights;
 }
 

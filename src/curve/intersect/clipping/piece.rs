@@ -1,5 +1,7 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
+use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+
 /// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
 pub trait Row: Clone {
     /// The coefficients.
@@ -184,41 +186,8 @@ fn last_two(row: &[f64], s: f64) -> (f64, f64) {
     let mut level = [0.0; 65];
     let count = row.len();
     level[..count].copy_from_slice(row);
-    for last in (2..count).rev() {
-        for i in 0..last {
-            level[i] = level[i] * (1.0 - s) + level[i + 1] * s;
-        }
-    }
+    levels(&mut level[..count], count - 2, s);
     (level[0], level[1])
-}
-
-#[inline(always)]
-fn keep_after(row: &mut [f64], t: f64) {
-    for level in 1..row.len() {
-        for i in 0..row.len() - level {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-}
-
-#[inline(always)]
-fn keep_before(row: &mut [f64], t: f64) {
-    for level in 1..row.len() {
-        for i in (level..row.len()).rev() {
-            row[i] = row[i - 1] * (1.0 - t) + row[i] * t;
-        }
-    }
-}
-
-/// Splits at s. Both rows hold the whole row at first, and the parts before and after s afterwards.
-#[inline(always)]
-fn split(left: &mut [f64], right: &mut [f64], s: f64) {
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 1..right.len() - level {
-            right[i - 1] = right[i - 1] * (1.0 - s) + right[i] * s;
-        }
-    }
 }
 
 /// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.

@@ -3,6 +3,7 @@
 
 use super::source::Source;
 use super::{End, OffsetCurve};
+use crate::bernstein::de_casteljau::split_with;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -60,12 +61,7 @@ impl Source {
             return;
         }
         let (mut left, mut right) = (*vectors, *vectors);
-        for (level, first) in left.iter_mut().enumerate().take(n) {
-            *first = right[0];
-            for i in 1..n - level {
-                right[i - 1] = (right[i - 1] + right[i]) * 0.5;
-            }
-        }
+        split_with(&mut left[..n], &mut right[..n], |a, b| (a + b) * 0.5);
         let t = 0.5 * (t0 + t1);
         self.search(&left, n, (t0, t), halvings - 1, found);
         if self.is_still(&self.at(t)) {

@@ -3,6 +3,7 @@
 use super::source::MAX_POINTS;
 use super::source::{OffsetSample, Source};
 use super::{End, OffsetCurve, VANISHING_SPEED};
+use crate::bernstein::de_casteljau::{keep_after, keep_between};
 use glam::DVec2;
 
 /// Rounding error of B′, as a part of the sum of its terms' lengths.
@@ -66,11 +67,7 @@ impl Source {
         for (length, v) in row.iter_mut().zip(self.differences()) {
             *length = v.length();
         }
-        for last in (1..n).rev() {
-            for i in 0..last {
-                row[i] = row[i] * s + row[i + 1] * t;
-            }
-        }
+        keep_after(&mut row[..n], t);
         row[0] * n as f64
     }
 
@@ -84,7 +81,7 @@ impl Source {
         let n = self.degree();
         let mut row = [DVec2::default(); MAX_POINTS];
         row[..n].copy_from_slice(self.differences());
-        restrict(&mut row[..n], t0, t1);
+        keep_between(&mut row[..n], t0, t1);
         row[..n].iter().all(|&v| holds(v))
     }
 
@@ -101,27 +98,10 @@ impl Source {
             }
             count -= 1;
         }
-        restrict(&mut row[..count], t0, t1);
+        keep_between(&mut row[..count], t0, t1);
         let max = row[..count]
             .iter()
             .fold(0.0, |m: f64, v| m.max(v.length_squared()));
         factor * max.sqrt()
-    }
-}
-
-/// Replaces control points by those of the segment between two parameters, by two subdivisions.
-fn restrict(row: &mut [DVec2], t0: f64, t1: f64) {
-    let n = row.len();
-    // The segment before t1 consists of the first points of each level; the part of it after t0 of the last ones.
-    for level in 1..n {
-        for i in (level..n).rev() {
-            row[i] = row[i - 1] * (1.0 - t1) + row[i] * t1;
-        }
-    }
-    let s = t0 / t1;
-    for level in 1..n {
-        for i in 0..n - level {
-            row[i] = row[i] * (1.0 - s) + row[i + 1] * s;
-        }
     }
 }

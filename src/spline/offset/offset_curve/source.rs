@@ -1,5 +1,6 @@
 //! The source curve of an offset.
 
+use crate::bernstein::de_casteljau::{keep_after, levels};
 use glam::DVec2;
 
 /// Maximum number of control points of a curve.
@@ -162,16 +163,8 @@ impl Source {
         slopes[..self.degree()].copy_from_slice(&self.differences);
         let s = 1.0 - t;
         let n = self.degree();
-        for last in (1..=n).rev() {
-            for i in 0..last {
-                row[i] = row[i] * s + row[i + 1] * t;
-            }
-        }
-        for last in (2..n).rev() {
-            for i in 0..last {
-                slopes[i] = slopes[i] * s + slopes[i + 1] * t;
-            }
-        }
+        keep_after(&mut row[..=n], t);
+        levels(&mut slopes[..n], n - 2, t);
         let n = n as f64;
         OffsetSample {
             t,
