@@ -2,12 +2,11 @@
 
 use super::Curve;
 use super::inflections::{cusps_of, inflections_of};
-use super::nearest::unit_for;
 use super::turning::turning;
 use crate::bernstein::roots::discriminant;
 use crate::curve::arc_length::length::hodograph;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
 use glam::{DVec2, DVec3};
@@ -67,14 +66,14 @@ impl<P: Point> Curve<P> {
         }
         // Translate the start to the origin and scale to a size of about 1. This is an affine map; afterwards no power
         // leaves the range of f64.
-        let unit = unit_for(unit);
+        let scale = unit_scale(unit);
         let start = self.start();
         let vectors: Points<P> = self
             .points
             .iter()
-            .map(|&p| p * unit - start * unit)
+            .map(|&p| p * scale - start * scale)
             .collect();
-        let rounding = rounding * unit;
+        let rounding = rounding * scale;
         match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
             Flat::Line => CurveKind::Line,
             Flat::Not => CurveKind::Twisted,

@@ -4,7 +4,7 @@ use super::clipping::Contact;
 use super::intersection::IntersectionKind;
 use super::stationary::stops;
 use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
-use crate::numeric::float::ratio;
+use crate::numeric::float::{ratio, unit_scale};
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
@@ -23,7 +23,7 @@ const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 /// The parameters of an intersection, and its kind.
 pub(crate) type ClassifiedPoint = (f64, f64, IntersectionKind);
 
-/// Two curves translated to the origin and scaled to size 1.
+/// Two curves translated to the origin and scaled to a size between ½ and 1.
 pub(crate) struct NormalizedPair {
     pub(crate) curves: [Points<DVec2>; 2],
     /// Points closer than this are equal.
@@ -45,12 +45,12 @@ impl NormalizedPair {
             return None;
         }
         // Halved, so that no difference overflows; powers of two, so that nothing is rounded.
-        let unit = inverse_power_of_two(largest);
+        let unit = 0.5 * unit_scale(largest);
         let origin = a[0] * unit;
         let spread = ((max * unit - origin).abs())
             .max((min * unit - origin).abs())
             .max_element();
-        let scale = inverse_power_of_two(spread);
+        let scale = 0.5 * unit_scale(spread);
         let normalized = |p: &DVec2| (*p * unit - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
         let (a, b): (Points<DVec2>, Points<DVec2>) = (
@@ -104,15 +104,6 @@ fn corners(points: &[DVec2]) -> (DVec2, DVec2) {
         .fold((points[0], points[0]), |(min, max), &p| {
             (min.min(p), max.max(p))
         })
-}
-
-/// 2ᵏ so that x · 2ᵏ is in [½, 1); up to 4 for the largest numbers, below ½ for the smallest.
-fn inverse_power_of_two(x: f64) -> f64 {
-    if x == 0.0 {
-        return 1.0;
-    }
-    let exponent = (x.to_bits() >> 52).clamp(1, 2044);
-    f64::from_bits((2045 - exponent) << 52)
 }
 
 fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {

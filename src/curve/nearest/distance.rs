@@ -5,12 +5,12 @@
 //! segments. Pairs of segments that cannot be nearer than the best distance found are dropped, and the others are
 //! halved. Newton's method finds the exact parameters.
 
-use super::{counted_parameter, unit_for};
+use super::counted_parameter;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, ulp};
+use crate::numeric::float::{ratio, ulp, unit_scale};
 use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
 use crate::numeric::work_limit::WorkLimit;
@@ -72,13 +72,13 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn distance_to(&self, other: &Self) -> Distance {
         let size = self.max_abs().max(other.max_abs());
-        let unit = unit_for(size);
-        let start = self.start() * unit;
-        let about = |curve: &Self| curve.points.iter().map(|&p| p * unit - start).collect();
+        let scale = unit_scale(size);
+        let start = self.start() * scale;
+        let about = |curve: &Self| curve.points.iter().map(|&p| p * scale - start).collect();
         let (a, b): (Points<P>, Points<P>) = (about(self), about(other));
         // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
+        let mut search = Search::new(&a, &b, ulps * ulp(size * scale));
         search.find_intersection();
         if search.distance > search.rounding {
             search.run();

@@ -1,11 +1,11 @@
 //! Hausdorff distance of two curves.
 
 use super::distance::{Apart, Heap};
-use super::{counted_parameter, nearest_parameter, unit_for};
+use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -41,15 +41,15 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn hausdorff(&self, other: &Self) -> f64 {
         let size = self.max_abs().max(other.max_abs());
-        let unit = unit_for(size);
-        let start = self.start() * unit;
+        let scale = unit_scale(size);
+        let start = self.start() * scale;
         let about = |curve: &Self| {
-            let points: Points<P> = curve.points.iter().map(|&p| p * unit - start).collect();
-            as_segment(points, ulp(size * unit))
+            let points: Points<P> = curve.points.iter().map(|&p| p * scale - start).collect();
+            as_segment(points, ulp(size * scale))
         };
         let (a, b) = (about(self), about(other));
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let rounding = ulps * ulp(size * unit);
+        let rounding = ulps * ulp(size * scale);
         let (high, wide) = elevated_alike(&a, &b);
         let mut greatest = 0.0;
         greatest = farthest([&a, &high], [&b, &wide], rounding, greatest);
@@ -57,7 +57,7 @@ impl<P: Point> Curve<P> {
         if greatest <= rounding {
             0.0
         } else {
-            greatest / unit
+            greatest / scale
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::curve::Curve;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
 use crate::spline::Spline;
@@ -224,7 +224,7 @@ struct NormalizedCurve<'a> {
 
 impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
-        let scale = inverse_power_of_two(reach);
+        let scale = unit_scale(reach);
         let points: crate::numeric::list::Points<DVec2> =
             curve.control_points().iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
@@ -322,9 +322,4 @@ fn farthest(curve: &Curve<DVec2>) -> f64 {
         .iter()
         .fold(0.0, |m: f64, &p| m.max(Point::max_abs(p * 0.5 - start)));
     2.0 * half.min(f64::MAX / 4.0)
-}
-
-/// A power of two of about 1/x whose inverse is finite.
-fn inverse_power_of_two(x: f64) -> f64 {
-    (-x.log2().round()).clamp(-1000.0, 1000.0).exp2()
 }
