@@ -10,5 +10,7 @@ pub(crate) mod gauss;
 pub(crate) mod trigonometry;
 #[cfg(not(feature = "wasm"))]
 pub(crate) mod work_limit;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod zero;
 #[cfg(feature = "wasm")]
-pub(crate) use casteljau_fast::numeric::{gauss, trigonometry, work_limit};
+pub(crate) use casteljau_fast::numeric::{gauss, trigonometry, work_limit, zero};

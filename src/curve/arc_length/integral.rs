@@ -8,6 +8,7 @@ use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::{newton_in_bracket, regula_falsi};
 use glam::DVec3;
 
 /// Target error as a part of the length; the documented guarantee is 10⁻¹².
@@ -15,9 +16,6 @@ const USUAL_PART: f64 = 1e-14;
 
 /// Maximum depth of halving; f64 cannot distinguish more parameters.
 const MAX_CUTS: usize = 56;
-
-/// Maximum number of steps of the search for t; bisection alone needs as many.
-const MAX_STEPS: usize = 64;
 
 /// Every interval is halved at least this often at degrees of 25 and more.
 const MAX_MIN_DEPTH: usize = 6;
@@ -28,6 +26,9 @@ const MAX_INTERVALS: usize = 1 << 12;
 
 /// An interval is cut at its minimum speed if that is at least this part of the interval away from both ends.
 const OFF_THE_ENDS: f64 = 0.03;
+
+/// The precision of that minimum, as a part of the interval: at a cusp the rules on both sides err by its square.
+const MIN_SPEED_PRECISION: f64 = 1e-10;
 
 /// The distance from the end of an interval to the first node of its rule, rounded up, as a part of the interval. A
 /// sharp turn in this range would not be sampled.
@@ -102,27 +103,10 @@ impl ArcLengthTable {
         );
         let Piece { t: end, length } = self.pieces[k];
         let (rest, whole) = (s - start.length, length - start.length);
-        let (mut lo, mut hi) = (start.t, end);
-        let mut t = self.first_guess(lo, hi, rest / whole, whole);
-        for _ in 0..MAX_STEPS {
-            let off = self.between(start.t, t) - rest;
-            if off.abs() <= slack {
-                break;
-            }
-            if off < 0.0 {
-                lo = t;
-            } else {
-                hi = t;
-            }
-            let next = t - off / self.speed(t);
-            let inside = next > lo && next < hi;
-            let next = if inside { next } else { 0.5 * (lo + hi) };
-            if next == t {
-                break;
-            }
-            t = next;
-        }
-        t
+        let guess = self.first_guess(start.t, end, rest / whole, whole);
+        newton_in_bracket([start.t, end], guess, slack, |t| {
+            (self.between(start.t, t) - rest, self.speed(t))
+        })
     }
 
     /// First guess of t: the cubic Hermite interpolant of t over the part x of the length, with the derivatives at both
@@ -228,36 +212,19 @@ impl ArcLengthTable {
         }
     }
 
-    /// The parameter of a minimum of the speed inside, by regula falsi (Illinois algorithm) on B′·B″; otherwise an end.
-    fn min_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
+    /// The parameter of a minimum of the speed inside, a zero of B′·B″; otherwise an end.
+    fn min_speed(&self, lo: f64, hi: f64) -> f64 {
         let bend: Points<DVec3> = self
             .slopes
             .windows(2)
             .map(|pair| pair[1] - pair[0])
             .collect();
         let growth = |t: f64| evaluate(&self.slopes, t).dot(evaluate(&bend, t));
-        let (mut before, mut after) = (growth(lo), growth(hi));
+        let (before, after) = (growth(lo), growth(hi));
         if !(before < 0.0 && after > 0.0) {
             return lo;
         }
-        let (mut t, mut side) = (lo, 0.0);
-        for _ in 0..40 {
-            let next = (lo + (hi - lo) * (before / (before - after))).clamp(lo, hi);
-            if (next - t).abs() <= 1e-10 * (hi - lo) {
-                break;
-            }
-            t = next;
-            let value = growth(t);
-            let again = side * value > 0.0;
-            side = value;
-            if value < 0.0 {
-                (lo, before) = (t, value);
-                after *= if again { 0.5 } else { 1.0 };
-            } else {
-                (hi, after) = (t, value);
-                before *= if again { 0.5 } else { 1.0 };
-            }
-        }
-        t
+        let precision = MIN_SPEED_PRECISION * (hi - lo) / hi;
+        regula_falsi([lo, hi], [-before, -after], precision, |t| -growth(t))
     }
 }

@@ -14,6 +14,7 @@ pub mod numeric {
     pub mod gauss;
     pub mod trigonometry;
     pub mod work_limit;
+    pub mod zero;
 }
 
 #[path = "../../curve"]

@@ -1,6 +1,7 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
 use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+use crate::numeric::zero::newton_in_bracket;
 
 /// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
 pub trait Row: Clone {
@@ -199,28 +200,9 @@ pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
     if value >= row[n] {
         return 1.0;
     }
-    let (mut lo, mut hi) = (0.0, 1.0);
-    let mut s = (value - row[0]) / (row[n] - row[0]);
-    for _ in 0..80 {
+    let guess = (value - row[0]) / (row[n] - row[0]);
+    newton_in_bracket([0.0, 1.0], guess, 0.0, |s| {
         let (v, slope) = value_and_slope(row, s);
-        if v == value {
-            break;
-        }
-        if v < value {
-            lo = s
-        } else {
-            hi = s
-        }
-        let newton = s - (v - value) / slope;
-        let next = if newton > lo && newton < hi {
-            newton
-        } else {
-            0.5 * (lo + hi)
-        };
-        if (next - s).abs() <= f64::EPSILON * s {
-            return next;
-        }
-        s = next;
-    }
-    s
+        (v - value, slope)
+    })
 }

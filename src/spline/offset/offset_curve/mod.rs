@@ -18,6 +18,7 @@ mod source;
 
 use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::regula_falsi;
 use glam::DVec2;
 use source::OffsetSample;
 pub use source::Source;
@@ -259,35 +260,11 @@ impl<'a> OffsetCurve<'a> {
     }
 
     /// A zero strictly between two parameters of a function with the sign `sign` at the first and the opposite one at
-    /// the second: bisection, accelerated by regula falsi (Illinois algorithm).
+    /// the second.
     fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&OffsetSample) -> f64) -> Option<f64> {
-        let (mut lo, mut hi) = (t0, t1);
         let value = |t: f64| sign * f(&self.source.at(t));
-        let (mut f_lo, mut f_hi) = (value(lo).max(0.0), value(hi).min(0.0));
-        let mut side = 0;
-        for step in 0..100 {
-            let secant = lo + (hi - lo) * (f_lo / (f_lo - f_hi));
-            let middle = 0.5 * (lo + hi);
-            let t = if step % 3 == 2 || !(secant > lo && secant < hi) {
-                middle
-            } else {
-                secant
-            };
-            if hi - lo <= ROOT_WIDTH * hi || t <= lo || t >= hi {
-                break;
-            }
-            let now = value(t);
-            if now > 0.0 {
-                (lo, f_lo) = (t, now);
-                f_hi *= if side == 1 { 0.5 } else { 1.0 };
-                side = 1;
-            } else {
-                (hi, f_hi) = (t, now);
-                f_lo *= if side == -1 { 0.5 } else { 1.0 };
-                side = -1;
-            }
-        }
-        let t = 0.5 * (lo + hi);
+        let ends = [value(t0).max(0.0), value(t1).min(0.0)];
+        let t = regula_falsi([t0, t1], ends, ROOT_WIDTH, value);
         (t > t0 && t < t1).then_some(t)
     }
 }
