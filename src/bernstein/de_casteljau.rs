@@ -22,7 +22,7 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Vector for T {}
 
 /// (1 − t)·a + t·b.
 #[inline(always)]
-fn lerp<T: Vector>(a: T, b: T, t: f64) -> T {
+pub fn lerp<T: Vector>(a: T, b: T, t: f64) -> T {
     a * (1.0 - t) + b * t
 }
 

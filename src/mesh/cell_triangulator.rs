@@ -8,6 +8,8 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+use crate::numeric::order::to_u32;
+
 /// A rectangle in the parameter plane with integer coordinates: its corner (`u`, `v`) and its size `du` × `dv`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
@@ -103,13 +105,13 @@ impl CellTriangulator {
 
     /// The number of the vertex with a key of `rows`.
     fn of_row(&self, key: u64) -> u32 {
-        number(index_of(&self.rows, key))
+        to_u32(index_of(&self.rows, key))
     }
 
     /// The numbers of the vertices in a row from number `from` up to, but not including, the key `to`.
     fn along_row(&self, from: u32, to: u64) -> std::ops::Range<u32> {
         let after = self.rows[from as usize..].iter();
-        from..from + number(after.take_while(|&&key| key < to).count())
+        from..from + to_u32(after.take_while(|&&key| key < to).count())
     }
 
     /// Appends the numbers of the vertices in a column between two keys, exclusive.
@@ -230,8 +232,4 @@ impl CellTriangulator {
 fn gap_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
     let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     x * x + y * y + z * z
-}
-
-fn number(index: usize) -> u32 {
-    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -8,6 +8,7 @@
 )]
 
 use crate::bernstein::de_casteljau::{split_net_with, split_with};
+use crate::numeric::order::larger;
 use wide::f32x4;
 
 /// The relative amount by which lengths may be too small.
@@ -82,7 +83,6 @@ impl SecondDifferences {
                 max = max.fast_max(f32x4::splat((v * v).reduce_add()));
             }
             let [a, b, c, d] = max.to_array();
-            let larger = |a: f32, b: f32| if a > b { a } else { b };
             let max = larger(larger(a, b), larger(c, d));
             f32::sqrt(max)
         })

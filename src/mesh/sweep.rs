@@ -2,6 +2,7 @@
 
 use super::buffers::to_f32;
 use crate::numeric::float::ratio;
+use crate::numeric::order::to_u32;
 use glam::DVec3;
 
 /// A full turn in radians.
@@ -137,7 +138,7 @@ impl<'a> Sweep<'a> {
 
     /// The position of the next face in `indices`.
     pub(crate) fn first_index(&self) -> u32 {
-        u32::try_from(self.indices.len()).unwrap_or(u32::MAX)
+        to_u32(self.indices.len())
     }
 
     /// Starts a line.
@@ -214,7 +215,7 @@ impl<'a> Sweep<'a> {
         let columns = self.section.columns();
         let faces = if self.section.is_tube() { columns } else { 1 };
         for k in 0..faces {
-            let [here, beside] = [k, (k + 1) % columns].map(|k| u32::try_from(k).unwrap_or(0));
+            let [here, beside] = [k, (k + 1) % columns].map(to_u32);
             match (before, next) {
                 (Row::Ring(a), Row::Ring(b)) => {
                     let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];

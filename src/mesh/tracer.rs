@@ -3,6 +3,7 @@
 use super::isocurves::Isocurve;
 use super::sweep::{Frame, Sweep, turned};
 use super::wire::Wire;
+use crate::curve::frames::double_reflection;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -145,29 +146,19 @@ impl Tracer {
 /// The frame at a sample, with its side direction as close as possible to the given direction.
 fn frame(sample: &LineSample, side: DVec3) -> Frame {
     let LineSample { point, along, .. } = *sample;
-    let axis = if along.x.abs() < 0.5 {
-        DVec3::X
-    } else {
-        DVec3::Y
-    };
-    let across = |v: DVec3| Point::normalize_or_zero(v - along * v.dot(along));
-    // If the given direction is almost parallel to the line, rounding leaves a component along the line; projecting
-    // twice is sufficient (Kahan).
-    let side = across(across(side));
-    let side = if side == DVec3::ZERO {
-        across(across(axis))
-    } else {
-        side
-    };
+    let mut side = DVec3::normal_of(along, side);
+    if side == DVec3::ZERO {
+        let axis = if along.x.abs() < 0.5 {
+            DVec3::X
+        } else {
+            DVec3::Y
+        };
+        side = DVec3::normal_of(along, axis);
+    }
     Frame { point, along, side }
 }
 
-/// The side direction of a frame, transported to the next sample without rotation about the line (double reflection):
-/// reflected in the bisecting plane of both points, then in the plane that maps the tangent to the tangent at the next
-/// sample.
+/// The side direction of a frame, transported to the next sample without rotation about the line.
 fn carried(from: &Frame, to: &LineSample) -> DVec3 {
-    let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
-    let chord = Point::normalize_or_zero(to.point - from.point);
-    let (side, along) = (reflect(from.side, chord), reflect(from.along, chord));
-    reflect(side, Point::normalize_or_zero(to.along - along))
+    double_reflection(from.side, [from.along, to.along], to.point - from.point)
 }

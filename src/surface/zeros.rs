@@ -6,6 +6,7 @@
 
 use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
 use super::piece::{Piece, search};
+use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 
 /// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
@@ -251,14 +252,8 @@ fn mean_slopes(piece: &Piece) -> [[f64; 2]; 2] {
 fn range_across(piece: &Piece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
     let [x, y] = greater(slopes[0], slopes[1]);
     let size = x.hypot(y).max(f64::MIN_POSITIVE);
-    piece
-        .plane(0)
-        .iter()
-        .zip(piece.plane(1))
-        .map(|(a, b)| (x * b - y * a) / size)
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| {
-            [low.min(c), high.max(c)]
-        })
+    let pairs = piece.plane(0).iter().zip(piece.plane(1));
+    range(pairs.map(|(a, b)| (x * b - y * a) / size)).into()
 }
 
 /// Whether the derivative stays so close to its mean that no two points have the same image.

@@ -3,8 +3,9 @@
 use super::clipping::Contact;
 use super::intersection::IntersectionKind;
 use super::stationary::stops;
+use crate::curve::elevate::elevate_once;
 use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
-use crate::numeric::float::{ratio, unit_scale};
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
@@ -135,12 +136,7 @@ fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {
 fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
     let mut points = Points::from(points);
     while points.len() <= degree {
-        let count = points.len();
-        points.push(points[count - 1]);
-        for i in (1..count).rev() {
-            let part = ratio(i, count);
-            points[i] = points[i - 1] * part + points[i] * (1.0 - part);
-        }
+        elevate_once(&mut points);
     }
     Piece {
         x: points.iter().map(|p| p.x).collect(),

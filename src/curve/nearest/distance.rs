@@ -13,6 +13,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::{ratio, ulp, unit_scale};
 use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
+use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -132,10 +133,7 @@ impl<P: Point> Piece<P> {
 
     /// The minimum and the maximum of the control points along a direction.
     fn along(&self, direction: P) -> (f64, f64) {
-        let projections = self.points.iter().map(|&p| p.dot(direction));
-        projections.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        })
+        range(self.points.iter().map(|&p| p.dot(direction)))
     }
 
     /// The component of a vector perpendicular to the chord.

@@ -4,6 +4,7 @@ use super::distance::{Apart, Heap};
 use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
+use crate::curve::elevate::elevate_once;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::Points;
@@ -104,11 +105,11 @@ fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
 /// Both curves, elevated to the higher of their degrees.
 fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<P>) {
     let raised = |points: &Points<P>, count: usize| {
-        let mut curve = Curve::from_slice(points);
-        while curve.points.len() < count {
-            curve = curve.elevated();
+        let mut points = points.clone();
+        while points.len() < count {
+            elevate_once(&mut points);
         }
-        curve.points
+        points
     };
     (raised(a, b.len()), raised(b, a.len()))
 }

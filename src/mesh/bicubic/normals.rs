@@ -7,6 +7,7 @@
 use super::grid::{BicubicGrid, Lanes};
 use super::lanes::{LANES, round, store, with_room};
 use crate::bernstein::weights::quintic;
+use crate::numeric::order::larger;
 use wide::{f32x4, f64x2};
 
 /// The value of |N| below which a point is not regular, for differences of size 1. The rounding noise of the
@@ -231,12 +232,6 @@ impl NormalNet {
             [0.0; 3]
         }
     }
-}
-
-/// The larger of two numbers; `f64::max` is a function call where NaN must be handled.
-#[inline(always)]
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// The indices of the first and the last number that is not zero.

@@ -6,13 +6,12 @@
 //! reverses, at a cusp or at a turn of a straight curve, N jumps to the other side; a half circle about that point,
 //! around its outside, joins the two sides.
 
-use super::offset_curve::{OffsetCurve, Source, arc_pieces};
+use super::offset_curve::{OffsetCurve, Source, add_arc};
 use crate::curve::Curve;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ulp, unit_scale};
-use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
 use crate::spline::Spline;
 use crate::spline::spline_builder::SplineBuilder;
@@ -184,26 +183,17 @@ impl SplineBuilder {
         } else {
             sin.atan2(cos)
         };
-        let pieces = arc_pieces(angle, distance.abs(), tolerance);
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        let handle = distance * (4.0 / 3.0) * (sin / cos);
-        let tangent = |k: f64| {
-            if k == pieces {
-                to
-            } else {
-                let (cos, sin) = cos_sin(angle * (k / pieces));
-                DVec2::new(cos, sin).rotate(from)
-            }
-        };
-        let at = |tangent: DVec2| about + tangent.perp() * distance;
-        let mut k = 0.0;
-        while k < pieces {
-            let (t0, t1) = (tangent(k), tangent(k + 1.0));
-            self.points
-                .extend([at(t0) - t0 * handle, at(t1) + t1 * handle, at(t1)]);
-            self.degrees.push(3);
-            k += 1.0;
-        }
+        let before = self.points.len();
+        add_arc(
+            [about; 2],
+            [from, to],
+            angle,
+            distance,
+            tolerance,
+            &mut self.points,
+        );
+        let pieces = (self.points.len() - before) / 3;
+        self.degrees.extend(std::iter::repeat_n(3, pieces));
     }
 }
 

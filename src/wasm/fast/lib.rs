@@ -12,6 +12,7 @@ pub mod bernstein {
 #[path = "../../numeric"]
 pub mod numeric {
     pub mod gauss;
+    pub mod order;
     pub mod trigonometry;
     pub mod work_limit;
     pub mod zero;

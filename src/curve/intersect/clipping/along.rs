@@ -8,8 +8,9 @@
 //! curves with a common segment are detected immediately, since their parameters correspond.
 
 use super::cross::cross;
-use super::piece::{Piece, Row, range, time_at};
+use super::piece::{Piece, Row, time_at};
 use super::solver::{ClippingSolver, Contact, SPLIT};
+use crate::numeric::order::range;
 
 /// Heights up to this many times the slack count as contact if a segment cannot be discarded. The factor is above 1 so
 /// that halving terminates.

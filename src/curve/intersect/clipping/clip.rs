@@ -1,6 +1,7 @@
 //! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
 
-use super::piece::{Piece, Row, range};
+use super::piece::{Piece, Row};
+use crate::numeric::order::range;
 
 /// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
 /// and Nishita.

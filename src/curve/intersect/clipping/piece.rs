@@ -1,6 +1,7 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
 use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+use crate::numeric::order::range;
 use crate::numeric::zero::newton_in_bracket;
 
 /// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
@@ -156,16 +157,6 @@ impl<R: Row> Piece<R> {
         both.for_each(|(x, y)| (*x, *y) = (dx * *x + dy * *y, dx * *y - dy * *x));
         piece
     }
-}
-
-/// The minimum and the maximum.
-#[inline(always)]
-pub(super) fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
-    let start = (f64::INFINITY, f64::NEG_INFINITY);
-    numbers.fold(start, |(min, max), v| {
-        // Comparisons instead of `f64::min`, which would check for NaN.
-        (if v < min { v } else { min }, if v > max { v } else { max })
-    })
 }
 
 /// The value and the derivative at s of a polynomial in Bernstein form.

@@ -16,6 +16,7 @@
 
 use super::fit::Pair;
 use super::{OffsetCurve, VANISHING_SPEED};
+use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -95,7 +96,7 @@ impl OffsetCurve<'_> {
             e3 - (to.w * ds - v2) * (1.0 / 3.0),
             e3,
         ];
-        let (min, max) = range(&squares(&e));
+        let (min, max) = range(squares(&e).into_iter());
         let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
         let off = (high - distance).max(distance - low);
         if high + distance <= self.tolerance {
@@ -119,12 +120,12 @@ impl OffsetCurve<'_> {
         rest: f64,
     ) -> f64 {
         let distance = self.distance.abs();
-        let (min, max) = range(&products2(d, d));
-        let (lean_min, lean_max) = range(&products3(e, d));
+        let (min, max) = range(products2(d, d).into_iter());
+        let (lean_min, lean_max) = range(products3(e, d).into_iter());
         let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
         let ahead = products2(&v, d);
         let bend = products31(e, &turn);
-        let (f_min, f_max) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
+        let (f_min, f_max) = range((0..5).map(|i| ahead[i] - bend[i]));
         let mut lean = lean_max.max(-lean_min);
         let mut forward = f_min.max(-f_max);
         if rest > 0.0 {
@@ -178,16 +179,6 @@ impl OffsetCurve<'_> {
 
 /// A cubic that replaces a segment of a higher degree may have an error of this part of the tolerance.
 const REMAINDER_SHARE: f64 = 0.02;
-
-fn range(coefficients: &[f64]) -> (f64, f64) {
-    let mut min = f64::INFINITY;
-    let mut max = -f64::INFINITY;
-    for &c in coefficients {
-        min = if c < min { c } else { min };
-        max = if c > max { c } else { max };
-    }
-    (min, max)
-}
 
 /// |E|², degree 6.
 fn squares(e: &[DVec2; 4]) -> [f64; 7] {

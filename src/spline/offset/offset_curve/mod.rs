@@ -10,15 +10,16 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+mod arc;
 mod bound;
 mod breaks;
 mod fit;
 mod local;
 mod source;
 
-use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
 use crate::numeric::zero::regula_falsi;
+pub use arc::add_arc;
 use glam::DVec2;
 use source::OffsetSample;
 pub use source::Source;
@@ -201,24 +202,9 @@ impl<'a> OffsetCurve<'a> {
             from.tangent.perp_dot(to.tangent),
         );
         let angle = sin.atan2(cos);
-        let pieces = arc_pieces(angle, self.distance.abs(), TINY_PART * self.tolerance);
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        // The derivative of the normal is opposite to the tangent: N′ = −θ′T.
-        let handle = -self.distance * (4.0 / 3.0) * (sin / cos);
-        let (mut last, mut k) = (*from, 1.0);
-        while k <= pieces {
-            let next = if k == pieces {
-                *to
-            } else {
-                let (cos, sin) = cos_sin(angle * k / pieces);
-                let tangent = from.tangent * cos + from.tangent.perp() * sin;
-                End { tangent, ..*from }
-            };
-            let (start, end) = (self.point(&last), self.point(&next));
-            let (first, second) = (last.tangent * handle, next.tangent * handle);
-            out.extend_from_slice(&[start + first, end - second, end]);
-            (last, k) = (next, k + 1.0);
-        }
+        let (centers, tangents) = ([from.sample.b, to.sample.b], [from.tangent, to.tangent]);
+        let tolerance = TINY_PART * self.tolerance;
+        add_arc(centers, tangents, angle, self.distance, tolerance, out);
     }
 
     /// The cusp of the offset curve between two ends with different signs. Next to a cusp of the source, where the sign
@@ -277,22 +263,3 @@ const MIN_PART: f64 = 1e-3;
 
 /// A root is accurate enough when the width of its interval is this part of it.
 const ROOT_WIDTH: f64 = 1e-13;
-
-/// The number of cubics for an arc: a cubic for the angle θ with handles 4/3 tan(θ/4) has an error of (2/27)
-/// sin⁶(θ/4)/cos²(θ/4) of the radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by
-/// curvature-continuous Bézier curves", CAGD 7 (1990).
-pub fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
-    let error = |pieces: f64| {
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        let square = sin * sin;
-        (2.0 / 27.0) * square * square * square / (cos * cos) * radius
-    };
-    let mut pieces = (angle.abs() / std::f64::consts::PI).ceil().max(1.0);
-    while error(pieces) > tolerance && pieces < MAX_ARC_PIECES {
-        pieces += 1.0;
-    }
-    pieces
-}
-
-/// A half circle in this many pieces has an error below rounding.
-const MAX_ARC_PIECES: f64 = 512.0;
