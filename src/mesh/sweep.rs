@@ -89,7 +89,7 @@ pub(crate) fn turned(angle: f64) -> [f64; 2] {
 
 /// The row to which the next row is joined.
 #[derive(Clone, Copy)]
-enum Row {
+enum PreviousRow {
     Nothing,
     /// A single vertex: its index.
     Pole(u32),
@@ -106,7 +106,7 @@ pub(crate) struct Sweep<'a> {
     pub(crate) positions: Vec<f32>,
     pub(crate) normals: Vec<f32>,
     pub(crate) indices: Vec<u32>,
-    row: Row,
+    row: PreviousRow,
     start: u32,
 }
 
@@ -120,7 +120,7 @@ impl<'a> Sweep<'a> {
             positions: Vec::new(),
             normals: Vec::new(),
             indices: Vec::new(),
-            row: Row::Nothing,
+            row: PreviousRow::Nothing,
             start: 0,
         }
     }
@@ -143,7 +143,7 @@ impl<'a> Sweep<'a> {
 
     /// Starts a line.
     pub(crate) fn begin(&mut self, frame: &Frame) {
-        self.row = Row::Nothing;
+        self.row = PreviousRow::Nothing;
         self.start = self.vertices;
         if self.section.is_tube() {
             self.pole(frame, -1.0);
@@ -189,13 +189,13 @@ impl<'a> Sweep<'a> {
             self.vertex(frame.point - half, frame.side);
             self.vertex(frame.point + half, frame.side);
         }
-        self.join(Row::Ring(first));
+        self.join(PreviousRow::Ring(first));
     }
 
     fn pole(&mut self, frame: &Frame, sense: f64) {
         let (normal, pole) = (frame.along * sense, self.vertices);
         self.vertex(frame.point + normal * self.section.half, normal);
-        self.join(Row::Pole(pole));
+        self.join(PreviousRow::Pole(pole));
     }
 
     fn vertex(&mut self, position: DVec3, normal: DVec3) {
@@ -207,7 +207,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Adds the faces between the previous row and this one, counter-clockwise as seen from outside.
-    fn join(&mut self, next: Row) {
+    fn join(&mut self, next: PreviousRow) {
         let before = std::mem::replace(&mut self.row, next);
         if !self.writes {
             return;
@@ -217,14 +217,14 @@ impl<'a> Sweep<'a> {
         for k in 0..faces {
             let [here, beside] = [k, (k + 1) % columns].map(to_u32);
             match (before, next) {
-                (Row::Ring(a), Row::Ring(b)) => {
+                (PreviousRow::Ring(a), PreviousRow::Ring(b)) => {
                     let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];
                     self.indices.extend([p, q, r, p, r, s]);
                 }
-                (Row::Pole(pole), Row::Ring(b)) => {
+                (PreviousRow::Pole(pole), PreviousRow::Ring(b)) => {
                     self.indices.extend([pole, b + beside, b + here]);
                 }
-                (Row::Ring(a), Row::Pole(pole)) => {
+                (PreviousRow::Ring(a), PreviousRow::Pole(pole)) => {
                     self.indices.extend([pole, a + here, a + beside]);
                 }
                 _ => (),

@@ -44,8 +44,8 @@ pub(crate) struct Distance<'a> {
 }
 
 impl Objective for Distance<'_> {
-    fn value(&self, root: usize, at: [f64; 2]) -> f64 {
-        self.surface_point(root, at).distance
+    fn value(&self, index: usize, at: [f64; 2]) -> f64 {
+        self.surface_point(index, at).distance
     }
 
     fn degree_factor(&self) -> usize {
@@ -54,19 +54,19 @@ impl Objective for Distance<'_> {
 
     /// Refines with Gauss–Newton steps: the difference S − p still has the digits that the square of a small distance
     /// has lost.
-    fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
-        let surface_point = self.descend(self.surface_point(root, at));
+    fn refine(&self, index: usize, at: [f64; 2]) -> [f64; 2] {
+        let surface_point = self.descend(self.surface_point(index, at));
         [surface_point.u, surface_point.v]
     }
 
     /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
     /// beyond the plane through the found point that is perpendicular to the line from the query point. In the second
     /// case the convex hull of the net, and with it the patch, lies beyond this plane.
-    fn is_min(&self, minimum: &Minimum) -> bool {
+    fn is_final(&self, minimum: &Minimum) -> bool {
         if minimum.value <= LOST_IN_SQUARES * self.size {
             return true;
         }
-        let surface_point = self.images[minimum.root].eval(minimum.u, minimum.v);
+        let surface_point = self.images[minimum.index].eval(minimum.u, minimum.v);
         let normal = Point::normalize_or_zero(surface_point - self.image_of_p);
         let is_behind = |point: &DVec3| (*point - surface_point).dot(normal) >= -ROUNDING;
         self.images
@@ -99,23 +99,23 @@ impl<'a> Distance<'a> {
         mut best: Option<SurfacePoint>,
         cutoff: f64,
     ) -> (Option<SurfacePoint>, bool) {
-        let roots = (0..).zip(self.near).map(|(root, &k)| {
+        let wholes = (0..).zip(self.near).map(|(index, &k)| {
             let patch = &self.patches[k];
             let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
             let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
             let planes = (0..3).flat_map(axis).collect();
-            Piece::whole(root, patch.columns, patch.rows(), planes)
+            Piece::whole(index, patch.columns, patch.rows(), planes)
         });
         let min = best.map_or(f64::INFINITY, |best| best.distance / self.size);
-        let mut descend = |root: usize, at: [f64; 2]| {
-            let surface_point = self.descend(self.surface_point(root, at));
+        let mut descend = |index: usize, at: [f64; 2]| {
+            let surface_point = self.descend(self.surface_point(index, at));
             if best.is_none_or(|best| surface_point.distance < best.distance) {
                 best = Some(surface_point);
             }
             surface_point.distance / self.size
         };
         let limits = [ROUNDING, cutoff / self.size];
-        let is_complete = search_small(roots.collect(), min, limits, &mut descend);
+        let is_complete = search_small(wholes.collect(), min, limits, &mut descend);
         (best, is_complete)
     }
 
@@ -134,8 +134,8 @@ impl<'a> Distance<'a> {
         surface_point
     }
 
-    pub(crate) fn surface_point(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
-        let patch = self.near[root];
+    pub(crate) fn surface_point(&self, index: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+        let patch = self.near[index];
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
 
@@ -179,7 +179,7 @@ impl<'a> Distance<'a> {
 ///
 /// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d². The term d² is omitted, since it would
 /// swamp the others for a distant p, and the rest is divided by |d| where |d| > 1.
-pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
+pub(crate) fn squared_distance(index: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
     let away = frame.centre * 0.5 - p * 0.5;
     let unit = (0.5 * frame.size).max(Point::length(away));
     let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
@@ -201,7 +201,7 @@ pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVe
     for (k, coefficient) in product.iter_mut().enumerate() {
         *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);
     }
-    Piece::whole(root, columns, 2 * n + 1, product)
+    Piece::whole(index, columns, 2 * n + 1, product)
 }
 
 /// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets whose coefficients are

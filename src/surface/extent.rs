@@ -42,7 +42,7 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     for axis in 0..3 {
         let frame = frame_along(axis, control);
         let face = |sign: f64| {
-            let roots: Vec<Piece> = (0..)
+            let wholes: Vec<Piece> = (0..)
                 .zip(patches)
                 .map(|(k, patch)| coordinate(k, patch, &frame, axis, sign))
                 .collect();
@@ -51,7 +51,7 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
                 axis,
                 sign,
             };
-            minimise(&roots, &coordinate).map(|(min, _)| sign * min.value)
+            minimise(&wholes, &coordinate).map(|(min, _)| sign * min.value)
         };
         bounds.min = bounds.min.with_coordinate(axis, face(1.0)?);
         bounds.max = bounds.max.with_coordinate(axis, face(-1.0)?);
@@ -84,17 +84,17 @@ struct Coordinate<'a> {
 }
 
 impl Objective for Coordinate<'_> {
-    fn value(&self, root: usize, [u, v]: [f64; 2]) -> f64 {
-        self.sign * self.patches[root].eval(u, v).coordinate(self.axis)
+    fn value(&self, index: usize, [u, v]: [f64; 2]) -> f64 {
+        self.sign * self.patches[index].eval(u, v).coordinate(self.axis)
     }
 }
 
 /// The Bernstein coefficients of one coordinate of a patch, multiplied by the sign 1 or −1.
-fn coordinate(root: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64) -> Piece {
+fn coordinate(index: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64) -> Piece {
     let coefficients = patch
         .points
         .iter()
         .map(|&p| sign * frame.local_point(p).coordinate(axis))
         .collect();
-    Piece::whole(root, patch.columns, patch.rows(), coefficients)
+    Piece::whole(index, patch.columns, patch.rows(), coefficients)
 }

@@ -10,11 +10,11 @@ pub(crate) mod nearest;
 pub(crate) mod network;
 mod newton;
 mod piece;
+mod queued_piece;
 mod ray;
 mod small_distance;
 pub(crate) mod surface_point;
 pub(crate) mod topology;
-mod waiting;
 mod zeros;
 
 pub use crate::io::text_reader::ParseError;

@@ -87,13 +87,13 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
         .filter(|&k| gap(patches[k].control_bounds(), p) <= reach * (1.0 + 8.0 * f64::EPSILON))
         .collect();
     let images: Vec<Patch> = near.iter().map(|&k| frame.image(&patches[k])).collect();
-    let roots: Vec<Piece> = (0..)
+    let wholes: Vec<Piece> = (0..)
         .zip(&images)
-        .map(|(root, image)| squared_distance(root, image, &frame, p))
+        .map(|(index, image)| squared_distance(index, image, &frame, p))
         .collect();
     let distance = Distance::new(patches, &near, &images, &frame, p);
-    let (min, is_complete) = minimise(&roots, &distance)?;
-    let mut candidate = distance.surface_point(min.root, [min.u, min.v]);
+    let (min, is_complete) = minimise(&wholes, &distance)?;
+    let mut candidate = distance.surface_point(min.index, [min.u, min.v]);
     let small = if is_complete {
         ROUGH_IN_SQUARES
     } else {

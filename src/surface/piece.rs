@@ -34,7 +34,7 @@ const PIECE_STEPS: usize = 640;
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     /// The index of the polynomial that this is a piece of.
-    pub(crate) root: usize,
+    pub(crate) index: usize,
     /// The range of u …
     pub(crate) u: [f64; 2],
     /// … and the range of v.
@@ -59,9 +59,9 @@ pub(crate) struct Jet {
 
 impl Piece {
     /// Whole polynomials over the unit square.
-    pub(crate) fn whole(root: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
+    pub(crate) fn whole(index: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
         Self {
-            root,
+            index,
             u: [0.0, 1.0],
             v: [0.0, 1.0],
             columns,
@@ -229,7 +229,7 @@ impl Piece {
     /// The four edges of a whole piece, or the two ends of an edge; none for a corner.
     pub(crate) fn sides(&self) -> Vec<Self> {
         let side = |start: usize, step: usize, columns: usize, rows: usize, u, v| Self {
-            root: self.root,
+            index: self.index,
             u,
             v,
             columns,
@@ -260,7 +260,7 @@ impl Piece {
     }
 }
 
-/// Passes pieces to `look`, halves those for which it returns `true`, and repeats this until no piece is left.
+/// Passes pieces to `examine`, halves those for which it returns `true`, and repeats this until no piece is left.
 ///
 /// Returns `false` when there are so many pieces that the solutions cannot be isolated points (for example a whole
 /// curve), and when the work limit is reached.
@@ -268,10 +268,10 @@ pub(crate) fn search(
     mut pieces: Vec<Piece>,
     max: usize,
     work: &mut WorkLimit,
-    look: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
+    examine: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
 ) -> bool {
     for _ in 0..MAX_ROUNDS {
-        pieces.retain(|piece| work.spend(piece.steps()) && look(piece, work));
+        pieces.retain(|piece| work.spend(piece.steps()) && examine(piece, work));
         if work.is_exceeded() {
             return false;
         }

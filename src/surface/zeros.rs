@@ -69,7 +69,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
         curve: None,
     };
     let few = search(vec![piece], MAX_PIECES, work, &mut |piece, work| {
-        finder.look(piece, work)
+        finder.examine(piece, work)
     });
     let curve = finder.curve;
     if few && curve.is_none() {
@@ -99,7 +99,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// Whether a piece has to be halved; if not, adds its zero, if any.
-    fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
+    fn examine(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
         let ranges = [piece.range(0), piece.range(1)];
         let is_far = |range: &[f64; 2]| range[0] > NEAR || range[1] < -NEAR;
         if ranges.iter().any(is_far) {

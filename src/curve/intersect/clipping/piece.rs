@@ -5,14 +5,14 @@ use crate::numeric::order::range;
 use crate::numeric::zero::newton_in_bracket;
 
 /// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
-pub trait Row: Clone {
+pub trait Coefficients: Clone {
     /// The coefficients.
     fn get(&self) -> &[f64];
     /// The coefficients, mutable.
     fn get_mut(&mut self) -> &mut [f64];
 }
 
-impl Row for [f64; 4] {
+impl Coefficients for [f64; 4] {
     #[inline(always)]
     fn get(&self) -> &[f64] {
         self
@@ -23,7 +23,7 @@ impl Row for [f64; 4] {
     }
 }
 
-impl Row for Vec<f64> {
+impl Coefficients for Vec<f64> {
     fn get(&self) -> &[f64] {
         self
     }
@@ -34,18 +34,18 @@ impl Row for Vec<f64> {
 
 /// The segment of a plane curve between two parameters; `from` > `to` if it runs backwards.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece<R> {
+pub struct Piece<C> {
     /// The x coordinates of the control points.
-    pub x: R,
+    pub x: C,
     /// The y coordinates of the control points.
-    pub y: R,
+    pub y: C,
     /// The parameter of the curve at the start of the segment.
     pub from: f64,
     /// The parameter of the curve at the end of the segment.
     pub to: f64,
 }
 
-impl<R: Row> Piece<R> {
+impl<C: Coefficients> Piece<C> {
     /// The degree.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
