@@ -7,7 +7,7 @@
 use super::sampler::Sampler;
 use crate::bernstein::evaluate::evaluate;
 use crate::mesh::cell_triangulator::{
-    Cell, CellTriangulator, first, index_of, pair, second, sort_distinct,
+    Cell, CellTriangulator, index_of, lower_half, pack, sort_distinct, upper_half,
 };
 use crate::numeric::list::Points;
 use crate::numeric::order::to_u32;
@@ -128,14 +128,14 @@ impl Stitcher<'_> {
         sort_distinct(&mut self.samples);
         let (mut side, mut line) = (NONE, Points::new());
         for &sample in &self.samples {
-            if first(sample) != side {
-                side = first(sample);
+            if upper_half(sample) != side {
+                side = upper_half(sample);
                 let vertices = self.surface.side(side as usize);
                 line = vertices
                     .map(|v| self.surface.vertices()[v as usize])
                     .collect();
             }
-            let point = evaluate(&line, self.parameter(second(sample)));
+            let point = evaluate(&line, self.parameter(lower_half(sample)));
             self.out.nodes.push((self.round)(point));
         }
     }
@@ -159,7 +159,7 @@ impl Stitcher<'_> {
             return None;
         }
         let along = if used.reversed { self.cut.full - k } else { k };
-        Some(pair(to_u32(used.first), along))
+        Some(pack(to_u32(used.first), along))
     }
 
     /// The (u, v) of all samples on the edges of a patch.
@@ -168,11 +168,11 @@ impl Stitcher<'_> {
         (0..SIDES).flat_map(move |side| {
             let used = self.uses[SIDES * patch + side];
             let line = to_u32(used.first);
-            let from = index_of(&self.samples, pair(line, 0));
-            let to = index_of(&self.samples, pair(line + 1, 0));
+            let from = index_of(&self.samples, pack(line, 0));
+            let to = index_of(&self.samples, pack(line + 1, 0));
             // The list of an edge that is a point is empty, since such an edge has no samples.
             self.samples[from..to].iter().map(move |&sample| {
-                let along = second(sample);
+                let along = lower_half(sample);
                 let k = if used.reversed { full - along } else { along };
                 match side {
                     0 => (0, k),

@@ -20,7 +20,7 @@ pub(crate) struct Section {
 
 /// A point of a line with its frame.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame {
+pub(crate) struct SweepFrame {
     pub(crate) point: DVec3,
     /// The unit tangent.
     pub(crate) along: DVec3,
@@ -142,7 +142,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Starts a line.
-    pub(crate) fn begin(&mut self, frame: &Frame) {
+    pub(crate) fn begin(&mut self, frame: &SweepFrame) {
         self.row = PreviousRow::Nothing;
         self.start = self.vertices;
         if self.section.is_tube() {
@@ -155,12 +155,12 @@ impl<'a> Sweep<'a> {
     }
 
     /// Adds the next sample of the line.
-    pub(crate) fn add_ring(&mut self, frame: &Frame) {
+    pub(crate) fn add_ring(&mut self, frame: &SweepFrame) {
         self.ring(frame, [1.0, 0.0]);
     }
 
     /// Ends the line at its last sample.
-    pub(crate) fn end(&mut self, frame: &Frame) {
+    pub(crate) fn end(&mut self, frame: &SweepFrame) {
         if self.section.is_tube() {
             for &elevation in &self.section.rings {
                 self.ring(frame, elevation);
@@ -176,7 +176,7 @@ impl<'a> Sweep<'a> {
 
     /// Adds a ring of a tube, whose radius and offset along the line follow from the elevation, or the two vertices of
     /// a ribbon, left and right.
-    fn ring(&mut self, frame: &Frame, [c, s]: [f64; 2]) {
+    fn ring(&mut self, frame: &SweepFrame, [c, s]: [f64; 2]) {
         let first = self.vertices;
         let across = frame.along.cross(frame.side);
         if self.section.is_tube() {
@@ -192,7 +192,7 @@ impl<'a> Sweep<'a> {
         self.join(PreviousRow::Ring(first));
     }
 
-    fn pole(&mut self, frame: &Frame, sense: f64) {
+    fn pole(&mut self, frame: &SweepFrame, sense: f64) {
         let (normal, pole) = (frame.along * sense, self.vertices);
         self.vertex(frame.point + normal * self.section.half, normal);
         self.join(PreviousRow::Pole(pole));

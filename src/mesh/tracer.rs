@@ -1,7 +1,7 @@
 //! Samples and frames along the isocurves of a surface, for tubes and ribbons.
 
 use super::isocurves::Isocurve;
-use super::sweep::{Frame, Sweep, turned};
+use super::sweep::{Sweep, SweepFrame, turned};
 use super::wire::Wire;
 use crate::curve::frames::double_reflection;
 use crate::geometry::check::max_abs;
@@ -72,7 +72,7 @@ impl Tracer {
             return Ok(());
         }
         let polyline = line.curve.flatten(self.tolerance)?;
-        let mut before: Option<(LineSample, Frame)> = None;
+        let mut before: Option<(LineSample, SweepFrame)> = None;
         for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
             let sample = self.look(line, t, point);
             before = Some(match before {
@@ -104,7 +104,7 @@ impl Tracer {
         }
     }
 
-    fn start(&self, sample: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, Frame) {
+    fn start(&self, sample: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, SweepFrame) {
         let frame = frame(&sample, sample.normal);
         sweep.begin(&frame);
         (sample, frame)
@@ -114,10 +114,10 @@ impl Tracer {
     fn advance(
         &self,
         line: &Isocurve<'_>,
-        (from, before): (LineSample, Frame),
+        (from, before): (LineSample, SweepFrame),
         to: LineSample,
         sweep: &mut Sweep<'_>,
-    ) -> (LineSample, Frame) {
+    ) -> (LineSample, SweepFrame) {
         let straight =
             |a: DVec3, b: DVec3| a.dot(b) >= self.turn || a == DVec3::ZERO || b == DVec3::ZERO;
         if straight(from.along, to.along) && straight(from.normal, to.normal) {
@@ -144,7 +144,7 @@ impl Tracer {
 }
 
 /// The frame at a sample, with its side direction as close as possible to the given direction.
-fn frame(sample: &LineSample, side: DVec3) -> Frame {
+fn frame(sample: &LineSample, side: DVec3) -> SweepFrame {
     let LineSample { point, along, .. } = *sample;
     let mut side = DVec3::normal_of(along, side);
     if side == DVec3::ZERO {
@@ -155,10 +155,10 @@ fn frame(sample: &LineSample, side: DVec3) -> Frame {
         };
         side = DVec3::normal_of(along, axis);
     }
-    Frame { point, along, side }
+    SweepFrame { point, along, side }
 }
 
 /// The side direction of a frame, transported to the next sample without rotation about the line.
-fn carried(from: &Frame, to: &LineSample) -> DVec3 {
+fn carried(from: &SweepFrame, to: &LineSample) -> DVec3 {
     double_reflection(from.side, [from.along, to.along], to.point - from.point)
 }

@@ -1,8 +1,8 @@
 //! Distance of patches from a point: its square as a polynomial, and Gauss–Newton steps that reduce it.
 
-use super::frame::Frame;
 use super::minimum::{Minimum, Objective};
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
+use super::scaling::Scaling;
 use super::small_distance::search_small;
 use super::surface_point::SurfacePoint;
 use crate::geometry::point::Point;
@@ -35,7 +35,7 @@ pub(crate) struct Distance<'a> {
     patches: &'a [Patch],
     /// The indices of the patches to which the polynomials belong.
     near: &'a [usize],
-    /// These patches in the coordinates of a frame, and the query point in the same frame.
+    /// These patches and the query point in scaled coordinates.
     images: &'a [Patch],
     image_of_p: DVec3,
     p: DVec3,
@@ -80,16 +80,16 @@ impl<'a> Distance<'a> {
         patches: &'a [Patch],
         near: &'a [usize],
         images: &'a [Patch],
-        frame: &Frame,
+        scaling: &Scaling,
         p: DVec3,
     ) -> Self {
         Self {
             patches,
             near,
             images,
-            image_of_p: frame.local_point(p),
+            image_of_p: scaling.local_point(p),
             p,
-            size: frame.as_coarse_as_its_coordinates().size,
+            size: scaling.as_coarse_as_its_coordinates().size,
         }
     }
 
@@ -104,7 +104,7 @@ impl<'a> Distance<'a> {
             let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
             let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
             let planes = (0..3).flat_map(axis).collect();
-            Piece::whole(index, patch.columns, patch.rows(), planes)
+            PolynomialPiece::whole(index, patch.columns, patch.rows(), planes)
         });
         let min = best.map_or(f64::INFINITY, |best| best.distance / self.size);
         let mut descend = |index: usize, at: [f64; 2]| {
@@ -175,14 +175,19 @@ impl<'a> Distance<'a> {
     }
 }
 
-/// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches of the frame.
+/// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches.
 ///
 /// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d². The term d² is omitted, since it would
 /// swamp the others for a distant p, and the rest is divided by |d| where |d| > 1.
-pub(crate) fn squared_distance(index: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
-    let away = frame.centre * 0.5 - p * 0.5;
-    let unit = (0.5 * frame.size).max(Point::length(away));
-    let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
+pub(crate) fn squared_distance(
+    index: usize,
+    image: &Patch,
+    scaling: &Scaling,
+    p: DVec3,
+) -> PolynomialPiece {
+    let away = scaling.centre * 0.5 - p * 0.5;
+    let unit = (0.5 * scaling.size).max(Point::length(away));
+    let (share, toward) = (0.5 * scaling.size / unit, away / unit * 2.0);
     let (m, n) = (image.degree_u(), image.degree_v());
     let weights: Vec<f64> = (0..image.points.len())
         .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))
@@ -201,7 +206,7 @@ pub(crate) fn squared_distance(index: usize, image: &Patch, frame: &Frame, p: DV
     for (k, coefficient) in product.iter_mut().enumerate() {
         *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);
     }
-    Piece::whole(index, columns, 2 * n + 1, product)
+    PolynomialPiece::whole(index, columns, 2 * n + 1, product)
 }
 
 /// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets whose coefficients are

@@ -1,6 +1,6 @@
 //! Global minimum of polynomials over patches by branch and bound.
 
-use super::piece::{Jet, MODERATE_DEGREE, Piece};
+use super::piece::{Jet, MODERATE_DEGREE, PolynomialPiece};
 use super::queued_piece::QueuedPiece;
 use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
@@ -70,7 +70,10 @@ pub(crate) trait Objective {
 /// If the minimum is attained along a curve, the result is one of its points. When the search reaches the maximum
 /// number of steps for each polynomial, the result is the best point found: a local minimum, reached from the smallest
 /// corner of all pieces so far. The flag tells whether the search is complete.
-pub(crate) fn minimise(wholes: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
+pub(crate) fn minimise(
+    wholes: &[PolynomialPiece],
+    objective: &dyn Objective,
+) -> Option<(Minimum, bool)> {
     let limits = wholes
         .iter()
         .map(|whole| whole.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
@@ -83,7 +86,7 @@ pub(crate) fn minimise(wholes: &[Piece], objective: &dyn Objective) -> Option<(M
         best: None,
         ties: 0,
     };
-    let corner = |piece: &Piece| min_corner(piece).1;
+    let corner = |piece: &PolynomialPiece| min_corner(piece).1;
     let first = wholes
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
@@ -99,7 +102,7 @@ pub(crate) fn minimise(wholes: &[Piece], objective: &dyn Objective) -> Option<(M
 
 /// The smallest value found so far.
 struct MinimumSearch<'a> {
-    wholes: &'a [Piece],
+    wholes: &'a [PolynomialPiece],
     objective: &'a dyn Objective,
     /// Whether no point can be better than the best one.
     is_done: bool,
@@ -144,7 +147,7 @@ impl MinimumSearch<'_> {
     }
 
     /// Whether a piece may contain a smaller value and has to be halved.
-    fn must_be_halved(&mut self, piece: &Piece, low: f64, work: &mut WorkLimit) -> bool {
+    fn must_be_halved(&mut self, piece: &PolynomialPiece, low: f64, work: &mut WorkLimit) -> bool {
         self.improve(piece, &UNIT_SQUARE, false, work);
         if self.is_done || low >= self.min_value - SLACK || !piece.is_divisible() {
             return false;
@@ -157,7 +160,7 @@ impl MinimumSearch<'_> {
     /// minimum.
     fn improve(
         &mut self,
-        piece: &Piece,
+        piece: &PolynomialPiece,
         within: &[[f64; 2]; 2],
         always: bool,
         work: &mut WorkLimit,
@@ -186,7 +189,7 @@ impl MinimumSearch<'_> {
     }
 
     /// Makes a point the best one if its value is smaller.
-    fn keep_better(&mut self, piece: &Piece, at: [f64; 2], work: &mut WorkLimit) {
+    fn keep_better(&mut self, piece: &PolynomialPiece, at: [f64; 2], work: &mut WorkLimit) {
         let index = piece.index;
         let [u, v] = if work.spend(REFINEMENT_JETS * piece.jet_steps()) {
             self.objective.refine(index, at)
@@ -209,13 +212,13 @@ impl MinimumSearch<'_> {
     }
 }
 
-fn by_min_coefficient(piece: Piece) -> QueuedPiece {
+fn by_min_coefficient(piece: PolynomialPiece) -> QueuedPiece {
     let [low, _] = piece.range(0);
     QueuedPiece { low, piece }
 }
 
 /// The corner of a piece with the smallest value, and this value.
-fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
+fn min_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
     let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
@@ -224,7 +227,7 @@ fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
 /// Newton's method within a rectangle; each step is shortened until it descends. Returns the last point, its value, and
 /// whether it converged.
 fn descend(
-    whole: &Piece,
+    whole: &PolynomialPiece,
     within: &[[f64; 2]; 2],
     start: [f64; 2],
     work: &mut WorkLimit,
@@ -288,7 +291,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
 }
 
 /// Whether the coefficients of the second derivatives prove that the polynomial has one minimum in the piece.
-fn is_convex(piece: &Piece) -> bool {
+fn is_convex(piece: &PolynomialPiece) -> bool {
     let [uu, uv, vv] = piece.second_derivatives();
     uu[0] > 0.0 && vv[0] > 0.0 && uu[0] * vv[0] > uv[0].abs().max(uv[1].abs()).powi(2)
 }

@@ -3,7 +3,6 @@
 mod distance;
 mod extent;
 pub(crate) mod first_of;
-pub(crate) mod frame;
 mod measure;
 mod minimum;
 pub(crate) mod nearest;
@@ -12,6 +11,7 @@ mod newton;
 mod piece;
 mod queued_piece;
 mod ray;
+pub(crate) mod scaling;
 mod small_distance;
 pub(crate) mod surface_point;
 pub(crate) mod topology;

@@ -32,7 +32,7 @@ const PIECE_STEPS: usize = 640;
 
 /// One or more polynomials ("planes") over a rectangle of parameters.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub(crate) struct PolynomialPiece {
     /// The index of the polynomial that this is a piece of.
     pub(crate) index: usize,
     /// The range of u …
@@ -57,7 +57,7 @@ pub(crate) struct Jet {
     pub(crate) vv: f64,
 }
 
-impl Piece {
+impl PolynomialPiece {
     /// Whole polynomials over the unit square.
     pub(crate) fn whole(index: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
         Self {
@@ -265,10 +265,10 @@ impl Piece {
 /// Returns `false` when there are so many pieces that the solutions cannot be isolated points (for example a whole
 /// curve), and when the work limit is reached.
 pub(crate) fn search(
-    mut pieces: Vec<Piece>,
+    mut pieces: Vec<PolynomialPiece>,
     max: usize,
     work: &mut WorkLimit,
-    examine: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
+    examine: &mut dyn FnMut(&PolynomialPiece, &mut WorkLimit) -> bool,
 ) -> bool {
     for _ in 0..MAX_ROUNDS {
         pieces.retain(|piece| work.spend(piece.steps()) && examine(piece, work));

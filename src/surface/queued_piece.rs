@@ -1,13 +1,13 @@
 //! Entries of a priority queue of pieces, ordered by their lower bound.
 
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
 use std::cmp::Ordering;
 
 /// A piece and a lower bound on the searched quantity in it. In [`BinaryHeap`](std::collections::BinaryHeap), the
 /// greatest entry is the one with the smallest bound; of equal bounds, the one with the smallest area.
 pub(crate) struct QueuedPiece {
     pub(crate) low: f64,
-    pub(crate) piece: Piece,
+    pub(crate) piece: PolynomialPiece,
 }
 
 impl Ord for QueuedPiece {

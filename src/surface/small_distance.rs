@@ -6,7 +6,7 @@
 //!
 //! [`minimise`]: crate::surface::minimum::minimise
 
-use super::piece::{MODERATE_DEGREE, Piece};
+use super::piece::{MODERATE_DEGREE, PolynomialPiece};
 use super::queued_piece::QueuedPiece;
 use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
@@ -28,7 +28,7 @@ const MAX_WAITING: usize = 1 << 21;
 /// Pieces farther away than `cutoff` are dropped. The search ends at a distance of `goal` or when no piece can be
 /// nearer. It also ends when it has taken the maximum number of steps for each polynomial, and then returns `false`.
 pub(crate) fn search_small(
-    wholes: Vec<Piece>,
+    wholes: Vec<PolynomialPiece>,
     mut min: f64,
     [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
@@ -75,7 +75,7 @@ fn worthwhile(min: f64) -> f64 {
 }
 
 /// A piece and the distance of the bounding box of its control points.
-fn by_box(piece: Piece) -> QueuedPiece {
+fn by_box(piece: PolynomialPiece) -> QueuedPiece {
     let gap = |axis: usize| {
         let [low, high] = piece.range(axis);
         low.max(-high).max(0.0)
@@ -85,7 +85,7 @@ fn by_box(piece: Piece) -> QueuedPiece {
 }
 
 /// The nearest corner and its distance.
-fn nearest_corner(piece: &Piece) -> ([f64; 2], f64) {
+fn nearest_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
     let [x, y, z] = [0, 1, 2].map(|axis| piece.corners(axis));
     (0..4)
         .map(|k| (x[k].0, length([x[k].1, y[k].1, z[k].1])))

@@ -39,7 +39,7 @@ const SHARP_COSINE: f64 = 0.9;
 
 /// An interval that one rule integrates: its end, and the arc length up to that end.
 #[derive(Clone, Copy)]
-struct Piece {
+struct Interval {
     t: f64,
     length: f64,
 }
@@ -49,7 +49,7 @@ pub(crate) struct ArcLengthTable {
     slopes: Points<DVec3>,
     /// `slopes` times their binomial coefficients.
     weighted: Points<DVec3>,
-    pieces: Vec<Piece>,
+    intervals: Vec<Interval>,
     /// Counts the intervals.
     work: WorkLimit,
     tolerance: f64,
@@ -68,7 +68,7 @@ impl ArcLengthTable {
         let weighted = slopes.iter().enumerate();
         let mut arc = Self {
             weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
-            pieces: Vec::new(),
+            intervals: Vec::new(),
             work: WorkLimit::new(MAX_INTERVALS),
             tolerance: 0.0,
             noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
@@ -82,26 +82,28 @@ impl ArcLengthTable {
 
     /// The arc length of the whole curve.
     pub(crate) fn length(&self) -> f64 {
-        self.pieces.last().map_or(0.0, |piece| piece.length)
+        self.intervals
+            .last()
+            .map_or(0.0, |interval| interval.length)
     }
 
     /// The t up to which the arc length is s, for 0 ≤ s ≤ the whole length; `slack` is the allowed error of s.
     ///
     /// Newton's method inside an interval of the table, with bisection where it leaves the bracket that contains t.
     pub(crate) fn time(&self, s: f64, slack: f64) -> f64 {
-        let last = self.pieces.len() - 1;
+        let last = self.intervals.len() - 1;
         let k = self
-            .pieces
-            .partition_point(|piece| piece.length < s)
+            .intervals
+            .partition_point(|interval| interval.length < s)
             .min(last);
         let start = k.checked_sub(1).map_or(
-            Piece {
+            Interval {
                 t: 0.0,
                 length: 0.0,
             },
-            |before| self.pieces[before],
+            |before| self.intervals[before],
         );
-        let Piece { t: end, length } = self.pieces[k];
+        let Interval { t: end, length } = self.intervals[k];
         let (rest, whole) = (s - start.length, length - start.length);
         let guess = self.first_guess(start.t, end, rest / whole, whole);
         newton_in_bracket([start.t, end], guess, slack, |t| {
@@ -155,7 +157,7 @@ impl ArcLengthTable {
 
     /// Whether the curve may reverse between the nodes of a rule, which would not detect it.
     fn turns_back(&self, lo: f64, hi: f64) -> bool {
-        let slopes = self.piece(lo, hi);
+        let slopes = self.slopes_between(lo, hi);
         let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
         self.deviates(&slopes, chord, 0.0, hi - lo)
     }
@@ -165,7 +167,7 @@ impl ArcLengthTable {
     fn turns_near(&self, end: f64, cut: f64) -> bool {
         let node = end + BEFORE_FIRST_NODE * (cut - end);
         let (lo, hi) = (end.min(node), end.max(node));
-        let slopes = self.piece(lo, hi);
+        let slopes = self.slopes_between(lo, hi);
         let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
         self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
     }
@@ -183,7 +185,7 @@ impl ArcLengthTable {
     }
 
     /// The control points of the derivative on an interval.
-    fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
+    fn slopes_between(&self, lo: f64, hi: f64) -> Points<DVec3> {
         let mut slopes = self.slopes.clone();
         keep_between(&mut slopes, lo, hi);
         slopes
@@ -191,7 +193,7 @@ impl ArcLengthTable {
 
     fn push(&mut self, t: f64, length: f64) {
         let before = self.length();
-        self.pieces.push(Piece {
+        self.intervals.push(Interval {
             t,
             length: before + length,
         });

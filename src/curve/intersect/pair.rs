@@ -22,7 +22,28 @@ const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
 const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// The parameters of an intersection, and its kind.
-pub(crate) type ClassifiedPoint = (f64, f64, IntersectionKind);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ClassifiedPoint {
+    pub(crate) t: f64,
+    pub(crate) u: f64,
+    pub(crate) kind: IntersectionKind,
+}
+
+impl ClassifiedPoint {
+    pub(crate) fn new((t, u): (f64, f64), kind: IntersectionKind) -> Self {
+        Self { t, u, kind }
+    }
+
+    /// The parameters on both curves.
+    pub(crate) fn times(&self) -> (f64, f64) {
+        (self.t, self.u)
+    }
+
+    /// Whether the intersection is a single point and not an overlap.
+    pub(crate) fn is_point(&self) -> bool {
+        !matches!(self.kind, IntersectionKind::Overlap { .. })
+    }
+}
 
 /// Two curves translated to the origin and scaled to a size between ½ and 1.
 pub(crate) struct NormalizedPair {

@@ -1,8 +1,8 @@
 //! Self-intersections of a curve.
 
 use super::super::Curve;
-use super::intersection::{IntersectionKind, SelfIntersection};
-use super::pair::NormalizedPair;
+use super::intersection::SelfIntersection;
+use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::stationary::{runs_forward, stops};
 use crate::bernstein::de_casteljau::keep_between;
 use crate::geometry::bounds::Bounds;
@@ -110,8 +110,8 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
-        .filter(|location| !matches!(location.2, IntersectionKind::Overlap { .. }))
-        .map(|(t, u, _)| (t, u))
+        .filter(ClassifiedPoint::is_point)
+        .map(|location| location.times())
         .collect()
 }
 

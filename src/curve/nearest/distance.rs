@@ -100,9 +100,9 @@ impl<P: Point> Curve<P> {
 }
 
 /// The segments of a curve as a binary tree, created on demand.
-struct Pieces<P: Point>(Vec<Piece<P>>);
+struct SegmentTree<P: Point>(Vec<Segment<P>>);
 
-struct Piece<P: Point> {
+struct Segment<P: Point> {
     points: Points<P>,
     lo: f64,
     hi: f64,
@@ -113,7 +113,7 @@ struct Piece<P: Point> {
     halves: usize,
 }
 
-impl<P: Point> Piece<P> {
+impl<P: Point> Segment<P> {
     fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
         let start = points[0];
         let size = points.iter().map(|&p| (p - start).max_abs());
@@ -155,19 +155,19 @@ impl<P: Point> Piece<P> {
     }
 }
 
-impl<P: Point> Pieces<P> {
+impl<P: Point> SegmentTree<P> {
     fn new(points: &[P]) -> Self {
-        Self(vec![Piece::new(points_of(points), 0.0, 1.0)])
+        Self(vec![Segment::new(points_of(points), 0.0, 1.0)])
     }
 
     fn halves(&mut self, index: usize) -> [usize; 2] {
-        let piece = &self.0[index];
-        if piece.halves == 0 {
-            let (left, right) = Curve::from_slice(&piece.points).halve();
-            let (lo, mid, hi) = (piece.lo, piece.mid(), piece.hi);
+        let segment = &self.0[index];
+        if segment.halves == 0 {
+            let (left, right) = Curve::from_slice(&segment.points).halve();
+            let (lo, mid, hi) = (segment.lo, segment.mid(), segment.hi);
             self.0[index].halves = self.0.len();
-            self.0.push(Piece::new(left.points, lo, mid));
-            self.0.push(Piece::new(right.points, mid, hi));
+            self.0.push(Segment::new(left.points, lo, mid));
+            self.0.push(Segment::new(right.points, mid, hi));
         }
         let first = self.0[index].halves;
         [first, first + 1]
@@ -252,7 +252,10 @@ impl<'a, P: Point> Search<'a, P> {
             let t = self.foot(self.a.points, self.b.at(end));
             self.consider(t, end);
         }
-        let (mut left, mut right) = (Pieces::new(self.a.points), Pieces::new(self.b.points));
+        let (mut left, mut right) = (
+            SegmentTree::new(self.a.points),
+            SegmentTree::new(self.b.points),
+        );
         let mut pairs = Heap::from([Apart {
             min: 0.0,
             of: (0, 0),

@@ -115,7 +115,7 @@ fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<
 }
 
 /// A segment of A with the parameters of the points of B that are nearest to its ends.
-struct Piece<P: Point> {
+struct Segment<P: Point> {
     points: Points<P>,
     from: f64,
     to: f64,
@@ -140,42 +140,42 @@ fn farthest<P: Point>(
     let straight = [original.len() == 2, b.len() == 2];
     let (from, _) = look(a[0], &mut greatest);
     let (to, _) = look(a[a.len() - 1], &mut greatest);
-    let whole = Piece {
+    let whole = Segment {
         points: a.clone(),
         from,
         to,
     };
-    let mut pieces = Heap::new();
-    pieces.push(Apart {
+    let mut segments = Heap::new();
+    segments.push(Apart {
         min: -whole.max(&b_curve, straight),
         of: whole,
     });
     for _ in 0..MAX_LOCATIONS {
         // The segment with the largest upper bound; if it cannot increase the result, none can.
-        let Some(Apart { min, of: piece }) = pieces.pop() else {
+        let Some(Apart { min, of: segment }) = segments.pop() else {
             break;
         };
         if -min <= greatest * (1.0 + ACCURACY) + rounding {
             break;
         }
-        let (left, right) = Curve::from_points(piece.points).halve();
+        let (left, right) = Curve::from_points(segment.points).halve();
         let (mid, within) = look(right.points[0], &mut greatest);
         if !within {
             break;
         }
         for half in [
-            Piece {
+            Segment {
                 points: left.points,
-                from: piece.from,
+                from: segment.from,
                 to: mid,
             },
-            Piece {
+            Segment {
                 points: right.points,
                 from: mid,
-                to: piece.to,
+                to: segment.to,
             },
         ] {
-            pieces.push(Apart {
+            segments.push(Apart {
                 min: -half.max(&b_curve, straight),
                 of: half,
             });
@@ -184,7 +184,7 @@ fn farthest<P: Point>(
     greatest
 }
 
-impl<P: Point> Piece<P> {
+impl<P: Point> Segment<P> {
     /// An upper bound on the distance of the segment's points from B: the maximum distance at equal parameters from the
     /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
     /// depend on the parametrization.

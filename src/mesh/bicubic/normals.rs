@@ -31,7 +31,7 @@ type Row = [f32x4; 5];
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
-struct NormalNet {
+struct BicubicNormalNet {
     net: Net,
     rows: [Row; 6],
     /// The first and the last row and column that are not zero.
@@ -43,7 +43,7 @@ struct NormalNet {
 #[inline(never)]
 pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> bool {
     let columns = grid.segments_u + 1;
-    let Some(net_of_normals) = NormalNet::new(net) else {
+    let Some(net_of_normals) = BicubicNormalNet::new(net) else {
         out.fill([0.0; 3]);
         return true;
     };
@@ -135,7 +135,7 @@ fn unit([x, y, z]: [f32; 3], min: f32) -> [f32; 3] {
     [x * factor, y * factor, z * factor]
 }
 
-impl NormalNet {
+impl BicubicNormalNet {
     /// `None` if N is too short everywhere.
     fn new(points: &[[f64; 3]; 16]) -> Option<Self> {
         let net = normal_net(points);

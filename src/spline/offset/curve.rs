@@ -131,12 +131,12 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) {
-        let mut turns = curve.turns_along(direction);
-        turns.push(1.0);
+        let mut reversals = curve.turns_along(direction);
+        reversals.push(1.0);
         // The signs come from the derivative, because different points may be equal after rounding.
         let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
         let (mut t, mut from) = (0.0, curve.start());
-        for &next in &turns {
+        for &next in &reversals {
             let to = if next < 1.0 {
                 curve.eval(next)
             } else {
@@ -153,7 +153,7 @@ impl SplineBuilder {
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
             let normal = direction.perp() * sign;
             if k > 0 {
-                self.turn(
+                self.add_arc_about(
                     from,
                     -direction * sign,
                     direction * sign,
@@ -168,7 +168,7 @@ impl SplineBuilder {
 
     /// Appends an arc about a point, as the normal rotates from one tangent to another by at most 180°. A half turn
     /// goes around the outside.
-    pub(crate) fn turn(
+    pub(crate) fn add_arc_about(
         &mut self,
         about: DVec2,
         from: DVec2,
@@ -245,7 +245,7 @@ impl<'a> NormalizedCurve<'a> {
             let (before, after) = self.source.cusp_tangents(cusp);
             let about = self.curve.eval(cusp);
             self.add_run(builder, (t, cusp), [tangent, before], about, &mut work);
-            builder.turn(
+            builder.add_arc_about(
                 about,
                 vector(before),
                 vector(after),

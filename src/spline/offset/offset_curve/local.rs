@@ -45,14 +45,14 @@ impl OffsetCurve<'_> {
     /// The distance by which rounding of B′ moves the point of the offset.
     pub(super) fn noise(&self, at: &OffsetSample) -> f64 {
         let terms = self.source.slope_terms(at.t);
-        self.distance.abs() * SLOPE_ROUNDING * terms / at.v.length()
+        self.distance.abs() * SLOPE_ROUNDING * terms / at.first.length()
     }
 }
 
 impl Source {
     /// Whether B′ is zero up to rounding.
     pub(super) fn is_still(&self, at: &OffsetSample) -> bool {
-        at.v.length() <= VANISHING_SPEED * self.slope_terms(at.t)
+        at.first.length() <= VANISHING_SPEED * self.slope_terms(at.t)
     }
 
     /// n Σ Bᵢ(t) |Pᵢ₊₁ − Pᵢ|: the sum of the lengths of the terms of B′.
@@ -75,8 +75,8 @@ impl Source {
     pub(super) fn slopes_between(&self, t0: f64, t1: f64, holds: impl Fn(DVec2) -> bool) -> bool {
         if self.degree() <= 3 {
             let (from, to) = (self.at(t0), self.at(t1));
-            let middle = from.v + from.a * (0.5 * (t1 - t0));
-            return holds(from.v) && holds(middle) && holds(to.v);
+            let middle = from.first + from.second * (0.5 * (t1 - t0));
+            return holds(from.first) && holds(middle) && holds(to.first);
         }
         let n = self.degree();
         let mut row = [DVec2::default(); MAX_POINTS];

@@ -84,7 +84,7 @@ impl<'a> OffsetCurve<'a> {
         };
         End {
             sample,
-            tangent: sample.v.normalize_or_zero(),
+            tangent: sample.first.normalize_or_zero(),
             sign,
             sign_t: t,
         }
@@ -93,14 +93,14 @@ impl<'a> OffsetCurve<'a> {
     /// |B′|³(1 − κd): positive where the offset curve has the direction of the tangent.
     #[inline]
     fn forwardness(&self, at: &OffsetSample) -> f64 {
-        let square = at.v.length_squared();
-        square * square.sqrt() - self.distance * at.v.perp_dot(at.a)
+        let square = at.first.length_squared();
+        square * square.sqrt() - self.distance * at.first.perp_dot(at.second)
     }
 
     /// The point of the offset curve at an end.
     #[inline]
     fn point(&self, end: &End) -> DVec2 {
-        end.sample.b + end.tangent.perp() * self.distance
+        end.sample.point + end.tangent.perp() * self.distance
     }
 
     /// Appends three control points for each cubic from one end to the other, without a prior search for cusps. Appends
@@ -154,7 +154,8 @@ impl<'a> OffsetCurve<'a> {
     /// between its ends. If rounding moves the offset by more than the tolerance, the angle is not tested.
     fn pivots(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
-        let distance_along = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
+        let distance_along =
+            (b.point - a.point).length() + (b.t - a.t) * (a.first.length() + b.first.length());
         if distance_along > TINY_PART * self.tolerance {
             return false;
         }
@@ -184,13 +185,13 @@ impl<'a> OffsetCurve<'a> {
     /// |B‴|. Near a cusp of the offset curve this is far shorter than the segment of the source.
     fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
-        let bend = a.a.length().max(b.a.length()) + h * third;
-        let (u, v) = (a.v.length(), b.v.length());
-        let (slowest, fastest) = (u.min(v) - h * bend, u.max(v) + h * bend);
+        let max_second = a.second.length().max(b.second.length()) + h * third;
+        let (u, v) = (a.first.length(), b.first.length());
+        let (slowest, fastest) = (u.min(v) - h * max_second, u.max(v) + h * max_second);
         if slowest <= 0.25 * fastest {
             return f64::INFINITY;
         }
-        let change = 3.0 * fastest * fastest * bend + self.distance.abs() * fastest * third;
+        let change = 3.0 * fastest * fastest * max_second + self.distance.abs() * fastest * third;
         let f = self.forwardness(a).abs().max(self.forwardness(b).abs()) + h * change;
         h * f / (slowest * slowest)
     }
@@ -202,7 +203,10 @@ impl<'a> OffsetCurve<'a> {
             from.tangent.perp_dot(to.tangent),
         );
         let angle = sin.atan2(cos);
-        let (centers, tangents) = ([from.sample.b, to.sample.b], [from.tangent, to.tangent]);
+        let (centers, tangents) = (
+            [from.sample.point, to.sample.point],
+            [from.tangent, to.tangent],
+        );
         let tolerance = TINY_PART * self.tolerance;
         add_arc(centers, tangents, angle, self.distance, tolerance, out);
     }
@@ -227,15 +231,15 @@ impl<'a> OffsetCurve<'a> {
     /// angle, or the middle parameter.
     fn cut(&self, from: &End, to: &End) -> End {
         let (t0, t1) = (from.sample.t, to.sample.t);
-        let bend = |sample: &OffsetSample| sample.v.perp_dot(sample.a);
-        let (b0, b1) = (bend(&from.sample), bend(&to.sample));
+        let turning = |sample: &OffsetSample| sample.first.perp_dot(sample.second);
+        let (b0, b1) = (turning(&from.sample), turning(&to.sample));
         let half = from.tangent + to.tangent;
         let side = from.tangent.perp_dot(half);
         let t = if b0 * b1 < 0.0 {
-            self.zero(t0, t1, b0.signum(), bend)
+            self.zero(t0, t1, b0.signum(), turning)
         } else if side.abs() > MIN_TURN {
             self.zero(t0, t1, 1.0, |sample| {
-                half.perp_dot(sample.v) * -side.signum()
+                half.perp_dot(sample.first) * -side.signum()
             })
         } else {
             None

@@ -33,9 +33,11 @@ pub struct Source {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OffsetSample {
     pub t: f64,
-    pub b: DVec2,
-    pub v: DVec2,
-    pub a: DVec2,
+    pub point: DVec2,
+    /// B′.
+    pub first: DVec2,
+    /// B″.
+    pub second: DVec2,
 }
 
 impl Source {
@@ -148,9 +150,9 @@ impl Source {
         let (d2, d3) = (c2 * 2.0, c3 * 3.0);
         OffsetSample {
             t,
-            b: c0 + (c1 + (c2 + c3 * s) * s) * s,
-            v: (c1 + (d2 + d3 * s) * s) * sign,
-            a: d2 + d3 * (2.0 * s),
+            point: c0 + (c1 + (c2 + c3 * s) * s) * s,
+            first: (c1 + (d2 + d3 * s) * s) * sign,
+            second: d2 + d3 * (2.0 * s),
         }
     }
 
@@ -168,9 +170,9 @@ impl Source {
         let n = n as f64;
         OffsetSample {
             t,
-            b: row[0],
-            v: (slopes[0] * s + slopes[1] * t) * n,
-            a: (slopes[1] - slopes[0]) * (n * (n - 1.0)),
+            point: row[0],
+            first: (slopes[0] * s + slopes[1] * t) * n,
+            second: (slopes[1] - slopes[0]) * (n * (n - 1.0)),
         }
     }
 }
