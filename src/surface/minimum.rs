@@ -27,6 +27,13 @@ const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 /// The cost of a refinement, in evaluations with derivatives.
 const REFINEMENT_JETS: usize = 4;
 
+/// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.
+const CUT: f64 = 0.25;
+
+/// Below this determinant, relative to the product of the second derivatives, rounding decides the direction of the
+/// Newton step: half of its digits are lost.
+const MIN_DETERMINANT: f64 = 1.0 / 67_108_864.0;
+
 const UNIT_SQUARE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
 /// The maximum number of starts that are tried although they are only as good as the best point. Isolated minima of
@@ -246,7 +253,7 @@ fn descend(
                 break (next, there);
             }
             cuts += 1;
-            step = step.map(|s| 0.25 * s);
+            step = step.map(|s| CUT * s);
         };
         if is_last {
             return (next, there.f, true);
@@ -276,8 +283,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
-            // Below this fraction rounding decides the direction.
-            if jet.uu > 0.0 && det > f64::EPSILON.sqrt() * jet.uu * jet.vv.abs() {
+            if jet.uu > 0.0 && det > MIN_DETERMINANT * jet.uu * jet.vv.abs() {
                 [
                     (jet.uv * jet.v - jet.vv * jet.u) / det,
                     (jet.uv * jet.u - jet.uu * jet.v) / det,

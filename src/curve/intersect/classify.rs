@@ -25,6 +25,9 @@ const TWO_CROSSINGS: f64 = 1e-10;
 /// directions change by as much.
 const HIDDEN_TURN: f64 = 1e-6;
 
+/// Rounding by the slack rotates the direction of a curve by at most this many times the slack divided by its speed.
+const ROTATION: f64 = 16.0;
+
 impl NormalizedPair {
     /// Appends the intersections of an interval with their kinds.
     pub(crate) fn classify(
@@ -200,7 +203,7 @@ impl NormalizedPair {
             let tangent = Curve::from_slice(points).tangent(t);
             (tangent, 1.0 / Point::length(taylor(points, t)[1]))
         });
-        let turned = (16.0 * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
+        let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
         if directed && a.0.perp_dot(b.0).abs() <= turned {
             IntersectionKind::Tangent

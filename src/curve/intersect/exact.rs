@@ -4,7 +4,7 @@
 use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use super::tolerances::{LARGEST_GAP, MIN_OVERLAP};
+use super::tolerances::{LARGEST_GAP, MIN_OVERLAP, NO_HEIGHT};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
@@ -15,8 +15,8 @@ const SAME_POINT_DISTANCE: f64 = 1e-8;
 /// The largest parameter difference of such intersections.
 const NEARBY_PARAMETERS: f64 = 1e-4;
 
-/// Heights up to this many times the slack count as 0: the slack of both curves, and of their difference.
-const NO_HEIGHT: f64 = 4.0;
+/// A height is certainly not 0 if it exceeds the heights that count as 0 by this factor.
+const CLEAR_HEIGHT: f64 = 4.0;
 
 impl NormalizedPair {
     /// Whether both curves are lines of non-zero length.
@@ -258,7 +258,7 @@ impl NormalizedPair {
             let [b, direction, _] = taylor(&self.curves[1], u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
             let height = Point::normalize_or_zero(direction).perp_dot(gap);
-            if height.abs() > 4.0 * NO_HEIGHT * self.slack {
+            if height.abs() > CLEAR_HEIGHT * NO_HEIGHT * self.slack {
                 return height.signum();
             }
         }
