@@ -313,19 +313,28 @@ impl FrameCurve {
     }
 }
 
-/// Double reflection: first in the bisecting plane of both points, then in the plane that maps the reflected tangent to
-/// the new one.
+/// The normal carried to the next sample by a double reflection.
 fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
     let displacement = to.point - from.point;
     if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
         return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
     }
-    let chord = Point::normalize_or_zero(displacement);
-    let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
-    let (normal, tangent) = (mirror(normal, chord), mirror(from.tangent, chord));
-    let second = Point::normalize_or_zero(to.tangent - tangent);
-    let normal = mirror(normal, second);
+    let normal = double_reflection(normal, [from.tangent, to.tangent], displacement);
     Point::normalize_or_zero(normal - to.tangent * to.tangent.dot(normal))
+}
+
+/// A vector perpendicular to a curve, transported from one point to another without rotation about the curve: reflected
+/// in the bisecting plane of both points, then in the plane that maps the reflected tangent to the tangent at the second
+/// point. Source: Wang, Jüttler, Zheng and Liu, "Computation of rotation minimizing frames", ACM TOG 27 (2008).
+pub(crate) fn double_reflection(
+    vector: DVec3,
+    [before, after]: [DVec3; 2],
+    displacement: DVec3,
+) -> DVec3 {
+    let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
+    let chord = Point::normalize_or_zero(displacement);
+    let (vector, tangent) = (mirror(vector, chord), mirror(before, chord));
+    mirror(vector, Point::normalize_or_zero(after - tangent))
 }
 
 /// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is

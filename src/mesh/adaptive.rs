@@ -12,6 +12,7 @@ use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::mesh::cell_triangulator::Cell;
 use crate::mesh::second_differences::SecondDifferences;
+use crate::numeric::order::to_u32;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
 use glam::DVec3;
@@ -229,8 +230,7 @@ impl Surface {
                 needed: 2 * count,
             });
         }
-        let common = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        let (segments_u, segments_v) = (common(grid.segments_u), common(grid.segments_v));
+        let (segments_u, segments_v) = (to_u32(grid.segments_u), to_u32(grid.segments_v));
         // This does not overflow u32, since the number of vertices of the grid is limited.
         let full = segments_u / divisor(segments_u, segments_v) * segments_v;
         let (du, dv) = (full / segments_u, full / segments_v);

@@ -8,6 +8,8 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+use crate::numeric::order::to_u32;
+
 /// A rectangle in the parameter plane with integer coordinates: its corner (`u`, `v`) and its size `du` × `dv`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
@@ -40,22 +42,22 @@ pub struct CellTriangulator {
 type Segment = [[f64; 3]; 2];
 
 /// Packs two numbers into one that sorts by the first.
-pub fn pair(first: u32, second: u32) -> u64 {
-    u64::from(first) << 32 | u64::from(second)
+pub fn pack(upper: u32, lower: u32) -> u64 {
+    u64::from(upper) << 32 | u64::from(lower)
 }
 
-/// The second number of a pair.
+/// The lower 32 bits.
 #[allow(
     clippy::cast_possible_truncation,
     reason = "only the lower half is needed"
 )]
-pub fn second(pair: u64) -> u32 {
-    pair as u32
+pub fn lower_half(key: u64) -> u32 {
+    key as u32
 }
 
-/// The first number of a pair.
-pub fn first(pair: u64) -> u32 {
-    second(pair >> 32)
+/// The upper 32 bits.
+pub fn upper_half(key: u64) -> u32 {
+    lower_half(key >> 32)
 }
 
 /// Sorts and removes duplicates.
@@ -76,8 +78,8 @@ impl CellTriangulator {
     /// vertices (u, v).
     pub fn fill(&mut self, cells: &[Cell], full: u32, more: impl Iterator<Item = (u32, u32)>) {
         self.rows.clear();
-        self.rows.extend(more.map(|(u, v)| pair(v, u)));
-        self.rows.extend([pair(0, full), pair(full, 0)]);
+        self.rows.extend(more.map(|(u, v)| pack(v, u)));
+        self.rows.extend([pack(0, full), pack(full, 0)]);
         self.add_cells(cells);
     }
 
@@ -86,8 +88,8 @@ impl CellTriangulator {
     #[inline(never)]
     fn add_cells(&mut self, cells: &[Cell]) {
         for cell in cells {
-            let far = pair(cell.v + cell.dv, cell.u + cell.du);
-            self.rows.extend([pair(cell.v, cell.u), far]);
+            let far = pack(cell.v + cell.dv, cell.u + cell.du);
+            self.rows.extend([pack(cell.v, cell.u), far]);
         }
         sort_distinct(&mut self.rows);
         let across = self.rows.iter().map(|&key| key.rotate_right(32));
@@ -98,45 +100,47 @@ impl CellTriangulator {
 
     /// The parameters (u, v) of all vertices, in the order of their numbers.
     pub fn vertices(&self) -> impl Iterator<Item = (u32, u32)> {
-        self.rows.iter().map(|&key| (second(key), first(key)))
+        self.rows
+            .iter()
+            .map(|&key| (lower_half(key), upper_half(key)))
     }
 
     /// The number of the vertex with a key of `rows`.
     fn of_row(&self, key: u64) -> u32 {
-        number(index_of(&self.rows, key))
+        to_u32(index_of(&self.rows, key))
     }
 
     /// The numbers of the vertices in a row from number `from` up to, but not including, the key `to`.
     fn along_row(&self, from: u32, to: u64) -> std::ops::Range<u32> {
         let after = self.rows[from as usize..].iter();
-        from..from + number(after.take_while(|&&key| key < to).count())
+        from..from + to_u32(after.take_while(|&&key| key < to).count())
     }
 
     /// Appends the numbers of the vertices in a column between two keys, exclusive.
-    fn along_column(&self, from: u64, to: u64, chain: &mut Vec<u32>) {
+    fn along_column(&self, from: u64, to: u64, polyline: &mut Vec<u32>) {
         let after = &self.columns[index_of(&self.columns, from) + 1..];
         for key in after.iter().take_while(|&&key| key < to) {
-            chain.push(self.of_row(key.rotate_right(32)));
+            polyline.push(self.of_row(key.rotate_right(32)));
         }
     }
 
     /// Computes the two polylines of a cell.
-    fn chain(&mut self, cell: &Cell) {
+    fn find_polylines(&mut self, cell: &Cell) {
         let Cell { u, v, du, dv } = *cell;
         let (far_u, far_v) = (u + du, v + dv);
-        let near = self.along_row(self.of_row(pair(v, u)), pair(v, far_u));
-        let far = self.along_row(self.of_row(pair(far_v, u)), pair(far_v, far_u));
+        let near = self.along_row(self.of_row(pack(v, u)), pack(v, far_u));
+        let far = self.along_row(self.of_row(pack(far_v, u)), pack(far_v, far_u));
         let mut below = std::mem::take(&mut self.below);
         below.clear();
         below.push(near.end);
         below.extend(near.clone().rev());
-        self.along_column(pair(u, v), pair(u, far_v), &mut below);
+        self.along_column(pack(u, v), pack(u, far_v), &mut below);
         below.push(far.start);
         self.below = below;
         let mut above = std::mem::take(&mut self.above);
         above.clear();
         above.push(near.end);
-        self.along_column(pair(far_u, v), pair(far_u, far_v), &mut above);
+        self.along_column(pack(far_u, v), pack(far_u, far_v), &mut above);
         above.push(far.end);
         above.extend(far.rev());
         self.above = above;
@@ -156,7 +160,7 @@ impl CellTriangulator {
         triangles: &mut Vec<[u32; 3]>,
     ) -> bool {
         let from = triangles.len();
-        self.chain(cell);
+        self.find_polylines(cell);
         self.zip(points, base, triangles);
         let point = |vertex: u32| points[(vertex - base) as usize];
         let edges = triangles[from..].iter().flat_map(|triangle| {
@@ -230,8 +234,4 @@ impl CellTriangulator {
 fn gap_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
     let [x, y, z] = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     x * x + y * y + z * z
-}
-
-fn number(index: usize) -> u32 {
-    u32::try_from(index).unwrap_or(u32::MAX)
 }

@@ -18,7 +18,7 @@ struct Weights {
 
 /// A patch for repeated evaluation; consecutive calls with the same v are cheaper.
 #[derive(Clone, Debug)]
-pub struct Sampler {
+pub struct RowSampler {
     columns: usize,
     /// The control points, and the differences along u (rows shorter by one) and along v (one row fewer).
     nets: [Vec<Vector>; 3],
@@ -29,7 +29,7 @@ pub struct Sampler {
     along: Weights,
 }
 
-impl Sampler {
+impl RowSampler {
     /// Expects a net with `columns` points in each row, and its differences along u and v.
     pub fn new(columns: usize, nets: [&[Vector]; 3]) -> Self {
         Self {

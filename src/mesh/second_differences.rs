@@ -7,6 +7,8 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+use crate::bernstein::de_casteljau::{split_net_with, split_with};
+use crate::numeric::order::larger;
 use wide::f32x4;
 
 /// The relative amount by which lengths may be too small.
@@ -50,7 +52,8 @@ impl SecondDifferences {
                 (2, 4) => halve_net::<2, 4>(near, far, along_u),
                 (3, 3) => halve_net::<3, 3>(near, far, along_u),
                 (4, 2) => halve_net::<4, 2>(near, far, along_u),
-                _ => halve_lines(near, far, (columns, rows), along_u),
+                _ if columns == 0 => {}
+                _ => split_net_with(near, far, columns, along_u, middle),
             }
             start = end;
         }
@@ -80,7 +83,6 @@ impl SecondDifferences {
                 max = max.fast_max(f32x4::splat((v * v).reduce_add()));
             }
             let [a, b, c, d] = max.to_array();
-            let larger = |a: f32, b: f32| if a > b { a } else { b };
             let max = larger(larger(a, b), larger(c, d));
             f32::sqrt(max)
         })
@@ -103,14 +105,13 @@ impl SecondDifferences {
     }
 }
 
-/// [`halve_lines`] for a size that is known at compile time.
+/// [`split_net_with`] for a size that is known at compile time.
 #[inline(always)]
 fn halve_net<const COLUMNS: usize, const ROWS: usize>(
     near: &mut [f32x4],
     far: &mut [f32x4],
     along_u: bool,
 ) {
-    let half = f32x4::splat(0.5);
     let (near, far) = (
         near.as_chunks_mut::<COLUMNS>().0,
         far.as_chunks_mut::<COLUMNS>().0,
@@ -123,45 +124,16 @@ fn halve_net<const COLUMNS: usize, const ROWS: usize>(
     };
     if along_u {
         for (near, far) in near.iter_mut().zip(far) {
-            for (level, near) in near.iter_mut().enumerate() {
-                *near = far[0];
-                for i in 1..COLUMNS - level {
-                    far[i - 1] = (far[i - 1] + far[i]) * half;
-                }
-            }
+            split_with(near, far, middle);
         }
     } else {
-        for column in 0..COLUMNS {
-            for (level, near) in near.iter_mut().enumerate() {
-                near[column] = far[0][column];
-                for i in 1..ROWS - level {
-                    far[i - 1][column] = (far[i - 1][column] + far[i][column]) * half;
-                }
-            }
-        }
+        split_with(near, far, |a, b| {
+            std::array::from_fn(|column| middle(a[column], b[column]))
+        });
     }
 }
 
-/// De Casteljau's algorithm at ½ on each row, or each column, of a net; both slices hold the control points at first.
-fn halve_lines(
-    near: &mut [f32x4],
-    far: &mut [f32x4],
-    (columns, rows): (usize, usize),
-    along_u: bool,
-) {
-    let (lines, step, length, stride) = if along_u {
-        (rows, columns, columns, 1)
-    } else {
-        (columns, 1, rows, columns)
-    };
-    let half = f32x4::splat(0.5);
-    for line in 0..lines {
-        let (near, far) = (&mut near[line * step..], &mut far[line * step..]);
-        for level in 0..length {
-            near[level * stride] = far[0];
-            for i in 1..length - level {
-                far[(i - 1) * stride] = (far[(i - 1) * stride] + far[i * stride]) * half;
-            }
-        }
-    }
+#[inline(always)]
+fn middle(a: f32x4, b: f32x4) -> f32x4 {
+    (a + b) * f32x4::splat(0.5)
 }

@@ -8,7 +8,7 @@
 //! §6.9 for products).
 
 use super::net::transpose;
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 pub(crate) use crate::bernstein::weights::binomial;
 use crate::geometry::point::Point;
@@ -126,7 +126,7 @@ fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
             (start, end) = (1.0 - t, 1.0 - to);
         }
         if start != 0.0 || end != 0.5 {
-            blossom_piece(row, start, end);
+            keep_between(row, start, end);
         }
     }
     rows

@@ -3,7 +3,7 @@
 use super::arena;
 use super::arena::Arena;
 use super::by_dimension;
-use crate::bernstein::casteljau::split_numbers;
+use crate::bernstein::de_casteljau::split_net_with;
 use crate::bernstein::evaluate::{cubic_scalar, evaluate};
 use crate::bernstein::polynomials::bernstein;
 use crate::curve::Curve;
@@ -117,7 +117,8 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let (left, right) = a.two_outputs(count * dimension);
-        split_numbers(left, right, dimension, t);
+        // The rows are the points, the columns their coordinates.
+        split_net_with(left, right, dimension, false, |a, b| a * (1.0 - t) + b * t);
     });
 }
 

@@ -5,6 +5,7 @@
 )]
 
 use crate::numeric::gauss::{GAUSS_8, GAUSS_16, GAUSS_24, GAUSS_32, GAUSS_48, GAUSS_64, Rule};
+use crate::numeric::order::larger;
 use wide::f64x2;
 
 type Complex = [f64; 2];
@@ -63,8 +64,6 @@ fn scaled_length(points: &[[f64; 2]; 4]) -> f64 {
 /// The largest absolute coordinate.
 #[inline(always)]
 fn longest(vectors: &[Complex]) -> f64 {
-    // `f64::max` is a function call in wasm.
-    let larger = |a: f64, b: f64| if a > b { a } else { b };
     let size = |v: &Complex| larger(v[0].abs(), v[1].abs());
     vectors.iter().map(size).fold(0.0, larger)
 }

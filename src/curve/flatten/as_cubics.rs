@@ -39,7 +39,7 @@ pub(crate) struct CubicPiece {
 
 /// A segment of the curve. `fourth` is the fourth derivative, subdivided from that of the whole curve, because fourth
 /// differences of the segment's own control points would be only rounding.
-struct Piece {
+struct SourceSegment {
     curve: Curve<DVec3>,
     fourth: Curve<DVec3>,
     halvings: u32,
@@ -56,7 +56,7 @@ pub(crate) fn as_cubics(
 ) -> Result<Option<(Vec<CubicPiece>, f64)>, Error> {
     let mut cubics = Vec::new();
     let mut chords = 0.0;
-    let mut rest = vec![Piece::whole(points)];
+    let mut rest = vec![SourceSegment::whole(points)];
     let mut work = WorkLimit::new(2 * MAX_CUBICS);
     while let Some(piece) = rest.pop() {
         if !work.spend(1) || cubics.len() + rest.len() >= MAX_CUBICS {
@@ -80,7 +80,7 @@ pub(crate) fn as_cubics(
     Ok(worth.then_some((cubics, CHORD_PART * tolerance)))
 }
 
-impl Piece {
+impl SourceSegment {
     fn whole(points: &[DVec3]) -> Self {
         let n = (points.len() - 1) as f64;
         let factor = n * (n - 1.0) * (n - 2.0) * (n - 3.0);

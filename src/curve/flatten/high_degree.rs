@@ -6,7 +6,7 @@
 
 use super::cubic_deviation::greatest_squared;
 use super::deviation::{Deviation, Fraction};
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
@@ -136,7 +136,7 @@ impl Deviation for PieceDeviation {
 
     fn squared(&mut self, h: f64) -> Fraction {
         let mut piece = self.points.clone();
-        blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
+        keep_between(&mut piece, self.start, (self.start + h).min(1.0));
         let chord = piece[piece.len() - 1] - piece[0];
         let direction = Point::normalize_or_zero(chord);
         let distance = if direction == DVec3::ZERO {

@@ -35,6 +35,18 @@ const AIMED_AT: f64 = 0.92;
 /// Maximum number of corrections of one chord; after them the longest safe step is taken.
 const MAX_CORRECTIONS: usize = 8;
 
+/// The extrapolated ratio of two steps is limited to this range. It only affects the first try of a step: next to a cusp
+/// the ratio of two steps says nothing about the third.
+const MIN_GROWTH: f64 = 0.6;
+const MAX_GROWTH: f64 = 1.6;
+
+/// A correction makes a step at most this many times longer: the steps of the cubic near an inflection.
+const MAX_LENGTHENING: f64 = 4.0;
+
+/// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate. A curve that deviates by
+/// twice as much is certainly not straight.
+const STRAIGHT_ULPS: f64 = 8.0;
+
 /// Steps of the midpoint rule that estimates the number of chords.
 const FORECAST_STEPS: usize = 1024;
 
@@ -199,7 +211,7 @@ impl<P: Point> Curve<P> {
         let size = self.max_abs();
         let plain = PLAIN_RANGE.contains(&size);
         vertex(0.0, self.start());
-        if !(plain && self.deviates_by(16.0 * ulp(size)))
+        if !(plain && self.deviates_by(2.0 * STRAIGHT_ULPS * ulp(size)))
             && let Some(ts) = self.turns_of_straight(tolerance)
         {
             for t in ts {
@@ -235,8 +247,8 @@ impl<P: Point> Curve<P> {
 
     /// The parameters at which a straight curve reverses, or `None` for a curve that is not straight.
     fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
-        // Rounding of points on a line, and of this test, is up to 8 ulps; it is subtracted from the tolerance.
-        let noise = (8.0 * ulp(self.max_abs())).min(0.5 * tolerance);
+        // Rounding is subtracted from the tolerance.
+        let noise = (STRAIGHT_ULPS * ulp(self.max_abs())).min(0.5 * tolerance);
         let tolerance = tolerance - noise;
         let (start, end) = (self.start(), self.end());
         let farthest = |p: P, q: P| {
@@ -345,7 +357,7 @@ fn walk_chords(
         left.spend()?;
         let rest = 1.0 - t;
         // Extrapolate the ratio of the last two steps, within limits.
-        let expected = step * (step / previous).clamp(0.6, 1.6);
+        let expected = step * (step / previous).clamp(MIN_GROWTH, MAX_GROWTH);
         previous = step;
         step = longest_step(deviation, deviation.guess(expected), rest);
         if step >= rest {
@@ -395,7 +407,7 @@ fn corrected_step(
         h = if between {
             next
         } else {
-            0.5 * (safe + unsafe_from.min(4.0 * h))
+            0.5 * (safe + unsafe_from.min(MAX_LENGTHENING * h))
         }
         .min(rest);
         squared = deviation.squared(h);

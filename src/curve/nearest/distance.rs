@@ -5,14 +5,15 @@
 //! segments. Pairs of segments that cannot be nearer than the best distance found are dropped, and the others are
 //! halved. Newton's method finds the exact parameters.
 
-use super::{counted_parameter, unit_for};
+use super::counted_parameter;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, ulp};
+use crate::numeric::float::{ratio, ulp, unit_scale};
 use crate::numeric::list::Points;
 use crate::numeric::list::points_of;
+use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -72,13 +73,13 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn distance_to(&self, other: &Self) -> Distance {
         let size = self.max_abs().max(other.max_abs());
-        let unit = unit_for(size);
-        let start = self.start() * unit;
-        let about = |curve: &Self| curve.points.iter().map(|&p| p * unit - start).collect();
+        let scale = unit_scale(size);
+        let start = self.start() * scale;
+        let about = |curve: &Self| curve.points.iter().map(|&p| p * scale - start).collect();
         let (a, b): (Points<P>, Points<P>) = (about(self), about(other));
         // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
+        let mut search = Search::new(&a, &b, ulps * ulp(size * scale));
         search.find_intersection();
         if search.distance > search.rounding {
             search.run();
@@ -99,9 +100,9 @@ impl<P: Point> Curve<P> {
 }
 
 /// The segments of a curve as a binary tree, created on demand.
-struct Pieces<P: Point>(Vec<Piece<P>>);
+struct SegmentTree<P: Point>(Vec<Segment<P>>);
 
-struct Piece<P: Point> {
+struct Segment<P: Point> {
     points: Points<P>,
     lo: f64,
     hi: f64,
@@ -112,7 +113,7 @@ struct Piece<P: Point> {
     halves: usize,
 }
 
-impl<P: Point> Piece<P> {
+impl<P: Point> Segment<P> {
     fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
         let start = points[0];
         let size = points.iter().map(|&p| (p - start).max_abs());
@@ -132,10 +133,7 @@ impl<P: Point> Piece<P> {
 
     /// The minimum and the maximum of the control points along a direction.
     fn along(&self, direction: P) -> (f64, f64) {
-        let projections = self.points.iter().map(|&p| p.dot(direction));
-        projections.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        })
+        range(self.points.iter().map(|&p| p.dot(direction)))
     }
 
     /// The component of a vector perpendicular to the chord.
@@ -157,19 +155,19 @@ impl<P: Point> Piece<P> {
     }
 }
 
-impl<P: Point> Pieces<P> {
+impl<P: Point> SegmentTree<P> {
     fn new(points: &[P]) -> Self {
-        Self(vec![Piece::new(points_of(points), 0.0, 1.0)])
+        Self(vec![Segment::new(points_of(points), 0.0, 1.0)])
     }
 
     fn halves(&mut self, index: usize) -> [usize; 2] {
-        let piece = &self.0[index];
-        if piece.halves == 0 {
-            let (left, right) = Curve::from_slice(&piece.points).halve();
-            let (lo, mid, hi) = (piece.lo, piece.mid(), piece.hi);
+        let segment = &self.0[index];
+        if segment.halves == 0 {
+            let (left, right) = Curve::from_slice(&segment.points).halve();
+            let (lo, mid, hi) = (segment.lo, segment.mid(), segment.hi);
             self.0[index].halves = self.0.len();
-            self.0.push(Piece::new(left.points, lo, mid));
-            self.0.push(Piece::new(right.points, mid, hi));
+            self.0.push(Segment::new(left.points, lo, mid));
+            self.0.push(Segment::new(right.points, mid, hi));
         }
         let first = self.0[index].halves;
         [first, first + 1]
@@ -254,7 +252,10 @@ impl<'a, P: Point> Search<'a, P> {
             let t = self.foot(self.a.points, self.b.at(end));
             self.consider(t, end);
         }
-        let (mut left, mut right) = (Pieces::new(self.a.points), Pieces::new(self.b.points));
+        let (mut left, mut right) = (
+            SegmentTree::new(self.a.points),
+            SegmentTree::new(self.b.points),
+        );
         let mut pairs = Heap::from([Apart {
             min: 0.0,
             of: (0, 0),

@@ -21,6 +21,7 @@ use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
 use crate::numeric::work_limit::WorkLimit;
 
@@ -105,20 +106,14 @@ pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
     }
-    let unit = unit_for(max_abs(points).max(p.max_abs()));
-    let about: Points<P> = points.iter().map(|&q| q * unit - p * unit).collect();
+    let scale = unit_scale(max_abs(points).max(p.max_abs()));
+    let about: Points<P> = points.iter().map(|&q| q * scale - p * scale).collect();
     if let [a, b] = *about {
         return (on_segment(a, b), 1);
     }
     as_cubic(&about)
         .and_then(|cubic| on_cubic(cubic, P::default()))
         .map_or_else(|| of_any_degree(&about), |t| (t, STEPS_OF_CUBIC))
-}
-
-/// A power of two that scales the size to about 1.
-pub(crate) fn unit_for(size: f64) -> f64 {
-    let exponent = size.to_bits() >> 52;
-    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
 }
 
 /// The parameter of the point from a to b that is nearest to the origin.

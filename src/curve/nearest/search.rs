@@ -4,6 +4,7 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+use crate::bernstein::de_casteljau::{halve, split_cubic_with};
 use crate::numeric::work_limit::WorkLimit;
 
 /// Halvings of the coefficients; more would make their rounding significant.
@@ -88,12 +89,7 @@ fn each<const D: usize>(f: impl Fn(usize) -> f64) -> [f64; D] {
 #[inline(always)]
 fn quintic_halves(b: &Quintic) -> (Quintic, Quintic) {
     let (mut left, mut right) = (*b, *b);
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 0..5 - level {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
+    halve(&mut left, &mut right);
     (left, right)
 }
 
@@ -127,12 +123,8 @@ fn search_closely<const D: usize>(
 type Points<const D: usize> = [[f64; D]; 4];
 
 #[inline(always)]
-fn halves<const D: usize>([p, q, r, s]: &Points<D>) -> (Points<D>, Points<D>) {
-    let middle = |a: &[f64; D], b: &[f64; D]| -> [f64; D] { each(|k| 0.5 * (a[k] + b[k])) };
-    let (pq, qr, rs) = (middle(p, q), middle(q, r), middle(r, s));
-    let (pqr, qrs) = (middle(&pq, &qr), middle(&qr, &rs));
-    let centre = middle(&pqr, &qrs);
-    ([*p, pq, pqr, centre], [centre, qrs, rs, *s])
+fn halves<const D: usize>(points: &Points<D>) -> (Points<D>, Points<D>) {
+    split_cubic_with(*points, |a, b| each(|k| 0.5 * (a[k] + b[k])))
 }
 
 /// The control points and the differences that define the derivatives.

@@ -1,8 +1,8 @@
 //! Filling a grid with the positions and normals of a bicubic patch.
 
 use super::grid::BicubicGrid;
-use super::normals::larger;
 use super::{normals, positions};
+use crate::numeric::order::larger;
 
 impl BicubicGrid {
     /// Whether f32 can hold the coordinates and their sums.

@@ -7,6 +7,7 @@
 use super::grid::{BicubicGrid, Lanes};
 use super::lanes::{LANES, round, store, with_room};
 use crate::bernstein::weights::quintic;
+use crate::numeric::order::larger;
 use wide::{f32x4, f64x2};
 
 /// The value of |N| below which a point is not regular, for differences of size 1. The rounding noise of the
@@ -30,7 +31,7 @@ type Row = [f32x4; 5];
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
-struct NormalNet {
+struct BicubicNormalNet {
     net: Net,
     rows: [Row; 6],
     /// The first and the last row and column that are not zero.
@@ -42,7 +43,7 @@ struct NormalNet {
 #[inline(never)]
 pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> bool {
     let columns = grid.segments_u + 1;
-    let Some(net_of_normals) = NormalNet::new(net) else {
+    let Some(net_of_normals) = BicubicNormalNet::new(net) else {
         out.fill([0.0; 3]);
         return true;
     };
@@ -134,7 +135,7 @@ fn unit([x, y, z]: [f32; 3], min: f32) -> [f32; 3] {
     [x * factor, y * factor, z * factor]
 }
 
-impl NormalNet {
+impl BicubicNormalNet {
     /// `None` if N is too short everywhere.
     fn new(points: &[[f64; 3]; 16]) -> Option<Self> {
         let net = normal_net(points);
@@ -231,12 +232,6 @@ impl NormalNet {
             [0.0; 3]
         }
     }
-}
-
-/// The larger of two numbers; `f64::max` is a function call where NaN must be handled.
-#[inline(always)]
-pub fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// The indices of the first and the last number that is not zero.

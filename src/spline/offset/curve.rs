@@ -6,13 +6,12 @@
 //! reverses, at a cusp or at a turn of a straight curve, N jumps to the other side; a half circle about that point,
 //! around its outside, joins the two sides.
 
-use super::offset_curve::{OffsetCurve, Source, arc_pieces};
+use super::offset_curve::{OffsetCurve, Source, add_arc};
 use crate::curve::Curve;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
-use crate::numeric::trigonometry::cos_sin;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::work_limit::WorkLimit;
 use crate::spline::Spline;
 use crate::spline::spline_builder::SplineBuilder;
@@ -132,12 +131,12 @@ impl SplineBuilder {
         distance: f64,
         tolerance: f64,
     ) {
-        let mut turns = curve.turns_along(direction);
-        turns.push(1.0);
+        let mut reversals = curve.turns_along(direction);
+        reversals.push(1.0);
         // The signs come from the derivative, because different points may be equal after rounding.
         let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
         let (mut t, mut from) = (0.0, curve.start());
-        for &next in &turns {
+        for &next in &reversals {
             let to = if next < 1.0 {
                 curve.eval(next)
             } else {
@@ -154,7 +153,7 @@ impl SplineBuilder {
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
             let normal = direction.perp() * sign;
             if k > 0 {
-                self.turn(
+                self.add_arc_about(
                     from,
                     -direction * sign,
                     direction * sign,
@@ -169,7 +168,7 @@ impl SplineBuilder {
 
     /// Appends an arc about a point, as the normal rotates from one tangent to another by at most 180°. A half turn
     /// goes around the outside.
-    pub(crate) fn turn(
+    pub(crate) fn add_arc_about(
         &mut self,
         about: DVec2,
         from: DVec2,
@@ -184,26 +183,17 @@ impl SplineBuilder {
         } else {
             sin.atan2(cos)
         };
-        let pieces = arc_pieces(angle, distance.abs(), tolerance);
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        let handle = distance * (4.0 / 3.0) * (sin / cos);
-        let tangent = |k: f64| {
-            if k == pieces {
-                to
-            } else {
-                let (cos, sin) = cos_sin(angle * (k / pieces));
-                DVec2::new(cos, sin).rotate(from)
-            }
-        };
-        let at = |tangent: DVec2| about + tangent.perp() * distance;
-        let mut k = 0.0;
-        while k < pieces {
-            let (t0, t1) = (tangent(k), tangent(k + 1.0));
-            self.points
-                .extend([at(t0) - t0 * handle, at(t1) + t1 * handle, at(t1)]);
-            self.degrees.push(3);
-            k += 1.0;
-        }
+        let before = self.points.len();
+        add_arc(
+            [about; 2],
+            [from, to],
+            angle,
+            distance,
+            tolerance,
+            &mut self.points,
+        );
+        let pieces = (self.points.len() - before) / 3;
+        self.degrees.extend(std::iter::repeat_n(3, pieces));
     }
 }
 
@@ -224,7 +214,7 @@ struct NormalizedCurve<'a> {
 
 impl<'a> NormalizedCurve<'a> {
     fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
-        let scale = inverse_power_of_two(reach);
+        let scale = unit_scale(reach);
         let points: crate::numeric::list::Points<DVec2> =
             curve.control_points().iter().map(|&p| p * scale).collect();
         let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
@@ -255,7 +245,7 @@ impl<'a> NormalizedCurve<'a> {
             let (before, after) = self.source.cusp_tangents(cusp);
             let about = self.curve.eval(cusp);
             self.add_run(builder, (t, cusp), [tangent, before], about, &mut work);
-            builder.turn(
+            builder.add_arc_about(
                 about,
                 vector(before),
                 vector(after),
@@ -322,9 +312,4 @@ fn farthest(curve: &Curve<DVec2>) -> f64 {
         .iter()
         .fold(0.0, |m: f64, &p| m.max(Point::max_abs(p * 0.5 - start)));
     2.0 * half.min(f64::MAX / 4.0)
-}
-
-/// A power of two of about 1/x whose inverse is finite.
-fn inverse_power_of_two(x: f64) -> f64 {
-    (-x.log2().round()).clamp(-1000.0, 1000.0).exp2()
 }

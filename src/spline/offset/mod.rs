@@ -119,7 +119,7 @@ impl SplineBuilder {
         join: OffsetJoin,
     ) {
         if join == OffsetJoin::Round {
-            return self.turn(corner, from, to, distance, tolerance);
+            return self.add_arc_about(corner, from, to, distance, tolerance);
         }
         let outside = from.perp_dot(to) * distance < 0.0;
         // The tip is 1/cos(θ/2) distances away, and 1 + cos θ = 2cos²(θ/2).

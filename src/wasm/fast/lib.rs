@@ -5,15 +5,17 @@
 
 #[path = "../../bernstein"]
 pub mod bernstein {
-    pub mod halve;
+    pub mod de_casteljau;
     pub mod weights;
 }
 
 #[path = "../../numeric"]
 pub mod numeric {
     pub mod gauss;
+    pub mod order;
     pub mod trigonometry;
     pub mod work_limit;
+    pub mod zero;
 }
 
 #[path = "../../curve"]

@@ -7,17 +7,18 @@
 //! Both shrink as the segments get shorter. If the whole height is below rounding, the segments are in contact. Two
 //! curves with a common segment are detected immediately, since their parameters correspond.
 
-use super::cross::cross;
-use super::piece::{Piece, Row, range, time_at};
+use super::crossing::cross_product;
+use super::piece::{Coefficients, Piece, time_at};
 use super::solver::{ClippingSolver, Contact, SPLIT};
+use crate::numeric::order::range;
 
 /// Heights up to this many times the slack count as contact if a segment cannot be discarded. The factor is above 1 so
 /// that halving terminates.
 const CONTACT: f64 = 4.0;
 
-impl<R: Row> ClippingSolver<R> {
+impl<C: Coefficients> ClippingSolver<C> {
     /// Finds the contacts if the segments have about the same direction (or the opposite one); otherwise returns false.
-    pub(super) fn run_along(&mut self, a: &Piece<R>, b: &Piece<R>) -> bool {
+    pub(super) fn run_along(&mut self, a: &Piece<C>, b: &Piece<C>) -> bool {
         let Some((direction, forwards)) = common_direction(a, b, self.slack) else {
             return false;
         };
@@ -30,13 +31,13 @@ impl<R: Row> ClippingSolver<R> {
             return true;
         }
         let to = to.max(from);
-        let common = |p: &Piece<R>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
+        let common = |p: &Piece<C>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
         self.matched(&common(&a), &common(&b));
         true
     }
 
     /// Finds the contacts of two segments that span the same x.
-    fn matched(&mut self, a: &Piece<R>, b: &Piece<R>) {
+    fn matched(&mut self, a: &Piece<C>, b: &Piece<C>) {
         if !self.work.spend(1) {
             return self.note(a, b);
         }
@@ -62,7 +63,7 @@ impl<R: Row> ClippingSolver<R> {
     }
 
     /// Handles two segments whose height difference is monotone; returns false if the result is unclear.
-    fn monotone(&mut self, a: &Piece<R>, b: &Piece<R>, heights: &Heights) -> bool {
+    fn monotone(&mut self, a: &Piece<C>, b: &Piece<C>, heights: &Heights) -> bool {
         let (start, end) = (heights.start, heights.end);
         if start * end < 0.0 {
             let s = start / (start - end);
@@ -88,29 +89,36 @@ impl<R: Row> ClippingSolver<R> {
 
 /// A unit vector from which no control edge of either segment deviates by more than 45°; the edges of `b` are reversed
 /// if the second value is false.
-fn common_direction<R: Row>(a: &Piece<R>, b: &Piece<R>, slack: f64) -> Option<([f64; 2], bool)> {
-    let (unit_a, unit_b) = (unit(a.chord())?, unit(b.chord())?);
-    let forwards = unit_a[0] * unit_b[0] + unit_a[1] * unit_b[1] >= 0.0;
+fn common_direction<C: Coefficients>(
+    a: &Piece<C>,
+    b: &Piece<C>,
+    slack: f64,
+) -> Option<([f64; 2], bool)> {
+    let (direction_a, direction_b) = (normalized(a.chord())?, normalized(b.chord())?);
+    let forwards = direction_a[0] * direction_b[0] + direction_a[1] * direction_b[1] >= 0.0;
     let sign = if forwards { 1.0 } else { -1.0 };
-    let direction = unit([unit_a[0] + sign * unit_b[0], unit_a[1] + sign * unit_b[1]])?;
-    let keeps = |p: &Piece<R>, sign: f64| {
+    let direction = normalized([
+        direction_a[0] + sign * direction_b[0],
+        direction_a[1] + sign * direction_b[1],
+    ])?;
+    let keeps = |p: &Piece<C>, sign: f64| {
         (0..p.last()).all(|i| {
             let [x, y] = p.edge(i);
             let forward = sign * (x * direction[0] + y * direction[1]);
-            forward >= cross(direction, [x, y]).abs() || x.abs().max(y.abs()) <= slack
+            forward >= cross_product(direction, [x, y]).abs() || x.abs().max(y.abs()) <= slack
         })
     };
     (keeps(a, 1.0) && keeps(b, sign)).then_some((direction, forwards))
 }
 
-fn unit([x, y]: [f64; 2]) -> Option<[f64; 2]> {
+fn normalized([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let length = (x * x + y * y).sqrt();
     (length > 0.0).then(|| [x / length, y / length])
 }
 
 /// The smallest and the largest slope of the control edges, which bound the slopes of the curve.
 #[inline(always)]
-fn slopes<R: Row>(p: &Piece<R>) -> (f64, f64) {
+fn slopes<C: Coefficients>(p: &Piece<C>) -> (f64, f64) {
     let edges = (0..p.last()).map(|i| p.edge(i));
     let (min, max) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
     // All edges have zero extent: treat the segment as level.
@@ -126,7 +134,7 @@ struct Heights {
 }
 
 #[inline(always)]
-fn heights<R: Row>(a: &Piece<R>, b: &Piece<R>, sa: (f64, f64), sb: (f64, f64)) -> Heights {
+fn heights<C: Coefficients>(a: &Piece<C>, b: &Piece<C>, sa: (f64, f64), sb: (f64, f64)) -> Heights {
     // The slopes of either curve may be used; those of the straighter one give a tighter bound.
     let (low, high) = if sa.1 - sa.0 < sb.1 - sb.0 { sa } else { sb };
     let (mean, spread) = (0.5 * (low + high), 0.5 * (high - low));

@@ -1,6 +1,7 @@
 //! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
 
-use super::piece::{Piece, Row, range};
+use super::piece::{Coefficients, Piece};
+use crate::numeric::order::range;
 
 /// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
 /// and Nishita.
@@ -9,7 +10,7 @@ const WORTH_CLIPPING: f64 = 0.8;
 /// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
 /// remaining part, 1 for all; `None` if nothing remains.
 #[inline(always)]
-pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option<f64> {
+pub(super) fn clip<C: Coefficients>(a: &Piece<C>, b: &mut Piece<C>, slack: f64) -> Option<f64> {
     let n = a.last();
     let [x0, y0] = a.point(0);
     let [mut dx, mut dy] = a.chord();
@@ -30,11 +31,11 @@ pub(super) fn clip<R: Row>(a: &Piece<R>, b: &mut Piece<R>, slack: f64) -> Option
         *s = side([bx[i], by[i]]);
     }
     let (lo, hi) = inside(sides.get(), min - margin, max + margin)?;
-    let left = hi - lo;
-    if left <= WORTH_CLIPPING {
+    let remaining = hi - lo;
+    if remaining <= WORTH_CLIPPING {
         *b = b.between(lo, hi);
     }
-    Some(left)
+    Some(remaining)
 }
 
 /// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights.

@@ -3,7 +3,7 @@
 //! Pairs of segments are cut down until each certainly contains one crossing, or runs along the other one. [`clip`]
 //! discards parts that cannot intersect: a curve lies between two lines parallel to its chord (its fat line), so only
 //! the part of the other curve between these lines matters. Source: Sederberg and Nishita, "Curve intersection using
-//! Bézier clipping", CAD 22 (1990). [`cross`] detects that two segments intersect at most once, and computes the
+//! Bézier clipping", CAD 22 (1990). [`crossing`] detects that two segments intersect at most once, and computes the
 //! crossing. [`along`] compares two segments with about the same direction as graphs over that direction; it handles
 //! tangencies of any order and overlaps.
 #![allow(
@@ -13,21 +13,21 @@
 
 mod along;
 mod clip;
-mod cross;
+mod crossing;
 mod piece;
 mod solver;
 
-pub use piece::{Piece, Row};
+pub use piece::{Coefficients, Piece};
 pub use solver::{ClippingSolver, Contact};
 
 use clip::clip;
-use cross::Crossing;
+use crossing::Crossing;
 use solver::SPLIT;
 
 /// If clipping leaves more than this part of both segments, they are halved instead.
 const WORTH_GOING_ON: f64 = 0.6;
 
-impl<R: Row> ClippingSolver<R> {
+impl<C: Coefficients> ClippingSolver<C> {
     /// Finds all contacts of the two curves between the given parameters.
     #[inline(always)]
     pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
@@ -36,21 +36,21 @@ impl<R: Row> ClippingSolver<R> {
         self.pair(a, b);
     }
 
-    fn pair(&mut self, mut a: Piece<R>, mut b: Piece<R>) {
+    fn pair(&mut self, mut a: Piece<C>, mut b: Piece<C>) {
         loop {
             if !self.work.spend(1) {
                 return self.note(&a, &b);
             }
-            let Some(left_b) = clip(&a, &mut b, self.slack) else {
+            let Some(remaining_b) = clip(&a, &mut b, self.slack) else {
                 return;
             };
-            let Some(left_a) = clip(&b, &mut a, self.slack) else {
+            let Some(remaining_a) = clip(&b, &mut a, self.slack) else {
                 return;
             };
             if let Crossing::Found(contact) = self.crossing(&a, &b) {
                 return self.found.push(contact);
             }
-            let stuck = left_a > WORTH_GOING_ON && left_b > WORTH_GOING_ON;
+            let stuck = remaining_a > WORTH_GOING_ON && remaining_b > WORTH_GOING_ON;
             if stuck && self.run_along(&a, &b) {
                 return;
             }
@@ -61,7 +61,7 @@ impl<R: Row> ClippingSolver<R> {
     }
 
     /// Continues with the halves of the larger segment; two segments without an extent are a contact.
-    fn halve(&mut self, a: &Piece<R>, b: &Piece<R>) {
+    fn halve(&mut self, a: &Piece<C>, b: &Piece<C>) {
         let (size_a, size_b) = (a.extent(), b.extent());
         if a.is_off(b, self.slack) {
             return;

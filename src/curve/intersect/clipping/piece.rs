@@ -1,14 +1,18 @@
 //! A segment of a plane curve, and operations on one of its coordinates.
 
+use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+use crate::numeric::order::range;
+use crate::numeric::zero::newton_in_bracket;
+
 /// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
-pub trait Row: Clone {
+pub trait Coefficients: Clone {
     /// The coefficients.
     fn get(&self) -> &[f64];
     /// The coefficients, mutable.
     fn get_mut(&mut self) -> &mut [f64];
 }
 
-impl Row for [f64; 4] {
+impl Coefficients for [f64; 4] {
     #[inline(always)]
     fn get(&self) -> &[f64] {
         self
@@ -19,7 +23,7 @@ impl Row for [f64; 4] {
     }
 }
 
-impl Row for Vec<f64> {
+impl Coefficients for Vec<f64> {
     fn get(&self) -> &[f64] {
         self
     }
@@ -30,18 +34,18 @@ impl Row for Vec<f64> {
 
 /// The segment of a plane curve between two parameters; `from` > `to` if it runs backwards.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece<R> {
+pub struct Piece<C> {
     /// The x coordinates of the control points.
-    pub x: R,
+    pub x: C,
     /// The y coordinates of the control points.
-    pub y: R,
+    pub y: C,
     /// The parameter of the curve at the start of the segment.
     pub from: f64,
     /// The parameter of the curve at the end of the segment.
     pub to: f64,
 }
 
-impl<R: Row> Piece<R> {
+impl<C: Coefficients> Piece<C> {
     /// The degree.
     #[inline(always)]
     pub(super) fn last(&self) -> usize {
@@ -155,16 +159,6 @@ impl<R: Row> Piece<R> {
     }
 }
 
-/// The minimum and the maximum.
-#[inline(always)]
-pub(super) fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
-    let start = (f64::INFINITY, f64::NEG_INFINITY);
-    numbers.fold(start, |(min, max), v| {
-        // Comparisons instead of `f64::min`, which would check for NaN.
-        (if v < min { v } else { min }, if v > max { v } else { max })
-    })
-}
-
 /// The value and the derivative at s of a polynomial in Bernstein form.
 #[inline(always)]
 pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
@@ -184,41 +178,8 @@ fn last_two(row: &[f64], s: f64) -> (f64, f64) {
     let mut level = [0.0; 65];
     let count = row.len();
     level[..count].copy_from_slice(row);
-    for last in (2..count).rev() {
-        for i in 0..last {
-            level[i] = level[i] * (1.0 - s) + level[i + 1] * s;
-        }
-    }
+    levels(&mut level[..count], count - 2, s);
     (level[0], level[1])
-}
-
-#[inline(always)]
-fn keep_after(row: &mut [f64], t: f64) {
-    for level in 1..row.len() {
-        for i in 0..row.len() - level {
-            row[i] = row[i] * (1.0 - t) + row[i + 1] * t;
-        }
-    }
-}
-
-#[inline(always)]
-fn keep_before(row: &mut [f64], t: f64) {
-    for level in 1..row.len() {
-        for i in (level..row.len()).rev() {
-            row[i] = row[i - 1] * (1.0 - t) + row[i] * t;
-        }
-    }
-}
-
-/// Splits at s. Both rows hold the whole row at first, and the parts before and after s afterwards.
-#[inline(always)]
-fn split(left: &mut [f64], right: &mut [f64], s: f64) {
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 1..right.len() - level {
-            right[i - 1] = right[i - 1] * (1.0 - s) + right[i] * s;
-        }
-    }
 }
 
 /// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.
@@ -230,28 +191,9 @@ pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
     if value >= row[n] {
         return 1.0;
     }
-    let (mut lo, mut hi) = (0.0, 1.0);
-    let mut s = (value - row[0]) / (row[n] - row[0]);
-    for _ in 0..80 {
+    let guess = (value - row[0]) / (row[n] - row[0]);
+    newton_in_bracket([0.0, 1.0], guess, 0.0, |s| {
         let (v, slope) = value_and_slope(row, s);
-        if v == value {
-            break;
-        }
-        if v < value {
-            lo = s
-        } else {
-            hi = s
-        }
-        let newton = s - (v - value) / slope;
-        let next = if newton > lo && newton < hi {
-            newton
-        } else {
-            0.5 * (lo + hi)
-        };
-        if (next - s).abs() <= f64::EPSILON * s {
-            return next;
-        }
-        s = next;
-    }
-    s
+        (v - value, slope)
+    })
 }

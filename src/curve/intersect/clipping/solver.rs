@@ -1,6 +1,6 @@
 //! The state of a search for contacts.
 
-use super::piece::{Piece, Row};
+use super::piece::{Coefficients, Piece};
 use crate::numeric::work_limit::WorkLimit;
 
 /// A range where two curves are as close as rounding can distinguish: the parameters t₀ ≤ t₁ on the first curve and the
@@ -20,9 +20,9 @@ pub struct Contact {
 pub const SPLIT: f64 = 0.484375;
 
 /// The search and its results.
-pub struct ClippingSolver<R> {
+pub struct ClippingSolver<C> {
     /// The whole curves.
-    pub whole: [Piece<R>; 2],
+    pub whole: [Piece<C>; 2],
     /// The distance below which points are in contact: the effect of rounding.
     pub slack: f64,
     /// Counts the pairs of segments; above its limit segments are not cut any more.
@@ -31,10 +31,10 @@ pub struct ClippingSolver<R> {
     pub found: Vec<Contact>,
 }
 
-impl<R: Row> ClippingSolver<R> {
+impl<C: Coefficients> ClippingSolver<C> {
     /// Expects two curves whose coordinates are at most about 1, the distance that counts as contact, and the maximum
     /// number of pairs of segments.
-    pub fn new(whole: [Piece<R>; 2], slack: f64, limit: usize) -> Self {
+    pub fn new(whole: [Piece<C>; 2], slack: f64, limit: usize) -> Self {
         Self {
             whole,
             slack,
@@ -44,7 +44,7 @@ impl<R: Row> ClippingSolver<R> {
     }
 
     /// Records that two whole segments are in contact.
-    pub fn note(&mut self, a: &Piece<R>, b: &Piece<R>) {
+    pub fn note(&mut self, a: &Piece<C>, b: &Piece<C>) {
         let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
         if t[0] > t[1] {
             t.swap(0, 1);

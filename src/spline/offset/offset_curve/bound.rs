@@ -14,8 +14,9 @@
 //! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
 //! a factor of four.
 
-use super::fit::Pair;
+use super::fit::FootPair;
 use super::{OffsetCurve, VANISHING_SPEED};
+use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -31,7 +32,7 @@ impl OffsetCurve<'_> {
     pub(super) fn holds(
         &self,
         cubic: &[DVec2; 4],
-        pairs: &[Pair; 5],
+        pairs: &[FootPair; 5],
         work: &mut WorkLimit,
     ) -> bool {
         let last = work.used() + MAX_BOUNDS;
@@ -43,8 +44,8 @@ impl OffsetCurve<'_> {
     fn holds_between(
         &self,
         cubic: &[DVec2; 4],
-        from: &Pair,
-        to: &Pair,
+        from: &FootPair,
+        to: &FootPair,
         last: usize,
         work: &mut WorkLimit,
     ) -> bool {
@@ -54,12 +55,12 @@ impl OffsetCurve<'_> {
         if work.used() >= last || !work.spend(1) {
             return false;
         }
-        let mut middle = Pair {
+        let mut middle = FootPair {
             s: 0.5 * (from.s + to.s),
-            ..Pair::default()
+            ..FootPair::default()
         };
         middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
-        self.see(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
+        self.find_foot(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
         self.error(&middle).abs() <= self.tolerance
             && self.holds_between(cubic, from, &middle, last, work)
             && self.holds_between(cubic, &middle, to, last, work)
@@ -67,16 +68,18 @@ impl OffsetCurve<'_> {
 
     /// Whether the cubic and the offset curve between two pairs are so short that their distance cannot exceed the
     /// tolerance.
-    fn near(&self, from: &Pair, to: &Pair) -> bool {
-        let there = (to.q - from.q).length() + (to.s - from.s) * (from.w.length() + to.w.length());
+    fn near(&self, from: &FootPair, to: &FootPair) -> bool {
+        let there = (to.point - from.point).length()
+            + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
         let (a, b) = (&from.foot, &to.foot);
         let back = self.length_bound(a, b);
-        let apart = |pair: &Pair| (pair.q - pair.foot.b - pair.n * self.distance).length();
+        let apart =
+            |pair: &FootPair| (pair.point - pair.foot.point - pair.normal * self.distance).length();
         a.t <= b.t && apart(from).max(apart(to)) + there + back <= self.tolerance
     }
 
     /// The bound between two pairs; infinite if there is none.
-    fn bound(&self, from: &Pair, to: &Pair) -> f64 {
+    fn bound(&self, from: &FootPair, to: &FootPair) -> f64 {
         let distance = self.distance.abs();
         let (ds, dt) = (to.s - from.s, to.foot.t - from.foot.t);
         // A bound on the distance of the source from a cubic with the same end points and end derivatives.
@@ -84,24 +87,24 @@ impl OffsetCurve<'_> {
         if dt.is_nan() || dt <= 0.0 || rest > REMAINDER_SHARE * self.tolerance {
             return f64::INFINITY;
         }
-        let (v0, v2) = (from.foot.v * dt, to.foot.v * dt);
+        let (v0, v2) = (from.foot.first * dt, to.foot.first * dt);
         // The mean of the tangent lines to B′ at both ends: differences of points would lose digits for a small dt.
-        let bend = (from.foot.a - to.foot.a) * (0.5 * dt);
-        let v1 = (from.foot.v + to.foot.v + bend) * (0.5 * dt);
-        let (e0, e3) = (from.q - from.foot.b, to.q - to.foot.b);
+        let half_change = (from.foot.second - to.foot.second) * (0.5 * dt);
+        let v1 = (from.foot.first + to.foot.first + half_change) * (0.5 * dt);
+        let (e0, e3) = (from.point - from.foot.point, to.point - to.foot.point);
         let e = [
             e0,
-            e0 + (from.w * ds - v0) * (1.0 / 3.0),
-            e3 - (to.w * ds - v2) * (1.0 / 3.0),
+            e0 + (from.derivative * ds - v0) * (1.0 / 3.0),
+            e3 - (to.derivative * ds - v2) * (1.0 / 3.0),
             e3,
         ];
-        let (min, max) = range(&squares(&e));
+        let (min, max) = range(squares(&e).into_iter());
         let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
         let off = (high - distance).max(distance - low);
         if high + distance <= self.tolerance {
             return high + distance;
         }
-        let is_beyond_source = e0.dot(from.n) * self.distance <= 0.0;
+        let is_beyond_source = e0.dot(from.normal) * self.distance <= 0.0;
         if off > self.tolerance || is_beyond_source {
             return f64::INFINITY;
         }
@@ -119,12 +122,12 @@ impl OffsetCurve<'_> {
         rest: f64,
     ) -> f64 {
         let distance = self.distance.abs();
-        let (min, max) = range(&products2(d, d));
-        let (lean_min, lean_max) = range(&products3(e, d));
-        let turn = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
+        let (min, max) = range(products2(d, d).into_iter());
+        let (lean_min, lean_max) = range(products3(e, d).into_iter());
+        let d_slopes = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
         let ahead = products2(&v, d);
-        let bend = products31(e, &turn);
-        let (f_min, f_max) = range(&std::array::from_fn::<f64, 5, _>(|i| ahead[i] - bend[i]));
+        let curved = products31(e, &d_slopes);
+        let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
         let mut lean = lean_max.max(-lean_min);
         let mut forward = f_min.max(-f_max);
         if rest > 0.0 {
@@ -178,16 +181,6 @@ impl OffsetCurve<'_> {
 
 /// A cubic that replaces a segment of a higher degree may have an error of this part of the tolerance.
 const REMAINDER_SHARE: f64 = 0.02;
-
-fn range(coefficients: &[f64]) -> (f64, f64) {
-    let mut min = f64::INFINITY;
-    let mut max = -f64::INFINITY;
-    for &c in coefficients {
-        min = if c < min { c } else { min };
-        max = if c > max { c } else { max };
-    }
-    (min, max)
-}
 
 /// |E|², degree 6.
 fn squares(e: &[DVec2; 4]) -> [f64; 7] {

@@ -3,6 +3,7 @@
 
 use super::source::Source;
 use super::{End, OffsetCurve};
+use crate::bernstein::de_casteljau::split_with;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
@@ -60,12 +61,7 @@ impl Source {
             return;
         }
         let (mut left, mut right) = (*vectors, *vectors);
-        for (level, first) in left.iter_mut().enumerate().take(n) {
-            *first = right[0];
-            for i in 1..n - level {
-                right[i - 1] = (right[i - 1] + right[i]) * 0.5;
-            }
-        }
+        split_with(&mut left[..n], &mut right[..n], |a, b| (a + b) * 0.5);
         let t = 0.5 * (t0 + t1);
         self.search(&left, n, (t0, t), halvings - 1, found);
         if self.is_still(&self.at(t)) {
@@ -78,9 +74,9 @@ impl Source {
     fn refined(&self, mut t: f64) -> Option<f64> {
         for _ in 0..4 {
             let sample = self.at(t);
-            let square = sample.a.length_squared();
+            let square = sample.second.length_squared();
             if square > 0.0 {
-                t -= sample.v.dot(sample.a) / square;
+                t -= sample.first.dot(sample.second) / square;
             }
         }
         if t <= BESIDE || t >= 1.0 - BESIDE {
@@ -89,20 +85,23 @@ impl Source {
         let zero = self.is_still(&self.at(t));
         // Next to zero-length handles B′ is also small, but does not reverse.
         let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
-        let turns = self.at(t - beside).v.dot(self.at(t + beside).v) < 0.0;
+        let turns = self.at(t - beside).first.dot(self.at(t + beside).first) < 0.0;
         (zero && turns).then_some(t)
     }
 
     /// The tangents before and after a cusp.
     pub fn cusp_tangents(&self, t: f64) -> (DVec2, DVec2) {
         let sample = self.at(t);
-        if sample.a.length() > VANISHING_BEND * self.speed() {
-            return (-sample.a.normalize_or_zero(), sample.a.normalize_or_zero());
+        if sample.second.length() > VANISHING_BEND * self.speed() {
+            return (
+                -sample.second.normalize_or_zero(),
+                sample.second.normalize_or_zero(),
+            );
         }
         let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
         (
-            self.at(t - beside).v.normalize_or_zero(),
-            self.at(t + beside).v.normalize_or_zero(),
+            self.at(t - beside).first.normalize_or_zero(),
+            self.at(t + beside).first.normalize_or_zero(),
         )
     }
 }
@@ -152,7 +151,7 @@ impl OffsetCurve<'_> {
     fn outer_end(&self, t: f64, tangent: DVec2, inwards: f64) -> End {
         let mut end = self.end(t);
         if self.source.is_still(&end.sample) {
-            end.sample.v = DVec2::default();
+            end.sample.first = DVec2::default();
             end.sign_t = t + inwards;
             end.sign = self.end(end.sign_t).sign;
         }

@@ -23,12 +23,13 @@ const MIN_DAMPING: f64 = 1e-18;
 
 /// A point of the cubic (parameter, point and derivative) and the foot of its perpendicular on the source.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Pair {
+pub(super) struct FootPair {
     /// The unit normal at the foot.
-    pub(super) n: DVec2,
+    pub(super) normal: DVec2,
+    /// The parameter of the cubic.
     pub(super) s: f64,
-    pub(super) q: DVec2,
-    pub(super) w: DVec2,
+    pub(super) point: DVec2,
+    pub(super) derivative: DVec2,
     pub(super) foot: OffsetSample,
 }
 
@@ -45,8 +46,8 @@ impl OffsetCurve<'_> {
             let mut worst: f64 = 0.0;
             for pair in &mut pairs[1..4] {
                 let steps = if round == 0 { 2 } else { 1 };
-                self.see(&cubic, pair, (from.sample.t, to.sample.t), steps);
-                let n = pair.n;
+                self.find_foot(&cubic, pair, (from.sample.t, to.sample.t), steps);
+                let n = pair.normal;
                 let error = self.error(pair);
                 worst = worst.max(error.abs());
                 let r = 1.0 - pair.s;
@@ -61,7 +62,7 @@ impl OffsetCurve<'_> {
                 normal[4] -= jb * error;
             }
             if worst <= self.tolerance {
-                self.see_ends(&cubic, &mut pairs);
+                self.evaluate_ends(&cubic, &mut pairs);
                 if self.holds(&cubic, &pairs, work) {
                     return Some(cubic);
                 }
@@ -96,16 +97,16 @@ impl OffsetCurve<'_> {
         let half_sin = (0.5 - 0.5 * cos).max(0.0).sqrt().copysign(sin);
         let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
         let handle = |end: &End| {
-            let length = third * end.sample.v.length() - arc;
+            let length = third * end.sample.first.length() - arc;
             end.sign * (end.sign * length).max(0.0)
         };
         (handle(from), handle(to))
     }
 
-    fn pairs(&self, from: &End, to: &End) -> [Pair; 5] {
-        let mut pairs = [Pair::default(); 5];
-        (pairs[0].foot, pairs[0].n) = (from.sample, from.tangent.perp());
-        (pairs[4].s, pairs[4].foot, pairs[4].n) = (1.0, to.sample, to.tangent.perp());
+    fn pairs(&self, from: &End, to: &End) -> [FootPair; 5] {
+        let mut pairs = [FootPair::default(); 5];
+        (pairs[0].foot, pairs[0].normal) = (from.sample, from.tangent.perp());
+        (pairs[4].s, pairs[4].foot, pairs[4].normal) = (1.0, to.sample, to.tangent.perp());
         for (pair, s) in pairs[1..4].iter_mut().zip(SAMPLES) {
             pair.s = s;
             pair.foot.t = from.sample.t + (to.sample.t - from.sample.t) * s;
@@ -114,32 +115,39 @@ impl OffsetCurve<'_> {
     }
 
     /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies.
-    pub(super) fn see(&self, cubic: &[DVec2; 4], pair: &mut Pair, (t0, t1): (f64, f64), steps: u8) {
-        (pair.q, pair.w) = at(cubic, pair.s);
+    pub(super) fn find_foot(
+        &self,
+        cubic: &[DVec2; 4],
+        pair: &mut FootPair,
+        (t0, t1): (f64, f64),
+        steps: u8,
+    ) {
+        (pair.point, pair.derivative) = at(cubic, pair.s);
         for _ in 0..steps {
-            let sample = if pair.n == DVec2::default() {
+            let sample = if pair.normal == DVec2::default() {
                 self.source.at(pair.foot.t)
             } else {
                 pair.foot
             };
-            let gap = pair.q - sample.b;
-            let t = sample.t + gap.dot(sample.v) / (sample.v.length_squared() - gap.dot(sample.a));
+            let gap = pair.point - sample.point;
+            let t = sample.t
+                + gap.dot(sample.first) / (sample.first.length_squared() - gap.dot(sample.second));
             let t = if t > t0 && t < t1 { t } else { sample.t };
             pair.foot = self.source.at(t);
-            pair.n = DVec2 { x: 1.0, y: 0.0 };
+            pair.normal = DVec2 { x: 1.0, y: 0.0 };
         }
-        pair.n = pair.foot.v.normalize_or_zero().perp();
+        pair.normal = pair.foot.first.normalize_or_zero().perp();
     }
 
     /// The signed distance from the source minus the given distance.
-    pub(super) fn error(&self, pair: &Pair) -> f64 {
-        (pair.q - pair.foot.b).dot(pair.n) - self.distance
+    pub(super) fn error(&self, pair: &FootPair) -> f64 {
+        (pair.point - pair.foot.point).dot(pair.normal) - self.distance
     }
 
-    fn see_ends(&self, cubic: &[DVec2; 4], pairs: &mut [Pair; 5]) {
+    fn evaluate_ends(&self, cubic: &[DVec2; 4], pairs: &mut [FootPair; 5]) {
         let [p0, p1, p2, p3] = *cubic;
-        (pairs[0].q, pairs[0].w) = (p0, (p1 - p0) * 3.0);
-        (pairs[4].q, pairs[4].w) = (p3, (p3 - p2) * 3.0);
+        (pairs[0].point, pairs[0].derivative) = (p0, (p1 - p0) * 3.0);
+        (pairs[4].point, pairs[4].derivative) = (p3, (p3 - p2) * 3.0);
     }
 }
 

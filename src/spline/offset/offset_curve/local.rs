@@ -3,6 +3,7 @@
 use super::source::MAX_POINTS;
 use super::source::{OffsetSample, Source};
 use super::{End, OffsetCurve, VANISHING_SPEED};
+use crate::bernstein::de_casteljau::{keep_after, keep_between};
 use glam::DVec2;
 
 /// Rounding error of B′, as a part of the sum of its terms' lengths.
@@ -33,14 +34,14 @@ impl OffsetCurve<'_> {
     /// The distance by which rounding of B′ moves the point of the offset.
     pub(super) fn noise(&self, at: &OffsetSample) -> f64 {
         let terms = self.source.slope_terms(at.t);
-        self.distance.abs() * SLOPE_ROUNDING * terms / at.v.length()
+        self.distance.abs() * SLOPE_ROUNDING * terms / at.first.length()
     }
 }
 
 impl Source {
     /// Whether B′ is zero up to rounding.
     pub(super) fn is_still(&self, at: &OffsetSample) -> bool {
-        at.v.length() <= VANISHING_SPEED * self.slope_terms(at.t)
+        at.first.length() <= VANISHING_SPEED * self.slope_terms(at.t)
     }
 
     /// n Σ Bᵢ(t) |Pᵢ₊₁ − Pᵢ|: the sum of the lengths of the terms of B′.
@@ -55,11 +56,7 @@ impl Source {
         for (length, v) in row.iter_mut().zip(self.differences()) {
             *length = v.length();
         }
-        for last in (1..n).rev() {
-            for i in 0..last {
-                row[i] = row[i] * s + row[i + 1] * t;
-            }
-        }
+        keep_after(&mut row[..n], t);
         row[0] * n as f64
     }
 
@@ -67,13 +64,13 @@ impl Source {
     pub(super) fn slopes_between(&self, t0: f64, t1: f64, holds: impl Fn(DVec2) -> bool) -> bool {
         if self.degree() <= 3 {
             let (from, to) = (self.at(t0), self.at(t1));
-            let middle = from.v + from.a * (0.5 * (t1 - t0));
-            return holds(from.v) && holds(middle) && holds(to.v);
+            let middle = from.first + from.second * (0.5 * (t1 - t0));
+            return holds(from.first) && holds(middle) && holds(to.first);
         }
         let n = self.degree();
         let mut row = [DVec2::default(); MAX_POINTS];
         row[..n].copy_from_slice(self.differences());
-        restrict(&mut row[..n], t0, t1);
+        keep_between(&mut row[..n], t0, t1);
         row[..n].iter().all(|&v| holds(v))
     }
 
@@ -90,27 +87,10 @@ impl Source {
             }
             count -= 1;
         }
-        restrict(&mut row[..count], t0, t1);
+        keep_between(&mut row[..count], t0, t1);
         let max = row[..count]
             .iter()
             .fold(0.0, |m: f64, v| m.max(v.length_squared()));
         factor * max.sqrt()
-    }
-}
-
-/// Replaces control points by those of the segment between two parameters, by two subdivisions.
-fn restrict(row: &mut [DVec2], t0: f64, t1: f64) {
-    let n = row.len();
-    // The segment before t1 consists of the first points of each level; the part of it after t0 of the last ones.
-    for level in 1..n {
-        for i in (level..n).rev() {
-            row[i] = row[i - 1] * (1.0 - t1) + row[i] * t1;
-        }
-    }
-    let s = t0 / t1;
-    for level in 1..n {
-        for i in 0..n - level {
-            row[i] = row[i] * (1.0 - s) + row[i + 1] * s;
-        }
     }
 }

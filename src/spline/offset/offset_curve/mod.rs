@@ -14,14 +14,16 @@
     reason = "the wasm build compiles this file in another crate, src/wasm/fast"
 )]
 
+mod arc;
 mod bound;
 mod breaks;
 mod fit;
 mod local;
 mod source;
 
-use crate::numeric::trigonometry::cos_sin;
 use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::regula_falsi;
+pub use arc::add_arc;
 use glam::DVec2;
 use source::OffsetSample;
 pub use source::Source;
@@ -86,7 +88,7 @@ impl<'a> OffsetCurve<'a> {
         };
         End {
             sample,
-            tangent: sample.v.normalize_or_zero(),
+            tangent: sample.first.normalize_or_zero(),
             sign,
             sign_t: t,
         }
@@ -95,14 +97,14 @@ impl<'a> OffsetCurve<'a> {
     /// |B′|³(1 − κd): positive where the offset curve has the direction of the tangent.
     #[inline]
     fn forwardness(&self, at: &OffsetSample) -> f64 {
-        let square = at.v.length_squared();
-        square * square.sqrt() - self.distance * at.v.perp_dot(at.a)
+        let square = at.first.length_squared();
+        square * square.sqrt() - self.distance * at.first.perp_dot(at.second)
     }
 
     /// The point of the offset curve at an end.
     #[inline]
     fn point(&self, end: &End) -> DVec2 {
-        end.sample.b + end.tangent.perp() * self.distance
+        end.sample.point + end.tangent.perp() * self.distance
     }
 
     /// Appends three control points for each cubic from one end to the other, without a prior search for cusps. Appends
@@ -156,7 +158,8 @@ impl<'a> OffsetCurve<'a> {
     /// between its ends. If rounding moves the offset by more than the tolerance, the angle is not tested.
     fn pivots(&self, from: &End, to: &End) -> bool {
         let (a, b) = (&from.sample, &to.sample);
-        let distance_along = (b.b - a.b).length() + (b.t - a.t) * (a.v.length() + b.v.length());
+        let distance_along =
+            (b.point - a.point).length() + (b.t - a.t) * (a.first.length() + b.first.length());
         if distance_along > TINY_PART * self.tolerance {
             return false;
         }
@@ -186,13 +189,13 @@ impl<'a> OffsetCurve<'a> {
     /// |B‴|. Near a cusp of the offset curve this is far shorter than the segment of the source.
     fn length_bound(&self, a: &OffsetSample, b: &OffsetSample) -> f64 {
         let (h, third) = (b.t - a.t, self.third);
-        let bend = a.a.length().max(b.a.length()) + h * third;
-        let (u, v) = (a.v.length(), b.v.length());
-        let (slowest, fastest) = (u.min(v) - h * bend, u.max(v) + h * bend);
+        let max_second = a.second.length().max(b.second.length()) + h * third;
+        let (u, v) = (a.first.length(), b.first.length());
+        let (slowest, fastest) = (u.min(v) - h * max_second, u.max(v) + h * max_second);
         if slowest <= 0.25 * fastest {
             return f64::INFINITY;
         }
-        let change = 3.0 * fastest * fastest * bend + self.distance.abs() * fastest * third;
+        let change = 3.0 * fastest * fastest * max_second + self.distance.abs() * fastest * third;
         let f = self.forwardness(a).abs().max(self.forwardness(b).abs()) + h * change;
         h * f / (slowest * slowest)
     }
@@ -204,24 +207,12 @@ impl<'a> OffsetCurve<'a> {
             from.tangent.perp_dot(to.tangent),
         );
         let angle = sin.atan2(cos);
-        let pieces = arc_pieces(angle, self.distance.abs(), TINY_PART * self.tolerance);
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        // The derivative of the normal is opposite to the tangent: N′ = −θ′T.
-        let handle = -self.distance * (4.0 / 3.0) * (sin / cos);
-        let (mut last, mut k) = (*from, 1.0);
-        while k <= pieces {
-            let next = if k == pieces {
-                *to
-            } else {
-                let (cos, sin) = cos_sin(angle * k / pieces);
-                let tangent = from.tangent * cos + from.tangent.perp() * sin;
-                End { tangent, ..*from }
-            };
-            let (start, end) = (self.point(&last), self.point(&next));
-            let (first, second) = (last.tangent * handle, next.tangent * handle);
-            out.extend_from_slice(&[start + first, end - second, end]);
-            (last, k) = (next, k + 1.0);
-        }
+        let (centers, tangents) = (
+            [from.sample.point, to.sample.point],
+            [from.tangent, to.tangent],
+        );
+        let tolerance = TINY_PART * self.tolerance;
+        add_arc(centers, tangents, angle, self.distance, tolerance, out);
     }
 
     /// The cusp of the offset curve between two ends with different signs. Next to a cusp of the source, where the sign
@@ -244,15 +235,15 @@ impl<'a> OffsetCurve<'a> {
     /// angle, or the middle parameter.
     fn cut(&self, from: &End, to: &End) -> End {
         let (t0, t1) = (from.sample.t, to.sample.t);
-        let bend = |sample: &OffsetSample| sample.v.perp_dot(sample.a);
-        let (b0, b1) = (bend(&from.sample), bend(&to.sample));
+        let turning = |sample: &OffsetSample| sample.first.perp_dot(sample.second);
+        let (b0, b1) = (turning(&from.sample), turning(&to.sample));
         let half = from.tangent + to.tangent;
         let side = from.tangent.perp_dot(half);
         let t = if b0 * b1 < 0.0 {
-            self.zero(t0, t1, b0.signum(), bend)
+            self.zero(t0, t1, b0.signum(), turning)
         } else if side.abs() > MIN_TURN {
             self.zero(t0, t1, 1.0, |sample| {
-                half.perp_dot(sample.v) * -side.signum()
+                half.perp_dot(sample.first) * -side.signum()
             })
         } else {
             None
@@ -263,35 +254,11 @@ impl<'a> OffsetCurve<'a> {
     }
 
     /// A zero strictly between two parameters of a function with the sign `sign` at the first and the opposite one at
-    /// the second: bisection, accelerated by regula falsi (Illinois algorithm).
+    /// the second.
     fn zero(&self, t0: f64, t1: f64, sign: f64, f: impl Fn(&OffsetSample) -> f64) -> Option<f64> {
-        let (mut lo, mut hi) = (t0, t1);
         let value = |t: f64| sign * f(&self.source.at(t));
-        let (mut f_lo, mut f_hi) = (value(lo).max(0.0), value(hi).min(0.0));
-        let mut side = 0;
-        for step in 0..100 {
-            let secant = lo + (hi - lo) * (f_lo / (f_lo - f_hi));
-            let middle = 0.5 * (lo + hi);
-            let t = if step % 3 == 2 || !(secant > lo && secant < hi) {
-                middle
-            } else {
-                secant
-            };
-            if hi - lo <= ROOT_WIDTH * hi || t <= lo || t >= hi {
-                break;
-            }
-            let now = value(t);
-            if now > 0.0 {
-                (lo, f_lo) = (t, now);
-                f_hi *= if side == 1 { 0.5 } else { 1.0 };
-                side = 1;
-            } else {
-                (hi, f_hi) = (t, now);
-                f_lo *= if side == -1 { 0.5 } else { 1.0 };
-                side = -1;
-            }
-        }
-        let t = 0.5 * (lo + hi);
+        let ends = [value(t0).max(0.0), value(t1).min(0.0)];
+        let t = regula_falsi([t0, t1], ends, ROOT_WIDTH, value);
         (t > t0 && t < t1).then_some(t)
     }
 }
@@ -304,22 +271,3 @@ const MIN_PART: f64 = 1e-3;
 
 /// A root is accurate enough when the width of its interval is this part of it.
 const ROOT_WIDTH: f64 = 1e-13;
-
-/// The number of cubics for an arc: a cubic for the angle θ with handles 4/3 tan(θ/4) has an error of (2/27)
-/// sin⁶(θ/4)/cos²(θ/4) of the radius. Source: Dokken, Dæhlen, Lyche and Mørken, "Good approximation of circles by
-/// curvature-continuous Bézier curves", CAGD 7 (1990).
-pub fn arc_pieces(angle: f64, radius: f64, tolerance: f64) -> f64 {
-    let error = |pieces: f64| {
-        let (cos, sin) = cos_sin(0.25 * angle / pieces);
-        let square = sin * sin;
-        (2.0 / 27.0) * square * square * square / (cos * cos) * radius
-    };
-    let mut pieces = (angle.abs() / std::f64::consts::PI).ceil().max(1.0);
-    while error(pieces) > tolerance && pieces < MAX_ARC_PIECES {
-        pieces += 1.0;
-    }
-    pieces
-}
-
-/// A half circle in this many pieces has an error below rounding.
-const MAX_ARC_PIECES: f64 = 512.0;

@@ -1,5 +1,6 @@
 //! The source curve of an offset.
 
+use crate::bernstein::de_casteljau::{keep_after, levels};
 use glam::DVec2;
 
 /// Maximum number of control points of a curve.
@@ -32,9 +33,11 @@ pub struct Source {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OffsetSample {
     pub t: f64,
-    pub b: DVec2,
-    pub v: DVec2,
-    pub a: DVec2,
+    pub point: DVec2,
+    /// B′.
+    pub first: DVec2,
+    /// B″.
+    pub second: DVec2,
 }
 
 impl Source {
@@ -147,9 +150,9 @@ impl Source {
         let (d2, d3) = (c2 * 2.0, c3 * 3.0);
         OffsetSample {
             t,
-            b: c0 + (c1 + (c2 + c3 * s) * s) * s,
-            v: (c1 + (d2 + d3 * s) * s) * sign,
-            a: d2 + d3 * (2.0 * s),
+            point: c0 + (c1 + (c2 + c3 * s) * s) * s,
+            first: (c1 + (d2 + d3 * s) * s) * sign,
+            second: d2 + d3 * (2.0 * s),
         }
     }
 
@@ -162,22 +165,14 @@ impl Source {
         slopes[..self.degree()].copy_from_slice(&self.differences);
         let s = 1.0 - t;
         let n = self.degree();
-        for last in (1..=n).rev() {
-            for i in 0..last {
-                row[i] = row[i] * s + row[i + 1] * t;
-            }
-        }
-        for last in (2..n).rev() {
-            for i in 0..last {
-                slopes[i] = slopes[i] * s + slopes[i + 1] * t;
-            }
-        }
+        keep_after(&mut row[..=n], t);
+        levels(&mut slopes[..n], n - 2, t);
         let n = n as f64;
         OffsetSample {
             t,
-            b: row[0],
-            v: (slopes[0] * s + slopes[1] * t) * n,
-            a: (slopes[1] - slopes[0]) * (n * (n - 1.0)),
+            point: row[0],
+            first: (slopes[0] * s + slopes[1] * t) * n,
+            second: (slopes[1] - slopes[0]) * (n * (n - 1.0)),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Crossings of two segments that intersect at most once.
 
-use super::piece::{Piece, Row};
+use super::piece::{Coefficients, Piece};
 use super::solver::{ClippingSolver, Contact};
 
 pub(super) enum Crossing {
@@ -30,7 +30,7 @@ const MAX_LAST_STEP: f64 = 1e-8;
 const MIN_CROSSING_SINE: f64 = 1e-5;
 
 #[inline(always)]
-pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
+pub(super) fn cross_product([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     ax * by - ay * bx
 }
 
@@ -38,22 +38,22 @@ pub(super) fn cross([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
 /// the control edges. Then A(t) − B(u) = 0 has at most one solution, because between two solutions A and B would have
 /// to advance by the same vector.
 #[inline(always)]
-fn turns_to_one_side<R: Row>(a: &Piece<R>, b: &Piece<R>) -> bool {
-    let (mut left, mut right) = (false, false);
+fn turns_to_one_side<C: Coefficients>(a: &Piece<C>, b: &Piece<C>) -> bool {
+    let (mut counter_clockwise, mut clockwise) = (false, false);
     for i in 0..a.last() {
         let edge = a.edge(i);
         for j in 0..b.last() {
-            let turn = cross(edge, b.edge(j));
-            left |= turn > 0.0;
-            right |= turn < 0.0;
+            let product = cross_product(edge, b.edge(j));
+            counter_clockwise |= product > 0.0;
+            clockwise |= product < 0.0;
         }
     }
-    left != right
+    counter_clockwise != clockwise
 }
 
-impl<R: Row> ClippingSolver<R> {
+impl<C: Coefficients> ClippingSolver<C> {
     #[inline(always)]
-    pub(super) fn crossing(&self, a: &Piece<R>, b: &Piece<R>) -> Crossing {
+    pub(super) fn crossing(&self, a: &Piece<C>, b: &Piece<C>) -> Crossing {
         if !turns_to_one_side(a, b) {
             return Crossing::Many;
         }
@@ -63,7 +63,7 @@ impl<R: Row> ClippingSolver<R> {
 
     /// The crossing of two segments that intersect at most once, if Newton's method finds it.
     #[inline(always)]
-    pub(super) fn newton(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
+    pub(super) fn newton(&self, a: &Piece<C>, b: &Piece<C>, s: f64, r: f64) -> Option<Contact> {
         let (mut s, mut r) = (s, r);
         for _ in 0..NEWTON_STEPS {
             let (step_s, step_r) = step(a, b, s, r)?;
@@ -84,14 +84,17 @@ impl<R: Row> ClippingSolver<R> {
 
     /// Accepts a solution of Newton's method if it lies in both segments, up to rounding.
     #[inline(always)]
-    fn converged(&self, a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<Contact> {
+    fn converged(&self, a: &Piece<C>, b: &Piece<C>, s: f64, r: f64) -> Option<Contact> {
         let (mut t, mut u) = (a.at(s.clamp(0.0, 1.0)), b.at(r.clamp(0.0, 1.0)));
         let [whole_a, whole_b] = &self.whole;
         let ((a, da), (b, db)) = (whole_a.taylor(t), whole_b.taylor(u));
         let gap = [b[0] - a[0], b[1] - a[1]];
-        let turn = cross(da, db);
+        let determinant = cross_product(da, db);
         // The control points of the whole curves have smaller rounding errors.
-        let (finer_t, finer_u) = (t + cross(gap, db) / turn, u + cross(gap, da) / turn);
+        let (finer_t, finer_u) = (
+            t + cross_product(gap, db) / determinant,
+            u + cross_product(gap, da) / determinant,
+        );
         let fits = |x: f64, from: f64| (x - from).abs() < MAX_LAST_STEP && (0.0..=1.0).contains(&x);
         if fits(finer_t, t) && fits(finer_u, u) {
             (t, u) = (finer_t, finer_u);
@@ -102,18 +105,26 @@ impl<R: Row> ClippingSolver<R> {
         Some(Contact {
             t: [t, t],
             u: [u, u],
-            crossing: turn.abs() > MIN_CROSSING_SINE * sizes,
+            crossing: determinant.abs() > MIN_CROSSING_SINE * sizes,
         })
     }
 }
 
 /// The step of Newton's method for A(s) = B(r).
 #[inline(always)]
-pub(super) fn step<R: Row>(a: &Piece<R>, b: &Piece<R>, s: f64, r: f64) -> Option<(f64, f64)> {
+pub(super) fn step<C: Coefficients>(
+    a: &Piece<C>,
+    b: &Piece<C>,
+    s: f64,
+    r: f64,
+) -> Option<(f64, f64)> {
     let ([ax, ay], da) = a.taylor(s);
     let ([bx, by], db) = b.taylor(r);
-    let turn = cross(da, db);
+    let determinant = cross_product(da, db);
     let gap = [bx - ax, by - ay];
-    let steps = (cross(gap, db) / turn, cross(gap, da) / turn);
+    let steps = (
+        cross_product(gap, db) / determinant,
+        cross_product(gap, da) / determinant,
+    );
     (steps.0.is_finite() && steps.1.is_finite()).then_some(steps)
 }

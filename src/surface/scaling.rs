@@ -5,20 +5,20 @@ use crate::geometry::point::Point;
 use crate::patch::Patch;
 use glam::DVec3;
 
-/// Smallest size of a frame as a fraction of its centre's coordinates. Points of a patch are off by a few ulps of the
+/// Smallest size of a scaling, as a fraction of its centre's coordinates. Points of a patch are off by a few ulps of the
 /// coordinates, and tolerances are measured in ulps of the size.
 const COARSE_SHARE: f64 = 1.0 / 8.0;
 
 /// Maps points p to (p − centre)/size.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
+pub(crate) struct Scaling {
     pub(crate) centre: DVec3,
     /// Half of the longest side of the box; 1 for a box that is a point.
     pub(crate) size: f64,
 }
 
-impl Frame {
-    /// The frame that maps a box to one from −1 to 1 along its longest side.
+impl Scaling {
+    /// The scaling that maps a box to one from −1 to 1 along its longest side.
     pub(crate) fn around(bounds: Bounds<DVec3>) -> Self {
         // The coordinates are halved first, since max − min of ±1e308 would overflow.
         let half = (bounds.max * 0.5 - bounds.min * 0.5).max_abs();
@@ -33,19 +33,19 @@ impl Frame {
         }
     }
 
-    /// The frame itself, or a larger one if its box is so far from the origin that the coordinates have larger rounding
-    /// errors than the frame resolves.
+    /// The scaling itself, or a larger one if its box is so far from the origin that the coordinates have larger rounding
+    /// errors than the scaling resolves.
     pub(crate) fn as_coarse_as_its_coordinates(self) -> Self {
         let size = self.size.max(self.centre.max_abs() * COARSE_SHARE);
         Self { size, ..self }
     }
 
-    /// A point in the coordinates of this frame.
+    /// A point in scaled coordinates.
     pub(crate) fn local_point(&self, p: DVec3) -> DVec3 {
         (p * 0.5 - self.centre * 0.5) * (2.0 / self.size)
     }
 
-    /// A patch in the coordinates of this frame.
+    /// A patch in scaled coordinates.
     pub(crate) fn image(&self, patch: &Patch) -> Patch {
         let points = patch.points.iter().map(|&p| self.local_point(p)).collect();
         Patch::from_net(points, patch.columns)
