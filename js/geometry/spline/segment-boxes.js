@@ -75,20 +75,29 @@ export class SegmentBoxes {
    * @returns {number} the segment with the smallest distance
    */
   #measure(p) {
-    const [d, corners, distances] = [this.#index.dimension, this.#corners, this.#distances];
-    const outside = [0, 0, 0];
+    const [d, distances] = [this.#index.dimension, this.#distances];
     let promising = 0;
-    for (let k = 0, at = 0; k < distances.length; k++, at += 2 * d) {
-      let square = 0;
-      for (let axis = 0; axis < d; axis++) {
-        outside[axis] = Math.max(corners[at + axis] - p[axis], p[axis] - corners[at + d + axis], 0);
-        square += outside[axis] * outside[axis];
-      }
+    for (let k = 0; k < distances.length; k++) {
+      const x = this.#outside(2 * d * k, p[0]);
+      const y = this.#outside(2 * d * k + 1, p[1]);
+      const z = d === 3 ? this.#outside(2 * d * k + 2, p[2]) : 0;
+      const square = x * x + y * y + z * z;
       // Math.hypot is slow, but its sum of squares neither overflows nor underflows.
-      distances[k] = square > 1e-280 && square < 1e280 ? Math.sqrt(square) : Math.hypot(...outside);
+      distances[k] = square > 1e-280 && square < 1e280 ? Math.sqrt(square) : Math.hypot(x, y, z);
       if (distances[k] < distances[promising]) promising = k;
     }
     return promising;
+  }
+
+  /**
+   * How far a coordinate is outside of a range.
+   *
+   * @param {number} at the index of the smallest coordinate
+   * @param {number} x
+   * @returns {number}
+   */
+  #outside(at, x) {
+    return Math.max(this.#corners[at] - x, x - this.#corners[at + this.#index.dimension], 0);
   }
 
   /**
