@@ -13,18 +13,20 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
 /**
  * The point of a curve or a spline that is nearest to another point: its parameter, the point, the distance.
  *
- * @typedef {{ t: number, point: Point, distance: number }} Nearest
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {{ t: number, point: Point<D>, distance: number }} Nearest
  */
 
 /**
  * @internal
+ * @template {2 | 3} D
  * @param {Float64Array} flat
- * @param {2 | 3} dimension
+ * @param {D} dimension
  * @param {PointLike} p
- * @returns {Nearest}
+ * @returns {Nearest<D>}
  */
 export function nearest(flat, dimension, p) {
-  if (flat.length === 8) return nearestOnCubic(flat, p);
+  if (flat.length === 8) return /** @type {Nearest<D>} */ (nearestOnCubic(flat, p));
   writePoint(writeArguments(flat, dimension), flat.length, p, dimension, "p");
   core().curve_nearest(dimension, flat.length / dimension);
   return readNearest(dimension);
@@ -39,7 +41,7 @@ const checked = new Float64Array(2);
  *
  * @param {Float64Array} c
  * @param {PointLike} p
- * @returns {Nearest}
+ * @returns {Nearest<2>}
  */
 function nearestOnCubic(c, p) {
   let { x, y } = /** @type {{ x: number, y: number }} */ (p ?? checked);
@@ -59,8 +61,9 @@ function nearestOnCubic(c, p) {
  * Reads the nearest point from the arena.
  *
  * @internal
- * @param {2 | 3} dimension
- * @returns {Nearest}
+ * @template {2 | 3} D
+ * @param {D} dimension
+ * @returns {Nearest<D>}
  */
 export function readNearest(dimension) {
   const numbers = arena(5);

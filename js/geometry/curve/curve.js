@@ -17,6 +17,7 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  * @import { CurveJSON } from "./curve-value.js"
  * @import { Distance, Nearest } from "../curve-queries.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
+ * @import { PointArrays } from "../points.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
  */
@@ -24,7 +25,8 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
 /**
  * A curve of a lower degree, and its largest distance from the original at equal t.
  *
- * @typedef {{ curve: Curve, error: number }} Reduced
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {{ curve: Curve<D>, error: number }} Reduced
  */
 
 /**
@@ -35,18 +37,25 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  *
  *     const curve = new Curve([[0, 0], [1, 2], [2, 0]]);
  *     curve.eval(0.5); // { x: 1, y: 1 }
+ *
+ * In TypeScript, `Curve<2>` and `Curve<3>` have points `{x, y}` and `{x, y, z}`. The dimension is inferred from points
+ * that are arrays, and from the option `dimension`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CurveMeasures<D>}
  */
 export class Curve extends CurveMeasures {
   /**
    * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
    *
+   * @template {2 | 3} [D=2 | 3]
    * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
-   * @param {PointsLike} points four points
-   * @param {{ dimension?: 2 | 3 }} [options]
-   * @returns {Curve}
+   * @param {PointArrays<D> | PointsLike} points four points
+   * @param {{ dimension?: D }} [options]
+   * @returns {Curve<D>}
    */
   static fromBasis(basis, points, options) {
-    return curveOf(pointsInBasis(basis, points, options));
+    return /** @type {Curve<D>} */ (curveOf(pointsInBasis(basis, points, options)));
   }
 
   /**
@@ -61,11 +70,12 @@ export class Curve extends CurveMeasures {
    * The curve of degree n − 1 through n points, 2 to 65. With more than about ten points and equally spaced parameters
    * it oscillates between the points; `Spline.interpolate` does not.
    *
-   * @param {PointsLike} points
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points
    * @param {ArrayLike<number>} [ts] the parameter of each point; by default proportional to the lengths of the chords,
    *   from 0 to 1 (equally spaced if two neighbouring points are equal)
-   * @param {{ dimension?: 2 | 3 }} [options]
-   * @returns {Curve}
+   * @param {{ dimension?: D }} [options]
+   * @returns {Curve<D>}
    * @throws {RangeError} for equal parameters
    */
   static interpolate(points, ts, options) {
@@ -78,14 +88,14 @@ export class Curve extends CurveMeasures {
     }
     writeArguments(flat, parameters.length).set(parameters, flat.length);
     const length = core().curve_interpolate(dimension, count, parameters.length);
-    return curveOf(new CheckedPoints(readResult(0, length), dimension));
+    return /** @type {Curve<D>} */ (curveOf(new CheckedPoints(readResult(0, length), dimension)));
   }
 
   /**
    * The curve of degree n − 1 with the same end points whose largest distance from this one at equal t is smallest, and
    * that distance. A line is returned unchanged with error 0.
    *
-   * @returns {Reduced}
+   * @returns {Reduced<D>}
    */
   reduce() {
     const used = core().curve_reduce(this.dimension, this._write());
@@ -104,7 +114,7 @@ export class Curve extends CurveMeasures {
    * @param {{ tolerance?: number }} [options] `tolerance`: the largest distance between the spline and the exact offset
    *   curve, by default 1e-4 of the diagonal of the control points' box, at least 1e-12 of the largest coordinate plus
    *   the distance
-   * @returns {Spline}
+   * @returns {Spline<2>}
    * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate and the distance, and if more than
    *   2¹⁷ steps (pieces tried and bounds evaluated) would be needed
    */
@@ -112,7 +122,7 @@ export class Curve extends CurveMeasures {
     this._require2D("offset");
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options).tolerance);
-    return readSpline(core().curve_offset(this._write(), distance, tolerance), 2);
+    return /** @type {Spline<2>} */ (readSpline(core().curve_offset(this._write(), distance, tolerance), 2));
   }
 
   /**
@@ -123,7 +133,7 @@ export class Curve extends CurveMeasures {
    * constant but for rounding need more.
    *
    * @param {PointLike} p
-   * @returns {Nearest}
+   * @returns {Nearest<D>}
    */
   nearest(p) {
     return queries.nearest(this._flat, this.dimension, p);

@@ -18,6 +18,7 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @import { Curve } from "../curve/curve.js"
  * @import { InterpolateOptions } from "../interpolate.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
+ * @import { PointArrays } from "../points.js"
  * @import { CoreSpline } from "./core-spline.js"
  * @import { SplineJSON } from "./spline-value.js"
  */
@@ -31,20 +32,25 @@ const JOINS = ["round", "miter", "bevel"];
  *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
  *     spline.continuity(1).c1; // true
  *
- * @extends {SplineMeasures<Curve>}
+ * What repeated queries need (segments, arc lengths, boxes) is computed once and kept. In TypeScript, `Spline<2>` and
+ * `Spline<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {SplineMeasures<D, Curve<D>>}
  */
 export class Spline extends SplineMeasures {
   /**
    * The spline of consecutive curves, whose degrees may differ.
    *
-   * @param {readonly CoreCurve[]} curves
+   * @template {2 | 3} [D=2 | 3]
+   * @param {readonly CoreCurve<D>[]} curves
    * @param {{ closed?: boolean }} [options]
-   * @returns {Spline}
+   * @returns {Spline<D>}
    * @throws {RangeError} if a curve does not start at the end of the previous one
    */
   static fromCurves(curves, options) {
     const { length, dimension } = joinCurves(curves, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -54,14 +60,15 @@ export class Spline extends SplineMeasures {
    * tangent at a point depends on it and its two neighbours; the handle of an open end is at a third of the chord, and
    * two equal consecutive points make a corner (unless alpha is 0).
    *
-   * @param {PointsLike} points 2 or more
-   * @param {InterpolateOptions} [options] natural and open by default
-   * @returns {Spline}
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points 2 or more
+   * @param {InterpolateOptions & { dimension?: D }} [options] natural and open by default
+   * @returns {Spline<D>}
    * @throws {RangeError} for fewer than 2 points, a NaN or an infinity, an alpha outside of 0 to 1
    */
   static interpolate(points, options) {
     const { length, dimension } = interpolate(points, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -71,14 +78,15 @@ export class Spline extends SplineMeasures {
    * the first degree + 1 knots are equal, and the last ones too (clamped knots). The multiplicity of an inner knot is
    * at most the degree. Segment k covers t from k to k + 1.
    *
-   * @param {PointsLike} points at least degree + 1 if open
-   * @param {BSplineOptions} [options] degree 3, uniform and open by default
-   * @returns {Spline}
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points at least degree + 1 if open
+   * @param {BSplineOptions & { dimension?: D }} [options] degree 3, uniform and open by default
+   * @returns {Spline<D>}
    * @throws {RangeError} for a wrong count, a knot below the previous one, or a multiplicity above the limit
    */
   static fromBSpline(points, options) {
     const { length, dimension } = fromBSpline(points, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -94,11 +102,12 @@ export class Spline extends SplineMeasures {
    * distance of every point from the spline is at most the tolerance. Corners are kept, the other joints are smooth;
    * consecutive equal points count once.
    *
-   * @param {PointsLike} points at least 2
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points at least 2
    * @param {number} tolerance
-   * @param {{ closed?: boolean, dimension?: 2 | 3 }} [options] `closed`: whether to continue from the last point to the
+   * @param {{ closed?: boolean, dimension?: D }} [options] `closed`: whether to continue from the last point to the
    *   first
-   * @returns {Spline}
+   * @returns {Spline<D>}
    */
   static fit(points, tolerance, options) {
     const { closed = false, dimension: requested } = check.options(options);
@@ -109,7 +118,7 @@ export class Spline extends SplineMeasures {
     writeArguments(flat);
     const spline = readSpline(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
     releaseMemory();
-    return spline;
+    return /** @type {Spline<D>} */ (spline);
   }
 
   /**
@@ -189,10 +198,10 @@ export class Spline extends SplineMeasures {
    * @internal
    * @override
    * @param {Float64Array} flat
-   * @returns {Curve}
+   * @returns {Curve<D>}
    */
   _curveOf(flat) {
-    return curveOf(new CheckedPoints(flat, this.dimension));
+    return /** @type {Curve<D>} */ (curveOf(new CheckedPoints(flat, this.dimension)));
   }
 
   /**

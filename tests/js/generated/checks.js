@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { Curve, Path, Spline, Surface } from "casteljau";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
-const INFINITE = new Set(["Curve.curvature", "Curve.torsion"]);
+const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion"]);
 
 /** All numbers of an answer. @param {any} value @param {(x: number) => void} see */
 function visit(value, see) {
@@ -138,6 +138,26 @@ const CHECKS = {
   "Spline.reverse": (reversed, { spline }) => assert.ok(reversed.reverse().equals(spline)),
   "Spline.fromCurves": (again, { spline }) => assert.ok(again.equals(spline)),
   "Spline.toBSpline": (form, { spline }) => assert.ok(Spline.fromBSpline(form.points, form).equals(spline)),
+  "Spline.split": ([left, right], { spline, t }, size) => {
+    assert.ok(!left.closed && !right.closed);
+    close(left.eval(left.segmentCount), right.eval(0), 0, "the parts at the joint");
+    const outside = Math.max(0, -t, t - spline.segmentCount);
+    close(right.eval(0), spline.eval(t), slackOf(size, 24) * growth(1 + outside, 24), "the joint");
+  },
+  "Spline.subsegment": (part, { spline, t0, t1 }, size) => {
+    const inside = t0 >= 0 && t1 >= 0 && Math.max(t0, t1) <= spline.segmentCount;
+    if (!inside) return;
+    close(part.eval(0), spline.eval(t0), slackOf(size, 24), "the start");
+    close(part.eval(part.segmentCount), spline.eval(t1), slackOf(size, 24), "the end");
+  },
+  "Spline.pointAtLength": ({ t, point }, { spline }, size) => {
+    assert.ok(t >= 0 && t <= spline.segmentCount, `t = ${t}`);
+    close(point, spline.eval(t), slackOf(size, 24), "the point at t");
+  },
+  "Spline.extrema": (extrema, { spline }) => {
+    for (const ts of Object.values(extrema)) ascend(ts, 0, spline.segmentCount);
+  },
+  "Spline.timesAtCoordinate": (ts, { spline }) => ascend(ts, 0, spline.segmentCount),
   "Spline.nearest": (answer, { spline }, size) => {
     assert.ok(answer.t >= 0 && answer.t <= spline.segmentCount, `t = ${answer.t}`);
     close(answer.point, spline.eval(answer.t), slackOf(size, 24), "the point at t");
