@@ -275,7 +275,8 @@ export class Curve {
    *
    *     const { points, tangents, normals } = path.frames(path.equidistantTimes(100), { normal: [0, 0, 1] }); // a camera's flight
    *
-   * Steps between frames are halved at most 4096 + 64 times the number of frames.
+   * Frames are continued from t = 0; the frame at a t does not depend on the other ones. Steps are halved at most 4096
+   * times, and 63 times more for each frame (512 times outside 0 to 1).
    *
    * @param {number | ArrayLike<number>} where a number of segments, for frames at t = i / segments, or values of t
    * @param {FrameOptions} [options]

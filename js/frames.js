@@ -20,7 +20,7 @@ import { take, trim } from "./transfer.js";
 
 /**
  * @typedef {object} FrameOptions
- * @property {PointLike} [normal] the wish for the first normal: what of it is at right angles to the tangent is taken. By
+ * @property {PointLike} [normal] the wish for the normal at t = 0: what of it is at right angles to the tangent is taken. By
  *   default the principal normal; on a straight piece the axis that is farthest from the tangent
  */
 
