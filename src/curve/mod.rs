@@ -7,6 +7,7 @@ pub(crate) mod arc_length;
 pub(crate) mod area;
 pub(crate) mod basis;
 mod bounds;
+pub(crate) mod carried_frame;
 mod classify;
 mod convert;
 mod derivative;

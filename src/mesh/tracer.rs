@@ -3,7 +3,7 @@
 use super::isocurves::Isocurve;
 use super::sweep::{Sweep, SweepFrame, turned};
 use super::wire::Wire;
-use crate::curve::frames::double_reflection;
+use crate::curve::carried_frame::double_reflection;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;

@@ -40,7 +40,8 @@ export class CurveMeasures extends CoreCurve {
    *
    *     const { points, tangents, normals } = path.frames(path.equidistantTimes(100), { normal: [0, 0, 1] }); // a camera path
    *
-   * The steps between frames are halved at most 4096 + 64 n times in total for n frames.
+   * Frames are continued from t = 0; the frame at a t does not depend on the other ones. Steps are halved at most 4096
+   * times, and 63 times more for each frame (512 times outside 0 to 1).
    *
    * @param {number | ArrayLike<number>} where the number of segments n for frames at t = i/n, or values of t
    * @param {FrameOptions} [options]

@@ -99,6 +99,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Spline::frames(spline: spline3, segments)",
     "Spline::frames_at(spline: spline3, ts: spline parameters, normal: optional direction)",
     "Spline::length(spline, tolerance: optional tolerance)",
+    "Spline::cumulative_lengths(spline)",
     "Spline::time_at_length(spline, s: length, tolerance: optional tolerance)",
     "Spline::point_at_length(spline, s: length)",
     "Spline::equidistant_times(spline, segments)",
