@@ -119,6 +119,7 @@ const oldParts = (await readdir("dist").catch(() => [])).filter((name) => /^elem
 await Promise.all(oldParts.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   bundle("index.js", "index.js"),
+  bundle("easing.js", "easing.js"),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
   bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
   elements(),
