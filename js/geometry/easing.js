@@ -12,11 +12,10 @@ import { fewestStops } from "./easing-stops.js";
  *
  * @typedef {object} EasingMembers
  * @property {string} css the function as CSS text: `cubic-bezier(…)`, `steps(…)`, `linear(…)` or `linear`
- * @property {(tolerance: number) => string} toLinear the function as a CSS `linear()`: its output differs by at most
- *   `tolerance` for inputs from 0 to 1, and for
- *   a cubic curve no `linear()` with fewer stops stays within 96 % of the tolerance; steps
- *   and linear() remain as they are. The outputs at 0 and 1 are exact. A RangeError for a tolerance below 10⁻⁴, or below
- *   10⁻⁴ of a larger y1 or y2, and for more than 32,767 steps
+ * @property {(tolerance: number) => string} toLinear the function as a CSS `linear()` whose output differs by at most
+ *   `tolerance` for inputs from 0 to 1. For a cubic curve no `linear()` with fewer stops stays within 96 % of the
+ *   tolerance, and the outputs at 0 and 1 are exact. `steps()` and `linear()` remain as they are. Throws a RangeError for a
+ *   tolerance below 10⁻⁴, or below 10⁻⁴ of a larger y1 or y2, and for more than 32,767 steps
  */
 
 /**
@@ -26,50 +25,31 @@ import { fewestStops } from "./easing-stops.js";
  */
 
 /**
- * The timing function of CSS `cubic-bezier(x1, y1, x2, y2)`: the cubic curve from (0, 0) to (1, 1) with the handles
- * (x1, y1) and (x2, y2), as y over x.
+ * A CSS timing function: output progress y over input progress x.
  *
- *     const ease = easing(0.25, 0.1, 0.25, 1);
+ *     const ease = easing(0.25, 0.1, 0.25, 1); // cubic-bezier(x1, y1, x2, y2)
  *     ease(0.5); // 0.802403387584857
  *     ease.css; // "cubic-bezier(0.25, 0.1, 0.25, 1)"
- *
- * Exact at 0 and 1; between them the result is y(t) for a t with |x(t) − x| ≤ 10⁻¹⁵. Monotone where the curve is; never
- * NaN. Below 0 and above 1 it is extrapolated along the tangent at the end, as CSS defines it.
- *
- * Source: CSS Easing Functions Level 2.
- *
- * @overload
- * @param {number} x1 0 to 1
- * @param {number} y1
- * @param {number} x2 0 to 1
- * @param {number} y2
- * @returns {Easing}
- * @throws {RangeError} for an x1 or x2 outside of 0 to 1, a NaN or an infinity, here and in the function's calls
- */
-
-/**
- * A CSS timing function: `ease`, `ease-in`, `ease-out`, `ease-in-out`, `linear`, `step-start`, `step-end`,
- * `cubic-bezier(…)`, `steps(…)` or `linear(…)`.
- *
  *     easing("steps(4, jump-none)")(0.5); // 0.6666666666666666
  *     easing("ease-out").toLinear(0.01); // a linear() for animations
  *
- * Letters of either case and comments are read as CSS does; `calc()` and `var()` are not. At a jump the output is the
- * one after it. Outside of 0 to 1 the first and the last part of `linear()` continue.
+ * The arguments are the handles (x1, y1) and (x2, y2) of a cubic curve from (0, 0) to (1, 1), with x1 and x2 from 0 to 1,
+ * or a text: `ease`, `ease-in`, `ease-out`, `ease-in-out`, `linear`, `step-start`, `step-end`, `cubic-bezier(…)`,
+ * `steps(…)` or `linear(…)`. Letters of either case and comments are read as CSS does; `calc()` and `var()` are not.
+ *
+ * A cubic curve is exact at 0 and 1; between them the result is y(t) for a t with |x(t) − x| ≤ 10⁻¹⁵. It is monotone
+ * where the curve is, and never NaN. Below 0 and above 1 it is extrapolated along the tangent at the end, as CSS defines
+ * it. At a jump of `steps()` and `linear()` the result is the value after it; outside of 0 to 1 the first and the last part
+ * of `linear()` continue.
+ *
+ * Throws a RangeError for an x1 or x2 outside of 0 to 1, for a NaN or an infinity, here and in the function's calls, and
+ * for any other text; then `offset` is the position of the error in the text.
  *
  * Source: CSS Easing Functions Level 2.
  *
- * @overload
- * @param {string} css
- * @returns {Easing}
- * @throws {RangeError} for any other text, with `offset`, the position of the error in the text
+ * @type {{ (x1: number, y1: number, x2: number, y2: number): Easing, (css: string): Easing }}
  */
-
-/**
- * @param {[css: string] | [x1: number, y1: number, x2: number, y2: number]} args
- * @returns {Easing}
- */
-export function easing(...args) {
+export const easing = (/** @type {unknown[]} */ ...args) => {
   const timing = checkedTiming(args);
   const evaluate = evaluator(timing);
   return Object.assign((/** @type {number} */ x) => evaluate(finite(x, "x")), {
@@ -77,7 +57,7 @@ export function easing(...args) {
     toLinear: (/** @type {number} */ tolerance) =>
       writeEasing({ stops: fewestStops(timing, finite(tolerance, "tolerance")) }),
   });
-}
+};
 
 /**
  * @param {readonly unknown[]} args
