@@ -1,5 +1,5 @@
 // Timing functions as CSS text; src/easing/css.rs reads and writes the same, message for message.
-import { shown } from "./check.js";
+import { describe } from "./check.js";
 import { JUMPS } from "./easing-piecewise.js";
 
 /** @import { StepPosition, Stop } from "./easing-piecewise.js" */
@@ -94,7 +94,7 @@ class Scanner {
     this.at = offset;
     UP_TO_SEPARATOR.lastIndex = offset;
     const got = UP_TO_SEPARATOR.exec(this.text);
-    const message = `easing: expected ${expected} at offset ${offset}, got ${got ? shown(got[0]) : "the end of the text"}`;
+    const message = `easing: expected ${expected} at offset ${offset}, got ${got ? describe(got[0]) : "the end of the text"}`;
     throw Object.assign(new RangeError(message), { offset });
   }
 }

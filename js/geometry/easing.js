@@ -1,5 +1,5 @@
 // Timing functions of CSS. They need no wasm.
-import { finite, shown } from "./check.js";
+import { describe, finite } from "./check.js";
 import { cubicBezier } from "./easing-bezier.js";
 import { readEasing, writeEasing } from "./easing-css.js";
 import { linear, steps } from "./easing-piecewise.js";
@@ -67,7 +67,7 @@ function checkedTiming(args) {
   const { length } = args;
   if (length > 1 && length < 5) return { handles: [0, 1, 2, 3].map((k) => handle(args[k], k)) };
   if (typeof args[0] === "string") return readEasing(args[0]);
-  const got = length > 1 ? `${length} arguments` : shown(args[0]);
+  const got = length > 1 ? `${length} arguments` : describe(args[0]);
   throw new TypeError(`easing: expected a text or 4 numbers, got ${got}`);
 }
 

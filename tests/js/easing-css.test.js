@@ -24,7 +24,7 @@ test("every refused text of the table has its message and its offset", () => {
   for (const { text, error, offset } of table.filter((row) => row.error)) {
     assert.throws(
       () => easing(text),
-      (thrown) => {
+      (/** @type {any} */ thrown) => {
         assert.equal(thrown.constructor, RangeError, text);
         assert.equal(thrown.message, error);
         assert.equal(thrown.offset, offset);
@@ -35,6 +35,7 @@ test("every refused text of the table has its message and its offset", () => {
 });
 
 test("keywords are their cubic curves", () => {
+  /** @type {Record<string, [number, number, number, number]>} */
   const curves = { ease: [0.25, 0.1, 0.25, 1], "ease-in": [0.42, 0, 1, 1], "ease-out": [0, 0, 0.58, 1] };
   for (const [word, handles] of Object.entries(curves))
     for (const x of [-0.5, 0.1, 0.5, 0.9, 1.5]) assert.equal(easing(word)(x), easing(...handles)(x));
@@ -143,11 +144,13 @@ test("never NaN, at the largest numbers either", () => {
 });
 
 test("refusals", () => {
-  refused(() => easing(), TypeError, /^easing: expected a text or 4 numbers, got undefined$/);
-  refused(() => easing(5), TypeError, /^easing: expected a text or 4 numbers, got 5$/);
-  refused(() => easing(0, 0, 1, 1, 1), TypeError, /^easing: expected a text or 4 numbers, got 5 arguments$/);
-  refused(() => easing(0, 0, 1), TypeError, /^y2: expected a number, got undefined$/);
-  const ease = easing("ease");
+  /** @type {any} */
+  const untyped = easing;
+  refused(() => untyped(), TypeError, /^easing: expected a text or 4 numbers, got undefined$/);
+  refused(() => untyped(5), TypeError, /^easing: expected a text or 4 numbers, got 5$/);
+  refused(() => untyped(0, 0, 1, 1, 1), TypeError, /^easing: expected a text or 4 numbers, got 5 arguments$/);
+  refused(() => untyped(0, 0, 1), TypeError, /^y2: expected a number, got undefined$/);
+  const ease = untyped("ease");
   refused(() => ease.toLinear(), TypeError, /^tolerance: expected a number, got undefined$/);
   refused(
     () => ease.toLinear(1e-5),
