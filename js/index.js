@@ -7,3 +7,5 @@ export { Patch } from "./geometry/patch.js";
 export { Surface } from "./geometry/surface.js";
 export { Mesh } from "./geometry/mesh.js";
 export { easing } from "./geometry/easing.js";
+
+/** @typedef {import("./geometry/easing.js").Easing} Easing */

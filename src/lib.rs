@@ -71,7 +71,7 @@ mod serde;
 mod wasm;
 
 pub use curve::Curve;
-pub use easing::Easing;
+pub use easing::{Easing, EasingError};
 pub use geometry::error::{Error, MAX_DEGREE};
 pub use geometry::point::{CrossProduct, Point};
 pub use glam;

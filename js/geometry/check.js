@@ -139,11 +139,12 @@ export function options(value, name = "options") {
  * @param {unknown} value
  * @param {string} name
  * @param {new (...args: any[]) => T} type
+ * @param {string} [expected] with an article; minifiers change the names of classes
  * @returns {T}
  */
-export function instanceOf(value, name, type) {
+export function instanceOf(value, name, type, expected = `a ${type.name}`) {
   if (value instanceof type) return value;
-  throw new TypeError(`${name}: expected a ${type.name}, got ${describe(value)}`);
+  throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
 }
 
 /**

@@ -163,7 +163,7 @@ export function gridOptions(options) {
  * @returns {Mesh | undefined}
  */
 export function meshInto(into) {
-  return into === undefined ? into : check.instanceOf(into, "into", Mesh);
+  return into === undefined ? into : check.instanceOf(into, "into", Mesh, "a Mesh");
 }
 
 /**

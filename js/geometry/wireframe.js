@@ -58,7 +58,7 @@ export function wireframe(writeSurface, options) {
   check.segmentCount(lines, "lines");
   check.whole(sides, "sides", 3, MAX_SIDES);
   const size = width === undefined ? check.positive(radius, "radius") : check.positive(width, "width");
-  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh);
+  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh, "a Mesh");
   writeSurface();
   unwrapCount(core().surface_wireframe(lines, size, width === undefined ? sides : 0));
   return readMesh(earlier, { separatePatches: false });

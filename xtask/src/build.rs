@@ -83,12 +83,22 @@ fn bundles() -> Result<()> {
             "xtask/bundle.js",
             "xtask/manifest.js",
             "xtask/no-dom.js",
+            "xtask/notices.js",
+            "xtask/source-map.js",
             "package.json",
             "package-lock.json",
+            "Cargo.lock",
         ]
         .map(|name| root.join(name)),
     );
-    let others = ["slim.js", "casteljau.wasm", "custom-elements.json"];
+    let others = [
+        "easing.js",
+        "slim.js",
+        "casteljau.global.js",
+        "casteljau.wasm",
+        "custom-elements.json",
+        "THIRD-PARTY-NOTICES.txt",
+    ];
     let outputs: Vec<PathBuf> = SITE_SCRIPTS
         .iter()
         .chain(&others)
@@ -125,6 +135,7 @@ fn types() -> Result<()> {
     inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
     let outputs = [
         root.join("dist/types/index.d.ts"),
+        root.join("dist/types/easing.d.ts"),
         root.join("dist/types/applet/classic.d.ts"),
     ];
     stamp::unless_current(

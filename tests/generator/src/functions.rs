@@ -234,6 +234,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Grid::quads(segments_u: cells, segments_v: cells)",
     "Easing::new(x1: unit, y1: handle, x2: unit, y2: handle)",
     "Easing::eval(x1: unit, y1: handle, x2: unit, y2: handle, x: t)",
+    "Easing::to_linear(x1: unit, y1: handle, x2: unit, y2: handle, tolerance: easing tolerance)",
     "Easing::text(text: easing text)",
     "Address::read(text: address)",
 ];

@@ -254,6 +254,7 @@ const SURFACE = {
   "Mesh.toGLB": (a) => mesh(a).toGLB(),
   "Mesh.toThree": (a) => mesh(a).toThree(THREE).getAttribute("position").array,
   easing: (a) => easing(a.x1, a.y1, a.x2, a.y2)(a.x),
+  "Easing.toLinear": (a) => easing(a.x1, a.y1, a.x2, a.y2).toLinear(a.tolerance),
 };
 
 /** Calls by the names of functions, in pieces of about equal work. */

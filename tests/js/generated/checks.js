@@ -1,7 +1,7 @@
 // What every answer is checked for: finite numbers; for many functions what makes the answer true. The deep checks of the
 // core are in tests/generated; here stands what could go wrong between the core and JavaScript.
 import assert from "node:assert/strict";
-import { Curve, Path, Spline, Surface } from "casteljau";
+import { Curve, easing, Path, Spline, Surface } from "casteljau";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
 const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion"]);
@@ -209,6 +209,11 @@ const CHECKS = {
     assert.ok(surface.vertices.length / 3 + surface.patchCount <= text.length, "more than the text can say");
   },
   "Mesh.toSTL": (bytes) => assert.equal((bytes.length - 84) % 50, 0),
+  "Easing.toLinear": (text, { x1, y1, x2, y2, tolerance }) => {
+    const [ease, linear] = [easing(x1, y1, x2, y2), easing(text)];
+    for (let k = 0; k <= 100; k++)
+      assert.ok(Math.abs(ease(k / 100) - linear(k / 100)) <= tolerance * (1 + 1e-9), `${text} at ${k / 100}`);
+  },
   easing: (y, { x }) => assert.ok((x !== 0 && x !== 1) || y === x, `${y} at ${x}`),
 };
 

@@ -18,8 +18,20 @@ function readBy(reader, text) {
   }
 }
 
+/** A timing function as the package reads it: finite, and the same after writing and reading. */
+function readCss(text) {
+  const ease = readBy(easing, text);
+  if (!ease) return;
+  assert.equal(easing(ease.css).css, ease.css);
+  for (const x of [-1e308, -1, 0, 0.3, 1, 2, 1e308]) {
+    assert.ok(Number.isFinite(ease(x)), `${ease(x)} at ${x}`);
+    assert.equal(easing(ease.css)(x), ease(x));
+  }
+}
+
 /** A timing function as the page and as the elements read it: four numbers that come back from their text. */
 function readEasing({ text }) {
+  readCss(text);
   const [onPage, inElement] = [readBy(parse, text), readBy(readTiming, text)];
   for (const handles of [onPage, inElement].filter(Boolean)) {
     assert.ok(handles.length === 4 && handles.every(Number.isFinite));

@@ -1,8 +1,8 @@
 //! The CSS timing function `cubic-bezier()`.
 //!
-//! `js/geometry/easing.js` performs the same operations in the same order and gives bit-identical results.
+//! `js/geometry/easing-bezier.js` performs the same operations in the same order and gives bit-identical results.
 
-use crate::geometry::error::Error;
+use super::piecewise::clamp_to_finite;
 
 /// The number of pieces of the parameter range. A power of two, so that the Bernstein weights at the nodes are exact.
 const PIECES: usize = 32;
@@ -21,26 +21,10 @@ const SHRUNK: f64 = f64::from_bits((1023 - 100) << 52);
 /// A safety limit: four times the maximum number of steps that was ever observed.
 const MAX_STEPS: usize = 100;
 
-/// The timing function of CSS `cubic-bezier(x1, y1, x2, y2)`.
-///
-/// The cubic curve from (0, 0) to (1, 1) with the handles (x₁, y₁) and (x₂, y₂), as a function from x to y: x(t) =
-/// 3x₁t(1 − t)² + 3x₂t²(1 − t) + t³, and y(t) in the same way from y₁ and y₂. x₁ and x₂ lie in \[0, 1\], so y is
-/// unique.
-///
-/// ```
-/// use casteljau::Easing;
-///
-/// let ease = Easing::new(0.25, 0.1, 0.25, 1.0)?;
-/// assert_eq!((ease.eval(0.0), ease.eval(1.0)), (0.0, 1.0));
-/// assert!((ease.eval(0.5) - 0.802403387584857).abs() < 1e-15);
-/// # Ok::<(), casteljau::Error>(())
-/// ```
-///
-/// Source: CSS Easing Functions Level 1, "Cubic Bézier easing functions".
+/// The timing function `cubic-bezier(x1, y1, x2, y2)` for checked handles.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Easing {
+pub(crate) struct Cubic {
     /// The arguments x1, y1, x2, y2.
-    #[cfg(feature = "serde")]
     pub(crate) handles: [f64; 4],
     nodes: Vec<Node>,
     /// For each start of an interval of x of width 1/32, the piece of t that contains it.
@@ -69,28 +53,12 @@ struct Expansion {
     by: [f64; 3],
 }
 
-impl Easing {
-    /// The timing function with these handles.
-    ///
-    /// # Errors
-    /// [`Error::Range`] for an x outside 0 to 1, a NaN or an infinity.
-    pub fn new(x1: f64, y1: f64, x2: f64, y2: f64) -> Result<Self, Error> {
-        for (what, got) in [("x1", x1), ("x2", x2)] {
-            check(
-                what,
-                "a number from 0 to 1",
-                got,
-                (0.0..=1.0).contains(&got),
-            )?;
-        }
-        for (what, got) in [("y1", y1), ("y2", y2)] {
-            check(what, "a finite number", got, got.is_finite())?;
-        }
+impl Cubic {
+    pub(crate) fn new([x1, y1, x2, y2]: [f64; 4]) -> Self {
         let huge = y1.abs().max(y2.abs()) > HUGE;
         let unit = if huge { SHRUNK } else { 1.0 };
         let nodes = nodes([x1, x2], [y1 * unit, y2 * unit], unit);
-        Ok(Self {
-            #[cfg(feature = "serde")]
+        Self {
             handles: [x1, y1, x2, y2],
             starts: first_pieces(&nodes),
             nodes,
@@ -100,15 +68,10 @@ impl Easing {
             ],
             linear: x1 == y1 && x2 == y2,
             huge,
-        })
+        }
     }
 
-    /// The value of y at x.
-    ///
-    /// Exact at 0 and 1; between them the result is y(t) for a t with |x(t) − x| ≤ 10⁻¹⁵. Below 0 and above 1 it is
-    /// extrapolated along the line from the end to the nearest control point that differs from it; if that line is
-    /// vertical, the result is constant. Overflow gives the largest finite number. NaN gives NaN.
-    pub fn eval(&self, x: f64) -> f64 {
+    pub(crate) fn eval(&self, x: f64) -> f64 {
         if self.linear {
             return x + 0.0; // turns −0 into 0
         }
@@ -116,7 +79,11 @@ impl Easing {
             return self.outside(x);
         }
         let y = self.solved(x);
-        if self.huge { bounded(y / SHRUNK) } else { y }
+        if self.huge {
+            clamp_to_finite(y / SHRUNK)
+        } else {
+            y
+        }
     }
 
     fn outside(&self, x: f64) -> f64 {
@@ -124,9 +91,9 @@ impl Easing {
             return x.abs();
         }
         if x < 0.0 {
-            bounded(flat_or(self.slopes[0], x))
+            clamp_to_finite(flat_or(self.slopes[0], x))
         } else {
-            bounded(1.0 + flat_or(self.slopes[1], x - 1.0))
+            clamp_to_finite(1.0 + flat_or(self.slopes[1], x - 1.0))
         }
     }
 
@@ -194,26 +161,15 @@ impl Expansion {
     }
 }
 
-fn check(what: &'static str, expected: &'static str, got: f64, holds: bool) -> Result<(), Error> {
-    if holds {
-        return Ok(());
-    }
-    Err(Error::Range {
-        what,
-        expected,
-        got,
-    })
-}
-
 /// The slope at (0, 0) as CSS defines it: that of the line to the first control point that differs from (0, 0), or 0 if
 /// that line is vertical.
 fn slope(x1: f64, y1: f64, x2: f64, y2: f64) -> f64 {
     if x1 > 0.0 {
-        bounded(y1 / x1)
+        clamp_to_finite(y1 / x1)
     } else if y1 != 0.0 {
         0.0
     } else if x2 > 0.0 {
-        bounded(y2 / x2)
+        clamp_to_finite(y2 / x2)
     } else if y2 == 0.0 {
         1.0
     } else {
@@ -228,10 +184,6 @@ fn flat_or(slope: f64, x: f64) -> f64 {
     } else {
         slope * x
     }
-}
-
-fn bounded(value: f64) -> f64 {
-    value.clamp(-f64::MAX, f64::MAX)
 }
 
 fn nodes([x1, x2]: [f64; 2], [y1, y2]: [f64; 2], top: f64) -> Vec<Node> {
