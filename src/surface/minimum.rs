@@ -24,7 +24,8 @@ const MAX_CUTS: usize = 8;
 /// The maximum number of coefficients in the queue: 16 MB.
 const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 
-/// The cost of a refinement, in evaluations with derivatives.
+/// The cost of a refinement, in evaluations with derivatives: usually one Gauss–Newton step, which tries four dampings.
+/// Only the work limit depends on it.
 const REFINEMENT_JETS: usize = 4;
 
 /// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.

@@ -267,3 +267,20 @@ pub fn points_transform(dimension: usize, count: usize) {
         }
     });
 }
+
+/// The area that a plane curve sweeps.
+#[wasm_bindgen]
+pub fn curve_area(count: usize) -> f64 {
+    arena::with(|a| curve_in_space(a, 2, count).swept_area())
+}
+
+/// Writes the error, then the control points of the curve with the degree reduced by one.
+#[wasm_bindgen]
+pub fn curve_reduce(dimension: usize, count: usize) -> usize {
+    arena::with(|a| {
+        let curve: Curve<DVec3> = Curve::from_points(a.points_in_space(0, count, dimension));
+        let reduced = curve.reduce();
+        let at = a.write_numbers(0, &[reduced.error]);
+        a.write_from_space(at, reduced.curve.control_points(), dimension)
+    })
+}

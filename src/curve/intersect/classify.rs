@@ -11,7 +11,8 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
 
-/// Maximum difference of a parameter from an end to which it is snapped.
+/// Maximum difference of a parameter from an end to which it is snapped: the cube root of rounding (1e-15), because the
+/// distance grows with the third power of the parameter where both B′ and B″ vanish at the end.
 const NEAR_END: f64 = 1e-5;
 
 /// The two points at an end of an overlap are closer together than this many times the slack: heights of up to four

@@ -13,17 +13,19 @@ const SAME: f64 = 1e-13;
 /// A crossing at a common end of two segments is found in both, with a difference of some roundings.
 const ONE_CROSSING: f64 = 1e-12;
 
-/// A contact shorter than this in t has no direction.
+/// A contact shorter than this in t has no direction. A tangency is a contact of a length of about the square root of
+/// rounding, some 1e-7, whatever the directions of the curves.
 const MIN_DIRECTED: f64 = 1e-6;
 
-/// The amount by which an interval is widened in addition to its width.
+/// The amount by which an interval is widened in addition to its width: the accuracy of the parameters of a tangency,
+/// some square roots of rounding.
 const INTERVAL_MARGIN: f64 = 1e-7;
 
 /// The deviation of u from a linear function of t within a contact, as a part of the square of its width.
 const MAX_CURVING: f64 = 0.01;
 
 /// The ends of contacts correspond only roughly, so the boxes of the segments between them are widened by their size
-/// and this.
+/// and this: ten times the accuracy of the parameters of a tangency.
 const BOX_MARGIN: f64 = 1e-6;
 
 /// A parameter interval on which two curves cannot be distinguished.

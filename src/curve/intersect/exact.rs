@@ -12,7 +12,8 @@ use glam::DVec2;
 /// Intersections closer than this, at size 1, are one if an end or a stop lies between them.
 const SAME_POINT_DISTANCE: f64 = 1e-8;
 
-/// The largest parameter difference of such intersections.
+/// The largest parameter difference of such intersections: the square root of their distance, because next to a stop the
+/// distance grows with the square of the parameter.
 const NEARBY_PARAMETERS: f64 = 1e-4;
 
 /// A height is certainly not 0 if it exceeds the heights that count as 0 by this factor.

@@ -6,17 +6,13 @@
 //! halved. Newton's method finds the exact parameters.
 
 use super::counted_parameter;
-use crate::bernstein::evaluate::evaluate;
+use super::segment_tree::{Bounded, Heap, SegmentTree};
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
 use crate::numeric::float::{ratio, ulp, unit_scale};
 use crate::numeric::list::Points;
-use crate::numeric::list::points_of;
-use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
 
 /// The minimum distance of two curves and the parameters where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,109 +95,6 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// The segments of a curve as a binary tree, created on demand.
-struct SegmentTree<P: Point>(Vec<Segment<P>>);
-
-struct Segment<P: Point> {
-    points: Points<P>,
-    lo: f64,
-    hi: f64,
-    middle: P,
-    /// The largest difference of a coordinate from the start.
-    size: f64,
-    /// The index of the first half, followed by the second; 0 before the halves are created.
-    halves: usize,
-}
-
-impl<P: Point> Segment<P> {
-    fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
-        let start = points[0];
-        let size = points.iter().map(|&p| (p - start).max_abs());
-        Self {
-            lo,
-            hi,
-            middle: evaluate(&points, 0.5),
-            size: size.fold(0.0, f64::max),
-            points,
-            halves: 0,
-        }
-    }
-
-    fn mid(&self) -> f64 {
-        0.5 * (self.lo + self.hi)
-    }
-
-    /// The minimum and the maximum of the control points along a direction.
-    fn along(&self, direction: P) -> (f64, f64) {
-        range(self.points.iter().map(|&p| p.dot(direction)))
-    }
-
-    /// The component of a vector perpendicular to the chord.
-    fn across(&self, vector: P) -> P {
-        let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
-        vector - chord * vector.dot(chord)
-    }
-
-    /// A lower bound on the distance of two segments.
-    fn apart(&self, other: &Self) -> f64 {
-        let vector = self.middle - other.middle;
-        let bound = |vector: P| {
-            let direction = vector.normalize_or_zero();
-            self.along(direction).0 - other.along(direction).1
-        };
-        bound(vector)
-            .max(bound(self.across(vector)))
-            .max(bound(other.across(vector)))
-    }
-}
-
-impl<P: Point> SegmentTree<P> {
-    fn new(points: &[P]) -> Self {
-        Self(vec![Segment::new(points_of(points), 0.0, 1.0)])
-    }
-
-    fn halves(&mut self, index: usize) -> [usize; 2] {
-        let segment = &self.0[index];
-        if segment.halves == 0 {
-            let (left, right) = Curve::from_slice(&segment.points).halve();
-            let (lo, mid, hi) = (segment.lo, segment.mid(), segment.hi);
-            self.0[index].halves = self.0.len();
-            self.0.push(Segment::new(left.points, lo, mid));
-            self.0.push(Segment::new(right.points, mid, hi));
-        }
-        let first = self.0[index].halves;
-        [first, first + 1]
-    }
-}
-
-/// An item with a lower bound; the smallest bound comes first in a heap.
-pub(crate) struct Apart<T> {
-    pub(crate) min: f64,
-    pub(crate) of: T,
-}
-
-pub(crate) type Heap<T> = BinaryHeap<Apart<T>>;
-
-impl<T> PartialEq for Apart<T> {
-    fn eq(&self, other: &Self) -> bool {
-        self.min == other.min
-    }
-}
-
-impl<T> Eq for Apart<T> {}
-
-impl<T> Ord for Apart<T> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.min.total_cmp(&self.min)
-    }
-}
-
-impl<T> PartialOrd for Apart<T> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
 /// The search for the minimum distance of two curves that are scaled to a size of about 1.
 struct Search<'a, P: Point> {
     a: CurveWithDerivatives<'a, P>,
@@ -256,7 +149,7 @@ impl<'a, P: Point> Search<'a, P> {
             SegmentTree::new(self.a.points),
             SegmentTree::new(self.b.points),
         );
-        let mut pairs = Heap::from([Apart {
+        let mut pairs = Heap::from([Bounded {
             min: 0.0,
             of: (0, 0),
         }]);
@@ -266,7 +159,7 @@ impl<'a, P: Point> Search<'a, P> {
                 return;
             }
             // The pair with the smallest lower bound; if it cannot improve the result, no pair can.
-            let Some(Apart { min, of: (i, j) }) = pairs.pop() else {
+            let Some(Bounded { min, of: (i, j) }) = pairs.pop() else {
                 return;
             };
             let (p, q) = (&left.0[i], &right.0[j]);
@@ -286,7 +179,7 @@ impl<'a, P: Point> Search<'a, P> {
                 }
                 let min = p.apart(q);
                 if self.may_improve(min) {
-                    pairs.push(Apart { min, of: (i, j) });
+                    pairs.push(Bounded { min, of: (i, j) });
                 }
             }
         }

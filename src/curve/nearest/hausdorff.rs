@@ -1,6 +1,6 @@
 //! Hausdorff distance of two curves.
 
-use super::distance::{Apart, Heap};
+use super::segment_tree::{Bounded, Heap};
 use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
@@ -146,13 +146,13 @@ fn farthest<P: Point>(
         to,
     };
     let mut segments = Heap::new();
-    segments.push(Apart {
+    segments.push(Bounded {
         min: -whole.max(&b_curve, straight),
         of: whole,
     });
     for _ in 0..MAX_LOCATIONS {
         // The segment with the largest upper bound; if it cannot increase the result, none can.
-        let Some(Apart { min, of: segment }) = segments.pop() else {
+        let Some(Bounded { min, of: segment }) = segments.pop() else {
             break;
         };
         if -min <= greatest * (1.0 + ACCURACY) + rounding {
@@ -175,7 +175,7 @@ fn farthest<P: Point>(
                 to: segment.to,
             },
         ] {
-            segments.push(Apart {
+            segments.push(Bounded {
                 min: -half.max(&b_curve, straight),
                 of: half,
             });

@@ -6,6 +6,7 @@
 
 pub(crate) mod distance;
 mod hausdorff;
+mod segment_tree;
 
 #[cfg(not(feature = "wasm"))]
 pub(crate) mod search;

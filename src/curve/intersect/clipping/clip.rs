@@ -5,7 +5,7 @@ use crate::numeric::order::range;
 
 /// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
 /// and Nishita.
-const WORTH_CLIPPING: f64 = 0.8;
+pub(super) const WORTH_CLIPPING: f64 = 0.8;
 
 /// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
 /// remaining part, 1 for all; `None` if nothing remains.

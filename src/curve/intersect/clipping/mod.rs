@@ -24,7 +24,9 @@ use clip::clip;
 use crossing::Crossing;
 use solver::SPLIT;
 
-/// If clipping leaves more than this part of both segments, they are halved instead.
+/// If clipping leaves more than this part of both segments, they are halved instead. Only the cost depends on it, but it
+/// must be below [`WORTH_CLIPPING`](clip::WORTH_CLIPPING): a clip that leaves more changes nothing, and repeating it
+/// would not end.
 const WORTH_GOING_ON: f64 = 0.6;
 
 impl<C: Coefficients> ClippingSolver<C> {

@@ -1,12 +1,10 @@
-//! Bindings of arc length, equidistant parameters, area, torsion and frames. Curves and splines are stored in the arena
-//! as in `curve` and `spline`.
+//! Bindings of arc length and its inverse. Curves and splines are stored in the arena as in `curve` and `spline`.
 
 use super::arena;
 use super::arena::Arena;
 use super::optional;
 use super::spline::spline;
 use crate::curve::Curve;
-use crate::curve::frames::Frame;
 use crate::geometry::error::Error;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -56,12 +54,6 @@ pub fn curve_equidistant_times(dimension: usize, count: usize, segments: usize) 
     })
 }
 
-/// The area that a plane curve sweeps.
-#[wasm_bindgen]
-pub fn curve_area(count: usize) -> f64 {
-    arena::with(|a| curve(a, 2, count).swept_area())
-}
-
 /// Writes the length; a tolerance of 0 stands for the default.
 #[wasm_bindgen]
 pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
@@ -95,54 +87,4 @@ pub fn spline_equidistant_times(dimension: usize, segments: usize) -> isize {
         let ts = spline(a, dimension).0.equidistant_times(segments)?;
         Ok(a.write_numbers(0, &ts))
     })
-}
-
-/// The area that a plane spline sweeps; for a closed spline, the enclosed area.
-#[wasm_bindgen]
-pub fn spline_area() -> f64 {
-    arena::with(|a| spline(a, 2).0.swept_area())
-}
-
-/// The torsion at t of a 3D curve.
-#[wasm_bindgen]
-pub fn curve_torsion(count: usize, t: f64) -> f64 {
-    arena::with(|a| curve(a, 3, count).torsion(t))
-}
-
-/// Arguments: `number` parameters after the points of a 3D curve, then, if `wanted`, a first normal. Writes all points,
-/// then all tangents, normals and binormals; returns the number of frames.
-#[wasm_bindgen]
-pub fn curve_frames(count: usize, number: usize, wanted: bool) -> isize {
-    arena::answer(|a| {
-        let (ts, normal) = wishes(a, 3 * count, number, wanted);
-        let frames = curve(a, 3, count).frames_at(&ts, normal)?;
-        Ok(write_frames(a, &frames))
-    })
-}
-
-/// `curve_frames` for a spline.
-#[wasm_bindgen]
-pub fn spline_frames(number: usize, wanted: bool) -> isize {
-    arena::answer(|a| {
-        let (spline, end) = spline(a, 3);
-        let (ts, normal) = wishes(a, end, number, wanted);
-        let frames = spline.frames_at(&ts, normal)?;
-        Ok(write_frames(a, &frames))
-    })
-}
-
-fn wishes(a: &Arena, at: usize, number: usize, wanted: bool) -> (Vec<f64>, Option<DVec3>) {
-    let normal = wanted.then(|| a.point_in_space(at + number, 3));
-    (a.numbers(at, number).to_vec(), normal)
-}
-
-fn write_frames(a: &mut Arena, frames: &[Frame]) -> usize {
-    let kinds: [fn(&Frame) -> DVec3; 4] =
-        [|f| f.point, |f| f.tangent, |f| f.normal, |f| f.binormal];
-    let mut at = 0;
-    for kind in kinds {
-        let vectors: Vec<DVec3> = frames.iter().map(kind).collect();
-        at = a.write_from_space(at, &vectors, 3);
-    }
-    frames.len()
 }

@@ -1,7 +1,8 @@
-//! Bindings of interpolating splines and B-splines. Results: a spline, as in `spline`.
+//! Bindings of interpolation, fitting and simplification, and of B-splines. Splines are stored in the arena as in `spline`.
 
 use super::arena;
-use super::spline::write;
+use super::spline::{changed, write};
+use crate::curve::Curve;
 use crate::spline::Spline;
 use glam::DVec3;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -35,4 +36,31 @@ pub fn spline_from_bspline(
         let spline = Spline::from_bspline(&points, degree, explicit_knots, closed)?;
         Ok(write(a, &spline, dimension))
     })
+}
+
+/// Arguments: points, followed by as many parameters or none. Writes the control points of the interpolating curve.
+#[wasm_bindgen]
+pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let ts = (number > 0).then(|| a.numbers(count * dimension, number));
+        let curve = Curve::interpolate(&points, ts)?;
+        Ok(a.write_from_space(0, curve.control_points(), dimension))
+    })
+}
+
+/// Arguments: sampled points. Writes the fitted spline.
+#[wasm_bindgen]
+pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let spline = Spline::fit(&points, tolerance, closed)?;
+        Ok(write(a, &spline, dimension))
+    })
+}
+
+/// Writes the simplified spline.
+#[wasm_bindgen]
+pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
+    changed(dimension, |_, spline, _| spline.simplify(tolerance))
 }

@@ -1,4 +1,4 @@
-//! Bindings of isocurves, wireframe meshes, and the subdivision of surfaces into flat parts for the tutorials.
+//! Bindings of isocurves and wireframe meshes.
 
 use super::arena;
 use super::decode_surface::surface;
@@ -33,18 +33,5 @@ pub fn surface_wireframe(lines: usize, size: f64, sides: usize) -> isize {
         };
         let mesh = surface(a)?.0.wireframe(&WireframeOptions { lines, wire })?;
         Ok(keep_mesh(mesh))
-    })
-}
-
-/// Writes for each part the index of its patch, u0, u1, v0, v1 and its four corners.
-#[wasm_bindgen]
-pub fn surface_subdivide(tolerance: f64) -> isize {
-    arena::answer(|a| {
-        let pieces = surface(a)?.0.subdivide(tolerance)?;
-        Ok(pieces.iter().fold(0, |at, piece| {
-            let numbers = [piece.patch as f64, piece.u0, piece.u1, piece.v0, piece.v1];
-            let at = a.write_numbers(at, &numbers);
-            a.write(at, &piece.corners)
-        }))
     })
 }
