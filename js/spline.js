@@ -253,8 +253,8 @@ export class Spline {
   }
 
   /**
-   * Rotation-minimising frames, as of a curve; round corners they turn with the tangent, the short way. The frames of a
-   * closed spline need not meet. 3D only.
+   * Rotation-minimising frames, as of a curve; round corners they turn with the tangent, the short way. Frames of a
+   * closed spline rotate evenly about the tangent, so that the last one equals the first. 3D only.
    *
    * @param {number | ArrayLike<number>} where a number of segments per curve, as for `sample`, or values of t
    * @param {FrameOptions} [options]
@@ -492,21 +492,24 @@ export class Spline {
 
   /**
    * A spline of few cubics along points in order (a stroke drawn by hand, a dense polyline): every point lies within the
-   * tolerance of it. Corners stay corners, the other joints are smooth; points that repeat count once.
+   * tolerance of it. Turns by more than `cornerAngle` stay corners; the other joints are smooth. Points that repeat count
+   * once.
    *
    * @param {PointsLike} points at least 2
    * @param {number} tolerance
-   * @param {{ closed?: boolean, dimension?: 2 | 3 }} [options] `closed`: lead back from the last point to the first
+   * @param {{ closed?: boolean, cornerAngle?: number, dimension?: 2 | 3 }} [options] `closed`: lead back from the last
+   *   point to the first; `cornerAngle`: the smallest turn, in radians, that is a corner (π/5 by default, at most π)
    * @returns {Spline}
    */
   static fit(points, tolerance, options) {
-    const { closed = false, dimension: wanted } = check.options(options);
+    const { closed = false, cornerAngle, dimension: wanted } = check.options(options);
     const { flat, dimension } = flatten(points, wanted, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     load(flat);
-    const spline = takeSpline(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
+    const spline = takeSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, Boolean(closed)), dimension);
     trim();
     return spline;
   }

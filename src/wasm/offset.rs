@@ -81,12 +81,18 @@ pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize
     })
 }
 
-/// Arguments: sampled points. Writes the fitted spline.
+/// Arguments: sampled points. Writes the fitted spline; a corner angle of 0 stands for the default.
 #[wasm_bindgen]
-pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
+pub fn spline_fit(
+    dimension: usize,
+    count: usize,
+    tolerance: f64,
+    corner_angle: f64,
+    closed: bool,
+) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let spline = Spline::fit(&points, tolerance, closed)?;
+        let spline = Spline::fit(&points, tolerance, optional(corner_angle), closed)?;
         Ok(crate::wasm::spline::write(a, &spline, dimension))
     })
 }
