@@ -162,9 +162,9 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
             continue;
         };
         let to = from.max(percentage);
-        for i in known + 1..=k {
-            let share = (i - known) as f64 / (k - known) as f64;
-            stops[i][0] = from * (1.0 - share) + to * share;
+        for (i, stop) in stops[known + 1..=k].iter_mut().enumerate() {
+            let share = (i + 1) as f64 / (k - known) as f64;
+            stop[0] = from * (1.0 - share) + to * share;
         }
         (known, from) = (k, to);
     }

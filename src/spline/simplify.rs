@@ -57,17 +57,18 @@ impl<P: Point> Spline<P> {
         let fit_samples = FitSamples {
             lengths: chord_lengths(&points),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
+            joints: points.clone(),
             points,
             criteria: FitCriteria {
                 tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * scale,
                 between: true,
             },
         };
-        let cubics = covered(fit_samples, &tangents, &corners);
+        let cubics = fit_samples.cover_all(&tangents, &corners);
         if plain && cubics.len() >= self.segment_count() {
             return Ok(self.clone());
         }
-        Ok(assemble(&kept, scale, &cubics, self.closed))
+        Ok(assemble(&kept, scale, &cubics, self.closed, |k| kept[k]))
     }
 
     /// The distinct vertices of a polyline, the tangents before and after each vertex, and the indices of corners and
@@ -134,19 +135,4 @@ impl<P: Point> Spline<P> {
         }
         Self::from_curves(&cubics, self.closed)
     }
-}
-
-/// The fitted cubics from corner to corner; at a corner each cubic uses the tangent of its own side.
-fn covered<P: Point>(
-    mut fit_samples: FitSamples<P>,
-    tangents: &[[P; 2]],
-    corners: &[usize],
-) -> Vec<(usize, [P; 2])> {
-    let mut cubics = Vec::new();
-    for pair in corners.windows(2) {
-        fit_samples.tangents[pair[0]] = tangents[pair[0]][1];
-        fit_samples.tangents[pair[1]] = tangents[pair[1]][0];
-        fit_samples.cover(pair[0], pair[1], &mut cubics);
-    }
-    cubics
 }

@@ -1,6 +1,7 @@
 //! Bindings of interpolation, fitting and simplification, and of B-splines. Splines are stored in the arena as in `spline`.
 
 use super::arena;
+use super::optional;
 use super::spline::{changed, write};
 use crate::curve::Curve;
 use crate::spline::Spline;
@@ -49,12 +50,18 @@ pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize
     })
 }
 
-/// Arguments: sampled points. Writes the fitted spline.
+/// Arguments: sampled points. Writes the fitted spline; a corner angle of 0 stands for the default.
 #[wasm_bindgen]
-pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
+pub fn spline_fit(
+    dimension: usize,
+    count: usize,
+    tolerance: f64,
+    corner_angle: f64,
+    closed: bool,
+) -> isize {
     arena::answer(|a| {
         let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let spline = Spline::fit(&points, tolerance, closed)?;
+        let spline = Spline::fit(&points, tolerance, optional(corner_angle), closed)?;
         Ok(write(a, &spline, dimension))
     })
 }

@@ -4,8 +4,8 @@ use crate::common::adversarial::{self, Kind, ORDINARY};
 use crate::common::{Rng, curve, integral, plane, real, to_3d};
 use crate::thorough;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::take_steps;
 use casteljau::{Curve, Point, Spline};
-use casteljau_kernels::take_steps;
 
 fn length<P: Point>(curve: &Curve<P>) -> f64 {
     curve.length(None).expect("no tolerance, no error")

@@ -99,24 +99,25 @@ export class Spline extends SplineMeasures {
 
   /**
    * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
-   * distance of every point from the spline is at most the tolerance. Corners are kept, the other joints are smooth;
-   * consecutive equal points count once.
+   * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
+   * other joints are smooth; consecutive equal points count once.
    *
    * @template {2 | 3} [D=2 | 3]
    * @param {PointArrays<D> | PointsLike} points at least 2
    * @param {number} tolerance
-   * @param {{ closed?: boolean, dimension?: D }} [options] `closed`: whether to continue from the last point to the
-   *   first
+   * @param {{ closed?: boolean, cornerAngle?: number, dimension?: D }} [options] `closed`: whether to continue from the
+   *   last point to the first; `cornerAngle`: the smallest turn, in radians, that is a corner (π/5 by default, at most π)
    * @returns {Spline<D>}
    */
   static fit(points, tolerance, options) {
-    const { closed = false, dimension: requested } = check.options(options);
+    const { closed = false, cornerAngle, dimension: requested } = check.options(options);
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
+    const spline = readSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, Boolean(closed)), dimension);
     releaseMemory();
     return /** @type {Spline<D>} */ (spline);
   }

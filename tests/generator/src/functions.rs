@@ -76,7 +76,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Spline::from_json(spline)",
     "Spline::to_json(spline)",
     "Spline::interpolate(points: many points, kind: interpolation, alpha: unit, closed)",
-    "Spline::fit(points: stroke, tolerance: coarse tolerance, closed)",
+    "Spline::fit(points: stroke, tolerance: coarse tolerance, corner_angle: optional unit, closed)",
     "Spline::control_points(spline)",
     "Spline::dimension(spline)",
     "Spline::is_closed(spline)",

@@ -108,7 +108,7 @@ const SPLINE = {
   "Spline.toJSON": (a) => a.spline.toJSON(),
   "Spline.interpolate": (a) =>
     Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
-  "Spline.fit": (a) => Spline.fit(a.points, a.tolerance, { closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.fit": (a) => Spline.fit(a.points, a.tolerance, { cornerAngle: a.corner_angle, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.controlPoints": (a) => a.spline.controlPoints(),
   "Spline.dimension": (a) => a.spline.dimension,
   "Spline.closed": (a) => a.spline.closed,
