@@ -17,7 +17,7 @@ after(fixture.remove);
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
   const expected = [
-    /^dist\/(index|easing|slim|casteljau\.global|applet|bezier-app|elements(-(shared(-\d)?|surface|applet|companions))?)\.js(\.map)?$/,
+    /^dist\/(index|core|surfaces|easing|slim|casteljau\.global|applet|bezier-app|elements(-(shared(-\d)?|surface|applet|companions))?)\.js(\.map)?$/,
     /^dist\/(casteljau\.wasm|custom-elements\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,
     /^(package\.json|README\.md|docs\/applet\.png|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/,
   ];

@@ -29,6 +29,10 @@ fn bindings() -> Result<()> {
         "curves-bytes.js",
         "surfaces.wasm",
         "surfaces-bytes.js",
+        "core.wasm",
+        "core-bytes.js",
+        "core-surfaces.wasm",
+        "core-surfaces-bytes.js",
         "applet.wasm",
         "applet-bytes.js",
         "functions.d.ts",
@@ -92,11 +96,13 @@ fn bundles() -> Result<()> {
         .map(|name| root.join(name)),
     );
     let others = [
-        "easing.js",
+        "core.js",
+        "surfaces.js",
         "slim.js",
-        "casteljau.global.js",
         "casteljau.wasm",
         "custom-elements.json",
+        "easing.js",
+        "casteljau.global.js",
         "THIRD-PARTY-NOTICES.txt",
     ];
     let outputs: Vec<PathBuf> = SITE_SCRIPTS
@@ -135,6 +141,8 @@ fn types() -> Result<()> {
     inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
     let outputs = [
         root.join("dist/types/index.d.ts"),
+        root.join("dist/types/core.d.ts"),
+        root.join("dist/types/surfaces.d.ts"),
         root.join("dist/types/easing.d.ts"),
         root.join("dist/types/applet/classic.d.ts"),
     ];
