@@ -55,6 +55,11 @@ test("timeAtLength: the results of the core, inside, at joints, and outside", ()
   }
 });
 
+test("timeAtLength: a joint where a segment has no length is its end", () => {
+  const spline = new Spline([0, 0, 3, 0, 3, 0, 3, 4], { degree: 1 });
+  assert.deepEqual([spline.timeAtLength(3), spline.timeAtLength(1.5), spline.timeAtLength(5)], [2, 0.5, 2.5]);
+});
+
 test("timeAtLength: after the first call the core examines one segment, and is not passed the spline", () => {
   const spline = waves(false);
   spline.timeAtLength(10);
@@ -115,6 +120,15 @@ test("nearest: the results of the core, with the boxes computed once", () => {
       assert.deepEqual([found.t, found.distance, ...Object.values(found.point)], [t, distance, ...nearest]);
     }
   }
+});
+
+test("nearest: far points, and of two points at the same distance the first", () => {
+  const large = new Spline([0, 0, 1e200, 0, 1e200, 1e200], { degree: 1 });
+  assert.deepEqual(large.nearest([1e200, 2e200]), { t: 2, point: { x: 1e200, y: 1e200 }, distance: 1e200 });
+  // y = 2 from x = −5 to 5, then back on (−10u, 16u² − 2), whose box contains the origin
+  const both = Spline.fromJSON({ points: [-5, 2, 5, 2, 0, -6, -5, 2], degrees: [1, 2], closed: false, dimension: 2 });
+  assert.deepEqual(both.subsegment(1, 2).nearest([0, 0]), { t: 0.5, point: { x: 0, y: -2 }, distance: 2 });
+  assert.deepEqual(both.nearest([0, 0]), { t: 0.5, point: { x: 0, y: 2 }, distance: 2 });
 });
 
 test("nearest examines only the segments whose boxes may be nearer", () => {
