@@ -23,17 +23,28 @@ const withoutBytes = {
   },
 };
 
-/**
- * Replaces the module of curves by one with only the functions that the applet calls: the classic script exports no
- * curves.
- */
-const appletModule = {
-  name: "applet-module",
+/** Makes a bundle use other modules of js/glue: `{ curves: "core" }` uses the module core for curves. */
+const useModules = (replacements) => ({
+  name: "use-modules",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, async ({ path }) => {
-      const contents = (await readFile(path, "utf8")).replaceAll("../glue/curves", "../glue/applet");
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, async ({ path }) => {
+      const name = path.match(/(\w+)-module\.js$/)[1];
+      if (!replacements[name]) return undefined;
+      const contents = (await readFile(path, "utf8")).replaceAll(`../glue/${name}`, `../glue/${replacements[name]}`);
       return { contents, resolveDir: resolve(sources, "wasm") };
     });
+  },
+});
+
+/** Makes the bundle of casteljau/surfaces use one module for surfaces and curves. */
+const coreSurfaces = {
+  name: "core-surfaces",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, () => ({
+      contents: `export { surfacesModule as curvesModule } from "./surfaces-module.js";`,
+      resolveDir: resolve(sources, "wasm"),
+    }));
+    useModules({ surfaces: "core-surfaces" }).setup(build);
   },
 };
 
@@ -119,8 +130,14 @@ const oldParts = (await readdir("dist").catch(() => [])).filter((name) => /^elem
 await Promise.all(oldParts.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   bundle("index.js", "index.js"),
+  bundle("core.js", "core.js", { plugins: [useModules({ curves: "core" })] }),
+  bundle("surfaces.js", "surfaces.js", { plugins: [coreSurfaces] }),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
   bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
   elements(),
-  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletModule] }),
+  bundle("applet/classic.js", "bezier-app.js", {
+    format: "iife",
+    minify: true,
+    plugins: [useModules({ curves: "applet" })],
+  }),
 ]);

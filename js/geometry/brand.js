@@ -1,6 +1,6 @@
-// How curves and splines of one copy of this package are recognised by another copy: each entry point is a bundle with
-// its own classes, so that `instanceof` does not answer that question. Both kinds have the two members of `Branded`,
-// whose names are strings because bundlers keep an unused class that has a computed name.
+// How curves, splines, paths, patches and surfaces of one copy of this package are recognised by another copy: each entry point
+// is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
+// of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
 import { describe } from "./check.js";
 
 /**
@@ -11,17 +11,30 @@ import { describe } from "./check.js";
  */
 
 /**
+ * The data of a patch: its net and its degrees.
+ *
  * @internal
- * @typedef {{ readonly casteljauType: "curve" | "spline", casteljauData(): SplineData }} Branded
+ * @typedef {{ flat: Float64Array, degreeU: number, degreeV: number }} PatchData
+ */
+
+/**
+ * @internal
+ * @typedef {"curve" | "spline" | "path" | "patch" | "surface"} BrandedType
+ */
+
+/**
+ * @internal
+ * @template T
+ * @typedef {{ readonly casteljauType: BrandedType, casteljauData(): T }} Branded
  */
 
 /**
  * @internal
  * @param {unknown} value
- * @returns {"curve" | "spline" | undefined} undefined for any other value
+ * @returns {BrandedType | undefined} undefined for any other value
  */
 export function typeOf(value) {
-  return /** @type {Partial<Branded> | null | undefined} */ (value)?.casteljauType;
+  return /** @type {Partial<Branded<unknown>> | null | undefined} */ (value)?.casteljauType;
 }
 
 /**
@@ -62,13 +75,36 @@ export function onlySplineData(value, name) {
 }
 
 /**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array} see `packed-path.js`
+ * @throws {TypeError} for anything but a path
+ */
+export function pathData(value, name) {
+  return dataOf(value, name, typeOf(value) === "path", "a Path");
+}
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {PatchData}
+ * @throws {TypeError} for anything but a patch
+ */
+export function patchData(value, name) {
+  return dataOf(value, name, typeOf(value) === "patch", "a Patch");
+}
+
+/**
+ * @template T
  * @param {unknown} value
  * @param {string} name
  * @param {boolean} isExpected
  * @param {string} expected
- * @returns {SplineData}
+ * @returns {T}
  */
 function dataOf(value, name, isExpected, expected) {
-  if (isExpected) return /** @type {Branded} */ (value).casteljauData();
+  if (isExpected) return /** @type {Branded<T>} */ (value).casteljauData();
   throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
 }

@@ -1,4 +1,4 @@
-import { splineData } from "./brand.js";
+import { pathData, splineData, typeOf } from "./brand.js";
 import * as check from "./check.js";
 import { core } from "../wasm/init.js";
 import { extents, packedSplines } from "../wasm/packed-path.js";
@@ -136,7 +136,7 @@ export class Path {
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
-    const [a, b] = [this.#packed, asPath(other).#packed];
+    const [a, b] = [this.#packed, pathData(other, "other")];
     samePoints(new Float64Array(0), new Float64Array(0), 2, tolerance); // checks the tolerance
     if (a.length !== b.length || a[0] !== b[0]) return false;
     for (const { degrees, points, end } of extents(a)) {
@@ -214,10 +214,12 @@ export class Path {
    * @returns {PathIntersection[]}
    */
   intersections(other) {
-    const isPath = typeof other === "object" && other !== null && #packed in other;
+    const isPath = typeOf(other) === "path";
     return intersectPaths(
       this.#packed,
-      isPath ? other.#packed : packedSplines([checkedSplineData(other, "other", "a Path, a Spline or a Curve")]),
+      isPath
+        ? pathData(other, "other")
+        : packedSplines([checkedSplineData(other, "other", "a Path, a Spline or a Curve")]),
     );
   }
 
@@ -369,6 +371,24 @@ export class Path {
     const numbers = readResult(0, core().path_bounds(exact));
     return numbers.length ? boxAt(numbers, 2) : null;
   }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"path"}
+   */
+  get casteljauType() {
+    return "path";
+  }
+
+  /**
+   * @internal
+   * @returns {Float64Array}
+   */
+  casteljauData() {
+    return this.#packed;
+  }
 }
 
 /** A packed path that is already checked: the constructor accepts it from inside the package. */
@@ -379,14 +399,9 @@ class CheckedPath {
   }
 }
 
-/** @param {unknown} other */
-function asPath(other) {
-  return check.instanceOf(other, "other", Path); // outside of the class, see curve.js
-}
-
 /** @param {Float64Array} packed */
 function pathOf(packed) {
-  return new Path(/** @type {any} */ (new CheckedPath(packed)));
+  return new Path(/** @type {any} */ (new CheckedPath(packed))); // outside of the class, see curve.js
 }
 
 /**

@@ -3,7 +3,7 @@ import { quote, Reader, syntaxError } from "./text-reader.js";
 import { formatNumber } from "./format-number.js";
 
 /**
- * @import { Network } from "../geometry/surface.js"
+ * @import { Network } from "../geometry/surface/network.js"
  */
 
 /** The length of the shortest vertex, `0 0 0` and a line break. */

@@ -15,7 +15,7 @@ after(fixture.remove);
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
   const expected =
-    /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+    /^(dist\/((index|core|surfaces|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
   assert.deepEqual(
     names.filter((name) => !expected.test(name)),
     [],
@@ -25,6 +25,8 @@ test("the tarball holds dist and the texts, nothing else", async () => {
 test("no file of the tarball names a folder of the machine that built it", async () => {
   const names = [
     "index.js",
+    "core.js",
+    "surfaces.js",
     "slim.js",
     "applet.js",
     "elements.js",

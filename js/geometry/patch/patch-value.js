@@ -1,0 +1,259 @@
+import { basisNumbers } from "../basis.js";
+import { patchData } from "../brand.js";
+import * as check from "../check.js";
+import { flatten, nested, samePoints, writePoint } from "../points.js";
+import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
+import { CheckedPoints } from "../../wasm/transfer.js";
+
+/**
+ * @import { BasisLike } from "../basis.js"
+ * @import { PatchData } from "../brand.js"
+ * @import { MatrixLike, PointLike, PointsLike } from "../check.js"
+ */
+
+/**
+ * What `Patch.toJSON` returns; `Patch.fromJSON` also reads other forms of points.
+ *
+ * @typedef {{ net: PointsLike, degreeU?: number, degreeV?: number }} PatchJSON
+ */
+
+/**
+ * The net of a patch: splitting and other changes of it. The members with an underscore are for the classes that extend
+ * this one, see `CurveValue`.
+ */
+export class PatchValue {
+  /** @type {Float64Array} */
+  #flat;
+  /** @type {number} */
+  #degreeU;
+  /** @type {number} */
+  #degreeV;
+
+  /**
+   * @param {PointsLike} net (degreeU + 1)·(degreeV + 1) control points; a flat array holds three numbers each
+   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @throws {RangeError} for a wrong count, a NaN or an infinity
+   */
+  constructor(net, options) {
+    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
+    this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
+    const checked = /** @type {unknown} */ (net);
+    this.#flat = checked instanceof CheckedPoints ? checked.flat : flatten(net, 3, 3, "net").flat;
+    const [count, needed] = [this.#flat.length / 3, (degreeU + 1) * (degreeV + 1)];
+    if (count !== needed) {
+      throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
+    }
+  }
+
+  /** The degree in u. */
+  get degreeU() {
+    return this.#degreeU;
+  }
+
+  /** The degree in v. */
+  get degreeV() {
+    return this.#degreeV;
+  }
+
+  /**
+   * @returns {Float64Array} a copy of the coordinates of the net
+   */
+  controlPoints() {
+    return this.#flat.slice();
+  }
+
+  /**
+   * Whether both have the same degrees and each control point lies within a distance of its counterpart.
+   *
+   * @param {PatchValue} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const { flat, degreeU } = patchData(other, "other");
+    return this.#degreeU === degreeU && samePoints(this.#flat, flat, 3, tolerance);
+  }
+
+  /**
+   * Splits the patch at u into two.
+   *
+   * @param {number} u
+   * @returns {[this, this]}
+   */
+  splitU(u) {
+    return this.#split(true, check.finite(u, "u"));
+  }
+
+  /**
+   * Splits the patch at v into two.
+   *
+   * @param {number} v
+   * @returns {[this, this]}
+   */
+  splitV(v) {
+    return this.#split(false, check.finite(v, "v"));
+  }
+
+  /**
+   * Splits the patch at (u, v) into four: before both, after u, after v, after both.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {[this, this, this, this]}
+   */
+  split(u, v) {
+    check.finite(u, "u");
+    const [below, above] = this.splitV(v);
+    return [...below.splitU(u), ...above.splitU(u)];
+  }
+
+  /**
+   * The same patch with both degrees raised by one.
+   *
+   * @returns {this}
+   * @throws {RangeError} at degree 64
+   */
+  elevate() {
+    writeArguments(this.#flat);
+    const length = core().patch_elevate(this.#degreeU, this.#degreeV);
+    return this._patchOf(readResult(0, length), this.#degreeU + 1, this.#degreeV + 1);
+  }
+
+  /**
+   * The patch transformed by an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {this}
+   */
+  transform(matrix) {
+    writeArguments(this.#flat, 12).set(check.affine(matrix), this.#flat.length);
+    core().points_transform(3, this.#flat.length / 3);
+    return this.#withNet(readResult(0, this.#flat.length));
+  }
+
+  /**
+   * The patch with one control point moved.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @returns {this}
+   */
+  movePoint(index, to) {
+    check.whole(index, "index", 0, this.#flat.length / 3 - 1);
+    const flat = this.#flat.slice();
+    writePoint(flat, 3 * index, to, 3, "to");
+    return this.#withNet(flat);
+  }
+
+  /**
+   * @returns {{ net: number[][], degreeU: number, degreeV: number }}
+   */
+  toJSON() {
+    return { net: nested(this.#flat, 3), degreeU: this.#degreeU, degreeV: this.#degreeV };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"patch"}
+   */
+  get casteljauType() {
+    return "patch";
+  }
+
+  /**
+   * @internal
+   * @returns {PatchData}
+   */
+  casteljauData() {
+    return { flat: this.#flat, degreeU: this.#degreeU, degreeV: this.#degreeV };
+  }
+
+  /**
+   * The coordinates of the net, not copied.
+   *
+   * @internal
+   */
+  get _flat() {
+    return this.#flat;
+  }
+
+  /**
+   * A patch of the same class. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {Float64Array} flat
+   * @param {number} degreeU
+   * @param {number} degreeV
+   * @returns {this}
+   */
+  _patchOf(flat, degreeU, degreeV) {
+    throw new TypeError(`expected a class that makes ${degreeU} × ${degreeV} patches of ${flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the net to the arena.
+   *
+   * @param {number} u
+   * @param {number} v
+   * @returns {[number, number, number, number]} the arguments of the core's functions of (u, v)
+   */
+  _writeAt(u, v) {
+    check.finite(u, "u");
+    check.finite(v, "v");
+    writeArguments(this.#flat);
+    return [this.#degreeU, this.#degreeV, u, v];
+  }
+
+  /**
+   * @param {Float64Array} flat
+   */
+  #withNet(flat) {
+    return this._patchOf(flat, this.#degreeU, this.#degreeV);
+  }
+
+  /**
+   * @param {boolean} alongU
+   * @param {number} at
+   * @returns {[this, this]}
+   */
+  #split(alongU, at) {
+    writeArguments(this.#flat);
+    core().patch_split(this.#degreeU, this.#degreeV, alongU, at);
+    const n = this.#flat.length;
+    return [this.#withNet(readResult(0, n)), this.#withNet(readResult(n, 2 * n))];
+  }
+}
+
+/**
+ * The net of a patch in another basis.
+ *
+ * @internal
+ * @param {BasisLike} basis
+ * @param {PointsLike} net
+ * @returns {Float64Array}
+ */
+export function netInBasis(basis, net) {
+  const matrix = basisNumbers(basis);
+  const { flat } = flatten(net, 3, 3, "net");
+  if (flat.length !== 48) throw new RangeError(`net: expected 16 points, got ${flat.length / 3}`);
+  writeArguments(flat, 16).set(matrix, 48);
+  return readResult(0, core().patch_from_basis());
+}
+
+/**
+ * The arguments of the constructor for a patch in JSON.
+ *
+ * @internal
+ * @param {PatchJSON} json
+ * @returns {[PointsLike, { degreeU?: number, degreeV?: number }]}
+ */
+export function patchArguments(json) {
+  if (typeof json !== "object" || json === null) {
+    throw new TypeError(`json: expected an object with net, got ${check.describe(json)}`);
+  }
+  return [json.net, { degreeU: json.degreeU, degreeV: json.degreeV }];
+}
