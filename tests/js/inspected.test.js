@@ -31,7 +31,7 @@ test("console.log shows the points inside of other values, down to the depth of 
 });
 
 test("{ easing } is bundled without the classes of curves", async () => {
-  const contents = `import { easing } from "./js/index.js"; globalThis.used = easing;`;
+  const contents = `import { easing } from "./dist/index.js"; globalThis.used = easing;`;
   const { outputFiles } = await build({
     stdin: { contents, resolveDir: root },
     bundle: true,

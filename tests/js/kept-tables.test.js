@@ -1,7 +1,7 @@
 // What splines keep between calls: the results are those of the core, and repeated queries ask the core less.
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
-import { Spline } from "../../js/index.js";
+import { Path, Spline } from "../../js/index.js";
 import { curvesModule } from "../../js/wasm/curves-module.js";
 import { core } from "../../js/wasm/init.js";
 import { readResult } from "../../js/wasm/transfer.js";
@@ -44,6 +44,15 @@ function fromCore(spline, name, ...args) {
   return readResult(0, core()[name](spline._write(), ...args));
 }
 
+/** The first of the nearest points of all segments. */
+function nearestOfAll(spline, p) {
+  const found = spline.segments().map((segment, k) => {
+    const { t, ...rest } = segment.nearest(p);
+    return { t: k + t, ...rest };
+  });
+  return found.reduce((best, other) => (other.distance < best.distance ? other : best));
+}
+
 test("timeAtLength: the results of the core, inside, at joints, and outside", () => {
   for (const spline of [waves(false), waves(true), waves(false, 3), mixed()]) {
     const length = spline.length();
@@ -53,6 +62,11 @@ test("timeAtLength: the results of the core, inside, at joints, and outside", ()
       assert.equal(spline.timeAtLength(s), fromCore(spline, "spline_time_at_length", s, 0)[0], `s = ${s}`);
     }
   }
+});
+
+test("timeAtLength: a joint where a segment has no length is its end", () => {
+  const spline = new Spline([0, 0, 3, 0, 3, 0, 3, 4], { degree: 1 });
+  assert.deepEqual([spline.timeAtLength(3), spline.timeAtLength(1.5), spline.timeAtLength(5)], [2, 0.5, 2.5]);
 });
 
 test("timeAtLength: after the first call the core examines one segment, and is not passed the spline", () => {
@@ -98,7 +112,7 @@ test("equidistantTimes: the results of the core for few and for many arcs", () =
   assert.deepEqual([...point.equidistantTimes(2)], [0, 1.5, 3]);
 });
 
-test("nearest: the results of the core, with the boxes computed once", () => {
+test("nearest: the results of the segments and of the core", () => {
   for (const spline of [waves(false), waves(true), waves(false, 3), mixed()]) {
     for (const p of [
       [0, 0, 0],
@@ -109,26 +123,34 @@ test("nearest: the results of the core, with the boxes computed once", () => {
       [2, 12, 0],
     ]) {
       const point = p.slice(0, spline.dimension);
-      core().spline_nearest(spline._write(Float64Array.from(point)));
-      const [t, distance, ...nearest] = readResult(0, 2 + spline.dimension);
       const found = spline.nearest(point);
-      assert.deepEqual([found.t, found.distance, ...Object.values(found.point)], [t, distance, ...nearest]);
+      assert.deepEqual(found, nearestOfAll(spline, point));
+      if (spline.dimension === 3) continue;
+      const { subpath, ...onPath } = new Path([spline]).nearest(point); // which keeps nothing
+      assert.deepEqual([subpath, found], [0, onPath]);
     }
   }
+});
+
+test("nearest: far points, and of two points at the same distance the first", () => {
+  const large = new Spline([0, 0, 1e200, 0, 1e200, 1e200], { degree: 1 });
+  assert.deepEqual(large.nearest([1e200, 2e200]), { t: 2, point: { x: 1e200, y: 1e200 }, distance: 1e200 });
+  // y = 2 from x = −5 to 5, then back on (−10u, 16u² − 2), whose box contains the origin
+  const both = Spline.fromJSON({ points: [-5, 2, 5, 2, 0, -6, -5, 2], degrees: [1, 2], closed: false, dimension: 2 });
+  assert.deepEqual(both.subsegment(1, 2).nearest([0, 0]), { t: 0.5, point: { x: 0, y: -2 }, distance: 2 });
+  assert.deepEqual(both.nearest([0, 0]), { t: 0.5, point: { x: 0, y: 2 }, distance: 2 });
 });
 
 test("nearest examines only the segments whose boxes may be nearer", () => {
   const spline = waves(false);
   spline.nearest([1000, 80]);
   assert.ok(called("curve_nearest")[0] < 100, `${called("curve_nearest")}`);
-  assert.deepEqual(called("spline_nearest"), [0]);
 });
 
 test("eval: the results of the core, of every degree, inside and outside", () => {
   for (const spline of [waves(true), waves(false, 3), mixed()]) {
     for (const t of [-0.5, 0, 0.3, 1, 2.75, 4.9, spline.segmentCount, spline.segmentCount + 0.25]) {
-      core().spline_eval(spline._write(), t);
-      assert.deepEqual(Object.values(spline.eval(t)), [...readResult(0, spline.dimension)], `t = ${t}`);
+      assert.deepEqual(Object.values(spline.eval(t)), [...spline.evalAt([t])], `t = ${t}`);
     }
   }
 });

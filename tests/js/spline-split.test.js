@@ -120,7 +120,7 @@ test("parts in 3D keep their dimension", () => {
 
 test("hull: the corners counter-clockwise, of more points than a curve can have", () => {
   const square = [];
-  for (let i = 0; i < 50; i++) square.push([i, 0], [50, i], [50 - i, 50], [0, 50 - i], [25, 25]);
+  for (let i = 49; i >= 0; i--) square.push([25, 25], [50, i], [50 - i, 50], [0, 50 - i], [i, 0]);
   const hull = pairs(new Spline(square, { degree: 1 }).hull());
   const smallest = hull.findIndex(([x, y]) => x === 0 && y === 0);
   assert.deepEqual(

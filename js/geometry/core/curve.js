@@ -7,6 +7,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
  * @import { BasisLike } from "../basis.js"
  * @import { PointsLike } from "../check.js"
  * @import { CurveJSON } from "../curve/curve-value.js"
+ * @import { PointArrays } from "../points.js"
  */
 
 /**
@@ -17,18 +18,25 @@ import { CheckedPoints } from "../../wasm/transfer.js";
  *
  *     const curve = new Curve([[0, 0], [1, 2], [2, 0]]);
  *     curve.eval(0.5); // { x: 1, y: 1 }
+ *
+ * In TypeScript, `Curve<2>` and `Curve<3>` have points `{x, y}` and `{x, y, z}`. The dimension is inferred from points
+ * that are arrays, and from the option `dimension`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CoreCurve<D>}
  */
 export class Curve extends CoreCurve {
   /**
    * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
    *
+   * @template {2 | 3} [D=2 | 3]
    * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
-   * @param {PointsLike} points four points
-   * @param {{ dimension?: 2 | 3 }} [options]
-   * @returns {Curve}
+   * @param {PointArrays<D> | PointsLike} points four points
+   * @param {{ dimension?: D }} [options]
+   * @returns {Curve<D>}
    */
   static fromBasis(basis, points, options) {
-    return curveOf(pointsInBasis(basis, points, options));
+    return /** @type {Curve<D>} */ (curveOf(pointsInBasis(basis, points, options)));
   }
 
   /**

@@ -16,20 +16,24 @@ import { CheckedPoints } from "../../wasm/transfer.js";
  *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
  *     spline.continuity(1).c1; // true
  *
- * @extends {CoreSpline<Curve>}
+ * In TypeScript, `Spline<2>` and `Spline<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CoreSpline<D, Curve<D>>}
  */
 export class Spline extends CoreSpline {
   /**
    * The spline of consecutive curves, whose degrees may differ.
    *
-   * @param {readonly CoreCurve[]} curves
+   * @template {2 | 3} [D=2 | 3]
+   * @param {readonly CoreCurve<D>[]} curves
    * @param {{ closed?: boolean }} [options]
-   * @returns {Spline}
+   * @returns {Spline<D>}
    * @throws {RangeError} if a curve does not start at the end of the previous one
    */
   static fromCurves(curves, options) {
     const { length, dimension } = joinCurves(curves, options);
-    return splineOf(readSplineData(length, dimension));
+    return /** @type {Spline<D>} */ (splineOf(readSplineData(length, dimension)));
   }
 
   /**
@@ -44,10 +48,10 @@ export class Spline extends CoreSpline {
    * @internal
    * @override
    * @param {Float64Array} flat
-   * @returns {Curve}
+   * @returns {Curve<D>}
    */
   _curveOf(flat) {
-    return curveOf(new CheckedPoints(flat, this.dimension));
+    return /** @type {Curve<D>} */ (curveOf(new CheckedPoints(flat, this.dimension)));
   }
 
   /**

@@ -1,5 +1,6 @@
 // Compiled by tests/js/types.test.js: TypeScript knows the dimension of curves and splines.
 import { Curve, Spline } from "casteljau";
+import * as core from "casteljau/core";
 
 type Same<A, B> = (<T>() => T extends A ? 1 : 2) extends <T>() => T extends B ? 1 : 2 ? true : false;
 const expectTrue = <_T extends true>(): void => {};
@@ -81,6 +82,18 @@ export const depth: number = spaceSpline.pointAtLength(1).point.z + spaceSpline.
 export const splines: Spline[] = [spline, spaceSpline];
 // @ts-expect-error: no z in the plane
 spline.tangent(0).z;
+
+// The classes of casteljau/core have the same types, and are accepted by the other classes.
+const coreCurve = new core.Curve([
+  [0, 0],
+  [1, 1],
+]);
+const coreSpline = core.Spline.fromCurves([new core.Curve(new Float64Array(6), { dimension: 3 })]);
+expectTrue<Same<typeof coreCurve, core.Curve<2>>>();
+expectTrue<Same<typeof coreSpline, core.Spline<3>>>();
+export const corePart: core.Spline<3> = coreSpline.split(0.5)[0];
+export const corePoints: Plane[] = [coreCurve.eval(0), coreCurve.tangent(0)];
+export const meetings: number = inPlane.intersections(coreCurve).length;
 
 // @ts-expect-error: a curve is made of points
 new Curve(7);
