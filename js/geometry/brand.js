@@ -1,6 +1,6 @@
-// How curves and splines of one copy of this package are recognised by another copy: each entry point is a bundle with
-// its own classes, so that `instanceof` does not answer that question. Both kinds have the two members of `Branded`,
-// whose names are strings because bundlers keep an unused class that has a computed name.
+// How curves, splines and paths of one copy of this package are recognised by another copy: each entry point is a bundle with
+// its own classes, so that `instanceof` does not answer that question. Curves and splines have the
+// two members of `Branded`, paths those of `BrandedPath`; the names are strings because bundlers keep an unused class that has a computed name.
 import { describe } from "./check.js";
 
 /**
@@ -16,12 +16,19 @@ import { describe } from "./check.js";
  */
 
 /**
+ * The packed path is described in `packed-path.js`.
+ *
+ * @internal
+ * @typedef {{ readonly casteljauType: "path", casteljauPacked(): Float64Array }} BrandedPath
+ */
+
+/**
  * @internal
  * @param {unknown} value
- * @returns {"curve" | "spline" | undefined} undefined for any other value
+ * @returns {"curve" | "spline" | "path" | undefined} undefined for any other value
  */
 export function typeOf(value) {
-  return /** @type {Partial<Branded> | null | undefined} */ (value)?.casteljauType;
+  return /** @type {Partial<Branded | BrandedPath> | null | undefined} */ (value)?.casteljauType;
 }
 
 /**
@@ -59,6 +66,30 @@ export function splineData(value, name, expected = "a Curve or a Spline") {
  */
 export function onlySplineData(value, name) {
   return dataOf(value, name, typeOf(value) === "spline", "a Spline");
+}
+
+/**
+ * The packed path of a path.
+ *
+ * @internal
+ * @param {unknown} value
+ * @returns {Float64Array | undefined} undefined for any other value
+ */
+export function packedPath(value) {
+  return typeOf(value) === "path" ? /** @type {BrandedPath} */ (value).casteljauPacked() : undefined;
+}
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ * @throws {TypeError} for anything but a path
+ */
+export function onlyPathData(value, name) {
+  const packed = packedPath(value);
+  if (packed) return packed;
+  throw new TypeError(`${name}: expected a Path, got ${describe(value)}`);
 }
 
 /**

@@ -1,9 +1,9 @@
 // Positions on paths and intersections of paths, read from the arena.
-import { core } from "../wasm/init.js";
-import { writeArguments, readResult } from "../wasm/transfer.js";
+import { core } from "../../wasm/init.js";
+import { writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
- * @import { Point } from "./points.js"
+ * @import { Point } from "../points.js"
  */
 
 /**
