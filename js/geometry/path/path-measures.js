@@ -1,13 +1,14 @@
 import * as check from "../check.js";
 import { boxAt } from "../points.js";
 import { nearestOnPath, readTimes } from "./path-queries.js";
-import { coordinatesOf, PathValue } from "./path-value.js";
+import { PathEvaluation } from "./path-evaluation.js";
+import { coordinatesOf } from "./path-value.js";
 import { core } from "../../wasm/init.js";
 import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.js";
 
 /**
  * @import { PointLike } from "../check.js"
- * @import { PathPoint, PathTime } from "./path-queries.js"
+ * @import { PathPoint, PathPointAtLength, PathTime } from "./path-queries.js"
  * @import { Point } from "../points.js"
  */
 
@@ -27,7 +28,7 @@ import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.j
 const FILL_RULES = ["nonzero", "evenodd"];
 
 /** Boxes, lengths, areas, winding numbers and nearest points of a path. */
-export class PathMeasures extends PathValue {
+export class PathMeasures extends PathEvaluation {
   /**
    * The smallest box that contains the path; null for an empty one.
    *
@@ -70,6 +71,19 @@ export class PathMeasures extends PathValue {
     const maxError = check.optionalTolerance(tolerance);
     writeArguments(this._packed);
     return readTimes(core().path_time_at_length(s, maxError))[0] ?? null;
+  }
+
+  /**
+   * The location at which the arc length from the start of the first subpath is s, with its point, unit tangent and unit
+   * normal: for text, markers and motion along a path. Null for an empty path.
+   *
+   * @param {number} s outside of [0, length] it gives the nearer end
+   * @param {number} [tolerance] the largest error, as a length
+   * @returns {PathPointAtLength | null}
+   */
+  pointAtLength(s, tolerance) {
+    const time = this.timeAtLength(s, tolerance);
+    return time && { ...time, point: this.eval(time), tangent: this.tangent(time), normal: this.normal(time) };
   }
 
   /**

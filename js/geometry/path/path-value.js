@@ -1,14 +1,15 @@
-import { onlyPathData, splineData } from "../brand.js";
+import { onlyPathData } from "../brand.js";
 import * as check from "../check.js";
 import { samePoints, writePoint } from "../points.js";
+import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
 import { extents, packedSplines } from "../../wasm/packed-path.js";
 
 /**
- * @import { SplineData } from "../brand.js"
  * @import { MatrixLike, PointLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { Curve } from "../curve/curve.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
@@ -23,6 +24,8 @@ export class PathValue {
   #packed;
   /** @type {readonly Spline[] | null} */
   #subpaths = null;
+  /** @type {(readonly Curve[])[]} the segments of the subpaths that were asked for */
+  #segments = [];
 
   /**
    * @param {ArrayLike<CoreSpline | CoreCurve>} splines 2D
@@ -128,6 +131,20 @@ export class PathValue {
   }
 
   /**
+   * A new Path2D of the path, for `fill`, `stroke`, `clip` and `isPointInPath` of a canvas context. In environments
+   * without Path2D (Node, for example) it throws an Error; `trace` draws on any context.
+   *
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
+   * @returns {Path2D}
+   */
+  toPath2D(options) {
+    if (typeof Path2D !== "function") throw new Error("toPath2D: expected an environment with Path2D, got none");
+    const target = new Path2D();
+    this.trace(target, options);
+    return target;
+  }
+
+  /**
    * @returns {{ subpaths: ReturnType<Spline["toJSON"]>[] }}
    */
   toJSON() {
@@ -164,6 +181,18 @@ export class PathValue {
   }
 
   /**
+   * The segments of a subpath.
+   *
+   * @internal
+   * @param {number} subpath
+   * @returns {readonly Curve[]}
+   */
+  _segments(subpath) {
+    this.#segments[subpath] ??= this.subpaths[subpath].segments();
+    return this.#segments[subpath];
+  }
+
+  /**
    * A path of the same class. The class `Path` implements it.
    *
    * @internal
@@ -196,29 +225,6 @@ export function coordinatesOf(point) {
   const coordinates = new Float64Array(2);
   writePoint(coordinates, 0, point, 2, "point");
   return coordinates;
-}
-
-/**
- * @internal
- * The data of a subpath.
- *
- * @param {unknown} spline
- * @param {string} name
- * @param {string} [expected]
- * @returns {SplineData}
- */
-export function checkedSplineData(spline, name, expected = "a Spline or a Curve") {
-  return require2D(splineData(spline, name, expected), name);
-}
-
-/**
- * @internal
- * @param {SplineData} data
- * @param {string} name
- */
-export function require2D(data, name) {
-  if (data.dimension === 3) throw new TypeError(`${name}: expected a 2D one, got a 3D one`);
-  return data;
 }
 
 /**
