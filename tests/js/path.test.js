@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { inspect } from "node:util";
 import { Curve, Path, Spline } from "casteljau";
 import { hash, pathText, Rng } from "./path-texts.js";
 import { near, recorder, refused, SEVEN, SPACE } from "./reference.js";
@@ -412,4 +413,11 @@ test("refusals", () => {
   refused(() => path.transform([1, 2]), RangeError, /^matrix: /);
   refused(() => path.equals(RING), TypeError, /^other: /);
   refused(() => path.equals(path, -1), RangeError, /^tolerance: /);
+});
+
+test("Node shows a path as SVG path data", () => {
+  assert.equal(inspect(Path.fromSVG("M0 0H4Q5 6 7 8Z")), "Path M0,0 L4,0 Q5,6 7,8 Z");
+  assert.equal(inspect({ path: new Path([]) }), "{ path: Path (empty) }");
+  const long = inspect(Path.fromSVG(`M0 0${"L1 1".repeat(1000)}`));
+  assert.ok(long.length < 1100 && long.endsWith("…"));
 });

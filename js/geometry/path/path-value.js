@@ -1,6 +1,7 @@
 import { onlyPathData } from "../brand.js";
 import * as check from "../check.js";
 import { samePoints, writePoint } from "../points.js";
+import { inspectedAsSVG } from "./inspected-path.js";
 import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
@@ -19,7 +20,7 @@ import { extents, packedSplines } from "../../wasm/packed-path.js";
  * The subpaths of a path, their control points, and what the classes that extend this one need to pass them to the core;
  * about the members with an underscore see `CurveValue`.
  */
-export class PathValue {
+export class PathValue extends /* @__PURE__ */ inspectedAsSVG() {
   /** @type {Float64Array} see `packed-path.js` */
   #packed;
   /** @type {readonly Spline[] | null} */
@@ -32,6 +33,7 @@ export class PathValue {
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
   constructor(splines) {
+    super();
     const checked = /** @type {unknown} */ (splines);
     if (checked instanceof CheckedPath) {
       this.#packed = checked.packed;
