@@ -79,9 +79,18 @@ test("generated calls: every answer is true, every refusal is stated, every call
   await Promise.all(groups.map((names) => t.test(`${names[0]} … ${names.at(-1)}`, () => runAll(names))));
 });
 
+/** The names of public methods and getters, inherited ones too. */
+function methodNames(prototype) {
+  const names = new Set();
+  for (let type = prototype; type !== Object.prototype; type = Object.getPrototypeOf(type)) {
+    for (const name of Object.getOwnPropertyNames(type)) if (!/^(_|casteljau)/.test(name)) names.add(name);
+  }
+  return [...names];
+}
+
 test("every public function has a row", () => {
   const names = Object.entries(CLASSES).flatMap(([name, type]) => [
-    ...Object.getOwnPropertyNames(type.prototype).map((method) => `${name}.${method}`),
+    ...methodNames(type.prototype).map((method) => `${name}.${method}`),
     ...Object.getOwnPropertyNames(type)
       .filter((method) => !["length", "name", "prototype"].includes(method))
       .map((method) => `${name}.${method}`),
