@@ -87,6 +87,9 @@ test("overlaps have an end in the same form as their start", () => {
   near([overlap.t, overlap.tEnd], [0, 1]);
   assert.deepEqual([overlap.u.subpath, overlap.uEnd.subpath], [1, 1]);
   near([overlap.u.t, overlap.uEnd.t], [2.75, 2.25]);
+  const [opposite] = Path.fromSVG("M9 9H8 M0 0H4V4H0Z").intersections(new Curve([1, 4, 3, 4]));
+  assert.deepEqual([opposite.t.subpath, opposite.tEnd.subpath], [1, 1]);
+  near([opposite.u, opposite.uEnd], [1, 0]);
 });
 
 test("long paths: 4,000 segments each cross where they should", () => {
