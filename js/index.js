@@ -2,7 +2,7 @@
 export { init } from "./wasm/init.js";
 export { Curve } from "./geometry/curve/curve.js";
 export { Spline } from "./geometry/spline/spline.js";
-export { Path } from "./geometry/path.js";
+export { Path } from "./geometry/path/path.js";
 export { Patch } from "./geometry/patch/patch.js";
 export { Surface } from "./geometry/surface/surface.js";
 export { Mesh } from "./geometry/mesh.js";

@@ -97,6 +97,17 @@ export function patchData(value, name) {
 }
 
 /**
+ * The packed path of a path.
+ *
+ * @internal
+ * @param {unknown} value
+ * @returns {Float64Array | undefined} undefined for any other value
+ */
+export function packedPath(value) {
+  return typeOf(value) === "path" ? /** @type {Branded<Float64Array>} */ (value).casteljauData() : undefined;
+}
+
+/**
  * @template T
  * @param {unknown} value
  * @param {string} name

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { inspect } from "node:util";
 import { Curve, Path, Spline } from "casteljau";
 import { hash, pathText, Rng } from "./path-texts.js";
 import { near, recorder, refused, SEVEN, SPACE, untyped } from "./reference.js";
@@ -257,18 +258,19 @@ test("where paths meet", () => {
     [-1, 2.25],
     [2, 2.25],
   ]);
-  const expected = [
-    { subpath: 0, t: 3.4375, otherSubpath: 0, u: 1 / 3, point: { x: 0, y: 2.25 }, kind: "cross" },
-    { subpath: 1, t: 0.625, otherSubpath: 0, u: 2 / 3, point: { x: 1, y: 2.25 }, kind: "cross" },
-  ];
-  const numbers = ({ subpath, t, otherSubpath, u, point }) => [subpath, t, otherSubpath, u, point.x, point.y];
   for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
     const places = ring.intersections(other);
     assert.deepEqual(
       places.map(({ kind }) => kind),
       ["cross", "cross"],
     );
-    near(places.flatMap(numbers), expected.flatMap(numbers));
+    const us = places.map(({ u }) => (other instanceof Path ? u.t : u));
+    near(us, [1 / 3, 2 / 3]);
+    if (other instanceof Path) assert.ok(places.every(({ u }) => u.subpath === 0));
+    near(
+      places.flatMap(({ t, point }) => [t.subpath, t.t, point.x, point.y]),
+      [0, 3.4375, 0, 2.25, 1, 0.625, 1, 2.25],
+    );
   }
   const [overlap] = ring.intersections(
     new Curve([
@@ -277,11 +279,16 @@ test("where paths meet", () => {
     ]),
   );
   assert.equal(overlap.kind, "overlap");
-  near([...numbers(overlap), overlap.tEnd, overlap.uEnd], [0, 2.25, 0, 1, 3, 4, 2.75, 0]);
+  assert.deepEqual(overlap.point, { x: 3, y: 4 });
+  assert.deepEqual(
+    [overlap.t, overlap.tEnd].map(({ subpath }) => subpath),
+    [0, 0],
+  );
+  near([overlap.t.t, overlap.tEnd.t, overlap.u, overlap.uEnd], [2.25, 2.75, 1, 0]);
   const eight = Path.fromSVG("M0 0L2 2H0L2 0M1 0V3");
-  const twice = eight.selfIntersections().flatMap(numbers);
+  const twice = eight.selfIntersections();
   near(
-    twice,
+    twice.flatMap(({ t, u, point }) => [t.subpath, t.t, u.subpath, u.t, point.x, point.y]),
     [
       [0, 0.5, 0, 2.5, 1, 1],
       [0, 0.5, 1, 1 / 3, 1, 1],
@@ -407,4 +414,11 @@ test("refusals", () => {
   refused(() => path.transform([1, 2]), RangeError, /^matrix: /);
   refused(() => path.equals(untyped(RING)), TypeError, /^other: /);
   refused(() => path.equals(path, -1), RangeError, /^tolerance: /);
+});
+
+test("Node shows a path as SVG path data", () => {
+  assert.equal(inspect(Path.fromSVG("M0 0H4Q5 6 7 8Z")), "Path M0,0 L4,0 Q5,6 7,8 Z");
+  assert.equal(inspect({ path: new Path([]) }), "{ path: Path (empty) }");
+  const long = inspect(Path.fromSVG(`M0 0${"L1 1".repeat(1000)}`));
+  assert.ok(long.length < 1100 && long.endsWith("…"));
 });

@@ -18,6 +18,8 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  * @import { Distance, Nearest } from "../curve-queries.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
  * @import { PointArrays } from "../points.js"
+ * @import { PathTime } from "../path/path-queries.js"
+ * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
  */
@@ -140,7 +142,8 @@ export class Curve extends CurveMeasures {
   }
 
   /**
-   * All intersections with another curve or with a spline (then u is the spline's t), sorted by t, then by u.
+   * All intersections with another curve, a spline (then u is the spline's t) or a path (then u is a location {subpath,
+   * t}), sorted by t, then by u; with a path by its subpaths first.
    *
    * End points count. At a "tangent" intersection both have the same or opposite directions; an "overlap" is a shared
    * part. 2D only.
@@ -152,19 +155,20 @@ export class Curve extends CurveMeasures {
    * coordinate L, the size S of the box around both curves and the higher degree n; up to four times this where they run
    * along each other. The distance of each curve at its parameter from `point` is at most 64 (n + 2) ulps of L.
    *
-   * @param {CoreCurve | CoreSpline} other
-   * @returns {Intersection[]}
+   * @template {CoreCurve | CoreSpline | PathValue} S
+   * @param {S} other
+   * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    * @throws {TypeError} for a 3D curve
    */
   intersections(other) {
     this._require2D("intersections");
-    if (typeOf(other) !== "curve") return intersectSplines(this.casteljauData(), other);
+    if (typeOf(other) !== "curve") return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
     const a = this._flat;
     const { flat: b, dimension } = curveData(other, "other");
     check.require2D("intersections", "curve", dimension);
     const view = writeArguments(a, b.length);
     for (let i = 0; i < b.length; i++) view[a.length + i] = b[i];
-    return readIntersections(core().curve_intersect(a.length / 2, b.length / 2));
+    return /** @type {any} */ (readIntersections(core().curve_intersect(a.length / 2, b.length / 2)));
   }
 
   /**

@@ -19,6 +19,8 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @import { InterpolateOptions } from "../interpolate.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
  * @import { PointArrays } from "../points.js"
+ * @import { PathTime } from "../path/path-queries.js"
+ * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "./core-spline.js"
  * @import { SplineJSON } from "./spline-value.js"
  */
@@ -123,18 +125,19 @@ export class Spline extends SplineMeasures {
   }
 
   /**
-   * All intersections with a curve or another spline, sorted by t, then by u, which run from 0 to the numbers of
-   * segments. An intersection at a joint is reported once; a shared part that runs across joints is one overlap. 2D
-   * only.
+   * All intersections with a curve, another spline or a path (then u is a location {subpath, t}), sorted by t, then by
+   * u, which run from 0 to the numbers of segments; with a path by its subpaths first. An intersection at a joint is
+   * reported once; a shared part that runs across joints is one overlap. 2D only.
    *
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
-   * @param {CoreCurve | CoreSpline} other
-   * @returns {Intersection[]}
+   * @template {CoreCurve | CoreSpline | PathValue} S
+   * @param {S} other
+   * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    */
   intersections(other) {
     this._require2D("intersections");
-    return intersectSplines(this.casteljauData(), other);
+    return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
   }
 
   /**

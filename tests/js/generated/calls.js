@@ -32,6 +32,20 @@ const traced = (draw) => {
   draw(target);
   return target.calls.map((call) => call.slice(1));
 };
+/** A location on one of the subpaths, if there is one, whose t is a part of the number of segments. */
+const location = (a, k = a.k, part = a.t) => {
+  const subpath = k % (a.path.subpathCount || 1);
+  return { subpath, t: part * (a.path.subpaths[subpath]?.segmentCount ?? 1) };
+};
+const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
+const withPath2D = (act) => {
+  globalThis.Path2D = recorder;
+  try {
+    return act();
+  } finally {
+    delete globalThis.Path2D;
+  }
+};
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
 const view = (a) => ({ pixels: a.pixels, viewProjection: a.view, viewport: [640, 480] });
@@ -181,6 +195,25 @@ const PATH = {
   "Path.reverse": (a) => a.path.reverse(),
   "Path.trace": (a) => traced((target) => a.path.trace(target, { tolerance: a.tolerance })),
   "Path.toSVG": (a) => a.path.toSVG(svg(a)),
+  "Path.eval": (a) => a.path.eval(location(a)),
+  "Path.evalAt": (a) => a.path.evalAt(a.path.equidistantTimes(a.segments)),
+  "Path.sample": (a) => a.path.sample(a.segments),
+  "Path.derivativeAt": (a) => a.path.derivativeAt(location(a), a.order),
+  "Path.tangent": (a) => a.path.tangent(location(a)),
+  "Path.normal": (a) => a.path.normal(location(a)),
+  "Path.curvature": (a) => a.path.curvature(location(a)),
+  "Path.pointAtLength": (a) => a.path.pointAtLength(a.s, a.tolerance),
+  "Path.split": (a) => a.path.split(location(a)),
+  "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
+  "Path.extrema": (a) => a.path.extrema(),
+  "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
+  "Path.toPath2D": (a) => withPath2D(() => a.path.toPath2D({ tolerance: a.tolerance })).calls,
+  "Path.from": (a) => Path.from([a.path, ...a.path.subpaths]),
+  "Path.circle": (a) => Path.circle(a.p, Math.abs(a.radius), { tolerance: a.tolerance }),
+  "Path.ellipse": (a) => Path.ellipse(a.p, Math.abs(a.radius), Math.abs(a.other_radius), a.rotation),
+  "Path.arc": (a) => Path.arc(a.p, Math.abs(a.radius), a.t0, a.t1),
+  "Path.rect": (a) => Path.rect(a.p, Math.abs(a.width), Math.abs(a.height), { radii: Math.abs(a.radius) }),
+  "Path.polygon": (a) => Path.polygon(pointsOfPath(a.path), { closed: a.closed }),
 };
 
 const PATCH = {

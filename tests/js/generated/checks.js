@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { Curve, easing, Path, Spline, Surface } from "casteljau";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
-const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion"]);
+const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion", "Path.curvature"]);
 
 /** All numbers of an answer. @param {any} value @param {(x: number) => void} see */
 function visit(value, see) {
@@ -173,6 +173,12 @@ const CHECKS = {
     close(moved.controlPoints().slice(index * to.length, (index + 1) * to.length), to, 0, "the point"),
   "Path.fromJSON": (again, { path }) => assert.ok(again.equals(path)),
   "Path.constructor": (again, { path }) => assert.ok(again.equals(path)),
+  "Path.from": (twice, { path }) => assert.ok(twice.equals(new Path([...path.subpaths, ...path.subpaths]))),
+  "Path.pointAtLength": (found, { path }) => found && assert.deepEqual(found.point, path.eval(found)),
+  "Path.timesAtCoordinate": (times, { path, axis, value }, size) => {
+    for (const time of times)
+      assert.ok(Math.abs(numbersOf(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
+  },
   "Path.reverse": (reversed, { path }) => assert.ok(reversed.reverse().equals(path)),
   "Path.fromSVG": (path, { text }) => {
     const again = Path.fromSVG(path.toSVG());
