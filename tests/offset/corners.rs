@@ -25,7 +25,7 @@ fn regular(count: usize) -> Vec<DVec2> {
 }
 
 fn star() -> Vec<DVec2> {
-    let radius = |k: usize| if k % 2 == 0 { 200.0 } else { 90.0 };
+    let radius = |k: usize| if k.is_multiple_of(2) { 200.0 } else { 90.0 };
     (0..10)
         .map(|k| DVec2::from_angle(TAU * real(k) / 10.0) * radius(k))
         .collect()
