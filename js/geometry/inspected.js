@@ -1,24 +1,29 @@
-// What `console.log` shows of a value in Node. The method has a computed name, because of which bundlers would keep an
-// unused class. They drop an unused call that is marked as pure, so the method is in a class that such a call returns.
+// What `console.log` shows of a value in Node. The classes call this when they make their first instance: a method with a
+// computed name, or a call beside the class, would make bundlers keep an unused class.
 
 /**
- * A class whose instances Node shows with the name and their `toJSON`, as `Curve { points: [ [ 0, 0 ], [ 1, 2 ] ] }`.
+ * Defines what Node shows of the instances of a class: the name and the contents, as
+ * `Curve { points: [ [ 0, 0 ], [ 1, 2 ] ] }`.
  *
  * @internal
+ * @template T
+ * @param {T} prototype
  * @param {string} name a text of its own, because minifiers change the names of classes
- * @returns {new () => object}
+ * @param {(value: T) => unknown} contents a text is shown without quotes
+ * @returns {true}
  */
-export function inspectedAs(name) {
-  return class {
-    /**
-     * @param {number} depth how many levels of objects may be shown
-     * @param {object} options
-     * @param {(value: unknown, options: object) => string} inspect
-     * @returns {string}
-     */
-    [Symbol.for("nodejs.util.inspect.custom")](depth, options, inspect) {
-      if (depth < 0) return `[${name}]`;
-      return `${name} ${inspect(/** @type {any} */ (this).toJSON(), { ...options, depth: null })}`;
-    }
-  };
+export function showInNode(prototype, name, contents) {
+  /**
+   * @this {T}
+   * @param {number} depth how many levels of objects may be shown
+   * @param {object} options
+   * @param {(value: unknown, options: object) => string} inspect
+   */
+  function value(depth, options, inspect) {
+    if (depth < 0) return `[${name}]`;
+    const shown = contents(this);
+    return `${name} ${typeof shown === "string" ? shown : inspect(shown, { ...options, depth: null })}`;
+  }
+  Object.defineProperty(prototype, Symbol.for("nodejs.util.inspect.custom"), { value, configurable: true });
+  return true;
 }

@@ -7,7 +7,8 @@
 /// The maximum number of steps of Newton's method; bisection alone needs about 64.
 const MAX_NEWTON_STEPS: usize = 80;
 
-/// The maximum number of steps of regula falsi: every third step bisects, and 53 bisections exhaust the digits.
+/// The maximum number of steps of regula falsi: three steps halve the bracket or contain a bisection, and about 60
+/// halvings exhaust the digits.
 const MAX_SECANT_STEPS: usize = 200;
 
 /// A zero between lo and hi of a function that is negative at lo and positive at hi, by Newton's method from `t`;
@@ -47,7 +48,7 @@ pub fn newton_in_bracket(
 }
 
 /// A zero between lo and hi of a function that is positive at lo and negative at hi, by regula falsi (Illinois
-/// algorithm); every third step bisects, so that the bracket is guaranteed to shrink.
+/// algorithm). Where the bracket has not halved in three steps, one step bisects.
 ///
 /// `values` are the values at both ends. The search ends when the width of the bracket is at most `precision` times its
 /// upper end, or the bracket contains no further number. Source: Dowell and Jarratt, "A modified regula falsi method
@@ -61,13 +62,18 @@ pub fn regula_falsi(
 ) -> f64 {
     // The sign of the last value: if it repeats, the other end was kept, and its value is halved.
     let mut last = 0.0;
+    let mut earlier_width = hi - lo;
     for step in 0..MAX_SECANT_STEPS {
         let middle = 0.5 * (lo + hi);
         if hi - lo <= precision * hi || middle <= lo || middle >= hi {
             break;
         }
         let secant = lo + (hi - lo) * f_lo / (f_lo - f_hi);
-        let t = if step % 3 == 2 || !(secant > lo && secant < hi) {
+        let is_slow = step % 3 == 2 && hi - lo > 0.5 * earlier_width;
+        if step % 3 == 2 {
+            earlier_width = hi - lo;
+        }
+        let t = if is_slow || !(secant > lo && secant < hi) {
             middle
         } else {
             secant

@@ -1,6 +1,7 @@
 //! Global minimum of polynomials over patches by branch and bound.
 
-use super::piece::{Jet, MODERATE_DEGREE, PolynomialPiece};
+use super::descent::descend;
+use super::piece::{MODERATE_DEGREE, PolynomialPiece};
 use super::queued_piece::QueuedPiece;
 use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
@@ -12,28 +13,12 @@ const SLACK: f64 = 64.0 * f64::EPSILON;
 /// Minima nearer than this in u and v count as one: the square root of rounding, for a flat minimum, with a margin.
 const SAME: f64 = 1.0 / 1_048_576.0;
 
-/// The maximum number of Newton steps from one start; they double the digits, unless the minimum is flat.
-const MAX_STEPS: usize = 32;
-
-/// A step below this is the last: the remaining error is of the order of its square.
-const LAST_STEP: f64 = 1e-9;
-
-/// The maximum number of times that a step is shortened; only a useless start needs more.
-const MAX_CUTS: usize = 8;
-
 /// The maximum number of coefficients in the queue: 16 MB.
 const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 
-/// The cost of a refinement, in evaluations with derivatives: usually one Gauss–Newton step, which tries four dampings.
-/// Only the work limit depends on it.
+/// The work that a refinement counts as, in evaluations with derivatives. Only the work limit depends on it: a refinement
+/// ends after one evaluation unless the distance is small, and then takes at most 16 steps.
 const REFINEMENT_JETS: usize = 4;
-
-/// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.
-const CUT: f64 = 0.25;
-
-/// Below this determinant, relative to the product of the second derivatives, rounding decides the direction of the
-/// Newton step: half of its digits are lost.
-const MIN_DETERMINANT: f64 = 1.0 / 67_108_864.0;
 
 const UNIT_SQUARE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
@@ -230,71 +215,6 @@ fn min_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
     let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
-}
-
-/// Newton's method within a rectangle; each step is shortened until it descends. Returns the last point, its value, and
-/// whether it converged.
-fn descend(
-    whole: &PolynomialPiece,
-    within: &[[f64; 2]; 2],
-    start: [f64; 2],
-    work: &mut WorkLimit,
-) -> ([f64; 2], f64, bool) {
-    let mut at = start;
-    let mut jet = whole.jet(0, at);
-    for _ in 0..MAX_STEPS {
-        let mut step = newton_step(&jet, at, within);
-        let is_last = step.iter().all(|s| s.abs() < LAST_STEP);
-        let mut cuts = 0;
-        let (next, there) = loop {
-            let next = moved(at, step, within);
-            let there = whole.jet(0, next);
-            let may_go_on = work.spend(whole.jet_steps());
-            if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
-                break (next, there);
-            }
-            cuts += 1;
-            step = step.map(|s| CUT * s);
-        };
-        if is_last {
-            return (next, there.f, true);
-        }
-        if there.f > jet.f {
-            break;
-        }
-        (at, jet) = (next, there);
-    }
-    (at, jet.f, false)
-}
-
-fn moved(at: [f64; 2], step: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
-    [0, 1].map(|k| (at[k] + step[k]).clamp(within[k][0], within[k][1]))
-}
-
-/// The Newton step; it runs along an edge of the rectangle only where the descent direction leads out of the rectangle.
-fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
-    let stuck = |k: usize, slope: f64| {
-        (at[k] <= within[k][0] && slope >= 0.0) || (at[k] >= within[k][1] && slope <= 0.0)
-    };
-    // In one direction; where the second derivative is not that of a minimum, some step downhill.
-    let uncoupled = |slope: f64, bend: f64| -slope / bend.max(slope.abs()).max(f64::MIN_POSITIVE);
-    match (stuck(0, jet.u), stuck(1, jet.v)) {
-        (true, true) => [0.0; 2],
-        (true, false) => [0.0, uncoupled(jet.v, jet.vv)],
-        (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
-        (false, false) => {
-            let det = jet.uu * jet.vv - jet.uv * jet.uv;
-            if jet.uu > 0.0 && det > MIN_DETERMINANT * jet.uu * jet.vv.abs() {
-                [
-                    (jet.uv * jet.v - jet.vv * jet.u) / det,
-                    (jet.uv * jet.u - jet.uu * jet.v) / det,
-                ]
-            } else {
-                let bend = jet.uu.max(0.0) + jet.vv.max(0.0);
-                [uncoupled(jet.u, bend), uncoupled(jet.v, bend)]
-            }
-        }
-    }
 }
 
 /// Whether the coefficients of the second derivatives prove that the polynomial has one minimum in the piece.

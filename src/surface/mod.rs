@@ -1,5 +1,6 @@
 //! Surfaces: networks of Bézier patches that share control points.
 
+mod descent;
 mod distance;
 mod extent;
 pub(crate) mod first_of;

@@ -1,6 +1,6 @@
 import { curveData } from "../brand.js";
 import * as check from "../check.js";
-import { inspectedAs } from "../inspected.js";
+import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, samePoints } from "../points.js";
 import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
 
@@ -10,7 +10,8 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  * @import { Point, PointArrays } from "../points.js"
  */
 
-const InspectedCurve = /* @__PURE__ */ inspectedAs("Curve");
+/** Whether Node knows how to show the instances. */
+let isShown = false;
 
 /**
  * What `Curve.toJSON` returns; `Curve.fromJSON` also reads other forms of points.
@@ -26,7 +27,7 @@ const InspectedCurve = /* @__PURE__ */ inspectedAs("Curve");
  *
  * @template {2 | 3} [D=2 | 3] the dimension
  */
-export class CurveValue extends InspectedCurve {
+export class CurveValue {
   /** @type {Float64Array} */
   #flat;
   /** @type {D} */
@@ -39,7 +40,7 @@ export class CurveValue extends InspectedCurve {
    * @throws {TypeError} for a value that is not a point
    */
   constructor(points, options) {
-    super();
+    if (!isShown) isShown = showInNode(CurveValue.prototype, "Curve", (value) => value.toJSON());
     const checked = /** @type {unknown} */ (points);
     if (checked instanceof CheckedPoints) {
       this.#flat = checked.flat;

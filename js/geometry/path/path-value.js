@@ -1,7 +1,7 @@
 import { pathData } from "../brand.js";
 import * as check from "../check.js";
+import { showInNode } from "../inspected.js";
 import { samePoints, writePoint } from "../points.js";
-import { inspectedAsSVG } from "./inspected-path.js";
 import { checkedSplineData } from "./packed-shape.js";
 import { splineOf } from "../spline/spline.js";
 import { svgOf, traceOn } from "../../io/svg-write.js";
@@ -16,11 +16,17 @@ import { extents, packedSplines } from "../../wasm/packed-path.js";
  * @import { SvgOptions } from "../../io/svg-write.js"
  */
 
+/** Longer path data is cut off in Node's console, as Node does with long arrays. */
+const MAX_SHOWN_LENGTH = 1000;
+
+/** Whether Node knows how to show the instances. */
+let isShown = false;
+
 /**
  * The subpaths of a path, their control points, and what the classes that extend this one need to pass them to the core;
  * about the members with an underscore see `CurveValue`.
  */
-export class PathValue extends /* @__PURE__ */ inspectedAsSVG() {
+export class PathValue {
   /** @type {Float64Array} see `packed-path.js` */
   #packed;
   /** @type {readonly Spline[] | null} */
@@ -33,7 +39,7 @@ export class PathValue extends /* @__PURE__ */ inspectedAsSVG() {
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
   constructor(splines) {
-    super();
+    if (!isShown) isShown = showInNode(PathValue.prototype, "Path", shownData);
     const checked = /** @type {unknown} */ (splines);
     if (checked instanceof CheckedPath) {
       this.#packed = checked.packed;
@@ -237,4 +243,13 @@ function unpack(packed) {
   return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
     splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
   );
+}
+
+/**
+ * @param {PathValue} path
+ * @returns {string}
+ */
+function shownData(path) {
+  const text = path.toSVG();
+  return text.length > MAX_SHOWN_LENGTH ? `${text.slice(0, MAX_SHOWN_LENGTH)}…` : text || "(empty)";
 }

@@ -1,6 +1,6 @@
 import { onlySplineData } from "../brand.js";
 import * as check from "../check.js";
-import { inspectedAs } from "../inspected.js";
+import { showInNode } from "../inspected.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
@@ -12,7 +12,8 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
  * @import { Point, PointArrays } from "../points.js"
  */
 
-const InspectedSpline = /* @__PURE__ */ inspectedAs("Spline");
+/** Whether Node knows how to show the instances. */
+let isShown = false;
 
 /**
  * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
@@ -31,7 +32,7 @@ const InspectedSpline = /* @__PURE__ */ inspectedAs("Spline");
  * @template {2 | 3} [D=2 | 3] the dimension
  * @template {CoreCurve<D>} [C=CoreCurve<D>] the class of the segments
  */
-export class SplineValue extends InspectedSpline {
+export class SplineValue {
   /** @type {SplineData} */
   #data;
   /**
@@ -49,7 +50,7 @@ export class SplineValue extends InspectedSpline {
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
    */
   constructor(points, options) {
-    super();
+    if (!isShown) isShown = showInNode(SplineValue.prototype, "Spline", (value) => value.toJSON());
     const checked = /** @type {unknown} */ (points);
     if (checked instanceof CheckedSplineData) {
       this.#data = checked.data;

@@ -25,7 +25,7 @@ const INTERVAL_MARGIN: f64 = 1e-7;
 const MAX_CURVING: f64 = 0.01;
 
 /// The ends of contacts correspond only roughly, so the boxes of the segments between them are widened by their size
-/// and this: ten times the accuracy of the parameters of a tangency.
+/// and this: ten times the accuracy of the parameters of a tangency. Half and twice this value pass the same tests.
 const BOX_MARGIN: f64 = 1e-6;
 
 /// A parameter interval on which two curves cannot be distinguished.

@@ -31,8 +31,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// size takes some thousands.
 const MAX_STEPS: usize = 1 << 17;
 
-/// The part of the tolerance for the approximation; the rest is for rounding of the control points, which is at most an
-/// ulp of the coordinates for tolerances of 256 ulps and more.
+/// The part of the tolerance for the approximation. The rest is for rounding of the control points: an ulp of the
+/// coordinates if the tolerance is 256 ulps.
 const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
 
 /// Larger distances, in sizes of the curve, are clamped to this one: beyond it the curve is far smaller than an ulp of
