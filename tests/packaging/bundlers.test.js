@@ -144,6 +144,17 @@ test("no bundler, the package's own file in Chromium under a strict policy", asy
   assert.equal(await printedBy(t, folder), PRINTED);
 });
 
+test("the first example of the README draws on a canvas", async (t) => {
+  const readme = await readFile(join(fixture.installed, "README.md"), "utf8");
+  const example = readme.match(/^```js canvas\n([\s\S]*?)^```$/m)?.[1] ?? "";
+  const check = "console.log(context.getImageData(0, 0, 300, 150).data.filter((byte) => byte > 0).length > 300);\n";
+  const program = await fixture.write("src/canvas.js", example + check);
+  const outdir = join(fixture.folder, "out/canvas");
+  await esbuild({ entryPoints: { main: program }, bundle: true, format: "esm", minify: true, outdir });
+  await fixture.write("out/canvas/index.html", html('<canvas></canvas><script type="module" src="main.js"></script>'));
+  assert.equal(await printedBy(t, outdir), "true");
+});
+
 /** The program as a classic script that uses the global variable. */
 const CLASSIC = PROGRAM.replace(/^import (.*) from .*$/m, "const $1 = casteljau;");
 

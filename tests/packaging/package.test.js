@@ -19,7 +19,7 @@ test("the tarball holds dist and the texts, nothing else", async () => {
   const expected = [
     /^dist\/(index|core|surfaces|easing|slim|casteljau\.global|applet|bezier-app|elements(-(shared(-\d)?|surface|applet|companions))?)\.js(\.map)?$/,
     /^dist\/(casteljau\.wasm|custom-elements\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,
-    /^(package\.json|README\.md|docs\/applet\.png|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/,
+    /^(package\.json|README\.md|docs\/(applet\.png|migration\.md)|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/,
   ];
   assert.deepEqual(
     names.filter((name) => !expected.some((pattern) => pattern.test(name))),

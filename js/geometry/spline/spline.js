@@ -119,7 +119,10 @@ export class Spline extends SplineMeasures {
     check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, Boolean(closed)), dimension);
+    const spline = readSpline(
+      core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, Boolean(closed)),
+      dimension,
+    );
     releaseMemory();
     return /** @type {Spline<D>} */ (spline);
   }
