@@ -191,7 +191,7 @@ function completeStops(stops) {
     const to = Math.max(from, percentage);
     for (let i = known + 1; i <= k; i++) {
       const share = (i - known) / (k - known);
-      stops[i][0] = from * (1 - share) + to * share;
+      stops[i][0] = Math.min(Math.max(from * (1 - share) + to * share, from), to); // rounding may leave the range
     }
     [known, from] = [k, to];
   });

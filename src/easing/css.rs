@@ -164,7 +164,7 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
         let to = from.max(percentage);
         for (i, stop) in stops[known + 1..=k].iter_mut().enumerate() {
             let share = (i + 1) as f64 / (k - known) as f64;
-            stop[0] = from * (1.0 - share) + to * share;
+            stop[0] = (from * (1.0 - share) + to * share).max(from).min(to); // rounding may leave the range
         }
         (known, from) = (k, to);
     }

@@ -59,16 +59,6 @@ pub fn cubic_nearest(
         .unwrap_or_else(|| nearest_parameter(&points.map(DVec3::from), DVec3::from(p)))
 }
 
-/// Arguments: a point after the spline. Writes the same as `curve_nearest`.
-#[wasm_bindgen]
-pub fn spline_nearest(dimension: usize) {
-    arena::with(|a| {
-        let (spline, end) = spline(a, dimension);
-        let nearest = spline.nearest_to(a.point_in_space(end, dimension));
-        write_nearest(a, nearest);
-    });
-}
-
 fn write_nearest(a: &mut Arena, nearest: Nearest<DVec3>) {
     let Nearest { t, point, distance } = nearest;
     a.write_numbers(0, &[t, distance, point.x, point.y, point.z]);

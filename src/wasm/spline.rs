@@ -81,12 +81,6 @@ pub fn spline_from_curves(dimension: usize) -> isize {
     })
 }
 
-/// Writes the point at t.
-#[wasm_bindgen]
-pub fn spline_eval(dimension: usize, t: f64) {
-    arena::with(|a| a.write_point(spline(a, dimension).0.eval(t)));
-}
-
 /// Writes points at even steps of t; returns the number of f64.
 #[wasm_bindgen]
 pub fn spline_sample(dimension: usize, per_curve: usize) -> isize {

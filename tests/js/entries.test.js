@@ -136,12 +136,14 @@ test("entries: casteljau/core gives the same numbers as casteljau, and refuses t
     ];
   };
   assert.deepEqual(results(coreEntry), results(complete));
+  /** @type {(entry: any) => any} */
   const message = ({ Curve }) => {
     try {
       new Curve(points).flatten(1e-30);
     } catch (error) {
       return `${error}`;
     }
+    return undefined;
   };
   assert.match(message(coreEntry), /RangeError: tolerance/);
   assert.equal(message(coreEntry), message(complete));
@@ -151,7 +153,14 @@ test("entries: other values are refused by name", () => {
   const { Curve, Path, Spline } = complete;
   const curve = new Curve(ARCH);
   const spline = Spline.fromCurves([curve]);
-  for (const other of [null, undefined, 1, {}, { casteljauType: "mesh" }, surfaces.Surface.teapot()]) {
+  for (const other of /** @type {any[]} */ ([
+    null,
+    undefined,
+    1,
+    {},
+    { casteljauType: "mesh" },
+    surfaces.Surface.teapot(),
+  ])) {
     assert.throws(() => curve.intersections(other), {
       name: "TypeError",
       message: /^other: expected a Curve or a Spline/,
@@ -163,12 +172,14 @@ test("entries: other values are refused by name", () => {
       message: /^splines\[0\]: expected a Spline or a Curve/,
     });
   }
-  assert.throws(() => Spline.fromCurves([spline]), { message: /^curves\[0\]: expected a Curve, got / });
+  assert.throws(() => Spline.fromCurves([/** @type {any} */ (spline)]), {
+    message: /^curves\[0\]: expected a Curve, got /,
+  });
 });
 
 /** The functions of the core that the sources of an entry call. */
 async function calledFunctions(entry) {
-  const options = { bundle: true, format: "esm", metafile: true, write: false };
+  const options = /** @type {const} */ ({ bundle: true, format: "esm", metafile: true, write: false });
   const { metafile } = await build({ entryPoints: [entry], absWorkingDir: root, outdir: "unused", ...options });
   const files = Object.keys(metafile.inputs).filter((file) => !file.startsWith("js/glue/"));
   const called = new Set();

@@ -12,16 +12,18 @@ const SEGMENTS = 2000;
 const calls = new Map();
 
 core(); // instantiates the module
-curvesModule.functions = Object.fromEntries(
-  Object.entries(curvesModule.functions).map(([name, value]) => [
-    name,
-    typeof value !== "function"
-      ? value
-      : (...args) => {
-          calls.set(name, (calls.get(name) ?? 0) + 1);
-          return value(...args);
-        },
-  ]),
+curvesModule.functions = /** @type {any} */ (
+  Object.fromEntries(
+    Object.entries(/** @type {any} */ (curvesModule.functions)).map(([name, value]) => [
+      name,
+      typeof value !== "function"
+        ? value
+        : (...args) => {
+            calls.set(name, (calls.get(name) ?? 0) + 1);
+            return value(...args);
+          },
+    ]),
+  )
 );
 beforeEach(() => calls.clear());
 
@@ -126,7 +128,7 @@ test("nearest: the results of the segments and of the core", () => {
       const found = spline.nearest(point);
       assert.deepEqual(found, nearestOfAll(spline, point));
       if (spline.dimension === 3) continue;
-      const { subpath, ...onPath } = new Path([spline]).nearest(point); // which keeps nothing
+      const { subpath, ...onPath } = /** @type {any} */ (new Path([spline]).nearest(point)); // which keeps nothing
       assert.deepEqual([subpath, found], [0, onPath]);
     }
   }

@@ -87,7 +87,7 @@ test("overlaps have an end in the same form as their start", () => {
   near([overlap.t, overlap.tEnd], [0, 1]);
   assert.deepEqual([overlap.u.subpath, overlap.uEnd.subpath], [1, 1]);
   near([overlap.u.t, overlap.uEnd.t], [2.75, 2.25]);
-  const [opposite] = Path.fromSVG("M9 9H8 M0 0H4V4H0Z").intersections(new Curve([1, 4, 3, 4]));
+  const [opposite] = /** @type {any[]} */ (Path.fromSVG("M9 9H8 M0 0H4V4H0Z").intersections(new Curve([1, 4, 3, 4])));
   assert.deepEqual([opposite.t.subpath, opposite.tEnd.subpath], [1, 1]);
   near([opposite.u, opposite.uEnd], [1, 0]);
 });
@@ -111,7 +111,7 @@ test("empty paths, and what is not a shape", () => {
   const empty = new Path([]);
   assert.deepEqual([arch.intersections(empty), empty.intersections(arch), empty.intersections(empty)], [[], [], []]);
   for (const shape of [arch, archSpline])
-    for (const bad of [undefined, null, "M0 0H4", {}, [[0, 0]]])
+    for (const bad of /** @type {any[]} */ ([undefined, null, "M0 0H4", {}, [[0, 0]]]))
       refused(() => shape.intersections(bad), TypeError, /^other: expected a Curve, a Spline or a Path, got/);
   const space = new Curve([
     [0, 0, 0],

@@ -21,11 +21,11 @@ function radialError(path, [cx, cy], radius) {
 const errorOfAngle = (theta) => ((2 / 27) * Math.sin(theta / 4) ** 6) / Math.cos(theta / 4) ** 2;
 
 test("circle: closed, counter-clockwise, from the right, within 1e-9 of the radius", () => {
-  for (const [center, radius] of [
+  for (const [center, radius] of /** @type {[[number, number], number][]} */ ([
     [[0, 0], 1],
     [[30, -7], 250],
     [[-1e3, 5e3], 1e-3],
-  ]) {
+  ])) {
     const circle = Path.circle(center, radius);
     const [spline, ...more] = circle.subpaths;
     assert.ok(spline.closed && more.length === 0 && spline.degrees.every((degree) => degree === 3));
@@ -121,7 +121,8 @@ test("rect: sharp and rounded corners, counter-clockwise", () => {
   assert.equal(Path.rect([1, 2], 3, 4).area(), 12);
   const rounded = Path.rect([0, 0], 10, 6, { radii: 2 });
   near([rounded.area()], [60 - (4 - Math.PI) * 4], 1e-8);
-  near([rounded.bounds().min, rounded.bounds().max].flatMap(Object.values), [0, 0, 10, 6]);
+  const { min, max } = /** @type {any} */ (rounded.bounds());
+  near([min, max].flatMap(Object.values), [0, 0, 10, 6]);
   assert.deepEqual(rounded.eval({ subpath: 0, t: 0 }), { x: 2, y: 0 });
   const tolerance = 0.01;
   assert.equal(
@@ -168,7 +169,7 @@ test("from: curves, splines, paths, and arrays of them", () => {
   assert.ok(Path.from([path, curve]).equals(new Path([curve, spline, curve])));
   assert.equal(Path.from([]).subpathCount, 0);
   assert.equal(Path.from([new Path([]), path]).toSVG(), path.toSVG());
-  for (const bad of [undefined, null, 5, "M0 0H1", {}]) {
+  for (const bad of /** @type {any[]} */ ([undefined, null, 5, "M0 0H1", {}])) {
     refused(() => Path.from(bad), TypeError, /^shapes: expected a Path, a Spline or a Curve, got/);
     refused(() => Path.from([path, bad]), TypeError, /^shapes\[1\]: expected a Path/);
   }
@@ -197,7 +198,7 @@ test("SVG arcs within the tolerance, by default as before", () => {
   const small = Path.fromSVG("M0 0A1 1 0 0 1 100 0", { tolerance: 1e-3 });
   assert.ok(radialError(small, [50, 0], 50) <= 1e-3);
   for (const bad of [0, -1, NaN, 1e-15]) refused(() => Path.fromSVG(d, { tolerance: bad }), RangeError, /^tolerance: /);
-  refused(() => Path.fromSVG(d, { tolerance: "1" }), TypeError, /^tolerance: /);
+  refused(() => Path.fromSVG(d, { tolerance: /** @type {any} */ ("1") }), TypeError, /^tolerance: /);
 });
 
 test("wrong arguments of shapes are refused", () => {
@@ -209,8 +210,8 @@ test("wrong arguments of shapes are refused", () => {
     refused(() => Path.rect([0, 0], 1, 1, { radii: bad }), RangeError, /^radii: /);
   }
   refused(() => Path.circle([0, 0, 0], 1), RangeError, /^center: expected 2 coordinates, got 3/);
-  refused(() => Path.circle(undefined, 1), TypeError, /^center: /);
-  refused(() => Path.circle([0, 0], "1"), TypeError, /^radius: /);
+  refused(() => Path.circle(/** @type {any} */ (undefined), 1), TypeError, /^center: /);
+  refused(() => Path.circle([0, 0], /** @type {any} */ ("1")), TypeError, /^radius: /);
   refused(() => Path.circle([0, 0], 1e308), RangeError, /^radius: expected an arc with finite coordinates/);
   refused(() => Path.rect([1e308, 0], 1e308, 1), RangeError, /^shape: expected finite coordinates/);
   refused(() => Path.rect([0, 0], 1, 1, { radii: [1, 2] }), RangeError, /^radii: expected a number or 4 numbers/);
@@ -221,13 +222,13 @@ test("toPath2D draws what trace draws, and says so where there is no Path2D", ()
   const path = Path.fromSVG("M0 0H4V4H0Z M1 1Q2 2 3 1");
   refused(() => path.toPath2D(), Error, /^toPath2D: expected an environment with Path2D/);
   const [drawn, traced] = [recorder(), recorder()];
-  globalThis.Path2D = function Path2D() {
+  /** @type {any} */ (globalThis).Path2D = function Path2D() {
     return drawn;
   };
   try {
     assert.equal(path.toPath2D(), drawn);
   } finally {
-    delete globalThis.Path2D;
+    delete (/** @type {any} */ (globalThis).Path2D);
   }
   path.trace(traced);
   assert.deepEqual(drawn.calls, traced.calls);

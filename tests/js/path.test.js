@@ -259,7 +259,7 @@ test("where paths meet", () => {
     [2, 2.25],
   ]);
   for (const other of [line, Spline.fromCurves([line]), new Path([line])]) {
-    const places = ring.intersections(other);
+    const places = /** @type {any[]} */ (ring.intersections(other));
     assert.deepEqual(
       places.map(({ kind }) => kind),
       ["cross", "cross"],

@@ -12,7 +12,11 @@ const LENIENT = ["cubic-bezier(0,0,1,1", "ease /*", "cubic-bezier(0,1e999,1,1)",
 /** Chromium keeps these numbers as 32-bit floats, or not at all. */
 const OUT_OF_RANGE = /1\.7e308|2147483647/;
 
-/** For each text: the progress of an animation at some parts of its duration, or null where the text is refused. */
+/**
+ * For each text: the progress of an animation at some parts of its duration, or null where the text is refused.
+ *
+ * @param {any} input
+ */
 const progressInPage = ([texts, xs]) =>
   texts.map((easing) => {
     try {
@@ -24,7 +28,7 @@ const progressInPage = ([texts, xs]) =>
       animation.pause();
       return xs.map((x) => {
         animation.currentTime = 1000 * x;
-        return animation.effect.getComputedTiming().progress;
+        return /** @type {any} */ (animation.effect).getComputedTiming().progress;
       });
     } catch {
       return null;

@@ -125,7 +125,6 @@ const CORE_SPLINES: &[&str] = &[
     "spline_append",
     "spline_bounds",
     "spline_continuity",
-    "spline_eval",
     "spline_eval_at",
     "spline_flatten",
     "spline_from_curves",

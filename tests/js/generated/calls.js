@@ -39,11 +39,11 @@ const location = (a, k = a.k, part = a.t) => {
 };
 const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
 const withPath2D = (act) => {
-  globalThis.Path2D = recorder;
+  /** @type {any} */ (globalThis).Path2D = recorder;
   try {
     return act();
   } finally {
-    delete globalThis.Path2D;
+    delete (/** @type {any} */ (globalThis).Path2D);
   }
 };
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
@@ -122,7 +122,8 @@ const SPLINE = {
   "Spline.toJSON": (a) => a.spline.toJSON(),
   "Spline.interpolate": (a) =>
     Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
-  "Spline.fit": (a) => Spline.fit(a.points, a.tolerance, { cornerAngle: a.corner_angle, closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.fit": (a) =>
+    Spline.fit(a.points, a.tolerance, { cornerAngle: a.corner_angle, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.controlPoints": (a) => a.spline.controlPoints(),
   "Spline.dimension": (a) => a.spline.dimension,
   "Spline.closed": (a) => a.spline.closed,
