@@ -1,7 +1,7 @@
 // How curves and splines of one copy of this package are recognised by another copy: each entry point is a bundle with
 // its own classes, so that `instanceof` does not answer that question. Both kinds have the two members of `Branded`,
 // whose names are strings because bundlers keep an unused class that has a computed name.
-import { describe } from "./check.js";
+import { describe } from "./describe.js";
 
 /**
  * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
@@ -12,13 +12,18 @@ import { describe } from "./check.js";
 
 /**
  * @internal
- * @typedef {{ readonly casteljauType: "curve" | "spline", casteljauData(): SplineData }} Branded
+ * @typedef {"curve" | "spline" | "path" | "patch" | "surface" | "mesh"} BrandedType
+ */
+
+/**
+ * @internal
+ * @typedef {{ readonly casteljauType: BrandedType, casteljauData(): SplineData }} Branded
  */
 
 /**
  * @internal
  * @param {unknown} value
- * @returns {"curve" | "spline" | undefined} undefined for any other value
+ * @returns {BrandedType | undefined} undefined for any other value
  */
 export function typeOf(value) {
   return /** @type {Partial<Branded> | null | undefined} */ (value)?.casteljauType;

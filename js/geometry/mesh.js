@@ -39,6 +39,7 @@ import { core } from "../wasm/surfaces-transfer.js";
  */
 export const gridLayouts = new WeakMap();
 
+const GRID_OPTIONS = /** @type {const} */ (["segments", "method", "quads", "into"]);
 const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
 /** The core releases the memory of a mesh with more bytes than this after it was read. */
@@ -85,6 +86,16 @@ export class Mesh {
     this.quads = quads;
     /** The range of each patch in the arrays; with 0 vertices if patches share them. */
     this.patchRanges = patchRanges;
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"mesh"}
+   */
+  get casteljauType() {
+    return "mesh";
   }
 
   /**
@@ -149,10 +160,10 @@ export class Mesh {
  * @returns {{ u: number, v: number, quads: boolean, differences: boolean, into: Mesh | undefined }}
  */
 export function gridOptions(options) {
-  const { segments, method = "bernstein", quads = false, into } = check.options(options);
+  const { segments, method = "bernstein", quads, into } = check.options(options, GRID_OPTIONS);
   const { u, v } = segmentsOf(segments);
   const differences = check.oneOf(method, "method", METHODS) === "forward-difference";
-  return { u, v, quads: Boolean(quads), differences, into: meshInto(into) };
+  return { u, v, quads: check.optionalBoolean(quads, "quads"), differences, into: meshInto(into) };
 }
 
 /**
@@ -163,7 +174,7 @@ export function gridOptions(options) {
  * @returns {Mesh | undefined}
  */
 export function meshInto(into) {
-  return into === undefined ? into : check.instanceOf(into, "into", Mesh);
+  return into === undefined ? into : check.instanceOf(into, "into", Mesh, "a Mesh");
 }
 
 /**

@@ -2,7 +2,8 @@ import { basisNumbers } from "./basis.js";
 import * as check from "./check.js";
 import { curveOf } from "./curve/curve.js";
 import { readGrid } from "./grid-mesh.js";
-import { flatten, nested, pointAt, samePoints, writePoint } from "./points.js";
+import { netNumbers } from "./net.js";
+import { nested, pointAt, samePoints, writePoint } from "./points.js";
 import { gridOptions, readMesh } from "./mesh.js";
 import * as queries from "./surface-queries.js";
 import { core, unwrapCount, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
@@ -11,12 +12,22 @@ import { CheckedPoints } from "../wasm/transfer.js";
 
 /**
  * @import { BasisLike } from "./basis.js"
- * @import { MatrixLike, PointLike, PointsLike } from "./check.js"
+ * @import { MatrixLike, PointLike } from "./check.js"
  * @import { Curve } from "./curve/curve.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
+ * @import { NetLike } from "./net.js"
  * @import { Point } from "./points.js"
  * @import { Curvature, PatchPoint, PatchDeCasteljau } from "./surface-queries.js"
  * @import { TessellationOptions } from "./tessellation.js"
+ */
+
+/**
+ * What `Patch.toJSON` returns; `Patch.fromJSON` also reads other forms of nets.
+ *
+ * @typedef {object} PatchJSON
+ * @property {NetLike} net
+ * @property {number} [degreeU] 3 by default
+ * @property {number} [degreeV] 3 by default
  */
 
 /**
@@ -40,20 +51,17 @@ export class Patch {
   #degreeV;
 
   /**
-   * @param {PointsLike} net (degreeU + 1)·(degreeV + 1) control points; a flat array holds three numbers each
+   * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
+   *   degreeV + 1 rows; an array of numbers holds three for each point
    * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net, options) {
-    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
     this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
     this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
     const checked = /** @type {unknown} */ (net);
-    this.#flat = checked instanceof CheckedPoints ? checked.flat : flatten(net, 3, 3, "net").flat;
-    const [count, needed] = [this.#flat.length / 3, (degreeU + 1) * (degreeV + 1)];
-    if (count !== needed) {
-      throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
-    }
+    this.#flat = checked instanceof CheckedPoints ? checked.flat : netNumbers(net, degreeU, degreeV);
   }
 
   /**
@@ -63,20 +71,18 @@ export class Patch {
    *     const patch = Patch.fromBasis("b-spline", net);
    *
    * @param {BasisLike} basis
-   * @param {PointsLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
+   * @param {NetLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
    *   last two rows are derivatives in v
    * @returns {Patch}
    */
   static fromBasis(basis, net) {
     const matrix = basisNumbers(basis);
-    const { flat } = flatten(net, 3, 3, "net");
-    if (flat.length !== 48) throw new RangeError(`net: expected 16 points, got ${flat.length / 3}`);
-    writeArguments(flat, 16).set(matrix, 48);
+    writeArguments(netNumbers(net, 3, 3), 16).set(matrix, 48);
     return patchOf(/** @type {any} */ (new CheckedPoints(readResult(0, core().patch_from_basis()), 3)), {});
   }
 
   /**
-   * @param {{ net: PointsLike, degreeU?: number, degreeV?: number }} json what `toJSON` returned
+   * @param {PatchJSON} json what `toJSON` returned
    * @returns {Patch}
    */
   static fromJSON(json) {
@@ -84,6 +90,16 @@ export class Patch {
       throw new TypeError(`json: expected an object with net, got ${check.describe(json)}`);
     }
     return patchOf(json.net, { degreeU: json.degreeU, degreeV: json.degreeV });
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"patch"}
+   */
+  get casteljauType() {
+    return "patch";
   }
 
   /** The degree in u. */
@@ -203,9 +219,11 @@ export class Patch {
    * Splits the patch at u into two.
    *
    * @param {number} u
+   * @param {never[]} surplus
    * @returns {[Patch, Patch]}
    */
-  splitU(u) {
+  splitU(u, ...surplus) {
+    check.noSurplus(surplus, "splitU", 1, "split(u, v)");
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -213,9 +231,11 @@ export class Patch {
    * Splits the patch at v into two.
    *
    * @param {number} v
+   * @param {never[]} surplus
    * @returns {[Patch, Patch]}
    */
-  splitV(v) {
+  splitV(v, ...surplus) {
+    check.noSurplus(surplus, "splitV", 1, "split(u, v)");
     return this.#split(false, check.finite(v, "v"));
   }
 
@@ -235,10 +255,12 @@ export class Patch {
   /**
    * The same patch with both degrees raised by one.
    *
+   * @param {never[]} surplus
    * @returns {Patch}
    * @throws {RangeError} at degree 64
    */
-  elevate() {
+  elevate(...surplus) {
+    check.noSurplus(surplus, "elevate", 0);
     writeArguments(this.#flat);
     const net = /** @type {any} */ (
       new CheckedPoints(readResult(0, core().patch_elevate(this.#degreeU, this.#degreeV)), 3)
@@ -353,13 +375,13 @@ export class Patch {
   }
 
   /**
-   * A mesh of the patch; see `Surface.tessellate`.
+   * A mesh of the patch; see `Surface.tessellate`. Here `weld` is "none" by default, so that the mesh has uvs.
    *
    * @param {TessellationOptions} options
    * @returns {Mesh}
    */
   tessellate(options) {
-    const { args, extra, into, ...kind } = tessellation(options);
+    const { args, extra, into, ...kind } = tessellation(options, "none");
     writeArguments(this.#flat, extra.length).set(extra, this.#flat.length);
     unwrapCount(core().patch_tessellate(this.#degreeU, this.#degreeV, ...args));
     return readMesh(into, kind);
@@ -422,7 +444,7 @@ export class Patch {
 // Outside of the class, see curve.js.
 
 /**
- * @param {PointsLike} net
+ * @param {NetLike} net
  * @param {{ degreeU?: number, degreeV?: number }} degrees
  */
 function patchOf(net, degrees) {
@@ -431,5 +453,5 @@ function patchOf(net, degrees) {
 
 /** @param {unknown} other */
 function asPatch(other) {
-  return check.instanceOf(other, "other", Patch);
+  return check.instanceOf(other, "other", Patch, "a Patch");
 }

@@ -104,6 +104,16 @@ export class Path {
     );
   }
 
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"path"}
+   */
+  get casteljauType() {
+    return "path";
+  }
+
   /** The number of subpaths. */
   get subpathCount() {
     return this.#packed[0];
@@ -168,9 +178,11 @@ export class Path {
    * The sum of the lengths of all segments.
    *
    * @param {number} [tolerance] the largest error, by default 1e-12 of the length
+   * @param {never[]} surplus
    * @returns {number}
    */
-  length(tolerance) {
+  length(tolerance, ...surplus) {
+    check.noSurplus(surplus, "length", 1);
     const maxError = check.optionalTolerance(tolerance);
     writeArguments(this.#packed);
     return readResult(0, core().path_length(maxError))[0];
@@ -293,9 +305,11 @@ export class Path {
    * For each subpath a polyline whose distance from it is nowhere greater than `tolerance`; joints are vertices.
    *
    * @param {number} tolerance
+   * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }[]}
    */
-  flatten(tolerance) {
+  flatten(tolerance, ...surplus) {
+    check.noSurplus(surplus, "flatten", 1);
     check.positive(tolerance, "tolerance");
     writeArguments(this.#packed);
     const numbers = readResult(0, core().path_flatten(tolerance));
@@ -381,7 +395,7 @@ class CheckedPath {
 
 /** @param {unknown} other */
 function asPath(other) {
-  return check.instanceOf(other, "other", Path); // outside of the class, see curve.js
+  return check.instanceOf(other, "other", Path, "a Path"); // outside of the class, see curve.js
 }
 
 /** @param {Float64Array} packed */

@@ -5,6 +5,7 @@ import { gridOptions, readMesh } from "./mesh.js";
 import { Patch } from "./patch.js";
 import { flatten, writePoint } from "./points.js";
 import * as queries from "./surface-queries.js";
+import { networkJSON, networkOfJSON, networkOfPatches, vertexIndices } from "./surface-network.js";
 import { tessellation } from "./tessellation.js";
 import { readTopology } from "./topology.js";
 import { parseSurface, surfaceText } from "../io/surface-text.js";
@@ -19,6 +20,7 @@ import { isocurves, wireframe } from "./wireframe.js";
  * @import { WireframeOptions } from "./wireframe.js"
  * @import { GridOptions, Mesh } from "./mesh.js"
  * @import { Point } from "./points.js"
+ * @import { SurfaceJSON } from "./surface-network.js"
  * @import { SurfacePoint } from "./surface-queries.js"
  * @import { TessellationOptions } from "./tessellation.js"
  * @import { Topology } from "./topology.js"
@@ -41,6 +43,7 @@ import { isocurves, wireframe } from "./wireframe.js";
 
 /** In the order of the core's bits. */
 const PARTS = /** @type {const} */ (["rim", "body", "handle", "spout", "lid", "bottom"]);
+const TEAPOT_OPTIONS = /** @type {const} */ ([...PARTS, "height", "up"]);
 
 /**
  * A network of Bézier patches that share control points.
@@ -63,8 +66,8 @@ export class Surface {
       this.#network = checked.network;
       return;
     }
-    const { vertices, patches } = check.options(data, "data");
-    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    const { vertices, patches } = check.object(data, "data");
+    const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
     check.whole(degreeU, "degreeU", 1, 64);
     check.whole(degreeV, "degreeV", 1, 64);
     const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
@@ -82,10 +85,13 @@ export class Surface {
    * @returns {Surface}
    */
   static teapot(options) {
-    const checked = check.options(options);
+    const checked = check.options(options, TEAPOT_OPTIONS);
     const height = check.oneOf(checked.height ?? "squashed", "height", ["squashed", "original"]);
-    const up = upAxis(checked);
-    const bits = PARTS.reduce((sum, part, k) => (checked[part] === false ? sum : sum | (1 << k)), 0);
+    const up = upAxis(checked.up);
+    const bits = PARTS.reduce(
+      (sum, part, k) => (check.optionalBoolean(checked[part], part, true) ? sum | (1 << k) : sum),
+      0,
+    );
     return readSurface(core().surface_teapot(bits, height === "original", up === "y"));
   }
 
@@ -98,7 +104,7 @@ export class Surface {
    * @returns {Surface}
    */
   static teacup(options) {
-    return readSurface(core().surface_teaset(false, upAxis(options) === "y"));
+    return readSurface(core().surface_teaset(false, upAxis(check.options(options, ["up"]).up) === "y"));
   }
 
   /**
@@ -109,7 +115,7 @@ export class Surface {
    * @returns {Surface}
    */
   static teaspoon(options) {
-    return readSurface(core().surface_teaset(true, upAxis(options) === "y"));
+    return readSurface(core().surface_teaset(true, upAxis(check.options(options, ["up"]).up) === "y"));
   }
 
   /**
@@ -132,6 +138,45 @@ export class Surface {
   static parse(text) {
     if (typeof text !== "string") throw new TypeError(`text: expected a string, got ${check.describe(text)}`);
     return surfaceOf(parseSurface(text, joinedOf));
+  }
+
+  /**
+   * The surface of patches, which may differ in their degrees. Control points at the same position become one vertex,
+   * so neighbours that have the same points along an edge are joined there. The order of the patches is kept.
+   *
+   * @param {readonly Patch[]} patches
+   * @returns {Surface}
+   */
+  static fromPatches(patches) {
+    return surfaceOf(networkOfPatches(patches, joinedOf));
+  }
+
+  /**
+   * @param {SurfaceJSON} json what `toJSON` returned
+   * @returns {Surface}
+   */
+  static fromJSON(json) {
+    return surfaceOf(networkOfJSON(json, joinedOf));
+  }
+
+  /**
+   * The vertices and, for each patch, its vertex indices and degrees. As with `toText`, vertices which have been moved
+   * to the same position are joined in the surface that `fromJSON` returns.
+   *
+   * @returns {{ vertices: number[][], patches: number[][], degrees: number[][] }}
+   */
+  toJSON() {
+    return networkJSON(this.#network, this.patches);
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"surface"}
+   */
+  get casteljauType() {
+    return "surface";
   }
 
   /**
@@ -378,7 +423,7 @@ export class Surface {
    */
   trace(target, options) {
     const sink = check.drawingTarget(target);
-    const { matrix, lines = 4, tolerance } = check.options(options);
+    const { matrix, lines = 4, tolerance } = check.options(options, ["matrix", "lines", "tolerance"]);
     const m = check.matrixNumbers(/** @type {MatrixLike} */ (matrix));
     check.segmentCount(lines, "lines");
     const tolerancePx = check.optionalTolerance(tolerance);
@@ -463,9 +508,9 @@ function joinedOf(vertices) {
   return joined;
 }
 
-/** @param {{ up?: "z" | "y" } | undefined} options */
-function upAxis(options) {
-  return check.oneOf(check.options(options).up ?? "z", "up", ["z", "y"]);
+/** @param {unknown} up */
+function upAxis(up = "z") {
+  return check.oneOf(up, "up", ["z", "y"]);
 }
 
 /**
@@ -477,11 +522,6 @@ function upAxis(options) {
 function patchIndices(patches, count, vertices) {
   if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
   const all = new Uint32Array(patches.length * count);
-  patches.forEach((net, k) => {
-    if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.describe(net)}`);
-    if (net.length !== count)
-      throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
-    for (let i = 0; i < count; i++) all[k * count + i] = check.whole(net[i], `patches[${k}][${i}]`, 0, vertices - 1);
-  });
+  patches.forEach((net, k) => all.set(vertexIndices(net, count, vertices, `patches[${k}]`), k * count));
   return all;
 }

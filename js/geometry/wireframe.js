@@ -19,6 +19,7 @@ import { CheckedPoints } from "../wasm/transfer.js";
 /** The default number of strips per patch in each direction. */
 const DEFAULT_LINES = 4;
 const DEFAULT_SIDES = 8;
+const WIREFRAME_OPTIONS = /** @type {any} */ (["lines", "radius", "sides", "width", "into"]);
 /** The largest count that can be passed to the core, which has a lower limit of its own. */
 const MAX_SIDES = 0xffffffff;
 
@@ -29,7 +30,7 @@ const MAX_SIDES = 0xffffffff;
  * @returns {Curve[]}
  */
 export function isocurves(writeSurface, options) {
-  const lines = check.segmentCount(check.options(options).lines ?? DEFAULT_LINES, "lines");
+  const lines = check.segmentCount(check.options(options, ["lines"]).lines ?? DEFAULT_LINES, "lines");
   writeSurface();
   const numbers = readResult(0, core().surface_isocurves(lines));
   releaseMemory();
@@ -49,16 +50,19 @@ export function isocurves(writeSurface, options) {
  * @returns {Mesh}
  */
 export function wireframe(writeSurface, options) {
-  const checked = /** @type {Record<string, any>} */ (check.options(options));
+  const checked = /** @type {Record<string, any>} */ (check.options(options, WIREFRAME_OPTIONS));
   const { lines = DEFAULT_LINES, radius, sides = DEFAULT_SIDES, width, into } = checked;
   if ((radius === undefined) === (width === undefined)) {
     const got = radius === undefined ? "none of them" : "both";
     throw new TypeError(`options: expected either radius (tubes) or width (ribbons), got ${got}`);
   }
+  if (width !== undefined && checked.sides !== undefined) {
+    throw new TypeError("sides: expected radius (tubes have sides), got width");
+  }
   check.segmentCount(lines, "lines");
   check.whole(sides, "sides", 3, MAX_SIDES);
   const size = width === undefined ? check.positive(radius, "radius") : check.positive(width, "width");
-  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh);
+  const earlier = into === undefined ? into : check.instanceOf(into, "into", Mesh, "a Mesh");
   writeSurface();
   unwrapCount(core().surface_wireframe(lines, size, width === undefined ? sides : 0));
   return readMesh(earlier, { separatePatches: false });

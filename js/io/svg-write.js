@@ -102,7 +102,7 @@ function checkTolerance(packed, tolerance) {
  */
 export function traceOn(packed, target, options) {
   const canvas = check.drawingTarget(target);
-  const tolerance = check.optionalTolerance(check.options(options).tolerance);
+  const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
   checkTolerance(packed, tolerance);
   const sink = {
     move: (/** @type {number} */ x, /** @type {number} */ y) => canvas.moveTo(x, y),
@@ -132,7 +132,7 @@ export function traceOn(packed, target, options) {
  * @returns {string}
  */
 export function svgOf(packed, options) {
-  const { precision, tolerance } = check.options(options);
+  const { precision, tolerance } = check.options(options, ["precision", "tolerance"]);
   if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);

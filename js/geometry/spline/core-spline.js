@@ -65,7 +65,7 @@ export class CoreSpline extends SplineEvaluation {
   movePoint(index, to, options) {
     const last = this.casteljauData().flat.length / this.dimension - 1;
     check.whole(index, "index", 0, last);
-    const modes = modeCodes(check.options(options).joints, this.segmentCount, this.dimension);
+    const modes = modeCodes(check.options(options, ["joints"]).joints, this.segmentCount, this.dimension);
     const position = this._coordinates(to, "to");
     const args = new Float64Array(position.length + modes.length);
     args.set(position);
@@ -179,7 +179,7 @@ export function joinCurves(curves, options) {
   const dimension = data[0].dimension;
   const other = data.findIndex((curve) => curve.dimension !== dimension);
   if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a ${5 - dimension}D one`);
-  const closed = check.options(options).closed ? 1 : 0;
+  const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed") ? 1 : 0;
   const degrees = data.map((curve) => curve.degrees[0]);
   writeArguments(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
   return { length: core().spline_from_curves(dimension), dimension };

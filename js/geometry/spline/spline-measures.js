@@ -40,9 +40,11 @@ export class SplineMeasures extends CoreSpline {
    * The arc length with a relative error below 10⁻¹².
    *
    * @param {number} [tolerance] the largest error, in the unit of the points, if it is to be smaller
+   * @param {never[]} surplus
    * @returns {number}
    */
-  length(tolerance) {
+  length(tolerance, ...surplus) {
+    check.noSurplus(surplus, "length", 1);
     const maxError = check.optionalTolerance(tolerance);
     return readResult(0, core().spline_length(this._write(), maxError))[0];
   }

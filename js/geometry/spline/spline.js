@@ -101,13 +101,14 @@ export class Spline extends SplineMeasures {
    * @returns {Spline}
    */
   static fit(points, tolerance, options) {
-    const { closed = false, dimension: requested } = check.options(options);
+    const { closed, dimension: requested } = check.options(options, ["closed", "dimension"]);
+    const isClosed = check.optionalBoolean(closed, "closed");
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, tolerance, Boolean(closed)), dimension);
+    const spline = readSpline(core().spline_fit(dimension, count, tolerance, isClosed), dimension);
     releaseMemory();
     return spline;
   }
@@ -120,9 +121,11 @@ export class Spline extends SplineMeasures {
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
    * @param {CoreCurve | CoreSpline} other
+   * @param {never[]} surplus
    * @returns {Intersection[]}
    */
-  intersections(other) {
+  intersections(other, ...surplus) {
+    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     return intersectSplines(this.casteljauData(), other);
   }
@@ -167,7 +170,7 @@ export class Spline extends SplineMeasures {
   offset(distance, options) {
     this._require2D("offset");
     check.finite(distance, "distance");
-    const { tolerance, join = "round" } = check.options(options);
+    const { tolerance, join = "round" } = check.options(options, ["tolerance", "join"]);
     const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
     const maxError = check.optionalTolerance(tolerance);
     this._write();
