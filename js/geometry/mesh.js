@@ -6,7 +6,7 @@ import { meshToThree } from "../io/three.js";
 import { core } from "../wasm/surfaces-transfer.js";
 
 /**
- * @import { GeometryLike, Three } from "../io/three.js"
+ * @import { Three } from "../io/three.js"
  */
 
 /**
@@ -140,11 +140,10 @@ export class Mesh {
    *     import * as THREE from "three";
    *     const geometry = Surface.teapot({ up: "y" }).tessellate({ tolerance: 0.01 }).toThree(THREE);
    *
-   * @template Attribute
-   * @template {GeometryLike<Attribute>} Geometry
-   * @param {Three<Attribute, Geometry>} THREE the namespace of three.js, or an object with its BufferGeometry and
+   * @template {{ new (): any, prototype: any }} GeometryClass
+   * @param {Three<GeometryClass>} THREE the namespace of three.js, or an object with its BufferGeometry and
    *   BufferAttribute
-   * @returns {Geometry}
+   * @returns {GeometryClass["prototype"]}
    * @throws {TypeError} if one of the two classes is missing
    */
   toThree(THREE) {

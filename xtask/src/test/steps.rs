@@ -76,7 +76,7 @@ pub(crate) const STEPS: [Step; 17] = [
     },
     Step {
         name: "types",
-        title: "JSDoc types of the package's sources",
+        title: "JSDoc types of the package, and a program that uses them",
         needs: &["build"],
         act: types,
         ..PLAIN
@@ -233,7 +233,8 @@ fn size(_: &Context) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// Checks the types. The build checks them only if something changed; this step always does.
+/// Checks the types of the package, and a program that uses its declarations. The build checks the package only if
+/// something changed; this step always does.
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
     let tsc = "node_modules/typescript/bin/tsc";
@@ -244,9 +245,10 @@ fn types(_: &Context) -> Result<Done> {
         "false",
         "--noEmit",
     ];
-    let mut check = shell::node(&[tsc]);
-    check.args(check_only);
-    run_all([check])
+    let mut package = shell::node(&[tsc]);
+    package.args(check_only);
+    let user = shell::node(&[tsc, "--project", "tests/types"]);
+    run_all([package, user])
 }
 
 /// Passes the file for the list of skipped tests to a custom runner.
