@@ -11,9 +11,12 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
  */
 
 /**
- * The point of a curve or a spline that is nearest to another point: its parameter, the point, the distance.
+ * The point of a curve or a spline that is nearest to another point.
  *
- * @typedef {{ t: number, point: Point, distance: number }} Nearest
+ * @typedef {object} Nearest
+ * @property {number} t the parameter of the nearest point
+ * @property {Point} point the nearest point
+ * @property {number} distance its distance from the other point
  */
 
 /**

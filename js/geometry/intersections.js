@@ -14,9 +14,25 @@ import { writeArguments, releaseMemory } from "../wasm/transfer.js";
  * An intersection of two curves: t on the first, u on the second. At a "tangent" intersection, both have the same or
  * opposite directions. An "overlap" is a shared part from t and u to tEnd and uEnd; `point` is its start.
  *
- * @typedef {{ t: number, u: number, point: Point, kind: "cross" | "tangent" }} PointIntersection
- * @typedef {{ t: number, u: number, point: Point, kind: "overlap", tEnd: number, uEnd: number }} OverlapIntersection
  * @typedef {PointIntersection | OverlapIntersection} Intersection
+ */
+
+/**
+ * @typedef {object} PointIntersection
+ * @property {number} t the parameter on the first curve
+ * @property {number} u the parameter on the second curve
+ * @property {Point} point
+ * @property {"cross" | "tangent"} kind
+ */
+
+/**
+ * @typedef {object} OverlapIntersection
+ * @property {number} t the start of the shared part on the first curve
+ * @property {number} u its start on the second curve
+ * @property {Point} point its start
+ * @property {"overlap"} kind
+ * @property {number} tEnd the end of the shared part on the first curve
+ * @property {number} uEnd its end on the second curve, below `u` if the directions are opposite
  */
 
 /**

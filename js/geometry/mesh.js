@@ -12,7 +12,11 @@ import { core } from "../wasm/surfaces-transfer.js";
 /**
  * The range of one patch in the arrays of a mesh.
  *
- * @typedef {{ firstVertex: number, vertices: number, firstIndex: number, indices: number }} PatchRange
+ * @typedef {object} PatchRange
+ * @property {number} firstVertex the index of the first vertex
+ * @property {number} vertices the number of vertices; 0 if patches share them
+ * @property {number} firstIndex the position of the first index in `indices`
+ * @property {number} indices the number of indices, three for each triangle
  */
 
 /**

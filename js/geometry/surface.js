@@ -27,11 +27,17 @@ import { isocurves, wireframe } from "./wireframe.js";
  */
 
 /**
- * The parts of the teapot (all by default), its height ("squashed", 3.15, by default; "original", 4/3 as tall) and the
- * axis that points up ("z" by default).
+ * The parts of the teapot, its height and the axis that points up.
  *
- * @typedef {{ rim?: boolean, body?: boolean, handle?: boolean, spout?: boolean, lid?: boolean, bottom?: boolean,
- *   height?: "squashed" | "original", up?: "z" | "y" }} TeapotOptions
+ * @typedef {object} TeapotOptions
+ * @property {boolean} [rim] true by default, as all parts
+ * @property {boolean} [body]
+ * @property {boolean} [handle]
+ * @property {boolean} [spout]
+ * @property {boolean} [lid]
+ * @property {boolean} [bottom]
+ * @property {"squashed" | "original"} [height] "squashed" (3.15) by default; "original" is 4/3 as tall
+ * @property {"z" | "y"} [up] "z" by default
  */
 
 /**

@@ -117,10 +117,12 @@ export function traceOn(packed, target, options) {
 }
 
 /**
- * The options of SVG path data: `precision` (0 to 100), the maximum number of digits after the decimal point, selects
- * the shortest form; `tolerance` is for degrees above 3, which become cubics.
+ * The options of SVG path data.
  *
- * @typedef {{ precision?: number, tolerance?: number }} SvgOptions
+ * @typedef {object} SvgOptions
+ * @property {number} [precision] 0 to 100, the maximum number of digits after the decimal point; selects the shortest
+ *   form
+ * @property {number} [tolerance] the largest distance of the cubics that replace segments of degrees above 3
  */
 
 /**
