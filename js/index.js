@@ -3,8 +3,10 @@ export * from "./types.js";
 export { init } from "./wasm/init.js";
 export { Curve } from "./geometry/curve/curve.js";
 export { Spline } from "./geometry/spline/spline.js";
-export { Path } from "./geometry/path.js";
-export { Patch } from "./geometry/patch.js";
-export { Surface } from "./geometry/surface.js";
+export { Path } from "./geometry/path/path.js";
+export { Patch } from "./geometry/patch/patch.js";
+export { Surface } from "./geometry/surface/surface.js";
 export { Mesh } from "./geometry/mesh.js";
 export { easing } from "./geometry/easing.js";
+
+/** @typedef {import("./geometry/easing.js").Easing} Easing */

@@ -24,11 +24,13 @@
 //!
 //! # Features
 //!
-//! Both are off by default.
+//! All are off by default.
 //!
 //! - `serde`: serialization of curves, splines, paths, patches, surfaces, easings, options and results. What is read is
 //!   checked as by the constructors.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
+//!
+//! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), for tests of the work limits.
 //!
 //! # Example
 //!
@@ -69,12 +71,14 @@ mod serde;
 mod wasm;
 
 pub use curve::Curve;
-pub use easing::Easing;
+pub use easing::{Easing, EasingError};
 pub use geometry::error::{Error, MAX_DEGREE};
 pub use geometry::point::{CrossProduct, Point};
 pub use glam;
 pub use mesh::{Grid, GridMethod, Indices, Mesh};
 pub use models::TeapotOptions;
+#[cfg(feature = "count-work")]
+pub use numeric::work_limit::take_steps;
 pub use patch::Patch;
 pub use path::Path;
 pub use spline::Spline;

@@ -4,7 +4,7 @@
 //! Results and options are plain values and derive their form from their fields.
 
 use crate::curve::Curve;
-use crate::easing::Easing;
+use crate::easing::{Easing, Kind};
 use crate::geometry::point::Point;
 use crate::patch::Patch;
 use crate::path::Path;
@@ -158,16 +158,30 @@ impl<'de> Deserialize<'de> for Surface {
     }
 }
 
-/// `[x1, y1, x2, y2]`
+/// `[x1, y1, x2, y2]`, or CSS text for `steps()` and `linear()`.
+#[derive(Read)]
+#[serde(untagged)]
+enum EasingForm {
+    Handles([f64; 4]),
+    Css(String),
+}
+
 impl Write for Easing {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.handles.serialize(serializer)
+        match &self.kind {
+            Kind::Cubic(cubic) => cubic.handles.serialize(serializer),
+            _ => serializer.collect_str(self),
+        }
     }
 }
 
 impl<'de> Deserialize<'de> for Easing {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let [x1, y1, x2, y2] = Deserialize::deserialize(deserializer)?;
-        Self::new(x1, y1, x2, y2).map_err(D::Error::custom)
+        match EasingForm::deserialize(deserializer)? {
+            EasingForm::Handles([x1, y1, x2, y2]) => {
+                Self::new(x1, y1, x2, y2).map_err(D::Error::custom)
+            }
+            EasingForm::Css(text) => text.parse().map_err(D::Error::custom),
+        }
     }
 }

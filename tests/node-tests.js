@@ -30,10 +30,10 @@ export function chooseTests(folder, args) {
   const words = args.filter((arg) => arg !== "--deep");
   const unknown = words.find((word) => word.startsWith("--"));
   if (unknown) throw new RangeError(`expected --deep, files or test names, got ${unknown}`);
-  const named = words.map((word) => [word, all.find((name) => isNameOf(name, basename(word)))]);
-  const files = named.flatMap(([, file]) => file ?? []);
+  const named = words.map((word) => ({ word, file: all.find((name) => isNameOf(name, basename(word))) }));
+  const files = named.flatMap(({ file }) => file ?? []);
   const chosen = files.length > 0 ? [...new Set(files)] : all.filter((name) => name.endsWith(DEEP_ENDING) === deep);
-  const patterns = named.filter(([, file]) => !file).map(([word]) => patternOf(word));
+  const patterns = named.filter(({ file }) => !file).map(({ word }) => patternOf(word));
   return { files: chosen.map((name) => join(path, name)), patterns };
 }
 

@@ -2,6 +2,8 @@
 import { build } from "esbuild";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
 import { basename, relative, resolve, sep } from "node:path";
+import { noticesText } from "./notices.js";
+import { replaceMapped, withoutContents } from "./source-map.js";
 
 const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
@@ -23,17 +25,28 @@ const withoutBytes = {
   },
 };
 
-/**
- * Replaces the module of curves by one with only the functions that the applet calls: the classic script exports no
- * curves.
- */
-const appletModule = {
-  name: "applet-module",
+/** Makes a bundle use other modules of js/glue: `{ curves: "core" }` uses the module core for curves. */
+const useModules = (replacements) => ({
+  name: "use-modules",
   setup(build) {
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, async ({ path }) => {
-      const contents = (await readFile(path, "utf8")).replaceAll("../glue/curves", "../glue/applet");
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, async ({ path }) => {
+      const name = path.match(/(\w+)-module\.js$/)[1];
+      if (!replacements[name]) return undefined;
+      const contents = (await readFile(path, "utf8")).replaceAll(`../glue/${name}`, `../glue/${replacements[name]}`);
       return { contents, resolveDir: resolve(sources, "wasm") };
     });
+  },
+});
+
+/** Makes the bundle of casteljau/surfaces use one module for surfaces and curves. */
+const coreSurfaces = {
+  name: "core-surfaces",
+  setup(build) {
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/]curves-module\.js$/ }, () => ({
+      contents: `export { surfacesModule as curvesModule } from "./surfaces-module.js";`,
+      resolveDir: resolve(sources, "wasm"),
+    }));
+    useModules({ surfaces: "core-surfaces" }).setup(build);
   },
 };
 
@@ -58,22 +71,87 @@ const indexExternal = (...folders) => ({
   },
 });
 
-/** Runs esbuild with the options that all bundles share. */
-const bundleAs = (options) =>
-  build({
+/** The files that went into the bundles. */
+const inputs = new Set();
+
+/** Runs esbuild with the options that all bundles share; the results are in memory. */
+async function bundleAs(options) {
+  const { outputFiles, metafile } = await build({
     bundle: true,
     format: "esm",
     target: "es2022",
     charset: "utf8",
-    legalComments: "none",
+    minify: true,
+    sourcemap: "linked",
+    legalComments: "none", // THIRD-PARTY-NOTICES.txt has them
     logLevel: "warning",
+    outdir: "dist",
+    metafile: true,
+    write: false,
     banner,
     ...options,
   });
+  for (const path of Object.keys(metafile.inputs)) inputs.add(path);
+  const files = Object.fromEntries(outputFiles.map(({ path, text }) => [basename(path), text]));
+  for (const name of namesOfScripts(files)) markPureCalls(files, name);
+  return files;
+}
+
+const namesOfScripts = (files) => Object.keys(files).filter((name) => name.endsWith(".js"));
+
+/** Replaces text of a script and adapts its source map. */
+function edit(files, name, pattern, replacement) {
+  const { mappings, ...map } = JSON.parse(files[`${name}.map`]);
+  const result = replaceMapped(files[name], mappings, pattern, replacement);
+  files[name] = result.code;
+  files[`${name}.map`] = JSON.stringify({ ...map, mappings: result.mappings });
+}
+
+/**
+ * Marks the registration of wasm modules as free of side effects, so that bundlers can drop unused modules: esbuild
+ * removes these marks with the other comments.
+ */
+function markPureCalls(files, name) {
+  let count = 0;
+  edit(files, name, /(?<==)[\w$]+\([\w$]+,\{alphabet:/g, (found) => {
+    count++;
+    return `/* @__PURE__ */${found}`;
+  });
+  const expected = new Set(files[name].match(/(?<=[,{]alphabet:)[\w$]+/g)).size;
+  if (count !== expected) throw new Error(`${name}: expected ${expected} registrations of wasm modules, got ${count}`);
+}
+
+/** Keeps the names of the exported classes, which esbuild shortens. */
+function keepClassNames(files, name) {
+  const list = files[name].match(/export\{([^}]*)\}/)?.[1].split(",") ?? [];
+  for (const [short, long] of list.map((item) => item.split(" as "))) {
+    if (!/^[A-Z]/.test(long ?? "")) continue;
+    const id = short.replaceAll("$", "\\$");
+    const start = new RegExp(`(?:(?<![\\w$])${id}=class(?: [\\w$]+)?|class ${id})(?: extends [\\w$]+)?\\{`, "g");
+    let count = 0;
+    edit(files, name, start, (found) => `${found}${count++ ? "" : `static name="${long}";`}`);
+    if (count !== 1) throw new Error(`${name}: expected one class ${long}, got ${count}`);
+  }
+}
+
+/** Whether a source holds a wasm module as text: source maps do not repeat it. */
+const isWasmText = (source) => source.endsWith("-bytes.js");
+
+/** Writes built files to dist/. */
+const write = (files) =>
+  Promise.all(
+    Object.entries(files).map(([name, text]) =>
+      writeFile(`dist/${name}`, name.endsWith(".map") ? withoutContents(text, isWasmText) : text),
+    ),
+  );
 
 /** Bundles one entry of js/ into one file of dist/. */
-const bundle = (entry, name, options = {}) =>
-  bundleAs({ entryPoints: [resolve(sources, entry)], outfile: `dist/${name}`, ...options });
+async function bundle(entry, name, options = {}) {
+  const entryPoints = { [name.replace(/\.js$/, "")]: resolve(sources, entry) };
+  const files = await bundleAs({ entryPoints, ...options });
+  keepClassNames(files, name);
+  await write(files);
+}
 
 /** The entry points that are loaded on demand: the part of each kind of element that draws, by the name of its file. */
 const ON_DEMAND = {
@@ -92,35 +170,40 @@ const IGNORE_COMMENTS = "/* webpackIgnore: true *//* @vite-ignore */";
  */
 async function elements() {
   const entries = Object.entries({ elements: "elements/index.js", ...ON_DEMAND });
-  const { outputFiles } = await bundleAs({
+  const files = await bundleAs({
     entryPoints: Object.fromEntries(entries.map(([name, path]) => [name, resolve(sources, path)])),
-    outdir: "dist",
     splitting: true,
     chunkNames: "elements-shared-[hash]",
     plugins: [indexExternal("elements", "applet")],
     inject: ["xtask/no-dom.js"],
-    minify: true,
-    write: false,
   });
-  const sharedNames = outputFiles
-    .map(({ path }) => basename(path))
-    .filter((name) => name.startsWith("elements-shared-"));
-  const withStableNames = (text) =>
-    sharedNames.reduce((result, name, i) => result.replaceAll(name, `elements-shared${i ? `-${i + 1}` : ""}.js`), text);
-  const finalText = (text) => withStableNames(text).replaceAll("import(`${", `import(${IGNORE_COMMENTS}\`\${`);
-  await mkdir("dist", { recursive: true });
-  await Promise.all(
-    outputFiles.map(({ path, text }) => writeFile(`dist/${finalText(basename(path))}`, finalText(text))),
-  );
+  const hashes = Object.keys(files).flatMap((name) => name.match(/^elements-shared-(\w+)\.js$/)?.[1] ?? []);
+  const stableName = (name) => {
+    const index = hashes.findIndex((hash) => name.includes(`-${hash}`));
+    return index < 0 ? name : name.replace(`-${hashes[index]}`, index ? `-${index + 1}` : "");
+  };
+  const edited = (found) => (found.startsWith("import(") ? `import(${IGNORE_COMMENTS}\`\${` : stableName(found));
+  for (const name of namesOfScripts(files))
+    edit(files, name, /elements-shared-\w+\.js(?:\.map)?|import\(`\$\{/g, edited);
+  await write(Object.fromEntries(Object.entries(files).map(([name, text]) => [stableName(name), text])));
 }
 
-// Remove the parts of earlier builds, so that they are not published.
-const oldParts = (await readdir("dist").catch(() => [])).filter((name) => /^elements\b.*\.js$/.test(name));
-await Promise.all(oldParts.map((name) => rm(`dist/${name}`)));
+// Remove the files of earlier builds, so that they are not published.
+await mkdir("dist", { recursive: true });
+const oldFiles = (await readdir("dist")).filter((name) => /\.js(\.map)?$/.test(name));
+await Promise.all(oldFiles.map((name) => rm(`dist/${name}`)));
 await Promise.all([
   bundle("index.js", "index.js"),
+  bundle("easing.js", "easing.js"),
+  bundle("core.js", "core.js", { plugins: [useModules({ curves: "core" })] }),
+  bundle("surfaces.js", "surfaces.js", { plugins: [coreSurfaces] }),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
+  bundle("index.js", "casteljau.global.js", { format: "iife", globalName: "casteljau" }),
   bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
   elements(),
-  bundle("applet/classic.js", "bezier-app.js", { format: "iife", minify: true, plugins: [appletModule] }),
+  bundle("applet/classic.js", "bezier-app.js", {
+    format: "iife",
+    plugins: [useModules({ curves: "applet" })],
+  }),
 ]);
+await writeFile("dist/THIRD-PARTY-NOTICES.txt", await noticesText([...inputs]));

@@ -1,18 +1,20 @@
-// The teapot as triangles within a tolerance, against verb-nurbs.
+// Tessellation of the teapot within a tolerance, compared with verb-nurbs.
 import { Surface } from "casteljau";
 import { distanceToTriangle } from "./distance.js";
-import { race } from "./harness.js";
+import { compare } from "./harness.js";
+
+/** @typedef {{ x: number, y: number, z: number }} Vertex */
 
 const teapot = Surface.teapot();
-const { min, max } = teapot.bounds();
+const { min, max } = /** @type {{ min: Vertex, max: Vertex }} */ (teapot.bounds());
 /** A thousandth of the diagonal. */
 const TOLERANCE = Math.hypot(max.x - min.x, max.y - min.y, max.z - min.z) / 1000;
-/** Samples along each side of a triangle when its distance is measured. */
+/** The number of samples along each side of a triangle for measuring distances. */
 const SAMPLES = 6;
 
 /** @typedef {{ points: number[][], uvs: number[][], faces: number[][] }} VerbMesh */
 
-/** verb asks for a window, and says its version when it is loaded. */
+/** verb needs a global `window`, and prints its version when it is loaded. */
 async function loadVerb() {
   const { log } = console;
   Object.assign(globalThis, { window: globalThis });
@@ -28,18 +30,21 @@ async function loadVerb() {
 const verb = await loadVerb();
 
 /**
- * What verb is told: a least number of divisions, and the square of the distance between unit normals above which a cell
- * is divided (0.025 unless told). It knows no tolerance, and cells at a pole stay as they are.
+ * Options of verb: a minimum number of divisions, and the square of the distance between unit normals above which a
+ * cell is divided (0.025 by default). It has no tolerance, and does not divide cells at a pole.
  *
  * @typedef {{ divisions: number, normTol: number }} Options
  */
 
-/** As one would use it: its own `normTol`, and for all patches the fewest divisions (of 6, 8, 10, 12, 16, 20, 24) that do. */
+/**
+ * Simple options: the default `normTol`, and the same divisions for all patches, the fewest of 6, 8, 10, 12, 16, 20, 24
+ * that suffice.
+ */
 const PLAIN = Array.from({ length: 32 }, () => ({ divisions: 20, normTol: 0.025 }));
 
 /**
- * For each patch those of the same divisions and of `normTol` 0.4, 0.2, 0.1, 0.05, 0.025, 0.0125 that give the fewest
- * triangles within the tolerance: verb at its best, if someone searches for it.
+ * The best options of verb: for each patch, those of the same divisions and of `normTol` 0.4, 0.2, 0.1, 0.05, 0.025,
+ * 0.0125 that give the fewest triangles within the tolerance.
  */
 const SEARCHED = [
   { patches: 4, divisions: 8, normTol: 0.4 }, // rim
@@ -65,43 +70,45 @@ const surfaces = patches.map((patch) => {
 });
 
 /**
- * @param {Options[]} told for each patch
+ * @param {Options[]} options for each patch
  * @returns {VerbMesh[]}
  */
-function verbMeshes(told) {
+function verbMeshes(options) {
   return surfaces.map((surface, k) => {
-    const { divisions, normTol } = told[k];
+    const { divisions, normTol } = options[k];
     // verb reads the divisions along v for u, too.
-    const options = Object.assign(new verb.eval.AdaptiveRefinementOptions(), {
+    const verbOptions = Object.assign(new verb.eval.AdaptiveRefinementOptions(), {
       minDivsU: divisions,
       minDivsV: divisions,
       normTol,
     });
-    return surface.tessellate(options);
+    return surface.tessellate(verbOptions);
   });
 }
 
-/** Our mesh in verb's form, patch by patch: with weld "none" every vertex has its (u, v); the triangles are the same. */
+/**
+ * Our mesh in the format of verb, patch by patch: with weld "none" every vertex has (u, v); the triangles are the same.
+ */
 function ourMeshes() {
   const { positions, uvs, indices, patchRanges } = teapot.tessellate({ tolerance: TOLERANCE, weld: "none" });
-  const take = (/** @type {ArrayLike<number>} */ list, /** @type {number} */ i, /** @type {number} */ count) =>
+  const itemAt = (/** @type {ArrayLike<number>} */ list, /** @type {number} */ i, /** @type {number} */ count) =>
     Array.from({ length: count }, (_, k) => list[count * i + k]);
   const count = positions.length / 3;
-  const points = Array.from({ length: count }, (_, i) => take(positions, i, 3));
-  const pairs = Array.from({ length: count }, (_, i) => take(/** @type {Float32Array} */ (uvs), i, 2));
+  const points = Array.from({ length: count }, (_, i) => itemAt(positions, i, 3));
+  const pairs = Array.from({ length: count }, (_, i) => itemAt(/** @type {Float32Array} */ (uvs), i, 2));
   return patchRanges.map(({ firstIndex, indices: length }) => {
-    const faces = Array.from({ length: length / 3 }, (_, i) => take(indices, firstIndex / 3 + i, 3));
+    const faces = Array.from({ length: length / 3 }, (_, i) => itemAt(indices, firstIndex / 3 + i, 3));
     return { points, uvs: pairs, faces };
   });
 }
 
 /**
- * The greatest distance of the surface from the triangles above it, sampled.
+ * The largest distance of the surface from the triangles with the same (u, v), sampled.
  *
  * @param {VerbMesh[]} meshes one for each patch
  */
-function greatestDistance(meshes) {
-  let greatest = 0;
+function largestDistance(meshes) {
+  let largest = 0;
   meshes.forEach(({ points, uvs, faces }, k) => {
     for (const face of faces) {
       const [a, b, c] = face.map((i) => uvs[i]);
@@ -110,8 +117,8 @@ function greatestDistance(meshes) {
           const at = (/** @type {number} */ axis) =>
             (i * a[axis] + j * b[axis] + (SAMPLES - i - j) * c[axis]) / SAMPLES;
           const { x, y, z } = /** @type {{ x: number, y: number, z: number }} */ (patches[k].eval(at(0), at(1)));
-          greatest = Math.max(
-            greatest,
+          largest = Math.max(
+            largest,
             distanceToTriangle(
               [x, y, z],
               face.map((vertex) => points[vertex]),
@@ -121,26 +128,26 @@ function greatestDistance(meshes) {
       }
     }
   });
-  return greatest;
+  return largest;
 }
 
 /** @param {VerbMesh[]} meshes */
 const triangles = (meshes) => meshes.reduce((sum, { faces }) => sum + faces.length, 0);
 
 /**
- * @param {string} who
+ * @param {string} side
  * @param {VerbMesh[]} meshes
  */
-function assertClose(who, meshes) {
-  const distance = greatestDistance(meshes);
+function assertClose(side, meshes) {
+  const distance = largestDistance(meshes);
   if (!(distance <= TOLERANCE))
-    throw new Error(`teapot within a tolerance, ${who}: ${distance} away, more than ${TOLERANCE}`);
+    throw new Error(`teapot within a tolerance, ${side}: the distance ${distance} is above ${TOLERANCE}`);
 }
 
-/** @param {Options[]} told */
-function check(told) {
+/** @param {Options[]} options */
+function check(options) {
   const ours = ourMeshes();
-  assertClose("verb", verbMeshes(told));
+  assertClose("verb", verbMeshes(options));
   assertClose("ours", ours);
   if (into.indices.length / 3 !== triangles(ours))
     throw new Error("teapot within a tolerance: welding changes the triangles");
@@ -151,23 +158,23 @@ const into = teapot.tessellate({ tolerance: TOLERANCE });
 /**
  * @param {string} id
  * @param {string} peer
- * @param {Options[]} told
+ * @param {Options[]} options
  * @returns {import("./harness.js").Row}
  */
-const rowOf = (id, peer, told) => ({
+const rowOf = (id, peer, options) => ({
   id,
   work: "teapot, tolerance diagonal / 1000, ours without cracks",
   peer,
   items: 1,
-  check: () => check(told),
-  theirs: () => verbMeshes(told)[31].points.length,
+  check: () => check(options),
+  theirs: () => verbMeshes(options)[31].points.length,
   ours: () => teapot.tessellate({ tolerance: TOLERANCE, into }).normals[100],
 });
 
 /** @param {import("./harness.js").Effort} effort */
 export function results(effort) {
-  const plain = race(rowOf("adaptive-verb", "verb-nurbs adaptive", PLAIN), effort);
-  const searched = race(rowOf("adaptive-verb-searched", "verb-nurbs, best options", SEARCHED), effort);
+  const plain = compare(rowOf("adaptive-verb", "verb-nurbs adaptive", PLAIN), effort);
+  const searched = compare(rowOf("adaptive-verb-searched", "verb-nurbs, best options", SEARCHED), effort);
   const ours = into.indices.length / 3;
   const counts = [triangles(verbMeshes(PLAIN)), triangles(verbMeshes(SEARCHED))];
   const more = [plain, searched].map((result, k) => ({ ...result, spread: [0, 0], triangles: counts[k] }));

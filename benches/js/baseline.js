@@ -1,5 +1,5 @@
-// What a careful programmer writes by hand: bicubic patches on a grid in one JavaScript loop. Typed arrays of one type
-// each, indices and weights computed once per grid, rows of the net blended once per v, nothing allocated inside.
+// A carefully hand-written baseline: grids of bicubic patches in one JavaScript loop, with typed arrays, with indices
+// and weights computed once per grid and rows of the net combined once per v, and without allocations in the loop.
 
 /** @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint32Array }} Buffers */
 
@@ -16,7 +16,7 @@ export function buffers(patches, segments) {
 }
 
 /**
- * The cubic Bernstein weights at k / segments (four each), and those of the derivative.
+ * The values of the cubic Bernstein polynomials at k / segments (four each), and of their derivatives.
  *
  * @param {number} segments
  */
@@ -140,7 +140,7 @@ function fillLine(row, values, slopes, positions, normals, at) {
       normals[at + 1] = ny * factor;
       normals[at + 2] = nz * factor;
     } else {
-      // The sides that collapse to a point are the teapot's top and bottom.
+      // The collapsed edges of the teapot are at its top and bottom.
       normals[at] = 0;
       normals[at + 1] = 0;
       normals[at + 2] = z > 1 ? 1 : -1;

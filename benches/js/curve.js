@@ -1,4 +1,4 @@
-// Curves, against bezier-js.
+// Curves, compared with bezier-js.
 import { Bezier } from "bezier-js";
 import { Curve } from "casteljau";
 import { assertSame } from "./harness.js";
@@ -19,8 +19,8 @@ const into = { into: reused };
 const flat = (points) => points.flatMap(({ x, y }) => [x, y]);
 
 /**
- * bezier-js keeps its last table and would only hand it out again. Forgotten each time, it is computed each time, and
- * no other curve's table is left for the garbage collector to carry about.
+ * bezier-js caches its last table. It is deleted here, so that the table is computed each time and the tables of other
+ * curves do not burden the garbage collector.
  *
  * @param {any} curve
  * @returns {{ x: number, y: number }[]}
@@ -31,9 +31,12 @@ function lut(curve) {
   return table;
 }
 
-/** A curve after the other: nothing is gained by remembering the last. */
-let turn = 0;
-const next = () => (turn = (turn + 1) & 63);
+/** The index of the next curve: each call uses another curve, so that caching the last result does not help. */
+let current = 0;
+function next() {
+  current = (current + 1) & 63;
+  return current;
+}
 
 const sampleCheck = () =>
   ours.forEach((curve, k) => {

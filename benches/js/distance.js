@@ -1,4 +1,4 @@
-// Distances, for checks before times are taken.
+// Distances, for the checks of results.
 
 /** @typedef {number[]} Point */
 

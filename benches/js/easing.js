@@ -1,14 +1,14 @@
-// Timing functions, against bezier-easing.
+// Timing functions, compared with bezier-easing.
 import bezier from "bezier-easing";
 import { easing } from "casteljau";
 import { assertSame } from "./harness.js";
 import { parameters } from "./inputs.js";
 
-/** What bezier-easing leaves where x does not stand still. */
+/** The error of bezier-easing where the derivative of x is not small. */
 const TOLERANCE = 1e-7;
 const CALLS = 1000;
 
-/** The keywords of CSS, and what designers draw. @type {[number, number, number, number][]} */
+/** The keywords of CSS and other common curves. @type {[number, number, number, number][]} */
 const HANDLES = [
   [0.25, 0.1, 0.25, 1],
   [0.42, 0, 1, 1],

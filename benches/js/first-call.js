@@ -1,25 +1,25 @@
-// Run in a process of its own by start.js: how long until the first answer? Prints the milliseconds as JSON.
+// Measures the time of the import and of the first call in a new process, for start.js. Prints milliseconds as JSON.
 const milliseconds = { import: 0, firstCall: 0, compile: 0, instantiate: 0 };
 
 /**
- * Adds up the time that a constructor of WebAssembly takes.
+ * Measures the total time in a constructor of WebAssembly.
  *
  * @param {"Module" | "Instance"} name
  * @param {"compile" | "instantiate"} part
  */
-function watch(name, part) {
+function measure(name, part) {
   /** @type {any} */ (WebAssembly)[name] = new Proxy(WebAssembly[name], {
     construct(target, args) {
       const start = performance.now();
-      const made = Reflect.construct(target, args);
+      const instance = Reflect.construct(target, args);
       milliseconds[part] += performance.now() - start;
-      return made;
+      return instance;
     },
   });
 }
 
-watch("Module", "compile");
-watch("Instance", "instantiate");
+measure("Module", "compile");
+measure("Instance", "instantiate");
 
 const start = performance.now();
 const { Curve } = await import("casteljau");

@@ -1,5 +1,5 @@
-// What a moved point costs: all script from a pointermove to the end of its frame, with every layer of <bezier-applet> on,
-// measured by the browser's own trace of its main thread.
+// The cost of moving a point: all script from a pointermove to the end of its frame, with all layers of
+// <bezier-applet>, from the browser's trace of its main thread.
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
@@ -10,12 +10,12 @@ import { median, spread } from "./harness.js";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
 
-/** The tutorial's two cubics, as large as their box. */
+/** A page with the two cubics of the tutorial. */
 const PAGE = `<!doctype html><html lang="en"><title>Frame</title><script type="module" src="/dist/elements.js"></script>
 <style>body { margin: 0 }</style><bezier-applet show="${LAYER_NAMES.join(" ")}"></bezier-applet></html>`;
 
-/** In the trace: what runs script. */
-const SCRIPT = new Set([
+/** The events of the trace in which script runs. */
+const SCRIPT_EVENTS = new Set([
   "EventDispatch",
   "FireAnimationFrame",
   "FunctionCall",
@@ -23,19 +23,21 @@ const SCRIPT = new Set([
   "v8.callFunction",
   "TimerFire",
 ]);
-const WARM_UP = 40;
-/** Between two moves, so that each has a frame of its own. */
+const WARM_UP_MOVES = 40;
+/** The pause between two moves, so that each has its own frame. */
 const PAUSE_MS = 40;
 
 /** @typedef {{ name: string, ph: string, pid: number, tid: number, ts: number, dur?: number, tdur?: number, args?: any }} TraceEvent times in µs */
 
+/** @typedef {{ id: string, work: string, peer: null, unit: string, theirs: null, ours: number, ratio: null, spread: number[] }} Result */
+
 /**
  * @param {import("./harness.js").Effort} effort
- * @returns {Promise<object[]>} none where there is no Chromium
+ * @returns {Promise<Result[]>} empty without Chromium
  */
 export async function results(effort) {
   if (!existsSync(chromePath())) return [];
-  const times = await moves(WARM_UP, Math.max(20, effort.rounds));
+  const times = await moves(WARM_UP_MOVES, Math.max(20, effort.rounds));
   const ns = times.map((us) => 1000 * us);
   return [
     {
@@ -52,9 +54,9 @@ export async function results(effort) {
 }
 
 /**
- * @param {number} warmUp moves that are not counted
+ * @param {number} warmUp the number of moves that are not measured
  * @param {number} count
- * @returns {Promise<number[]>} µs of the main thread for each move
+ * @returns {Promise<number[]>} time of the main thread for each move in µs
  */
 async function moves(warmUp, count) {
   const site = await serve({ "/dist/": `${root}dist` });
@@ -86,7 +88,7 @@ async function moves(warmUp, count) {
 
 /**
  * @param {import("playwright-core").Page} page
- * @param {readonly [number, number]} place
+ * @param {readonly [number, number]} position
  */
 async function step(page, [x, y]) {
   await page.mouse.move(x, y);
@@ -101,15 +103,15 @@ function scriptPerMove(events) {
   const isMove = (/** @type {TraceEvent} */ event) =>
     event.name === "EventDispatch" && event.args?.data?.type === "pointermove";
   const first = events.find(isMove);
-  if (!first) throw new Error("frame: no pointermove came to the page");
-  const own = events
-    .filter(({ name, ph, pid, tid }) => ph === "X" && pid === first.pid && tid === first.tid && SCRIPT.has(name))
+  if (!first) throw new Error("frame: the page received no pointermove");
+  const scriptEvents = events
+    .filter(({ name, ph, pid, tid }) => ph === "X" && pid === first.pid && tid === first.tid && SCRIPT_EVENTS.has(name))
     .sort((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0));
   /** @type {number[]} */
   const sums = [];
   let end = 0;
-  for (const event of own) {
-    if (event.ts < end) continue; // part of the one before
+  for (const event of scriptEvents) {
+    if (event.ts < end) continue; // nested in the previous event
     end = event.ts + (event.dur ?? 0);
     if (isMove(event)) sums.push(0);
     if (sums.length) sums[sums.length - 1] += event.tdur ?? event.dur ?? 0;
@@ -118,9 +120,10 @@ function scriptPerMove(events) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const times = await moves(WARM_UP, 100);
+  const times = await moves(WARM_UP_MOVES, 100);
   const sorted = [...times].sort((a, b) => a - b);
+  const slowest = sorted[sorted.length - 1];
   console.log(
-    `${times.length} moves: median ${median(times) / 1000} ms, 9 of 10 under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, most ${sorted.at(-1) / 1000} ms`,
+    `${times.length} moves: median ${median(times) / 1000} ms, 90 % under ${sorted[Math.floor(0.9 * sorted.length)] / 1000} ms, maximum ${slowest / 1000} ms`,
   );
 }

@@ -1,13 +1,13 @@
-// Does more work cost more per item? Each row is one kind of work at several sizes.
+// The cost per item at several sizes, which must not grow.
 import { Bezier } from "bezier-js";
 import { Curve, Path, Spline, Surface } from "casteljau";
 import { assertSame, median, timesInTurn } from "./harness.js";
 import { cubics, random } from "./inputs.js";
-import { ours as measured, outlines } from "./path.js";
+import { measure, outlines } from "./path.js";
 import { checkLoop, netsOf } from "./teapot.js";
 
 /**
- * One size: so many items in one call.
+ * One size: the number of items of one call.
  *
  * @typedef {{ size: number, items: number, check: () => void, ours: () => number }} Step
  */
@@ -52,7 +52,7 @@ function reusing(surface, segments) {
 }
 
 /**
- * A surface of several teapots on the same place, each with vertices of its own.
+ * A surface of several teapots at the same position, each with its own vertices.
  *
  * @param {number} count
  */
@@ -83,7 +83,7 @@ function sampleSteps() {
   });
 }
 
-/** Points of a walk, so that no two are the same. */
+/** The points of a random walk, all different. */
 function walk(/** @type {number} */ count) {
   const next = random(3);
   let [x, y] = [0, 0];
@@ -97,27 +97,27 @@ function walk(/** @type {number} */ count) {
   });
 }
 
-/** Splines through points; the item is a point. */
-function throughSteps() {
+/** Interpolating splines; the item is a point. */
+function interpolateSteps() {
   return [100, 1000, 10_000, 100_000].map((count) => {
     const points = walk(count);
     return {
       size: count,
       items: count,
-      check: () => assertSame("interpolate", points, everyThird(Spline.interpolate(points)), 0),
+      check: () => assertSame("interpolate", points, jointsOf(Spline.interpolate(points)), 0),
       ours: () => Spline.interpolate(points).segmentCount,
     };
   });
 }
 
 /**
- * The joints of a chain of cubics.
+ * The joints of a cubic spline.
  *
  * @param {Spline} spline
  */
-const everyThird = (spline) => spline.controlPoints().filter((_, i) => i % 6 < 2);
+const jointsOf = (spline) => spline.controlPoints().filter((_, i) => i % 6 < 2);
 
-/** One handle moved, all joints C2: the chain is changed from end to end; the item is a segment. */
+/** Moving one handle with C2 at all joints, which changes the whole spline; the item is a segment. */
 function moveSteps() {
   return [100, 1000, 10_000, 100_000].map((count) => {
     const spline = Spline.interpolate(walk(count + 1));
@@ -141,21 +141,21 @@ function moveSteps() {
   });
 }
 
-/** Path data, parsed and measured; the item is a character. */
+/** Parsing and measuring path data; the item is a character. */
 function pathSteps() {
   return [1e4, 1e5, 1e6, 1e7].map((characters) => {
     const d = outlines(characters);
     return {
       size: characters,
       items: characters,
-      check: () => assertSame("path", measured(d).box, measured(Path.fromSVG(d).toSVG()).box, 0),
-      ours: () => measured(d).length,
+      check: () => assertSame("path", measure(d).box, measure(Path.fromSVG(d).toSVG()).box, 0),
+      ours: () => measure(d).length,
     };
   });
 }
 
-/** Even steps along a cubic; the item is a step. */
-function evenSteps() {
+/** Equidistant points of a cubic; the item is a point. */
+function equidistantSteps() {
   const [numbers] = cubics(1);
   const curve = new Curve(numbers);
   return [10, 100, 1000, 10_000, 100_000].map((steps) => ({
@@ -170,7 +170,7 @@ function evenSteps() {
   }));
 }
 
-/** The nearest point of a chain; the item is a segment. */
+/** The nearest point of a spline; the item is a segment. */
 function nearestSteps() {
   return [4, 16, 64, 256].map((count) => {
     const spline = Spline.interpolate(walk(count + 1));
@@ -191,19 +191,19 @@ const ROWS = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
-  { id: "growth-evenly", work: "10 … 100,000 even steps along a cubic: per step", steps: evenSteps },
+  { id: "growth-equidistant", work: "10 … 100,000 equidistant points of a cubic: per point", steps: equidistantSteps },
   { id: "growth-path", work: "path data of 10 kB … 10 MB: parse, bounds, length: per character", steps: pathSteps },
   { id: "growth-nearest", work: "nearest point of 4 … 256 segments: per segment", steps: nearestSteps },
-  { id: "growth-through", work: "natural spline through 100 … 100,000 points: per point", steps: throughSteps },
+  { id: "growth-interpolate", work: "natural spline through 100 … 100,000 points: per point", steps: interpolateSteps },
   { id: "growth-move", work: "a handle of 100 … 100,000 C2 segments moved: per segment", steps: moveSteps },
 ];
 
 /**
  * @param {import("./harness.js").Effort} effort
- * @param {(id: string) => boolean} wanted
+ * @param {(id: string) => boolean} isSelected
  */
-export function results(effort, wanted) {
-  return ROWS.filter(({ id }) => wanted(id)).map(({ id, work, steps }) => grown(id, work, steps(), effort));
+export function results(effort, isSelected) {
+  return ROWS.filter(({ id }) => isSelected(id)).map(({ id, work, steps }) => growthRow(id, work, steps(), effort));
 }
 
 /**
@@ -212,22 +212,22 @@ export function results(effort, wanted) {
  * @param {Step[]} steps
  * @param {import("./harness.js").Effort} effort
  */
-function grown(id, work, steps, effort) {
+function growthRow(id, work, steps, effort) {
   steps.forEach(({ check }) => check());
   const times = timesInTurn(
     steps.map(({ ours }) => ours),
     effort,
   );
   const costs = steps.map(({ size, items }, k) => ({ size, ns: median(times[k]) / items }));
-  return { id, work, costs, ours: growth(costs.map(({ ns }) => ns)), ratio: null };
+  return { id, work, costs, ours: largestGrowth(costs.map(({ ns }) => ns)), ratio: null };
 }
 
 /**
- * The most that an item costs against any smaller size. What is spread thinner as the work grows (the cost of the call
- * itself) is no growth.
+ * The largest ratio of the cost per item at one size to the cost at a smaller size. A cost that decreases with the size
+ * (that of the call itself) is not growth.
  *
  * @param {number[]} costs
  */
-function growth(costs) {
+function largestGrowth(costs) {
   return Math.max(...costs.map((cost, k) => cost / Math.min(...costs.slice(0, k + 1))));
 }

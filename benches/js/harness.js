@@ -1,38 +1,42 @@
-// How times are taken: both sides in turn, warmed, many rounds, medians, results consumed.
+// Measures times: both sides in turn after a warm-up, medians of many rounds, results used.
 
 /**
- * One row: the same work done by a peer and by us. Both functions return a number that depends on their result.
+ * One row: the same work done by a peer and by this package. Both functions return a number that depends on the result.
  *
  * @typedef {object} Row
  * @property {string} id as in targets.js
  * @property {string} work
  * @property {string} peer
- * @property {number} items how often one call does the work
- * @property {() => void} check throws unless both sides give the same answer
+ * @property {number} items how many times one call does the work
+ * @property {() => void} check throws if the two sides give different results
  * @property {() => number} theirs
  * @property {() => number} ours
  */
 
-/** @typedef {{ rounds: number, batch: number, warm: number }} Effort rounds, and ms for one batch and for warming up */
+/**
+ * The number of rounds, and the time in ms for one batch and for the warm-up.
+ *
+ * @typedef {{ rounds: number, batchMs: number, warmUpMs: number }} Effort
+ */
 
 /** @type {Effort} */
-export const FULL = { rounds: 31, batch: 10, warm: 300 };
-/** To see that everything runs; its times mean nothing. */
-export const QUICK = { rounds: 1, batch: 0, warm: 0 };
+export const FULL = { rounds: 31, batchMs: 10, warmUpMs: 300 };
+/** To check that everything runs; the times are meaningless. */
+export const QUICK = { rounds: 1, batchMs: 0, warmUpMs: 0 };
 
-/** All results end up here, so that no compiler may leave the work out. */
+/** The sum of all results, so that the compiler cannot remove the work. */
 let sink = 0;
 
 /**
- * Checks that both sides agree, then times them in turn.
+ * Checks that both sides agree, then measures them in turn.
  *
  * @param {Row} row
  * @param {Effort} effort
  */
-export function race({ id, work, peer, items, check, theirs, ours }, effort) {
+export function compare({ id, work, peer, items, check, theirs, ours }, effort) {
   check();
   const [their, our] = timesInTurn([theirs, ours], effort).map((times) => times.map((t) => t / items));
-  // Both times of a round were taken side by side, so their ratio suffers least from what else the machine does.
+  // Both times of a round are measured one after the other, so their ratio is least affected by other load.
   const ratio = median(their.map((t, round) => t / our[round]));
   return {
     id,
@@ -49,17 +53,17 @@ export function race({ id, work, peer, items, check, theirs, ours }, effort) {
 /**
  * Nanoseconds per call of each function, one number for each round.
  *
- * @param {(() => number)[]} acts
+ * @param {(() => number)[]} functions
  * @param {Effort} effort
  * @returns {number[][]}
  */
-export function timesInTurn(acts, { rounds, batch, warm }) {
-  const calls = acts.map((act) => Math.ceil(batch / warmedUp(act, warm)));
-  const times = acts.map(() => /** @type {number[]} */ ([]));
+export function timesInTurn(functions, { rounds, batchMs, warmUpMs }) {
+  const calls = functions.map((run) => Math.ceil(batchMs / warmUp(run, warmUpMs)));
+  const times = functions.map(() => /** @type {number[]} */ ([]));
   for (let round = 0; round < rounds; round++) {
-    for (let k = 0; k < acts.length; k++) {
-      const side = (k + round) % acts.length; // no side is always the first
-      times[side].push(1e6 * milliseconds(acts[side], calls[side] || 1));
+    for (let k = 0; k < functions.length; k++) {
+      const side = (k + round) % functions.length; // alternates which side is first
+      times[side].push(1e6 * milliseconds(functions[side], calls[side] || 1));
     }
   }
   if (Number.isNaN(sink)) throw new Error("a result was not a number");
@@ -67,25 +71,25 @@ export function timesInTurn(acts, { rounds, batch, warm }) {
 }
 
 /**
- * Runs a function for a while.
+ * Runs a function until it is optimised.
  *
- * @param {() => number} act
- * @param {number} warm ms
- * @returns {number} the ms that one warm call takes
+ * @param {() => number} run
+ * @param {number} warmUpMs
+ * @returns {number} the time of one call in ms
  */
-function warmedUp(act, warm) {
+function warmUp(run, warmUpMs) {
   let calls = 1;
-  for (const start = performance.now(); performance.now() - start < warm; calls *= 2) milliseconds(act, calls);
-  return milliseconds(act, Math.max(1, calls >> 2));
+  for (const start = performance.now(); performance.now() - start < warmUpMs; calls *= 2) milliseconds(run, calls);
+  return milliseconds(run, Math.max(1, calls >> 2));
 }
 
 /**
- * @param {() => number} act
+ * @param {() => number} run
  * @param {number} calls
  */
-function milliseconds(act, calls) {
+function milliseconds(run, calls) {
   const start = performance.now();
-  for (let i = 0; i < calls; i++) sink += act();
+  for (let i = 0; i < calls; i++) sink += run();
   return (performance.now() - start) / calls;
 }
 
@@ -93,7 +97,7 @@ function milliseconds(act, calls) {
 export const median = (numbers) => quantile(numbers, 0.5);
 
 /**
- * Half the distance between the quartiles, as a part of the median.
+ * Half the distance between the quartiles, relative to the median.
  *
  * @param {number[]} numbers
  */
@@ -101,23 +105,23 @@ export const spread = (numbers) => (quantile(numbers, 0.75) - quantile(numbers, 
 
 /**
  * @param {number[]} numbers
- * @param {number} part 0 for the least, 1 for the greatest
+ * @param {number} fraction 0 for the smallest, 1 for the largest
  */
-function quantile(numbers, part) {
+function quantile(numbers, fraction) {
   const sorted = [...numbers].sort((a, b) => a - b);
-  const place = part * (sorted.length - 1);
-  const below = Math.floor(place);
-  const above = Math.ceil(place);
-  return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+  const position = fraction * (sorted.length - 1);
+  const below = Math.floor(position);
+  const above = Math.ceil(position);
+  return sorted[below] + (position - below) * (sorted[above] - sorted[below]);
 }
 
 /**
- * Throws unless two lists of numbers agree.
+ * Throws if two lists of numbers differ.
  *
  * @param {string} what
  * @param {ArrayLike<number>} theirs
  * @param {ArrayLike<number>} ours
- * @param {number} tolerance the greatest difference allowed
+ * @param {number} tolerance the largest allowed difference
  */
 export function assertSame(what, theirs, ours, tolerance) {
   if (theirs.length !== ours.length) throw new Error(`${what}: ${theirs.length} numbers, ours ${ours.length}`);

@@ -1,4 +1,4 @@
-// Seeded inputs: every run on every machine works on the same curves.
+// Seeded inputs, equal in every run on every machine.
 
 /**
  * Random numbers in [0, 1), the same for the same seed (mulberry32, by Tommy Ettinger).
@@ -16,7 +16,7 @@ export function random(seed) {
 }
 
 /**
- * Plane cubics with control points anywhere in a square of 200 units, as flat lists of 8 coordinates.
+ * 2D cubics with random control points in a square of 200 units, as flat lists of 8 coordinates.
  *
  * @param {number} count
  * @returns {number[][]}

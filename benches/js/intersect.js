@@ -1,15 +1,15 @@
-// Where curves meet, against bezier-js and paper.js.
+// Intersections of curves, compared with bezier-js and paper.js.
 import { Bezier } from "bezier-js";
 import { Curve } from "casteljau";
 import paper from "paper/dist/paper-core.js";
 import { assertSame } from "./harness.js";
 import { cubics } from "./inputs.js";
 
-/** paper.js stops clipping at 1e-12 of a parameter, but for flat angles. */
+/** paper.js stops clipping at 1e-12 of a parameter, except at small angles. */
 const TOLERANCE = 1e-6;
 const PAIRS = 64;
 
-/** Nine places: the pair that is shown in the README of FloBezier. */
+/** Two cubics with nine intersections, from the README of FloBezier. */
 const NINE = [
   [6.4, 4.8, 15, 5, 1, 4, 10, 4],
   [9.4, 0.4, 9.3, 10.3, 8.1, 0.1, 7.53125, 5.5],
@@ -34,8 +34,8 @@ const nineOfBezier = NINE.map((p) => new Bezier(p));
  * @param {any} p
  * @param {any} q
  */
-function samePlaces(a, b, p, q) {
-  const found = p.getIntersections(q).map((/** @type {any} */ place) => place.time);
+function assertSameTimes(a, b, p, q) {
+  const found = p.getIntersections(q).map((/** @type {any} */ location) => location.time);
   assertSame(
     "intersect",
     found.sort((/** @type {number} */ s, /** @type {number} */ t) => s - t),
@@ -44,19 +44,22 @@ function samePlaces(a, b, p, q) {
   );
 }
 
-/** bezier-js returns pairs of parameters as text, some of them twice and within half a unit: each is near one of ours. */
+/**
+ * bezier-js returns pairs of parameters as text, some twice, with errors of up to half a unit: each is near one of
+ * ours.
+ */
 function nineCheck() {
   const [a, b] = nine;
-  samePlaces(a, b, nineOfPaper[0], nineOfPaper[1]);
-  const places = a.intersections(b);
+  assertSameTimes(a, b, nineOfPaper[0], nineOfPaper[1]);
+  const intersections = a.intersections(b);
   for (const pair of nineOfBezier[0].intersects(nineOfBezier[1])) {
     const t = Number(String(pair).split("/")[0]);
-    const near = Math.min(...places.map((place) => Math.abs(place.t - t)));
+    const near = Math.min(...intersections.map((each) => Math.abs(each.t - t)));
     assertSame("bezier-js, roughly", [0], [near], 0.1);
   }
 }
 
-/** What both rows of nine intersections have in common. */
+/** The shared part of both rows with nine intersections. */
 const ON_NINE = {
   work: "curve × curve, 9 intersections",
   items: 1,
@@ -84,7 +87,7 @@ export const rows = [
     peer: "paper.js getIntersections",
     items: PAIRS,
     check: () => {
-      for (let k = 0; k < 2 * PAIRS; k += 2) samePlaces(ours[k], ours[k + 1], theirs[k], theirs[k + 1]);
+      for (let k = 0; k < 2 * PAIRS; k += 2) assertSameTimes(ours[k], ours[k + 1], theirs[k], theirs[k + 1]);
     },
     theirs: () => {
       let sum = 0;

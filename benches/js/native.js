@@ -1,14 +1,14 @@
-// The native half: what `cargo bench` has left in its target folder.
+// The native results, which `cargo bench` writes to its target folder.
 import { readFileSync, statSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const root = new URL("../../", import.meta.url);
 const target = process.env.CARGO_TARGET_DIR ?? fileURLToPath(new URL("target", root));
 
-/** One run holds both halves: what is older was measured in another state of the machine, or of the code. */
-const MOST_MINUTES = 60;
+/** Older results may belong to another state of the machine or of the code. */
+const MAX_AGE_MINUTES = 60;
 
-/** The groups of benches/native: the work, and how many items one iteration does. */
+/** The groups of benches/native: the work, and the number of items of one iteration. */
 const GROUPS = [
   { group: "flatten-0.1", work: "native: flatten a cubic, tolerance 0.1", items: 1000, peers: ["kurbo", "lyon_geom"] },
   {
@@ -30,7 +30,7 @@ const GROUPS = [
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];
 
-/** The rows that are there and fresh. */
+/** The rows with recent results. */
 export function results() {
   return [...GROUPS.flatMap(timeRows), ...segmentRows()];
 }
@@ -56,11 +56,11 @@ function timeRows({ group, work, items, peers }) {
   return peers.length ? peers.map(row) : [row(null)];
 }
 
-/** How many segments flattening made of 1,000 cubics, as the benchmark has counted before it took times. */
+/** The number of segments of 1,000 flattened cubics, which the benchmark counts before it measures times. */
 function segmentRows() {
   /** @type {{ tolerance: number, segments: Record<string, number>, worst: Record<string, number> }[]} */
-  const counted = json("tmp/flatten.json") ?? [];
-  return counted.flatMap(({ tolerance, segments, worst }) =>
+  const counts = json("tmp/flatten.json") ?? [];
+  return counts.flatMap(({ tolerance, segments, worst }) =>
     ["kurbo", "lyon_geom"].map((peer) => ({
       id: `flatten-${tolerance}-${peer}-segments`,
       work: `native: flatten 1,000 cubics, tolerance ${tolerance}: segments`,
@@ -90,7 +90,7 @@ function estimate(group, side, items) {
 }
 
 /**
- * A file in the target folder, if it is there and fresh.
+ * A file in the target folder; null if it does not exist or is too old.
  *
  * @param {string} name
  * @returns {any}
@@ -98,5 +98,5 @@ function estimate(group, side, items) {
 function json(name) {
   const path = `${target}/${name}`;
   const age = Date.now() - (statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? 0);
-  return age < 60_000 * MOST_MINUTES ? JSON.parse(readFileSync(path, "utf8")) : null;
+  return age < 60_000 * MAX_AGE_MINUTES ? JSON.parse(readFileSync(path, "utf8")) : null;
 }

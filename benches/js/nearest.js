@@ -1,4 +1,4 @@
-// The nearest point, against bezier-js.
+// Nearest points, compared with bezier-js.
 import { Bezier } from "bezier-js";
 import { Curve } from "casteljau";
 import { cubics, random } from "./inputs.js";
@@ -13,7 +13,7 @@ const ours = inputs.map((numbers) => new Curve(numbers));
 const next = random(4);
 const queries = Array.from({ length: CALLS }, () => ({ x: SIZE * next(), y: SIZE * next() }));
 
-/** bezier-js looks about the best of 100 samples: it may be off by a little, never nearer. */
+/** bezier-js searches near the best of 100 samples: its point may be a little farther away, never nearer. */
 function check() {
   queries.forEach((q, i) => {
     const { x, y } = theirs[i & 63].project(q);

@@ -1,6 +1,6 @@
-// Parallel curves, against bezier-js. Its pieces may leave gaps and keep no tolerance; ours are within 0.1.
+// Offset curves, compared with bezier-js, whose pieces may have gaps and have no tolerance; ours are within 0.1.
 import { Bezier } from "bezier-js";
-import { Curve } from "../../js/index.js";
+import { Curve } from "casteljau";
 import { cubics } from "./inputs.js";
 
 const DISTANCE = 10;
@@ -10,8 +10,8 @@ const theirs = inputs.map((numbers) => new Bezier(numbers));
 const ours = inputs.map((numbers) => new Curve(numbers));
 
 /**
- * bezier-js leaves out what it cannot scale, so ends may be missing, and gaps are up to 56 units wide; where its first
- * piece is at the start, as it is in most cases, both starts are the same.
+ * bezier-js omits pieces that it cannot scale, so ends may be missing, and gaps are up to 56 units wide. In most cases
+ * its first piece is at the start of the curve; then both starts must be equal.
  */
 function check() {
   const same = inputs.filter((_, k) => {

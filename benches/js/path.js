@@ -1,18 +1,18 @@
-// Paths from SVG path data, against svg-path-properties and paper.js.
+// Paths from SVG path data, compared with svg-path-properties and paper.js.
 import { Path } from "casteljau";
 import paper from "paper/dist/paper-core.js";
 import { svgPathProperties } from "svg-path-properties";
 import { assertSame } from "./harness.js";
 import { random } from "./inputs.js";
 
-/** Both integrate the speed by Gauss rules on whole curves, unguarded: so far their lengths are off. */
+/** The error of both: they integrate whole curves by a Gauss rule without an error estimate. */
 const THEIR_TOLERANCE = 1e-4;
 
 paper.setup(new paper.Size(100, 100));
 
 /**
- * Path data as drawing programs write it: closed outlines of lines, cubics and quadratics, smooth ones too, three
- * decimals, relative.
+ * Path data as drawing programs write it: closed outlines of lines, cubics and quadratics, also smooth ones, with
+ * relative coordinates and three decimals.
  *
  * @param {number} characters
  * @returns {string}
@@ -36,14 +36,14 @@ export function outlines(characters) {
 const MEGABYTE = outlines(1e6);
 
 /** @param {string} d */
-export function ours(d) {
+export function measure(d) {
   const path = Path.fromSVG(d);
   const { min, max } = /** @type {NonNullable<ReturnType<Path["bounds"]>>} */ (path.bounds());
   return { box: [min.x, min.y, max.x, max.y], length: path.length() };
 }
 
 /** @param {string} d */
-function papers(d) {
+function measureByPaper(d) {
   const path = new paper.CompoundPath(d);
   const { left, top, right, bottom } = path.bounds;
   const result = { box: [left, top, right, bottom], length: path.length };
@@ -52,9 +52,9 @@ function papers(d) {
 }
 
 /** @param {string} d */
-const lengthOnly = (d) => new svgPathProperties(d).getTotalLength();
+const lengthByProperties = (d) => new svgPathProperties(d).getTotalLength();
 
-const row = { items: 1, ours: () => ours(MEGABYTE).length };
+const row = { items: 1, ours: () => measure(MEGABYTE).length };
 
 export const rows = [
   {
@@ -63,11 +63,11 @@ export const rows = [
     work: "SVG path data of 1 MB: parse, bounds, length",
     peer: "paper.js CompoundPath",
     check: () => {
-      const [their, our] = [papers(MEGABYTE), ours(MEGABYTE)];
+      const [their, our] = [measureByPaper(MEGABYTE), measure(MEGABYTE)];
       assertSame("bounds", their.box, our.box, 1e-6);
       assertSame("length", [their.length], [our.length], THEIR_TOLERANCE * our.length);
     },
-    theirs: () => papers(MEGABYTE).length,
+    theirs: () => measureByPaper(MEGABYTE).length,
   },
   {
     ...row,
@@ -75,9 +75,9 @@ export const rows = [
     work: "the same (the peer without bounds)",
     peer: "svg-path-properties",
     check: () => {
-      const our = ours(MEGABYTE).length;
-      assertSame("length", [lengthOnly(MEGABYTE)], [our], THEIR_TOLERANCE * our);
+      const our = measure(MEGABYTE).length;
+      assertSame("length", [lengthByProperties(MEGABYTE)], [our], THEIR_TOLERANCE * our);
     },
-    theirs: () => lengthOnly(MEGABYTE),
+    theirs: () => lengthByProperties(MEGABYTE),
   },
 ];

@@ -1,4 +1,4 @@
-// Writes the latest results into the README, between its two marks: node benches/js/readme.js
+// Writes the latest results into the README, between its two markers: node benches/js/readme.js
 import { readFileSync, writeFileSync } from "node:fs";
 import { quantity } from "./table.js";
 

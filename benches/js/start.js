@@ -1,4 +1,4 @@
-// What a visitor waits for: the first call after import, in fresh processes, and the size of the package.
+// Start-up: import and first call in new processes, and the size of the package.
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { median, spread } from "./harness.js";
@@ -24,32 +24,28 @@ function firstCall(processes) {
   );
   const row = (/** @type {string} */ id, /** @type {string} */ work, /** @type {(t: Times) => number} */ of) => {
     const ns = times.map((time) => 1e6 * of(time));
-    return alone(id, work, "ns", median(ns), spread(ns));
+    return withoutPeer(id, work, "ns", median(ns), spread(ns));
   };
   return [
-    row("import", "import in a fresh node process", (t) => t.import),
+    row("import", "import in a new Node process", (t) => t.import),
     row("first-call", "first call after import", (t) => t.firstCall),
     row("first-call-wasm", "  of that: compile + instantiate the wasm", (t) => t.compile + t.instantiate),
   ];
 }
 
-/** xtask/size.js weighs; its last line is the sum that has the limit. */
+/** Sizes as xtask/size.js prints them. */
 function sizes() {
   const printed = run("xtask/size.js");
   const row = (/** @type {string} */ id, /** @type {string} */ name, /** @type {string} */ work) => {
     const line = printed.split("\n").find((line) => line.startsWith(`${name} `));
     const kB = line?.match(/([\d.]+) kB$/)?.[1];
-    if (kB === undefined) throw new Error(`xtask/size.js printed no weight of ${name}`);
-    return alone(id, work, "bytes", 1000 * Number(kB));
+    if (kB === undefined) throw new Error(`xtask/size.js printed no size of ${name}`);
+    return withoutPeer(id, work, "bytes", 1000 * Number(kB));
   };
   return [
     row("size", "index.js + applet.js", "package without elements, minified, gzip -9"),
-    row(
-      "size-elements",
-      "elements, loaded at once",
-      "elements, what loads at once, without the core, minified, gzip -9",
-    ),
-    row("size-curves", "{ Curve, Spline }", "  what a bundle of curves and splines only carries of it"),
+    row("size-elements", "elements, loaded at once", "elements, loaded initially, without the core, minified, gzip -9"),
+    row("size-curves", "{ Curve, Spline }", "  of that: a bundle that imports only Curve and Spline"),
   ];
 }
 
@@ -62,18 +58,18 @@ function sizes() {
  * @param {number} ours
  * @param {number} [ourSpread]
  */
-function alone(id, work, unit, ours, ourSpread = 0) {
+function withoutPeer(id, work, unit, ours, ourSpread = 0) {
   return { id, work, peer: null, unit, theirs: null, ours, ratio: null, spread: [0, ourSpread] };
 }
 
 /**
- * What a script prints.
+ * Runs a script and returns its output.
  *
  * @param {string} script
  */
 function run(script) {
   const { stdout, stderr, error } = spawnSync(process.execPath, [script], { cwd: root, encoding: "utf8" });
-  // A package above its limit makes size.js fail after it has printed; the row says so too.
+  // size.js fails after printing if a size is above its limit; the row reports that, too.
   if (error || !stdout) throw error ?? new Error(`${script}: ${stderr}`);
   return stdout;
 }

@@ -1,4 +1,4 @@
-// Results as aligned text.
+// Formats results as a text table.
 
 /** @param {number} number @param {number} [digits] */
 const round = (number, digits = 3) =>
@@ -11,7 +11,7 @@ const round = (number, digits = 3) =>
  * @param {string} unit
  * @param {number} [spread]
  */
-function shown(value, unit, spread = 0) {
+function withUnit(value, unit, spread = 0) {
   if (value === null) return "–";
   return `${quantity(value, unit)}${spread ? ` ±${Math.round(100 * spread)}%`.padStart(6) : ""}`;
 }
@@ -38,14 +38,14 @@ const verdict = (met) => (met === null ? "" : met ? "yes" : "NO");
  * @param {import("./targets.js").Target | null} target
  * @param {string} unit
  */
-function asked(target, unit) {
+function targetText(target, unit) {
   if (!target) return "";
-  if (target.least !== undefined) return `≥ ${target.least}×`;
-  return target.most === undefined ? "" : `≤ ${unit === "×" ? times(target.most) : quantity(target.most, unit)}`;
+  if (target.minRatio !== undefined) return `≥ ${target.minRatio}×`;
+  return target.max === undefined ? "" : `≤ ${unit === "×" ? times(target.max) : quantity(target.max, unit)}`;
 }
 
 /**
- * The rows with a peer, and those without.
+ * The table of rows with and without a peer.
  *
  * @param {any[]} results
  */
@@ -54,17 +54,17 @@ export function comparisons(results) {
   const lines = results.map(({ work, peer, unit, theirs, ours, ratio, spread, target, met }) => [
     work,
     peer ?? "",
-    peer ? shown(theirs, unit, spread[0]) : "",
-    shown(ours, unit, spread[1]),
+    peer ? withUnit(theirs, unit, spread[0]) : "",
+    withUnit(ours, unit, spread[1]),
     times(ratio),
-    asked(target, unit),
+    targetText(target, unit),
     verdict(met),
   ]);
   return aligned([head, ...lines], [false, false, true, true, true, true, false]);
 }
 
 /**
- * Growth: the cost of an item at each size.
+ * The table of costs per item at each size.
  *
  * @param {any[]} results
  */
@@ -79,7 +79,7 @@ export function growths(results) {
       )
       .join(", "),
     times(ours),
-    asked(target, "×"),
+    targetText(target, "×"),
     verdict(met),
   ]);
   return aligned([head, ...lines], [false, false, true, true, false]);
@@ -87,7 +87,7 @@ export function growths(results) {
 
 /**
  * @param {string[][]} lines
- * @param {boolean[]} right which columns are flush right
+ * @param {boolean[]} right whether a column is right-aligned
  */
 function aligned(lines, right) {
   const widths = right.map((_, k) => Math.max(...lines.map((line) => line[k].length)));

@@ -1,4 +1,4 @@
-// The teapot's grid, against three.js and against a loop written by hand.
+// Grids of the teapot, compared with three.js and with a hand-written loop.
 import { Surface } from "casteljau";
 import { TeapotGeometry } from "three/addons/geometries/TeapotGeometry.js";
 import { buffers, grid, weights } from "./baseline.js";
@@ -6,14 +6,14 @@ import { assertSame } from "./harness.js";
 
 /** Positions and normals are f32; the teapot is 3.15 units high. */
 const TOLERANCE = 1e-6;
-/** Half of three's height: with it as the size, one of its units is one of ours. */
+/** Half of the height of three's teapot: with this size its units equal ours. */
 const HALF_HEIGHT = 1.575;
 
 const teapot = Surface.teapot();
 const nets = netsOf(teapot);
 
 /**
- * The control points of all patches, 48 numbers each: what the hand-written loop starts from.
+ * The control points of all patches, 48 numbers each, as the hand-written loop needs them.
  *
  * @param {Surface} surface
  */
@@ -23,27 +23,28 @@ export function netsOf(surface) {
 }
 
 /**
- * three's teapot in our proportions: its lid not widened.
+ * The teapot of three.js in our proportions (without the wider lid).
  *
  * @param {number} segments
  */
 const three = (segments) => new TeapotGeometry(HALF_HEIGHT, segments, true, true, true, false, true);
 
 /**
- * three turns the teapot so that y is up and moves its middle to the origin: (x, y, z) is (x, z - half the height, -y).
+ * Undoes the transformation of three.js, which rotates the teapot so that y is up and moves its middle to the origin:
+ * (x, y, z) becomes (x, z - half the height, -y).
  *
  * @param {ArrayLike<number>} numbers
  * @param {number} raise
  */
-const turned = (numbers, raise) =>
+const toOurAxes = (numbers, raise) =>
   Float64Array.from(numbers, (n, i) => (i % 3 === 0 ? n : i % 3 === 1 ? -numbers[i + 1] : numbers[i - 1] + raise));
 
 /**
- * three leaves out triangles with two equal corners.
+ * three.js omits triangles with two equal corners.
  *
- * @param {{ positions: Float32Array, indices: ArrayLike<number> }} mesh
+ * @param {{ positions: ArrayLike<number>, indices: ArrayLike<number> }} mesh
  */
-function withoutSlivers({ positions, indices }) {
+function withoutDegenerate({ positions, indices }) {
   const same = (/** @type {number} */ a, /** @type {number} */ b) =>
     [0, 1, 2].every((k) => positions[3 * a + k] === positions[3 * b + k]);
   const kept = [];
@@ -58,9 +59,9 @@ function withoutSlivers({ positions, indices }) {
 function checkThree(segments) {
   const mesh = teapot.grid({ segments });
   const { attributes, index } = three(segments);
-  assertSame("three's positions", turned(attributes.position.array, HALF_HEIGHT), mesh.positions, TOLERANCE);
-  assertSame("three's normals", turned(attributes.normal.array, 0), mesh.normals, TOLERANCE);
-  assertSame("three's indices", /** @type {any} */ (index).array, withoutSlivers(mesh), 0);
+  assertSame("three's positions", toOurAxes(attributes.position.array, HALF_HEIGHT), mesh.positions, TOLERANCE);
+  assertSame("three's normals", toOurAxes(attributes.normal.array, 0), mesh.normals, TOLERANCE);
+  assertSame("three's indices", /** @type {any} */ (index).array, withoutDegenerate(mesh), 0);
 }
 
 /**

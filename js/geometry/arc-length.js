@@ -1,7 +1,29 @@
-// Arc length of curves.
+// Arc length of curves, and points at arc lengths.
 import * as check from "./check.js";
 import { core } from "../wasm/init.js";
 import { writeArguments, readResult } from "../wasm/transfer.js";
+
+/** @import { Point } from "./points.js" */
+
+/**
+ * A point of a curve or a spline at an arc length: its parameter, the point, the unit tangent and the unit normal.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {{ t: number, point: Point<D>, tangent: Point<D>, normal: Point<D> }} PointAtLength
+ */
+
+/**
+ * The point, the unit tangent and the unit normal of a curve or a spline at t.
+ *
+ * @internal
+ * @template {2 | 3} D
+ * @param {{ eval(t: number): Point<D>, tangent(t: number): Point<D>, normal(t: number): Point<D> }} curve
+ * @param {number} t
+ * @returns {PointAtLength<D>}
+ */
+export function pointAndDirections(curve, t) {
+  return { t, point: curve.eval(t), tangent: curve.tangent(t), normal: curve.normal(t) };
+}
 
 /**
  * The arc length of a curve.

@@ -1,6 +1,6 @@
-// How curves and splines of one copy of this package are recognised by another copy: each entry point is a bundle with
-// its own classes, so that `instanceof` does not answer that question. Both kinds have the two members of `Branded`,
-// whose names are strings because bundlers keep an unused class that has a computed name.
+// How curves, splines, paths, patches and surfaces of one copy of this package are recognised by another copy: each entry point
+// is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
+// of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
 import { describe } from "./describe.js";
 
 /**
@@ -11,13 +11,21 @@ import { describe } from "./describe.js";
  */
 
 /**
+ * The data of a patch: its net and its degrees.
+ *
+ * @internal
+ * @typedef {{ flat: Float64Array, degreeU: number, degreeV: number }} PatchData
+ */
+
+/**
  * @internal
  * @typedef {"curve" | "spline" | "path" | "patch" | "surface" | "mesh"} BrandedType
  */
 
 /**
  * @internal
- * @typedef {{ readonly casteljauType: BrandedType, casteljauData(): SplineData }} Branded
+ * @template T
+ * @typedef {{ readonly casteljauType: BrandedType, casteljauData(): T }} Branded
  */
 
 /**
@@ -26,7 +34,7 @@ import { describe } from "./describe.js";
  * @returns {BrandedType | undefined} undefined for any other value
  */
 export function typeOf(value) {
-  return /** @type {Partial<Branded> | null | undefined} */ (value)?.casteljauType;
+  return /** @type {Partial<Branded<unknown>> | null | undefined} */ (value)?.casteljauType;
 }
 
 /**
@@ -67,13 +75,47 @@ export function onlySplineData(value, name) {
 }
 
 /**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array} see `packed-path.js`
+ * @throws {TypeError} for anything but a path
+ */
+export function pathData(value, name) {
+  return dataOf(value, name, typeOf(value) === "path", "a Path");
+}
+
+/**
+ * @internal
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {PatchData}
+ * @throws {TypeError} for anything but a patch
+ */
+export function patchData(value, name) {
+  return dataOf(value, name, typeOf(value) === "patch", "a Patch");
+}
+
+/**
+ * The packed path of a path.
+ *
+ * @internal
+ * @param {unknown} value
+ * @returns {Float64Array | undefined} undefined for any other value
+ */
+export function packedPath(value) {
+  return typeOf(value) === "path" ? /** @type {Branded<Float64Array>} */ (value).casteljauData() : undefined;
+}
+
+/**
+ * @template T
  * @param {unknown} value
  * @param {string} name
  * @param {boolean} isExpected
  * @param {string} expected
- * @returns {SplineData}
+ * @returns {T}
  */
 function dataOf(value, name, isExpected, expected) {
-  if (isExpected) return /** @type {Branded} */ (value).casteljauData();
+  if (isExpected) return /** @type {Branded<T>} */ (value).casteljauData();
   throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
 }

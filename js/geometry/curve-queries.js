@@ -13,21 +13,23 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
 /**
  * The point of a curve or a spline that is nearest to another point.
  *
+ * @template {2 | 3} [D=2 | 3]
  * @typedef {object} Nearest
  * @property {number} t the parameter of the nearest point
- * @property {Point} point the nearest point
+ * @property {Point<D>} point the nearest point
  * @property {number} distance its distance from the other point
  */
 
 /**
  * @internal
+ * @template {2 | 3} D
  * @param {Float64Array} flat
- * @param {2 | 3} dimension
+ * @param {D} dimension
  * @param {PointLike} p
- * @returns {Nearest}
+ * @returns {Nearest<D>}
  */
 export function nearest(flat, dimension, p) {
-  if (flat.length === 8) return nearestOnCubic(flat, p);
+  if (flat.length === 8) return /** @type {Nearest<D>} */ (nearestOnCubic(flat, p));
   writePoint(writeArguments(flat, dimension), flat.length, p, dimension, "p");
   core().curve_nearest(dimension, flat.length / dimension);
   return readNearest(dimension);
@@ -42,7 +44,7 @@ const checked = new Float64Array(2);
  *
  * @param {Float64Array} c
  * @param {PointLike} p
- * @returns {Nearest}
+ * @returns {Nearest<2>}
  */
 function nearestOnCubic(c, p) {
   let { x, y } = /** @type {{ x: number, y: number }} */ (p ?? checked);
@@ -62,8 +64,9 @@ function nearestOnCubic(c, p) {
  * Reads the nearest point from the arena.
  *
  * @internal
- * @param {2 | 3} dimension
- * @returns {Nearest}
+ * @template {2 | 3} D
+ * @param {D} dimension
+ * @returns {Nearest<D>}
  */
 export function readNearest(dimension) {
   const numbers = arena(5);

@@ -1,38 +1,54 @@
-// Intersections of curves and splines, read from the arena.
+// Intersections of curves, splines and paths, read from the arena.
 import { arena } from "../wasm/arena.js";
-import { splineData, typeOf } from "./brand.js";
+import { packedPath, splineData, typeOf } from "./brand.js";
 import { require2D } from "./check.js";
+import { packedShape } from "./path/packed-shape.js";
+import { packedSplines } from "../wasm/packed-path.js";
 import { core } from "../wasm/init.js";
-import { writeArguments, releaseMemory } from "../wasm/transfer.js";
+import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
 
 /**
  * @import { SplineData } from "./brand.js"
+ * @import { PathTime } from "./path/path-queries.js"
  * @import { Point } from "./points.js"
  */
 
 /**
- * An intersection of two curves: t on the first, u on the second. At a "tangent" intersection, both have the same or
- * opposite directions. An "overlap" is a shared part from t and u to tEnd and uEnd; `point` is its start.
+ * An intersection of two shapes: t on the first, u on the second. Both are numbers for curves and splines, and locations
+ * {subpath, t} for paths. At a "tangent" intersection, both have the same or opposite directions. An "overlap" is a
+ * shared part from t and u to tEnd and uEnd; `point` is its start.
  *
- * @typedef {PointIntersection | OverlapIntersection} Intersection
+ * @template [T=number]
+ * @template [U=number]
+ * @typedef {PointIntersection<T, U> | OverlapIntersection<T, U>} Intersection
  */
 
 /**
+ * @template [T=number]
+ * @template [U=number]
  * @typedef {object} PointIntersection
- * @property {number} t the parameter on the first curve
- * @property {number} u the parameter on the second curve
+ * @property {T} t the parameter on the first shape
+ * @property {U} u the parameter on the second shape
  * @property {Point} point
  * @property {"cross" | "tangent"} kind
  */
 
 /**
+ * @template [T=number]
+ * @template [U=number]
  * @typedef {object} OverlapIntersection
- * @property {number} t the start of the shared part on the first curve
- * @property {number} u its start on the second curve
+ * @property {T} t the start of the shared part on the first shape
+ * @property {U} u its start on the second shape
  * @property {Point} point its start
  * @property {"overlap"} kind
- * @property {number} tEnd the end of the shared part on the first curve
- * @property {number} uEnd its end on the second curve, below `u` if the directions are opposite
+ * @property {T} tEnd the end of the shared part on the first shape
+ * @property {U} uEnd its end on the second shape, before `u` if the directions are opposite
+ */
+
+/**
+ * An intersection of two paths, or of a path with itself.
+ *
+ * @typedef {Intersection<PathTime, PathTime>} PathIntersection
  */
 
 /**
@@ -43,6 +59,9 @@ import { writeArguments, releaseMemory } from "../wasm/transfer.js";
 
 /** The numbers of an intersection: t, u, x, y, the kind, t and u of its end. */
 const RECORD_LENGTH = 7;
+
+/** Those of an intersection of paths: the same ones, then the subpath of the first path and that of the second. */
+const PATH_RECORD_LENGTH = RECORD_LENGTH + 2;
 
 /**
  * Reads intersections from the arena.
@@ -77,16 +96,18 @@ export function readSelfIntersections(length) {
 }
 
 /**
- * The intersections of a 2D spline with a curve or a spline.
+ * The intersections of a 2D spline with a curve, a spline or a path.
  *
  * @internal
  * @param {SplineData} spline
  * @param {unknown} other
- * @returns {Intersection[]}
+ * @returns {Intersection<number, number | PathTime>[]}
  * @throws {TypeError} for any other value, and for a 3D one
  */
 export function intersectSplines(spline, other) {
-  const data = splineData(other, "other");
+  const packed = packedPath(other);
+  if (packed) return intersectPacked(packedSplines([spline]), packed, timeOnSpline, timeOnPath);
+  const data = splineData(other, "other", "a Curve, a Spline or a Path");
   require2D("intersections", /** @type {string} */ (typeOf(other)), data.dimension);
   writeSplines([spline, data]);
   return readIntersections(core().spline_intersect());
@@ -102,6 +123,83 @@ export function intersectSplines(spline, other) {
 export function selfIntersectSpline(spline) {
   writeSplines([spline]);
   return readSelfIntersections(core().spline_self_intersections());
+}
+
+/**
+ * The intersections of a packed path with a curve, a spline or a path.
+ *
+ * @internal
+ * @param {Float64Array} packed
+ * @param {unknown} other
+ * @returns {Intersection<PathTime, number | PathTime>[]}
+ * @throws {TypeError} for any other value, and for a 3D one
+ */
+export function intersectPathWith(packed, other) {
+  const otherPacked = packedShape(other, "other");
+  if (typeOf(other) === "path") return intersectPacked(packed, otherPacked, timeOnPath, timeOnPath);
+  return intersectPacked(packed, otherPacked, timeOnPath, timeOnSpline);
+}
+
+/**
+ * The points that a path passes twice.
+ *
+ * @internal
+ * @param {Float64Array} packed
+ * @returns {PathIntersection[]}
+ */
+export function selfIntersectPath(packed) {
+  writeArguments(packed);
+  return readPathIntersections(core().path_intersect(false), timeOnPath, timeOnPath);
+}
+
+/**
+ * @param {number} subpath
+ * @param {number} t
+ * @returns {PathTime}
+ */
+function timeOnPath(subpath, t) {
+  return { subpath, t };
+}
+
+/**
+ * @param {number} _ the subpath of a path with one subpath
+ * @param {number} t
+ */
+function timeOnSpline(_, t) {
+  return t;
+}
+
+/**
+ * @template T, U
+ * @param {Float64Array} a a packed path
+ * @param {Float64Array} b a packed path
+ * @param {(subpath: number, t: number) => T} timeOnA
+ * @param {(subpath: number, t: number) => U} timeOnB
+ * @returns {Intersection<T, U>[]}
+ */
+function intersectPacked(a, b, timeOnA, timeOnB) {
+  writeArguments(a, b.length).set(b, a.length);
+  return readPathIntersections(core().path_intersect(true), timeOnA, timeOnB);
+}
+
+/**
+ * @template T, U
+ * @param {number} length
+ * @param {(subpath: number, t: number) => T} timeOnA
+ * @param {(subpath: number, t: number) => U} timeOnB
+ * @returns {Intersection<T, U>[]}
+ */
+function readPathIntersections(length, timeOnA, timeOnB) {
+  const numbers = readResult(0, length);
+  releaseMemory();
+  return Array.from({ length: length / PATH_RECORD_LENGTH }, (_, k) => {
+    const record = numbers.subarray(PATH_RECORD_LENGTH * k, PATH_RECORD_LENGTH * (k + 1));
+    const [t, u, x, y, kind, tEnd, uEnd, a, b] = record;
+    const shared = { t: timeOnA(a, t), u: timeOnB(b, u), point: { x, y } };
+    return kind === 2
+      ? { ...shared, kind: "overlap", tEnd: timeOnA(a, tEnd), uEnd: timeOnB(b, uEnd) }
+      : { ...shared, kind: kind === 1 ? "tangent" : "cross" };
+  });
 }
 
 /** @param {SplineData[]} splines */

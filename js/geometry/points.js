@@ -5,9 +5,24 @@ import { finite, isList, optionalDimension, describe } from "./check.js";
  */
 
 /**
- * A point in a result: with `z` only in 3D.
+ * A point in a result: `{x, y}` in 2D, `{x, y, z}` in 3D. Where the dimension is not known, `z` may be missing.
  *
- * @typedef {{ x: number, y: number, z?: number }} Point
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {[D] extends [2] ? { x: number, y: number } : [D] extends [3] ? { x: number, y: number, z: number } : { x: number, y: number, z?: number }} Point
+ */
+
+/**
+ * The corners of a box whose sides are parallel to the axes.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {{ min: Point<D>, max: Point<D> }} Box
+ */
+
+/**
+ * Points as arrays of D coordinates each, from which TypeScript infers the dimension.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {readonly (readonly number[] & { readonly 0: number, readonly length: D })[]} PointArrays
  */
 
 /**
@@ -122,22 +137,25 @@ function notAPoint(value, name) {
  * The point whose coordinates start at an index of a flat array.
  *
  * @internal
+ * @template {2 | 3} D
  * @param {Float64Array} flat
  * @param {number} at
- * @param {2 | 3} dimension
- * @returns {Point}
+ * @param {D} dimension
+ * @returns {Point<D>}
  */
 export function pointAt(flat, at, dimension) {
-  return dimension === 2 ? { x: flat[at], y: flat[at + 1] } : { x: flat[at], y: flat[at + 1], z: flat[at + 2] };
+  const [x, y] = [flat[at], flat[at + 1]];
+  return /** @type {Point<D>} */ (dimension === 2 ? { x, y } : { x, y, z: flat[at + 2] });
 }
 
 /**
  * A box from its two corners in a flat array.
  *
  * @internal
+ * @template {2 | 3} D
  * @param {Float64Array} flat
- * @param {2 | 3} dimension
- * @returns {{ min: Point, max: Point }}
+ * @param {D} dimension
+ * @returns {Box<D>}
  */
 export function boxAt(flat, dimension) {
   return { min: pointAt(flat, 0, dimension), max: pointAt(flat, dimension, dimension) };

@@ -1,12 +1,13 @@
 // Networks of surfaces from patches and from JSON.
-import { typeOf } from "./brand.js";
+import { patchData } from "./brand.js";
 import * as check from "./check.js";
 import { flatten, nested } from "./points.js";
 
 /**
  * @import { PointsLike } from "./check.js"
- * @import { Patch } from "./patch.js"
- * @import { Network } from "./surface.js"
+ * @import { PatchData } from "./brand.js"
+ * @import { PatchValue } from "./patch/patch-value.js"
+ * @import { Network } from "./surface/network.js"
  */
 
 /**
@@ -30,14 +31,14 @@ import { flatten, nested } from "./points.js";
  * The network of patches: control points at the same position become one vertex.
  *
  * @internal
- * @param {ArrayLike<Patch>} patches
+ * @param {ArrayLike<PatchValue>} patches
  * @param {JoinedOf} joinedOf
  * @returns {Network}
  */
 export function networkOfPatches(patches, joinedOf) {
   if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
   const checked = Array.from(patches, checkedPatch); // also finds holes
-  const nets = checked.map((patch) => patch.controlPoints());
+  const nets = checked.map(({ flat }) => flat);
   const vertices = new Float64Array(nets.reduce((sum, net) => sum + net.length, 0));
   let at = 0;
   for (const net of nets) {
@@ -51,11 +52,10 @@ export function networkOfPatches(patches, joinedOf) {
 /**
  * @param {unknown} value
  * @param {number} k
- * @returns {Patch}
+ * @returns {PatchData}
  */
 function checkedPatch(value, k) {
-  if (typeOf(value) === "patch") return /** @type {Patch} */ (value);
-  throw new TypeError(`patches[${k}]: expected a Patch, got ${check.describe(value)}`);
+  return patchData(value, `patches[${k}]`);
 }
 
 /**

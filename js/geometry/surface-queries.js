@@ -1,8 +1,6 @@
 // Queries of patches and surfaces: a patch is passed to the core as a surface of one patch.
-import { curveOf } from "./curve/curve.js";
 import { boxAt, pointAt, writePoint } from "./points.js";
 import { core, writeArguments, readResult } from "../wasm/surfaces-transfer.js";
-import { CheckedPoints } from "../wasm/transfer.js";
 
 /**
  * @import { PointLike } from "./check.js"
@@ -140,11 +138,10 @@ export function withoutPatch({ u, v, point, distance }) {
  * @param {number} columns
  * @param {number} u
  * @param {number} v
+ * @param {(row: Float64Array, t: number) => Float64Array[]} levels all levels at t of a curve
  * @returns {PatchDeCasteljau}
  */
-export function deCasteljau(flat, columns, u, v) {
-  const levels = (/** @type {Float64Array} */ row, /** @type {number} */ t) =>
-    curveOf(new CheckedPoints(row, 3)).deCasteljau(t);
+export function deCasteljau(flat, columns, u, v, levels) {
   const rows = [];
   for (let i = 0; i < flat.length; i += 3 * columns) rows.push(levels(flat.slice(i, i + 3 * columns), u));
   const ends = new Float64Array(3 * rows.length);

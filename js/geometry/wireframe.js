@@ -1,11 +1,7 @@
 // Isocurves of a surface, and meshes of tubes or ribbons along them.
 import * as check from "./check.js";
-import { curveOf } from "./curve/curve.js";
 import { Mesh, readMesh } from "./mesh.js";
 import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
-import { CheckedPoints } from "../wasm/transfer.js";
-
-/** @import { Curve } from "./curve/curve.js" */
 
 /**
  * The shape of the lines: tubes with a radius and a number of sides (8 by default, at least 3), or ribbons with a width
@@ -27,7 +23,7 @@ const MAX_SIDES = 0xffffffff;
  * @internal
  * @param {() => unknown} writeSurface writes the surface to the arena
  * @param {{ lines?: number }} [options]
- * @returns {Curve[]}
+ * @returns {Float64Array[]} the control points of each
  */
 export function isocurves(writeSurface, options) {
   const lines = check.segmentCount(check.options(options, ["lines"]).lines ?? DEFAULT_LINES, "lines");
@@ -37,7 +33,7 @@ export function isocurves(writeSurface, options) {
   const curves = [];
   for (let at = 0; at < numbers.length; ) {
     const end = at + 1 + 3 * numbers[at];
-    curves.push(curveOf(new CheckedPoints(numbers.slice(at + 1, end), 3)));
+    curves.push(numbers.slice(at + 1, end));
     at = end;
   }
   return curves;

@@ -4,7 +4,7 @@ import { formatNumber } from "./format-number.js";
 import { sharedVertices } from "../geometry/surface-network.js";
 
 /**
- * @import { Network } from "../geometry/surface.js"
+ * @import { Network } from "../geometry/surface/network.js"
  */
 
 /** The length of the shortest vertex, `0 0 0` and a line break. */

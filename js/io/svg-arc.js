@@ -1,10 +1,15 @@
 // Elliptical arcs as cubics; src/path/arc.rs and src/path/trigonometry.rs perform the same operations and explain them.
 // `Math.sin` is not used, because its last digit differs between systems.
 
+/** The maximum angle of one cubic in radians, for a distance of 1e-9 of the larger radius. */
 const MAX_PIECE_ANGLE = 0.195;
 const ROUNDING = 2 * Number.EPSILON;
 const TERMS = 9;
 const TANGENT_TERMS = 13;
+/** They divide the interval of angles down to its rounding. */
+const BISECTIONS = 50;
+/** More than the relative rounding of an angle, and far too small to matter for the distance. */
+const QUARTER_TURN_ROUNDING = 1e-13;
 
 /** @typedef {[number, number]} Pair */
 
@@ -26,10 +31,13 @@ function direction(x) {
 }
 
 /**
+ * (cos, sin) of an angle in degrees, exact for multiples of 90°.
+ *
+ * @internal
  * @param {number} degrees
  * @returns {Pair}
  */
-function directionOfDegrees(degrees) {
+export function directionOfDegrees(degrees) {
   const rest = degrees % 360;
   const quarters = Math.floor(rest / 90 + 0.5);
   const [x, y] = direction((rest - 90 * quarters) * (Math.PI / 180));
@@ -73,6 +81,26 @@ function rotate([vx, vy], [x, y]) {
 }
 
 /**
+ * The maximum angle of one cubic in radians, at most a quarter turn, for a distance of at most `tolerance` (a part of the
+ * larger radius): the solution of 2/27 sin⁶(θ/4) / cos²(θ/4) = tolerance, see src/path/arc.rs.
+ *
+ * @param {number} tolerance
+ * @returns {number}
+ */
+function maxPieceAngle(tolerance) {
+  const bound = 13.5 * Math.max(tolerance, Number.EPSILON);
+  let [low, high] = [0, Math.PI / 8];
+  for (let k = 0; k < BISECTIONS; k++) {
+    const middle = (low + high) / 2;
+    const [cos, sin] = direction(middle);
+    if (sin ** 6 <= bound * cos * cos) low = middle;
+    else high = middle;
+  }
+  // Rounding must not divide a quarter turn, whose angle is computed, into two.
+  return 4 * low * (1 + QUARTER_TURN_ROUNDING);
+}
+
+/**
  * The cubics of an arc: for each the six coordinates after its start; null if the arc is a line.
  *
  * @internal
@@ -81,9 +109,10 @@ function rotate([vx, vy], [x, y]) {
  * @param {Float64Array} n radii, the angle of the first axis in degrees, the large and the sweep flag
  * @param {number} x1
  * @param {number} y1
+ * @param {number} [tolerance] the largest distance from the arc; 0 for 1e-9 of the larger radius
  * @returns {number[] | null}
  */
-export function arc(x0, y0, n, x1, y1) {
+export function arc(x0, y0, n, x1, y1, tolerance = 0) {
   const axis = directionOfDegrees(n[2]);
   const [hx, hy] = rotate([x0 * 0.5 - x1 * 0.5, y0 * 0.5 - y1 * 0.5], [axis[0], -axis[1]]);
   let [rx, ry] = [Math.abs(n[0]), Math.abs(n[1])];
@@ -107,7 +136,7 @@ export function arc(x0, y0, n, x1, y1) {
   const u = [dx + side * (py * (height / part)), dy + side * (-px * (height / part))];
   const small = angle(height, length);
   const theta = large ? 2 * Math.PI - 2 * small : 2 * small;
-  const pieces = Math.ceil(theta / MAX_PIECE_ANGLE);
+  const pieces = Math.ceil(theta / (tolerance ? maxPieceAngle(tolerance / Math.max(rx, ry)) : MAX_PIECE_ANGLE));
   const step = direction(theta / (2 * pieces));
   if (!sweep) step[1] = -step[1];
   const handleRatio = ((4 / 3) * step[1]) / (1 + step[0]);

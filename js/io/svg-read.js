@@ -27,12 +27,14 @@ const CASE = 32;
  *
  * @internal
  * @param {string} d
+ * @param {number} tolerance the largest distance of cubics from the arcs; 0 for 1e-9 of the larger radius
  * @returns {{ packed: Float64Array, error: { offset: number, message: string } | null }} with an error, the path before
  *   it
  */
-export function readSvg(d) {
+export function readSvg(d, tolerance) {
   const scanner = new Scanner(d);
-  const builder = new PathBuilder();
+  const builder = new PathBuilder(tolerance);
+  /** @type {{ offset: number, message: string } | null} */
   let error = null;
   try {
     read(scanner, builder);
@@ -103,6 +105,11 @@ class PathBuilder {
   smooth = 0;
   controlX = 0;
   controlY = 0;
+
+  /** @param {number} tolerance for arcs */
+  constructor(tolerance) {
+    this.tolerance = tolerance;
+  }
 
   /**
    * Draws one command with the arguments in `args`. Returns false, and draws nothing, if a coordinate overflows.
@@ -269,7 +276,7 @@ class PathBuilder {
   #arc(x, y) {
     if (!(Number.isFinite(x) && Number.isFinite(y))) return false;
     if (x !== this.x || y !== this.y) {
-      const c = arc(this.x, this.y, this.args, x, y);
+      const c = arc(this.x, this.y, this.args, x, y, this.tolerance);
       if (!c) this.#line(x, y);
       else for (let k = 0; k < c.length; k += 6) this.#cubic(c[k], c[k + 1], c[k + 2], c[k + 3], c[k + 4], c[k + 5]);
     }

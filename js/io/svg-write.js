@@ -81,10 +81,11 @@ function drawCubics(sink, curve, tolerance) {
 /**
  * Throws a RangeError for a tolerance below the precision of the coordinates.
  *
+ * @internal
  * @param {Float64Array} packed
- * @param {number} tolerance
+ * @param {number} tolerance 0 for the default, which is accepted
  */
-function checkTolerance(packed, tolerance) {
+export function checkTolerance(packed, tolerance) {
   if (tolerance === 0) return;
   let size = 0;
   for (const { points, end } of extents(packed))

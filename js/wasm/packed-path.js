@@ -79,6 +79,24 @@ export function packedSplines(splines) {
   return packed;
 }
 
+/**
+ * Joins packed paths to one with all their subpaths.
+ *
+ * @internal
+ * @param {Float64Array[]} paths
+ * @returns {Float64Array}
+ */
+export function packedPaths(paths) {
+  const joined = new Float64Array(paths.reduce((length, path) => length + path.length - 1, 1));
+  let at = 1;
+  for (const path of paths) {
+    joined[0] += path[0];
+    joined.set(path.subarray(1), at);
+    at += path.length - 1;
+  }
+  return joined;
+}
+
 /** @template {Float64Array | Uint8Array} T */
 class GrowableArray {
   /** @param {T} list */

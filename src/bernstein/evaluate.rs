@@ -4,7 +4,8 @@
 //! 1, so nothing cancels, and nothing overflows unless the result does. Higher degrees use de Casteljau's algorithm,
 //! which agrees with the closed forms.
 
-use super::casteljau::evaluate_by_casteljau;
+use super::de_casteljau::keep_after;
+use crate::geometry::error::MAX_DEGREE;
 use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 
@@ -17,6 +18,15 @@ pub(crate) fn evaluate<P: Point>(points: &[P], t: f64) -> P {
         [p0, p1, p2, p3] => weigh4([p0, p1, p2, p3], t),
         _ => evaluate_by_casteljau(points, t),
     }
+}
+
+/// The point at t by de Casteljau's algorithm, for one to 65 control points.
+pub(crate) fn evaluate_by_casteljau<P: Point>(points: &[P], t: f64) -> P {
+    let mut row = [P::default(); MAX_DEGREE + 1];
+    let count = points.len();
+    row[..count].copy_from_slice(points);
+    keep_after(&mut row[..count], t);
+    row[0]
 }
 
 #[inline(always)]
@@ -54,11 +64,7 @@ pub(crate) fn evaluate_scalar(coefficients: &[f64], t: f64) -> f64 {
         [a, b, c, d] => cubic_scalar([a, b, c, d], t),
         _ => {
             let mut row = Scalars::from(coefficients);
-            for last in (1..row.len()).rev() {
-                for i in 0..last {
-                    row[i] = row[i] * s + row[i + 1] * t;
-                }
-            }
+            keep_after(&mut row, t);
             row[0]
         }
     }

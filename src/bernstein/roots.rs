@@ -11,9 +11,11 @@
 //! parameters among the ends and the extrema a polynomial is monotone, so the values at these parameters determine all
 //! contacts ([`contacts`], [`crossings`]).
 
+use super::de_casteljau::halve;
 use crate::numeric::float::ratio;
 use crate::numeric::list::Scalars;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::regula_falsi;
 
 /// An interval below this width counts as one parameter: it contains a root of even multiplicity, or several roots that
 /// rounding cannot separate.
@@ -205,16 +207,6 @@ fn monotone(coefficients: &[f64]) -> bool {
     pairs.clone().all(|p| p[0] <= p[1]) || pairs.all(|p| p[0] >= p[1])
 }
 
-/// Halves the interval whose coefficients `right` holds.
-fn halve(left: &mut [f64], right: &mut [f64]) {
-    for last in (0..right.len()).rev() {
-        left[right.len() - 1 - last] = right[0];
-        for i in 0..last {
-            right[i] = 0.5 * (right[i] + right[i + 1]);
-        }
-    }
-}
-
 /// The number of sign changes, ignoring zeros, and the first non-zero coefficient.
 pub(crate) fn sign_changes(coefficients: &[f64]) -> (usize, f64) {
     let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
@@ -258,38 +250,10 @@ impl Polynomial {
         (1..self.0.len()).fold(sum, |value, _| value * large)
     }
 
-    /// The only root in (lo, hi), where the sign at lo is that of `before`: bisection, accelerated by regula falsi
-    /// (Illinois algorithm).
-    fn close_in(&self, mut lo: f64, mut hi: f64, before: f64) -> f64 {
+    /// The only root in (lo, hi), where the sign at lo is that of `before`.
+    fn close_in(&self, lo: f64, hi: f64, before: f64) -> f64 {
         let sign = 1.0_f64.copysign(before);
-        let (mut f_lo, mut f_hi) = (sign * self.at(lo), sign * self.at(hi));
-        let mut side = 0;
-        for step in 0..200 {
-            let mid = 0.5 * (lo + hi);
-            if mid <= lo || mid >= hi {
-                break;
-            }
-            // Every third step bisects, so that the interval is guaranteed to shrink.
-            let secant = lo + (hi - lo) * f_lo / (f_lo - f_hi);
-            let t = if step % 3 == 2 || !(secant > lo && secant < hi) {
-                mid
-            } else {
-                secant
-            };
-            let f = sign * self.at(t);
-            if f == 0.0 {
-                return t;
-            }
-            if f > 0.0 {
-                (lo, f_lo) = (t, f);
-                f_hi *= if side == 1 { 0.5 } else { 1.0 };
-                side = 1;
-            } else {
-                (hi, f_hi) = (t, f);
-                f_lo *= if side == -1 { 0.5 } else { 1.0 };
-                side = -1;
-            }
-        }
-        0.5 * (lo + hi)
+        let value = |t: f64| sign * self.at(t);
+        regula_falsi([lo, hi], [value(lo), value(hi)], 0.0, value)
     }
 }

@@ -51,7 +51,7 @@ pub(crate) fn area_about<P: Point>(points: &[P], centre: P, unit: f64) -> f64 {
         .map(|&p| ((p * 0.5 - centre * 0.5) / unit).to_2d())
         .collect();
     let n = around.len() - 1;
-    let binomial = casteljau_kernels::binomial;
+    let binomial = crate::bernstein::weights::binomial;
     let mut sum = 0.0;
     for j in 1..=n {
         for i in 0..j {

@@ -1,15 +1,14 @@
 //! Classification of a curve: line, quadratic, arch, serpentine, loop, cusp, twisted.
 
 use super::Curve;
+use super::elevate::unelevated;
 use super::inflections::{cusps_of, inflections_of};
-use super::nearest::unit_for;
 use super::turning::turning;
 use crate::bernstein::roots::discriminant;
 use crate::curve::arc_length::length::hodograph;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::Points;
-use crate::numeric::list::points_of;
 use glam::{DVec2, DVec3};
 
 /// The shape of a curve, as far as affine maps preserve it.
@@ -67,14 +66,14 @@ impl<P: Point> Curve<P> {
         }
         // Translate the start to the origin and scale to a size of about 1. This is an affine map; afterwards no power
         // leaves the range of f64.
-        let unit = unit_for(unit);
+        let scale = unit_scale(unit);
         let start = self.start();
         let vectors: Points<P> = self
             .points
             .iter()
-            .map(|&p| p * unit - start * unit)
+            .map(|&p| p * scale - start * scale)
             .collect();
-        let rounding = rounding * unit;
+        let rounding = rounding * scale;
         match in_its_plane(&vectors, 4.0 * vectors.len() as f64 * rounding) {
             Flat::Line => CurveKind::Line,
             Flat::Not => CurveKind::Twisted,
@@ -87,7 +86,7 @@ impl<P: Point> Curve<P> {
 fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
     while points.len() > 2 {
         let slack = 4.0 * rounding * points.len() as f64;
-        let lower = Curve::from_points(lower(&points));
+        let lower = Curve::from_points(unelevated(&points));
         if !lower
             .elevated()
             .approx_eq(&Curve::from_slice(&points), slack)
@@ -97,22 +96,6 @@ fn lowered<P: Point>(mut points: Points<P>, rounding: f64) -> Points<P> {
         points = lower.points;
     }
     points
-}
-
-/// Degree reduction by one, exact if such a curve exists: solves the equations of elevation from both ends to the
-/// middle.
-fn lower<P: Point>(p: &[P]) -> Points<P> {
-    let n = p.len() - 1;
-    let mut q = points_of(&p[..n]);
-    let middle = n.div_ceil(2);
-    for i in 1..middle {
-        q[i] = (p[i] * n as f64 - q[i - 1] * i as f64) / (n - i) as f64;
-    }
-    q[n - 1] = p[n];
-    for i in (middle..n - 1).rev() {
-        q[i] = (p[i + 1] * n as f64 - q[i + 1] * (n - i - 1) as f64) / (i + 1) as f64;
-    }
-    q
 }
 
 /// Rounding error of the arithmetic of `in_its_plane`, as a part of the longest vector; it adds to the rounding of the

@@ -1,9 +1,11 @@
-//! Degree elevation.
+//! Degree elevation, and its inverse for curves that are elevated.
 
 use super::Curve;
+use crate::bernstein::de_casteljau::{Vector, lerp};
 use crate::geometry::error::{Error, MAX_DEGREE};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
+use crate::numeric::list::{Points, points_of};
 
 impl<P: Point> Curve<P> {
     /// The same curve with degree n + 1, and so with one more control point.
@@ -26,14 +28,34 @@ impl<P: Point> Curve<P> {
 
     /// [`elevate`](Self::elevate) for a curve whose degree is known to be below 64.
     pub(crate) fn elevated(&self) -> Self {
-        let count = self.points.len();
-        let inner = (1..count).map(|i| self.points[i].lerp(self.points[i - 1], ratio(i, count)));
-        let ends = |p: P| std::iter::once(p);
-        Self {
-            points: ends(self.start())
-                .chain(inner)
-                .chain(ends(self.end()))
-                .collect(),
-        }
+        let mut points = self.points.clone();
+        elevate_once(&mut points);
+        Self { points }
     }
+}
+
+/// Replaces the Bernstein coefficients, points or numbers, by those of degree n + 1.
+pub(crate) fn elevate_once<T: Vector>(points: &mut Points<T>) {
+    let count = points.len();
+    points.push(points[count - 1]);
+    for i in (1..count).rev() {
+        points[i] = lerp(points[i], points[i - 1], ratio(i, count));
+    }
+}
+
+/// The control points of the curve whose elevation is given, computed from both ends to the middle, where errors do not
+/// grow.
+pub(crate) fn unelevated<P: Point>(high: &[P]) -> Points<P> {
+    let n = high.len() - 1;
+    let mut low: Points<P> = points_of(&high[..n]);
+    for i in 1..n.div_ceil(2) {
+        let (all, part) = (ratio(n, n - i), ratio(i, n - i));
+        low[i] = high[i] * all - low[i - 1] * part;
+    }
+    low[n - 1] = high[n];
+    for i in (n.div_ceil(2)..n - 1).rev() {
+        let (all, part) = (ratio(n, i + 1), ratio(n - i - 1, i + 1));
+        low[i] = high[i + 1] * all - low[i + 1] * part;
+    }
+    low
 }

@@ -7,43 +7,19 @@
 //! Transactions on Graphics 27 (2008).
 
 use super::Curve;
+use super::carried_frame::{CarriedFrame, FrameCurve};
 use super::eval::check_segments;
-use crate::bernstein::evaluate::evaluate;
-use crate::curve::arc_length::length::hodograph;
+use crate::geometry::check::check_finite;
 use crate::geometry::error::Error;
-use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::sort::sort_by;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
-/// A step is short enough if halving it moves the normal by less than this; the remaining error is about 20 times
-/// smaller.
-const CARRIED_APART: f64 = 1e-10;
-
-/// The cosine of the largest allowed angle, 60°, between the tangents of half a step.
-const GENTLE_COSINE: f64 = 0.5;
-
-/// A step of t this short over which the tangent still turns sharply contains a cusp.
-const CUSP_STEP: f64 = 1e-10;
-
-/// Below this cosine of the angle between two tangents, the direction counts as reversed.
-const BACK_COSINE: f64 = -0.9;
-
-/// Above this part of the largest speed the tangent is the normalized derivative; below, it is the limit of the
-/// tangent.
-const CLEAR_SPEED: f64 = 1e-6;
-
-/// A chord shorter than this is rounding noise. The normal is then rotated by the smallest rotation between the two
-/// tangents.
-const MIN_DISPLACEMENT: f64 = 1e-10;
-
-/// Derivatives count as parallel when the sine of their angle is below this.
-const PARALLELISM_SINE: f64 = 1e-9;
-
-/// Maximum number of halvings: a fixed part for all steps together, and a part for each frame. Moderate curves need
-/// less than a tenth.
+/// Maximum number of halvings of steps on the first curve, and for each further curve. Moderate curves need less than a
+/// tenth.
 const MAX_HALVINGS: usize = 1 << 12;
-const MAX_HALVINGS_PER_FRAME: usize = 64;
+const MAX_HALVINGS_PER_CURVE: usize = 64;
 
 /// A point on a curve in space with an orthonormal frame: tangent, normal and binormal.
 ///
@@ -80,17 +56,17 @@ impl Curve<DVec3> {
         self.frames_at(&ts, None)
     }
 
-    /// Rotation-minimizing frames at the given parameters, each continued from the previous one.
+    /// Rotation-minimizing frames at the given parameters, continued from t = 0.
     ///
-    /// N′ = −(N·T′) T: the normal does not rotate about the tangent, with an error of at most 10⁻⁹ for any number of
-    /// frames. The first normal is the component of `normal` perpendicular to the tangent, normalized. If `normal` is
-    /// not given or is parallel to the tangent, the first normal is the principal normal; where the curve is straight,
-    /// it comes from the coordinate axis that is farthest from the tangent. Straight segments and inflections do not
+    /// N′ = −(N·T′) T: the normal does not rotate about the tangent, with an error of at most 10⁻⁹. The frame at a
+    /// parameter does not depend on the other parameters. The normal at t = 0 is the component of `normal` perpendicular
+    /// to the tangent, normalized. If `normal` is not given or is parallel to the tangent, it is the principal normal;
+    /// where the curve is straight, it comes from the coordinate axis that is farthest from the tangent. Straight segments and inflections do not
     /// change the frame. At a cusp the frame rotates by 180° in the plane of the cusp; where a straight curve reverses,
     /// it rotates by 180° about its normal.
     ///
-    /// Steps are halved at most 4096 + 64 × (number of frames) times in total. Only curves whose direction is rounding
-    /// noise over long ranges need more; after this limit each step goes from frame to frame.
+    /// Steps are halved at most 4096 times on [0, 1], and 63 times more for each frame (512 outside of [0, 1]). Only curves
+    /// whose direction is rounding noise over long ranges need more; after this limit the steps are not refined.
     ///
     /// ```
     /// use casteljau::{Curve, glam::DVec3};
@@ -115,231 +91,88 @@ pub(crate) const FRAME_NUMBERS: usize = 13;
 
 /// A sequence of consecutive curves.
 pub(crate) trait FrameSequence {
+    fn curve_count(&self) -> usize;
     /// The index of the curve that contains t, and the local parameter.
     fn segment_at(&self, t: f64) -> (usize, f64);
     /// The k-th curve.
     fn link(&self, k: usize) -> Curve<DVec3>;
+    /// For pairs (k, t) the part of the total length up to the local parameter t on curve k; `None` if the sequence is
+    /// open.
+    fn parts_of_length(&self, locations: &[(usize, f64)]) -> Option<Vec<f64>>;
 }
 
 impl FrameSequence for Curve<DVec3> {
+    fn curve_count(&self) -> usize {
+        1
+    }
     fn segment_at(&self, t: f64) -> (usize, f64) {
         (0, t)
     }
     fn link(&self, _: usize) -> Curve<DVec3> {
         self.clone()
     }
+    fn parts_of_length(&self, _: &[(usize, f64)]) -> Option<Vec<f64>> {
+        None
+    }
 }
 
-/// Frames along a sequence of curves; see [`Curve::frames_at`].
+/// Frames along a sequence of curves; see [`Curve::frames_at`] and
+/// [`Spline::frames_at`](crate::Spline::frames_at).
+///
+/// The normal is carried from t = 0 over steps that do not depend on the parameters, then from the start of a step to
+/// each parameter within it.
 pub(crate) fn frames_along(
     sequence: &dyn FrameSequence,
     ts: &[f64],
     normal: Option<DVec3>,
 ) -> Result<Vec<Frame>, Error> {
-    check_all_finite(ts, normal)?;
-    let mut frames = Vec::with_capacity(ts.len());
-    let Some(&first) = ts.first() else {
-        return Ok(frames);
-    };
-    let (mut k, mut at) = sequence.segment_at(first);
-    let mut frame_curve = FrameCurve::new(sequence.link(k));
-    // The last direction: a curve of the sequence that is a single point has no direction of its own.
-    let mut direction = frame_curve.tangent(at);
-    let mut carried = frame_curve.first_normal(at, normal);
-    let mut work = WorkLimit::new(
-        MAX_HALVINGS.saturating_add(MAX_HALVINGS_PER_FRAME.saturating_mul(ts.len())),
-    );
-    for &t in ts {
-        let (to, rest) = sequence.segment_at(t);
-        while k != to {
-            // Continue to the end of this curve, then rotate into the start of the next.
-            let (end, start, next) = if k < to {
-                (1.0, 0.0, k + 1)
-            } else {
-                (0.0, 1.0, k - 1)
-            };
-            carried = frame_curve.carried(carried, at, end, &mut work);
-            direction = frame_curve.direction(end, direction);
-            frame_curve = FrameCurve::new(sequence.link(next));
-            let after = frame_curve.direction(start, direction);
-            carried = if carried == DVec3::ZERO {
-                frame_curve.first_normal(start, normal)
-            } else {
-                turned(direction, carried, after, DVec3::ZERO)
-            };
-            (k, at, direction) = (next, start, after);
-        }
-        carried = frame_curve.carried(carried, at, rest, &mut work);
-        (at, direction) = (rest, frame_curve.direction(rest, direction));
-        frames.push(Frame {
-            t,
-            point: frame_curve.curve.eval(at),
-            tangent: direction,
-            normal: carried,
-            binormal: direction.cross(carried),
-        });
-    }
-    Ok(frames)
-}
-
-fn check_all_finite(ts: &[f64], normal: Option<DVec3>) -> Result<(), Error> {
     Error::unless_finite("ts", ts)?;
-    crate::geometry::check::check_finite("normal", normal.as_slice())
+    check_finite("normal", normal.as_slice())?;
+    if ts.is_empty() {
+        return Ok(Vec::new());
+    }
+    let locations: Vec<(usize, f64)> = ts.iter().map(|&t| sequence.segment_at(t)).collect();
+    let parts = sequence.parts_of_length(&locations);
+    let count = sequence.curve_count();
+    let first = first_frame(sequence, normal);
+    let mut carried = first;
+    let mut found = vec![first; ts.len()];
+    let further = MAX_HALVINGS_PER_CURVE.saturating_mul(count - 1);
+    let mut work = WorkLimit::new(MAX_HALVINGS.saturating_add(further));
+    let mut order: Vec<usize> = (0..ts.len()).collect();
+    sort_by(&mut order, |&a, &b| locations[a].0.cmp(&locations[b].0));
+    let mut order = order.into_iter().peekable();
+    for k in 0..count {
+        if order.peek().is_none() && parts.is_none() {
+            break;
+        }
+        let curve = FrameCurve::new(&sequence.link(k));
+        let steps = curve.steps(carried, &mut work);
+        while let Some(index) = order.next_if(|&index| locations[index].0 == k) {
+            found[index] = curve.frame_at(&steps, locations[index].1);
+        }
+        carried = steps[steps.len() - 1].frame();
+    }
+    if let Some(parts) = parts {
+        // The twist that is left after one round.
+        let twist = carried.turned_to(first.tangent).angle_to(first);
+        for (frame, part) in found.iter_mut().zip(parts) {
+            *frame = frame.rotated(twist * part);
+        }
+    }
+    let frame = |((&t, &(k, local)), found): ((&f64, &(usize, f64)), &CarriedFrame)| Frame {
+        t,
+        point: sequence.link(k).eval(local),
+        tangent: found.tangent,
+        normal: found.normal,
+        binormal: found.tangent.cross(found.normal),
+    };
+    Ok(ts.iter().zip(&locations).zip(&found).map(frame).collect())
 }
 
-/// A curve for frames. `unit` is a copy with the start at the origin and a moderate size.
-struct FrameCurve {
-    curve: Curve<DVec3>,
-    unit: Curve<DVec3>,
-    slopes: crate::numeric::list::Points<DVec3>,
-}
-
-/// The data that a step needs of one of its ends.
-#[derive(Clone, Copy)]
-struct FrameSample {
-    t: f64,
-    point: DVec3,
-    tangent: DVec3,
-}
-
-impl FrameCurve {
-    fn new(curve: Curve<DVec3>) -> Self {
-        let (slopes, _) = hodograph(curve.control_points());
-        let mut point = DVec3::ZERO;
-        let later = slopes.iter().map(|&slope| {
-            point += slope;
-            point
-        });
-        let unit = Curve::from_points(std::iter::once(DVec3::ZERO).chain(later).collect());
-        Self {
-            curve,
-            unit,
-            slopes,
-        }
-    }
-
-    fn tangent(&self, t: f64) -> DVec3 {
-        let slope = evaluate(&self.slopes, t);
-        // The largest coordinate of the slopes is between 1 and 2.
-        if slope.max_abs() > CLEAR_SPEED {
-            Point::normalize_or_zero(slope)
-        } else {
-            self.unit.tangent(t)
-        }
-    }
-
-    fn segment_at(&self, t: f64) -> FrameSample {
-        FrameSample {
-            t,
-            point: self.unit.eval(t),
-            tangent: self.tangent(t),
-        }
-    }
-
-    /// The tangent, or `before` where there is none.
-    fn direction(&self, t: f64, before: DVec3) -> DVec3 {
-        let tangent = self.tangent(t);
-        if tangent == DVec3::ZERO {
-            before
-        } else {
-            tangent
-        }
-    }
-
-    fn first_normal(&self, t: f64, wanted: Option<DVec3>) -> DVec3 {
-        let tangent = self.tangent(t);
-        if tangent == DVec3::ZERO {
-            return DVec3::ZERO;
-        }
-        let across = |v: DVec3| DVec3::normal_of(tangent, v);
-        let farthest = DVec3::AXES
-            .into_iter()
-            .min_by(|a, b| a.dot(tangent).abs().total_cmp(&b.dot(tangent).abs()));
-        let all = [wanted, Some(self.unit.normal(t)), farthest];
-        // Ignore a requested normal that is parallel to the tangent.
-        let clear = |v: &DVec3| {
-            Point::length(Point::normalize_or_zero(*v).cross(tangent)) > PARALLELISM_SINE
-        };
-        all.into_iter()
-            .flatten()
-            .find(clear)
-            .map_or(DVec3::ZERO, across)
-    }
-
-    /// Carries the normal from t₀ to t₁.
-    fn carried(&self, normal: DVec3, t0: f64, t1: f64, work: &mut WorkLimit) -> DVec3 {
-        if t0 == t1 || self.slopes.iter().all(|&slope| slope == DVec3::ZERO) {
-            return normal;
-        }
-        self.in_steps(&self.segment_at(t0), normal, &self.segment_at(t1), work)
-    }
-
-    fn in_steps(
-        &self,
-        from: &FrameSample,
-        normal: DVec3,
-        to: &FrameSample,
-        work: &mut WorkLimit,
-    ) -> DVec3 {
-        let middle = self.segment_at(0.5 * (from.t + to.t));
-        let at_once = reflected(from, normal, to);
-        let in_two = reflected(&middle, reflected(from, normal, &middle), to);
-        let cosine = from
-            .tangent
-            .dot(middle.tangent)
-            .min(middle.tangent.dot(to.tangent));
-        let gentle = cosine > GENTLE_COSINE;
-        if work.is_exceeded() || (gentle && Point::length(in_two - at_once) <= CARRIED_APART) {
-            return in_two;
-        }
-        if (to.t - from.t).abs() <= CUSP_STEP {
-            return turned(from.tangent, normal, to.tangent, self.axis(middle.t));
-        }
-        if !work.spend(1) {
-            return in_two;
-        }
-        let half = self.in_steps(from, normal, &middle, work);
-        self.in_steps(&middle, half, to, work)
-    }
-
-    /// The normal of the plane in which a cusp lies; zero if there is none.
-    fn axis(&self, t: f64) -> DVec3 {
-        let derivative = |k: usize| Point::normalize_or_zero(self.unit.derivative_at(t, k));
-        let second = derivative(2);
-        (3..=self.unit.degree())
-            .map(|k| second.cross(derivative(k)))
-            .find(|axis| Point::length(*axis) > PARALLELISM_SINE)
-            .map_or(DVec3::ZERO, Point::normalize_or_zero)
-    }
-}
-
-/// Double reflection: first in the bisecting plane of both points, then in the plane that maps the reflected tangent to
-/// the new one.
-fn reflected(from: &FrameSample, normal: DVec3, to: &FrameSample) -> DVec3 {
-    let displacement = to.point - from.point;
-    if displacement.max_abs() < MIN_DISPLACEMENT && from.tangent.dot(to.tangent) > GENTLE_COSINE {
-        return turned(from.tangent, normal, to.tangent, DVec3::ZERO);
-    }
-    let chord = Point::normalize_or_zero(displacement);
-    let mirror = |v: DVec3, axis: DVec3| v - axis * (2.0 * axis.dot(v));
-    let (normal, tangent) = (mirror(normal, chord), mirror(from.tangent, chord));
-    let second = Point::normalize_or_zero(to.tangent - tangent);
-    let normal = mirror(normal, second);
-    Point::normalize_or_zero(normal - to.tangent * to.tangent.dot(normal))
-}
-
-/// The normal after the tangent has rotated from `before` to `after` at one point, by the smallest rotation. `axis` is
-/// the rotation axis for a reversed tangent; if it is zero (unknown), the normal stays.
-fn turned(before: DVec3, normal: DVec3, after: DVec3, axis: DVec3) -> DVec3 {
-    let (mut before, mut normal) = (before, normal);
-    if before.dot(after) < BACK_COSINE && (axis != DVec3::ZERO || before.dot(after) < -1.0 + 1e-12)
-    {
-        if axis != DVec3::ZERO {
-            normal = axis * (2.0 * axis.dot(normal)) - normal;
-        }
-        before = -before;
-    }
-    let shared = normal.dot(after) / (1.0 + before.dot(after));
-    let normal = normal - (before + after) * shared;
-    Point::normalize_or_zero(normal - after * after.dot(normal))
+/// The frame at the start of the first curve that is not a point; zero if there is none.
+fn first_frame(sequence: &dyn FrameSequence, normal: Option<DVec3>) -> CarriedFrame {
+    (0..sequence.curve_count())
+        .find_map(|k| FrameCurve::new(&sequence.link(k)).first(normal))
+        .unwrap_or_default()
 }

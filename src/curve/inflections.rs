@@ -1,7 +1,6 @@
 //! Inflections, cusps, and tangent lines through a point.
 
 use super::Curve;
-use super::nearest::unit_for;
 use super::turning::turning;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::product_of;
@@ -10,7 +9,7 @@ use crate::curve::arc_length::length::hodograph;
 use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::{Points, Scalars};
 use glam::DVec2;
 
@@ -88,9 +87,9 @@ impl<P: Point> Curve<P> {
     /// [`tangents_from`](Curve::tangents_from) of the projection along z, for a finite point.
     pub(crate) fn tangents_through(&self, p: P) -> Vec<f64> {
         let size = self.max_abs().max(p.max_abs());
-        let unit = unit_for(size);
-        let about: Points<P> = self.points.iter().map(|&q| q * unit - p * unit).collect();
-        let (turning, slack) = turning(&about, ulp(size * unit));
+        let scale = unit_scale(size);
+        let about: Points<P> = self.points.iter().map(|&q| q * scale - p * scale).collect();
+        let (turning, slack) = turning(&about, ulp(size * scale));
         let Some(ts) = contacts(&turning, slack) else {
             return vec![0.0, 1.0];
         };

@@ -7,6 +7,7 @@ pub(crate) mod arc_length;
 pub(crate) mod area;
 pub(crate) mod basis;
 mod bounds;
+pub(crate) mod carried_frame;
 mod classify;
 mod convert;
 mod derivative;
@@ -21,7 +22,6 @@ mod interpolate;
 pub(crate) mod intersect;
 pub(crate) mod moments;
 pub(crate) mod nearest;
-pub(crate) mod offset;
 mod reduce;
 mod split;
 mod straight;
@@ -30,6 +30,11 @@ mod torsion;
 pub(crate) mod trace;
 mod turning;
 mod with_derivatives;
+
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod sample_plane_cubic;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::curve::sample_plane_cubic;
 
 pub use crate::bernstein::polynomials::bernstein;
 pub use crate::geometry::bounds::Bounds;

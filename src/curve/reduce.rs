@@ -5,9 +5,9 @@
 //! outermost zeros are the ends, has the smallest maximum. Subtracting it gives the best approximation.
 
 use super::Curve;
+use super::elevate::{elevate_once, unelevated};
 use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
-use crate::numeric::list::points_of;
 use crate::numeric::list::{Points, Scalars};
 use std::f64::consts::FRAC_PI_2;
 
@@ -75,47 +75,18 @@ fn stretched_chebyshev(n: usize, stretch: f64) -> Scalars {
     let mut before: Scalars = [1.0].into_iter().collect();
     let mut now: Scalars = [-stretch, stretch].into_iter().collect();
     for k in 1..n {
-        let raised = raise(&raise(&before));
+        elevate_once(&mut before);
+        elevate_once(&mut before);
         let at = |i: usize| now.get(i).copied().unwrap_or(0.0);
         let next = (0..=k + 1)
             .map(|i| {
                 let upper = if i > 0 { at(i - 1) } else { 0.0 };
                 let part = ratio(i, k + 1);
-                2.0 * stretch * (part * upper - (1.0 - part) * at(i)) - raised[i]
+                2.0 * stretch * (part * upper - (1.0 - part) * at(i)) - before[i]
             })
             .collect();
         before = std::mem::replace(&mut now, next);
     }
     (now[0], now[n]) = (0.0, 0.0);
     now
-}
-
-/// Degree elevation of coefficients.
-fn raise(low: &[f64]) -> Scalars {
-    let count = low.len();
-    let at = |i: usize| low.get(i).copied().unwrap_or(0.0);
-    (0..=count)
-        .map(|i| {
-            let part = ratio(i, count);
-            let lower = if i > 0 { part * at(i - 1) } else { 0.0 };
-            lower + (1.0 - part) * at(i)
-        })
-        .collect()
-}
-
-/// The control points of the curve whose elevation is given, computed from both ends to the middle, where errors do not
-/// grow.
-fn unelevated<P: Point>(high: &[P]) -> Points<P> {
-    let n = high.len() - 1;
-    let mut low: Points<P> = points_of(&high[..n]);
-    for i in 1..n.div_ceil(2) {
-        let (all, part) = (ratio(n, n - i), ratio(i, n - i));
-        low[i] = high[i] * all - low[i - 1] * part;
-    }
-    low[n - 1] = high[n];
-    for i in (n.div_ceil(2)..n - 1).rev() {
-        let (all, part) = (ratio(n, i + 1), ratio(n - i - 1, i + 1));
-        low[i] = high[i + 1] * all - low[i + 1] * part;
-    }
-    low
 }

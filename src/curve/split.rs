@@ -1,7 +1,7 @@
 //! Splitting a curve by de Casteljau's algorithm.
 
 use super::Curve;
-use crate::bernstein::casteljau::{blossom_piece, split_into};
+use crate::bernstein::de_casteljau::{keep_between, split, split_cubic_with};
 use crate::geometry::point::Point;
 
 impl<P: Point> Curve<P> {
@@ -27,17 +27,11 @@ impl<P: Point> Curve<P> {
     #[inline]
     pub fn split(&self, t: f64) -> (Self, Self) {
         if let [p0, p1, p2, p3] = *self.points {
-            let (p01, p12, p23) = (p0.lerp(p1, t), p1.lerp(p2, t), p2.lerp(p3, t));
-            let (p012, p123) = (p01.lerp(p12, t), p12.lerp(p23, t));
-            let p = p012.lerp(p123, t);
-            return (
-                Self::from_slice(&[p0, p01, p012, p]),
-                Self::from_slice(&[p, p123, p23, p3]),
-            );
+            let (left, right) = split_cubic_with([p0, p1, p2, p3], |a, b| a.lerp(b, t));
+            return (Self::from_slice(&left), Self::from_slice(&right));
         }
-        let mut left = self.points.clone();
-        let mut right = self.points.clone();
-        split_into(&self.points, t, &mut left, &mut right);
+        let (mut left, mut right) = (self.points.clone(), self.points.clone());
+        split(&mut left, &mut right, t);
         (Self::from_points(left), Self::from_points(right))
     }
 
@@ -59,7 +53,7 @@ impl<P: Point> Curve<P> {
             return self.subsegment(t1, t0).reverse();
         }
         let mut piece = self.points.clone();
-        blossom_piece(&mut piece, t0, t1);
+        keep_between(&mut piece, t0, t1);
         // The same bits as `eval` gives, so that separately computed segments join without a gap.
         let last = piece.len() - 1;
         piece[0] = self.eval(t0);

@@ -4,6 +4,7 @@ use super::file_size::checked_length;
 use super::text_write::{push, written};
 use crate::geometry::error::Error;
 use crate::mesh::Indices;
+use crate::numeric::order::to_u32;
 
 const VERSION: u32 = 2;
 const HEADER_BYTES: usize = 12;
@@ -151,5 +152,5 @@ fn padded(mut bytes: Vec<u8>, with: u8) -> Vec<u8> {
 
 /// A 32-bit little-endian number; file lengths and vertex numbers fit 32 bits.
 fn word(number: usize) -> [u8; 4] {
-    u32::try_from(number).unwrap_or(u32::MAX).to_le_bytes()
+    to_u32(number).to_le_bytes()
 }

@@ -7,6 +7,7 @@ use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::mesh::Mesh;
 use crate::mesh::buffers::to_f32;
+use crate::numeric::order::to_u32;
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 
@@ -68,7 +69,7 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
         // The header must not begin with "solid", which marks the text format.
         bytes.extend_from_slice(b"binary STL");
         bytes.resize(STL_HEADER_BYTES, 0);
-        bytes.extend(u32::try_from(triangles).unwrap_or(u32::MAX).to_le_bytes());
+        bytes.extend(to_u32(triangles).to_le_bytes());
         let vertices: Vec<usize> = self.indices.iter().collect();
         for triangle in vertices.chunks_exact(3) {
             let corners = [0, 1, 2].map(|k| 3 * triangle[k]);

@@ -2,6 +2,7 @@
 
 use super::text_reader::{END, ParseError, Reader, number, refuse, shown, whole};
 use crate::geometry::error::MAX_DEGREE;
+use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use glam::DVec3;
 use std::collections::HashMap;
@@ -126,7 +127,7 @@ impl Parser<'_> {
                 if index == next {
                     self.vertices.push(point);
                 }
-                self.indices.push(u32::try_from(index).unwrap_or(u32::MAX));
+                self.indices.push(to_u32(index));
             }
         }
         Ok(())
@@ -230,7 +231,7 @@ impl Parser<'_> {
             match number.checked_sub(first) {
                 // A number above the range of u32 cannot occur: that many vertices exceed the memory.
                 Some(index) if index < count => {
-                    self.indices.push(u32::try_from(index).unwrap_or(u32::MAX));
+                    self.indices.push(to_u32(index));
                 }
                 _ => return Err(self.refuse(word_index, vertex_range(first, count))),
             }

@@ -10,9 +10,11 @@ use super::subdivider::{
 };
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
+use crate::mesh::cell_triangulator::Cell;
+use crate::mesh::second_differences::SecondDifferences;
+use crate::numeric::order::to_u32;
 use crate::patch::Patch;
 use crate::surface::network::Surface;
-use casteljau_kernels::{Cell, SecondDifferences};
 use glam::DVec3;
 
 /// The maximum number of cells of one mesh in 1 GiB: each cell makes two triangles of three indices and almost one
@@ -228,8 +230,7 @@ impl Surface {
                 needed: 2 * count,
             });
         }
-        let common = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        let (segments_u, segments_v) = (common(grid.segments_u), common(grid.segments_v));
+        let (segments_u, segments_v) = (to_u32(grid.segments_u), to_u32(grid.segments_v));
         // This does not overflow u32, since the number of vertices of the grid is limited.
         let full = segments_u / divisor(segments_u, segments_v) * segments_v;
         let (du, dv) = (full / segments_u, full / segments_v);

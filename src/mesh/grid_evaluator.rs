@@ -1,15 +1,15 @@
 //! Positions and normals of patches on a grid.
 //!
-//! Bicubic patches, the most common ones, are evaluated in the crate `casteljau-kernels`, which is compiled for speed.
+//! Bicubic patches, the most common ones, have an evaluator of their own, [`BicubicGrid`].
 //! All others, and the method of forward differences, use [`GenericGridEvaluator`]. Both leave a normal at zero where
 //! ∂u × ∂v vanishes; such normals are then computed from the normal net.
 
 use super::buffers::to_f32;
 use super::generic_grid_evaluator::GenericGridEvaluator;
 use super::grid::{Grid, GridMethod};
+use crate::mesh::bicubic::grid::BicubicGrid;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::directions;
-use casteljau_kernels::BicubicGrid;
 use glam::DVec3;
 
 /// Evaluates patches on one grid; weights and buffers are reused from patch to patch.

@@ -5,7 +5,8 @@ use super::grid::{Grid, GridMethod};
 use super::grid_evaluator::GridEvaluator;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::error::Error;
-use casteljau_kernels::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
+use crate::mesh::layout::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fill_uvs};
+use crate::numeric::order::to_u32;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -155,9 +156,4 @@ impl GridMeshBuilder {
 /// Converts a number below 2¹⁶; the caller guarantees the range.
 fn to_u16(number: usize) -> u16 {
     u16::try_from(number).unwrap_or(u16::MAX)
-}
-
-/// Converts a number below 2³²; a mesh of 1 GiB has fewer vertices and indices.
-fn to_u32(number: usize) -> u32 {
-    u32::try_from(number).unwrap_or(u32::MAX)
 }

@@ -25,6 +25,21 @@ pub(crate) mod weld;
 pub(crate) mod wire;
 mod wireframe;
 
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod bicubic;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod cell_triangulator;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod layout;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod row_sampler;
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod second_differences;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::mesh::{
+    bicubic, cell_triangulator, layout, row_sampler, second_differences,
+};
+
 pub use buffers::{Indices, Mesh, PatchRange};
 pub use flat_enough::FlatPiece;
 pub use grid::{Grid, GridMethod};

@@ -1,16 +1,16 @@
 //! Points and normals of one patch at many parameters.
 
 use crate::geometry::point::Point;
+use crate::mesh::row_sampler::RowSampler;
 use crate::numeric::list::Net;
 use crate::patch::normal::NormalNet;
 use crate::patch::tensor_product::{REGULAR_RATIO, directions};
 use bytemuck::cast_slice;
-use casteljau_kernels::Sampler as Samples;
 use glam::DVec3;
 
 /// A patch with precomputed data for repeated evaluation.
 pub(crate) struct Sampler {
-    samples: Samples,
+    samples: RowSampler,
     /// Differences along u and v, each scaled to size 1.
     du: Net,
     dv: Net,
@@ -23,7 +23,7 @@ impl Sampler {
         let (du, dv) = directions(net, columns);
         let nets = [cast_slice(net), cast_slice(&du), cast_slice(&dv)];
         Self {
-            samples: Samples::new(columns, nets),
+            samples: RowSampler::new(columns, nets),
             du,
             dv,
             degree_u: columns - 1,

@@ -6,10 +6,13 @@
 
 use super::sampler::Sampler;
 use crate::bernstein::evaluate::evaluate;
+use crate::mesh::cell_triangulator::{
+    Cell, CellTriangulator, index_of, lower_half, pack, sort_distinct, upper_half,
+};
 use crate::numeric::list::Points;
+use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use crate::surface::topology::{SIDES, SideUse};
-use casteljau_kernels::{Cell, CellTriangulator, first, index_of, pair, second, sort_distinct};
 use glam::DVec3;
 
 /// Marks a vertex without a node.
@@ -125,14 +128,14 @@ impl Stitcher<'_> {
         sort_distinct(&mut self.samples);
         let (mut side, mut line) = (NONE, Points::new());
         for &sample in &self.samples {
-            if first(sample) != side {
-                side = first(sample);
+            if upper_half(sample) != side {
+                side = upper_half(sample);
                 let vertices = self.surface.side(side as usize);
                 line = vertices
                     .map(|v| self.surface.vertices()[v as usize])
                     .collect();
             }
-            let point = evaluate(&line, self.parameter(second(sample)));
+            let point = evaluate(&line, self.parameter(lower_half(sample)));
             self.out.nodes.push((self.round)(point));
         }
     }
@@ -156,7 +159,7 @@ impl Stitcher<'_> {
             return None;
         }
         let along = if used.reversed { self.cut.full - k } else { k };
-        Some(pair(number(used.first), along))
+        Some(pack(to_u32(used.first), along))
     }
 
     /// The (u, v) of all samples on the edges of a patch.
@@ -164,12 +167,12 @@ impl Stitcher<'_> {
         let full = self.cut.full;
         (0..SIDES).flat_map(move |side| {
             let used = self.uses[SIDES * patch + side];
-            let line = number(used.first);
-            let from = index_of(&self.samples, pair(line, 0));
-            let to = index_of(&self.samples, pair(line + 1, 0));
+            let line = to_u32(used.first);
+            let from = index_of(&self.samples, pack(line, 0));
+            let to = index_of(&self.samples, pack(line + 1, 0));
             // The list of an edge that is a point is empty, since such an edge has no samples.
             self.samples[from..to].iter().map(move |&sample| {
-                let along = second(sample);
+                let along = lower_half(sample);
                 let k = if used.reversed { full - along } else { along };
                 match side {
                     0 => (0, k),
@@ -205,7 +208,7 @@ impl Stitcher<'_> {
 
     fn add_node(&mut self, point: DVec3) -> u32 {
         self.out.nodes.push((self.round)(point));
-        number(self.out.nodes.len() - 1)
+        to_u32(self.out.nodes.len() - 1)
     }
 
     /// The node of a vertex on an edge; `None` for an inner vertex.
@@ -219,7 +222,7 @@ impl Stitcher<'_> {
         };
         let side = SIDES * patch + side;
         if let Some(sample) = self.sample(side, k) {
-            return Some(number(index_of(&self.samples, sample)));
+            return Some(to_u32(index_of(&self.samples, sample)));
         }
         let mut ends = self.surface.side(side);
         let vertex = if k == full {
@@ -248,13 +251,13 @@ impl Stitcher<'_> {
             .map(|c| self.out.nodes[c.node as usize].to_array())
             .collect();
         for cell in self.cut.of_patch(patch) {
-            let (from, base) = (self.out.triangles.len(), number(base));
+            let (from, base) = (self.out.triangles.len(), to_u32(base));
             let covers = triangulator.triangulate(cell, &points, base, &mut self.out.triangles);
             if !covers
                 && self.cut.has_tolerance
                 && let Some(corner) = self.inner_corner(cell, triangulator, sampler, &points)
             {
-                let center = number(points.len());
+                let center = to_u32(points.len());
                 points.push(self.out.nodes[corner.node as usize].to_array());
                 self.out.corners.push(corner);
                 self.out.triangles.truncate(from);
@@ -300,9 +303,4 @@ impl Stitcher<'_> {
     fn parameter(&self, k: u32) -> f64 {
         f64::from(k) / f64::from(self.cut.full)
     }
-}
-
-/// Converts a count that the limits keep below 2³².
-pub(crate) fn number(count: usize) -> u32 {
-    u32::try_from(count).unwrap_or(u32::MAX)
 }

@@ -11,9 +11,11 @@ use super::buffers::to_f32;
 use super::options::Detail;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
+use crate::mesh::cell_triangulator::Cell;
+use crate::mesh::second_differences::{BEND_SLACK, SecondDifferences};
 use crate::numeric::list::Net;
+use crate::numeric::order::larger;
 use crate::patch::net::{differences_u, differences_v};
-use casteljau_kernels::{BEND_SLACK, Cell, SecondDifferences};
 use glam::DVec3;
 
 /// Parameters are integers from 0 to this: pieces can be halved 30 times in each direction.
@@ -308,9 +310,4 @@ fn closed(net: &[DVec3], columns: usize) -> [bool; 2] {
 /// The maximum distance of flat triangles over a cell with these lengths.
 fn bound([h, k]: [f64; 2], [uu, uv, vv]: [f64; 3]) -> f64 {
     (h * h * uu + 2.0 * h * k * uv + k * k * vv) / 8.0
-}
-
-/// The larger number. `f64::max` would be a function call.
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }

@@ -2,6 +2,7 @@
 
 use super::buffers::to_f32;
 use crate::numeric::float::ratio;
+use crate::numeric::order::to_u32;
 use glam::DVec3;
 
 /// A full turn in radians.
@@ -19,7 +20,7 @@ pub(crate) struct Section {
 
 /// A point of a line with its frame.
 #[derive(Clone, Copy)]
-pub(crate) struct Frame {
+pub(crate) struct SweepFrame {
     pub(crate) point: DVec3,
     /// The unit tangent.
     pub(crate) along: DVec3,
@@ -88,7 +89,7 @@ pub(crate) fn turned(angle: f64) -> [f64; 2] {
 
 /// The row to which the next row is joined.
 #[derive(Clone, Copy)]
-enum Row {
+enum PreviousRow {
     Nothing,
     /// A single vertex: its index.
     Pole(u32),
@@ -105,7 +106,7 @@ pub(crate) struct Sweep<'a> {
     pub(crate) positions: Vec<f32>,
     pub(crate) normals: Vec<f32>,
     pub(crate) indices: Vec<u32>,
-    row: Row,
+    row: PreviousRow,
     start: u32,
 }
 
@@ -119,7 +120,7 @@ impl<'a> Sweep<'a> {
             positions: Vec::new(),
             normals: Vec::new(),
             indices: Vec::new(),
-            row: Row::Nothing,
+            row: PreviousRow::Nothing,
             start: 0,
         }
     }
@@ -137,12 +138,12 @@ impl<'a> Sweep<'a> {
 
     /// The position of the next face in `indices`.
     pub(crate) fn first_index(&self) -> u32 {
-        u32::try_from(self.indices.len()).unwrap_or(u32::MAX)
+        to_u32(self.indices.len())
     }
 
     /// Starts a line.
-    pub(crate) fn begin(&mut self, frame: &Frame) {
-        self.row = Row::Nothing;
+    pub(crate) fn begin(&mut self, frame: &SweepFrame) {
+        self.row = PreviousRow::Nothing;
         self.start = self.vertices;
         if self.section.is_tube() {
             self.pole(frame, -1.0);
@@ -154,12 +155,12 @@ impl<'a> Sweep<'a> {
     }
 
     /// Adds the next sample of the line.
-    pub(crate) fn add_ring(&mut self, frame: &Frame) {
+    pub(crate) fn add_ring(&mut self, frame: &SweepFrame) {
         self.ring(frame, [1.0, 0.0]);
     }
 
     /// Ends the line at its last sample.
-    pub(crate) fn end(&mut self, frame: &Frame) {
+    pub(crate) fn end(&mut self, frame: &SweepFrame) {
         if self.section.is_tube() {
             for &elevation in &self.section.rings {
                 self.ring(frame, elevation);
@@ -175,7 +176,7 @@ impl<'a> Sweep<'a> {
 
     /// Adds a ring of a tube, whose radius and offset along the line follow from the elevation, or the two vertices of
     /// a ribbon, left and right.
-    fn ring(&mut self, frame: &Frame, [c, s]: [f64; 2]) {
+    fn ring(&mut self, frame: &SweepFrame, [c, s]: [f64; 2]) {
         let first = self.vertices;
         let across = frame.along.cross(frame.side);
         if self.section.is_tube() {
@@ -188,13 +189,13 @@ impl<'a> Sweep<'a> {
             self.vertex(frame.point - half, frame.side);
             self.vertex(frame.point + half, frame.side);
         }
-        self.join(Row::Ring(first));
+        self.join(PreviousRow::Ring(first));
     }
 
-    fn pole(&mut self, frame: &Frame, sense: f64) {
+    fn pole(&mut self, frame: &SweepFrame, sense: f64) {
         let (normal, pole) = (frame.along * sense, self.vertices);
         self.vertex(frame.point + normal * self.section.half, normal);
-        self.join(Row::Pole(pole));
+        self.join(PreviousRow::Pole(pole));
     }
 
     fn vertex(&mut self, position: DVec3, normal: DVec3) {
@@ -206,7 +207,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// Adds the faces between the previous row and this one, counter-clockwise as seen from outside.
-    fn join(&mut self, next: Row) {
+    fn join(&mut self, next: PreviousRow) {
         let before = std::mem::replace(&mut self.row, next);
         if !self.writes {
             return;
@@ -214,16 +215,16 @@ impl<'a> Sweep<'a> {
         let columns = self.section.columns();
         let faces = if self.section.is_tube() { columns } else { 1 };
         for k in 0..faces {
-            let [here, beside] = [k, (k + 1) % columns].map(|k| u32::try_from(k).unwrap_or(0));
+            let [here, beside] = [k, (k + 1) % columns].map(to_u32);
             match (before, next) {
-                (Row::Ring(a), Row::Ring(b)) => {
+                (PreviousRow::Ring(a), PreviousRow::Ring(b)) => {
                     let [p, q, r, s] = [a + here, a + beside, b + beside, b + here];
                     self.indices.extend([p, q, r, p, r, s]);
                 }
-                (Row::Pole(pole), Row::Ring(b)) => {
+                (PreviousRow::Pole(pole), PreviousRow::Ring(b)) => {
                     self.indices.extend([pole, b + beside, b + here]);
                 }
-                (Row::Ring(a), Row::Pole(pole)) => {
+                (PreviousRow::Ring(a), PreviousRow::Pole(pole)) => {
                     self.indices.extend([pole, a + here, a + beside]);
                 }
                 _ => (),

@@ -1,8 +1,9 @@
 //! Samples and frames along the isocurves of a surface, for tubes and ribbons.
 
 use super::isocurves::Isocurve;
-use super::sweep::{Frame, Sweep, turned};
+use super::sweep::{Sweep, SweepFrame, turned};
 use super::wire::Wire;
+use crate::curve::carried_frame::double_reflection;
 use crate::geometry::check::max_abs;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -71,7 +72,7 @@ impl Tracer {
             return Ok(());
         }
         let polyline = line.curve.flatten(self.tolerance)?;
-        let mut before: Option<(LineSample, Frame)> = None;
+        let mut before: Option<(LineSample, SweepFrame)> = None;
         for (&t, &point) in polyline.ts.iter().zip(&polyline.points) {
             let sample = self.look(line, t, point);
             before = Some(match before {
@@ -103,7 +104,7 @@ impl Tracer {
         }
     }
 
-    fn start(&self, sample: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, Frame) {
+    fn start(&self, sample: LineSample, sweep: &mut Sweep<'_>) -> (LineSample, SweepFrame) {
         let frame = frame(&sample, sample.normal);
         sweep.begin(&frame);
         (sample, frame)
@@ -113,10 +114,10 @@ impl Tracer {
     fn advance(
         &self,
         line: &Isocurve<'_>,
-        (from, before): (LineSample, Frame),
+        (from, before): (LineSample, SweepFrame),
         to: LineSample,
         sweep: &mut Sweep<'_>,
-    ) -> (LineSample, Frame) {
+    ) -> (LineSample, SweepFrame) {
         let straight =
             |a: DVec3, b: DVec3| a.dot(b) >= self.turn || a == DVec3::ZERO || b == DVec3::ZERO;
         if straight(from.along, to.along) && straight(from.normal, to.normal) {
@@ -143,31 +144,21 @@ impl Tracer {
 }
 
 /// The frame at a sample, with its side direction as close as possible to the given direction.
-fn frame(sample: &LineSample, side: DVec3) -> Frame {
+fn frame(sample: &LineSample, side: DVec3) -> SweepFrame {
     let LineSample { point, along, .. } = *sample;
-    let axis = if along.x.abs() < 0.5 {
-        DVec3::X
-    } else {
-        DVec3::Y
-    };
-    let across = |v: DVec3| Point::normalize_or_zero(v - along * v.dot(along));
-    // If the given direction is almost parallel to the line, rounding leaves a component along the line; projecting
-    // twice is sufficient (Kahan).
-    let side = across(across(side));
-    let side = if side == DVec3::ZERO {
-        across(across(axis))
-    } else {
-        side
-    };
-    Frame { point, along, side }
+    let mut side = DVec3::normal_of(along, side);
+    if side == DVec3::ZERO {
+        let axis = if along.x.abs() < 0.5 {
+            DVec3::X
+        } else {
+            DVec3::Y
+        };
+        side = DVec3::normal_of(along, axis);
+    }
+    SweepFrame { point, along, side }
 }
 
-/// The side direction of a frame, transported to the next sample without rotation about the line (double reflection):
-/// reflected in the bisecting plane of both points, then in the plane that maps the tangent to the tangent at the next
-/// sample.
-fn carried(from: &Frame, to: &LineSample) -> DVec3 {
-    let reflect = |v: DVec3, normal: DVec3| v - normal * (2.0 * v.dot(normal));
-    let chord = Point::normalize_or_zero(to.point - from.point);
-    let (side, along) = (reflect(from.side, chord), reflect(from.along, chord));
-    reflect(side, Point::normalize_or_zero(to.along - along))
+/// The side direction of a frame, transported to the next sample without rotation about the line.
+fn carried(from: &SweepFrame, to: &LineSample) -> DVec3 {
+    double_reflection(from.side, [from.along, to.along], to.point - from.point)
 }

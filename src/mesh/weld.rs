@@ -1,9 +1,10 @@
 //! Welding: which corners of triangles become one vertex.
 
 use super::buffers::to_f32;
-use super::stitched_mesh::{StitchedMesh, number};
+use super::stitched_mesh::StitchedMesh;
 use super::{Indices, Mesh, PatchRange};
 use crate::geometry::point::Point;
+use crate::numeric::order::to_u32;
 use glam::DVec3;
 
 /// Which corners become one vertex of a mesh. Positions are bit-identical for all three rules.
@@ -85,7 +86,7 @@ impl StitchedMesh {
         }
         let mut from = 0;
         for (patch, end) in self.ends.iter().enumerate() {
-            let ids = std::iter::repeat_n(number(patch), end.corners - from);
+            let ids = std::iter::repeat_n(to_u32(patch), end.corners - from);
             mesh.patch_ids.extend(ids);
             from = end.corners;
         }
@@ -100,13 +101,13 @@ impl StitchedMesh {
         let (mut corners, mut triangles) = (0, 0);
         for end in &self.ends {
             let mut range = PatchRange {
-                first_index: number(3 * triangles),
-                indices: number(3 * (end.triangles - triangles)),
+                first_index: to_u32(3 * triangles),
+                indices: to_u32(3 * (end.triangles - triangles)),
                 ..PatchRange::default()
             };
             if own_vertices {
-                range.first_vertex = number(corners);
-                range.vertices = number(end.corners - corners);
+                range.first_vertex = to_u32(corners);
+                range.vertices = to_u32(end.corners - corners);
             }
             mesh.patch_ranges.push(range);
             (corners, triangles) = (end.corners, end.triangles);
@@ -135,7 +136,7 @@ impl Welder<'_> {
             normal: corner.normal,
             before: last,
         });
-        let new = number(self.vertices.len() - 1);
+        let new = to_u32(self.vertices.len() - 1);
         self.last[corner.node as usize] = new;
         new
     }

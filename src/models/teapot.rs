@@ -7,6 +7,7 @@
 //! like all others.
 
 use super::teapot_data::{BOTTOM, HANDLE, LID, Ring, SPOUT, Section, UNITS, WALL};
+use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use glam::DVec3;
 
@@ -162,7 +163,7 @@ pub(crate) fn share(points: &[Whole]) -> (Vec<Whole>, Vec<u32>) {
         let index = found.map(|(index, _)| index);
         indices.push(index.unwrap_or_else(|| {
             vertices.push(*point);
-            u32::try_from(vertices.len() - 1).unwrap_or(u32::MAX)
+            to_u32(vertices.len() - 1)
         }));
     }
     (vertices, indices)

@@ -1,4 +1,4 @@
-//! Ratios of integers and the spacing of f64.
+//! Ratios of integers, the spacing of f64, and scaling without rounding.
 
 /// i / n as f64; both are small counts.
 #[inline]
@@ -16,4 +16,16 @@ pub(crate) fn ulp(x: f64) -> f64 {
             .min(x - x.next_down())
             .max(f64::MIN_POSITIVE * f64::EPSILON)
     }
+}
+
+/// The power of two 2ᵏ for which |x|·2ᵏ is in [1, 2); multiplying by it does not round. 1 for 0.
+///
+/// k is limited so that 2ᵏ and 2⁻ᵏ are normal numbers: the product is below 4 for the largest numbers, and below 1 for
+/// numbers that are not normal.
+pub(crate) fn unit_scale(x: f64) -> f64 {
+    if x == 0.0 {
+        return 1.0;
+    }
+    let exponent = (x.abs().to_bits() >> 52).clamp(1, 2045);
+    f64::from_bits((2046 - exponent) << 52)
 }

@@ -4,9 +4,9 @@ use super::Patch;
 use super::tile_area::TileArea;
 use crate::numeric::float::ratio;
 use crate::numeric::sort::sort_by;
-use crate::surface::frame::Frame;
+use crate::numeric::work_limit::WorkLimit;
 use crate::surface::network::Surface;
-use casteljau_kernels::WorkLimit;
+use crate::surface::scaling::Scaling;
 
 /// Relative error at which the integration of the area stops: a tenth of the documented error.
 const AREA_ERROR: f64 = 1e-9;
@@ -50,12 +50,12 @@ impl Patch {
     /// digit may be wrong: the quadrature may miss a fold that cuts off a corner of a tile, and folds may need more
     /// steps. Where coordinates differ by many powers of ten, the fourth digit may be wrong.
     pub fn area(&self) -> f64 {
-        let frame = Frame::around(self.control_bounds());
-        let area = area_in_frame(&frame.image(self));
+        let scaling = Scaling::around(self.control_bounds());
+        let area = scaled_area(&scaling.image(self));
         if area <= NO_AREA {
             return 0.0;
         }
-        area * frame.size * frame.size
+        area * scaling.size * scaling.size
     }
 }
 
@@ -67,7 +67,7 @@ impl Surface {
     }
 }
 
-fn area_in_frame(patch: &Patch) -> f64 {
+fn scaled_area(patch: &Patch) -> f64 {
     let points = patch.points.iter().map(|p| p.to_array()).collect();
     let mut rule = TileArea::new(points, patch.columns);
     let mut work = WorkLimit::new(MAX_STEPS);

@@ -3,7 +3,7 @@
 use super::Patch;
 use super::tensor_product::{REGULAR_RATIO, directions};
 use crate::geometry::point::Point;
-use crate::surface::frame::Frame;
+use crate::surface::scaling::Scaling;
 use glam::DVec3;
 
 /// The curvatures of a surface at a point.
@@ -51,13 +51,13 @@ impl Patch {
     /// middle, extrapolated to about 8 digits. They are zero where there is no limit (the tip of a cone) and for a
     /// patch that is a curve or a point. Source: do Carmo, *Differential Geometry of Curves and Surfaces*, §3.3.
     pub fn curvature(&self, u: f64, v: f64) -> Curvature {
-        let frame = Frame::around(self.control_bounds());
-        let patch = frame.image(self);
+        let scaling = Scaling::around(self.control_bounds());
+        let patch = scaling.image(self);
         let [k1, k2] = patch
             .principal(u, v)
             .or_else(|| patch.principal_limit(u, v))
             .unwrap_or_default()
-            .map(|k| k / frame.size);
+            .map(|k| k / scaling.size);
         Curvature {
             gaussian: k1 * k2,
             mean: 0.5 * (k1 + k2),

@@ -8,11 +8,11 @@
 //! §6.9 for products).
 
 use super::net::transpose;
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
+pub(crate) use crate::bernstein::weights::binomial;
 use crate::geometry::point::Point;
 use crate::numeric::list::Net;
-pub(crate) use casteljau_kernels::binomial;
 use glam::DVec3;
 
 /// A coefficient counts as zero below this length; the coefficients of the unit-sized differences carry noise of about
@@ -126,7 +126,7 @@ fn piece_toward(net: &[DVec3], columns: usize, t: f64, to: f64) -> Net {
             (start, end) = (1.0 - t, 1.0 - to);
         }
         if start != 0.0 || end != 0.5 {
-            blossom_piece(row, start, end);
+            keep_between(row, start, end);
         }
     }
     rows

@@ -2,7 +2,7 @@
 
 use super::Patch;
 use super::net::{curve_at_u, transpose};
-use crate::bernstein::casteljau::split_into;
+use crate::bernstein::de_casteljau::split;
 use crate::curve::Curve;
 use crate::curve::basis::{Basis, apply};
 use crate::geometry::check::check_finite;
@@ -94,11 +94,9 @@ impl Patch {
 
 /// Splits every row at t.
 fn split_rows(net: &[DVec3], columns: usize, t: f64) -> (Net, Net) {
-    let mut before = std::iter::repeat_n(DVec3::ZERO, net.len()).collect::<Net>();
-    let mut after = before.clone();
-    let pieces = before.chunks_mut(columns).zip(after.chunks_mut(columns));
-    for (row, (left, right)) in net.chunks(columns).zip(pieces) {
-        split_into(row, t, left, right);
+    let (mut before, mut after) = (Net::from(net), Net::from(net));
+    for (left, right) in before.chunks_mut(columns).zip(after.chunks_mut(columns)) {
+        split(left, right, t);
     }
     (before, after)
 }

@@ -1,7 +1,7 @@
 //! The area of a tile of a Bézier patch.
 
 use crate::numeric::float::ratio;
-use casteljau_kernels::GAUSS_8;
+use crate::numeric::gauss::GAUSS_8;
 
 /// The nodes of the rule with 8 points.
 const NODES: usize = 8;

@@ -1,6 +1,6 @@
 //! Elliptical arcs as cubic Bézier curves.
 
-use super::trigonometry::{angle, direction, direction_of_degrees, turned};
+use crate::numeric::trigonometry::{angle, direction, direction_of_degrees, turned};
 use glam::DVec2;
 use std::f64::consts::TAU;
 

@@ -2,7 +2,7 @@
 
 use super::Path;
 use crate::curve::Curve;
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
@@ -44,19 +44,13 @@ impl Path {
     pub fn flatten(&self, tolerance: f64) -> Result<Vec<Polyline<DVec2>>, Error> {
         check_tolerance(tolerance, self.max_abs())?;
         check_vertices(|| self.segment_points().map(Curve::from_slice), tolerance)?;
-        let mut left = MAX_VERTICES;
+        let mut left = VertexLimit::new(MAX_VERTICES);
         self.parts()
             .map(|part| {
                 let mut line = Polyline::default();
                 for (k, points) in part.segments().enumerate() {
-                    let skipped = usize::from(k > 0);
-                    let piece = Curve::from_slice(points).flatten(tolerance)?;
-                    line.points.extend(&piece.points[skipped..]);
-                    let ts = piece.ts[skipped..].iter().map(|t| k as f64 + t);
-                    line.ts.extend(ts);
-                    check_count(line.ts.len(), left)?;
+                    line.append(&Curve::from_slice(points), k as f64, tolerance, &mut left)?;
                 }
-                left -= line.ts.len();
                 Ok(line)
             })
             .collect()
@@ -71,17 +65,6 @@ impl Path {
     pub(crate) fn max_abs(&self) -> f64 {
         max_abs(&self.points)
     }
-}
-
-fn check_count(count: usize, left: usize) -> Result<(), Error> {
-    if count <= left {
-        return Ok(());
-    }
-    Err(Error::TooMany {
-        what: "vertices",
-        limit: MAX_VERTICES,
-        needed: MAX_VERTICES - left + count,
-    })
 }
 
 fn corners(a: DVec2, b: DVec2) -> Bounds<DVec2> {

@@ -3,11 +3,11 @@
 use super::{Path, PathTime};
 use crate::curve::Curve;
 use crate::curve::arc_length::inverse::{ArcLengthInverse, check_length};
+use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::curve::eval::check_segments;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
-use casteljau_kernels::plane_cubic_length;
 use glam::{DVec2, DVec3};
 
 impl Path {

@@ -15,7 +15,6 @@ mod length;
 mod moments;
 mod nearest;
 mod trace;
-mod trigonometry;
 mod winding;
 
 pub use crate::io::svg_error::SvgError;

@@ -11,6 +11,7 @@
 //! rounding cannot open the outline.
 
 use super::Path;
+use crate::bernstein::de_casteljau::split;
 use crate::geometry::check::max_abs;
 use crate::numeric::float::ulp;
 use crate::numeric::list::{Points, points_of};
@@ -152,11 +153,6 @@ impl Search {
 
 fn halves(points: &[DVec2]) -> (Points<DVec2>, Points<DVec2>) {
     let (mut left, mut right) = (points_of(points), points_of(points));
-    for (level, first) in left.iter_mut().enumerate() {
-        *first = right[0];
-        for i in 1..points.len() - level {
-            right[i - 1] = right[i - 1] * 0.5 + right[i] * 0.5;
-        }
-    }
+    split(&mut left, &mut right, 0.5);
     (left, right)
 }

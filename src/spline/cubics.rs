@@ -20,9 +20,11 @@ pub(crate) struct FitCriteria {
     pub(crate) between: bool,
 }
 
-/// The input points with the tangent and the chord length from the start at each point.
+/// The input points with the joint, the tangent and the chord length from the start at each point.
 pub(crate) struct FitSamples<P> {
     pub(crate) points: Vec<P>,
+    /// The position of a joint at each point, within the tolerance of the point.
+    pub(crate) joints: Vec<P>,
     pub(crate) tangents: Vec<P>,
     pub(crate) lengths: Vec<f64>,
     pub(crate) criteria: FitCriteria,
@@ -44,8 +46,13 @@ const BISECTIONS: usize = 6;
 /// Added to the diagonal of the normal equations, whose entries are of the order of 1 or smaller.
 const DAMPING: f64 = 1e-6;
 
-/// The maximum length of a handle as a ratio of the chord length of its run.
+/// The minimum and the maximum length of a handle as a ratio of the chord length of its run. A handle of length 0 would
+/// leave the tangent at the joint undefined.
+const SHORTEST_HANDLE: f64 = 1.0 / 64.0;
 const LONGEST_HANDLE: f64 = 1.5;
+
+/// How far, in tolerances, a point may lie from the part of the cubic after the feet of the points before it.
+const MAX_STEP_BACK: f64 = 3.0;
 
 /// The cumulative chord length at each point.
 pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
@@ -59,9 +66,24 @@ pub(crate) fn chord_lengths<P: Point>(points: &[P]) -> Vec<f64> {
 }
 
 impl<P: Point> FitSamples<P> {
+    /// The cubics from stop to stop. `tangents` are the tangents before and after each point; they differ only at stops.
+    pub(crate) fn cover_all(
+        mut self,
+        tangents: &[[P; 2]],
+        stops: &[usize],
+    ) -> Vec<(usize, [P; 2])> {
+        let mut cubics = Vec::new();
+        for pair in stops.windows(2) {
+            self.tangents[pair[0]] = tangents[pair[0]][1];
+            self.tangents[pair[1]] = tangents[pair[1]][0];
+            self.cover(pair[0], pair[1], &mut cubics);
+        }
+        cubics
+    }
+
     /// Appends the cubics from index `first` to `last`: for each cubic the index of its end point and its two inner
     /// control points.
-    pub(crate) fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
+    fn cover(&self, first: usize, last: usize, out: &mut Vec<(usize, [P; 2])>) {
         let (mut from, mut step) = (first, last - first);
         while from < last {
             let (to, handles) = self.longest(from, last, step);
@@ -100,14 +122,14 @@ impl<P: Point> FitSamples<P> {
 
     /// The inner control points of a straight cubic.
     fn straight(&self, from: usize, to: usize) -> [P; 2] {
-        let (a, b) = (self.points[from], self.points[to]);
+        let (a, b) = (self.joints[from], self.joints[to]);
         [a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0)]
     }
 
     /// The inner control points of a cubic that satisfies the criteria along a run, or `None` if none was found.
     fn handles(&self, from: usize, to: usize) -> Option<[P; 2]> {
         let chord_length = self.lengths[to] - self.lengths[from];
-        let (start, end) = (self.points[from], self.points[to]);
+        let (start, end) = (self.joints[from], self.joints[to]);
         let (t0, t1) = (self.tangents[from], self.tangents[to]);
         let mut samples = self.samples(from, to);
         let (mut a, mut b) = (chord_length / 3.0, chord_length / 3.0);
@@ -139,8 +161,13 @@ impl<P: Point> FitSamples<P> {
             }
             previous = worst;
             let (da, db) = equations.solved();
-            let max = LONGEST_HANDLE * chord_length;
-            (a, b) = ((a + da).clamp(0.0, max), (b + db).clamp(0.0, max));
+            let clamped = |length: f64| {
+                length.clamp(
+                    SHORTEST_HANDLE * chord_length,
+                    LONGEST_HANDLE * chord_length,
+                )
+            };
+            (a, b) = (clamped(a + da), clamped(b + db));
         }
         None
     }
@@ -181,15 +208,24 @@ impl<P: Point> FitSamples<P> {
             let u = if index == to {
                 1.0
             } else {
-                foot(cubic, p, guess).max(last.0)
+                foot(cubic, p, guess)
             };
-            let off = (at(cubic, u).0 - p).length();
+            let distance = |u: f64| (at(cubic, u).0 - p).length();
+            let forward = u.max(last.0);
+            let tolerance = self.criteria.tolerance;
+            let (u, off) = if self.criteria.between {
+                (forward, distance(forward))
+            } else if forward > u && distance(forward) > MAX_STEP_BACK * tolerance {
+                return false;
+            } else {
+                (forward, distance(u))
+            };
             let share = if self.criteria.between {
                 sag(cubic, last.0, u)
             } else {
                 0.0
             };
-            if off.max(last.1) + share > self.criteria.tolerance {
+            if off.max(last.1) + share > tolerance {
                 return false;
             }
             last = (u, off);

@@ -2,7 +2,7 @@
 
 use super::Spline;
 use super::joint::JointMode;
-use super::repair::Edit;
+use super::repair::JointRepair;
 use crate::geometry::check::check_finite;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -54,15 +54,15 @@ impl<P: Point> Spline<P> {
         if self.points[index] == to {
             return Ok(self.clone());
         }
-        let mut edit = Edit::new(self.clone(), &mode);
-        edit.set_point(index, to);
+        let mut repair = JointRepair::new(self.clone(), &mode);
+        repair.set_point(index, to);
         let dragged = self.joint_at(index).filter(|&k| mode(k) != JointMode::Free);
         if let Some(k) = dragged {
-            edit.drag(k, self.points[index]);
+            repair.drag(k, self.points[index]);
         }
-        edit.spread(index);
-        edit.ends();
-        Ok(edit.done())
+        repair.repair_outwards(index);
+        repair.set_end_handles();
+        Ok(repair.into_spline())
     }
 
     /// The spline with `mode` enforced at one joint: the handle before the joint is kept, the handle after it follows
@@ -81,9 +81,9 @@ impl<P: Point> Spline<P> {
     pub(crate) fn joint_set(&self, joint: usize, mode: JointMode) -> Result<Self, Error> {
         self.check_joint(joint)?;
         let of = |_| mode;
-        let mut edit = Edit::new(self.clone(), &of);
-        edit.repair(joint, true);
-        Ok(edit.done())
+        let mut repair = JointRepair::new(self.clone(), &of);
+        repair.repair(joint, true);
+        Ok(repair.into_spline())
     }
 
     /// The indices of all joints, where two segments meet.

@@ -103,7 +103,7 @@ impl<P: Point> Spline<P> {
         }
         check_finite("points", points)?;
         let unit = if max_abs(points) > HUGE { SHRUNK } else { 1.0 };
-        let row = Row {
+        let row = Equation {
             points: points.iter().map(|&p| p * unit).collect(),
             closed,
         };
@@ -155,12 +155,12 @@ fn power(length: f64, alpha: f64) -> f64 {
 }
 
 /// The points to interpolate, open or closed.
-struct Row<P> {
+struct Equation<P> {
     points: Vec<P>,
     closed: bool,
 }
 
-impl<P: Point> Row<P> {
+impl<P: Point> Equation<P> {
     /// The indices of the neighbours of a point; at an open end the missing neighbour is the point itself.
     fn beside(&self, i: usize) -> (usize, usize) {
         let count = self.points.len();

@@ -40,7 +40,7 @@ impl<P: Point> Spline<P> {
         if let Some(tolerance) = tolerance {
             check_tolerance(tolerance, self.max_abs())?;
         }
-        let ends = self.lengths();
+        let ends = self.cumulative_lengths();
         if s <= 0.0 {
             return Ok(0.0);
         }
@@ -62,7 +62,7 @@ impl<P: Point> Spline<P> {
     /// As [`Curve::equidistant_times`](crate::Curve::equidistant_times).
     pub fn equidistant_times(&self, segments: usize) -> Result<Vec<f64>, Error> {
         check_segments(segments, 1)?;
-        let (ends, count) = (self.lengths(), self.segment_count());
+        let (ends, count) = (self.cumulative_lengths(), self.segment_count());
         let whole = ends[count];
         let mut ts = vec![0.0; segments + 1];
         let mut table: Option<(usize, ArcLengthInverse)> = None;
@@ -88,8 +88,27 @@ impl<P: Point> Spline<P> {
         Ok(ts)
     }
 
-    /// The arc length from the start to each joint, from 0 to the total.
-    fn lengths(&self) -> Vec<f64> {
+    /// The arc length from the start to the end of each segment: 0, then one number per segment; the last is the total.
+    ///
+    /// Many questions about one spline need its lengths only once: s lies on the segment k with `ends[k]` ≤ s <
+    /// `ends[k + 1]`, and [`time_at_length`](Self::time_at_length) is k plus
+    /// [`Curve::time_at_length`](crate::Curve::time_at_length) of segment k for s − `ends[k]`. Accuracy as
+    /// [`length`](Self::length) without a tolerance; a spline that is a point has only zeros.
+    ///
+    /// ```
+    /// use casteljau::{Spline, glam::DVec2};
+    ///
+    /// let points = [(0., 0.), (3., 4.), (3., 6.)].map(DVec2::from);
+    /// let spline = Spline::new(&points, 1, false)?;
+    /// let ends = spline.cumulative_lengths();
+    /// assert_eq!(ends, [0.0, 5.0, 7.0]);
+    /// let k = ends[1..].partition_point(|&end| end <= 6.0);
+    /// let segment = spline.segment(k).expect("6 is on the spline");
+    /// let t = segment.time_at_length(6.0 - ends[k], None)?;
+    /// assert_eq!(k as f64 + t, spline.time_at_length(6.0, None)?);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    pub fn cumulative_lengths(&self) -> Vec<f64> {
         let mut whole = 0.0;
         let mut ends = vec![0.0];
         for k in 0..self.segment_count() {

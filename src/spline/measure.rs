@@ -2,7 +2,7 @@
 
 use super::Spline;
 use crate::curve::eval::{MAX_OUTPUT_F64, check_segments};
-use crate::curve::flatten::{MAX_VERTICES, Polyline, check_vertices};
+use crate::curve::flatten::{MAX_VERTICES, Polyline, VertexLimit, check_vertices};
 use crate::curve::trace::PathSink;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_tolerance;
@@ -68,20 +68,9 @@ impl<P: Point> Spline<P> {
             || (0..self.segment_count()).map(|k| self.curve(k)),
             tolerance,
         )?;
-        let mut line = Polyline::default();
+        let (mut line, mut left) = (Polyline::default(), VertexLimit::new(MAX_VERTICES));
         for k in 0..self.segment_count() {
-            let piece = self.curve(k).flatten(tolerance)?;
-            let skip = usize::from(k > 0);
-            line.points.extend(&piece.points[skip..]);
-            line.ts
-                .extend(piece.ts[skip..].iter().map(|t| k as f64 + t));
-            if line.ts.len() > MAX_VERTICES {
-                return Err(Error::TooMany {
-                    what: "vertices",
-                    limit: MAX_VERTICES,
-                    needed: line.ts.len(),
-                });
-            }
+            line.append(&self.curve(k), k as f64, tolerance, &mut left)?;
         }
         Ok(line)
     }

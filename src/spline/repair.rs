@@ -14,7 +14,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 
 /// A spline whose points are being moved, each at most once.
-pub(crate) struct Edit<'a, P: Point, M> {
+pub(crate) struct JointRepair<'a, P: Point, M> {
     spline: Spline<P>,
     mode: &'a M,
     /// The state of each control point.
@@ -26,18 +26,18 @@ enum State {
     /// Unchanged; the point may be moved.
     Free,
     /// Unchanged; the point must not move, because a repaired joint depends on it.
-    Kept,
+    Fixed,
     Changed,
 }
 
 /// The indices of the control points around a joint, as in [`Sides`].
-struct Around {
+struct JointPoints {
     near: [usize; 2],
     joint: usize,
     far: [usize; 2],
 }
 
-impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
+impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
     pub(crate) fn new(spline: Spline<P>, mode: &'a M) -> Self {
         Self {
             states: vec![State::Free; spline.points.len()],
@@ -46,7 +46,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         }
     }
 
-    pub(crate) fn done(self) -> Spline<P> {
+    pub(crate) fn into_spline(self) -> Spline<P> {
         self.spline
     }
 
@@ -58,12 +58,12 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
             *target = to;
             self.states[index] = State::Changed;
         } else if free {
-            self.states[index] = State::Kept;
+            self.states[index] = State::Fixed;
         }
         *target == to
     }
 
-    fn around(&self, joint: usize, forward: bool) -> Around {
+    fn around(&self, joint: usize, forward: bool) -> JointPoints {
         let (index, count) = (self.spline.starts[joint], self.spline.points.len());
         // The indices wrap around short lists more than once.
         let behind = [1, 2].map(|k| (index + 2 * count - k) % count);
@@ -73,14 +73,14 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         } else {
             (ahead, behind)
         };
-        Around {
+        JointPoints {
             near,
             joint: index,
             far,
         }
     }
 
-    fn sides(&self, around: &Around, joint: usize, forward: bool) -> Sides<P> {
+    fn sides(&self, around: &JointPoints, joint: usize, forward: bool) -> Sides<P> {
         let at = |index: usize| self.spline.points[index];
         let (before, after) = self.spline.beside(joint);
         let (near, far) = if forward {
@@ -109,7 +109,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
 
     fn follow(&mut self, joint: usize, forward: bool, mode: JointMode) {
         let around = self.around(joint, forward);
-        let Around { near, far, .. } = around;
+        let JointPoints { near, far, .. } = around;
         // On a closed spline of two lines or of one quadratic, the same point is on both sides.
         if near[0] == far[0] {
             return;
@@ -121,21 +121,21 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
         let mode = if second { mode } else { mode.of_first_order() };
         let handle = sides.follow(mode);
         for index in [around.joint, near[0]] {
-            self.keep(index);
+            self.fix(index);
         }
         if second {
-            self.keep(near[1]);
+            self.fix(near[1]);
         }
-        let held = self.set_point(far[0], handle);
-        if held && mode == JointMode::C2 {
+        let is_set = self.set_point(far[0], handle);
+        if is_set && mode == JointMode::C2 {
             sides.far[0] = handle;
             self.set_point(far[1], sides.second());
         }
     }
 
-    fn keep(&mut self, index: usize) {
+    fn fix(&mut self, index: usize) {
         if self.states[index] == State::Free {
-            self.states[index] = State::Kept;
+            self.states[index] = State::Fixed;
         }
     }
 
@@ -202,14 +202,14 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Repairs the joints outwards from a control point with two fronts, the nearer joint first.
-    pub(crate) fn spread(&mut self, index: usize) {
+    pub(crate) fn repair_outwards(&mut self, index: usize) {
         let count = self.spline.points.len();
         let starts = &self.spline.starts[..self.spline.segment_count()];
-        let mut left =
+        let mut remaining =
             self.spline.joints().len() - usize::from(self.spline.joint_at(index).is_some());
         let mut ahead = self.joint_from(starts.partition_point(|&start| start <= index));
         let mut behind = self.joint_before(starts.partition_point(|&start| start < index));
-        while left > 0 {
+        while remaining > 0 {
             let distance_ahead = ahead.map(|k| (self.spline.starts[k] + count - index - 1) % count);
             let distance_behind =
                 behind.map(|k| (index + count - self.spline.starts[k] - 1) % count);
@@ -223,7 +223,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
             let Some(joint) = front.take() else { return };
             if self.is_touched(joint, forward) {
                 self.repair(joint, forward);
-                left -= 1;
+                remaining -= 1;
                 if forward {
                     ahead = self.joint_from(joint + 1);
                 } else {
@@ -264,7 +264,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> Edit<'a, P, M> {
     }
 
     /// Sets the handles at the ends of an open spline whose neighbouring joints are automatic.
-    pub(crate) fn ends(&mut self) {
+    pub(crate) fn set_end_handles(&mut self) {
         let segments = self.spline.segment_count();
         if self.spline.closed || segments < 2 {
             return;

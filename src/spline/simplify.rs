@@ -3,11 +3,12 @@
 use super::Spline;
 use super::cubics::{FitCriteria, FitSamples, chord_lengths};
 use super::fit::{ROUNDING_SHARE, assemble, scale_of, scaled};
+use crate::curve::flatten::VertexLimit;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::ulp;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// The ratio of the tolerance that is spent on the polyline that approximates the spline.
 const POLYLINE_SHARE: f64 = 1.0 / 32.0;
@@ -56,17 +57,18 @@ impl<P: Point> Spline<P> {
         let fit_samples = FitSamples {
             lengths: chord_lengths(&points),
             tangents: tangents.iter().map(|pair| pair[1]).collect(),
+            joints: points.clone(),
             points,
             criteria: FitCriteria {
                 tolerance: (tolerance * (1.0 - ROUNDING_SHARE) - share) * scale,
                 between: true,
             },
         };
-        let cubics = covered(fit_samples, &tangents, &corners);
+        let cubics = fit_samples.cover_all(&tangents, &corners);
         if plain && cubics.len() >= self.segment_count() {
             return Ok(self.clone());
         }
-        Ok(assemble(&kept, scale, &cubics, self.closed))
+        Ok(assemble(&kept, scale, &cubics, self.closed, |k| kept[k]))
     }
 
     /// The distinct vertices of a polyline, the tangents before and after each vertex, and the indices of corners and
@@ -77,8 +79,9 @@ impl<P: Point> Spline<P> {
         let mut tangents: Vec<[P; 2]> = Vec::new();
         let mut corners = vec![0];
         let limit = MAX_VERTICES_PER_SEGMENT.saturating_mul(self.segment_count());
+        let mut left = VertexLimit::new(limit);
         for curve in self.segments() {
-            let line = curve.flatten_within(share, limit.saturating_sub(kept.len()))?;
+            let line = curve.flatten_within(share, &mut left)?;
             for (k, (&p, &t)) in line.points.iter().zip(&line.ts).enumerate() {
                 let tangent = curve.tangent(t);
                 if kept.last() != Some(&p) {
@@ -132,19 +135,4 @@ impl<P: Point> Spline<P> {
         }
         Self::from_curves(&cubics, self.closed)
     }
-}
-
-/// The fitted cubics from corner to corner; at a corner each cubic uses the tangent of its own side.
-fn covered<P: Point>(
-    mut fit_samples: FitSamples<P>,
-    tangents: &[[P; 2]],
-    corners: &[usize],
-) -> Vec<(usize, [P; 2])> {
-    let mut cubics = Vec::new();
-    for pair in corners.windows(2) {
-        fit_samples.tangents[pair[0]] = tangents[pair[0]][1];
-        fit_samples.tangents[pair[1]] = tangents[pair[1]][0];
-        fit_samples.cover(pair[0], pair[1], &mut cubics);
-    }
-    cubics
 }

@@ -8,7 +8,7 @@ use super::Spline;
 use crate::curve::Curve;
 use crate::curve::intersect::intersection::{Intersection, IntersectionKind};
 use crate::numeric::sort::sort_by;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 use std::borrow::Borrow;
 

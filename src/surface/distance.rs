@@ -1,8 +1,8 @@
 //! Distance of patches from a point: its square as a polynomial, and Gauss–Newton steps that reduce it.
 
-use super::frame::Frame;
 use super::minimum::{Minimum, Objective};
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
+use super::scaling::Scaling;
 use super::small_distance::search_small;
 use super::surface_point::SurfacePoint;
 use crate::geometry::point::Point;
@@ -35,7 +35,7 @@ pub(crate) struct Distance<'a> {
     patches: &'a [Patch],
     /// The indices of the patches to which the polynomials belong.
     near: &'a [usize],
-    /// These patches in the coordinates of a frame, and the query point in the same frame.
+    /// These patches and the query point in scaled coordinates.
     images: &'a [Patch],
     image_of_p: DVec3,
     p: DVec3,
@@ -44,8 +44,8 @@ pub(crate) struct Distance<'a> {
 }
 
 impl Objective for Distance<'_> {
-    fn value(&self, root: usize, at: [f64; 2]) -> f64 {
-        self.surface_point(root, at).distance
+    fn value(&self, index: usize, at: [f64; 2]) -> f64 {
+        self.surface_point(index, at).distance
     }
 
     fn degree_factor(&self) -> usize {
@@ -54,19 +54,19 @@ impl Objective for Distance<'_> {
 
     /// Refines with Gauss–Newton steps: the difference S − p still has the digits that the square of a small distance
     /// has lost.
-    fn refine(&self, root: usize, at: [f64; 2]) -> [f64; 2] {
-        let surface_point = self.descend(self.surface_point(root, at));
+    fn refine(&self, index: usize, at: [f64; 2]) -> [f64; 2] {
+        let surface_point = self.descend(self.surface_point(index, at));
         [surface_point.u, surface_point.v]
     }
 
     /// Whether the distance is so small that [`search_small`](Self::search_small) follows, or all control points lie
     /// beyond the plane through the found point that is perpendicular to the line from the query point. In the second
     /// case the convex hull of the net, and with it the patch, lies beyond this plane.
-    fn is_min(&self, minimum: &Minimum) -> bool {
+    fn is_final(&self, minimum: &Minimum) -> bool {
         if minimum.value <= LOST_IN_SQUARES * self.size {
             return true;
         }
-        let surface_point = self.images[minimum.root].eval(minimum.u, minimum.v);
+        let surface_point = self.images[minimum.index].eval(minimum.u, minimum.v);
         let normal = Point::normalize_or_zero(surface_point - self.image_of_p);
         let is_behind = |point: &DVec3| (*point - surface_point).dot(normal) >= -ROUNDING;
         self.images
@@ -80,16 +80,16 @@ impl<'a> Distance<'a> {
         patches: &'a [Patch],
         near: &'a [usize],
         images: &'a [Patch],
-        frame: &Frame,
+        scaling: &Scaling,
         p: DVec3,
     ) -> Self {
         Self {
             patches,
             near,
             images,
-            image_of_p: frame.local_point(p),
+            image_of_p: scaling.local_point(p),
             p,
-            size: frame.as_coarse_as_its_coordinates().size,
+            size: scaling.as_coarse_as_its_coordinates().size,
         }
     }
 
@@ -99,23 +99,23 @@ impl<'a> Distance<'a> {
         mut best: Option<SurfacePoint>,
         cutoff: f64,
     ) -> (Option<SurfacePoint>, bool) {
-        let roots = (0..).zip(self.near).map(|(root, &k)| {
+        let wholes = (0..).zip(self.near).map(|(index, &k)| {
             let patch = &self.patches[k];
             let off = |q: &DVec3| (*q * 0.5 - self.p * 0.5) * (2.0 / self.size);
             let axis = |axis: usize| patch.points.iter().map(move |q| off(q).coordinate(axis));
             let planes = (0..3).flat_map(axis).collect();
-            Piece::whole(root, patch.columns, patch.rows(), planes)
+            PolynomialPiece::whole(index, patch.columns, patch.rows(), planes)
         });
         let min = best.map_or(f64::INFINITY, |best| best.distance / self.size);
-        let mut descend = |root: usize, at: [f64; 2]| {
-            let surface_point = self.descend(self.surface_point(root, at));
+        let mut descend = |index: usize, at: [f64; 2]| {
+            let surface_point = self.descend(self.surface_point(index, at));
             if best.is_none_or(|best| surface_point.distance < best.distance) {
                 best = Some(surface_point);
             }
             surface_point.distance / self.size
         };
         let limits = [ROUNDING, cutoff / self.size];
-        let is_complete = search_small(roots.collect(), min, limits, &mut descend);
+        let is_complete = search_small(wholes.collect(), min, limits, &mut descend);
         (best, is_complete)
     }
 
@@ -134,8 +134,8 @@ impl<'a> Distance<'a> {
         surface_point
     }
 
-    pub(crate) fn surface_point(&self, root: usize, [u, v]: [f64; 2]) -> SurfacePoint {
-        let patch = self.near[root];
+    pub(crate) fn surface_point(&self, index: usize, [u, v]: [f64; 2]) -> SurfacePoint {
+        let patch = self.near[index];
         SurfacePoint::at(&self.patches[patch], patch, u, v, self.p)
     }
 
@@ -175,14 +175,19 @@ impl<'a> Distance<'a> {
     }
 }
 
-/// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches of the frame.
+/// |S − p|², minus a constant and divided by a constant; both constants are the same for all patches.
 ///
 /// With q = (S − centre)/size and d = (centre − p)/size it is q² + 2 q·d + d². The term d² is omitted, since it would
 /// swamp the others for a distant p, and the rest is divided by |d| where |d| > 1.
-pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVec3) -> Piece {
-    let away = frame.centre * 0.5 - p * 0.5;
-    let unit = (0.5 * frame.size).max(Point::length(away));
-    let (share, toward) = (0.5 * frame.size / unit, away / unit * 2.0);
+pub(crate) fn squared_distance(
+    index: usize,
+    image: &Patch,
+    scaling: &Scaling,
+    p: DVec3,
+) -> PolynomialPiece {
+    let away = scaling.centre * 0.5 - p * 0.5;
+    let unit = (0.5 * scaling.size).max(Point::length(away));
+    let (share, toward) = (0.5 * scaling.size / unit, away / unit * 2.0);
     let (m, n) = (image.degree_u(), image.degree_v());
     let weights: Vec<f64> = (0..image.points.len())
         .map(|k| binomial(m, k % (m + 1)) * binomial(n, k / (m + 1)))
@@ -201,7 +206,7 @@ pub(crate) fn squared_distance(root: usize, image: &Patch, frame: &Frame, p: DVe
     for (k, coefficient) in product.iter_mut().enumerate() {
         *coefficient /= binomial(2 * m, k % columns) * binomial(2 * n, k / columns);
     }
-    Piece::whole(root, columns, 2 * n + 1, product)
+    PolynomialPiece::whole(index, columns, 2 * n + 1, product)
 }
 
 /// Adds to `product`, whose rows have `2 * columns − 1` numbers, the product of two nets whose coefficients are

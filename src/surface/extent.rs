@@ -1,16 +1,16 @@
 //! Tight bounding boxes of patches and surfaces.
 
-use super::frame::{Frame, box_of};
 use super::minimum::{Objective, minimise};
 use super::network::Surface;
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
+use super::scaling::{Scaling, box_of};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::patch::Patch;
 use glam::DVec3;
 
-/// Smallest size of a frame, as a fraction of a coordinate. A search distinguishes values that differ by 64 units of
-/// rounding of its frame's size; in a frame of this size that is one unit of rounding of the coordinate.
+/// Smallest size of a scaling, as a fraction of a coordinate. A search distinguishes values that differ by 64 units of
+/// rounding of its scaling's size; in a scaling of this size that is one unit of rounding of the coordinate.
 const ROUNDING_SHARE: f64 = 1.0 / 64.0;
 
 impl Patch {
@@ -40,18 +40,18 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     let control = box_of(patches)?;
     let mut bounds = control;
     for axis in 0..3 {
-        let frame = frame_along(axis, control);
+        let scaling = scaling_along(axis, control);
         let face = |sign: f64| {
-            let roots: Vec<Piece> = (0..)
+            let wholes: Vec<PolynomialPiece> = (0..)
                 .zip(patches)
-                .map(|(k, patch)| coordinate(k, patch, &frame, axis, sign))
+                .map(|(k, patch)| coordinate(k, patch, &scaling, axis, sign))
                 .collect();
             let coordinate = Coordinate {
                 patches,
                 axis,
                 sign,
             };
-            minimise(&roots, &coordinate).map(|(min, _)| sign * min.value)
+            minimise(&wholes, &coordinate).map(|(min, _)| sign * min.value)
         };
         bounds.min = bounds.min.with_coordinate(axis, face(1.0)?);
         bounds.max = bounds.max.with_coordinate(axis, face(-1.0)?);
@@ -63,16 +63,16 @@ fn bounds(patches: &[Patch]) -> Option<Bounds<DVec3>> {
     })
 }
 
-/// The frame for one coordinate. Its size is that of the box along this axis, whatever the box's size along the other
-/// axes, unless the coordinates have larger rounding errors than such a frame resolves.
-fn frame_along(axis: usize, control: Bounds<DVec3>) -> Frame {
-    let frame = Frame::around(control);
-    let [min, max, center] = [control.min, control.max, frame.centre].map(|p| p.coordinate(axis));
+/// The scaling for one coordinate. Its size is that of the box along this axis, whatever the box's size along the other
+/// axes, unless the coordinates have larger rounding errors than such a scaling resolves.
+fn scaling_along(axis: usize, control: Bounds<DVec3>) -> Scaling {
+    let scaling = Scaling::around(control);
+    let [min, max, center] = [control.min, control.max, scaling.centre].map(|p| p.coordinate(axis));
     let size = (max * 0.5 - min * 0.5).max(center.abs() * ROUNDING_SHARE);
     // Below the lower limit the reciprocal is not finite.
-    Frame {
-        size: size.max(f64::MIN_POSITIVE * 8.0).min(frame.size),
-        ..frame
+    Scaling {
+        size: size.max(f64::MIN_POSITIVE * 8.0).min(scaling.size),
+        ..scaling
     }
 }
 
@@ -84,17 +84,23 @@ struct Coordinate<'a> {
 }
 
 impl Objective for Coordinate<'_> {
-    fn value(&self, root: usize, [u, v]: [f64; 2]) -> f64 {
-        self.sign * self.patches[root].eval(u, v).coordinate(self.axis)
+    fn value(&self, index: usize, [u, v]: [f64; 2]) -> f64 {
+        self.sign * self.patches[index].eval(u, v).coordinate(self.axis)
     }
 }
 
 /// The Bernstein coefficients of one coordinate of a patch, multiplied by the sign 1 or −1.
-fn coordinate(root: usize, patch: &Patch, frame: &Frame, axis: usize, sign: f64) -> Piece {
+fn coordinate(
+    index: usize,
+    patch: &Patch,
+    scaling: &Scaling,
+    axis: usize,
+    sign: f64,
+) -> PolynomialPiece {
     let coefficients = patch
         .points
         .iter()
-        .map(|&p| sign * frame.local_point(p).coordinate(axis))
+        .map(|&p| sign * scaling.local_point(p).coordinate(axis))
         .collect();
-    Piece::whole(root, patch.columns, patch.rows(), coefficients)
+    PolynomialPiece::whole(index, patch.columns, patch.rows(), coefficients)
 }

@@ -1,7 +1,7 @@
 //! Volume enclosed by a surface.
 
-use super::frame::{Frame, box_of};
 use super::network::Surface;
+use super::scaling::{Scaling, box_of};
 use super::topology::{EdgeUse, PatchEdge};
 use crate::bernstein::polynomials::bernstein_into;
 use crate::numeric::float::ratio;
@@ -116,14 +116,14 @@ impl Surface {
     /// share. The result is also `None` without patches, and for a one-sided surface such as the Klein bottle.
     pub fn volume(&self) -> Option<f64> {
         let patches: Vec<Patch> = self.patches().collect();
-        let frame = Frame::around(box_of(&patches)?);
+        let scaling = Scaling::around(box_of(&patches)?);
         let signs = self.orientation()?;
         let cones: f64 = patches
             .iter()
             .zip(signs)
-            .map(|(patch, sign)| sign * frame.image(patch).cone())
+            .map(|(patch, sign)| sign * scaling.image(patch).cone())
             .sum();
-        Some(cones / 3.0 * frame.size * frame.size * frame.size)
+        Some(cones / 3.0 * scaling.size * scaling.size * scaling.size)
     }
 
     /// For each patch 1 or −1, so that all normals of a component point to the same side as the normals of its first

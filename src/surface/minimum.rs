@@ -1,8 +1,8 @@
 //! Global minimum of polynomials over patches by branch and bound.
 
-use super::piece::{Jet, MODERATE_DEGREE, Piece};
-use super::waiting::Waiting;
-use casteljau_kernels::WorkLimit;
+use super::piece::{Jet, MODERATE_DEGREE, PolynomialPiece};
+use super::queued_piece::QueuedPiece;
+use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Rounding error of coefficients of size 1 to 8 after products and halvings; values that differ by at most this count
@@ -22,10 +22,18 @@ const LAST_STEP: f64 = 1e-9;
 const MAX_CUTS: usize = 8;
 
 /// The maximum number of coefficients in the queue: 16 MB.
-const MAX_WAITING: usize = 1 << 21;
+const MAX_QUEUED_COEFFICIENTS: usize = 1 << 21;
 
-/// The cost of a refinement, in evaluations with derivatives.
+/// The cost of a refinement, in evaluations with derivatives: usually one Gauss–Newton step, which tries four dampings.
+/// Only the work limit depends on it.
 const REFINEMENT_JETS: usize = 4;
+
+/// A step that does not descend is shortened by this factor. With [`MAX_CUTS`] it becomes 65,536 times shorter.
+const CUT: f64 = 0.25;
+
+/// Below this determinant, relative to the product of the second derivatives, rounding decides the direction of the
+/// Newton step: half of its digits are lost.
+const MIN_DETERMINANT: f64 = 1.0 / 67_108_864.0;
 
 const UNIT_SQUARE: [[f64; 2]; 2] = [[0.0, 1.0]; 2];
 
@@ -37,7 +45,7 @@ const MAX_TIES: usize = 256;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Minimum {
     /// The index of the polynomial, from its piece.
-    pub(crate) root: usize,
+    pub(crate) index: usize,
     pub(crate) u: f64,
     pub(crate) v: f64,
     /// The value of the objective.
@@ -47,7 +55,7 @@ pub(crate) struct Minimum {
 /// The quantity to minimise, computed directly and not from the polynomials; both have the same order of values.
 pub(crate) trait Objective {
     /// The value at a point of a polynomial. It decides between points that the polynomials cannot distinguish.
-    fn value(&self, root: usize, at: [f64; 2]) -> f64;
+    fn value(&self, index: usize, at: [f64; 2]) -> f64;
 
     /// The degree of the polynomial divided by the degree of its patch.
     fn degree_factor(&self) -> usize {
@@ -55,12 +63,12 @@ pub(crate) trait Objective {
     }
 
     /// A point that is at least as good, found by a method that loses fewer digits.
-    fn refine(&self, _root: usize, at: [f64; 2]) -> [f64; 2] {
+    fn refine(&self, _index: usize, at: [f64; 2]) -> [f64; 2] {
         at
     }
 
     /// Whether the search can end: no point is better by more than rounding, or a more exact search follows.
-    fn is_min(&self, _minimum: &Minimum) -> bool {
+    fn is_final(&self, _minimum: &Minimum) -> bool {
         false
     }
 }
@@ -70,79 +78,86 @@ pub(crate) trait Objective {
 /// If the minimum is attained along a curve, the result is one of its points. When the search reaches the maximum
 /// number of steps for each polynomial, the result is the best point found: a local minimum, reached from the smallest
 /// corner of all pieces so far. The flag tells whether the search is complete.
-pub(crate) fn minimise(roots: &[Piece], objective: &dyn Objective) -> Option<(Minimum, bool)> {
-    let limits = roots
+pub(crate) fn minimise(
+    wholes: &[PolynomialPiece],
+    objective: &dyn Objective,
+) -> Option<(Minimum, bool)> {
+    let limits = wholes
         .iter()
-        .map(|root| root.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
+        .map(|whole| whole.max_search_steps(objective.degree_factor() * MODERATE_DEGREE));
     let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
-    let mut min = Min {
-        roots,
+    let mut search = MinimumSearch {
+        wholes,
         objective,
         is_done: false,
-        floor: f64::INFINITY,
+        min_value: f64::INFINITY,
         best: None,
         ties: 0,
     };
-    let corner = |root: &Piece| min_corner(root).1;
-    let first = roots
+    let corner = |piece: &PolynomialPiece| min_corner(piece).1;
+    let first = wholes
         .iter()
         .min_by(|a, b| corner(a).total_cmp(&corner(b)))?;
-    min.improve(first, &UNIT_SQUARE, true, &mut work);
-    for root in roots {
-        for (at, _) in root.corners(0) {
-            min.keep_better(root, at, &mut work);
+    search.improve(first, &UNIT_SQUARE, true, &mut work);
+    for whole in wholes {
+        for (at, _) in whole.corners(0) {
+            search.keep_better(whole, at, &mut work);
         }
     }
-    let is_complete = min.search(&mut work);
-    min.best.map(|best| (best, is_complete))
+    let is_complete = search.run(&mut work);
+    search.best.map(|best| (best, is_complete))
 }
 
 /// The smallest value found so far.
-struct Min<'a> {
-    roots: &'a [Piece],
+struct MinimumSearch<'a> {
+    wholes: &'a [PolynomialPiece],
     objective: &'a dyn Objective,
     /// Whether no point can be better than the best one.
     is_done: bool,
     /// The smallest value of a polynomial found so far.
-    floor: f64,
+    min_value: f64,
     best: Option<Minimum>,
     /// The number of starts that were tried although they are no better than `best`.
     ties: usize,
 }
 
-impl Min<'_> {
+impl MinimumSearch<'_> {
     /// Examines pieces in the order of their smallest coefficient, and halves those that may contain a smaller value.
     /// Returns `false` when a limit ends the search.
-    fn search(&mut self, work: &mut WorkLimit) -> bool {
-        let mut waiting: BinaryHeap<Waiting> =
-            self.roots.iter().cloned().map(by_min_coefficient).collect();
+    fn run(&mut self, work: &mut WorkLimit) -> bool {
+        let mut queue: BinaryHeap<QueuedPiece> = self
+            .wholes
+            .iter()
+            .cloned()
+            .map(by_min_coefficient)
+            .collect();
         // Counts the coefficients of halves only: all whole polynomials are in the queue from the start.
         let mut coefficients = 0;
-        while let Some(Waiting { low, piece }) = waiting.pop() {
+        while let Some(QueuedPiece { low, piece }) = queue.pop() {
             let count = piece.plane(0).len();
             coefficients = usize::saturating_sub(coefficients, count);
             // The coefficients of all other pieces are not smaller.
-            if self.is_done || low >= self.floor + SLACK {
+            if self.is_done || low >= self.min_value + SLACK {
                 return true;
             }
             if !work.spend(piece.steps()) {
                 return false;
             }
-            if self.look(&piece, low, work) {
+            if self.must_be_halved(&piece, low, work) {
                 coefficients += 2 * count;
-                if coefficients > MAX_WAITING {
+                if coefficients > MAX_QUEUED_COEFFICIENTS {
                     return false;
                 }
-                waiting.extend(piece.halves(1).map(by_min_coefficient));
+                queue.extend(piece.halves(1).map(by_min_coefficient));
             }
         }
         true
     }
 
     /// Whether a piece may contain a smaller value and has to be halved.
-    fn look(&mut self, piece: &Piece, low: f64, work: &mut WorkLimit) -> bool {
+    fn must_be_halved(&mut self, piece: &PolynomialPiece, low: f64, work: &mut WorkLimit) -> bool {
         self.improve(piece, &UNIT_SQUARE, false, work);
-        if self.is_done || low >= self.floor - SLACK || !piece.is_divisible() {
+        if self.is_done || low >= self.min_value - SLACK || !piece.is_divisible() {
             return false;
         }
         // A minimum of a convex piece is its only one.
@@ -153,27 +168,27 @@ impl Min<'_> {
     /// minimum.
     fn improve(
         &mut self,
-        piece: &Piece,
+        piece: &PolynomialPiece,
         within: &[[f64; 2]; 2],
         always: bool,
         work: &mut WorkLimit,
     ) -> bool {
         let (start, corner) = min_corner(piece);
-        let root = &self.roots[piece.root];
-        if !always && corner > self.floor - SLACK {
-            if corner > self.floor + SLACK
+        let whole = &self.wholes[piece.index];
+        if !always && corner > self.min_value - SLACK {
+            if corner > self.min_value + SLACK
                 || self.ties == MAX_TIES
-                || self.is_known(piece.root, start)
-                || !work.spend(root.jet_steps())
-                || !self.is_better(self.objective.value(piece.root, start))
+                || self.is_known(piece.index, start)
+                || !work.spend(whole.jet_steps())
+                || !self.is_better(self.objective.value(piece.index, start))
             {
                 return false;
             }
             self.ties += 1;
         }
-        let (at, value, converged) = go_down(root, within, start, work);
-        self.floor = self.floor.min(value);
-        self.keep_better(root, at, work);
+        let (at, value, converged) = descend(whole, within, start, work);
+        self.min_value = self.min_value.min(value);
+        self.keep_better(whole, at, work);
         converged
     }
 
@@ -182,36 +197,36 @@ impl Min<'_> {
     }
 
     /// Makes a point the best one if its value is smaller.
-    fn keep_better(&mut self, piece: &Piece, at: [f64; 2], work: &mut WorkLimit) {
-        let root = piece.root;
+    fn keep_better(&mut self, piece: &PolynomialPiece, at: [f64; 2], work: &mut WorkLimit) {
+        let index = piece.index;
         let [u, v] = if work.spend(REFINEMENT_JETS * piece.jet_steps()) {
-            self.objective.refine(root, at)
+            self.objective.refine(index, at)
         } else {
             at
         };
-        let value = self.objective.value(root, [u, v]);
+        let value = self.objective.value(index, [u, v]);
         if self.is_better(value) {
-            let best = Minimum { root, u, v, value };
-            self.is_done = self.objective.is_min(&best);
+            let best = Minimum { index, u, v, value };
+            self.is_done = self.objective.is_final(&best);
             self.best = Some(best);
         }
     }
 
     /// Whether a point is the best one found so far.
-    fn is_known(&self, root: usize, [u, v]: [f64; 2]) -> bool {
+    fn is_known(&self, index: usize, [u, v]: [f64; 2]) -> bool {
         self.best.is_some_and(|best| {
-            best.root == root && (best.u - u).abs() < SAME && (best.v - v).abs() < SAME
+            best.index == index && (best.u - u).abs() < SAME && (best.v - v).abs() < SAME
         })
     }
 }
 
-fn by_min_coefficient(piece: Piece) -> Waiting {
+fn by_min_coefficient(piece: PolynomialPiece) -> QueuedPiece {
     let [low, _] = piece.range(0);
-    Waiting { low, piece }
+    QueuedPiece { low, piece }
 }
 
 /// The corner of a piece with the smallest value, and this value.
-fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
+fn min_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
     let [first, others @ ..] = piece.corners(0);
     let lesser = |a: ([f64; 2], f64), b: ([f64; 2], f64)| if b.1 < a.1 { b } else { a };
     others.into_iter().fold(first, lesser)
@@ -219,27 +234,27 @@ fn min_corner(piece: &Piece) -> ([f64; 2], f64) {
 
 /// Newton's method within a rectangle; each step is shortened until it descends. Returns the last point, its value, and
 /// whether it converged.
-fn go_down(
-    root: &Piece,
+fn descend(
+    whole: &PolynomialPiece,
     within: &[[f64; 2]; 2],
     start: [f64; 2],
     work: &mut WorkLimit,
 ) -> ([f64; 2], f64, bool) {
     let mut at = start;
-    let mut jet = root.jet(0, at);
+    let mut jet = whole.jet(0, at);
     for _ in 0..MAX_STEPS {
         let mut step = newton_step(&jet, at, within);
         let is_last = step.iter().all(|s| s.abs() < LAST_STEP);
         let mut cuts = 0;
         let (next, there) = loop {
             let next = moved(at, step, within);
-            let there = root.jet(0, next);
-            let may_go_on = work.spend(root.jet_steps());
+            let there = whole.jet(0, next);
+            let may_go_on = work.spend(whole.jet_steps());
             if is_last || there.f <= jet.f || cuts == MAX_CUTS || !may_go_on {
                 break (next, there);
             }
             cuts += 1;
-            step = step.map(|s| 0.25 * s);
+            step = step.map(|s| CUT * s);
         };
         if is_last {
             return (next, there.f, true);
@@ -269,8 +284,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
         (false, true) => [uncoupled(jet.u, jet.uu), 0.0],
         (false, false) => {
             let det = jet.uu * jet.vv - jet.uv * jet.uv;
-            // Below this fraction rounding decides the direction.
-            if jet.uu > 0.0 && det > f64::EPSILON.sqrt() * jet.uu * jet.vv.abs() {
+            if jet.uu > 0.0 && det > MIN_DETERMINANT * jet.uu * jet.vv.abs() {
                 [
                     (jet.uv * jet.v - jet.vv * jet.u) / det,
                     (jet.uv * jet.u - jet.uu * jet.v) / det,
@@ -284,7 +298,7 @@ fn newton_step(jet: &Jet, at: [f64; 2], within: &[[f64; 2]; 2]) -> [f64; 2] {
 }
 
 /// Whether the coefficients of the second derivatives prove that the polynomial has one minimum in the piece.
-fn is_convex(piece: &Piece) -> bool {
+fn is_convex(piece: &PolynomialPiece) -> bool {
     let [uu, uv, vv] = piece.second_derivatives();
     uu[0] > 0.0 && vv[0] > 0.0 && uu[0] * vv[0] > uv[0].abs().max(uv[1].abs()).powi(2)
 }

@@ -3,18 +3,18 @@
 mod distance;
 mod extent;
 pub(crate) mod first_of;
-pub(crate) mod frame;
 mod measure;
 mod minimum;
 pub(crate) mod nearest;
 pub(crate) mod network;
 mod newton;
 mod piece;
+mod queued_piece;
 mod ray;
+pub(crate) mod scaling;
 mod small_distance;
 pub(crate) mod surface_point;
 pub(crate) mod topology;
-mod waiting;
 mod zeros;
 
 pub use crate::io::text_reader::ParseError;

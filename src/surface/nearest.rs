@@ -6,10 +6,10 @@
 //! products in Bernstein form: Farin, *Curves and Surfaces for CAGD*, §6.9.
 
 use super::distance::{Distance, ROUGH_IN_SQUARES, SMALL_AT_THE_LIMIT, squared_distance};
-use super::frame::{Frame, box_of};
 use super::minimum::minimise;
 use super::network::Surface;
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
+use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::check::check_finite;
@@ -47,9 +47,9 @@ impl Patch {
     /// The nearest point to p, if its distance is at most a small `reach`.
     pub(crate) fn nearest_within(&self, p: DVec3, reach: f64) -> Option<PatchPoint> {
         let patches = std::slice::from_ref(self);
-        let frame = Frame::around(box_of(patches)?);
-        let images = [frame.image(self)];
-        let distance = Distance::new(patches, &[0], &images, &frame, p);
+        let scaling = Scaling::around(box_of(patches)?);
+        let images = [scaling.image(self)];
+        let distance = Distance::new(patches, &[0], &images, &scaling, p);
         // The cutoff is larger than `reach`, since the bounds are rounded.
         let (found, is_complete) = distance.search_small(None, 4.0 * reach);
         let is_near = |candidate: &SurfacePoint| candidate.distance <= reach;
@@ -78,7 +78,7 @@ impl Surface {
 
 /// The nearest point; `None` without patches.
 fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
-    let frame = Frame::around(box_of(patches)?);
+    let scaling = Scaling::around(box_of(patches)?);
     // An upper bound on the distance of the nearest point: the smallest distance of the first corner of a patch
     // (halved, as in `gap`).
     let corner = |patch: &Patch| Point::length(patch.points[0] * 0.5 - p * 0.5);
@@ -86,14 +86,14 @@ fn nearest(patches: &[Patch], p: DVec3) -> Option<SurfacePoint> {
     let near: Vec<usize> = (0..patches.len())
         .filter(|&k| gap(patches[k].control_bounds(), p) <= reach * (1.0 + 8.0 * f64::EPSILON))
         .collect();
-    let images: Vec<Patch> = near.iter().map(|&k| frame.image(&patches[k])).collect();
-    let roots: Vec<Piece> = (0..)
+    let images: Vec<Patch> = near.iter().map(|&k| scaling.image(&patches[k])).collect();
+    let wholes: Vec<PolynomialPiece> = (0..)
         .zip(&images)
-        .map(|(root, image)| squared_distance(root, image, &frame, p))
+        .map(|(index, image)| squared_distance(index, image, &scaling, p))
         .collect();
-    let distance = Distance::new(patches, &near, &images, &frame, p);
-    let (min, is_complete) = minimise(&roots, &distance)?;
-    let mut candidate = distance.surface_point(min.root, [min.u, min.v]);
+    let distance = Distance::new(patches, &near, &images, &scaling, p);
+    let (min, is_complete) = minimise(&wholes, &distance)?;
+    let mut candidate = distance.surface_point(min.index, [min.u, min.v]);
     let small = if is_complete {
         ROUGH_IN_SQUARES
     } else {

@@ -1,7 +1,7 @@
 //! Newton's method for the common zeros of two polynomials, planes 0 and 1 of a piece ("the pair").
 
-use super::piece::{Jet, Piece};
-use casteljau_kernels::WorkLimit;
+use super::piece::{Jet, PolynomialPiece};
+use crate::numeric::work_limit::WorkLimit;
 
 /// Zeros nearer than this in u and v count as one: between two zeros at a distance s the pair rises to s²/4, which
 /// rounding hides.
@@ -13,13 +13,13 @@ const MAX_STEPS: usize = 16;
 const LAST_STEP: f64 = 1e-9;
 
 /// The absolute value of the pair.
-pub(crate) fn off(whole: &Piece, at: [f64; 2]) -> f64 {
+pub(crate) fn off(whole: &PolynomialPiece, at: [f64; 2]) -> f64 {
     whole.jet(0, at).f.hypot(whole.jet(1, at).f)
 }
 
 /// The point of the unit square for a zero that Newton's method found, perhaps slightly outside the square. The zero is
 /// clamped to the square; then a Gauss–Newton step along the edge brings the pair nearest to zero.
-pub(crate) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
+pub(crate) fn onto_square(whole: &PolynomialPiece, at: [f64; 2]) -> [f64; 2] {
     let mut inside = at.map(|t| t.clamp(0.0, 1.0));
     for k in 0..2 {
         if inside[1 - k] != at[1 - k] {
@@ -35,7 +35,11 @@ pub(crate) fn onto_square(whole: &Piece, at: [f64; 2]) -> [f64; 2] {
 }
 
 /// Newton's method from the middle of a piece, for a zero in the piece or directly beside it.
-pub(crate) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> Option<[f64; 2]> {
+pub(crate) fn zero_near(
+    piece: &PolynomialPiece,
+    whole: &PolynomialPiece,
+    work: &mut WorkLimit,
+) -> Option<[f64; 2]> {
     let middle = piece.middle();
     let width = [piece.u, piece.v].map(|[from, to]| to - from);
     let is_within = |at: [f64; 2], share: f64| {
@@ -62,7 +66,11 @@ pub(crate) fn zero_near(piece: &Piece, whole: &Piece, work: &mut WorkLimit) -> O
 /// A zero near a point at which the pair touches zero: the derivative is singular there, and the component of the pair
 /// along the direction in which it is not singular is zero. Newton's method solves these two equations; `None` if it
 /// diverges.
-pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Option<[f64; 2]> {
+pub(crate) fn touch(
+    whole: &PolynomialPiece,
+    from: [f64; 2],
+    work: &mut WorkLimit,
+) -> Option<[f64; 2]> {
     let mut at = from;
     for _ in 0..MAX_STEPS {
         if !work.spend(2 * whole.jet_steps()) {
@@ -85,7 +93,7 @@ pub(crate) fn touch(whole: &Piece, from: [f64; 2], work: &mut WorkLimit) -> Opti
 }
 
 /// The nearest point where the component of the pair along its largest derivative is zero, by Newton's method.
-pub(crate) fn slid(whole: &Piece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
+pub(crate) fn slid(whole: &PolynomialPiece, mut at: [f64; 2], work: &mut WorkLimit) -> [f64; 2] {
     for _ in 0..4 {
         if !work.spend(2 * whole.jet_steps()) {
             break;

@@ -7,9 +7,10 @@
 //! theoretical development for the computer generation and display of piecewise polynomial surfaces", IEEE PAMI 2
 //! (1980).
 
+use crate::bernstein::de_casteljau::halve_net;
 use crate::numeric::float::ratio;
+use crate::numeric::work_limit::WorkLimit;
 use crate::patch::taylor::{LONG_ROW, MAX_COUNT, Weights, taylor};
-use casteljau_kernels::{WorkLimit, halve_coefficients};
 
 /// More halvings than the parameters allow in both directions: each has 53 bits, and a few more until the step becomes
 /// 0.
@@ -31,9 +32,9 @@ const PIECE_STEPS: usize = 640;
 
 /// One or more polynomials ("planes") over a rectangle of parameters.
 #[derive(Clone, Debug)]
-pub(crate) struct Piece {
+pub(crate) struct PolynomialPiece {
     /// The index of the polynomial that this is a piece of.
-    pub(crate) root: usize,
+    pub(crate) index: usize,
     /// The range of u …
     pub(crate) u: [f64; 2],
     /// … and the range of v.
@@ -56,11 +57,11 @@ pub(crate) struct Jet {
     pub(crate) vv: f64,
 }
 
-impl Piece {
+impl PolynomialPiece {
     /// Whole polynomials over the unit square.
-    pub(crate) fn whole(root: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
+    pub(crate) fn whole(index: usize, columns: usize, rows: usize, planes: Vec<f64>) -> Self {
         Self {
-            root,
+            index,
             u: [0.0, 1.0],
             v: [0.0, 1.0],
             columns,
@@ -190,7 +191,7 @@ impl Piece {
         let area = self.columns * self.rows;
         let planes = self.planes.chunks_exact_mut(area);
         for (plane, half) in planes.zip(other.planes.chunks_exact_mut(area)) {
-            halve_coefficients(plane, half, self.columns, along_u);
+            halve_net(plane, half, self.columns, along_u);
         }
         let [u, v] = self.middle();
         if along_u {
@@ -228,7 +229,7 @@ impl Piece {
     /// The four edges of a whole piece, or the two ends of an edge; none for a corner.
     pub(crate) fn sides(&self) -> Vec<Self> {
         let side = |start: usize, step: usize, columns: usize, rows: usize, u, v| Self {
-            root: self.root,
+            index: self.index,
             u,
             v,
             columns,
@@ -259,18 +260,18 @@ impl Piece {
     }
 }
 
-/// Passes pieces to `look`, halves those for which it returns `true`, and repeats this until no piece is left.
+/// Passes pieces to `examine`, halves those for which it returns `true`, and repeats this until no piece is left.
 ///
 /// Returns `false` when there are so many pieces that the solutions cannot be isolated points (for example a whole
 /// curve), and when the work limit is reached.
 pub(crate) fn search(
-    mut pieces: Vec<Piece>,
+    mut pieces: Vec<PolynomialPiece>,
     max: usize,
     work: &mut WorkLimit,
-    look: &mut dyn FnMut(&Piece, &mut WorkLimit) -> bool,
+    examine: &mut dyn FnMut(&PolynomialPiece, &mut WorkLimit) -> bool,
 ) -> bool {
     for _ in 0..MAX_ROUNDS {
-        pieces.retain(|piece| work.spend(piece.steps()) && look(piece, work));
+        pieces.retain(|piece| work.spend(piece.steps()) && examine(piece, work));
         if work.is_exceeded() {
             return false;
         }

@@ -5,10 +5,10 @@
 //! 1982; of the search by subdivision: Nishita, Sederberg and Kakimoto, "Ray tracing trimmed rational surface patches",
 //! SIGGRAPH 1990.
 
-use super::frame::{Frame, box_of};
 use super::nearest::gap;
 use super::network::Surface;
-use super::piece::Piece;
+use super::piece::PolynomialPiece;
+use super::scaling::{Scaling, box_of};
 use super::surface_point::SurfacePoint;
 use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
 use crate::geometry::check::check_finite;
@@ -61,7 +61,7 @@ impl Surface {
     }
 }
 
-/// A ray in a frame: its start, its direction, and two perpendicular directions.
+/// A ray in scaled coordinates: its start, its direction, and two perpendicular directions.
 struct Ray {
     start: DVec3,
     along: DVec3,
@@ -81,10 +81,10 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
     }
     let mut found = Vec::new();
     if let Some(bounds) = box_of(patches) {
-        let frame = Frame::around(bounds.including(origin)).as_coarse_as_its_coordinates();
+        let scaling = Scaling::around(bounds.including(origin)).as_coarse_as_its_coordinates();
         let (e1, e2) = along.any_orthonormal_pair();
         let ray = Ray {
-            start: frame.local_point(origin),
+            start: scaling.local_point(origin),
             along,
             across: [e1, e2],
         };
@@ -92,14 +92,14 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = Point::length(a.point * 0.5 - b.point * 0.5) * 2.0;
                 // `blur` computes a normal, so it is called only where the simpler limits do not decide.
-                apart <= NEAR * frame.size
-                    || apart <= ON_SIDE * frame.size
+                apart <= NEAR * scaling.size
+                    || apart <= ON_SIDE * scaling.size
                         && [a, b]
-                            .map(|hit| blur(patches, hit, &ray) * frame.size)
+                            .map(|hit| blur(patches, hit, &ray) * scaling.size)
                             .iter()
                             .any(|blur| apart <= *blur)
             };
-            for hit in hits_of(patch, k, &ray, &frame, origin)? {
+            for hit in hits_of(patch, k, &ray, &scaling, origin)? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
                     let location = found
                         .partition_point(|other: &SurfacePoint| other.distance <= hit.distance);
@@ -116,10 +116,10 @@ fn hits_of(
     patch: &Patch,
     number: usize,
     ray: &Ray,
-    frame: &Frame,
+    scaling: &Scaling,
     origin: DVec3,
 ) -> Result<Vec<SurfacePoint>, Error> {
-    let Some(piece) = distances(patch, ray, frame) else {
+    let Some(piece) = distances(patch, ray, scaling) else {
         return Ok(Vec::new());
     };
     let Some(zeros) = common_zeros(&piece) else {
@@ -136,11 +136,11 @@ fn hits_of(
         .collect();
     // A point that Newton's method did not bring onto the ray is not a hit.
     hits.retain(|hit| {
-        let from_start = frame.local_point(hit.point) - ray.start;
+        let from_start = scaling.local_point(hit.point) - ray.start;
         from_start.dot(ray.along) >= -NEAR
             && Point::length(from_start.cross(ray.along)) <= 0.5 * ON_SIDE
     });
-    let reach = NEAR * frame.size;
+    let reach = NEAR * scaling.size;
     if !zeros.complete && gap(patch.control_bounds(), origin) <= reach {
         let origin_on_patch = patch.nearest_within(origin, reach);
         hits.extend(
@@ -153,11 +153,11 @@ fn hits_of(
 
 /// The distances of a patch from the two planes of the ray, and the distance along the ray; `None` if the whole patch
 /// lies behind the start or beside the ray.
-fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
+fn distances(patch: &Patch, ray: &Ray, scaling: &Scaling) -> Option<PolynomialPiece> {
     let from_start: Vec<DVec3> = patch
         .points
         .iter()
-        .map(|&p| frame.local_point(p) - ray.start)
+        .map(|&p| scaling.local_point(p) - ray.start)
         .collect();
     let is_all =
         |test: &dyn Fn(f64) -> bool, axis: DVec3| from_start.iter().all(|p| test(p.dot(axis)));
@@ -170,7 +170,12 @@ fn distances(patch: &Patch, ray: &Ray, frame: &Frame) -> Option<Piece> {
         .iter()
         .flat_map(|axis| from_start.iter().map(|p| p.dot(*axis)))
         .collect();
-    Some(Piece::whole(0, patch.columns, patch.rows(), planes))
+    Some(PolynomialPiece::whole(
+        0,
+        patch.columns,
+        patch.rows(),
+        planes,
+    ))
 }
 
 /// The largest distance, as a fraction of the scene's size, at which two hits count as one.

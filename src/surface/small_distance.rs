@@ -6,9 +6,9 @@
 //!
 //! [`minimise`]: crate::surface::minimum::minimise
 
-use super::piece::{MODERATE_DEGREE, Piece};
-use super::waiting::Waiting;
-use casteljau_kernels::WorkLimit;
+use super::piece::{MODERATE_DEGREE, PolynomialPiece};
+use super::queued_piece::QueuedPiece;
+use crate::numeric::work_limit::WorkLimit;
 use std::collections::BinaryHeap;
 
 /// Pieces are dropped unless their bound is smaller than the smallest distance found by more than `SHARE` of that
@@ -26,20 +26,20 @@ const MAX_WAITING: usize = 1 << 21;
 ///
 /// `min` is the smallest distance so far; `descend` descends from a point and returns the distance that it reaches.
 /// Pieces farther away than `cutoff` are dropped. The search ends at a distance of `goal` or when no piece can be
-/// nearer. It also ends when it has taken the maximum number of steps for each root, and then returns `false`.
+/// nearer. It also ends when it has taken the maximum number of steps for each polynomial, and then returns `false`.
 pub(crate) fn search_small(
-    roots: Vec<Piece>,
+    wholes: Vec<PolynomialPiece>,
     mut min: f64,
     [goal, cutoff]: [f64; 2],
     descend: &mut dyn FnMut(usize, [f64; 2]) -> f64,
 ) -> bool {
-    let limits = roots
+    let limits = wholes
         .iter()
-        .map(|root| root.max_search_steps(MODERATE_DEGREE));
+        .map(|whole| whole.max_search_steps(MODERATE_DEGREE));
     let mut work = WorkLimit::new(limits.fold(0, usize::saturating_add));
-    let mut waiting: BinaryHeap<Waiting> = roots.into_iter().map(by_box).collect();
+    let mut queue: BinaryHeap<QueuedPiece> = wholes.into_iter().map(by_box).collect();
     let mut coefficients = 0;
-    while let Some(Waiting { low, piece }) = waiting.pop() {
+    while let Some(QueuedPiece { low, piece }) = queue.pop() {
         coefficients = usize::saturating_sub(coefficients, piece.plane(0).len());
         let is_far = |low: f64, min: f64| low > cutoff.min(worthwhile(min));
         if min <= goal || is_far(low, min) {
@@ -52,14 +52,14 @@ pub(crate) fn search_small(
             return false;
         }
         if descends {
-            min = min.min(descend(piece.root, start));
+            min = min.min(descend(piece.index, start));
         }
         if piece.is_divisible() {
             let halves = piece.halves(3).map(by_box);
             let near = halves.into_iter().filter(|half| !is_far(half.low, min));
             for half in near {
                 coefficients += half.piece.plane(0).len();
-                waiting.push(half);
+                queue.push(half);
             }
             if coefficients > MAX_WAITING {
                 return false;
@@ -75,17 +75,17 @@ fn worthwhile(min: f64) -> f64 {
 }
 
 /// A piece and the distance of the bounding box of its control points.
-fn by_box(piece: Piece) -> Waiting {
+fn by_box(piece: PolynomialPiece) -> QueuedPiece {
     let gap = |axis: usize| {
         let [low, high] = piece.range(axis);
         low.max(-high).max(0.0)
     };
     let low = length([gap(0), gap(1), gap(2)]);
-    Waiting { low, piece }
+    QueuedPiece { low, piece }
 }
 
 /// The nearest corner and its distance.
-fn nearest_corner(piece: &Piece) -> ([f64; 2], f64) {
+fn nearest_corner(piece: &PolynomialPiece) -> ([f64; 2], f64) {
     let [x, y, z] = [0, 1, 2].map(|axis| piece.corners(axis));
     (0..4)
         .map(|k| (x[k].0, length([x[k].1, y[k].1, z[k].1])))

@@ -6,6 +6,7 @@
 
 use super::first_of::{FirstOf, mix};
 use super::network::Surface;
+use crate::numeric::order::to_u32;
 
 /// The number of edges of a patch.
 pub(crate) const SIDES: usize = 4;
@@ -126,7 +127,7 @@ impl Surface {
                 let start = side().next();
                 let collapsed = side().all(|vertex| Some(vertex) == start);
                 let hash = line_hash(side(), side().count());
-                let number_u32 = u32::try_from(number).unwrap_or(u32::MAX);
+                let number_u32 = to_u32(number);
                 let found = first.find(number_u32, hash, |other| {
                     let other = self.side(other as usize);
                     side().eq(other.clone()) || side().rev().eq(other)

@@ -5,8 +5,9 @@
 //! those where the pair only touches zero: pieces so small that rounding decides.
 
 use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
-use super::piece::{Piece, search};
-use casteljau_kernels::WorkLimit;
+use super::piece::{PolynomialPiece, search};
+use crate::numeric::order::range;
+use crate::numeric::work_limit::WorkLimit;
 
 /// Values up to this count as zero, for coefficients of size 1 to 4: their rounding error after products and halvings.
 pub(crate) const NEAR: f64 = 32.0 * f64::EPSILON;
@@ -49,7 +50,7 @@ struct Zero {
 /// the curve on the edges; if they are zero along an edge, the ends of the edge. Plane 2 distinguishes a curve of zeros
 /// from a single point with many parameters: it changes along a curve. `None` when the search takes more steps than
 /// [`MAX_RAY_STEPS`].
-pub(crate) fn common_zeros(whole: &Piece) -> Option<Zeros> {
+pub(crate) fn common_zeros(whole: &PolynomialPiece) -> Option<Zeros> {
     let mut zeros = Vec::new();
     let mut work = WorkLimit::new(MAX_RAY_STEPS);
     let complete = collect(whole.clone(), whole, &mut zeros, &mut work);
@@ -58,7 +59,12 @@ pub(crate) fn common_zeros(whole: &Piece) -> Option<Zeros> {
 }
 
 /// Adds the zeros of a piece: the whole piece, an edge of it, or a corner.
-fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLimit) -> bool {
+fn collect(
+    piece: PolynomialPiece,
+    whole: &PolynomialPiece,
+    zeros: &mut Vec<Zero>,
+    work: &mut WorkLimit,
+) -> bool {
     let sides = piece.sides();
     let mut finder = Finder {
         whole,
@@ -68,7 +74,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
         curve: None,
     };
     let few = search(vec![piece], MAX_PIECES, work, &mut |piece, work| {
-        finder.look(piece, work)
+        finder.examine(piece, work)
     });
     let curve = finder.curve;
     if few && curve.is_none() {
@@ -86,7 +92,7 @@ fn collect(piece: Piece, whole: &Piece, zeros: &mut Vec<Zero>, work: &mut WorkLi
 
 /// The state of a search.
 struct Finder<'a> {
-    whole: &'a Piece,
+    whole: &'a PolynomialPiece,
     /// Whether the search covers the square; on an edge or at a corner the derivative of the pair has no meaning.
     on_face: bool,
     /// The smallest change of plane 2 along a curve of zeros.
@@ -98,7 +104,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// Whether a piece has to be halved; if not, adds its zero, if any.
-    fn look(&mut self, piece: &Piece, work: &mut WorkLimit) -> bool {
+    fn examine(&mut self, piece: &PolynomialPiece, work: &mut WorkLimit) -> bool {
         let ranges = [piece.range(0), piece.range(1)];
         let is_far = |range: &[f64; 2]| range[0] > NEAR || range[1] < -NEAR;
         if ranges.iter().any(is_far) {
@@ -134,12 +140,12 @@ impl Finder<'_> {
     }
 
     /// Whether plane 2 changes as much as along a curve of zeros.
-    fn is_along(&self, piece: &Piece) -> bool {
+    fn is_along(&self, piece: &PolynomialPiece) -> bool {
         length(piece.range(2)) > self.min_curve
     }
 
     /// Adds the zero of a piece in which rounding decides.
-    fn add_last(&mut self, piece: &Piece, work: &mut WorkLimit) {
+    fn add_last(&mut self, piece: &PolynomialPiece, work: &mut WorkLimit) {
         let mut zero = Zero::within(self.whole, piece);
         if self.is_along(piece) {
             self.curve = Some(zero);
@@ -161,7 +167,7 @@ impl Finder<'_> {
 
 /// Whether a piece is so small that all zeros in it count as one; rounding turns such a zero into a whole
 /// neighbourhood.
-fn is_small(piece: &Piece) -> bool {
+fn is_small(piece: &PolynomialPiece) -> bool {
     [piece.u, piece.v]
         .iter()
         .all(|range| length(*range) <= SAME.sqrt())
@@ -184,7 +190,7 @@ fn snapped([from, to]: [f64; 2]) -> f64 {
 
 impl Zero {
     /// A zero whose parameters are known.
-    fn at(whole: &Piece, at: [f64; 2]) -> Self {
+    fn at(whole: &PolynomialPiece, at: [f64; 2]) -> Self {
         let [u, v] = at.map(|t| [t; 2]);
         Self {
             u,
@@ -195,7 +201,7 @@ impl Zero {
     }
 
     /// A zero somewhere in a piece; on the edge of the square if the piece reaches it.
-    fn within(whole: &Piece, piece: &Piece) -> Self {
+    fn within(whole: &PolynomialPiece, piece: &PolynomialPiece) -> Self {
         let wider = |[from, to]: [f64; 2]| [from - (to - from), to + (to - from)];
         Self {
             u: wider(piece.u),
@@ -235,7 +241,7 @@ fn add(zeros: &mut Vec<Zero>, mut zero: Zero) {
 }
 
 /// The mean of the coefficients of the derivatives of both planes: along u, and along v.
-fn mean_slopes(piece: &Piece) -> [[f64; 2]; 2] {
+fn mean_slopes(piece: &PolynomialPiece) -> [[f64; 2]; 2] {
     [true, false].map(|along_u| {
         [0, 1].map(|k| {
             let (sum, count) = piece
@@ -248,24 +254,18 @@ fn mean_slopes(piece: &Piece) -> [[f64; 2]; 2] {
 
 /// The range of the component of the pair perpendicular to its largest derivative, in which a pair that touches zero
 /// changes least.
-fn range_across(piece: &Piece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
+fn range_across(piece: &PolynomialPiece, slopes: &[[f64; 2]; 2]) -> [f64; 2] {
     let [x, y] = greater(slopes[0], slopes[1]);
     let size = x.hypot(y).max(f64::MIN_POSITIVE);
-    piece
-        .plane(0)
-        .iter()
-        .zip(piece.plane(1))
-        .map(|(a, b)| (x * b - y * a) / size)
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], c| {
-            [low.min(c), high.max(c)]
-        })
+    let pairs = piece.plane(0).iter().zip(piece.plane(1));
+    range(pairs.map(|(a, b)| (x * b - y * a) / size)).into()
 }
 
 /// Whether the derivative stays so close to its mean that no two points have the same image.
 ///
 /// With J the mean of the derivative's coefficients, every value of J⁻¹ times the derivative lies within [`MAX_SPREAD`]
 /// of the identity, in the maximum row sum norm.
-fn is_one_to_one(piece: &Piece, [[au, bu], [av, bv]]: &[[f64; 2]; 2]) -> bool {
+fn is_one_to_one(piece: &PolynomialPiece, [[au, bu], [av, bv]]: &[[f64; 2]; 2]) -> bool {
     let det = au * bv - av * bu;
     // For each row, the largest deviation of the coefficients along u, and along v.
     let mut spread = [[0.0_f64; 2]; 2];

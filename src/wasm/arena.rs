@@ -145,8 +145,14 @@ impl Arena {
     }
 
     /// Indices, stored as numbers.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "JavaScript passes integers below 2³²"
+    )]
     pub(crate) fn small_counts(&self, at: usize, count: usize) -> Vec<u32> {
-        casteljau_kernels::whole_numbers(self.numbers(at, count))
+        let numbers = self.numbers(at, count).iter();
+        numbers.map(|&number| number as u32).collect()
     }
 
     /// Writes one point at the start.

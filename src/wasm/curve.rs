@@ -3,7 +3,7 @@
 use super::arena;
 use super::arena::Arena;
 use super::by_dimension;
-use crate::bernstein::casteljau::split_numbers;
+use crate::bernstein::de_casteljau::split_net_with;
 use crate::bernstein::evaluate::{cubic_scalar, evaluate};
 use crate::bernstein::polynomials::bernstein;
 use crate::curve::Curve;
@@ -117,7 +117,8 @@ pub fn curve_curvature(dimension: usize, count: usize, t: f64) -> f64 {
 pub fn curve_split(dimension: usize, count: usize, t: f64) {
     arena::with(|a| {
         let (left, right) = a.two_outputs(count * dimension);
-        split_numbers(left, right, dimension, t);
+        // The rows are the points, the columns their coordinates.
+        split_net_with(left, right, dimension, false, |a, b| a * (1.0 - t) + b * t);
     });
 }
 
@@ -265,4 +266,21 @@ pub fn points_transform(dimension: usize, count: usize) {
             a.write_from_space(at, &[image], dimension);
         }
     });
+}
+
+/// The area that a plane curve sweeps.
+#[wasm_bindgen]
+pub fn curve_area(count: usize) -> f64 {
+    arena::with(|a| curve_in_space(a, 2, count).swept_area())
+}
+
+/// Writes the error, then the control points of the curve with the degree reduced by one.
+#[wasm_bindgen]
+pub fn curve_reduce(dimension: usize, count: usize) -> usize {
+    arena::with(|a| {
+        let curve: Curve<DVec3> = Curve::from_points(a.points_in_space(0, count, dimension));
+        let reduced = curve.reduce();
+        let at = a.write_numbers(0, &[reduced.error]);
+        a.write_from_space(at, reduced.curve.control_points(), dimension)
+    })
 }

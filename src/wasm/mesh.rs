@@ -249,3 +249,36 @@ pub fn mesh_drop() {
     MESH.with(|mesh| *mesh = Mesh::default());
     PRECISE.with(|kept| *kept = [Vec::new(), Vec::new()]);
 }
+
+/// Prepares the grid of one patch, evaluated by forward `differences` or by Bernstein polynomials; returns 0.
+#[wasm_bindgen]
+pub fn patch_grid(
+    degree_u: usize,
+    degree_v: usize,
+    segments_u: usize,
+    segments_v: usize,
+    quads: bool,
+    differences: bool,
+) -> isize {
+    arena::answer(|a| {
+        let patch = patch(a, degree_u, degree_v);
+        let grid = Grid {
+            segments_u,
+            segments_v,
+        };
+        begin_grid(patch.as_surface(), grid, quads, differences)
+    })
+}
+
+/// As `patch_grid`, for a surface.
+#[wasm_bindgen]
+pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differences: bool) -> isize {
+    arena::answer(|a| {
+        let (surface, _) = surface(a)?;
+        let grid = Grid {
+            segments_u,
+            segments_v,
+        };
+        begin_grid(surface, grid, quads, differences)
+    })
+}

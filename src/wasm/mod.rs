@@ -14,22 +14,24 @@
     reason = "exports must be pub, though no Rust caller reaches them"
 )]
 
+mod arc_length;
 mod arena;
 mod canvas;
 mod curve;
+mod curve_shape;
 mod decode_surface;
-mod intersections;
-mod lines;
-mod measure;
+mod frames;
+mod interpolate;
+mod intersect;
 mod mesh;
 mod nearest;
 mod offset;
+mod patch;
 mod path;
-mod queries;
 mod single_thread_cell;
 mod spline;
-mod spline_forms;
 mod surface;
+mod wireframe;
 
 /// A small allocator: results are few and large, and the allocator of std would be a sixteenth of the module.
 #[cfg(target_family = "wasm")]

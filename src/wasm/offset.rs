@@ -1,14 +1,12 @@
-//! Bindings of offset curves, degree reduction, interpolation, fitting and simplification. Splines are stored in the
-//! arena as in `spline`.
+//! Bindings of offset curves. Splines are stored in the arena as in `spline`.
 
 use super::arena;
 use super::arena::Arena;
 use super::optional;
 use crate::curve::Curve;
-use crate::curve::offset::SplineBuilder;
-use crate::spline::Spline;
 use crate::spline::offset::{OffsetJoin, offset_of_curves};
-use glam::{DVec2, DVec3};
+use crate::spline::spline_builder::SplineBuilder;
+use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Writes the spline of a builder; returns the number of f64.
@@ -57,42 +55,4 @@ pub fn spline_offset(distance: f64, tolerance: f64, join: u32) -> isize {
         let builder = offset_of_curves(&curves, closed, distance, optional(tolerance), join)?;
         Ok(write(a, &builder))
     })
-}
-
-/// Writes the error, then the control points of the curve with the degree reduced by one.
-#[wasm_bindgen]
-pub fn curve_reduce(dimension: usize, count: usize) -> usize {
-    arena::with(|a| {
-        let curve: Curve<DVec3> = Curve::from_points(a.points_in_space(0, count, dimension));
-        let reduced = curve.reduce();
-        let at = a.write_numbers(0, &[reduced.error]);
-        a.write_from_space(at, reduced.curve.control_points(), dimension)
-    })
-}
-
-/// Arguments: points, followed by as many parameters or none. Writes the control points of the interpolating curve.
-#[wasm_bindgen]
-pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize {
-    arena::answer(|a| {
-        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let ts = (number > 0).then(|| a.numbers(count * dimension, number));
-        let curve = Curve::interpolate(&points, ts)?;
-        Ok(a.write_from_space(0, curve.control_points(), dimension))
-    })
-}
-
-/// Arguments: sampled points. Writes the fitted spline.
-#[wasm_bindgen]
-pub fn spline_fit(dimension: usize, count: usize, tolerance: f64, closed: bool) -> isize {
-    arena::answer(|a| {
-        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
-        let spline = Spline::fit(&points, tolerance, closed)?;
-        Ok(crate::wasm::spline::write(a, &spline, dimension))
-    })
-}
-
-/// Writes the simplified spline.
-#[wasm_bindgen]
-pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
-    crate::wasm::spline::changed(dimension, |_, spline, _| spline.simplify(tolerance))
 }

@@ -2,7 +2,7 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::intersections::write_intersection;
+use super::intersect::write_intersection;
 use super::optional;
 use super::spline::spline_at;
 use crate::curve::Curve;

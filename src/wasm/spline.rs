@@ -185,3 +185,9 @@ pub fn spline_remove(dimension: usize, joint: usize) -> isize {
 pub fn spline_reverse(dimension: usize) -> isize {
     changed(dimension, |_, spline, _| Ok(spline.reverse()))
 }
+
+/// The area that a plane spline sweeps; for a closed spline, the enclosed area.
+#[wasm_bindgen]
+pub fn spline_area() -> f64 {
+    arena::with(|a| spline(a, 2).0.swept_area())
+}

@@ -1,93 +1,23 @@
-//! Bindings of patches and surfaces.
+//! Bindings of surfaces.
 //!
-//! Patches: the net at the start of the arena. Surfaces: the numbers of vertices, of patches, and of joined vertices (0
+//! Arguments: the numbers of vertices, of patches, and of joined vertices (0
 //! if the operation does not depend on joined vertices), the degrees u and v of each patch, the vertices, the indices
 //! of all nets, and for each vertex the first vertex that it is joined to; further arguments follow.
 
 use super::arena;
 use super::arena::Arena;
 use super::canvas::CanvasSink;
-use super::decode_surface::{patch, surface};
-use super::mesh::begin_grid;
+use super::decode_surface::surface;
 use super::optional;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::error::Error;
-use crate::mesh::grid::Grid;
 use crate::models::teapot::{Height, TeapotOptions, Up};
 use crate::surface::first_of::joined;
 use crate::surface::network::Surface;
+use crate::surface::surface_point::SurfacePoint;
 use glam::DMat4;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// Writes the point at (u, v).
-#[wasm_bindgen]
-pub fn patch_eval(degree_u: usize, degree_v: usize, u: f64, v: f64) {
-    arena::with(|a| a.write_point(patch(a, degree_u, degree_v).eval(u, v)));
-}
-
-/// Writes ∂u, ∂v, ∂uu, ∂uv, ∂vv.
-#[wasm_bindgen]
-pub fn patch_partials(degree_u: usize, degree_v: usize, u: f64, v: f64) {
-    arena::with(|a| {
-        let p = patch(a, degree_u, degree_v).partials(u, v);
-        a.write(0, &[p.u, p.v, p.uu, p.uv, p.vv]);
-    });
-}
-
-/// Writes the unit normal at (u, v).
-#[wasm_bindgen]
-pub fn patch_normal(degree_u: usize, degree_v: usize, u: f64, v: f64) {
-    arena::with(|a| a.write_point(patch(a, degree_u, degree_v).normal(u, v)));
-}
-
-/// Writes the control points of the curve of constant u (or v); returns the number of f64.
-#[wasm_bindgen]
-pub fn patch_isocurve(degree_u: usize, degree_v: usize, constant_u: bool, at: f64) -> usize {
-    arena::with(|a| {
-        let patch = patch(a, degree_u, degree_v);
-        let curve = if constant_u {
-            patch.isocurve_at_u(at)
-        } else {
-            patch.isocurve_at_v(at)
-        };
-        a.write(0, curve.control_points())
-    })
-}
-
-/// Writes the nets of the two parts before and after u (or v).
-#[wasm_bindgen]
-pub fn patch_split(degree_u: usize, degree_v: usize, along_u: bool, at: f64) {
-    arena::with(|a| {
-        let patch = patch(a, degree_u, degree_v);
-        let (before, after) = if along_u {
-            patch.split_u(at)
-        } else {
-            patch.split_v(at)
-        };
-        let end = a.write(0, before.control_points());
-        a.write(end, after.control_points());
-    });
-}
-
-/// Prepares the grid of one patch, evaluated by forward `differences` or by Bernstein polynomials; returns 0.
-#[wasm_bindgen]
-pub fn patch_grid(
-    degree_u: usize,
-    degree_v: usize,
-    segments_u: usize,
-    segments_v: usize,
-    quads: bool,
-    differences: bool,
-) -> isize {
-    arena::answer(|a| {
-        let patch = patch(a, degree_u, degree_v);
-        let grid = Grid {
-            segments_u,
-            segments_v,
-        };
-        begin_grid(patch.as_surface(), grid, quads, differences)
-    })
-}
 
 /// Arguments: points. Writes for each point the index of the first equal point.
 #[wasm_bindgen]
@@ -142,19 +72,6 @@ pub(crate) fn write(a: &mut Arena, surface: &Surface) -> usize {
     a.write_counts(at, surface.joined_all().iter().map(|&i| i as usize))
 }
 
-/// As `patch_grid`, for a surface.
-#[wasm_bindgen]
-pub fn surface_grid(segments_u: usize, segments_v: usize, quads: bool, differences: bool) -> isize {
-    arena::answer(|a| {
-        let (surface, _) = surface(a)?;
-        let grid = Grid {
-            segments_u,
-            segments_v,
-        };
-        begin_grid(surface, grid, quads, differences)
-    })
-}
-
 /// Arguments: a 4×4 matrix (column-major) after the surface. Draws all projected isocurves on a context or a path.
 #[wasm_bindgen]
 pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
@@ -162,9 +79,88 @@ pub fn surface_trace(target: &JsValue, lines: usize, tolerance: f64) -> isize {
         let (surface, end) = surface(a)?;
         Ok::<_, Error>((surface, DMat4::from_cols_slice(a.numbers(end, 16))))
     });
-    let mut pen = CanvasSink::new(target);
+    let mut sink = CanvasSink::new(target);
     let draw = |(surface, matrix): (Surface, DMat4)| {
-        surface.trace_projected(&mut pen, &matrix, lines, optional(tolerance))
+        surface.trace_projected(&mut sink, &matrix, lines, optional(tolerance))
     };
     arena::encode_result(read.and_then(draw).map(|()| 0))
+}
+
+/// Writes for each part the index of its patch, u0, u1, v0, v1 and its four corners.
+#[wasm_bindgen]
+pub fn surface_subdivide(tolerance: f64) -> isize {
+    arena::answer(|a| {
+        let pieces = surface(a)?.0.subdivide(tolerance)?;
+        Ok(pieces.iter().fold(0, |at, piece| {
+            let numbers = [piece.patch as f64, piece.u0, piece.u1, piece.v0, piece.v1];
+            let at = a.write_numbers(at, &numbers);
+            a.write(at, &piece.corners)
+        }))
+    })
+}
+
+/// Writes the minimum and the maximum corner of the bounding box; nothing without patches.
+#[wasm_bindgen]
+pub fn surface_bounds() -> isize {
+    arena::answer(|a| {
+        let (surface, _) = surface(a)?;
+        Ok(surface
+            .bounds()
+            .map_or(0, |Bounds { min, max }| a.write(0, &[min, max])))
+    })
+}
+
+/// Writes the area.
+#[wasm_bindgen]
+pub fn surface_area() -> isize {
+    arena::answer(|a| {
+        let (surface, _) = surface(a)?;
+        Ok(a.write_numbers(0, &[surface.area()]))
+    })
+}
+
+/// Writes the volume; nothing if the surface does not enclose one.
+#[wasm_bindgen]
+pub fn surface_volume() -> isize {
+    arena::answer(|a| {
+        let (surface, _) = surface(a)?;
+        Ok(surface
+            .volume()
+            .map_or(0, |volume| a.write_numbers(0, &[volume])))
+    })
+}
+
+/// Arguments: a point after the surface. Writes the nearest point as `write_points` does.
+#[wasm_bindgen]
+pub fn surface_nearest() -> isize {
+    arena::answer(|a| {
+        let (surface, end) = surface(a)?;
+        let nearest = surface.nearest(a.point_in_space(end, 3))?;
+        Ok(write_points(a, nearest.as_slice()))
+    })
+}
+
+/// Arguments: the origin and the direction of a ray after the surface. Writes the hits as `write_points` does.
+#[wasm_bindgen]
+pub fn surface_ray() -> isize {
+    arena::answer(|a| {
+        let (surface, end) = surface(a)?;
+        let [origin, direction] = [end, end + 3].map(|at| a.point_in_space(at, 3));
+        let hits = surface.intersect_ray(origin, direction)?;
+        Ok(write_points(a, &hits))
+    })
+}
+
+/// Writes seven numbers for each surface point: patch, u, v, the point, the distance.
+fn write_points(a: &mut Arena, surface_points: &[SurfacePoint]) -> usize {
+    surface_points.iter().fold(0, |at, location| {
+        let SurfacePoint {
+            patch,
+            u,
+            v,
+            point: p,
+            distance,
+        } = *location;
+        a.write_numbers(at, &[patch as f64, u, v, p.x, p.y, p.z, distance])
+    })
 }

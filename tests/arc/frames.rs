@@ -1,10 +1,11 @@
 //! Torsion and frames, compared with closed forms and the differential equation of a rotation-minimising frame.
 
 use crate::common::adversarial::{self, ALL, ORDINARY};
-use crate::common::{Rng, curve, plane, real};
+use crate::common::{Rng, curve, integral, plane, real};
 use crate::thorough;
 use casteljau::curve::Frame;
-use casteljau::glam::{DAffine3, DVec3};
+use casteljau::glam::{DAffine3, DQuat, DVec3};
+use casteljau::spline::Interpolation;
 use casteljau::{Curve, Error, Spline};
 
 /// The Bézier points of Σ cₖ tᵏ.
@@ -341,4 +342,128 @@ fn refusals() {
         Err(Error::NotFinite { what: "normal", .. })
     ));
     assert_eq!(curve.frames_at(&[], None), Ok(Vec::new()));
+}
+
+/// Smooth closed splines in space through random points.
+fn closed_splines() -> impl Iterator<Item = Spline<DVec3>> {
+    let mut rng = Rng(2024);
+    (0..40).map(move |case| {
+        let points: Vec<DVec3> = (0..3 + case % 9).map(|_| rng.point(3)).collect();
+        let kind = if case % 2 == 0 {
+            Interpolation::Natural
+        } else {
+            Interpolation::CatmullRom { alpha: 0.5 }
+        };
+        Spline::interpolate(&points, kind, true).expect("finite")
+    })
+}
+
+#[test]
+fn frames_of_closed_splines_close() {
+    for spline in closed_splines() {
+        for per_curve in [1, 3, 20] {
+            let frames = spline.frames(per_curve).expect("frames");
+            frames.iter().for_each(orthonormal);
+            let (first, last) = (frames[0], frames[frames.len() - 1]);
+            let off = (last.normal - first.normal)
+                .length()
+                .max((last.tangent - first.tangent).length());
+            assert!(off < 1e-13, "{off:e}");
+        }
+    }
+}
+
+/// Where the start is a corner, the last frame is the first one but for the smallest rotation between the tangents.
+#[test]
+fn frames_of_closed_polygons_close() {
+    let mut rng = Rng(2025);
+    for _ in 0..50 {
+        let points: Vec<DVec3> = (0..3 + rng.below(5)).map(|_| rng.point(3)).collect();
+        let frames = Spline::new(&points, 1, true)
+            .expect("a polygon")
+            .frames(2)
+            .expect("frames");
+        frames.iter().for_each(orthonormal);
+        let (first, last) = (frames[0], frames[frames.len() - 1]);
+        let turn = DQuat::from_rotation_arc(last.tangent, first.tangent);
+        let off = (turn * last.normal - first.normal).length();
+        assert!(off < 1e-12, "{off:e}");
+    }
+}
+
+/// A closed spline as an open one has rotation-minimising frames; the frames of the closed one deviate from them by an
+/// angle that is proportional to the arc length.
+#[test]
+fn the_closing_twist_is_even_along_the_length() {
+    let mut twisted = 0;
+    for spline in closed_splines() {
+        let curves: Vec<Curve<DVec3>> = spline.segments().collect();
+        let open = Spline::from_curves(&curves, false).expect("joined");
+        let (a, b) = (open.frames(8).expect("few"), spline.frames(8).expect("few"));
+        let length =
+            |curve: usize, t: f64| integral::length(curves[curve].control_points(), 0.0, t);
+        let whole: f64 = (0..curves.len()).map(|k| length(k, 1.0)).sum();
+        let end = a[a.len() - 1];
+        let total = end
+            .normal
+            .dot(b[b.len() - 1].normal)
+            .clamp(-1.0, 1.0)
+            .acos();
+        twisted += usize::from(total > 0.3);
+        let mut done = 0.0;
+        for (i, (a, b)) in a.iter().zip(&b).enumerate() {
+            let (k, rest) = (i / 8, real(i % 8) / 8.0);
+            let s = done + if rest > 0.0 { length(k, rest) } else { 0.0 };
+            let sine = a.normal.cross(b.normal).dot(a.tangent).abs();
+            let angle = sine.atan2(a.normal.dot(b.normal));
+            assert!(
+                (angle - total * s / whole).abs() < 1e-6,
+                "{i}: {angle} of {total}"
+            );
+            if i % 8 == 7 {
+                done += length(k, 1.0);
+            }
+        }
+    }
+    assert!(twisted > 20, "{twisted}");
+}
+
+/// The tangent of a closed plane curve stays in the plane, so nothing twists.
+#[test]
+fn closed_plane_splines_keep_their_binormal() {
+    let points = [(0., 0.), (3., 0.), (4., 2.), (1., 5.)].map(|(x, y)| DVec3::new(x, y, 1.0));
+    let spline = Spline::interpolate(&points, Interpolation::Natural, true).expect("finite");
+    for frame in spline
+        .frames_at(&[0.0, 0.7, 2.5, 4.0], Some(DVec3::Z))
+        .expect("few")
+    {
+        assert!((frame.normal - DVec3::Z).length() < 1e-9, "{frame:?}");
+    }
+}
+
+#[test]
+fn a_frame_does_not_depend_on_the_other_parameters() {
+    let whole = twisted();
+    let mut frames = whole.frames(16).expect("few");
+    for (i, frame) in frames.iter().enumerate() {
+        let alone = whole.frames_at(&[real(i) / 16.0], None).expect("one");
+        assert_eq!(alone, [*frame]);
+    }
+    frames.reverse();
+    let ts: Vec<f64> = frames.iter().map(|frame| frame.t).collect();
+    assert_eq!(whole.frames_at(&ts, None).expect("few"), frames);
+    for spline in closed_splines() {
+        let frames = spline.frames(5).expect("few");
+        for frame in &frames {
+            for ts in [&[frame.t][..], &[2.9, frame.t, 0.1]] {
+                let found = spline.frames_at(ts, None).expect("few");
+                assert_eq!(found[ts.len() / 2], *frame);
+            }
+        }
+        let curves: Vec<Curve<DVec3>> = spline.segments().collect();
+        let open = Spline::from_curves(&curves, false).expect("joined");
+        for frame in open.frames(5).expect("few") {
+            assert_eq!(open.frames_at(&[frame.t], None).expect("one"), [frame]);
+        }
+    }
 }

@@ -1,10 +1,11 @@
 //! Arc lengths, compared with closed forms and an independent integral.
 
 use crate::common::adversarial::{self, Kind, ORDINARY};
-use crate::common::{Rng, curve, integral, plane};
+use crate::common::{Rng, curve, integral, plane, real, to_3d};
 use crate::thorough;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau::{Curve, Point};
+use casteljau::take_steps;
+use casteljau::{Curve, Point, Spline};
 
 fn length<P: Point>(curve: &Curve<P>) -> f64 {
     curve.length(None).expect("no tolerance, no error")
@@ -202,4 +203,50 @@ fn short_hooks_count() {
         1e-12,
         "a hook between nodes",
     );
+}
+
+/// With the cumulative lengths, one segment answers for the whole spline, with the same bits.
+#[test]
+fn a_segment_answers_for_the_spline() {
+    let mut rng = Rng(1913);
+    for case in 0..60 {
+        let points: Vec<DVec2> = (0..=3 * (1 + case % 20))
+            .map(|_| rng.point(2).truncate())
+            .collect();
+        let closed = case % 2 == 0;
+        let points = if closed { &points[1..] } else { &points[..] };
+        let spline = Spline::new(points, 3, closed).expect("cubics");
+        let ends = spline.cumulative_lengths();
+        assert_eq!(ends.len(), spline.segment_count() + 1);
+        let mut sum = 0.0;
+        for (k, segment) in spline.segments().enumerate() {
+            assert_eq!(ends[k], sum);
+            let expected = integral::length(&to_3d(segment.control_points()), 0.0, 1.0);
+            agree(ends[k + 1] - ends[k], expected, 1e-11, case);
+            sum += segment.length(None).expect("no tolerance");
+        }
+        assert_eq!(
+            ends.last(),
+            Some(&spline.length(None).expect("no tolerance"))
+        );
+        for i in 0..50 {
+            let s = if i < ends.len() - 1 {
+                ends[i]
+            } else {
+                sum * rng.unit()
+            };
+            let k = ends[1..].partition_point(|&end| end <= s);
+            let segment = spline.segment(k).expect("s is on the spline");
+            let (segment_t, steps) = {
+                take_steps();
+                let t = segment.time_at_length(s - ends[k], None).expect("finite");
+                (t, take_steps())
+            };
+            assert_eq!(spline.time_at_length(s, None), Ok(real(k) + segment_t));
+            // The work does not grow with the number of segments.
+            assert!(steps < 200, "{steps} intervals");
+        }
+    }
+    let point = Spline::new(&[DVec2::ONE; 7], 3, false).expect("a point");
+    assert_eq!(point.cumulative_lengths(), [0.0; 3]);
 }

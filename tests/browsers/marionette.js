@@ -71,7 +71,7 @@ async function dial(port) {
   const waiting = new Map();
   let count = 0;
   let buffer = Buffer.alloc(0);
-  socket.on("data", (bytes) => {
+  socket.on("data", (/** @type {Buffer} */ bytes) => {
     buffer = Buffer.concat([buffer, bytes]);
     for (let packet = take(); packet; packet = take()) waiting.get(packet[1])?.(packet);
   });

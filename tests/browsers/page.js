@@ -49,8 +49,12 @@ function found() {
   ]);
 }
 
-/** One server, and one session of each browser, for all tests of a process. */
-const shared = { site: undefined, sessions: new Map(), count: 0 };
+/**
+ * One server, and one session of each browser, for all tests of a process.
+ *
+ * @type {{ site?: ReturnType<typeof serve>, sessions: Map<string, any>, count: number }}
+ */
+const shared = { sessions: new Map(), count: 0 };
 
 after(async () => {
   for (const session of shared.sessions.values()) await (await session).end();

@@ -62,7 +62,7 @@ export class Session {
 
   /** Waits until what was changed has been drawn. */
   frame() {
-    return this.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done()))));
+    return this.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 
   /**

@@ -53,7 +53,7 @@ inEach((test) => {
     assertNear((await points(session))[4], [before[4][0] + 2.1, before[4][1] - 9], 1e-9);
     await session.press("Tab", "Tab");
     const focused = await session.evaluate(() =>
-      document.activeElement.shadowRoot.activeElement.getAttribute("aria-label"),
+      /** @type {any} */ (document.activeElement).shadowRoot.activeElement.getAttribute("aria-label"),
     );
     assert.equal(focused, "P6 x");
   });

@@ -14,10 +14,12 @@ const look = (session) =>
     const element = document.querySelector("bezier-surface");
     await element.updateComplete;
     const bitmap = await createImageBitmap(await element.toBlob());
-    const context = Object.assign(document.createElement("canvas"), {
-      width: bitmap.width,
-      height: bitmap.height,
-    }).getContext("2d");
+    const context = /** @type {any} */ (
+      Object.assign(document.createElement("canvas"), {
+        width: bitmap.width,
+        height: bitmap.height,
+      }).getContext("2d")
+    );
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
     const colours = new Set();

@@ -1,6 +1,5 @@
 //! Properties of every curve, natively and in wasm, compared with closed forms and exact arithmetic.
 
-mod angle;
 mod basis;
 #[path = "../common/mod.rs"]
 mod common;

@@ -2,6 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[cfg(not(target_family = "wasm"))]
+mod css;
 
 use casteljau::{Easing, Error};
 use common::Rng;

@@ -117,11 +117,11 @@ pub(crate) fn call_unbounded<T: Numbers>(
     case: &Case,
     act: impl FnOnce() -> T,
 ) -> Result<T, String> {
-    casteljau_kernels::take_steps();
+    casteljau::take_steps();
     let begin = cpu_time();
     let answer = act();
     TIME.set(TIME.get() + cpu_time() - begin);
-    STEPS.set(STEPS.get() + casteljau_kernels::take_steps());
+    STEPS.set(STEPS.get() + casteljau::take_steps());
     let (steps, limit) = (STEPS.get(), limits::of(case.function));
     ensure!(steps <= limit, "{steps} steps, at most {limit} are allowed");
     let mut nan = false;

@@ -1,4 +1,4 @@
-//! The maximum number of steps of one call of a function, as counted by `casteljau_kernels::take_steps`.
+//! The maximum number of steps of one call of a function, as counted by `casteljau::take_steps`.
 
 /// For functions without a documented limit of their own.
 const DEFAULT: usize = 1_000_000;
@@ -12,8 +12,15 @@ const RAY: usize = (1 << 27) + 4 * SEARCH;
 /// The maximum number of patches of a generated surface.
 const PATCHES: usize = 4;
 
+/// The documented limit of vertices, and the forecast and the cubics of every segment of a generated spline or path.
+const FLATTEN: usize = (1 << 24) + DEFAULT;
+
 /// The documented limits.
 const LIMITS: &[(&str, usize)] = &[
+    ("Curve::flatten", FLATTEN),
+    ("Curve::flatten_with", FLATTEN),
+    ("Spline::flatten", FLATTEN),
+    ("Path::flatten", FLATTEN),
     ("Patch::nearest", 2 * SEARCH),
     ("Patch::intersect_ray", RAY),
     ("Patch::bounds", 6 * SEARCH),

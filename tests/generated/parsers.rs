@@ -11,6 +11,8 @@ pub(crate) const ROWS: &[Row] = &[
     ("Surface::parse", parse),
     ("Easing::new", easing_new),
     ("Easing::eval", easing_eval),
+    ("Easing::to_linear", easing_to_linear),
+    ("Easing::text", easing_text),
 ];
 
 fn from_svg(case: &Case) -> Checked {
@@ -94,7 +96,7 @@ fn handles(case: &Case) -> [f64; 4] {
 
 fn easing_new(case: &Case) -> Checked {
     let [x1, y1, x2, y2] = handles(case);
-    casteljau_kernels::take_steps();
+    casteljau::take_steps();
     let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
     let ends = call(case, || [easing.eval(0.0), easing.eval(1.0)])?;
     ensure!(ends == [0.0, 1.0], "the ends are {ends:?}");
@@ -135,5 +137,46 @@ fn easing_eval(case: &Case) -> Checked {
         y >= min - slack && y <= max + slack,
         "{y} at {x}, between {min} and {max} were expected"
     );
+    Ok(())
+}
+
+fn easing_to_linear(case: &Case) -> Checked {
+    let ([x1, y1, x2, y2], tolerance) = (handles(case), number(case, "tolerance"));
+    let easing = Easing::new(x1, y1, x2, y2).map_err(|error| error.to_string())?;
+    let text = answer!(case, easing.to_linear(tolerance), &["tolerance"]);
+    let linear: Easing = text.parse().map_err(|error| format!("{text}: {error}"))?;
+    for x in parameters(200, 1.0) {
+        let error = (linear.eval(x) - easing.eval(x)).abs();
+        ensure!(
+            error <= tolerance * (1.0 + 1e-9),
+            "an error of {error} at {x}"
+        );
+    }
+    Ok(())
+}
+
+fn easing_text(case: &Case) -> Checked {
+    let text = text(case, "text");
+    let written = call(case, || {
+        text.parse::<Easing>().map(|easing| easing.to_string())
+    })?;
+    let (written, easing) = match (written, text.parse::<Easing>()) {
+        (Ok(written), Ok(easing)) => (written, easing),
+        (_, Err(error)) | (Err(error), _) => {
+            ensure!(error.offset <= text.len(), "offset {}", error.offset);
+            ensure!(text.is_char_boundary(error.offset), "within a character");
+            let length = error.to_string().len();
+            ensure!(length <= 400, "a message of {length} bytes");
+            return Ok(());
+        }
+    };
+    let length = written.len();
+    ensure!(length <= 600 * (text.len() + 1), "{length} bytes");
+    let same = written.parse().as_ref() == Ok(&easing);
+    ensure!(same, "another function is read from {written}");
+    for x in [-1e308, -1.0, 0.0, 0.3, 1.0, 2.0, 1e308] {
+        let y = easing.eval(x);
+        ensure!(y.is_finite(), "{y} at {x}");
+    }
     Ok(())
 }

@@ -85,8 +85,13 @@ fn fit<P: Space>(case: &Case) -> Checked {
     let (points, tolerance) = (points::<P>(case, "points"), number(case, "tolerance"));
     let spline = answer!(
         case,
-        Spline::fit(&points, tolerance, flag(case, "closed")),
-        &["tolerance"]
+        Spline::fit(
+            &points,
+            tolerance,
+            optional(case, "corner_angle"),
+            flag(case, "closed")
+        ),
+        &["tolerance", "corner_angle"]
     );
     let slack = 16.0 * slack(case.size(), 3);
     for (k, &p) in points.iter().enumerate() {

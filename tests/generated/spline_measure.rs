@@ -15,6 +15,7 @@ pub(crate) const ROWS: &[Row] = &[
     ("Spline::frames", frames),
     ("Spline::frames_at", frames_at),
     ("Spline::length", both!(length)),
+    ("Spline::cumulative_lengths", both!(cumulative_lengths)),
     ("Spline::time_at_length", both!(time_at_length)),
     ("Spline::equidistant_times", both!(equidistant_times)),
     ("Spline::area", area),
@@ -134,6 +135,28 @@ fn length<P: Space>(case: &Case) -> Checked {
     ensure!(
         (length - sum).abs() <= slack,
         "{length:e}, but the segments have {sum:e}"
+    );
+    Ok(())
+}
+
+fn cumulative_lengths<P: Space>(case: &Case) -> Checked {
+    let spline = spline::<P>(case, "spline");
+    let ends = call(case, || spline.cumulative_lengths())?;
+    ensure!(
+        ends.len() == spline.segment_count() + 1 && ends[0] == 0.0,
+        "{} lengths, the first {:?}",
+        ends.len(),
+        ends.first()
+    );
+    ensure!(
+        ends.windows(2).all(|pair| pair[0] <= pair[1]),
+        "decreasing lengths"
+    );
+    let whole = spline.length(None).map_err(|error| error.to_string())?;
+    ensure!(
+        ends.last() == Some(&whole),
+        "{:?} is not the length {whole:e}",
+        ends.last()
     );
     Ok(())
 }

@@ -3,8 +3,8 @@
 use crate::common::{Rng, plane, real};
 use casteljau::curve::{Intersection, IntersectionKind};
 use casteljau::glam::DVec2;
+use casteljau::take_steps;
 use casteljau::{Curve, Spline};
-use casteljau_kernels::take_steps;
 
 fn polygon(points: &[(f64, f64)], closed: bool) -> Spline<DVec2> {
     let points: Vec<DVec2> = points.iter().map(|&p| DVec2::from(p)).collect();

@@ -18,10 +18,11 @@ const region = () => {
 
 test("several changes in a row are announced once, with what else there is to say; after the end nothing is", (t) => {
   t.mock.timers.enable({ apis: ["setTimeout"] });
-  globalThis.window = globalThis;
-  t.after(() => delete globalThis.window);
+  const globals = /** @type {any} */ (globalThis);
+  globals.window = globalThis;
+  t.after(() => delete globals.window);
   const { texts, element } = region();
-  const speaker = new Speaker(element, () => "G1 at P3");
+  const speaker = new Speaker(/** @type {any} */ (element), () => "G1 at P3");
   for (const words of ["P1 at 199, 80", "P1 at 198, 80", "P1 at 197, 80"]) {
     speaker.say(words);
     t.mock.timers.tick(400);

@@ -48,7 +48,7 @@ const MOVES = [
   [9, -20, 15],
 ];
 
-for (const mode of ["g1", "c1", "c2", "g2"]) {
+for (const mode of /** @type {const} */ (["g1", "c1", "c2", "g2"])) {
   test(`${mode} holds at every joint after each move`, () => {
     let state = edits.withJoints(stateWith(ROUND), [mode]);
     for (const [index, dx, dy] of MOVES) {
@@ -237,7 +237,7 @@ test("Hermite: the tangents are P1 − P0 and P3 − P2, and a cut leaves the cu
   near(flat(figure.pieces[0].curve), [100, 300, 100 + 100 / 3, 300 - 200 / 3, 500 - 100 / 3, 300 - 100 / 3, 500, 300]);
   const cut = edits.inserted(state, 0.4);
   assert.equal(cut.points.length, 7);
-  near([figureOf(cut).spline.length()], [figure.spline.length()], 1e-8);
+  near([figureOf(cut).spline?.length()], [figure.spline?.length()], 1e-8);
 });
 
 test("other degrees: points that do not fill a curve wait; of degree n there is one curve", () => {
@@ -298,7 +298,7 @@ function refusal(name, text) {
   try {
     FIELDS[name].put(firstState(), FIELDS[name].parse(text));
     return "nothing";
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     return `${error.name}: ${error.message}`;
   }
 }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { CUBIC, near, owned, refused, SEVEN, SPACE } from "./reference.js";
+import { CUBIC, near, owned, refused, SEVEN, SPACE, untyped } from "./reference.js";
 
 /** A part of the larger number. */
 const agree = (got, expected, part = 1e-12) =>
@@ -113,7 +113,7 @@ test("length: refusals", () => {
     for (const tolerance of [NaN, Infinity])
       refused(() => curve.length(tolerance), RangeError, /^tolerance: expected a finite number, got /);
     for (const tolerance of [null, "1", {}])
-      refused(() => curve.length(tolerance), TypeError, /^tolerance: expected a number, got /);
+      refused(() => curve.length(untyped(tolerance)), TypeError, /^tolerance: expected a number, got /);
     refused(
       () => curve.length(1e-17),
       RangeError,
@@ -260,7 +260,7 @@ test("timeAtLength and equidistantTimes: refusals", () => {
     for (const s of [NaN, Infinity])
       refused(() => target.timeAtLength(s), RangeError, /^s: expected a finite number, got /);
     for (const s of [undefined, "1", null])
-      refused(() => target.timeAtLength(s), TypeError, /^s: expected a number, got /);
+      refused(() => target.timeAtLength(untyped(s)), TypeError, /^s: expected a number, got /);
     refused(() => target.timeAtLength(1, 0), RangeError, /^tolerance: expected a number above 0, got 0$/);
     refused(() => target.timeAtLength(1, 1e-17), RangeError, /^tolerance: expected at least /);
     for (const n of [0, -1, 1.5, NaN])
@@ -269,7 +269,7 @@ test("timeAtLength and equidistantTimes: refusals", () => {
         RangeError,
         /^segments: expected a whole number from 1 to 4294967295, got /,
       );
-    refused(() => target.equidistantTimes("8"), TypeError, /^segments: expected a whole number, got /);
+    refused(() => target.equidistantTimes(untyped("8")), TypeError, /^segments: expected a whole number, got /);
     refused(
       () => target.equidistantTimes(2 ** 31),
       RangeError,
@@ -292,7 +292,7 @@ test("torsion", () => {
   assert.equal(new Curve(CUBIC).torsion(0.3), 0);
   assert.equal(new Curve(CUBIC.map(([x, y]) => [x, y, 3])).torsion(0.3), 0);
   refused(() => curve.torsion(NaN), RangeError, /^t: expected a finite number, got NaN$/);
-  refused(() => new Curve(CUBIC).torsion("1"), TypeError, /^t: expected a number, got "1"$/);
+  refused(() => new Curve(CUBIC).torsion(untyped("1")), TypeError, /^t: expected a number, got "1"$/);
 });
 
 test("frames: orthonormal, without twist, as many as asked for", () => {
@@ -303,7 +303,9 @@ test("frames: orthonormal, without twist, as many as asked for", () => {
     for (const where of [8, target.equidistantTimes(10), [0.1, 0.5, 0.2]]) {
       const frames = target.frames(where);
       const ts =
-        typeof where === "number" ? Array.from({ length: 8 * (target.segmentCount ?? 1) + 1 }, (_, i) => i / 8) : where;
+        typeof where === "number"
+          ? Array.from({ length: 8 * (target instanceof Spline ? target.segmentCount : 1) + 1 }, (_, i) => i / 8)
+          : where;
       Object.values(frames).forEach(owned);
       near(frames.points, target.evalAt(ts));
       ts.forEach((_, i) => {
@@ -339,7 +341,7 @@ test("frames: refusals", () => {
   for (const n of [0, 1.5, NaN])
     refused(() => curve.frames(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
   refused(() => curve.frames(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
-  refused(() => curve.frames("4"), TypeError, /^ts: expected an array of numbers, got "4"$/);
+  refused(() => curve.frames(untyped("4")), TypeError, /^ts: expected an array of numbers, got "4"$/);
   refused(() => curve.frames([0, NaN]), RangeError, /^ts\[1\]: expected a finite number, got NaN$/);
   refused(() => curve.frames(4, { normal: [0, 1] }), RangeError, /^normal: expected 3 coordinates, got 2$/);
   refused(

@@ -37,7 +37,7 @@ test("a part of a name chooses rows", () => {
 
 test("each target belongs to a row", async () => {
   const modules = await Promise.all(
-    ["curve", "easing", "intersect", "measure", "nearest", "offset", "path", "teapot"].map(
+    ["curve", "easing", "intersect", "length", "nearest", "offset", "path", "teapot"].map(
       (name) => import(`../../benches/js/${name}.js`),
     ),
   );

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { coordinates, near, owned, pairs, refused } from "./reference.js";
+import { coordinates, near, owned, pairs, refused, untyped } from "./reference.js";
 
 const FOUR = [
   [0, 0],
@@ -84,7 +84,7 @@ test("through: refusals", () => {
     /^points\[1\]\[0\]: expected a finite number, got NaN$/,
   );
   refused(
-    () => Spline.interpolate(FOUR, { kind: "akima" }),
+    () => Spline.interpolate(FOUR, { kind: untyped("akima") }),
     RangeError,
     /^kind: expected one of "natural", "catmull-rom", got "akima"$/,
   );
@@ -94,11 +94,11 @@ test("through: refusals", () => {
     /^alpha: expected a number from 0 to 1, got 1.5$/,
   );
   refused(
-    () => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: "1" }),
+    () => Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: untyped("1") }),
     TypeError,
     /^alpha: expected a number, got "1"$/,
   );
-  refused(() => Spline.interpolate(5), TypeError, /^points: expected an array of points, got 5$/);
+  refused(() => Spline.interpolate(untyped(5)), TypeError, /^points: expected an array of points, got 5$/);
 });
 
 test("fromBSpline: uniform, with knots, closed", () => {

@@ -10,6 +10,8 @@ import { inPoints, subjectOf } from "../../js/elements/companions/subject.js";
 import { heightsOf, placeAt, presetOf, PRESETS, readTiming, timingText } from "../../js/elements/companions/timing.js";
 import { binomial, matrixOf, throughMatrix, weightsAt } from "../../js/elements/companions/weights.js";
 
+/** @typedef {import("../../js/elements/companions/subject.js").Subject} Subject */
+
 const near = (a, b, slack = 1e-12) => assert.ok(Math.abs(a - b) <= slack, `${a} and ${b}`);
 const POINTS = [
   [70, 330],
@@ -58,7 +60,7 @@ test("numbers are shown short, with a real minus, never as −0", () => {
 
 test("matrices and recursions give the weights that the core has", () => {
   for (const degree of [1, 2, 3, 7]) {
-    const matrix = matrixOf("bezier", degree, null);
+    const matrix = /** @type {number[]} */ (matrixOf("bezier", degree, null));
     for (const t of TS) throughMatrix(matrix, t).forEach((w, i) => near(w, Curve.bernstein(degree, t)[i], 1e-9));
   }
   assert.equal(binomial(30, 15), 155117520);
@@ -75,12 +77,12 @@ test("matrices and recursions give the weights that the core has", () => {
 
 test("point weights sum to 1, at any t and in every basis", () => {
   for (const t of TS) {
-    for (const [basis, degree] of [
+    for (const [basis, degree] of /** @type {const} */ ([
       ["bezier", 64],
       ["b-spline", 3],
       ["b-spline", 9],
       ["catmull-rom", 3],
-    ]) {
+    ])) {
       const sum = weightsAt({ basis, degree, matrix: null }, t).reduce((a, b) => a + b, 0);
       if (degree < 20 || (t >= 0 && t <= 1)) near(sum, 1, 1e-9);
     }
@@ -89,6 +91,7 @@ test("point weights sum to 1, at any t and in every basis", () => {
   }
 });
 
+/** @returns {any} a figure of the applet, as far as the companions read it */
 const figure = (basis, curve, more = {}) => ({
   points: POINTS,
   names: ["P0", "P1", "P2", "P3"],
@@ -100,7 +103,7 @@ const figure = (basis, curve, more = {}) => ({
   ...more,
 });
 /** Weights times points. */
-const blended = ({ points, ...subject }) => {
+const blended = (/** @type {any} */ { points, ...subject }) => {
   const weights = weightsAt(subject, subject.t);
   return [0, 1].map((axis) => points.reduce((sum, p, i) => sum + weights[i] * p[axis], 0));
 };
@@ -144,9 +147,9 @@ test("weights times points is the point of the curve, whatever the basis", () =>
     near(bx, x, 1e-9);
     near(by, y, 1e-9);
   }
-  const hermite = subjectOf(figures[1]);
+  const hermite = /** @type {Subject} */ (subjectOf(figures[1]));
   assert.deepEqual(hermite.names, ["P0", "P3", "P1−P0", "P3−P2"]);
-  const same = inPoints(hermite, matrixOf("hermite", 3, null));
+  const same = inPoints(hermite, /** @type {number[]} */ (matrixOf("hermite", 3, null)));
   assert.deepEqual(same.names, ["P0", "P1", "P2", "P3"]);
   assert.deepEqual(
     blended(same).map((x) => x.toFixed(9)),
@@ -164,8 +167,8 @@ test("the piece that is looked at counts; no piece is no subject; names may be m
       { curve: second, indices: [3, 2, 1, 0] },
     ],
   });
-  assert.deepEqual([subjectOf(two).points[0], subjectOf(two).names[0]], [POINTS[3], "P3"]);
-  assert.equal(subjectOf({ ...two, segment: 9 }).curve, first);
+  assert.deepEqual([subjectOf(two)?.points[0], subjectOf(two)?.names[0]], [POINTS[3], "P3"]);
+  assert.equal(subjectOf({ ...two, segment: 9 })?.curve, first);
   assert.equal(subjectOf({ ...two, pieces: [] }), null);
   assert.equal(subjectOf(null), null);
 });
@@ -197,30 +200,30 @@ test("alone: attributes that cannot be used are named, and the defaults stand in
     ],
     {},
   ])
-    assert.equal(ownPoints(given, check), ownPoints(null, check));
+    assert.equal(ownPoints(/** @type {any} */ (given), check), ownPoints(null, check));
   assert.equal(ownMatrix("1 ".repeat(15)), null);
-  assert.equal(ownMatrix("1, ".repeat(16)).length, 16);
+  assert.equal(ownMatrix("1, ".repeat(16))?.length, 16);
 });
 
 test("the plot: every line inside, the peaks labelled apart, t back from its place", () => {
-  for (const [basis, degree] of [
+  for (const [basis, degree] of /** @type {const} */ ([
     ["bezier", 1],
     ["bezier", 3],
     ["bezier", 64],
     ["hermite", 3],
     ["catmull-rom", 3],
-  ]) {
+  ])) {
     const { frame, lines } = plotOf({ basis, degree, matrix: null, t: 0.5 });
     assert.equal(lines.length, degree + 1);
     for (const { points } of lines)
       for (const pair of points.split(" "))
         assert.ok(
-          pair.split(",").every((x) => x >= 0 && x <= 400),
+          pair.split(",").every((x) => Number(x) >= 0 && Number(x) <= 400),
           pair,
         );
     const labels = lines.filter(({ labelled }) => labelled).map(({ peak }) => peak);
     labels.forEach((a, i) => labels.slice(i + 1).forEach((b) => assert.ok(Math.hypot(a.x - b.x, a.y - b.y) >= 17)));
-    assert.ok(lines[0].labelled && lines.at(-1).labelled);
+    assert.ok(lines[0].labelled && lines.at(-1)?.labelled);
     for (const t of [0, 0.123, 1]) near(tAt(frame, xOf(frame, t)), t);
   }
   const cubic = plotOf({ basis: "bezier", degree: 3, matrix: null, t: 0.5 });

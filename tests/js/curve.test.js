@@ -241,7 +241,7 @@ test("fromBasis and toBasis, by name and by matrix in three forms", () => {
     assert.deepEqual(Curve.fromBasis(matrix, CUBIC).controlPoints(), Curve.fromBasis("hermite", CUBIC).controlPoints());
     near(cubic.toBasis(matrix), [0, 0, 8, 0, 0, 24, 0, -24]);
   }
-  for (const basis of ["bezier", "hermite", "b-spline", "catmull-rom"]) {
+  for (const basis of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"])) {
     near(Curve.fromBasis(basis, cubic.toBasis(basis)).controlPoints(), CUBIC.flat());
   }
   // The power basis, from high to low.

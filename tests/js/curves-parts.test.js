@@ -25,7 +25,7 @@ test("speed and curvature along a chain jump where the joint says so", () => {
     const { lines, joints } = along((mode ? chain.setJoint(1, mode) : chain).segments(), what);
     const values = lines.flat().map(([, y]) => y);
     assert.equal(lines.length, 2);
-    assert.deepEqual([lines[0][0][0], lines[0].at(-1)[0], lines[1].at(-1)[0]], [0, 1, 2]);
+    assert.deepEqual([lines[0][0][0], lines[0].at(-1)?.[0], lines[1].at(-1)?.[0]], [0, 1, 2]);
     return jumps(joints[0], Math.max(...values) - Math.min(0, ...values));
   };
   assert.deepEqual(
@@ -71,7 +71,7 @@ test("numbers of the matrix are read and written as people do", () => {
     "2/3",
     "0.1",
   ]);
-  for (const name of ["bezier", "hermite", "b-spline", "catmull-rom"]) {
+  for (const name of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"])) {
     for (const x of Curve.basisMatrix(name)) assert.ok(Math.abs(numberIn(written(x)) - x) < 1e-15, `${name}: ${x}`);
   }
   assert.match(tell([...Curve.basisMatrix("b-spline")]), /add up to 1/);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { easing } from "casteljau";
-import { refused } from "./reference.js";
+import { refused, untyped } from "./reference.js";
 
 /** SplitMix64, as in tests/common/mod.rs. */
 function random(seed) {
@@ -18,7 +18,7 @@ function random(seed) {
   return { unit: () => Number(next() >> 11n) / 2 ** 53 };
 }
 
-// KNOWN of tests/easing/main.rs.
+/** KNOWN of tests/easing/main.rs. @type {[number, number, number, number][]} */
 const KNOWN = [
   [0.25, 0.1, 0.25, 1],
   [0.42, 0, 1, 1],
@@ -100,11 +100,11 @@ test("refusals", () => {
   refused(() => easing(0, 0, 1.5, 1), RangeError, /^x2: expected a number from 0 to 1, got 1.5$/);
   refused(() => easing(0, NaN, 1, 1), RangeError, /^y1: expected a finite number, got NaN$/);
   refused(() => easing(0, 0, 1, Infinity), RangeError, /^y2: expected a finite number, got Infinity$/);
-  refused(() => easing("0", 0, 1, 1), TypeError, /^x1: expected a number, got "0"$/);
+  refused(() => easing(untyped("0"), 0, 1, 1), TypeError, /^x1: expected a number, got "0"$/);
   for (const ease of [easing(0.25, 0.1, 0.25, 1), easing(0, 0, 1, 1)]) {
     refused(() => ease(NaN), RangeError, /^x: expected a finite number, got NaN$/);
     refused(() => ease(Infinity), RangeError, /^x: .*got Infinity$/);
-    refused(() => ease("0.5"), TypeError, /^x: expected a number, got "0.5"$/);
-    refused(() => ease(), TypeError, /^x: expected a number, got undefined$/);
+    refused(() => ease(untyped("0.5")), TypeError, /^x: expected a number, got "0.5"$/);
+    refused(() => untyped(ease)(), TypeError, /^x: expected a number, got undefined$/);
   }
 });

@@ -2,9 +2,11 @@
 // each of them the package works on.
 import assert from "node:assert/strict";
 import { after, afterEach, test } from "node:test";
-import { Curve, Spline } from "casteljau";
+import * as casteljau from "casteljau";
 import { CUBIC, refused, SEVEN, SPACE } from "./reference.js";
 
+/** The classes without their types, because many arguments are wrong on purpose. @type {any} */
+const { Curve, Spline } = casteljau;
 const cubic = new Curve(CUBIC);
 const seven = new Spline(SEVEN);
 
@@ -24,6 +26,7 @@ function detached(length = 8) {
   return array;
 }
 
+/** @type {unknown[]} */
 const NOT_NUMBERS = [
   undefined,
   null,
@@ -278,10 +281,10 @@ test("parameters", () => {
 });
 
 test("segments", () => {
-  for (const [call, name] of [
+  for (const [call, name] of /** @type {const} */ ([
     [(n) => cubic.sample(n), "segments"],
     [(n) => seven.sample(n), "segmentsPerCurve"],
-  ]) {
+  ])) {
     for (const bad of [0, -1, 1.5, NaN, Infinity, 2 ** 32]) {
       refused(() => call(bad), RangeError, new RegExp(`^${name}: expected a whole number from 1.*got `));
     }
@@ -409,10 +412,10 @@ test("indices, joints and modes", () => {
   refused(() => seven.setJoint(1, 2), TypeError, /^mode: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: [null, 1] }), TypeError, /^joints\[[01]\]: /);
   refused(() => seven.movePoint(1, [0, 0], { joints: "g1" }), TypeError, /^joints: expected an object, got "g1"$/);
-  for (const [call, name] of [
+  for (const [call, name] of /** @type {const} */ ([
     [(p) => seven.movePoint(1, p), "to"],
     [(p) => seven.append(p), "point"],
-  ]) {
+  ])) {
     refused(() => call([0, 0, 0]), RangeError, new RegExp(`^${name}: expected 2 coordinates, got 3$`));
     refused(() => call([0, Infinity]), RangeError, new RegExp(`^${name}\\[1\\]: `));
     refused(() => call({ x: 0 }), TypeError, new RegExp(`^${name}\\.y: expected a number, got undefined$`));

@@ -5,12 +5,13 @@ import { existsSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import validator from "gltf-validator";
 import * as THREE from "three";
-import { Mesh, Surface } from "../../dist/index.js";
-import { refused } from "./reference.js";
+import { Mesh, Surface } from "casteljau";
+import { refused, untyped } from "./reference.js";
 
 const table = JSON.parse(readFileSync(new URL("../texts/meshes.json", import.meta.url), "utf8"));
 const hex = (bytes) => Buffer.from(bytes).toString("hex");
 
+/** @param {Record<string, any>} data arrays of numbers */
 function meshOf({ precision = "f32", positions, normals, uvs = null, indices, quads }) {
   const Real = precision === "f64" ? Float64Array : Float32Array;
   return new Mesh({
@@ -46,7 +47,11 @@ const square = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], normals: [0, 0, 1, 0, 0
 const empty = new Surface({ vertices: [], patches: [] });
 const point = new Surface({ vertices: [[1, 2, 3]], patches: [new Array(16).fill(0)] });
 
-/** Gumbo, the hard test, which is not part of the project. */
+/**
+ * Gumbo, the hard test, which is not part of the project.
+ *
+ * @returns {[string, Mesh][]}
+ */
 function gumbo() {
   const file = new URL("../../../shared/data/gumbo.json", import.meta.url);
   if (!existsSync(file)) {
@@ -61,7 +66,7 @@ function gumbo() {
   ];
 }
 
-/** Every way to a mesh. */
+/** Every way to a mesh. @type {[string, Mesh][]} */
 const meshes = [
   ["a grid", Surface.teapot().grid({ segments: 8, quads: true })],
   ["32-bit indices", Surface.teapot().grid({ segments: 46 })],
@@ -122,7 +127,7 @@ for (const [name, mesh] of meshes) {
       .flat()
       .map((corner) => corner.split("/"));
     assert.deepEqual(
-      corners.map(([vertex]) => vertex - 1),
+      corners.map(([vertex]) => Number(vertex) - 1),
       [...faces],
     );
     assert.ok(corners.every(([v, vt, vn]) => vn === v && vt === (mesh.uvs ? v : "")));
@@ -146,9 +151,12 @@ test("faces of an obj", () => {
   refused(() => triangles.toOBJ({ quads: true }), RangeError, /^quads: expected a mesh with quads, got one without$/);
 });
 
+/** @param {Mesh} mesh @returns {any} three.js has no types of its own */
+const threeGeometry = (mesh) => mesh.toThree(THREE);
+
 test("three.js gets the mesh's own arrays", () => {
   const mesh = Surface.teapot({ up: "y" }).grid({ segments: 4 });
-  const geometry = mesh.toThree(THREE);
+  const geometry = threeGeometry(mesh);
   assert.ok(geometry instanceof THREE.BufferGeometry);
   const { position, normal, uv } = geometry.attributes;
   assert.deepEqual(
@@ -159,10 +167,10 @@ test("three.js gets the mesh's own arrays", () => {
   geometry.computeBoundingBox();
   assert.ok(Math.abs((geometry.boundingBox?.max.y ?? 0) - 3.15) < 1e-6);
 
-  const precise = Surface.teapot().tessellate({ segments: 4, precision: "f64" }).toThree(THREE);
+  const precise = threeGeometry(Surface.teapot().tessellate({ segments: 4, precision: "f64" }));
   assert.ok(precise.attributes.position.array instanceof Float32Array);
   assert.equal(precise.attributes.uv, undefined);
-  assert.equal(empty.grid({ segments: 1 }).toThree(THREE).index?.count, 0);
+  assert.equal(threeGeometry(empty.grid({ segments: 1 })).index?.count, 0);
 });
 
 test("three.js is what the caller says", () => {
@@ -184,7 +192,7 @@ test("three.js is what the caller says", () => {
     [mesh.indices, 1],
   ]);
   for (const bad of [undefined, null, {}, "three", { BufferGeometry }]) {
-    refused(() => mesh.toThree(bad), TypeError, /^THREE: expected the namespace of three\.js, got /);
+    refused(() => mesh.toThree(untyped(bad)), TypeError, /^THREE: expected the namespace of three\.js, got /);
   }
 });
 

@@ -10,7 +10,7 @@ const shared = await read("../../../shared/data/curve-facts.json").catch(() => n
 const others = shared?.filter(({ truth }) => truth === "library");
 
 const distance = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
-const point = ([x, y]) => ({ x, y });
+const point = (/** @type {number[]} */ [x, y]) => ({ x, y });
 const pairs = (flat) => Array.from({ length: flat.length / 2 }, (_, k) => [flat[2 * k], flat[2 * k + 1]]);
 
 /** Numbers, or nested lists of them, within the fact's tolerance. */
@@ -159,7 +159,8 @@ const KINDS = {
       input.queries.map((p) => Path.fromSVG(input.svg).contains(p)),
       expect,
     ),
-  easing: ({ input, expect, tol }) => near(easing(...input.bezier)(input.x), expect, tol),
+  easing: ({ input, expect, tol }) =>
+    near(easing(.../** @type {[number, number, number, number]} */ (input.bezier))(input.x), expect, tol),
   circle({ input, expect, tol }) {
     const { k } = input;
     const quarter = new Curve([

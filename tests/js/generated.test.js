@@ -79,10 +79,19 @@ test("generated calls: every answer is true, every refusal is stated, every call
   await Promise.all(groups.map((names) => t.test(`${names[0]} … ${names.at(-1)}`, () => runAll(names))));
 });
 
+/** The public members of an object and of what it inherits from, up to one that every object of its kind has. */
+function publicNames(object, end) {
+  const names = new Set();
+  for (let at = object; at !== end; at = Object.getPrototypeOf(at)) {
+    for (const name of Object.getOwnPropertyNames(at)) names.add(name);
+  }
+  return [...names].filter((name) => !/^_|^casteljau/.test(name)); // those are marked as internal
+}
+
 test("every public function has a row", () => {
   const names = Object.entries(CLASSES).flatMap(([name, type]) => [
-    ...Object.getOwnPropertyNames(type.prototype).map((method) => `${name}.${method}`),
-    ...Object.getOwnPropertyNames(type)
+    ...publicNames(type.prototype, Object.prototype).map((method) => `${name}.${method}`),
+    ...publicNames(type, Function.prototype)
       .filter((method) => !["length", "name", "prototype"].includes(method))
       .map((method) => `${name}.${method}`),
   ]);

@@ -103,7 +103,7 @@ test("only curves of the plane", () => {
     message: "intersections: expected a 2D curve, got a 3D one",
   });
   assert.throws(() => line.intersections(space), TypeError);
-  const message = "other: expected a Curve or a Spline, got an array of 2";
+  const message = "other: expected a Curve, a Spline or a Path, got an array of 2";
   assert.throws(() => line.intersections(/** @type {any} */ ([0, 0])), { name: "TypeError", message });
   assert.throws(() => line.intersections(/** @type {any} */ (null)), TypeError);
   assert.throws(() => space.selfIntersections(), TypeError);

@@ -61,11 +61,11 @@ for (const basis of BASES) {
 }
 
 test("all layers draw a curve of degree 64 and a chain of 500 points in bounded work", () => {
-  for (const [basis, degree, count] of [
+  for (const [basis, degree, count] of /** @type {const} */ ([
     ["bezier", 64, 65],
     ["b-spline", 64, 200],
     ["natural", 3, 500],
-  ]) {
+  ])) {
     const points = Array.from({ length: count }, (_, i) => CLOUDS.random(i));
     const { ctx } = drawn({ basis, degree, points, layers: "all", pointer: [1, 1], t: 1.5 });
     assert.ok(ctx.calls.length < 200_000, `${ctx.calls.length} calls`);
@@ -164,7 +164,7 @@ test("however close, the canvas gets numbers that it can tell apart, and the vis
   for (const size of [1, 1e-3, 1e-6]) {
     const view = { x: at.x - size / 2, y: at.y - (size * 480) / 670 / 2, width: size, height: (size * 480) / 670 };
     const tape = new Tape();
-    new Lens(tape, { box: BOX, view }).curve(curve.controlPoints());
+    new Lens(/** @type {any} */ (tape), { box: BOX, view }).curve(curve.controlPoints());
     const vertices = tape.calls.map(([, x, y]) => [x, y]);
     assert.ok(
       vertices.flat().every((x) => Math.abs(x) <= 2 ** 14),
@@ -184,7 +184,7 @@ const rounded = (numbers) => numbers.map((x) => Math.round(1e6 * x) / 1e6);
 
 test("lines and polygons are cut where they lie far outside; a hull around the whole view still fills it", () => {
   const tape = new Tape();
-  const lens = new Lens(tape, { box: BOX, view: { x: 0, y: 0, width: 6.7e-4, height: 4.8e-4 } });
+  const lens = new Lens(/** @type {any} */ (tape), { box: BOX, view: { x: 0, y: 0, width: 6.7e-4, height: 4.8e-4 } });
   lens.beginPath();
   lens.moveTo(-100, 1e-4);
   lens.lineTo(100, 1e-4);
@@ -206,7 +206,7 @@ test("lines and polygons are cut where they lie far outside; a hull around the w
 test("a curve of degree 9 is drawn within a tenth of a pixel", () => {
   const curve = new Curve(Array.from({ length: 10 }, (_, i) => CLOUDS.random(i)));
   const tape = new Tape();
-  new Lens(tape, { box: BOX, view: { x: 0, y: 0, ...BOX } }).curve(curve.controlPoints());
+  new Lens(/** @type {any} */ (tape), { box: BOX, view: { x: 0, y: 0, ...BOX } }).curve(curve.controlPoints());
   const vertices = [...tape.of("moveTo"), ...tape.of("lineTo")];
   for (let k = 0; k + 1 < vertices.length; k++) {
     const [[ax, ay], [bx, by]] = [vertices[k], vertices[k + 1]];
@@ -258,8 +258,8 @@ test("SVG: the same picture, closed elements, no number that is none, colours th
   const rest = svg.replace(/<path [^<>]*\/>|<text [^<>]*>[^<>]*<\/text>|<title>[^<>]*<\/title>/g, "");
   assert.match(rest, /^<svg [^<>]*><\/svg>$/);
   const { ctx } = drawn({ layers: "all", pointer: [200, 350] });
-  assert.equal(texts.length, ctx.of("fillText").length);
-  assert.ok(paths.length > 50);
+  assert.equal(texts?.length, ctx.of("fillText").length);
+  assert.ok(Number(paths?.length) > 50);
   assert.ok(svg.length < 60_000, `${svg.length} characters`);
 });
 
@@ -286,8 +286,8 @@ test("SVG: a mark's fill and rim are one element, and so are a word and its rim"
     ],
   });
   const svg = svgFigure(state, figureOf(state));
-  assert.equal(svg.match(/<path /g).length, 2 + 4 + 1); // curve, tangents, four points, the diamond
-  assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#1d2733">P\d</g).length, 4);
+  assert.equal(svg.match(/<path /g)?.length, 2 + 4 + 1); // curve, tangents, four points, the diamond
+  assert.equal(svg.match(/<text [^>]*stroke="#ffffff"[^>]*fill="#1d2733">P\d</g)?.length, 4);
 });
 
 test("colours go by role", () => {

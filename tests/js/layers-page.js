@@ -3,10 +3,14 @@ import { drawFigure, LAYERS, ROLES } from "../../js/elements/applet/layers/index
 import { figureOf } from "../../js/elements/applet/figure.js";
 import { firstState, LAYER_NAMES } from "../../js/elements/applet/state.js";
 
-/** A theme whose colours are the names of their roles. */
+/** A theme whose colours are the names of their roles. @type {any} */
 export const theme = Object.fromEntries(ROLES.map((role) => [role, role]));
 
-/** A state with some things otherwise; layers as an array. */
+/**
+ * The first state with changes.
+ *
+ * @param {Record<string, any>} [changes] `layers`: an array of names or "all"
+ */
 export function stateWith({ layers = [], ...changes } = {}) {
   const first = firstState();
   const points = changes.points ?? first.points;
@@ -18,8 +22,9 @@ export function derived(name, changes) {
   const state = stateWith({ layers: [name], ...changes });
   const figure = figureOf(state);
   const layer = LAYERS.find((each) => each.name === name);
+  if (!layer) throw new RangeError(`expected the name of a layer, got ${name}`);
   const data = layer.derive(figure, state);
-  return { data, figure, state, words: layer.tell?.(data, state) };
+  return { data, figure, state, words: layer.tell?.(data, state) ?? "" };
 }
 
 /** Every call to a canvas, with the paints it had then. */
@@ -62,6 +67,6 @@ export class Tape {
 export function drawn(changes, px = 1) {
   const state = stateWith(changes);
   const ctx = new Tape();
-  const told = drawFigure({ ctx, theme, px }, state, figureOf(state));
+  const told = drawFigure({ ctx: /** @type {any} */ (ctx), theme, px }, state, figureOf(state));
   return { ctx, told, state };
 }

@@ -330,7 +330,7 @@ test("with the halves their points are called q and r, and the one at t both", (
   );
   const at = figure.pieces[0].curve.eval(0.25);
   assert.deepEqual(
-    [[...names[3].at], [...names[4].at]],
+    [Array.from(names[3].at), Array.from(names[4].at)],
     [
       [at.x, at.y],
       [at.x, at.y],

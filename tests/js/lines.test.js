@@ -1,8 +1,8 @@
 // Isocurves, bodies of lines and flat pieces through the package's door.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Mesh, Surface } from "../../dist/index.js";
-import { refused } from "./reference.js";
+import { Curve, Mesh, Surface } from "casteljau";
+import { refused, untyped } from "./reference.js";
 
 const teapot = Surface.teapot();
 const empty = new Surface({ vertices: [], patches: [] });
@@ -176,7 +176,7 @@ test("refused", () => {
   refused(wire({ radius: 0.1, into: {} }), TypeError, /^into: expected a Mesh, got /);
   for (const bad of [0, -1])
     refused(() => teapot.subdivide(bad), RangeError, /^tolerance: expected a number above 0, got /);
-  refused(() => teapot.subdivide(undefined), TypeError, /^tolerance: expected a number, got undefined$/);
+  refused(() => teapot.subdivide(untyped(undefined)), TypeError, /^tolerance: expected a number, got undefined$/);
   refused(() => teapot.subdivide(1e-20), RangeError, /^tolerance: expected at least \S+ .*got 1e-20$/);
   refused(() => teapot.subdivide(1e-9), RangeError, /^leaves: expected at most 262144, this needs 262145$/);
   assert.equal(teapot.patchCount, 32);

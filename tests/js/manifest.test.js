@@ -5,10 +5,12 @@ import { readdir, readFile } from "node:fs/promises";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-globalThis.CSSStyleSheet ??= class {
-  replaceSync() {}
-};
-const classes = await import("../../dist/elements.js");
+globalThis.CSSStyleSheet ??= /** @type {any} */ (
+  class {
+    replaceSync() {}
+  }
+);
+const classes = await import("casteljau/elements");
 const root = new URL("../../", import.meta.url);
 const read = (path) => readFile(new URL(path, root), "utf8");
 const manifest = JSON.parse(await read("dist/custom-elements.json"));

@@ -109,7 +109,7 @@ test("a spline along a stroke, and with fewer segments", () => {
   for (const [x, y] of points) {
     let nearest = Infinity;
     for (let i = 0; i + 3 < line.length; i += 2)
-      nearest = Math.min(nearest, fromSegment(x, y, line.subarray(i, i + 4)));
+      nearest = Math.min(nearest, fromSegment(x, y, [...line.subarray(i, i + 4)]));
     assert.ok(nearest < 1.2e-3, `${nearest}`);
   }
   const corner = Spline.fit(
@@ -152,7 +152,7 @@ test("a spline along a stroke, and with fewer segments", () => {
   assert.throws(() => cut.simplify(-1), { name: "RangeError", message: /^tolerance: / });
 });
 
-function fromSegment(x, y, [ax, ay, bx, by]) {
+function fromSegment(x, y, /** @type {number[]} */ [ax, ay, bx, by]) {
   const [dx, dy] = [bx - ax, by - ay];
   const s = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
   return Math.hypot(ax + s * dx - x, ay + s * dy - y);

@@ -6,13 +6,19 @@ import { CUBIC, near, owned, pairs, SEVEN, SPACE } from "./reference.js";
 
 const { Curve, Spline } = casteljau;
 
+/** @typedef {import("../../js/geometry/check.js").PointsLike} PointsLike */
+
 class FakeDOMPoint {
   constructor(x, y, z = 0, w = 1) {
-    Object.assign(this, { x, y, z, w });
+    this.x = x;
+    this.y = y;
+    this.z = z;
+    this.w = w;
   }
 }
 
 const objects = CUBIC.map(([x, y]) => ({ x, y }));
+/** @type {Record<string, PointsLike>} */
 const forms2D = {
   arrays: CUBIC,
   "typed arrays": CUBIC.map((p) => Float32Array.from(p)),
@@ -25,6 +31,7 @@ const forms2D = {
   "an Int32Array": Int32Array.from(CUBIC.flat()),
   "a Uint8Array in the middle of a buffer": new Uint8Array([9, 9, ...CUBIC.flat(), 9]).subarray(2, 10),
 };
+/** @type {Record<string, PointsLike>} */
 const forms3D = {
   arrays: SPACE,
   objects: SPACE.map(([x, y, z]) => ({ x, y, z })),
@@ -137,20 +144,25 @@ test("classes carry their names through the bundle", () => {
 test("properties cannot be assigned", () => {
   const curve = new Curve(CUBIC);
   const spline = new Spline(SEVEN);
-  for (const [value, name] of [
+  /** @type {[any, string][]} */
+  const properties = [
     [curve, "degree"],
     [curve, "dimension"],
     [spline, "closed"],
     [spline, "degrees"],
     [spline, "segmentCount"],
-  ]) {
-    assert.throws(() => (value[name] = 1), TypeError);
+  ];
+  for (const [value, name] of properties) {
+    assert.throws(() => {
+      value[name] = 1;
+    }, TypeError);
   }
 });
 
 test("into is filled from its start and returned; what lies behind stays", () => {
   const curve = new Curve(CUBIC);
   const spline = new Spline(SEVEN);
+  /** @type {[(into?: Float64Array) => Float64Array, number][]} */
   const calls = [
     [(into) => curve.sample(3, { into }), 8],
     [(into) => curve.evalAt([0, 1], { into }), 4],

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { Curve, Patch, Surface } from "../../dist/index.js";
+import { Curve, Patch, Surface } from "casteljau";
 
 /** The square [0, 3] × [0, 3] at z = 2: control points on a lattice. */
 const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 2]));
@@ -220,7 +220,7 @@ const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
 
 for (const [name, act, type, message] of refusals) {
   test(`refused: ${name}`, () => {
-    assert.throws(act, (error) => error instanceof type && message.test(error.message));
+    assert.throws(act, (/** @type {any} */ error) => error instanceof type && message.test(error.message));
     near(plane.eval(0, 0), [0, 0, 2]);
   });
 }

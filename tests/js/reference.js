@@ -9,7 +9,8 @@ export function deCasteljau(points, t) {
 }
 
 /** The coordinates of an object or a flat array. */
-export const coordinates = (p) => (ArrayBuffer.isView(p) || Array.isArray(p) ? [...p] : Object.values(p));
+export const coordinates = (/** @type {any} */ p) =>
+  ArrayBuffer.isView(p) || Array.isArray(p) ? Array.from(/** @type {any} */ (p)) : Object.values(p);
 
 /** Numbers agree to a small part of the larger one, or absolutely below 1. */
 export function near(got, expected, tolerance = 1e-12) {
@@ -33,9 +34,17 @@ export function owned(array) {
   assert.equal(array.buffer.byteLength, array.byteLength);
 }
 
+/**
+ * A value without its type, for arguments that are wrong on purpose.
+ *
+ * @param {unknown} value
+ * @returns {any}
+ */
+export const untyped = (value) => value;
+
 /** Expects a refusal whose message starts with the argument and names what was expected and what came. */
 export function refused(act, type, message) {
-  assert.throws(act, (error) => {
+  assert.throws(act, (/** @type {any} */ error) => {
     assert.equal(error.constructor, type, `${error}`);
     assert.match(error.message, message);
     assert.match(error.message, /expected .*got |expected .*needs /);
@@ -43,7 +52,11 @@ export function refused(act, type, message) {
   });
 }
 
-/** A drawing target that writes down what is drawn. */
+/**
+ * A drawing target that records the calls of its methods.
+ *
+ * @returns {any} in the place of a CanvasRenderingContext2D
+ */
 export function recorder() {
   const calls = [];
   const methods = ["moveTo", "lineTo", "quadraticCurveTo", "bezierCurveTo", "closePath"];

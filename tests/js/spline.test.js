@@ -192,12 +192,14 @@ test("joints of second order and automatic ones", () => {
 });
 
 test("insert keeps the curve, remove undoes it", () => {
-  for (const [spline, t] of [
+  /** @type {[Spline, number][]} */
+  const cases = [
     [seven, 1.25],
     [ring, 3.5],
     [mixed, 0.5],
     [mixed, 1.75],
-  ]) {
+  ];
+  for (const [spline, t] of cases) {
     const more = spline.insert(t);
     const k = Math.floor(t);
     assert.equal(more.segmentCount, spline.segmentCount + 1);

@@ -1,7 +1,7 @@
 // Patch, Surface and Mesh through the package's door; the figures are those of the listing and of closed forms.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Mesh, Patch, Surface } from "../../dist/index.js";
+import { Mesh, Patch, Surface } from "casteljau";
 
 /** The plane z = 2 over [0, 3] × [0, 3]: control points on a lattice. */
 const plane = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 2]));
@@ -159,7 +159,7 @@ const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
 
 for (const [name, act, type, message] of refusals) {
   test(`refused: ${name}`, () => {
-    assert.throws(act, (error) => error instanceof type && message.test(error.message));
+    assert.throws(act, (/** @type {any} */ error) => error instanceof type && message.test(error.message));
     near(plane.eval(0, 0), { x: 0, y: 0, z: 2 });
   });
 }

@@ -228,11 +228,11 @@ test("what the text says of the predictions and of the data is so", async () => 
   assert.deepEqual([shared.length, open.length, collapsed.length], [52, 16, 8]);
   assert.deepEqual([Surface.teacup().patchCount, Surface.teaspoon().patchCount], [26, 16]);
   assert.equal(Surface.teapot({ bottom: false }).patchCount, 28);
-  assert.deepEqual([teapot.bounds().max.z, Surface.teapot({ height: "original" }).bounds().max.z], [3.15, 4.2]);
+  assert.deepEqual([teapot.bounds()?.max.z, Surface.teapot({ height: "original" }).bounds()?.max.z], [3.15, 4.2]);
   assert.equal(teapot.grid({ segments: 16 }).positions.length / 3, 9248);
   assert.equal(teapot.tessellate({ segments: 16, weld: "position" }).positions.length / 3, 8257);
   assert.equal(Surface.teapot({ rim: false, body: false, spout: false, lid: false, bottom: false }).patchCount, 4);
-  const patch = surfaceNamed(settingsOf({ model: "patch" })).patch(0);
+  const patch = surfaceNamed(settingsOf(/** @type {any} */ ({ model: "patch" }))).patch(0);
   const { x, y, z } = patch.eval(1, 0);
   assert.deepEqual([x, y, z], [...patch.controlPoints().slice(9, 12)], "S(1, 0) is P03");
   const weight = (t) => 3 * t * (1 - t) ** 2;

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { Surface } from "../../dist/index.js";
+import { Surface } from "casteljau";
 import { refused } from "./reference.js";
 
 /** The listing's control points of each patch with v reversed. */
@@ -14,12 +14,14 @@ function listed(name, turn) {
 
 const all = (surface) => Array.from({ length: surface.patchCount }, (_, k) => [...surface.patch(k).controlPoints()]);
 
-for (const [name, make, turn] of [
+/** @type {[string, () => Surface, (point: number[]) => number[]][]} */
+const CASES = [
   ["teacup", () => Surface.teacup(), ([x, y, z]) => [x, 0 - z, y]],
   ["teacup", () => Surface.teacup({ up: "y" }), (p) => p],
   ["teaspoon", () => Surface.teaspoon({ up: "z" }), (p) => p],
   ["teaspoon", () => Surface.teaspoon({ up: "y" }), ([x, y, z]) => [x, z, 0 - y]],
-]) {
+];
+for (const [name, make, turn] of CASES) {
   test(`${make} has the listing's figures`, () => assert.deepEqual(all(make()), listed(name, turn)));
 }
 

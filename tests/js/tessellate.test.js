@@ -2,7 +2,7 @@
 // tests/watertight, of the teapot's listing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Mesh, Patch, Surface } from "../../dist/index.js";
+import { Mesh, Patch, Surface } from "casteljau";
 
 const teapot = Surface.teapot();
 /** @type {any} any arguments, also wrong ones */
@@ -69,7 +69,7 @@ test("uvs and patch numbers belong to patches of their own", () => {
     const apart = Math.hypot(
       p.x - mesh.positions[3 * i],
       p.y - mesh.positions[3 * i + 1],
-      p.z - mesh.positions[3 * i + 2],
+      /** @type {number} */ (p.z) - mesh.positions[3 * i + 2],
     );
     assert.ok(apart < 4e-7, `vertex ${i} is ${apart} from its patch`);
   }

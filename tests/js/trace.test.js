@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
-import { CUBIC, near, recorder, refused, SEVEN, SPACE } from "./reference.js";
+import { CUBIC, near, recorder, refused, SEVEN, SPACE, untyped } from "./reference.js";
 
 const drawn = (shape, options) => {
   const target = recorder();
@@ -90,8 +90,8 @@ test("a spline moves once; a closed one is closed", () => {
 test("what cannot be drawn on, and what cannot be drawn", () => {
   const curve = new Curve(CUBIC);
   for (const bad of [undefined, null, 5, "canvas", {}, [], { ...recorder(), lineTo: 1 }]) {
-    refused(() => curve.trace(bad), TypeError, /^target: /);
-    refused(() => new Spline(SEVEN).trace(bad), TypeError, /^target: /);
+    refused(() => curve.trace(untyped(bad)), TypeError, /^target: /);
+    refused(() => new Spline(SEVEN).trace(untyped(bad)), TypeError, /^target: /);
   }
   refused(() => new Curve(SPACE).trace(recorder()), TypeError, /^trace: .*2D.*3D/);
   refused(() => new Spline(SPACE).trace(recorder()), TypeError, /^trace: .*2D.*3D/);
@@ -99,7 +99,7 @@ test("what cannot be drawn on, and what cannot be drawn", () => {
     refused(() => curve.trace(recorder(), { tolerance }), RangeError, /^tolerance: /);
   const target = recorder();
   refused(() => curve.trace(target, { tolerance: 1e-30 }), RangeError, /^tolerance: /);
-  refused(() => curve.trace(target, { tolerance: "1" }), TypeError, /^tolerance: /);
+  refused(() => curve.trace(target, { tolerance: untyped("1") }), TypeError, /^tolerance: /);
   assert.deepEqual(target.calls, []);
 });
 
@@ -152,7 +152,7 @@ test("methods are called on their target", () => {
   new Curve([
     [1, 2],
     [3, 4],
-  ]).trace(context);
+  ]).trace(untyped(context));
   assert.deepEqual(context.calls, [
     [1, 2],
     [3, 4],

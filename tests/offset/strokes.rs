@@ -42,7 +42,7 @@ fn points_lie_within_the_tolerance_and_corners_are_found() {
         let (spline, sharp) = known(&mut rng, count, case % 2 == 0);
         let points = spline.sample(200).expect("samples");
         let tolerance = rng.magnitude(-5.0, -1.8);
-        let fitted = Spline::fit(&points, tolerance, false).expect("finite");
+        let fitted = Spline::fit(&points, tolerance, None, false).expect("finite");
         assert_eq!(fitted.eval(0.0), points[0]);
         let off = farthest(&dense(&fitted, 0.01 * tolerance), &points, tolerance);
         assert!(off <= 1.02 * tolerance, "{case}: {off} for {tolerance}");
@@ -69,26 +69,26 @@ fn points_lie_within_the_tolerance_and_corners_are_found() {
 #[test]
 fn degenerate_points() {
     let p = DVec2::new(3.0, 4.0);
-    let one = Spline::fit(&[p, p, p], 0.1, false).expect("finite");
+    let one = Spline::fit(&[p, p, p], 0.1, None, false).expect("finite");
     assert_eq!(one.control_points(), [p, p]);
-    assert!(Spline::fit(&[p], 0.1, false).is_err());
+    assert!(Spline::fit(&[p], 0.1, None, false).is_err());
     let line: Vec<DVec2> = (0..1000).map(|k| p * real(k)).collect();
     assert_eq!(
-        Spline::fit(&line, 0.01, false)
+        Spline::fit(&line, 0.01, None, false)
             .expect("finite")
             .segment_count(),
         1
     );
     // The line is traversed forth and back.
     let back: Vec<DVec2> = line.iter().chain(line.iter().rev()).copied().collect();
-    let fitted = Spline::fit(&back, 0.01, false).expect("finite");
+    let fitted = Spline::fit(&back, 0.01, None, false).expect("finite");
     assert!(farthest(&dense(&fitted, 1e-4), &back, 0.01) <= 0.01);
     assert_eq!(fitted.segment_count(), 2);
     for scale in [1e300, 1e-300, 1e9] {
         let far: Vec<DVec2> = (0..100)
             .map(|k| DVec2::from_angle(real(k) * 0.05) * scale)
             .collect();
-        let fitted = Spline::fit(&far, 1e-3 * scale, false).expect("finite");
+        let fitted = Spline::fit(&far, 1e-3 * scale, None, false).expect("finite");
         assert!(fitted.control_points().iter().all(|p| p.is_finite()));
         assert!(fitted.segment_count() < 10);
     }
@@ -97,13 +97,13 @@ fn degenerate_points() {
 #[test]
 fn a_square_and_a_circle() {
     let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
-    let fitted = Spline::fit(&square, 0.01, true).expect("finite");
+    let fitted = Spline::fit(&square, 0.01, None, true).expect("finite");
     assert!(fitted.is_closed());
     assert_eq!((fitted.segment_count(), kinks(&fitted).len()), (4, 3));
     let circle: Vec<DVec2> = (0..360)
         .map(|k| DVec2::from_angle(real(k).to_radians()))
         .collect();
-    let fitted = Spline::fit(&circle, 1e-3, true).expect("finite");
+    let fitted = Spline::fit(&circle, 1e-3, None, true).expect("finite");
     assert!(fitted.segment_count() <= 5, "{}", fitted.segment_count());
     assert!(
         (0..fitted.segment_count()).all(|k| fitted.continuity(k, Some(1e-9)).expect("a joint").g1)
@@ -122,7 +122,7 @@ fn strokes_with_noise() {
             .iter()
             .map(|&p| p + rng.point(2).truncate() * (0.5 * tolerance))
             .collect();
-        let fitted = Spline::fit(&noisy, tolerance, false).expect("finite");
+        let fitted = Spline::fit(&noisy, tolerance, None, false).expect("finite");
         assert!(farthest(&dense(&fitted, 1e-4), &noisy, tolerance) <= 1.01 * tolerance);
         assert!(fitted.segment_count() <= 24, "{}", fitted.segment_count());
     }
@@ -136,7 +136,7 @@ fn space_as_well() {
             DVec3::new(t.cos(), t.sin(), 0.2 * t)
         })
         .collect();
-    let fitted = Spline::fit(&helix, 1e-3, false).expect("finite");
+    let fitted = Spline::fit(&helix, 1e-3, None, false).expect("finite");
     let line = fitted.flatten(1e-4).expect("flat").points;
     for &p in &helix {
         let near = line
@@ -154,7 +154,7 @@ fn many_points() {
     let segments = |count: usize| {
         let wave = |t: f64| DVec2::new(t, (3.0 * t).sin() + 0.2 * (11.0 * t).cos());
         let points: Vec<DVec2> = (0..count).map(|k| wave(real(k) * 1e-3)).collect();
-        let fitted = Spline::fit(&points, 1e-3, false).expect("finite");
+        let fitted = Spline::fit(&points, 1e-3, None, false).expect("finite");
         fitted.segment_count()
     };
     let (few, many) = (segments(10_000), segments(100_000));

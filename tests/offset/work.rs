@@ -3,7 +3,7 @@
 use crate::common::{plane, real};
 use casteljau::Curve;
 use casteljau::glam::DVec2;
-use casteljau_kernels::take_steps;
+use casteljau::take_steps;
 
 /// The number of pieces and steps of an offset.
 fn work(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> (usize, usize) {

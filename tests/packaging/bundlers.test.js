@@ -1,11 +1,14 @@
 // The installed tarball through the bundlers; what they make is run.
 import assert from "node:assert/strict";
-import { build as esbuild } from "esbuild";
+import { build as esbuild, transform } from "esbuild";
+import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, test } from "node:test";
+import { gzipSync } from "node:zlib";
 import { rollup } from "rollup";
 import { build as vite } from "vite";
+import webpack from "webpack";
 import { openPage } from "../page/browser.js";
 import * as curves from "../../js/glue/curves-bytes.js";
 import * as surfaces from "../../js/glue/surfaces-bytes.js";
@@ -20,10 +23,10 @@ after(fixture.remove);
 const entry = await fixture.write("src/main.js", PROGRAM);
 const node = (path) => run(process.execPath, [path], { cwd: fixture.folder });
 
-for (const [format, name] of [
+for (const [format, name] of /** @type {const} */ ([
   ["esm", "esbuild.mjs"],
   ["iife", "esbuild.cjs"],
-]) {
+])) {
   test(`esbuild, ${format}, minified`, async () => {
     const outfile = join(fixture.folder, "out", name);
     const { warnings } = await esbuild({
@@ -39,7 +42,7 @@ for (const [format, name] of [
   });
 }
 
-for (const format of ["es", "iife"]) {
+for (const format of /** @type {const} */ (["es", "iife"])) {
   test(`Rollup, ${format}`, async () => {
     const resolve = createRequire(entry).resolve;
     const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
@@ -82,6 +85,49 @@ async function printedBy(t, folder) {
   return (await printed).text();
 }
 
+/** The gzip size of `{ easing }` from casteljau/easing, bundled and minified. */
+const MAX_EASING_KB = 4.5;
+const EASING = `import { easing } from "casteljau/easing";\nconsole.log(easing("ease-in-out")(0.5));\n`;
+
+/** The code that each bundler makes of a program, minified by esbuild afterwards. */
+const bundlers = {
+  async esbuild(input) {
+    const options = { entryPoints: [input], bundle: true, format: /** @type {const} */ ("esm"), write: false };
+    return (await esbuild(options)).outputFiles?.[0].text;
+  },
+  async Rollup(input) {
+    const resolve = createRequire(input).resolve;
+    const plugin = { name: "resolve", resolveId: (id) => (id.startsWith("casteljau") ? resolve(id) : null) };
+    return (await (await rollup({ input, plugins: [plugin] })).generate({ format: "es" })).output[0].code;
+  },
+  async Vite(input) {
+    const build = { write: false, rollupOptions: { input, preserveEntrySignatures: /** @type {const} */ ("strict") } };
+    const built = await vite({ root: fixture.folder, configFile: false, logLevel: "error", build });
+    return /** @type {any} */ (built).output[0].code;
+  },
+  async webpack(entry) {
+    const path = join(fixture.folder, "out/webpack-easing");
+    /** @type {import("webpack").Configuration} */
+    const options = { entry, mode: "production", output: { path, filename: "main.js" } };
+    const stats = await new Promise((done, failed) =>
+      webpack(options, (error, result) => (error ? failed(error) : done(result))),
+    );
+    assert.equal(stats.toString({ all: false, errors: true, warnings: true }), "");
+    return readFile(join(path, "main.js"), "utf8");
+  },
+};
+
+for (const [bundler, code] of Object.entries(bundlers)) {
+  test(`${bundler}: a small import stays small`, async () => {
+    const program = await fixture.write(`src/easing-${bundler}.js`, EASING);
+    const text = (await code(program)) ?? "";
+    const { code: minified } = await transform(text, { minify: true, charset: "utf8" });
+    const size = gzipSync(minified, { level: 9 }).length;
+    assert.ok(size <= 1000 * MAX_EASING_KB, `${size} bytes`);
+    assert.equal(await node(await fixture.write(`out/easing-${bundler}.mjs`, text)), "0.5");
+  });
+}
+
 const html = (script) => `<!doctype html><html lang="en"><title>A page</title>${script}</html>`;
 
 test("Vite, the built page in Chromium under a strict policy", async (t) => {
@@ -97,6 +143,31 @@ test("no bundler, the package's own file in Chromium under a strict policy", asy
   await fixture.write("node_modules/casteljau/dist/index.html", html('<script type="module" src="main.js"></script>'));
   assert.equal(await printedBy(t, folder), PRINTED);
 });
+
+/** The program as a classic script that uses the global variable. */
+const CLASSIC = PROGRAM.replace(/^import (.*) from .*$/m, "const $1 = casteljau;");
+
+test("a script tag defines casteljau", async (t) => {
+  const folder = join(fixture.installed, "dist");
+  await fixture.write("node_modules/casteljau/dist/main.js", CLASSIC);
+  const scripts = '<script src="casteljau.global.js"></script><script src="main.js"></script>';
+  await fixture.write("node_modules/casteljau/dist/index.html", html(scripts));
+  assert.equal(await printedBy(t, folder), PRINTED);
+});
+
+for (const [kind, worker, options] of [
+  ["classic", `importScripts("casteljau.global.js");\n${CLASSIC}`, "{}"],
+  ["module", PROGRAM.replace('"casteljau"', '"./index.js"'), '{ type: "module" }'],
+]) {
+  test(`a ${kind} worker`, async (t) => {
+    const folder = join(fixture.installed, "dist");
+    await fixture.write("node_modules/casteljau/dist/worker.js", worker.replace("console.log", "postMessage"));
+    const main = `new Worker("worker.js", ${options}).onmessage = ({ data }) => console.log(data);\n`;
+    await fixture.write("node_modules/casteljau/dist/main.js", main);
+    await fixture.write("node_modules/casteljau/dist/index.html", html('<script src="main.js"></script>'));
+    assert.equal(await printedBy(t, folder), PRINTED);
+  });
+}
 
 test("the elements in Chromium under the same policy, on the same core as the page's own program", async (t) => {
   const program = `import { Surface } from "./index.js";

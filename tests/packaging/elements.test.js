@@ -56,6 +56,7 @@ const outputs = {
     });
   },
   async "webpack 5"(path) {
+    /** @type {import("webpack").Configuration} */
     const options = {
       entry,
       mode: "production",
@@ -137,7 +138,7 @@ element.addEventListener("update", () => {
 /** The pieces of code that a section of the site's guide shows. */
 async function documented(section) {
   const guide = await readFile(`${root}www/elements/index.html`, "utf8");
-  const [, part] = guide.match(new RegExp(`<section id="${section}">([\\s\\S]*?)</section>`));
+  const part = guide.match(new RegExp(`<section id="${section}">([\\s\\S]*?)</section>`))?.[1] ?? "";
   const plain = (text) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
   return [...part.matchAll(/<pre><code data-code="(?:html|js)">([\s\S]*?)<\/code><\/pre>/g)].map(([, code]) =>
     plain(code),
@@ -174,11 +175,10 @@ test("the lines of the guide, from a copied folder and from npm", async (t) => {
     const slider = site.locator('bezier-bernstein input[type="range"]');
     await slider.focus();
     await slider.press("ArrowRight");
-    await site.waitForFunction(
-      () =>
-        Math.abs(document.querySelector("bezier-applet").t - 0.31) < 1e-9 &&
-        document.querySelector("bezier-applet").points.length === 4,
-    );
-    if (script) assert.equal((await site.evaluate(() => globalThis.saved)).t, 0.31);
+    await site.waitForFunction(() => {
+      const applet = /** @type {any} */ (document.querySelector("bezier-applet"));
+      return Math.abs(applet.t - 0.31) < 1e-9 && applet.points.length === 4;
+    });
+    if (script) assert.equal((await site.evaluate(() => /** @type {any} */ (globalThis).saved)).t, 0.31);
   }
 });

@@ -23,7 +23,7 @@ export async function run(program, args, options = {}) {
   const shell = process.platform === "win32" && program === "npm";
   try {
     return (await execute(program, args, { ...options, shell })).stdout.trim();
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     throw new Error([error.message, error.stdout, error.stderr].join("\n"), { cause: error });
   }
 }

@@ -17,6 +17,14 @@ test("require", async () => {
   assert.equal(await node("require.cjs", program), PRINTED);
 });
 
+test("easing by import and by require", async () => {
+  const program = `import { easing } from "casteljau/easing";\nconsole.log(easing("steps(4)")(0.6), easing("ease").css);\n`;
+  const required = program.replace(/^import (.*) from (.*);$/m, "const $1 = require($2);");
+  const printed = "0.5 cubic-bezier(0.25, 0.1, 0.25, 1)";
+  assert.equal(await node("easing.js", program), printed);
+  assert.equal(await node("easing.cjs", required), printed);
+});
+
 test("slim with the wasm file of the package", async () => {
   const program = `import { readFile } from "node:fs/promises";
 import { init } from "casteljau/slim";

@@ -1,9 +1,11 @@
 // What the tarball holds, and what the judges of packages say about it.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { readdir, readFile, stat } from "node:fs/promises";
+import { SourceMap } from "node:module";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { transform } from "esbuild";
 import { publint } from "publint";
 import { formatMessage } from "publint/utils";
 import { installed, run } from "./fixture.js";
@@ -14,31 +16,85 @@ after(fixture.remove);
 
 test("the tarball holds dist and the texts, nothing else", async () => {
   const names = (await run("tar", ["-tzf", fixture.tarball])).split("\n").map((name) => name.replace("package/", ""));
-  const expected =
-    /^(dist\/((index|slim|applet|elements(-(shared(-\d)?|surface|applet|companions))?|bezier-app)\.js|casteljau\.wasm|custom-elements\.json|types\/[\w/-]+\.d\.ts)|package\.json|README\.md|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/;
+  const expected = [
+    /^dist\/(index|core|surfaces|easing|slim|casteljau\.global|applet|bezier-app|elements(-(shared(-\d)?|surface|applet|companions))?)\.js(\.map)?$/,
+    /^dist\/(casteljau\.wasm|custom-elements\.json|THIRD-PARTY-NOTICES\.txt|types\/[\w/-]+\.d\.ts)$/,
+    /^(package\.json|README\.md|docs\/applet\.png|CHANGELOG\.md|LICENSE-(MIT|APACHE))$/,
+  ];
   assert.deepEqual(
-    names.filter((name) => !expected.test(name)),
+    names.filter((name) => !expected.some((pattern) => pattern.test(name))),
     [],
   );
 });
 
 test("no file of the tarball names a folder of the machine that built it", async () => {
-  const names = [
-    "index.js",
-    "slim.js",
-    "applet.js",
-    "elements.js",
-    "elements-shared.js",
-    "elements-surface.js",
-    "elements-applet.js",
-    "elements-companions.js",
-    "bezier-app.js",
-    "casteljau.wasm",
-  ];
+  const names = (await readdir(join(fixture.installed, "dist"))).filter((name) => /\.(js|map|wasm|txt)$/.test(name));
+  assert.ok(names.length > 20);
   for (const name of names) {
     const text = await readFile(join(fixture.installed, "dist", name), "latin1");
     assert.doesNotMatch(text, /\/(home|root|Users|work)\/|\.cargo\/registry|\.rustup/, name);
   }
+});
+
+/** The largest tarball; a change that raises it gives the reason. */
+const MAX_TARBALL_KB = 2100;
+
+test("the tarball stays within its budget", async () => {
+  const { size } = await stat(fixture.tarball);
+  assert.ok(size <= 1000 * MAX_TARBALL_KB, `${size} bytes`);
+});
+
+const dist = (name) => readFile(join(fixture.installed, "dist", name), "utf8");
+
+test("scripts are minified, and have a source map without the wasm text", async () => {
+  const names = (await readdir(join(fixture.installed, "dist"))).filter((name) => name.endsWith(".js"));
+  for (const name of names) {
+    const code = await dist(name);
+    const { code: minified } = await transform(code, { minify: true, charset: "utf8" });
+    assert.ok(code.length <= 1.02 * minified.length + 200, `${name}: ${code.length}, could be ${minified.length}`);
+    assert.equal(code.match(/\/\/# sourceMappingURL=(\S+)/)?.[1], `${name}.map`);
+    const { sources, sourcesContent } = JSON.parse(await dist(`${name}.map`));
+    sources.forEach((source, k) => {
+      assert.match(source, /^\.\.\/(js|node_modules|xtask)\//);
+      assert.equal(sourcesContent[k] === null, source.endsWith("-bytes.js"), source);
+    });
+  }
+});
+
+test("source maps lead to the places in the sources, behind edits of the built file as well", async () => {
+  // A text that minification does not change; in elements.js it follows imports that were edited.
+  for (const [name, text] of [
+    ["index.js", '"expected a number from 0 to 1, got "'],
+    ["index.js", "casteljau/slim carries no wasm"],
+    ["elements.js", "import("],
+  ]) {
+    const lines = (await dist(name)).split("\n");
+    const needle = text.replace(/^"expected/, "expected").replace(/ got "$/, "");
+    const [line, column] = lines.map((each, k) => [k, each.lastIndexOf(needle)]).find(([, at]) => at >= 0) ?? [-1, -1];
+    assert.ok(line >= 0, `${name}: ${needle}`);
+    const map = JSON.parse(await dist(`${name}.map`));
+    const entry = /** @type {any} */ (new SourceMap(map).findEntry(line, column));
+    const source = map.sourcesContent[map.sources.indexOf(entry.originalSource)].split("\n");
+    const nearby = source.slice(entry.originalLine, entry.originalLine + 2).join("\n");
+    assert.ok(nearby.includes(needle), `${name}: ${needle} leads to ${nearby}`);
+  }
+});
+
+test("the notices of everything that is built in are there", async () => {
+  const notices = await dist("THIRD-PARTY-NOTICES.txt");
+  const names = (await readdir(join(fixture.installed, "dist"))).filter((name) => name.endsWith(".map"));
+  const sources = (await Promise.all(names.map(async (name) => JSON.parse(await dist(name)).sources))).flat();
+  const folders = sources.flatMap((source) => source.match(/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1] ?? []);
+  assert.ok(folders.includes("lit-html"));
+  for (const folder of new Set(folders)) {
+    const license = (await readFile(join(root, "node_modules", folder, "package.json"), "utf8")).match(
+      /"version": "(.*?)"/,
+    );
+    assert.ok(notices.includes(`\n${folder} ${license?.[1]}\n`), folder);
+  }
+  for (const text of ["Copyright (c) 2017 Google LLC", "glam", "wasm-bindgen", "smallvec", "talc"])
+    assert.ok(notices.includes(text), text);
+  assert.doesNotMatch(notices, /\nserde_json /, "only what is in the wasm modules");
 });
 
 test("publint has nothing to say", async () => {
@@ -58,10 +114,15 @@ test("attw has nothing to say", async () => {
 for (const resolution of ["nodenext", "bundler"]) {
   test(`a strict TypeScript program finds the types (${resolution})`, async () => {
     const program = `import { Curve, init } from "casteljau";
+import { easing, type Easing } from "casteljau/easing";
 import * as slim from "casteljau/slim";
 import { bezierApp } from "casteljau/applet";
 import { BezierSurface } from "casteljau/elements";
 export const x: number = new Curve([[0, 0], [1, 2], [2, 0]]).eval(0.5).x;
+export const ease: Easing = easing("ease-in-out");
+export const text: string = easing(0, 0, 1, 1).toLinear(0.01) + ease.css;
+// @ts-expect-error: three numbers
+easing(0, 0, 1);
 export const both: Promise<void>[] = [init(), slim.init(fetch("casteljau.wasm"))];
 export const app: Function = bezierApp;
 export const turning: boolean = new BezierSurface().turn;

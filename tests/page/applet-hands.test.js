@@ -1,7 +1,7 @@
 // Keyboard, touch, double clicks, stacks of handles.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { doubleClick, doubleTap } from "./browser.js";
+import { boxOf, doubleClick, doubleTap } from "./browser.js";
 import { assertNear, centre, drawn, handle, openTutorial, points } from "./applet-page.js";
 
 /** The accessible name of what has the focus, inside the shadow root. */
@@ -54,7 +54,7 @@ test("keyboard only: buttons, joint switch, slider and layers", async (t) => {
 test("a slider moved by a screen reader moves its point; changes are announced once", async (t) => {
   const page = await openTutorial(t);
   const set = (name, value) =>
-    page.getByLabel(name).evaluate((input, value) => {
+    page.getByLabel(name).evaluate((/** @type {any} */ input, value) => {
       input.value = value;
       input.dispatchEvent(new Event("input", { bubbles: true }));
     }, value);
@@ -72,7 +72,7 @@ test("a slider moved by a screen reader moves its point; changes are announced o
   // All five at once, so that no pause between them is long enough for a text of its own.
   const texts = await page.getByLabel("P1 x").evaluate((input) => {
     const said = [];
-    const live = input.getRootNode().querySelector("[role=status]");
+    const live = /** @type {any} */ (input.getRootNode()).querySelector("[role=status]");
     const announced = new Promise((resolve) =>
       new MutationObserver(() => {
         said.push(live.textContent);
@@ -88,13 +88,13 @@ test("a slider moved by a screen reader moves its point; changes are announced o
   assert.deepEqual(texts, ["P1 at 195, 80"]);
   const description = await page
     .getByRole("figure")
-    .evaluate((figure) => figure.getRootNode().getElementById("description").textContent);
+    .evaluate((figure) => /** @type {any} */ (figure.getRootNode()).getElementById("description").textContent);
   assert.match(description, /^2 cubic Bézier curves .* P0 at 70, 330, P3 at .* P1 at 195, 80/);
 });
 
 test("a double click on an empty place appends a segment that ends there; on a point it does not", async (t) => {
   const page = await openTutorial(t);
-  const { x, y } = await page.locator("canvas").boundingBox();
+  const { x, y } = await boxOf(page.locator("canvas"));
   await doubleClick(page, [x + 420, y + 60]);
   await drawn(page);
   const after = await points(page);
@@ -143,8 +143,8 @@ test("of two overlapping handles the nearer is taken; a second press takes the o
 });
 
 test("hit boxes are 24 pixels, 44 where fingers point", async (t) => {
-  const fine = await handle(await openTutorial(t), 2).boundingBox();
-  const coarse = await handle(await openTutorial(t, { hasTouch: true, isMobile: true }), 2).boundingBox();
+  const fine = await boxOf(handle(await openTutorial(t), 2));
+  const coarse = await boxOf(handle(await openTutorial(t, { hasTouch: true, isMobile: true }), 2));
   assertNear([fine.width, fine.height, coarse.width, coarse.height], [24, 24, 44, 44], 0.01);
 });
 
@@ -152,7 +152,7 @@ test("touch: two fingers move two points at once, and neither scrolls the page",
   const page = await openTutorial(t, { hasTouch: true, isMobile: true, viewport: { width: 700, height: 600 } });
   const before = await points(page);
   const [a, b] = [await centre(page, 1), await centre(page, 4)];
-  const finger = ([x, y], id) => ({ x: Math.round(x), y: Math.round(y), id });
+  const finger = (/** @type {number[]} */ [x, y], id) => ({ x: Math.round(x), y: Math.round(y), id });
   const client = await page.context().newCDPSession(page);
   const touch = (type, touchPoints) => client.send("Input.dispatchTouchEvent", { type, touchPoints });
   await touch("touchStart", [finger(a, 1)]);
@@ -171,7 +171,7 @@ test("touch: two fingers move two points at once, and neither scrolls the page",
 
 test("touch: a double tap on an empty place appends; a cancelled touch restores", async (t) => {
   const page = await openTutorial(t, { hasTouch: true, isMobile: true });
-  const { x, y } = await page.locator("canvas").boundingBox();
+  const { x, y } = await boxOf(page.locator("canvas"));
   await doubleTap(page, [x + 400, y + 70], [x + 402, y + 71]);
   await drawn(page);
   const before = await points(page);

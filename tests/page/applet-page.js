@@ -1,6 +1,6 @@
 // What the tests of the applet share: the tutorial's page, hands and eyes.
 import assert from "node:assert/strict";
-import { openPage } from "./browser.js";
+import { boxOf, openPage } from "./browser.js";
 
 /** The tutorial's own two lines, to the letter. */
 export const TUTORIAL = `<canvas style="margin-bottom: 10px;" id="beziercanvas" width="670px" height="480px">You don't support canvas</canvas>
@@ -37,7 +37,7 @@ export const drawn = (page) =>
 
 /** Where a handle's centre is in the window. */
 export async function centre(page, index) {
-  const { x, y, width, height } = await handle(page, index).boundingBox();
+  const { x, y, width, height } = await boxOf(handle(page, index));
   return [x + width / 2, y + height / 2];
 }
 
@@ -58,12 +58,12 @@ export async function drag(page, index, dx, dy) {
 }
 
 /** How many pixels of a colour (red, green, blue) lie within `reach` of a place of the picture, in CSS pixels. */
-export function countColour(page, [x, y], colour, reach = 2) {
+export function countColour(page, /** @type {number[]} */ [x, y], colour, reach = 2) {
   const look = ([x, y, red, green, blue, reach]) => {
     const canvas = document.querySelector("canvas");
     const scale = canvas.width / canvas.clientWidth;
     const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-    const context = copy.getContext("2d", { willReadFrequently: true });
+    const context = /** @type {any} */ (copy.getContext("2d", { willReadFrequently: true }));
     context.drawImage(canvas, 0, 0);
     const size = Math.max(1, Math.round(2 * reach * scale));
     const { data } = context.getImageData(Math.round((x - reach) * scale), Math.round((y - reach) * scale), size, size);
@@ -83,7 +83,7 @@ export const VERMILION = [213, 94, 0];
 export const GREEN = [0, 158, 115];
 
 /** A cubic's point by the Bernstein polynomials, written out here so that nothing under test computes it. */
-export function cubicAt([p0, p1, p2, p3], t) {
+export function cubicAt(/** @type {number[][]} */ [p0, p1, p2, p3], t) {
   const s = 1 - t;
   return [0, 1].map((k) => s ** 3 * p0[k] + 3 * s * s * t * p1[k] + 3 * s * t * t * p2[k] + t ** 3 * p3[k]);
 }

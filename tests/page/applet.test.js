@@ -1,7 +1,7 @@
 // The tutorial's applet: its HTML, dragging, r and m, the handle for pages that embed it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage, root } from "./browser.js";
+import { boxOf, openPage, root } from "./browser.js";
 import { serve } from "./server.js";
 import {
   assertNear,
@@ -23,7 +23,7 @@ import {
 test("the tutorial's HTML, to the letter, shows seven points and two smooth cubics", async (t) => {
   const page = await openTutorial(t);
   assert.equal(await page.locator('[part="handle"]').count(), 7);
-  const box = await page.locator("canvas").boundingBox();
+  const box = await boxOf(page.locator("canvas"));
   assert.deepEqual([box.width, box.height], [670, 480]);
   const all = await points(page);
   for (const [first, at] of [
@@ -128,7 +128,7 @@ test("r and m are left alone in fields, with modifiers, and when switched off", 
   for (const keys of ["Control+m", "Alt+r", "Shift+R"]) await page.keyboard.press(keys);
   await page.getByLabel("r and m on the whole page").uncheck();
   await page.locator('[aria-label="name"]').focus();
-  await page.evaluate(() => document.activeElement.blur());
+  await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
   await page.keyboard.press("r");
   assert.deepEqual(await points(page), before);
   assert.equal(await page.evaluate(() => bezierApp().mode), 7);
@@ -281,7 +281,7 @@ test("what cannot be is refused by name, and the state stays", async (t) => {
       try {
         act();
         return `${name}: no error`;
-      } catch (error) {
+      } catch (/** @type {any} */ error) {
         return `${error.name}: ${error.message}`;
       }
     });
@@ -340,7 +340,7 @@ test("bezierApp on something that is no canvas says what was expected and what c
       (target) => {
         try {
           return bezierApp(target) && "no error";
-        } catch (error) {
+        } catch (/** @type {any} */ error) {
           return `${error.name}: ${error.message}`;
         }
       },
@@ -401,7 +401,7 @@ test("a strict content security policy is enough for the applet from npm", async
   );
   const page = await openPage(t, "/", { baseURL: strict.url });
   await page.evaluate(async () => (await import("/dist/applet.js")).bezierApp());
-  assert.equal((await handle(page, 3).boundingBox()).width, 24, "the styles are in force");
+  assert.equal((await boxOf(handle(page, 3))).width, 24, "the styles are in force");
 });
 
 test("importing the applet on Node touches no page", async () => {

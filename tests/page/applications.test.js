@@ -1,7 +1,7 @@
 // The applications: addresses do no harm, a strict policy is enough; and the first of them, easing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { easing } from "../../dist/index.js";
+import { easing } from "casteljau";
 import { close, open, slide, state, TAGS } from "./application-page.js";
 import { openPage, root } from "./browser.js";
 import { serve } from "./server.js";
@@ -81,17 +81,21 @@ test("easing: the preview is where the browser's own animation is, and x is not 
       });
       animation.pause();
       animation.currentTime = 600;
-      const { progress } = animation.effect.getComputedTiming();
+      const { progress } = /** @type {AnimationEffect} */ (animation.effect).getComputedTiming();
       animation.cancel();
       return progress;
     }, value);
     const shown = await page
       .locator("[data-preview=move]")
-      .evaluate((box) => box.offsetLeft / (box.parentElement.clientWidth - box.offsetWidth));
+      .evaluate((/** @type {any} */ box) => box.offsetLeft / (box.parentElement.clientWidth - box.offsetWidth));
     close(shown, browsers, 0.005); // whole pixels
     const t = Number(await page.locator(".t").innerText());
     close(3 * (1 - t) ** 2 * t * value[0] + 3 * (1 - t) * t * t * value[2] + t ** 3, 0.6, 2e-4);
-    close(Number((await page.locator("b.y").innerText()).replace("−", "-")), easing(...value)(0.6), 1e-4);
+    close(
+      Number((await page.locator("b.y").innerText()).replace("−", "-")),
+      easing(.../** @type {[number, number, number, number]} */ (value))(0.6),
+      1e-4,
+    );
   }
 });
 
@@ -100,7 +104,7 @@ test("easing: playing runs the time, stops at its end, and can be stopped", asyn
   const button = page.locator("easing-lab .frame .controls > button").first();
   // In one go: however slow the machine is, four seconds have not passed between the two clicks.
   await slide(page, "Duration", 4000);
-  const words = await button.evaluate(async (button) => {
+  const words = await button.evaluate(async (/** @type {any} */ button) => {
     const lab = document.querySelector("easing-lab");
     const words = [];
     for (let i = 0; i < 2; i++) {

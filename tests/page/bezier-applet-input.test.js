@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ask, button, centre, drag, ink, message, openApplet, points, settled } from "./bezier-applet-page.js";
+import { boxOf } from "./browser.js";
 
 const near = (got, expected, slack, name) =>
   expected
@@ -124,7 +125,7 @@ test("properties refuse with the right errors, and nothing changes", async (t) =
       try {
         act();
         return "nothing";
-      } catch (error) {
+      } catch (/** @type {any} */ error) {
         return `${error.name}: ${error.message}`;
       }
     }),
@@ -186,7 +187,7 @@ test("dropped and pasted: points, an SVG path, a file, JSON; what is none of the
     }),
   );
   assert.deepEqual(await ask(page, () => [a.t, a.show, a.points[3]]), [0.125, "comb", [7, 8]]);
-  for (const [text, words] of [
+  for (const [text, words] of /** @type {[string, RegExp][]} */ ([
     ["hello world", /no figure: points/],
     ["{", /no figure/],
     ["[1, 2]", /no figure/],
@@ -194,7 +195,7 @@ test("dropped and pasted: points, an SVG path, a file, JSON; what is none of the
     ["M0 0 L x", /no figure/],
     ["", /no figure/],
     ['{"points": [[1, null]]}', /no figure/],
-  ]) {
+  ])) {
     await drop(page, text);
     assert.match(await message(page), words, text);
     assert.deepEqual((await points(page))[3], [7, 8]);
@@ -292,7 +293,7 @@ test("zoom: buttons, Ctrl and the wheel about the pointer, dragging what is seen
   const scale = (await view())[2] / 670;
   near((await points(page))[3], [before[3][0] + 20 * scale, before[3][1] + 10 * scale], 0.01);
   const seen = await view();
-  const stage = await page.locator("bezier-applet .overlay").boundingBox();
+  const stage = await boxOf(page.locator("bezier-applet .overlay"));
   await page.mouse.move(stage.x + 50, stage.y + 440);
   await page.mouse.down();
   await page.mouse.move(stage.x + 80, stage.y + 420);
@@ -312,7 +313,7 @@ test("zoom: buttons, Ctrl and the wheel about the pointer, dragging what is seen
 
 test("two fingers on the picture enlarge it", async (t) => {
   const page = await openApplet(t, "", { hasTouch: true });
-  const { x, y } = await page.locator("bezier-applet .overlay").boundingBox();
+  const { x, y } = await boxOf(page.locator("bezier-applet .overlay"));
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...places) =>
     client.send("Input.dispatchTouchEvent", {

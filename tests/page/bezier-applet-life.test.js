@@ -162,7 +162,9 @@ for (const width of [320, 360, 420]) {
     const page = await openApplet(t, 'controls basis="matrix" show="tree segments offset ticks comb"', {
       viewport: { width, height: 900 },
     });
-    await page.locator("bezier-applet summary").evaluateAll((all) => all.forEach((summary) => summary.click()));
+    await page
+      .locator("bezier-applet summary")
+      .evaluateAll((all) => all.forEach((/** @type {any} */ summary) => summary.click()));
     await settled(page);
     const wide = await ask(page, () => [
       document.documentElement.scrollWidth,

@@ -1,5 +1,5 @@
 // What the tests of <bezier-applet> share: a page with one element, hands and eyes.
-import { openPage } from "./browser.js";
+import { boxOf, openPage } from "./browser.js";
 
 export const appletPage = (attributes = "", inside = "", more = "") =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark"><title>A curve</title>
@@ -60,7 +60,7 @@ export const handle = (page, index) => page.locator(`bezier-applet [data-index="
 
 /** The middle of a handle, on the screen. */
 export async function centre(page, index) {
-  const { x, y, width, height } = await handle(page, index).boundingBox();
+  const { x, y, width, height } = await boxOf(handle(page, index));
   return [x + width / 2, y + height / 2];
 }
 
@@ -98,7 +98,7 @@ export const button = (page, name) => page.locator("bezier-applet").getByRole("b
 export const message = (page) => page.evaluate(() => a.shadowRoot.querySelector(".message").innerText.trim());
 
 /** How many pixels of the picture, round a place, differ from those of the paper. */
-export const ink = (page, [x, y], half = 4) =>
+export const ink = (page, /** @type {number[]} */ [x, y], half = 4) =>
   page.evaluate(
     ([x, y, half]) => {
       const canvas = a.shadowRoot.querySelector("canvas");

@@ -1,7 +1,7 @@
 // <bezier-applet>: points that are dragged and moved by keys, t, undo, events, attributes, the state.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessible, assertAccessibleInBothThemes, doubleClick } from "./browser.js";
+import { boxOf, assertAccessible, assertAccessibleInBothThemes, doubleClick } from "./browser.js";
 import {
   ask,
   button,
@@ -145,7 +145,7 @@ test("keys count only while the focus is inside, and can be switched off", async
   const before = await points(page);
   await page.getByRole("textbox", { name: "name" }).focus();
   for (const key of ["r", "m", "i", "Delete"]) await press(page, key);
-  await page.evaluate(() => document.activeElement.blur());
+  await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
   await press(page, "r");
   assert.deepEqual(await points(page), before);
   await focus(page, 3);
@@ -202,7 +202,7 @@ test("every key has a button", async (t) => {
 
 test("a point without dragging: select, then tap; and by its coordinates", async (t) => {
   const page = await openApplet(t, "controls");
-  const stage = await page.locator("bezier-applet .overlay").boundingBox();
+  const stage = await boxOf(page.locator("bezier-applet .overlay"));
   await button(page, "Move by taps").click();
   await handle(page, 5).click();
   await page.mouse.click(stage.x + 400, stage.y + 100);
@@ -257,7 +257,7 @@ test("Reset gives back what the page gave", async (t) => {
 
 test("a double click adds a segment that ends there", async (t) => {
   const page = await openApplet(t, 'joints="c1"');
-  const { x, y } = await page.locator("bezier-applet .overlay").boundingBox();
+  const { x, y } = await boxOf(page.locator("bezier-applet .overlay"));
   await doubleClick(page, [x + 300, y + 60]);
   await settled(page);
   const all = await points(page);
@@ -386,7 +386,9 @@ test("axe finds nothing, light and dark: panel, folded parts, dialog", async (t)
     t,
     'controls basis="matrix" show="polygon hull scaffold halves weights tree segments offset ticks nearest"',
   );
-  await page.locator("bezier-applet summary").evaluateAll((all) => all.forEach((summary) => summary.click()));
+  await page
+    .locator("bezier-applet summary")
+    .evaluateAll((all) => all.forEach((/** @type {any} */ summary) => summary.click()));
   await settled(page);
   await assertAccessibleInBothThemes(page, settled);
   await page.emulateMedia({ colorScheme: "light" });
@@ -407,7 +409,7 @@ test("a screen reader finds a figure with instructions, its description from the
   assert.equal(await ask(page, () => a.shadowRoot.querySelectorAll('[role="status"], [aria-live]').length), 1);
   const input = page.getByLabel("P6 y");
   assert.equal(await input.getAttribute("tabindex"), "-1");
-  await input.evaluate((slider) => {
+  await input.evaluate((/** @type {any} */ slider) => {
     slider.value = "100";
     slider.dispatchEvent(new Event("input", { bubbles: true }));
     slider.dispatchEvent(new Event("change", { bubbles: true }));

@@ -12,8 +12,8 @@ export const root = fileURLToPath(new URL("../../", import.meta.url));
 /** Waiting ends with an error after so long: on a busy machine a page may take many seconds. */
 const LONGEST_WAIT_MS = 60_000;
 
-/** One browser and one server for all tests of a file. */
-const shared = { browser: undefined, site: undefined, count: 0 };
+/** One browser and one server for all tests of a file. @type {{ browser?: Promise<import("playwright-core").Browser>, site?: ReturnType<typeof serve>, count: number }} */
+const shared = { count: 0 };
 
 after(async () => {
   await (await shared.browser)?.close();
@@ -88,6 +88,17 @@ export async function assertAccessibleInBothThemes(page, settled = frames) {
   await assertAccessible(page, { rules: COLOUR_RULES });
 }
 
+/**
+ * The box of an element, which must be visible.
+ *
+ * @param {import("playwright-core").Locator} locator
+ */
+export async function boxOf(locator) {
+  const box = await locator.boundingBox();
+  assert.ok(box, "expected a visible element");
+  return box;
+}
+
 /** Waits for so many animation frames: after two, what was changed before has been drawn. */
 export const frames = (page, count = 2) =>
   page.evaluate(async (count) => {
@@ -104,13 +115,15 @@ export const QUIET_FRAMES = 12;
 export const intersectionsReported = (page) =>
   page.evaluate(async () => {
     for (let i = 0; i < 2; i++) {
-      await new Promise((resolve) => {
-        const observer = new IntersectionObserver(() => {
-          observer.disconnect();
-          resolve();
-        });
-        observer.observe(document.documentElement);
-      });
+      await /** @type {Promise<void>} */ (
+        new Promise((resolve) => {
+          const observer = new IntersectionObserver(() => {
+            observer.disconnect();
+            resolve();
+          });
+          observer.observe(document.documentElement);
+        })
+      );
     }
     await (await fetch(location.href)).text();
   });

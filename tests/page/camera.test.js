@@ -1,8 +1,9 @@
 // The camera: even speed, calm frames, points that move; the code on the page is right.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Spline } from "../../dist/index.js";
+import { Spline } from "casteljau";
 import { close, open, slide, state } from "./application-page.js";
+import { boxOf } from "./browser.js";
 
 test("camera: equal times are equal ways at even speed only", async (t) => {
   const page = await open(t, "/camera/");
@@ -30,7 +31,7 @@ test("camera: the code on the page finds the place on the page", async (t) => {
   const page = await open(t, "/camera/");
   await slide(page, "Time", 0.37);
   const code = await page.locator("camera-path pre").innerText();
-  const [, body, , place] = code.match(/^import .+?;\n(.*)\n(cameraAt\(0\.37\))\.position; \/\/ \((.+)\)$/s);
+  const [, body, , place] = code.match(/^import .+?;\n(.*)\n(cameraAt\(0\.37\))\.position; \/\/ \((.+)\)$/s) ?? [];
   const cameraAt = new Function("Spline", `${body}; return cameraAt;`)(Spline);
   const { position, forward, up } = cameraAt(0.37);
   place
@@ -63,7 +64,7 @@ test("camera: points are moved by hand and keys, added, deleted; the address has
   const before = await points();
   const handle = page.locator(".handle").nth(3);
   await handle.scrollIntoViewIfNeeded();
-  const box = await handle.boundingBox();
+  const box = await boxOf(handle);
   await page.mouse.move(box.x + 12, box.y + 12);
   await page.mouse.down();
   await page.mouse.move(box.x + 52, box.y - 8, { steps: 3 });
@@ -94,7 +95,7 @@ test("camera: Escape takes a drag back; playing moves, pausing stops", async (t)
   const before = await points();
   const handle = page.locator(".handle").nth(2);
   await handle.scrollIntoViewIfNeeded();
-  const box = await handle.boundingBox();
+  const box = await boxOf(handle);
   await page.mouse.move(box.x + 12, box.y + 12);
   await page.mouse.down();
   await page.mouse.move(box.x + 62, box.y + 12, { steps: 2 });

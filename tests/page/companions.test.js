@@ -1,7 +1,7 @@
 // The plot of the weights, the equation and the coordinate table: alone, and linked to an applet.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInBothThemes } from "./browser.js";
+import { boxOf, assertAccessibleInBothThemes } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, text } from "./companions-page.js";
 
 const ALL = `<bezier-applet id="figure" t="0.25" show="polygon scaffold"></bezier-applet>
@@ -60,7 +60,7 @@ test("the weights at t, linked: values, their sum, and the marker follow the app
 test("t is dragged in the plot and by the slider; the applet goes along", async (t) => {
   const page = await openCompanions(t, ALL);
   const plot = page.locator("bezier-bernstein [part=plot]");
-  const { x, y, width, height } = await plot.boundingBox();
+  const { x, y, width, height } = await boxOf(plot);
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   const pressed = await figure(page);
@@ -151,7 +151,8 @@ test("the equation: MathML with live numbers that add up, and words for who hear
     const all = [...shadowRoot.querySelectorAll("mtr")].slice(1).map(({ children }) => [...children]);
     const signed = (sign, mtd) => (sign.textContent.includes("−") ? -1 : 1) * value(mtd);
     const rows = all.slice(0, -1).map((cells) => [signed(cells[2], cells[3]), signed(cells[4], cells[5])]);
-    return { rows, totals: [value(all.at(-1)[3]), value(all.at(-1)[5])] };
+    const last = all[all.length - 1];
+    return { rows, totals: [value(last[3]), value(last[5])] };
   });
   assert.equal(rows.length, 4);
   assert.ok(

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { openPage, root } from "./browser.js";
+import { boxOf, openPage, root } from "./browser.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
 const SECTIONS = [
@@ -70,7 +70,7 @@ test("every figure draws when the reader comes near, and the console stays clean
   assert.ok(handles.length > 40, `${handles.length} figures`);
   for (const handle of handles) {
     await handle.scrollIntoViewIfNeeded();
-    await page.waitForFunction((element) => {
+    await page.waitForFunction((/** @type {any} */ element) => {
       const root = element.shadowRoot;
       const canvas = root?.querySelector("canvas");
       if (element.localName === "bezier-applet") return canvas?.width > 1 && root.querySelector("[data-index]");
@@ -119,8 +119,8 @@ test("a handle dragged: the arch reaches its height", async (t) => {
   const applet = await near(page, "top");
   await task(page, "top-180", 2);
   await applet.scrollIntoViewIfNeeded();
-  const canvas = await applet.locator("canvas").boundingBox();
-  const handle = await applet.locator("[data-index='1']").boundingBox();
+  const canvas = await boxOf(applet.locator("canvas"));
+  const handle = await boxOf(applet.locator("[data-index='1']"));
   const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -133,11 +133,11 @@ test("arrow keys: P3 amid P2 and P4", async (t) => {
   const page = await open(t);
   const applet = await near(page, "joint");
   await task(page, "make-c1", 1);
-  await applet.evaluate((element) => (element.points = element.points.with(4, [411, 280])));
+  await applet.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [411, 280])));
   await applet.locator("[data-index='4'] input").first().focus();
   await page.keyboard.press("Shift+ArrowDown");
   assert.match(await done(page, "make-c1"), /^C1/);
-  assert.deepEqual((await applet.evaluate((element) => element.points))[4], [411, 290]);
+  assert.deepEqual((await applet.evaluate((/** @type {any} */ element) => element.points))[4], [411, 290]);
   const plot = page.locator('fig-speed[for="joint"]');
   await plot.getByText("No jump at the joint.").waitFor();
   await page.locator('lesson-task[name="aligned-only"]').getByRole("button", { name: "Reveal" }).click();
@@ -160,14 +160,15 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
 
   const zoom = await near(page, "zoom");
   await page.getByRole("button", { name: "1,000 ×", exact: true }).click();
-  const width = await zoom.evaluate((element) => Number(element.getAttribute("view").split(" ")[2]));
+  const width = await zoom.evaluate((element) => Number(element.getAttribute("view")?.split(" ")[2]));
   assert.ok(Math.abs(width - 0.67) < 1e-9, String(width));
 
   const elevation = await near(page, "elevation");
-  const middle = () => elevation.evaluate((element) => Object.values(element.figure.pieces[0].curve.eval(0.5)));
+  const middle = () =>
+    elevation.evaluate((/** @type {any} */ element) => Object.values(element.figure.pieces[0].curve.eval(0.5)));
   const before = await middle();
   await page.getByRole("button", { name: "One degree more" }).click();
-  assert.equal((await elevation.evaluate((element) => element.points)).length, 4);
+  assert.equal((await elevation.evaluate((/** @type {any} */ element) => element.points)).length, 4);
   assert.ok((await middle()).every((x, i) => Math.abs(x - before[i]) < 1e-9));
   assert.match(await page.locator("#elevated").innerText(), /Degree 3/);
 });
@@ -185,7 +186,7 @@ test("the matrix: a basis by its name, then numbers typed, NaN refused", async (
   await done(page, "straight-matrix");
   await fields.nth(0).fill("NaN");
   assert.match(await page.locator("#matrix .words").innerText(), /NaN is no number/);
-  const kept = await applet.evaluate((element) => element.figure.pieces[0].curve.eval(0.5));
+  const kept = await applet.evaluate((/** @type {any} */ element) => element.figure.pieces[0].curve.eval(0.5));
   assert.deepEqual(kept, { x: 335, y: 360 });
 });
 
@@ -198,13 +199,13 @@ test("figures that share their points move together, and a dashed curve lies whe
   );
   await four.first().locator("[data-index='1'] input").first().focus();
   await page.keyboard.press("Shift+ArrowUp");
-  for (const points of await four.evaluateAll((all) => all.map(({ points }) => points[1])))
+  for (const points of await four.evaluateAll((all) => all.map((/** @type {any} */ { points }) => points[1])))
     assert.deepEqual(points, [190, 100]);
 
   const large = await near(page, "quadratic-steps");
   await large.getByRole("slider", { name: "t", exact: true }).fill("0.2");
   assert.deepEqual(
-    await page.locator("#figure-steps bezier-applet").evaluateAll((all) => all.map(({ t }) => t)),
+    await page.locator("#figure-steps bezier-applet").evaluateAll((all) => all.map((/** @type {any} */ { t }) => t)),
     [0.2, 0.2, 0.2],
   );
 
@@ -213,10 +214,10 @@ test("figures that share their points move together, and a dashed curve lies whe
   await page.locator('lesson-task[name="match-shape"]').getByRole("button", { name: "Reveal" }).click();
   assert.match(await page.locator('lesson-task[name="match-shape"] .words').innerText(), /Within 0\.00 px/);
   const [picture, dashed] = await Promise.all([
-    match.locator("canvas").boundingBox(),
-    page.locator("#figure-match .target > svg").boundingBox(),
+    boxOf(match.locator("canvas")),
+    boxOf(page.locator("#figure-match .target > svg")),
   ]);
-  for (const side of ["x", "y", "width", "height"])
+  for (const side of /** @type {const} */ (["x", "y", "width", "height"]))
     assert.ok(Math.abs(picture[side] - dashed[side]) < 2.5, `${side}: ${picture[side]} and ${dashed[side]}`);
 });
 

@@ -1,7 +1,7 @@
 // <bezier-easing>: an editor of timing functions that is a field of a form.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assertAccessibleInBothThemes, QUIET_FRAMES } from "./browser.js";
+import { boxOf, assertAccessibleInBothThemes, QUIET_FRAMES } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, shown, text } from "./companions-page.js";
 
 const EASE = "cubic-bezier(0.25, 0.1, 0.25, 1)";
@@ -16,14 +16,14 @@ test("it is accessible, light and dark", async (t) => {
   await assertAccessibleInBothThemes(await openCompanions(t, TWO), settled);
 });
 
-for (const [options, least] of [
+for (const [options, least] of /** @type {[object, number][]} */ ([
   [{}, 24],
   [{ viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true }, 44],
-]) {
+])) {
   test(`it fits its page, and handles are ${least} pixels large at least`, async (t) => {
     const page = await openCompanions(t, TWO, options);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
-    const box = await page.locator("bezier-easing .handle").first().boundingBox();
+    const box = await boxOf(page.locator("bezier-easing .handle").first());
     assert.ok(box.width >= least && box.height >= least);
   });
 }
@@ -95,7 +95,9 @@ test("by the keyboard alone: handles, numbers, presets", async (t) => {
   assert.equal(await value(page), "cubic-bezier(0, 0.2, 0.25, 1)", "no farther than 0");
   await page.keyboard.press("Tab");
   assert.equal(
-    await page.evaluate(() => document.activeElement.shadowRoot.activeElement.getAttribute("aria-label")),
+    await page.evaluate(() =>
+      /** @type {any} */ (document.activeElement).shadowRoot.activeElement.getAttribute("aria-label"),
+    ),
     "Second handle x",
   );
   await page.keyboard.press("Tab");
@@ -197,9 +199,9 @@ test("in a form: value, name, reset, required, validity, label, fieldset", async
 test("a click on its label goes into it; what is missing is shown and focused when the form is sent", async (t) => {
   const page = await openCompanions(t, FORM);
   await page.getByText("Motion").click({ position: { x: 3, y: 3 } });
-  assert.equal(await page.evaluate(() => document.activeElement.getAttribute("name")), "motion");
+  assert.equal(await page.evaluate(() => /** @type {any} */ (document.activeElement).getAttribute("name")), "motion");
   await page.evaluate(() => document.forms[0].requestSubmit());
-  await page.waitForFunction(() => document.activeElement.getAttribute("name") === "other");
+  await page.waitForFunction(() => /** @type {any} */ (document.activeElement).getAttribute("name") === "other");
 });
 
 test("the browser gives back what was chosen", async (t) => {
@@ -258,9 +260,9 @@ test("for those who want less motion nothing moves before they ask", async (t) =
     "bezier-easing",
     async (element, quiet) => {
       element.remove();
-      const before = frames;
+      const before = globalThis.frameCount;
       for (let i = 0; i < quiet; i++) await new Promise((resolve) => original(resolve));
-      return frames - before;
+      return globalThis.frameCount - before;
     },
     QUIET_FRAMES,
   );

@@ -57,7 +57,7 @@ test("two copies of the bundle on one page: the first defines, both work", async
     ]);
   });
   assert.ok(made.length > 0);
-  for (const [name, same, element] of made) assert.ok(same && element, name);
+  for (const [name, same, element] of made) assert.ok(same && element, String(name));
 });
 
 test("under a strict policy every kind of element is drawn, styled, and the console is clean", async (t) => {

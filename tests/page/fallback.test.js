@@ -12,7 +12,7 @@ const html = (between = "") =>
 const FAR = '<div style="height: 6000px">Much to read</div>';
 
 /** How large the picture in an element is. */
-const boxOf = async (page, kind) => {
+const sizeOf = async (page, kind) => {
   const box = await page.locator(`${kind} svg`).first().boundingBox();
   return box ? [box.width, box.height] : [0, 0];
 };
@@ -20,7 +20,7 @@ const boxOf = async (page, kind) => {
 test("without JavaScript the pictures are there", async (t) => {
   const page = await openPage(t, { html: html() }, { javaScriptEnabled: false });
   for (const kind of KINDS) {
-    const [width, height] = await boxOf(page, kind);
+    const [width, height] = await sizeOf(page, kind);
     assert.ok(width > 600 && height > 400, `${kind}: ${width} × ${height}`);
   }
 });
@@ -29,7 +29,7 @@ test("until an element comes near its picture stands in; then it makes room", as
   const page = await openPage(t, { html: html(FAR) }, { viewport: { width: 800, height: 600 } });
   await page.waitForFunction((kinds) => kinds.every((kind) => document.querySelector(kind).shadowRoot), KINDS);
   for (const kind of KINDS) {
-    const [width, height] = await boxOf(page, kind);
+    const [width, height] = await sizeOf(page, kind);
     assert.ok(width > 600 && height > 400, `${kind}: ${width} × ${height}`);
   }
   for (const kind of KINDS) {
@@ -47,10 +47,12 @@ const blue = (page, png) =>
   page.evaluate(
     async (bytes) => {
       const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
-      const context = Object.assign(document.createElement("canvas"), {
-        width: bitmap.width,
-        height: bitmap.height,
-      }).getContext("2d");
+      const context = /** @type {any} */ (
+        Object.assign(document.createElement("canvas"), {
+          width: bitmap.width,
+          height: bitmap.height,
+        }).getContext("2d")
+      );
       context.drawImage(bitmap, 0, 0);
       const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
       let count = 0;
@@ -70,7 +72,7 @@ test("on paper: what has been drawn, and the pictures of what has not", async (t
   const first = await page.locator("#first").screenshot();
   assert.ok((await blue(page, first)) > 300, "the curve that is drawn");
   for (const kind of KINDS) {
-    const [width, height] = await boxOf(page, `${kind}:not(#first)`);
+    const [width, height] = await sizeOf(page, `${kind}:not(#first)`);
     assert.ok(width > 600 && height > 400, kind);
   }
   const paper = await page.pdf();

@@ -1,7 +1,7 @@
 // The small figures of the chapters: their numbers are right, keys and pointers work, everyone can use them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openPage } from "./browser.js";
+import { boxOf, openPage } from "./browser.js";
 
 /** The page with all figures; waits until the last is drawn. */
 async function open(t, options = {}) {
@@ -65,7 +65,10 @@ test("the binomial's terms are a row of Pascal's triangle and make one", async (
     .locator("fig-binomial [data-weight]")
     .evaluateAll((bars) => bars.map((bar) => Number(bar.dataset.weight)));
   weights.forEach((weight, i) => close(weight, bernstein(6, i, 0.35)));
-  assert.match(await page.locator("fig-binomial svg").first().getAttribute("aria-label"), /1, 6, 15, 20, 15, 6, 1$/);
+  assert.match(
+    String(await page.locator("fig-binomial svg").first().getAttribute("aria-label")),
+    /1, 6, 15, 20, 15, 6, 1$/,
+  );
 });
 
 test("the parabola's point is t², and any part of it has the right control points", async (t) => {
@@ -176,7 +179,7 @@ test("the cubic in space: points, planes, orbit by keys and by hand", async (t) 
   await figure.locator("svg").focus();
   await page.keyboard.press("ArrowRight");
   assert.equal(await turn(), before - 5);
-  const { x, y } = await figure.locator("svg").boundingBox();
+  const { x, y } = await boxOf(figure.locator("svg"));
   await page.mouse.move(x + 300, y + 200);
   await page.mouse.down();
   await page.mouse.move(x + 240, y + 200, { steps: 3 });
@@ -208,7 +211,7 @@ test("quadratic and cubic follow one drag; no quadratic is an S", async (t) => {
   const before = [await at("quadratic P1, x"), await at("cubic P1, x"), await at("cubic P2, x")];
   const handle = figure.locator(".handle").nth(1);
   await handle.scrollIntoViewIfNeeded();
-  const box = await handle.boundingBox();
+  const box = await boxOf(handle);
   await page.mouse.move(box.x + 14, box.y + 12);
   await page.mouse.down();
   await page.mouse.move(box.x + 54, box.y + 12, { steps: 4 });

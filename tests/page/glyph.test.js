@@ -1,8 +1,9 @@
 // The editor of letters: ink and holes, joints, points, path data in and out, quadratics, closeness.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Path } from "../../dist/index.js";
+import { Path } from "casteljau";
 import { close, open, PHONE, slide, state } from "./application-page.js";
+import { boxOf } from "./browser.js";
 
 /** The outline of the page as a Path of ours. */
 const outline = async (page) =>
@@ -11,11 +12,11 @@ const data = (page) => page.getByLabel("SVG path data");
 
 test("glyph: letters are inked where their contours wind, holes are holes", async (t) => {
   const page = await open(t, "/glyph/");
-  for (const [name, inside, hole] of [
+  for (const [name, inside, hole] of /** @type {[string, number[], number[]][]} */ ([
     ["a", [570, 600], [400, 650]],
     ["R", [200, 400], [400, 300]],
     ["&", [470, 560], [380, 250]],
-  ]) {
+  ])) {
     await page.getByRole("button", { name, exact: true }).click();
     const path = await outline(page);
     assert.ok(path.windingNumber(inside) > 0, `${name} has ink`);
@@ -38,7 +39,7 @@ test("glyph: a smooth joint stays smooth under the hand; freed, it breaks; undo 
   const handle = page.getByRole("slider", { name: "Contour 1, handle 6, x" }).locator("..");
   const drag = async () => {
     await handle.scrollIntoViewIfNeeded();
-    const box = await handle.boundingBox();
+    const box = await boxOf(handle);
     await page.mouse.move(box.x + 12, box.y + 12);
     await page.mouse.down();
     await page.mouse.move(box.x + 2, box.y + 42, { steps: 4 });
@@ -89,12 +90,12 @@ test("glyph: points are added without changing the outline, and healed away agai
 test("glyph: path data in; what is none is refused with its place, the last good outline kept", async (t) => {
   const page = await open(t, "/glyph/");
   const good = await data(page).inputValue();
-  for (const [wrong, reason] of [
+  for (const [wrong, reason] of /** @type {[string, RegExp][]} */ ([
     ["M10 10 L", /character/],
     ["hello", /character 0/],
     ["", /at least one/],
     [`M0 0${"h1v1".repeat(3000)}`, /at most 2000/],
-  ]) {
+  ])) {
     await data(page).fill(wrong);
     await data(page).blur();
     await page.waitForFunction(
@@ -133,7 +134,7 @@ test("glyph: quadratics within the tolerance, measured", async (t) => {
     );
     const far = before
       .equidistantTimes(900)
-      .map(({ subpath, t }) => quadratic.nearest(Object.values(before.subpaths[subpath].eval(t))).distance);
+      .map(({ subpath, t }) => /** @type {any} */ (quadratic.nearest(before.subpaths[subpath].eval(t))).distance);
     close(Math.max(...far), error, 0.05 * error);
     await page.getByRole("button", { name: "Undo" }).click();
   }
@@ -182,7 +183,7 @@ test("glyph: two fingers zoom", async (t) => {
   await sheet.scrollIntoViewIfNeeded();
   const units = () => page.evaluate(() => document.querySelector("glyph-editor").seen.units);
   const before = await units();
-  const { x, y, width } = await sheet.boundingBox();
+  const { x, y, width } = await boxOf(sheet);
   const cdp = await page.context().newCDPSession(page);
   const touch = (type, apart) =>
     cdp.send("Input.dispatchTouchEvent", {

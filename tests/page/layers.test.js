@@ -76,6 +76,7 @@ const POINTS = 'points="100,380 180,80 420,80 560,380"';
 test("each layer puts its colour where it belongs", async (t) => {
   const page = await openApplet(t, `${POINTS} show="" labels="none"`);
   // the curve's point at ½ is (307.5, 155): half-way between its ends and handles weighed 1, 3, 3, 1
+  /** @type {[string, any, [number, number], number?][]} */
   const places = [
     ["scaffold", LIGHT.level1, [140, 230]], // half-way from P0 to P1
     ["scaffold", LIGHT.level2, [220, 155]], // half-way between the two points of the first level
@@ -127,7 +128,7 @@ test("the exported SVG shows what the canvas shows", async (t) => {
     await picture.decode();
     const pixels = (draw) => {
       const canvas = Object.assign(document.createElement("canvas"), { width: 670, height: 480 });
-      const context = canvas.getContext("2d", { willReadFrequently: true });
+      const context = /** @type {any} */ (canvas.getContext("2d", { willReadFrequently: true }));
       context.fillStyle = "#fff";
       context.fillRect(0, 0, 670, 480);
       draw(context);

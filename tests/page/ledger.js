@@ -31,7 +31,7 @@ function keep() {
     const at = list.findIndex((each) => same(each, key));
     if (at >= 0) list.splice(at, 1);
   };
-  EventTarget.prototype.addEventListener = function (type, listener, options) {
+  EventTarget.prototype.addEventListener = function (type, listener, /** @type {any} */ options) {
     const target = this ?? window;
     if (listener && beyond(target)) {
       const key = keyOf(type, listener, options);
@@ -66,8 +66,8 @@ function keep() {
     live.frames.delete(id);
     cancel.call(window, id);
   };
-  window.setInterval = (...args) => {
-    const id = start.apply(window, args);
+  window.setInterval = (/** @type {any[]} */ ...args) => {
+    const id = Reflect.apply(start, window, args);
     live.intervals.add(id);
     return id;
   };
@@ -97,7 +97,7 @@ function keep() {
   }
   const seen = new WeakSet();
   const { getContext } = HTMLCanvasElement.prototype;
-  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+  HTMLCanvasElement.prototype.getContext = /** @returns {any} */ function (kind, ...rest) {
     const context = getContext.call(this, kind, ...rest);
     if (context && /webgl/.test(kind) && !seen.has(context)) {
       seen.add(context);

@@ -17,7 +17,7 @@ test("a sample has two tabs: arrows, Home and End choose, and all samples follow
   assert.match(await sample.getByRole("tabpanel", { name: "JavaScript" }).innerText(), /console\.log\(/);
   await page.keyboard.press("ArrowRight");
   assert.equal(await rust.getAttribute("aria-selected"), "true");
-  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Rust");
+  assert.equal(await page.evaluate(() => /** @type {any} */ (document.activeElement).textContent), "Rust");
   assert.match(await sample.getByRole("tabpanel", { name: "Rust" }).innerText(), /println!\(/);
   assert.equal(await sample.getByRole("tabpanel").count(), 1);
   const others = page.locator("lesson-sample [role=tab][data-language=rs]");
@@ -89,7 +89,7 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   await assertAccessible(page, { part: `lesson-task[name="${TASK}"]` });
 
   const toSolution = (by) =>
-    applet.evaluate((element, by) => {
+    applet.evaluate((/** @type {any} */ element, by) => {
       const [, , p2, p3] = element.points;
       element.steer({ index: 4, point: [2 * p3[0] - p2[0] + by, 2 * p3[1] - p2[1]] }, true);
     }, by);

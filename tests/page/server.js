@@ -3,6 +3,7 @@ import { createServer } from "node:http";
 import { readFile, stat } from "node:fs/promises";
 import { extname, join, normalize, resolve } from "node:path";
 
+/** @type {Record<string, string>} */
 const TYPES = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript; charset=utf-8",
@@ -38,17 +39,23 @@ export async function serve(folders, headers = {}) {
   return { url: `http://localhost:${address.port}`, pages, close };
 }
 
+/**
+ * @param {string} path
+ * @param {Map<string, string>} pages
+ * @param {Record<string, string>} folders
+ */
 async function find(path, pages, folders) {
   if (pages.has(path)) return { status: 200, type: TYPES[".html"], body: pages.get(path) };
   if (path === "/favicon.ico") return { status: 204, type: "image/x-icon", body: "" }; // browsers ask unasked
   const prefixes = Object.keys(folders).sort((a, b) => b.length - a.length);
   const prefix = prefixes.find((candidate) => path.startsWith(candidate));
-  const file = prefix && resolve(folders[prefix], normalize(`./${path.slice(prefix.length)}`));
-  const body = file?.startsWith(resolve(folders[prefix])) && (await content(file));
+  const file = prefix === undefined ? "" : resolve(folders[prefix], normalize(`./${path.slice(prefix.length)}`));
+  const body = prefix !== undefined && file.startsWith(resolve(folders[prefix])) && (await content(file));
   if (!body) return { status: 404, type: "text/plain", body: `no ${path}` };
   return { status: 200, type: TYPES[extname(body.name)] ?? "application/octet-stream", body: body.bytes };
 }
 
+/** @param {string} file */
 async function content(file) {
   try {
     const name = (await stat(file)).isDirectory() ? join(file, "index.html") : file;

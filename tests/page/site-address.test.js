@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { SHARED } from "../../www/parts/address.js";
-import { openPage } from "./browser.js";
+import { boxOf, openPage } from "./browser.js";
 import { openStrict, settled } from "./site-pages.js";
 
 const HERO = "#hero";
@@ -25,7 +25,7 @@ const hash = (page) => page.evaluate(() => location.hash);
 test("a drag is in the address when it is done, undone it is gone, and the address opened anew shows the same", async (t) => {
   const page = await openAt(t, "/", "");
   const handle = hero(page).locator('[part="handle"][data-index="1"]');
-  const { x, y, width, height } = await handle.boundingBox();
+  const { x, y, width, height } = await boxOf(handle);
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   await page.mouse.move(x + width / 2 + 40, y + height / 2 + 30, { steps: 4 });
@@ -54,7 +54,7 @@ test("another address while the page is open", async (t) => {
 test("whatever an address can set of an element, it can be read off it", async (t) => {
   const page = await openAt(t, "/surfaces/", "#figure-patch?u=0.2&v=0.9&segments=5");
   const patch = page.locator("#figure-patch bezier-surface");
-  assert.deepEqual(await patch.evaluate(({ u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
+  assert.deepEqual(await patch.evaluate((/** @type {any} */ { u, v, segments }) => [u, v, segments]), [0.2, 0.9, 5]);
   for (const [path, name] of [
     ["/", "bezier-applet"],
     ["/surfaces/", "bezier-surface"],
@@ -76,7 +76,7 @@ test("whatever an address can set of an element, it can be read off it", async (
   await page.waitForFunction(() => location.hash === "#hero?t=0.25&show=hull");
 });
 
-/** Fragments, and what is said of them. */
+/** Fragments, and what is said of them. @type {[string, RegExp][]} */
 const ABUSE = [
   ["#hero?t=NaN", /t: expected a number, got “NaN”/],
   ["#hero?t=Infinity&segments=1e999", /t: expected a number.*segments: expected a number/],
@@ -127,7 +127,7 @@ for (const fragment of ["#hero?points=1,2,3&t=NaN", `#${"%".repeat(1_000_000)}`]
   });
 }
 
-/** Queries of embed.html, the element that comes, and what is said. */
+/** Queries of embed.html, the element that comes, and what is said. @type {[string, string, RegExp | null][]} */
 const EMBEDDED = [
   ["", "bezier-applet", null],
   ["?points=60,360+160,60+500,60+600,360&t=0.3&controls=", "bezier-applet", null],

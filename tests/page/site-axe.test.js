@@ -22,10 +22,10 @@ for (const path of PAGES) {
       await page.locator(selector).first().waitFor({ state: "attached" });
     }
     await assertAccessible(page);
-    for (const media of [
-      { colorScheme: "dark" },
-      ...(FORCED_COLOURS.includes(path) ? [{ forcedColors: "active" }] : []),
-    ]) {
+    /** @type {Parameters<typeof page.emulateMedia>[0][]} */
+    const themes = [{ colorScheme: "dark" }];
+    if (FORCED_COLOURS.includes(path)) themes.push({ forcedColors: "active" });
+    for (const media of themes) {
       await page.emulateMedia(media);
       await settled(page);
       await assertAccessible(page, { rules: COLOUR_RULES });

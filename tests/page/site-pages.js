@@ -18,7 +18,8 @@ const POLICY =
 /** A software renderer's own remarks. */
 const DRIVER = /GL Driver Message|Automatic fallback to software WebGL/;
 
-const shared = { strict: undefined };
+/** @type {{ strict?: ReturnType<typeof serve> }} */
+const shared = {};
 after(async () => (await shared.strict)?.close());
 
 /** The site with the strict policy as a header. */

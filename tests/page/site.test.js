@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { assertAccessibleInBothThemes, openPage, root } from "./browser.js";
+import { boxOf, assertAccessibleInBothThemes, openPage, root } from "./browser.js";
 import { drag, drawn, handle, openTutorial, points, TUTORIAL } from "./applet-page.js";
 
 const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true };
@@ -39,10 +39,10 @@ test("the first page holds the applet and the code that embeds it, to the letter
     .waitFor();
   const shown = (await page.locator("pre").allInnerTexts()).join("\n");
   assert.ok(shown.includes(TUTORIAL), shown);
-  for (const [name, title] of [
+  for (const [name, title] of /** @type {[string, RegExp][]} */ ([
     ["The applet on a plain page", /applet/],
     ["The teapot", /teapot/i],
-  ]) {
+  ])) {
     await page.goto("/");
     await page.getByRole("link", { name }).click();
     assert.match(await page.title(), title);
@@ -77,10 +77,10 @@ test("the page to copy is short and carries the tutorial's lines", async () => {
 
 test("on a narrow phone the picture keeps its shape and fingers their aim", async (t) => {
   const page = await openTutorial(t, PHONE);
-  const box = await page.locator("canvas").boundingBox();
+  const box = await boxOf(page.locator("canvas"));
   await page.locator("canvas").evaluate((canvas) => (canvas.style.cssText = "width: 670px; height: 480px")); // as many pages do
   await drawn(page);
-  assert.deepEqual(await page.locator("canvas").boundingBox(), box);
+  assert.deepEqual(await boxOf(page.locator("canvas")), box);
   assert.ok(Math.abs(box.width - 344) < 0.5 && Math.abs(box.height - (344 * 480) / 670) < 0.5, JSON.stringify(box));
   const before = await points(page);
   await drag(page, 5, -50, -20);
@@ -96,9 +96,10 @@ test("the guide names every attribute of every element, and no other", async (t)
   await page.waitForFunction(() => customElements.get("bezier-applet") && customElements.get("bezier-surface"));
   const tables = await page.locator("table[data-element]").evaluateAll((tables) =>
     tables.map((table) => {
-      const name = table.dataset.element;
+      const name = String(table.dataset.element);
       const named = [...table.querySelectorAll("tbody th")].map((cell) => cell.textContent);
-      return { name, named: named.sort(), observed: [...customElements.get(name).observedAttributes].sort() };
+      const type = /** @type {any} */ (customElements.get(name));
+      return { name, named: named.sort(), observed: [...type.observedAttributes].sort() };
     }),
   );
   assert.ok(tables.length >= 6);

@@ -112,10 +112,12 @@ test("of twenty elements only those near what is seen hold the graphics card, an
   }
   const inked = await page.evaluate(async () => {
     const bitmap = await createImageBitmap(await document.querySelectorAll("bezier-surface")[10].toBlob());
-    const context = Object.assign(document.createElement("canvas"), {
-      width: bitmap.width,
-      height: bitmap.height,
-    }).getContext("2d");
+    const context = /** @type {any} */ (
+      Object.assign(document.createElement("canvas"), {
+        width: bitmap.width,
+        height: bitmap.height,
+      }).getContext("2d")
+    );
     context.drawImage(bitmap, 0, 0);
     return context.getImageData(0, 0, bitmap.width, bitmap.height).data.filter((x, i) => i % 4 === 3 && x > 128).length;
   });

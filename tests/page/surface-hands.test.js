@@ -2,15 +2,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { canvasBox, difference, facts, look, openSurface, set, settled } from "./surface-page.js";
+import { boxOf } from "./browser.js";
 
 const view = (page) => page.evaluate(() => document.querySelector("bezier-surface").view);
+/** @returns {Promise<[number, number]>} */
 const middle = async (page) => {
   const { x, y, width, height } = await canvasBox(page);
   return [x + width / 2, y + height / 2];
 };
 const handle = (page, index) => page.locator(`bezier-surface .handle[data-index="${index}"]`);
 const centre = async (page, index) => {
-  const { x, y, width, height } = await handle(page, index).boundingBox();
+  const { x, y, width, height } = await boxOf(handle(page, index));
   return [x + width / 2, y + height / 2];
 };
 /** Counts the element's events from now on. */
@@ -18,11 +20,14 @@ const listen = (page) =>
   page.evaluate(() => {
     globalThis.heard = { input: 0, change: 0 };
     for (const type of ["input", "change"])
-      document.addEventListener(type, (event) => event.target.localName === "bezier-surface" && heard[type]++);
+      document.addEventListener(
+        type,
+        (/** @type {any} */ event) => event.target.localName === "bezier-surface" && heard[type]++,
+      );
   });
 const heard = (page) => page.evaluate(() => ({ ...globalThis.heard }));
 
-async function drag(page, [x, y], dx, dy, options = {}) {
+async function drag(page, /** @type {number[]} */ [x, y], dx, dy, options = {}) {
   await page.mouse.move(x, y);
   await page.mouse.down(options);
   await page.mouse.move(x + dx, y + dy, { steps: 5 });
@@ -199,7 +204,8 @@ test("what the page writes fires nothing; the surface is checked", async (t) => 
   const message = await page.evaluate(() => {
     try {
       document.querySelector("bezier-surface").surface = 7;
-    } catch (error) {
+      return "nothing";
+    } catch (/** @type {any} */ error) {
       return `${error.name}: ${error.message}`;
     }
   });

@@ -21,7 +21,7 @@ test("it fits a narrow phone, sharp", async (t) => {
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
   const [width, shown] = await page
     .locator("bezier-surface canvas")
-    .evaluate((canvas) => [canvas.width, canvas.clientWidth]);
+    .evaluate((/** @type {any} */ canvas) => [canvas.width, canvas.clientWidth]);
   assert.equal(width, 3 * shown);
 });
 
@@ -29,7 +29,7 @@ test("without WebGL2 it is drawn as lines, and says so", async (t) => {
   const page = await openPage(t, "about:blank", { reducedMotion: "reduce" });
   await page.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    HTMLCanvasElement.prototype.getContext = /** @returns {any} */ function (kind, ...rest) {
       return kind === "webgl2" ? null : original.call(this, kind, ...rest);
     };
   });
@@ -127,7 +127,7 @@ test("far down the page nothing runs until it comes near", async (t) => {
   const page = await openPage(t, { html }, { viewport: { width: 800, height: 600 } });
   await page.waitForFunction(() => document.querySelector("bezier-surface").shadowRoot?.querySelector("canvas"));
   await intersectionsReported(page);
-  const size = () => page.locator("bezier-surface canvas").evaluate((canvas) => canvas.width);
+  const size = () => page.locator("bezier-surface canvas").evaluate((/** @type {any} */ canvas) => canvas.width);
   assert.equal(await size(), 1);
   await page.locator("bezier-surface").scrollIntoViewIfNeeded();
   await ready(page);

@@ -53,12 +53,12 @@ test("until it is there the element waits, and what is asked of it then counts",
   const element = page.locator("bezier-surface");
   await element.evaluate((each) => Object.assign(each, { segments: 3, view: { turn: 12 } }));
   await page.getByRole("button", { name: "Nearer" }).click();
-  const blob = element.evaluate((each) => each.toBlob().then((picture) => picture?.type));
+  const blob = element.evaluate((/** @type {any} */ each) => each.toBlob().then((picture) => picture?.type));
   late.open();
   assert.equal(await blob, "image/png");
   await ready(page);
   assert.equal((await facts(page)).triangles, 18);
-  const view = await element.evaluate((each) => each.view);
+  const view = await element.evaluate((/** @type {any} */ each) => each.view);
   assert.equal(view.turn, 12);
   assert.ok(view.zoom > 1);
   assert.ok((await look(page)).inked > 3000);
@@ -71,9 +71,9 @@ test("an element that has gone before it arrives stays at rest; put in again it 
   const contexts = await page.evaluate(() => {
     globalThis.made = 0;
     const original = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (...args) {
+    HTMLCanvasElement.prototype.getContext = /** @returns {any} */ function (...args) {
       globalThis.made++;
-      return original.apply(this, args);
+      return Reflect.apply(original, this, args);
     };
     globalThis.element = document.querySelector("bezier-surface");
     element.remove();
@@ -94,9 +94,9 @@ test("taken out and put in again before it arrives, it is built once", async (t)
   await page.evaluate(async () => {
     globalThis.made = 0;
     const original = HTMLCanvasElement.prototype.getContext;
-    HTMLCanvasElement.prototype.getContext = function (...args) {
+    HTMLCanvasElement.prototype.getContext = /** @returns {any} */ function (...args) {
       if (args.length > 1) globalThis.made++; // whoever wants to draw says how
-      return original.apply(this, args);
+      return Reflect.apply(original, this, args);
     };
     const element = document.querySelector("bezier-surface");
     for (let i = 0; i < 5; i++) {
@@ -118,7 +118,8 @@ test("where it cannot be fetched the element says so, and asks again when it is 
   await page.getByText(MISSING).waitFor();
   await page.getByRole("slider", { name: "Segments" }).fill("5"); // the panel goes on
   const element = page.locator("bezier-surface");
-  const pictureType = () => element.evaluate((each) => each.toBlob().then((picture) => picture?.type)); // waits for the attempt that is under way
+  const pictureType = () =>
+    element.evaluate((/** @type {any} */ each) => each.toBlob().then((picture) => picture?.type)); // waits for the attempt that is under way
   assert.equal(await pictureType(), undefined);
   const putInAgain = () =>
     page.evaluate(() => document.querySelector("main").append(document.querySelector("bezier-surface")));

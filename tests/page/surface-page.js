@@ -63,9 +63,11 @@ export const look = (page) =>
   page.evaluate(async () => {
     const bitmap = await createImageBitmap(await document.querySelector("bezier-surface").toBlob());
     const { width, height } = bitmap;
-    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", {
-      willReadFrequently: true,
-    });
+    const context = /** @type {any} */ (
+      Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", {
+        willReadFrequently: true,
+      })
+    );
     context.drawImage(bitmap, 0, 0);
     const { data } = context.getImageData(0, 0, width, height);
     const colours = new Set();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
-import { openPage, root } from "./browser.js";
+import { boxOf, openPage, root } from "./browser.js";
 import { near, open } from "./surfaces-page.js";
 
 const SECTIONS = [
@@ -30,7 +30,7 @@ test("every figure is drawn when the reader comes near, and few hold the graphic
   const living = () =>
     page.locator("bezier-surface").evaluateAll(
       (all) =>
-        all.filter((each) => {
+        all.filter((/** @type {any} */ each) => {
           const canvas = each.shadowRoot.querySelector("canvas");
           return canvas.width > 1 && canvas.getContext("webgl2")?.isContextLost() === false;
         }).length,
@@ -79,7 +79,7 @@ test("without JavaScript every figure is there as lines, and the code can be rea
   const figures = page.locator("bezier-surface");
   const count = await figures.count();
   assert.equal(await page.locator("bezier-surface > svg[role=img] path").count(), count);
-  const { width, height } = await figures.first().locator("svg path").boundingBox();
+  const { width, height } = await boxOf(figures.first().locator("svg path"));
   assert.ok(width > 100 && height > 60, `${width} × ${height}`);
   assert.ok(
     (await page.getByText("fn sample").count()) === 0 &&

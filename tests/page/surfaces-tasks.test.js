@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { done, knobs, near, open, task } from "./surfaces-page.js";
+import { boxOf } from "./browser.js";
 
 test("a corner, by the sliders' keys, after a guess", async (t) => {
   const page = await open(t);
@@ -20,7 +21,7 @@ test("the square is dragged, and turned by arrow keys", async (t) => {
   await near(page, "map-surface");
   const place = () =>
     page.evaluate(() => [document.querySelector("#map-surface").u, document.querySelector("#map-surface").v]);
-  const box = await page.locator("unit-square .square").boundingBox();
+  const box = await boxOf(page.locator("unit-square .square"));
   await page.mouse.move(box.x + 5, box.y + 5);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.75, box.y + box.height * 0.25, { steps: 3 });

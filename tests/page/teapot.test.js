@@ -1,7 +1,7 @@
 // The rotating wireframe.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frames, openPage, QUIET_FRAMES } from "./browser.js";
+import { boxOf, frames, openPage, QUIET_FRAMES } from "./browser.js";
 import { drawn } from "./applet-page.js";
 
 /** How many pixels are drawn on, and the picture itself. */
@@ -9,7 +9,7 @@ const look = (page) =>
   page.evaluate(() => {
     const canvas = document.querySelector("canvas");
     const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-    const context = copy.getContext("2d", { willReadFrequently: true });
+    const context = /** @type {any} */ (copy.getContext("2d", { willReadFrequently: true }));
     context.drawImage(canvas, 0, 0);
     const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let [inked, left, right] = [0, canvas.width, 0];
@@ -49,7 +49,7 @@ test("it can be paused, turned by keys, by sliders, by dragging", async (t) => {
   await page.keyboard.press("ArrowUp");
   const tilted = await still();
   assert.notEqual(tilted, turned);
-  const { x, y, width, height } = await page.locator("canvas").boundingBox();
+  const { x, y, width, height } = await boxOf(page.locator("canvas"));
   await page.mouse.move(x + width / 2, y + height / 2);
   await page.mouse.down();
   await page.mouse.move(x + width / 2 + 60, y + height / 2 + 10, { steps: 3 });

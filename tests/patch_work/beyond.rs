@@ -3,8 +3,8 @@
 use super::nets::Random;
 use super::{SEARCH, distance_of_own_point, generated};
 use casteljau::glam::DVec3;
+use casteljau::take_steps;
 use casteljau::{Error, Patch, Surface};
-use casteljau_kernels::take_steps;
 
 /// Beyond the limit no other piece and no other patch is counted.
 #[test]

@@ -8,8 +8,8 @@ mod worst;
 
 use casteljau::mesh::{Grid, TessellationOptions, Weld};
 use casteljau::patch::PatchPoint;
+use casteljau::take_steps;
 use casteljau::{Error, Patch, Surface};
-use casteljau_kernels::take_steps;
 use generate::{any_patch, any_point, any_ray, below};
 use nets::Random;
 

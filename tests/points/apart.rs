@@ -5,7 +5,7 @@ use crate::common::{Rng, Space, curve, largest, plane, real, ulp};
 use crate::{cases, hostile, steps};
 use casteljau::Curve;
 use casteljau::glam::{DVec2, DVec3};
-use casteljau_kernels::take_steps;
+use casteljau::take_steps;
 
 /// Two curves that may cross, touch, overlap, or be equal.
 fn pair(rng: &mut Rng, dimension: usize) -> (Vec<DVec3>, Vec<DVec3>) {

@@ -2,8 +2,8 @@
 
 use crate::common::plane;
 use casteljau::glam::{DVec2, DVec3};
+use casteljau::take_steps;
 use casteljau::{Curve, Spline};
-use casteljau_kernels::take_steps;
 
 /// An arc about the origin with elevated degree: all its points have the same distance, except for rounding.
 fn arc(radius: f64, angle: f64, degree: usize) -> Curve<DVec2> {

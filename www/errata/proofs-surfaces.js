@@ -24,6 +24,9 @@ const lifted = (height, degree = 3) => {
   );
 };
 
+/** The point of a patch. @param {Patch} patch @param {number} u @param {number} v */
+const pointAt = (patch, u, v) => /** @type {Vector} */ (patch.eval(u, v));
+
 /** A flat quarter of a ring: all its points in one plane, two of its sides bent. */
 const K = 0.5522847498307936; // 4/3 · (√2 − 1), a cubic's handle for a quarter of a circle
 const RING = new Patch(
@@ -63,10 +66,11 @@ export const surfaceProofs = {
 
   winding() {
     const patch = lifted((i, j) => (i * (3 - i) + j * (3 - j)) / 2);
-    const at = (/** @type {number} */ u, /** @type {number} */ v) => patch.eval(u / 16, v / 16);
+    const at = (/** @type {number} */ u, /** @type {number} */ v) => pointAt(patch, u / 16, v / 16);
     const [a, b, c] = [at(8, 8), at(8, 9), at(9, 9)]; // one step of v first, as listed
     const { u, v } = patch.partials(0.5, 0.5);
-    const agreement = dot(cross(minus(b, a), minus(c, a)), cross(u, v));
+    const normal = cross(/** @type {Vector} */ (u), /** @type {Vector} */ (v));
+    const agreement = dot(cross(minus(b, a), minus(c, a)), normal);
     return {
       words: `The quad in the middle of a patch, in the order of the listing: its normal times ∂u × ∂v is ${agreement.toExponential(1)}.`,
       holds: agreement < 0,
@@ -75,7 +79,7 @@ export const surfaceProofs = {
 
   "scale-axis"() {
     const size = (/** @type {Surface} */ pot) =>
-      minus(/** @type {Vector} */ (pot.bounds().max), /** @type {Vector} */ (pot.bounds().min));
+      minus(/** @type {Vector} */ (pot.bounds()?.max), /** @type {Vector} */ (pot.bounds()?.min));
     const pot = Surface.teapot();
     const wide = pot.transform([1, 0, 0, 0, 0, 4 / 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
     return {
@@ -138,7 +142,7 @@ export const surfaceProofs = {
         ][i][j],
       2,
     );
-    let heights = Array.from({ length: 6 }, (_, i) => patch.eval(i / 5, i / 5).z);
+    let heights = Array.from({ length: 6 }, (_, i) => pointAt(patch, i / 5, i / 5).z);
     const differences = [];
     for (let k = 1; k <= 5; k++) {
       heights = heights.slice(1).map((h, i) => h - heights[i]);
@@ -167,7 +171,7 @@ export const surfaceProofs = {
       [1, 0],
       [0, 1],
       [1, 1],
-    ].map(([u, v]) => RING.eval(u, v));
+    ].map(([u, v]) => pointAt(RING, u, v));
     const [a, b, c, d] = corners;
     const triangle = (/** @type {Vector} */ p, /** @type {Vector} */ q, /** @type {Vector} */ r) =>
       Math.hypot(...Object.values(cross(minus(q, p), minus(r, p)))) / 2;
@@ -184,7 +188,7 @@ export const surfaceProofs = {
       [0, 0],
       [1, 0],
       [0, 1],
-    ].map(([u, v]) => patch.eval(u, v));
+    ].map(([u, v]) => pointAt(patch, u, v));
     const area = Math.hypot(...Object.values(cross(minus(b, a), minus(c, a))));
     return {
       words: `On the teapot's lid the corners (0, 0) and (1, 0) of a patch are one point: three corners that include both span a triangle of area ${n(area)}.`,

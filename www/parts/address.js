@@ -67,7 +67,6 @@ const FORMS = {
   number: { is: isNumber, expected: "a number" },
   numbers: { is: (text) => parts(text, /[\s,]+/).every(isNumber), expected: "numbers" },
   words: { is: (text) => /^[\w\s,-]*$/.test(text), expected: "words" },
-  text: { is: () => true, expected: "any text" },
 };
 
 /** A value as it can be told: foreign and perhaps long. @param {string} text */

@@ -29,6 +29,10 @@ fn bindings() -> Result<()> {
         "curves-bytes.js",
         "surfaces.wasm",
         "surfaces-bytes.js",
+        "core.wasm",
+        "core-bytes.js",
+        "core-surfaces.wasm",
+        "core-surfaces-bytes.js",
         "applet.wasm",
         "applet-bytes.js",
         "functions.d.ts",
@@ -83,12 +87,24 @@ fn bundles() -> Result<()> {
             "xtask/bundle.js",
             "xtask/manifest.js",
             "xtask/no-dom.js",
+            "xtask/notices.js",
+            "xtask/source-map.js",
             "package.json",
             "package-lock.json",
+            "Cargo.lock",
         ]
         .map(|name| root.join(name)),
     );
-    let others = ["slim.js", "casteljau.wasm", "custom-elements.json"];
+    let others = [
+        "core.js",
+        "surfaces.js",
+        "slim.js",
+        "casteljau.wasm",
+        "custom-elements.json",
+        "easing.js",
+        "casteljau.global.js",
+        "THIRD-PARTY-NOTICES.txt",
+    ];
     let outputs: Vec<PathBuf> = SITE_SCRIPTS
         .iter()
         .chain(&others)
@@ -125,6 +141,9 @@ fn types() -> Result<()> {
     inputs.extend(["tsconfig.json", "package-lock.json"].map(|name| root.join(name)));
     let outputs = [
         root.join("dist/types/index.d.ts"),
+        root.join("dist/types/core.d.ts"),
+        root.join("dist/types/surfaces.d.ts"),
+        root.join("dist/types/easing.d.ts"),
         root.join("dist/types/applet/classic.d.ts"),
     ];
     stamp::unless_current(

@@ -42,33 +42,44 @@ const FEATURES: [&str; 7] = [
 /// A separate module with some of the functions, so that a program that uses only curves does not include the surfaces.
 pub(crate) struct Part {
     pub(crate) name: &'static str,
-    /// The prefixes of the names of its functions.
-    own: &'static [&'static str],
+    /// Its functions, besides [`COMMON`]; see [`selects`].
+    own: &'static [&'static [&'static str]],
 }
 
-pub(crate) const PARTS: [Part; 3] = [
+pub(crate) const PARTS: [Part; 5] = [
     Part {
         name: "curves",
-        own: &[
+        own: &[&[
             "curve_",
             "spline_",
             "path_",
             "basis_",
             "bernstein_",
             "cubic_",
-        ],
+        ]],
     },
     Part {
         name: "surfaces",
-        own: &["surface_", "patch_", "mesh_", "grid_", "points_joined"],
+        own: &[SURFACES],
+    },
+    // For casteljau/core.
+    Part {
+        name: "core",
+        own: &[CORE_CURVES, CORE_SPLINES],
+    },
+    // For casteljau/surfaces, whose curves have the methods of casteljau/core.
+    Part {
+        name: "core-surfaces",
+        own: &[SURFACES, CORE_CURVES],
     },
     // The functions that js/applet calls, for bezier-app.js, which does not expose curves.
     Part {
         name: "applet",
-        own: &[
+        own: &[&[
             "cubic_eval",
             "curve_cubics",
             "curve_eval",
+            "curve_eval_at",
             "curve_hull",
             "curve_de_casteljau",
             "curve_split",
@@ -76,15 +87,82 @@ pub(crate) const PARTS: [Part; 3] = [
             "spline_continuity",
             "spline_move_point",
             "spline_set_joint",
-        ],
+        ]],
     },
 ];
 
-/// The prefixes of the exports of every module.
-const COMMON: [&str; 4] = ["arena_", "points_transform", "memory", "__"];
+const SURFACES: &[&str] = &["surface_", "patch_", "mesh_", "grid_", "points_joined"];
 
-fn starts(export: &str, with: &[&str]) -> bool {
-    with.iter().any(|start| export.starts_with(start))
+/// The functions that js/geometry/curve/core-curve.js and the classes that it extends call.
+const CORE_CURVES: &[&str] = &[
+    "basis_matrix",
+    "bernstein_weights",
+    "cubic_eval",
+    "curve_bounds",
+    "curve_cubics",
+    "curve_curvature",
+    "curve_de_casteljau",
+    "curve_derivative",
+    "curve_derivative_at",
+    "curve_elevate",
+    "curve_eval",
+    "curve_eval_at",
+    "curve_flatten",
+    "curve_from_basis",
+    "curve_hull",
+    "curve_normal",
+    "curve_sample",
+    "curve_split",
+    "curve_subdivide",
+    "curve_subsegment",
+    "curve_tangent",
+    "curve_to_basis",
+    "path_check_tolerance",
+];
+
+/// The functions that js/geometry/spline/core-spline.js and the classes that it extends call.
+const CORE_SPLINES: &[&str] = &[
+    "spline_append",
+    "spline_bounds",
+    "spline_continuity",
+    "spline_eval",
+    "spline_eval_at",
+    "spline_flatten",
+    "spline_from_curves",
+    "spline_insert",
+    "spline_move_point",
+    "spline_remove",
+    "spline_reverse",
+    "spline_sample",
+    "spline_set_joint",
+];
+
+/// The exports of every module.
+const COMMON: &[&str] = &["arena_", "points_transform", "memory", "__"];
+
+/// Whether a list contains the name of an export, or a prefix of it; prefixes end with an underscore.
+fn selects(list: &[&str], export: &str) -> bool {
+    let export = without_hash(export);
+    list.iter().any(|name| match name.ends_with('_') {
+        true => export.starts_with(name),
+        false => export == *name,
+    })
+}
+
+/// The name of an export without the hash that it has before wasm-bindgen runs: `grid_part_0123456789abcdef`.
+fn without_hash(export: &str) -> &str {
+    match export.rsplit_once('_') {
+        Some((name, hash)) if hash.len() == 16 && hash.chars().all(|c| c.is_ascii_hexdigit()) => {
+            name
+        }
+        _ => export,
+    }
+}
+
+impl Part {
+    fn contains(&self, export: &str) -> bool {
+        self.own.iter().any(|list| selects(list, export))
+    }
 }
 
 /// The folder of the generated JavaScript sources.
@@ -96,10 +174,10 @@ pub(crate) fn folder() -> PathBuf {
 pub(crate) fn generate(compiled: &Path) -> Result<()> {
     let linked = Linked::read(&fs::read(compiled)?)?;
     for (export, _) in linked.exports() {
-        let known = starts(export, &COMMON) || PARTS.iter().any(|p| starts(export, p.own));
+        let known = selects(COMMON, export) || PARTS.iter().any(|part| part.contains(export));
         ensure!(
             known,
-            "{export} starts like no function of a part in xtask/src/glue.rs"
+            "{export}: no part in xtask/src/glue.rs has this function"
         );
     }
     let whole = bound(compiled, &linked, &folder(), |_| true)?;
@@ -107,7 +185,7 @@ pub(crate) fn generate(compiled: &Path) -> Result<()> {
     fs::write(folder().join("casteljau.js"), &glue)?;
     let mut optimisers = vec![optimiser(&whole, "casteljau")?];
     for part in PARTS {
-        let mine = |export: &str| starts(export, part.own) || starts(export, &COMMON);
+        let mine = |export: &str| part.contains(export) || selects(COMMON, export);
         let cut = bound(compiled, &linked, &scratch(part.name), mine)?;
         optimisers.push(optimiser(&cut, part.name)?);
         // Each part gets its own copy of the glue, because the glue stores its memory in module variables.

@@ -19,6 +19,9 @@ pub(crate) enum Item {
     Bytes(usize, Range<usize>),
 }
 
+/// The size of a `core::panic::Location`: the address and the length of the file's name, the line, the column.
+const LOCATION_SIZE: usize = 16;
+
 /// A linked module that still has its relocations.
 #[derive(Default)]
 pub(crate) struct Linked {
@@ -28,8 +31,10 @@ pub(crate) struct Linked {
     /// The positions of the local functions and of the data segments in the file.
     functions: Vec<Range<usize>>,
     segments: Vec<Range<usize>>,
-    /// The references: the position in the file and the index of the symbol.
+    /// The references, sorted: the position in the file and the index of the symbol.
     names: Vec<(usize, usize)>,
+    /// The constants of type `core::panic::Location`, which only messages of panics read.
+    locations: HashSet<Item>,
     /// The functions that are exported.
     exports: Vec<(String, usize)>,
     start: Option<usize>,
@@ -92,6 +97,8 @@ impl Linked {
         if linked.symbols.is_empty() || linked.names.is_empty() {
             bail!("the module has no relocations: was it linked with --emit-relocs?");
         }
+        linked.names.sort_unstable();
+        linked.locations = linked.find_locations(wasm);
         Ok(linked)
     }
 
@@ -135,6 +142,28 @@ impl Linked {
         Ok(())
     }
 
+    /// The constants that have the size of a `Location` and start with the address of the name of a Rust source.
+    fn find_locations(&self, wasm: &[u8]) -> HashSet<Item> {
+        let is_source_name = |symbol: usize| {
+            let item = self.symbols.get(symbol)?.as_ref()?;
+            let name = wasm.get(self.position(item)?)?;
+            let is_data = matches!(item, Item::Bytes(..));
+            Some(is_data && name.strip_suffix(b"\0").unwrap_or(name).ends_with(b".rs"))
+        };
+        let is_location = |item: &&Item| {
+            let position = self.position(item)?;
+            let first = self.names.partition_point(|&(at, _)| at < position.start);
+            let &(at, symbol) = self.names.get(first)?;
+            let has_size = matches!(item, Item::Bytes(_, bytes) if bytes.len() == LOCATION_SIZE);
+            Some(has_size && at == position.start && is_source_name(symbol)?)
+        };
+        let items = self.symbols.iter().flatten();
+        items
+            .filter(|item| is_location(item).unwrap_or(false))
+            .cloned()
+            .collect()
+    }
+
     /// The exported functions, by name and index.
     pub(crate) fn exports(&self) -> &[(String, usize)] {
         &self.exports
@@ -146,8 +175,7 @@ impl Linked {
         roots: impl Iterator<Item = usize>,
         empty: &HashSet<usize>,
     ) -> Result<Unreached> {
-        let mut names = self.names.clone();
-        names.sort_unstable();
+        let names = &self.names;
         let mut waiting: Vec<Item> = roots.chain(self.start).map(Item::Function).collect();
         let mut reached: HashSet<Item> = waiting.iter().cloned().collect();
         while let Some(item) = waiting.pop() {
@@ -167,6 +195,7 @@ impl Linked {
                     .get(symbol)
                     .context("a relocation of no symbol")?;
                 if let Some(named) = named.clone()
+                    && !self.locations.contains(&named)
                     && reached.insert(named.clone())
                 {
                     waiting.push(named);

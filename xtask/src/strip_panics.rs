@@ -3,8 +3,8 @@
 //!
 //! A panic ends in a trap: there is no unwinding, and the message is not printed. So every function that only prepares
 //! a message is replaced by a bare trap, and so is every function that formats one; nothing else in the module formats
-//! anything. The code that only these functions need is removed too (a quarter of the module). Bounds are still
-//! checked.
+//! anything. The code that only these functions need is removed too (a quarter of the module), and so are the places in
+//! the sources that the messages name. Bounds are still checked.
 
 use crate::liveness::{Linked, Unreached};
 use anyhow::{Context, Result};

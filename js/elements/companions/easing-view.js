@@ -108,7 +108,7 @@ export class EasingView {
   }
 
   #play() {
-    this.#preview.play(easing(...this.#host.handles), this.#heights);
+    this.#preview.play(easing(.../** @type {import("./timing.js").Handles} */ (this.#host.handles)), this.#heights);
   }
 
   content() {

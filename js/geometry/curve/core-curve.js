@@ -11,7 +11,7 @@ import { readPolyline, readResult } from "../../wasm/transfer.js";
 /**
  * @import { BasisLike, BasisName } from "../basis.js"
  * @import { MatrixLike } from "../check.js"
- * @import { Point } from "../points.js"
+ * @import { Box } from "../points.js"
  * @import { Subdivision } from "../subdivision.js"
  * @import { SvgOptions } from "../../io/svg-write.js"
  */
@@ -19,6 +19,9 @@ import { readPolyline, readResult } from "../../wasm/transfer.js";
 /**
  * What the curves of all entry points have in common. Where a function takes a curve, it takes the curves of every entry
  * point.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CurveEvaluation<D>}
  */
 export class CoreCurve extends CurveEvaluation {
   /**
@@ -163,7 +166,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The smallest box that contains the curve.
    *
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<D>}
    */
   bounds() {
     return this._box(true);
@@ -172,7 +175,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The box of the control points, which contains the curve.
    *
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<D>}
    */
   controlBounds() {
     return this._box(false);
@@ -215,7 +218,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * @internal
    * @param {boolean} exact
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<D>}
    */
   _box(exact) {
     core().curve_bounds(this.dimension, this._write(), exact);

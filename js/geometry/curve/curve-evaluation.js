@@ -7,18 +7,23 @@ import { readResult, readResultInto, readLargeResult } from "../../wasm/transfer
  * @import { Point } from "../points.js"
  */
 
-/** Points and derivatives of a curve at given parameters. */
+/**
+ * Points and derivatives of a curve at given parameters.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CurveValue<D>}
+ */
 export class CurveEvaluation extends CurveValue {
   /**
    * The point at t.
    *
    * @param {number} t
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   eval(t) {
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     const flat = this._flat;
-    if (flat.length === 4 * this.dimension) return cubicAt(flat, t);
+    if (flat.length === 4 * this.dimension) return /** @type {Point<D>} */ (cubicAt(flat, t));
     core().curve_eval(this.dimension, this._write(), t);
     return this._readPoint();
   }
@@ -72,7 +77,7 @@ export class CurveEvaluation extends CurveValue {
    *
    * @param {number} t
    * @param {number} [k]
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   derivativeAt(t, k = 1) {
     check.finite(t, "t");
@@ -86,7 +91,7 @@ export class CurveEvaluation extends CurveValue {
    * points are equal, it is zero.
    *
    * @param {number} t
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   tangent(t) {
     check.finite(t, "t");
@@ -99,7 +104,7 @@ export class CurveEvaluation extends CurveValue {
    * where the curve is straight.
    *
    * @param {number} t
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   normal(t) {
     check.finite(t, "t");

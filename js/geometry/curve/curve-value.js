@@ -1,13 +1,16 @@
 import { curveData } from "../brand.js";
 import * as check from "../check.js";
+import { inspectedAs } from "../inspected.js";
 import { flatten, nested, pointAt, samePoints } from "../points.js";
 import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
  * @import { SplineData } from "../brand.js"
  * @import { PointsLike } from "../check.js"
- * @import { Point } from "../points.js"
+ * @import { Point, PointArrays } from "../points.js"
  */
+
+const InspectedCurve = /* @__PURE__ */ inspectedAs("Curve");
 
 /**
  * What `Curve.toJSON` returns; `Curve.fromJSON` also reads other forms of points.
@@ -20,29 +23,32 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  *
  * The members with an underscore are for the classes that extend this one. Private names cannot be shared between files,
  * and bundlers keep an unused class that has a computed name.
+ *
+ * @template {2 | 3} [D=2 | 3] the dimension
  */
-export class CurveValue {
+export class CurveValue extends InspectedCurve {
   /** @type {Float64Array} */
   #flat;
-  /** @type {2 | 3} */
+  /** @type {D} */
   #dimension;
 
   /**
-   * @param {PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
-   * @param {{ dimension?: 2 | 3 }} [options]
+   * @param {PointArrays<D> | PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
+   * @param {{ dimension?: D }} [options]
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    * @throws {TypeError} for a value that is not a point
    */
   constructor(points, options) {
+    super();
     const checked = /** @type {unknown} */ (points);
     if (checked instanceof CheckedPoints) {
       this.#flat = checked.flat;
-      this.#dimension = checked.dimension;
+      this.#dimension = /** @type {D} */ (checked.dimension);
       return;
     }
     const { flat, dimension } = checkedPoints(points, options);
     this.#flat = flat;
-    this.#dimension = dimension;
+    this.#dimension = /** @type {D} */ (dimension);
   }
 
   /** The degree n: one less than the number of control points. */
@@ -147,7 +153,7 @@ export class CurveValue {
 
   /**
    * @internal
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   _readPoint() {
     return pointAt(readResult(0, 3), 0, this.#dimension);

@@ -17,6 +17,9 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  * @import { CurveJSON } from "./curve-value.js"
  * @import { Distance, Nearest } from "../curve-queries.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
+ * @import { PointArrays } from "../points.js"
+ * @import { PathTime } from "../path/path-queries.js"
+ * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "../spline/core-spline.js"
  * @import { Spline } from "../spline/spline.js"
  */
@@ -24,7 +27,8 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
 /**
  * A curve of a lower degree, and its largest distance from the original at equal t.
  *
- * @typedef {{ curve: Curve, error: number }} Reduced
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {{ curve: Curve<D>, error: number }} Reduced
  */
 
 /**
@@ -35,18 +39,25 @@ import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.j
  *
  *     const curve = new Curve([[0, 0], [1, 2], [2, 0]]);
  *     curve.eval(0.5); // { x: 1, y: 1 }
+ *
+ * In TypeScript, `Curve<2>` and `Curve<3>` have points `{x, y}` and `{x, y, z}`. The dimension is inferred from points
+ * that are arrays, and from the option `dimension`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {CurveMeasures<D>}
  */
 export class Curve extends CurveMeasures {
   /**
    * The cubic of four geometry points in another basis, [t³ t² t 1]·M·G.
    *
+   * @template {2 | 3} [D=2 | 3]
    * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
-   * @param {PointsLike} points four points
-   * @param {{ dimension?: 2 | 3 }} [options]
-   * @returns {Curve}
+   * @param {PointArrays<D> | PointsLike} points four points
+   * @param {{ dimension?: D }} [options]
+   * @returns {Curve<D>}
    */
   static fromBasis(basis, points, options) {
-    return curveOf(pointsInBasis(basis, points, options));
+    return /** @type {Curve<D>} */ (curveOf(pointsInBasis(basis, points, options)));
   }
 
   /**
@@ -61,11 +72,12 @@ export class Curve extends CurveMeasures {
    * The curve of degree n − 1 through n points, 2 to 65. With more than about ten points and equally spaced parameters
    * it oscillates between the points; `Spline.interpolate` does not.
    *
-   * @param {PointsLike} points
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points
    * @param {ArrayLike<number>} [ts] the parameter of each point; by default proportional to the lengths of the chords,
    *   from 0 to 1 (equally spaced if two neighbouring points are equal)
-   * @param {{ dimension?: 2 | 3 }} [options]
-   * @returns {Curve}
+   * @param {{ dimension?: D }} [options]
+   * @returns {Curve<D>}
    * @throws {RangeError} for equal parameters
    */
   static interpolate(points, ts, options) {
@@ -78,7 +90,7 @@ export class Curve extends CurveMeasures {
     }
     writeArguments(flat, parameters.length).set(parameters, flat.length);
     const length = core().curve_interpolate(dimension, count, parameters.length);
-    return curveOf(new CheckedPoints(readResult(0, length), dimension));
+    return /** @type {Curve<D>} */ (curveOf(new CheckedPoints(readResult(0, length), dimension)));
   }
 
   /**
@@ -86,7 +98,7 @@ export class Curve extends CurveMeasures {
    * that distance. A line is returned unchanged with error 0.
    *
    * @param {never[]} surplus
-   * @returns {Reduced}
+   * @returns {Reduced<D>}
    */
   reduce(...surplus) {
     check.noSurplus(surplus, "reduce", 0);
@@ -106,7 +118,7 @@ export class Curve extends CurveMeasures {
    * @param {{ tolerance?: number }} [options] `tolerance`: the largest distance between the spline and the exact offset
    *   curve, by default 1e-4 of the diagonal of the control points' box, at least 1e-12 of the largest coordinate plus
    *   the distance
-   * @returns {Spline}
+   * @returns {Spline<2>}
    * @throws {RangeError} for a tolerance below 4 ulps of the largest coordinate and the distance, and if more than
    *   2¹⁷ steps (pieces tried and bounds evaluated) would be needed
    */
@@ -114,7 +126,7 @@ export class Curve extends CurveMeasures {
     this._require2D("offset");
     check.finite(distance, "distance");
     const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
-    return readSpline(core().curve_offset(this._write(), distance, tolerance), 2);
+    return /** @type {Spline<2>} */ (readSpline(core().curve_offset(this._write(), distance, tolerance), 2));
   }
 
   /**
@@ -125,14 +137,15 @@ export class Curve extends CurveMeasures {
    * constant but for rounding need more.
    *
    * @param {PointLike} p
-   * @returns {Nearest}
+   * @returns {Nearest<D>}
    */
   nearest(p) {
     return queries.nearest(this._flat, this.dimension, p);
   }
 
   /**
-   * All intersections with another curve or with a spline (then u is the spline's t), sorted by t, then by u.
+   * All intersections with another curve, a spline (then u is the spline's t) or a path (then u is a location {subpath,
+   * t}), sorted by t, then by u; with a path by its subpaths first.
    *
    * End points count. At a "tangent" intersection both have the same or opposite directions; an "overlap" is a shared
    * part. 2D only.
@@ -140,24 +153,26 @@ export class Curve extends CurveMeasures {
    * At most 4096 pairs of pieces are compared, and 256 more for each degree above 3. Only curves that are equal but for
    * rounding along a long part need more; then each pair that is still undecided gives at most one intersection.
    *
-   * The distance of each curve at its parameter from `point` is at most 64 (n + 2) ulps of the largest coordinate,
-   * where n is the higher degree.
+   * Curves intersect where their distance is below rounding: about 2ε (L + (n + 1) S), with ε = 2.2e-16, the largest
+   * coordinate L, the size S of the box around both curves and the higher degree n; up to four times this where they run
+   * along each other. The distance of each curve at its parameter from `point` is at most 64 (n + 2) ulps of L.
    *
-   * @param {CoreCurve | CoreSpline} other
+   * @template {CoreCurve | CoreSpline | PathValue} S
+   * @param {S} other
    * @param {never[]} surplus
-   * @returns {Intersection[]}
+   * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    * @throws {TypeError} for a 3D curve
    */
   intersections(other, ...surplus) {
     check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
-    if (typeOf(other) !== "curve") return intersectSplines(this.casteljauData(), other);
+    if (typeOf(other) !== "curve") return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
     const a = this._flat;
     const { flat: b, dimension } = curveData(other, "other");
     check.require2D("intersections", "curve", dimension);
     const view = writeArguments(a, b.length);
     for (let i = 0; i < b.length; i++) view[a.length + i] = b[i];
-    return readIntersections(core().curve_intersect(a.length / 2, b.length / 2));
+    return /** @type {any} */ (readIntersections(core().curve_intersect(a.length / 2, b.length / 2)));
   }
 
   /**

@@ -18,8 +18,9 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
  * What the splines of all entry points have in common. Where a function takes a spline, it takes the splines of every
  * entry point.
  *
- * @template {CoreCurve} [C=CoreCurve]
- * @extends {SplineEvaluation<C>}
+ * @template {2 | 3} [D=2 | 3]
+ * @template {CoreCurve<D>} [C=CoreCurve<D>]
+ * @extends {SplineEvaluation<D, C>}
  */
 export class CoreSpline extends SplineEvaluation {
   /**
@@ -88,6 +89,63 @@ export class CoreSpline extends SplineEvaluation {
   }
 
   /**
+   * The parts before and after t, as open splines whose parameters start at 0.
+   *
+   * The segment that contains t is split by `Curve.split`; the other control points are unchanged. At a joint no
+   * segment is split. At the start and at the end one part is a single segment whose points are equal. A closed spline
+   * is also divided at its start: the first part begins there, the second part ends there.
+   *
+   * @param {number} t 0 to the number of segments; values outside extrapolate the first and the last segment
+   * @returns {[this, this]}
+   * @throws {RangeError} for a t that is not finite
+   */
+  split(t) {
+    const { k, segment, rest } = this._locate(t);
+    const count = this.segmentCount;
+    if (rest === 0 && k > 0) return [this._part([], 0, k, []), this._part([], k, count, [])];
+    const [left, right] = segment.split(rest);
+    return [this._part([], 0, k, [left]), this._part([right], k + 1, count, [])];
+  }
+
+  /**
+   * The part from t0 to t1 as an open spline whose parameters start at 0, reversed if t0 > t1.
+   *
+   * Whole segments in between keep their control points. With t0 = t1 it is a single segment whose points are equal. It
+   * does not cross the start of a closed spline.
+   *
+   * @param {number} t0 0 to the number of segments; values outside extrapolate the first and the last segment
+   * @param {number} t1
+   * @returns {this}
+   * @throws {RangeError} for a value that is not finite
+   */
+  subsegment(t0, t1) {
+    check.finite(t0, "t0");
+    check.finite(t1, "t1");
+    if (t0 > t1) return this.subsegment(t1, t0).reverse();
+    const [start, end] = [this._locate(t0), this._locate(t1)];
+    const [last, to] = end.rest === 0 && end.k > start.k ? [end.k - 1, 1] : [end.k, end.rest];
+    if (start.k === last) return this._part([start.segment.subsegment(start.rest, to)], 0, 0, []);
+    const first = start.rest === 0 ? start.segment : start.segment.subsegment(start.rest, 1);
+    return this._part([first], start.k + 1, last, [
+      to === 1 ? this._segment(last) : this._segment(last).subsegment(0, to),
+    ]);
+  }
+
+  /**
+   * The corners of the convex hull of all control points, counter-clockwise (x right, y up); it contains the spline. If
+   * all points are on a line, its two ends; if all are equal, that point. 2D only.
+   *
+   * @returns {Float64Array}
+   * @throws {TypeError} in 3D
+   */
+  hull() {
+    this._require2D("hull");
+    const { flat } = this.casteljauData();
+    writeArguments(flat);
+    return readResult(0, core().curve_hull(flat.length / 2));
+  }
+
+  /**
    * The same spline with an additional joint at t.
    *
    * @param {number} t 0 to the number of segments
@@ -153,6 +211,37 @@ export class CoreSpline extends SplineEvaluation {
     const { flat, dimension, degrees, closed } = this.casteljauData();
     check.require2D("toSVG", "spline", dimension);
     return svgOf(packedSpline(flat, degrees, closed), options);
+  }
+
+  /**
+   * The open spline of some curves, the segments from one index to the one before another, and some more curves, each
+   * of which starts at the end of the one before.
+   *
+   * @internal
+   * @param {CoreCurve<D>[]} before
+   * @param {number} from
+   * @param {number} to
+   * @param {CoreCurve<D>[]} after
+   * @returns {this}
+   */
+  _part(before, from, to, after) {
+    /** @type {number} */
+    const d = this.dimension;
+    const whole = this._index.pointsFrom(from, to);
+    const pieces = [
+      ...before.map(({ _flat }) => _flat),
+      ...(to > from ? [whole] : []),
+      ...after.map(({ _flat }) => _flat),
+    ];
+    const flat = new Float64Array(pieces.reduce((sum, { length }) => sum + length - d, d));
+    let at = 0;
+    for (const piece of pieces) {
+      flat.set(piece, at); // the first point of a piece replaces the last point of the one before
+      at += piece.length - d;
+    }
+    const degreesOf = (/** @type {CoreCurve<D>[]} */ curves) => curves.map(({ degree }) => degree);
+    const degrees = [...degreesOf(before), ...this.degrees.slice(from, to), ...degreesOf(after)];
+    return this._splineOf({ flat, dimension: this.dimension, degrees, closed: false });
   }
 
   /**

@@ -6,26 +6,80 @@ import { readPolyline, readResult, readResultInto, releaseMemory } from "../../w
 
 /**
  * @import { CoreCurve } from "../curve/core-curve.js"
- * @import { Point } from "../points.js"
+ * @import { Box, Point } from "../points.js"
  */
 
 /**
- * Points of a spline at given parameters, its polylines and boxes.
+ * Points and derivatives of a spline at given parameters, its polylines and boxes. The parameter t runs from 0 to the
+ * number of segments; values outside extrapolate the first and the last segment.
  *
- * @template {CoreCurve} [C=CoreCurve]
- * @extends {SplineValue<C>}
+ * @template {2 | 3} [D=2 | 3]
+ * @template {CoreCurve<D>} [C=CoreCurve<D>]
+ * @extends {SplineValue<D, C>}
  */
 export class SplineEvaluation extends SplineValue {
   /**
    * The point at t, from 0 to the number of segments.
    *
    * @param {number} t
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   eval(t) {
-    check.finite(t, "t");
-    core().spline_eval(this._write(), t);
-    return this._readPoint();
+    const { segment, rest } = this._locate(t);
+    return segment.eval(rest);
+  }
+
+  /**
+   * The k-th derivative with respect to t; k = 0 is the point itself. At a joint the segment that starts there counts,
+   * at the end the last segment. It is zero if k is greater than the degree of the segment.
+   *
+   * @param {number} t 0 to the number of segments
+   * @param {number} [k] 1 by default
+   * @returns {Point<D>} in the unit of the points
+   * @throws {RangeError} for a t that is not finite, and a k that is negative or no integer
+   */
+  derivativeAt(t, k = 1) {
+    const { segment, rest } = this._locate(t);
+    return segment.derivativeAt(rest, k);
+  }
+
+  /**
+   * The unit tangent at t, see `Curve.tangent`. At a joint the segment that starts there counts, at the end the last
+   * segment. It is zero if all control points of that segment are equal.
+   *
+   * @param {number} t 0 to the number of segments
+   * @returns {Point<D>}
+   * @throws {RangeError} for a t that is not finite
+   */
+  tangent(t) {
+    const { segment, rest } = this._locate(t);
+    return segment.tangent(rest);
+  }
+
+  /**
+   * The unit normal at t: in 2D the tangent turned by +90°, (x, y) → (−y, x); in 3D the principal normal, which is zero
+   * where the spline is straight. At a joint the segment that starts there counts, at the end the last segment.
+   *
+   * @param {number} t 0 to the number of segments
+   * @returns {Point<D>}
+   * @throws {RangeError} for a t that is not finite
+   */
+  normal(t) {
+    const { segment, rest } = this._locate(t);
+    return segment.normal(rest);
+  }
+
+  /**
+   * The curvature at t: in 2D positive when turning counter-clockwise (x right, y up), in 3D never negative. At a joint
+   * the segment that starts there counts, at the end the last segment. Infinite at a cusp.
+   *
+   * @param {number} t 0 to the number of segments
+   * @returns {number} in 1 / unit of the points
+   * @throws {RangeError} for a t that is not finite
+   */
+  curvature(t) {
+    const { segment, rest } = this._locate(t);
+    return segment.curvature(rest);
   }
 
   /**
@@ -77,7 +131,7 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The smallest box that contains the spline.
    *
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<D>}
    */
   bounds() {
     core().spline_bounds(this._write(), true);
@@ -87,7 +141,7 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The box of the control points.
    *
-   * @returns {{ min: Point, max: Point }}
+   * @returns {Box<D>}
    */
   controlBounds() {
     core().spline_bounds(this._write(), false);

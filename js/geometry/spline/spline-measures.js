@@ -1,25 +1,50 @@
-import { CoreSpline } from "./core-spline.js";
+import { pointAndDirections } from "../arc-length.js";
 import * as check from "../check.js";
-import { readNearest } from "../curve-queries.js";
+import { arcLengthsOf, segmentAtLength } from "./arc-length-table.js";
+import { CoreSpline } from "./core-spline.js";
+import { SegmentBoxes } from "./segment-boxes.js";
+import { splineExtrema, splineTimesAtCoordinate } from "./spline-coordinates.js";
 import { frameTimes, frameArguments, readFrames } from "../frames.js";
 import { unwrapCount } from "../../wasm/errors.js";
 import { core } from "../../wasm/init.js";
 import { readResult, releaseMemory } from "../../wasm/transfer.js";
 
 /**
+ * @import { PointAtLength } from "../arc-length.js"
  * @import { PointLike } from "../check.js"
- * @import { CoreCurve } from "../curve/core-curve.js"
- * @import { Nearest } from "../curve-queries.js"
+ * @import { CurveMeasures } from "../curve/curve-measures.js"
+ * @import { Extrema, Nearest } from "../curve-queries.js"
  * @import { FrameOptions, Frames } from "../frames.js"
  */
 
 /**
  * Lengths, areas, frames and nearest points of a spline.
  *
- * @template {CoreCurve} [C=CoreCurve]
- * @extends {CoreSpline<C>}
+ * @template {2 | 3} [D=2 | 3]
+ * @template {CurveMeasures<D>} [C=CurveMeasures<D>]
+ * @extends {CoreSpline<D, C>}
  */
 export class SplineMeasures extends CoreSpline {
+  /** @type {Float64Array | undefined} */
+  #arcLengths;
+  /** @type {SegmentBoxes | undefined} */
+  #boxes;
+  /** The smallest tolerance that the core has accepted. */
+  #acceptedTolerance = Infinity;
+
+  /**
+   * The torsion at t, see `Curve.torsion`. At a joint the segment that starts there counts, at the end the last
+   * segment. It is 0 in 2D and on planar segments.
+   *
+   * @param {number} t 0 to the number of segments; values outside extrapolate the first and the last segment
+   * @returns {number} in 1 / unit of the points
+   * @throws {RangeError} for a t that is not finite
+   */
+  torsion(t) {
+    const { segment, rest } = this._locate(t);
+    return segment.torsion(rest);
+  }
+
   /**
    * Rotation-minimising frames, see `Curve.frames`. At a corner they turn with the tangent, by the smaller angle. On a
    * closed spline, the last frame may differ from the first. 3D only.
@@ -37,7 +62,7 @@ export class SplineMeasures extends CoreSpline {
   }
 
   /**
-   * The arc length with a relative error below 10⁻¹².
+   * The arc length with a relative error below 10⁻¹². Without a tolerance, further calls return the same number at once.
    *
    * @param {number} [tolerance] the largest error, in the unit of the points, if it is to be smaller
    * @param {never[]} surplus
@@ -45,22 +70,47 @@ export class SplineMeasures extends CoreSpline {
    */
   length(tolerance, ...surplus) {
     check.noSurplus(surplus, "length", 1);
+    if (tolerance === undefined) return this._arcLengths[this.segmentCount];
     const maxError = check.optionalTolerance(tolerance);
     return readResult(0, core().spline_length(this._write(), maxError))[0];
   }
 
   /**
    * The t, from 0 to the number of segments, at which the arc length from the start is s. An s outside of [0, length]
-   * gives the nearer end.
+   * gives the nearer end. If all control points are equal, it is 0.
    *
-   * @param {number} s
+   * The first call measures all segments. Further ones, unless they have a smaller tolerance than all before, search for
+   * the segment and then examine only this one.
+   *
+   * @param {number} s in the unit of the points
    * @param {number} [tolerance] the largest error, as a length; by default 10⁻¹² of the spline's length
    * @returns {number}
    */
   timeAtLength(s, tolerance) {
     check.finite(s, "s");
     const maxError = check.optionalTolerance(tolerance);
-    return readResult(0, core().spline_time_at_length(this._write(), s, maxError))[0];
+    if (tolerance !== undefined && tolerance < this.#acceptedTolerance) {
+      const [t] = readResult(0, core().spline_time_at_length(this._write(), s, maxError));
+      this.#acceptedTolerance = tolerance;
+      return t;
+    }
+    if (s <= 0) return 0;
+    const k = segmentAtLength(this._arcLengths, s);
+    return k === this.segmentCount ? k : k + this._segment(k).timeAtLength(s - this._arcLengths[k], tolerance);
+  }
+
+  /**
+   * The point at the arc length s from the start, with its t (0 to the number of segments), unit tangent and unit
+   * normal. An s outside of [0, length] gives the nearer end. At a joint the segment that starts there counts.
+   *
+   * The first call measures all segments; further ones cost as much as those of `Curve.pointAtLength`.
+   *
+   * @param {number} s in the unit of the points
+   * @returns {PointAtLength<D>}
+   * @throws {RangeError} for a NaN or an infinity
+   */
+  pointAtLength(s) {
+    return pointAndDirections(this, this.timeAtLength(s));
   }
 
   /**
@@ -71,6 +121,7 @@ export class SplineMeasures extends CoreSpline {
    */
   equidistantTimes(segments) {
     check.segmentCount(segments);
+    if (segments < this.segmentCount && this._arcLengths[this.segmentCount] > 0) return this.#fewTimes(segments);
     const ts = readResult(0, core().spline_equidistant_times(this._write(), segments));
     releaseMemory();
     return ts;
@@ -92,11 +143,62 @@ export class SplineMeasures extends CoreSpline {
    * The point of the spline that is nearest to p; t runs from 0 to the number of segments. Of several nearest points,
    * it is the one with the smallest t.
    *
+   * The first call computes the boxes of all segments. Only segments whose box is not farther from p than the nearest
+   * point so far are examined.
+   *
    * @param {PointLike} p
-   * @returns {Nearest}
+   * @returns {Nearest<D>}
    */
   nearest(p) {
-    core().spline_nearest(this._write(this._coordinates(p, "p")));
-    return readNearest(this.dimension);
+    this.#boxes ??= new SegmentBoxes(this._index);
+    return this.#boxes.nearest(this._coordinates(p, "p"), this.dimension);
+  }
+
+  /**
+   * The parameters inside of (0, number of segments) where a coordinate has a local extremum, sorted. Joints at which
+   * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
+   * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
+   *
+   * @returns {Extrema}
+   */
+  extrema() {
+    return splineExtrema(this._index, this.segments());
+  }
+
+  /**
+   * All parameters in [0, number of segments] at which a coordinate has the given value, end points and tangencies
+   * included, sorted. Joints are reported once, the start of a closed spline as 0. If the coordinate has that value on a
+   * whole segment: both ends of the segment.
+   *
+   * @param {{ x: number } | { y: number } | { z: number }} where
+   * @returns {Float64Array}
+   * @throws {TypeError} unless `where` has exactly one coordinate of the spline's dimension
+   */
+  timesAtCoordinate(where) {
+    return splineTimesAtCoordinate(this.segments(), where, this.closed);
+  }
+
+  /**
+   * The arc length from the start to the start of each segment and to the end.
+   *
+   * @internal
+   */
+  get _arcLengths() {
+    this.#arcLengths ??= arcLengthsOf(this._index);
+    return this.#arcLengths;
+  }
+
+  /**
+   * `equidistantTimes` for fewer arcs than segments: it examines only the segments in which one of the times is.
+   *
+   * @param {number} segments
+   * @returns {Float64Array}
+   */
+  #fewTimes(segments) {
+    const length = this._arcLengths[this.segmentCount];
+    const ts = new Float64Array(segments + 1);
+    for (let i = 1; i < segments; i++) ts[i] = Math.max(ts[i - 1], this.timeAtLength((i / segments) * length));
+    ts[segments] = this.segmentCount;
+    return ts;
   }
 }

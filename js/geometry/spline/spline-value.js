@@ -1,14 +1,18 @@
 import { onlySplineData } from "../brand.js";
 import * as check from "../check.js";
+import { inspectedAs } from "../inspected.js";
 import { flatten, nested, pointAt, samePoints, writePoint } from "../points.js";
+import { SegmentIndex } from "./segment-index.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
  * @import { SplineData } from "../brand.js"
  * @import { PointLike, PointsLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
- * @import { Point } from "../points.js"
+ * @import { Point, PointArrays } from "../points.js"
  */
+
+const InspectedSpline = /* @__PURE__ */ inspectedAs("Spline");
 
 /**
  * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
@@ -24,18 +28,28 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
  * The control points and segments of a spline, and what the classes of splines need to pass them to the core. The members
  * with an underscore are for the classes that extend this one, see `CurveValue`.
  *
- * @template {CoreCurve} [C=CoreCurve] the class of the segments
+ * @template {2 | 3} [D=2 | 3] the dimension
+ * @template {CoreCurve<D>} [C=CoreCurve<D>] the class of the segments
  */
-export class SplineValue {
+export class SplineValue extends InspectedSpline {
   /** @type {SplineData} */
   #data;
+  /**
+   * The segments that were asked for so far.
+   *
+   * @type {C[]}
+   */
+  #segments = [];
+  /** @type {SegmentIndex | undefined} */
+  #index;
 
   /**
-   * @param {PointsLike} points n · degree + 1 control points, closed n · degree
-   * @param {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} [options] degree 3 and open by default
+   * @param {PointArrays<D> | PointsLike} points n · degree + 1 control points, closed n · degree
+   * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] degree 3 and open by default
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
    */
   constructor(points, options) {
+    super();
     const checked = /** @type {unknown} */ (points);
     if (checked instanceof CheckedSplineData) {
       this.#data = checked.data;
@@ -46,7 +60,7 @@ export class SplineValue {
 
   /** 2 in the plane, 3 in space. */
   get dimension() {
-    return this.#data.dimension;
+    return /** @type {D} */ (this.#data.dimension);
   }
 
   /** Whether the last segment ends at the start of the first. */
@@ -75,17 +89,7 @@ export class SplineValue {
    * @returns {C[]}
    */
   segments() {
-    const { flat, dimension, degrees, closed } = this.#data;
-    const closingPoint = closed ? flat.subarray(0, dimension) : flat.subarray(0, 0);
-    let from = 0;
-    return degrees.map((degree) => {
-      const to = from + degree * dimension;
-      const points = new Float64Array((degree + 1) * dimension);
-      points.set(flat.subarray(from, to + dimension));
-      if (to === flat.length) points.set(closingPoint, degree * dimension);
-      from = to;
-      return this._curveOf(points);
-    });
+    return this.#data.degrees.map((_, k) => this._segment(k));
   }
 
   /**
@@ -128,6 +132,42 @@ export class SplineValue {
   }
 
   /**
+   * Where the segments are in the list of points.
+   *
+   * @internal
+   */
+  get _index() {
+    this.#index ??= new SegmentIndex(this.#data);
+    return this.#index;
+  }
+
+  /**
+   * Segment k as a curve, which is created by the first call.
+   *
+   * @internal
+   * @param {number} k
+   * @returns {C}
+   */
+  _segment(k) {
+    this.#segments[k] ??= this._curveOf(this._index.pointsOf(k).slice());
+    return this.#segments[k];
+  }
+
+  /**
+   * The segment that contains t, its index k, and the parameter on it. A joint belongs to the segment that starts
+   * there, the end to the last segment; values outside belong to the first and the last segment.
+   *
+   * @internal
+   * @param {number} t
+   * @returns {{ k: number, segment: C, rest: number }}
+   */
+  _locate(t) {
+    check.finite(t, "t");
+    const k = Math.min(Math.max(Math.floor(t), 0), this.#data.degrees.length - 1);
+    return { k, segment: this._segment(k), rest: t - k };
+  }
+
+  /**
    * A segment. The class of each entry point implements it.
    *
    * @internal
@@ -154,7 +194,7 @@ export class SplineValue {
    * Writes the spline, and then further numbers, to the arena.
    *
    * @param {ArrayLike<number>} [further]
-   * @returns {2 | 3} the dimension
+   * @returns {D} the dimension
    */
   _write(further) {
     const { flat, dimension, degrees, closed } = this.#data;
@@ -166,7 +206,7 @@ export class SplineValue {
     view.set(degrees, 2);
     view.set(flat, head);
     if (further) view.set(further, head + flat.length);
-    return dimension;
+    return /** @type {D} */ (dimension);
   }
 
   /**
@@ -182,7 +222,7 @@ export class SplineValue {
 
   /**
    * @internal
-   * @returns {Point}
+   * @returns {Point<D>}
    */
   _readPoint() {
     return pointAt(readResult(0, 3), 0, this.dimension);

@@ -18,6 +18,9 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @import { Curve } from "../curve/curve.js"
  * @import { InterpolateOptions } from "../interpolate.js"
  * @import { Intersection, SelfIntersection } from "../intersections.js"
+ * @import { PointArrays } from "../points.js"
+ * @import { PathTime } from "../path/path-queries.js"
+ * @import { PathValue } from "../path/path-value.js"
  * @import { CoreSpline } from "./core-spline.js"
  * @import { SplineJSON } from "./spline-value.js"
  */
@@ -31,20 +34,25 @@ const JOINS = ["round", "miter", "bevel"];
  *     const spline = new Spline([[0, 0], [0, 2], [2, 2], [2, 0], [2, -2], [4, -2], [4, 0]]);
  *     spline.continuity(1).c1; // true
  *
- * @extends {SplineMeasures<Curve>}
+ * What repeated queries need (segments, arc lengths, boxes) is computed once and kept. In TypeScript, `Spline<2>` and
+ * `Spline<3>` have points `{x, y}` and `{x, y, z}`, see `Curve`.
+ *
+ * @template {2 | 3} [D=2 | 3]
+ * @extends {SplineMeasures<D, Curve<D>>}
  */
 export class Spline extends SplineMeasures {
   /**
    * The spline of consecutive curves, whose degrees may differ.
    *
-   * @param {readonly CoreCurve[]} curves
+   * @template {2 | 3} [D=2 | 3]
+   * @param {readonly CoreCurve<D>[]} curves
    * @param {{ closed?: boolean }} [options]
-   * @returns {Spline}
+   * @returns {Spline<D>}
    * @throws {RangeError} if a curve does not start at the end of the previous one
    */
   static fromCurves(curves, options) {
     const { length, dimension } = joinCurves(curves, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -54,14 +62,15 @@ export class Spline extends SplineMeasures {
    * tangent at a point depends on it and its two neighbours; the handle of an open end is at a third of the chord, and
    * two equal consecutive points make a corner (unless alpha is 0).
    *
-   * @param {PointsLike} points 2 or more
-   * @param {InterpolateOptions} [options] natural and open by default
-   * @returns {Spline}
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points 2 or more
+   * @param {InterpolateOptions & { dimension?: D }} [options] natural and open by default
+   * @returns {Spline<D>}
    * @throws {RangeError} for fewer than 2 points, a NaN or an infinity, an alpha outside of 0 to 1
    */
   static interpolate(points, options) {
     const { length, dimension } = interpolate(points, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -71,14 +80,15 @@ export class Spline extends SplineMeasures {
    * the first degree + 1 knots are equal, and the last ones too (clamped knots). The multiplicity of an inner knot is
    * at most the degree. Segment k covers t from k to k + 1.
    *
-   * @param {PointsLike} points at least degree + 1 if open
-   * @param {BSplineOptions} [options] degree 3, uniform and open by default
-   * @returns {Spline}
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points at least degree + 1 if open
+   * @param {BSplineOptions & { dimension?: D }} [options] degree 3, uniform and open by default
+   * @returns {Spline<D>}
    * @throws {RangeError} for a wrong count, a knot below the previous one, or a multiplicity above the limit
    */
   static fromBSpline(points, options) {
     const { length, dimension } = fromBSpline(points, options);
-    return readSpline(length, dimension);
+    return /** @type {Spline<D>} */ (readSpline(length, dimension));
   }
 
   /**
@@ -91,43 +101,47 @@ export class Spline extends SplineMeasures {
 
   /**
    * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
-   * distance of every point from the spline is at most the tolerance. Corners are kept, the other joints are smooth;
-   * consecutive equal points count once.
+   * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
+   * other joints are smooth; consecutive equal points count once.
    *
-   * @param {PointsLike} points at least 2
+   * @template {2 | 3} [D=2 | 3]
+   * @param {PointArrays<D> | PointsLike} points at least 2
    * @param {number} tolerance
-   * @param {{ closed?: boolean, dimension?: 2 | 3 }} [options] `closed`: whether to continue from the last point to the
-   *   first
-   * @returns {Spline}
+   * @param {{ closed?: boolean, cornerAngle?: number, dimension?: D }} [options] `closed`: whether to continue from the
+   *   last point to the first; `cornerAngle`: the smallest turn, in radians, that is a corner (π/5 by default, at most π)
+   * @returns {Spline<D>}
    */
   static fit(points, tolerance, options) {
-    const { closed, dimension: requested } = check.options(options, ["closed", "dimension"]);
-    const isClosed = check.optionalBoolean(closed, "closed");
+    const checked = check.options(options, ["closed", "cornerAngle", "dimension"]);
+    const { cornerAngle, dimension: requested } = checked;
+    const closed = check.optionalBoolean(checked.closed, "closed");
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
+    if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, tolerance, isClosed), dimension);
+    const spline = readSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, closed), dimension);
     releaseMemory();
-    return spline;
+    return /** @type {Spline<D>} */ (spline);
   }
 
   /**
-   * All intersections with a curve or another spline, sorted by t, then by u, which run from 0 to the numbers of
-   * segments. An intersection at a joint is reported once; a shared part that runs across joints is one overlap. 2D
-   * only.
+   * All intersections with a curve, another spline or a path (then u is a location {subpath, t}), sorted by t, then by
+   * u, which run from 0 to the numbers of segments; with a path by its subpaths first. An intersection at a joint is
+   * reported once; a shared part that runs across joints is one overlap. 2D only.
    *
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
-   * @param {CoreCurve | CoreSpline} other
+   * @template {CoreCurve | CoreSpline | PathValue} S
+   * @param {S} other
    * @param {never[]} surplus
-   * @returns {Intersection[]}
+   * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    */
   intersections(other, ...surplus) {
     check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
-    return intersectSplines(this.casteljauData(), other);
+    return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
   }
 
   /**
@@ -192,10 +206,10 @@ export class Spline extends SplineMeasures {
    * @internal
    * @override
    * @param {Float64Array} flat
-   * @returns {Curve}
+   * @returns {Curve<D>}
    */
   _curveOf(flat) {
-    return curveOf(new CheckedPoints(flat, this.dimension));
+    return /** @type {Curve<D>} */ (curveOf(new CheckedPoints(flat, this.dimension)));
   }
 
   /**

@@ -1,11 +1,14 @@
 //! Arc length by numerical integration for any degree, and its inverse.
 
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
+use crate::bernstein::weights::binomial;
+use crate::curve::arc_length::speed::speed_integral;
 use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
-use casteljau_kernels::{WorkLimit, binomial, speed_integral};
+use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::zero::{newton_in_bracket, regula_falsi};
 use glam::DVec3;
 
 /// Target error as a part of the length; the documented guarantee is 10⁻¹².
@@ -13,9 +16,6 @@ const USUAL_PART: f64 = 1e-14;
 
 /// Maximum depth of halving; f64 cannot distinguish more parameters.
 const MAX_CUTS: usize = 56;
-
-/// Maximum number of steps of the search for t; bisection alone needs as many.
-const MAX_STEPS: usize = 64;
 
 /// Every interval is halved at least this often at degrees of 25 and more.
 const MAX_MIN_DEPTH: usize = 6;
@@ -27,6 +27,9 @@ const MAX_INTERVALS: usize = 1 << 12;
 /// An interval is cut at its minimum speed if that is at least this part of the interval away from both ends.
 const OFF_THE_ENDS: f64 = 0.03;
 
+/// The precision of that minimum, as a part of the interval: at a cusp the rules on both sides err by its square.
+const MIN_SPEED_PRECISION: f64 = 1e-10;
+
 /// The distance from the end of an interval to the first node of its rule, rounded up, as a part of the interval. A
 /// sharp turn in this range would not be sampled.
 const BEFORE_FIRST_NODE: f64 = 0.006;
@@ -36,7 +39,7 @@ const SHARP_COSINE: f64 = 0.9;
 
 /// An interval that one rule integrates: its end, and the arc length up to that end.
 #[derive(Clone, Copy)]
-struct Piece {
+struct Interval {
     t: f64,
     length: f64,
 }
@@ -46,7 +49,7 @@ pub(crate) struct ArcLengthTable {
     slopes: Points<DVec3>,
     /// `slopes` times their binomial coefficients.
     weighted: Points<DVec3>,
-    pieces: Vec<Piece>,
+    intervals: Vec<Interval>,
     /// Counts the intervals.
     work: WorkLimit,
     tolerance: f64,
@@ -65,7 +68,7 @@ impl ArcLengthTable {
         let weighted = slopes.iter().enumerate();
         let mut arc = Self {
             weighted: weighted.map(|(i, &d)| d * binomial(last, i)).collect(),
-            pieces: Vec::new(),
+            intervals: Vec::new(),
             work: WorkLimit::new(MAX_INTERVALS),
             tolerance: 0.0,
             noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
@@ -79,48 +82,33 @@ impl ArcLengthTable {
 
     /// The arc length of the whole curve.
     pub(crate) fn length(&self) -> f64 {
-        self.pieces.last().map_or(0.0, |piece| piece.length)
+        self.intervals
+            .last()
+            .map_or(0.0, |interval| interval.length)
     }
 
     /// The t up to which the arc length is s, for 0 ≤ s ≤ the whole length; `slack` is the allowed error of s.
     ///
     /// Newton's method inside an interval of the table, with bisection where it leaves the bracket that contains t.
     pub(crate) fn time(&self, s: f64, slack: f64) -> f64 {
-        let last = self.pieces.len() - 1;
+        let last = self.intervals.len() - 1;
         let k = self
-            .pieces
-            .partition_point(|piece| piece.length < s)
+            .intervals
+            .partition_point(|interval| interval.length < s)
             .min(last);
         let start = k.checked_sub(1).map_or(
-            Piece {
+            Interval {
                 t: 0.0,
                 length: 0.0,
             },
-            |before| self.pieces[before],
+            |before| self.intervals[before],
         );
-        let Piece { t: end, length } = self.pieces[k];
+        let Interval { t: end, length } = self.intervals[k];
         let (rest, whole) = (s - start.length, length - start.length);
-        let (mut lo, mut hi) = (start.t, end);
-        let mut t = self.first_guess(lo, hi, rest / whole, whole);
-        for _ in 0..MAX_STEPS {
-            let off = self.between(start.t, t) - rest;
-            if off.abs() <= slack {
-                break;
-            }
-            if off < 0.0 {
-                lo = t;
-            } else {
-                hi = t;
-            }
-            let next = t - off / self.speed(t);
-            let inside = next > lo && next < hi;
-            let next = if inside { next } else { 0.5 * (lo + hi) };
-            if next == t {
-                break;
-            }
-            t = next;
-        }
-        t
+        let guess = self.first_guess(start.t, end, rest / whole, whole);
+        newton_in_bracket([start.t, end], guess, slack, |t| {
+            (self.between(start.t, t) - rest, self.speed(t))
+        })
     }
 
     /// First guess of t: the cubic Hermite interpolant of t over the part x of the length, with the derivatives at both
@@ -169,7 +157,7 @@ impl ArcLengthTable {
 
     /// Whether the curve may reverse between the nodes of a rule, which would not detect it.
     fn turns_back(&self, lo: f64, hi: f64) -> bool {
-        let slopes = self.piece(lo, hi);
+        let slopes = self.slopes_between(lo, hi);
         let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
         self.deviates(&slopes, chord, 0.0, hi - lo)
     }
@@ -179,7 +167,7 @@ impl ArcLengthTable {
     fn turns_near(&self, end: f64, cut: f64) -> bool {
         let node = end + BEFORE_FIRST_NODE * (cut - end);
         let (lo, hi) = (end.min(node), end.max(node));
-        let slopes = self.piece(lo, hi);
+        let slopes = self.slopes_between(lo, hi);
         let inside = slopes[if node < end { 0 } else { slopes.len() - 1 }];
         self.deviates(&slopes, inside, SHARP_COSINE, hi - lo)
     }
@@ -197,15 +185,15 @@ impl ArcLengthTable {
     }
 
     /// The control points of the derivative on an interval.
-    fn piece(&self, lo: f64, hi: f64) -> Points<DVec3> {
+    fn slopes_between(&self, lo: f64, hi: f64) -> Points<DVec3> {
         let mut slopes = self.slopes.clone();
-        blossom_piece(&mut slopes, lo, hi);
+        keep_between(&mut slopes, lo, hi);
         slopes
     }
 
     fn push(&mut self, t: f64, length: f64) {
         let before = self.length();
-        self.pieces.push(Piece {
+        self.intervals.push(Interval {
             t,
             length: before + length,
         });
@@ -226,36 +214,19 @@ impl ArcLengthTable {
         }
     }
 
-    /// The parameter of a minimum of the speed inside, by regula falsi (Illinois algorithm) on B′·B″; otherwise an end.
-    fn min_speed(&self, mut lo: f64, mut hi: f64) -> f64 {
+    /// The parameter of a minimum of the speed inside, a zero of B′·B″; otherwise an end.
+    fn min_speed(&self, lo: f64, hi: f64) -> f64 {
         let bend: Points<DVec3> = self
             .slopes
             .windows(2)
             .map(|pair| pair[1] - pair[0])
             .collect();
         let growth = |t: f64| evaluate(&self.slopes, t).dot(evaluate(&bend, t));
-        let (mut before, mut after) = (growth(lo), growth(hi));
+        let (before, after) = (growth(lo), growth(hi));
         if !(before < 0.0 && after > 0.0) {
             return lo;
         }
-        let (mut t, mut side) = (lo, 0.0);
-        for _ in 0..40 {
-            let next = (lo + (hi - lo) * (before / (before - after))).clamp(lo, hi);
-            if (next - t).abs() <= 1e-10 * (hi - lo) {
-                break;
-            }
-            t = next;
-            let value = growth(t);
-            let again = side * value > 0.0;
-            side = value;
-            if value < 0.0 {
-                (lo, before) = (t, value);
-                after *= if again { 0.5 } else { 1.0 };
-            } else {
-                (hi, after) = (t, value);
-                before *= if again { 0.5 } else { 1.0 };
-            }
-        }
-        t
+        let precision = MIN_SPEED_PRECISION * (hi - lo) / hi;
+        regula_falsi([lo, hi], [-before, -after], precision, |t| -growth(t))
     }
 }

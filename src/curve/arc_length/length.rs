@@ -6,11 +6,12 @@
 
 use super::integral::ArcLengthTable;
 use crate::curve::Curve;
+use crate::curve::arc_length::plane_cubic::plane_cubic_length;
 use crate::geometry::check::{check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
-use casteljau_kernels::plane_cubic_length;
 
 impl<P: Point> Curve<P> {
     /// The length of the curve from t = 0 to 1.
@@ -89,19 +90,15 @@ pub(crate) fn hodograph<P: Point>(points: &[P]) -> (Points<P>, f64) {
         .windows(2)
         .map(|pair| pair[1] * part - pair[0] * part)
         .collect();
-    let unit = floor_power_of_two(max_abs(&slopes));
+    let largest = max_abs(&slopes);
+    if largest == 0.0 {
+        return (slopes, 0.0);
+    }
+    let scale = unit_scale(largest);
     for slope in &mut slopes {
-        *slope = *slope / unit.max(f64::MIN_POSITIVE);
+        *slope = *slope * scale;
     }
-    (slopes, unit / part)
-}
-
-/// The largest power of two that is at most x, but at least the smallest normal number; 0 for 0.
-fn floor_power_of_two(x: f64) -> f64 {
-    if x == 0.0 {
-        return 0.0;
-    }
-    f64::from_bits(x.to_bits() & f64::INFINITY.to_bits()).max(f64::MIN_POSITIVE)
+    (slopes, 1.0 / scale / part)
 }
 
 /// 2 ∫ |d (1 − t) + e t| dt over [0, 1]: the length of the quadratic with the differences d and e.

@@ -9,6 +9,7 @@ use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
+use crate::numeric::work_limit::WorkLimit;
 use glam::DVec3;
 
 /// A cubic may differ from the curve by at most this part of the tolerance.
@@ -38,7 +39,7 @@ pub(crate) struct CubicPiece {
 
 /// A segment of the curve. `fourth` is the fourth derivative, subdivided from that of the whole curve, because fourth
 /// differences of the segment's own control points would be only rounding.
-struct Piece {
+struct SourceSegment {
     curve: Curve<DVec3>,
     fourth: Curve<DVec3>,
     halvings: u32,
@@ -55,9 +56,10 @@ pub(crate) fn as_cubics(
 ) -> Result<Option<(Vec<CubicPiece>, f64)>, Error> {
     let mut cubics = Vec::new();
     let mut chords = 0.0;
-    let mut rest = vec![Piece::whole(points)];
+    let mut rest = vec![SourceSegment::whole(points)];
+    let mut work = WorkLimit::new(2 * MAX_CUBICS);
     while let Some(piece) = rest.pop() {
-        if cubics.len() + rest.len() >= MAX_CUBICS {
+        if !work.spend(1) || cubics.len() + rest.len() >= MAX_CUBICS {
             return Err(Error::TooMany {
                 what: "cubics in the place of the curve",
                 limit: MAX_CUBICS,
@@ -78,7 +80,7 @@ pub(crate) fn as_cubics(
     Ok(worth.then_some((cubics, CHORD_PART * tolerance)))
 }
 
-impl Piece {
+impl SourceSegment {
     fn whole(points: &[DVec3]) -> Self {
         let n = (points.len() - 1) as f64;
         let factor = n * (n - 1.0) * (n - 2.0) * (n - 3.0);
@@ -146,10 +148,18 @@ impl Piece {
     }
 }
 
-/// Estimate of the number of chords of a cubic: with a second derivative D, N equal steps are within D/(8 N²) of the
-/// curve.
+/// Estimate of the number of chords of a cubic: with a second derivative D, of which only the part across the curve
+/// counts, N equal steps are within D/(8 N²) of the curve.
 fn chord_count(p: &[DVec3; 4], tolerance: f64) -> f64 {
-    let second = |i: usize| Point::length(p[i + 2] - p[i + 1] * 2.0 + p[i]);
-    let bend = 3.0 * (second(0) + second(1));
+    let across = |i: usize, edge: DVec3| {
+        let second = p[i + 2] - p[i + 1] * 2.0 + p[i];
+        let direction = Point::normalize_or_zero(edge);
+        if direction == DVec3::ZERO {
+            Point::length(second)
+        } else {
+            Point::length(direction.cross(second))
+        }
+    };
+    let bend = 3.0 * (across(0, p[1] - p[0]) + across(1, p[3] - p[2]));
     (bend / (8.0 * tolerance)).sqrt()
 }

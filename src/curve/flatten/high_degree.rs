@@ -6,7 +6,7 @@
 
 use super::cubic_deviation::greatest_squared;
 use super::deviation::{Deviation, Fraction};
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::{evaluate, evaluate_scalar};
 use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
@@ -18,9 +18,17 @@ use glam::DVec3;
 /// After four halvings the bound of a parabola is 0.4 % above its height.
 const MAX_HALVINGS: usize = 4;
 
+/// Number of equal steps of t to the points that long chords are tried with.
+const SAMPLE_STEPS: usize = 64;
+
+/// Maximum number of long chords that are measured for one vertex.
+const MAX_LONG_CHORDS: usize = 3;
+
 /// [`Deviation`] of a curve of degree 2 to 64.
 pub(crate) struct PieceDeviation {
     points: Points<DVec3>,
+    /// Points of the curve at equal steps of t, the first one after the start.
+    samples: Vec<DVec3>,
     start: f64,
     /// The point at the start.
     from: DVec3,
@@ -30,9 +38,11 @@ pub(crate) struct PieceDeviation {
 impl PieceDeviation {
     /// Expects control points of moderate size. Plane points are converted to space, so that the code is compiled once.
     pub(crate) fn new(points: Points<DVec3>, tolerance: f64) -> Self {
+        let sample = |k: usize| evaluate(&points, ratio(k, SAMPLE_STEPS));
         Self {
             start: 0.0,
             from: points[0],
+            samples: (1..=SAMPLE_STEPS).map(sample).collect(),
             points,
             tolerance,
         }
@@ -54,13 +64,29 @@ impl PieceDeviation {
         }
     }
 
-    /// Quick test: whether one of three points of the segment is farther from its chord than the tolerance.
-    fn leaves_chord(&self, h: f64) -> bool {
-        let at = |part: f64| evaluate(&self.points, (self.start + h * part).min(1.0)) - self.from;
-        let direction = Point::normalize_or_zero(at(1.0));
-        [0.5, 0.25, 0.75]
-            .iter()
-            .any(|&part| Point::length(direction.cross(at(part))) > self.tolerance)
+    /// The index of the first sample after a parameter.
+    fn first_sample_after(&self, t: f64) -> usize {
+        (1..SAMPLE_STEPS)
+            .position(|k| ratio(k, SAMPLE_STEPS) > t)
+            .unwrap_or(SAMPLE_STEPS - 1)
+    }
+
+    /// Quick test: whether one of the samples from `first` to `last` is farther from the chord to the last one than the
+    /// tolerance.
+    fn leaves_chord(&self, first: usize, last: usize) -> bool {
+        let chord = self.samples[last] - self.from;
+        let square = chord.dot(chord);
+        self.samples[first..last].iter().any(|&p| {
+            let gap = p - self.from;
+            let along = gap.dot(chord);
+            let part = if square > 0.0 {
+                (along / square).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            let off = gap - chord * part;
+            off.dot(off) > self.tolerance * self.tolerance
+        })
     }
 
     /// The overshoot of the segment past the ends of its chord.
@@ -110,7 +136,7 @@ impl Deviation for PieceDeviation {
 
     fn squared(&mut self, h: f64) -> Fraction {
         let mut piece = self.points.clone();
-        blossom_piece(&mut piece, self.start, (self.start + h).min(1.0));
+        keep_between(&mut piece, self.start, (self.start + h).min(1.0));
         let chord = piece[piece.len() - 1] - piece[0];
         let direction = Point::normalize_or_zero(chord);
         let distance = if direction == DVec3::ZERO {
@@ -142,12 +168,24 @@ impl Deviation for PieceDeviation {
         (8.0 * self.tolerance / bend).sqrt().min(1.0)
     }
 
-    /// A curve of high degree may return to its chord more than once, so steps are tried from the whole rest downwards.
+    /// A curve of high degree may return to its chord more than once, so chords to the samples are tried, from the end
+    /// of the curve downwards.
     fn first_try(&mut self, guess: f64, rest: f64) -> f64 {
-        let mut h = rest;
-        while h > 2.0 * guess && (self.leaves_chord(h) || !self.squared(h).bounded_by(1.0)) {
-            h *= 0.5;
+        let first = self.first_sample_after(self.start);
+        let mut measured = 0;
+        for last in (first..SAMPLE_STEPS).rev() {
+            let h = ratio(last + 1, SAMPLE_STEPS) - self.start;
+            if h <= 2.0 * guess || measured == MAX_LONG_CHORDS {
+                break;
+            }
+            if self.leaves_chord(first, last) {
+                continue;
+            }
+            if self.squared(h).bounded_by(1.0) {
+                return h;
+            }
+            measured += 1;
         }
-        h
+        if rest <= 2.0 * guess { rest } else { guess }
     }
 }

@@ -16,6 +16,7 @@ use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
 use crate::numeric::float::{ratio, ulp};
+use crate::numeric::work_limit::WorkLimit;
 use as_cubics::as_cubics;
 use cubic_deviation::CubicDeviation;
 use deviation::{Deviation, Fraction, fourth_root};
@@ -34,12 +35,57 @@ const AIMED_AT: f64 = 0.92;
 /// Maximum number of corrections of one chord; after them the longest safe step is taken.
 const MAX_CORRECTIONS: usize = 8;
 
+/// The extrapolated ratio of two steps is limited to this range. It only affects the first try of a step: next to a cusp
+/// the ratio of two steps says nothing about the third.
+const MIN_GROWTH: f64 = 0.6;
+const MAX_GROWTH: f64 = 1.6;
+
+/// A correction makes a step at most this many times longer: the steps of the cubic near an inflection.
+const MAX_LENGTHENING: f64 = 4.0;
+
+/// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate. A curve that deviates by
+/// twice as much is certainly not straight.
+const STRAIGHT_ULPS: f64 = 8.0;
+
 /// Steps of the midpoint rule that estimates the number of chords.
 const FORECAST_STEPS: usize = 1024;
 
 /// Outside this range of coordinates, squares of products leave the range of f64, and a scaled copy of the curve is
 /// used.
 const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
+
+/// The number of vertices that flattening may still make; each of them counts as a step.
+pub(crate) struct VertexLimit {
+    limit: usize,
+    work: WorkLimit,
+}
+
+impl VertexLimit {
+    pub(crate) fn new(limit: usize) -> Self {
+        Self {
+            limit,
+            work: WorkLimit::new(limit),
+        }
+    }
+
+    /// Counts a vertex; returns an error beyond the limit.
+    #[inline]
+    fn spend(&mut self) -> Result<(), Error> {
+        if self.work.spend(1) {
+            Ok(())
+        } else {
+            Err(too_many(self.limit))
+        }
+    }
+}
+
+fn too_many(limit: usize) -> Error {
+    Error::TooMany {
+        what: "vertices",
+        limit,
+        needed: limit.saturating_add(1),
+    }
+}
 
 /// A polyline that approximates a curve.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -53,6 +99,29 @@ pub struct Polyline<P> {
     pub points: Vec<P>,
     /// The parameters of the vertices, increasing from 0 to 1.
     pub ts: Vec<f64>,
+}
+
+impl<P: Point> Polyline<P> {
+    /// Appends the vertices of a curve whose parameters start at `from`. The start is left out if the polyline has
+    /// vertices, the last of which is then the start.
+    pub(crate) fn append(
+        &mut self,
+        curve: &Curve<P>,
+        from: f64,
+        tolerance: f64,
+        left: &mut VertexLimit,
+    ) -> Result<(), Error> {
+        let joined = !self.ts.is_empty();
+        if !joined {
+            left.spend()?;
+        }
+        curve.walk(tolerance, left, |t, point| {
+            if !(joined && t == 0.0) {
+                self.ts.push(from + t);
+                self.points.push(point);
+            }
+        })
+    }
 }
 
 impl<P: Point> Curve<P> {
@@ -74,10 +143,7 @@ impl<P: Point> Curve<P> {
     pub fn flatten(&self, tolerance: f64) -> Result<Polyline<P>, Error> {
         self.check_flatten(tolerance)?;
         let mut line = Polyline::default();
-        self.walk(tolerance, MAX_VERTICES, |t, point| {
-            line.ts.push(t);
-            line.points.push(point);
-        })?;
+        line.append(self, 0.0, tolerance, &mut VertexLimit::new(MAX_VERTICES))?;
         Ok(line)
     }
 
@@ -87,7 +153,9 @@ impl<P: Point> Curve<P> {
     /// Same as `flatten`, all before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        self.walk(tolerance, MAX_VERTICES, vertex)
+        let mut left = VertexLimit::new(MAX_VERTICES);
+        left.spend()?;
+        self.walk(tolerance, &mut left, vertex)
     }
 
     /// Returns an error before anything is allocated.
@@ -96,19 +164,16 @@ impl<P: Point> Curve<P> {
         check_vertices(|| std::iter::once(self.clone()), tolerance)
     }
 
-    /// Same as [`flatten`](Self::flatten) with a lower limit on the number of vertices, for a tolerance that is already
-    /// checked.
+    /// Same as [`flatten`](Self::flatten) with the caller's limit on the number of vertices, for a tolerance that is
+    /// already checked.
     pub(crate) fn flatten_within(
         &self,
         tolerance: f64,
-        limit: usize,
+        left: &mut VertexLimit,
     ) -> Result<Polyline<P>, Error> {
-        check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit)?;
+        check_vertices_within(|| std::iter::once(self.clone()), tolerance, left.limit)?;
         let mut line = Polyline::default();
-        self.walk(tolerance, limit, |t, point| {
-            line.ts.push(t);
-            line.points.push(point);
-        })?;
+        line.append(self, 0.0, tolerance, left)?;
         Ok(line)
     }
 
@@ -130,23 +195,30 @@ impl<P: Point> Curve<P> {
                 0.0
             }
         };
+        let mut work = WorkLimit::new(FORECAST_STEPS);
+        let _counted = work.spend(FORECAST_STEPS);
         let mean = (0..FORECAST_STEPS).map(density).sum::<f64>() / FORECAST_STEPS as f64;
         mean / (8.0 * AIMED_AT.sqrt() * (tolerance / size)).sqrt()
     }
 
+    /// Passes on the vertices; the start, which a joined curve has already, is not counted.
     fn walk(
         &self,
         tolerance: f64,
-        limit: usize,
+        left: &mut VertexLimit,
         mut vertex: impl FnMut(f64, P),
     ) -> Result<(), Error> {
         let size = self.max_abs();
         let plain = PLAIN_RANGE.contains(&size);
         vertex(0.0, self.start());
-        if !(plain && self.deviates_by(16.0 * ulp(size)))
+        if !(plain && self.deviates_by(2.0 * STRAIGHT_ULPS * ulp(size)))
             && let Some(ts) = self.turns_of_straight(tolerance)
         {
-            ts.iter().for_each(|&t| vertex(t, self.eval(t)));
+            for t in ts {
+                left.spend()?;
+                vertex(t, self.eval(t));
+            }
+            left.spend()?;
             vertex(1.0, self.end());
             return Ok(());
         }
@@ -154,11 +226,11 @@ impl<P: Point> Curve<P> {
         // Reserve a part of the tolerance for the rounding of vertices.
         let budget = tolerance - 2.0 * ulp(size);
         if plain {
-            walk_points(&self.points, budget, limit, &mut inside)
+            walk_points(&self.points, budget, left, &mut inside)
         } else {
             let scaled: crate::numeric::list::Points<P> =
                 self.points.iter().map(|&p| p / size).collect();
-            walk_points(&scaled, budget / size, limit, &mut inside)
+            walk_points(&scaled, budget / size, left, &mut inside)
         }
     }
 
@@ -175,8 +247,8 @@ impl<P: Point> Curve<P> {
 
     /// The parameters at which a straight curve reverses, or `None` for a curve that is not straight.
     fn turns_of_straight(&self, tolerance: f64) -> Option<Vec<f64>> {
-        // Rounding of points on a line, and of this test, is up to 8 ulps; it is subtracted from the tolerance.
-        let noise = (8.0 * ulp(self.max_abs())).min(0.5 * tolerance);
+        // Rounding is subtracted from the tolerance.
+        let noise = (STRAIGHT_ULPS * ulp(self.max_abs())).min(0.5 * tolerance);
         let tolerance = tolerance - noise;
         let (start, end) = (self.start(), self.end());
         let farthest = |p: P, q: P| {
@@ -239,34 +311,23 @@ fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
     {
         return Ok(());
     }
-    Err(Error::TooMany {
-        what: "vertices",
-        limit,
-        needed: limit.saturating_add(1),
-    })
+    Err(too_many(limit))
 }
 
 fn walk_points<P: Point>(
     points: &[P],
     tolerance: f64,
-    limit: usize,
+    left: &mut VertexLimit,
     vertex: &mut impl FnMut(f64),
 ) -> Result<(), Error> {
-    let mut left = limit.saturating_sub(1);
     if points.len() <= 4 {
-        return walk_chords(
-            &mut CubicDeviation::new(points, tolerance),
-            &mut left,
-            vertex,
-        );
+        return walk_chords(&mut CubicDeviation::new(points, tolerance), left, vertex);
     }
-    let points: crate::numeric::list::Points<DVec3> = points.iter().map(|p| p.to_3d()).collect();
+    // Relative to the start, the deviations of a curve that is far smaller than its coordinates keep their digits.
+    let relative = |&p: &P| (p - points[0]).to_3d();
+    let points: crate::numeric::list::Points<DVec3> = points.iter().map(relative).collect();
     let Some((cubics, tolerance)) = as_cubics(&points, tolerance)? else {
-        return walk_chords(
-            &mut PieceDeviation::new(points, tolerance),
-            &mut left,
-            vertex,
-        );
+        return walk_chords(&mut PieceDeviation::new(points, tolerance), left, vertex);
     };
     for cubic in cubics {
         let (from, length) = (cubic.from, cubic.to - cubic.from);
@@ -278,25 +339,25 @@ fn walk_points<P: Point>(
             })
         };
         let mut deviation = CubicDeviation::new(&cubic.points, tolerance);
-        walk_chords(&mut deviation, &mut left, &mut inside)?;
+        walk_chords(&mut deviation, left, &mut inside)?;
     }
     Ok(())
 }
 
-/// Advances from vertex to vertex until t = 1; `left` is the number of vertices still allowed.
+/// Advances from vertex to vertex until t = 1.
 fn walk_chords(
     deviation: &mut impl Deviation,
-    left: &mut usize,
+    left: &mut VertexLimit,
     vertex: &mut impl FnMut(f64),
 ) -> Result<(), Error> {
     let mut t = 0.0;
     deviation.start_at(t);
     let (mut previous, mut step): (f64, f64) = (f64::INFINITY, 0.0);
-    while *left > 0 {
-        *left -= 1;
+    loop {
+        left.spend()?;
         let rest = 1.0 - t;
         // Extrapolate the ratio of the last two steps, within limits.
-        let expected = step * (step / previous).clamp(0.6, 1.6);
+        let expected = step * (step / previous).clamp(MIN_GROWTH, MAX_GROWTH);
         previous = step;
         step = longest_step(deviation, deviation.guess(expected), rest);
         if step >= rest {
@@ -308,11 +369,6 @@ fn walk_chords(
         vertex(t);
         deviation.start_at(t);
     }
-    Err(Error::TooMany {
-        what: "vertices",
-        limit: MAX_VERTICES,
-        needed: MAX_VERTICES + 1,
-    })
 }
 
 /// A step that respects the tolerance and uses most of it, or the whole rest.
@@ -351,7 +407,7 @@ fn corrected_step(
         h = if between {
             next
         } else {
-            0.5 * (safe + unsafe_from.min(4.0 * h))
+            0.5 * (safe + unsafe_from.min(MAX_LENGTHENING * h))
         }
         .min(rest);
         squared = deviation.squared(h);

@@ -11,7 +11,8 @@ use crate::geometry::point::Point;
 use crate::numeric::list::Scalars;
 use glam::DVec2;
 
-/// Maximum difference of a parameter from an end to which it is snapped.
+/// Maximum difference of a parameter from an end to which it is snapped: the cube root of rounding (1e-15), because the
+/// distance grows with the third power of the parameter where both B′ and B″ vanish at the end.
 const NEAR_END: f64 = 1e-5;
 
 /// The two points at an end of an overlap are closer together than this many times the slack: heights of up to four
@@ -25,6 +26,9 @@ const TWO_CROSSINGS: f64 = 1e-10;
 /// directions change by as much.
 const HIDDEN_TURN: f64 = 1e-6;
 
+/// Rounding by the slack rotates the direction of a curve by at most this many times the slack divided by its speed.
+const ROTATION: f64 = 16.0;
+
 impl NormalizedPair {
     /// Appends the intersections of an interval with their kinds.
     pub(crate) fn classify(
@@ -33,24 +37,24 @@ impl NormalizedPair {
         locations: &mut Vec<ClassifiedPoint>,
     ) {
         if interval.crossing {
-            let (t, u) = self.snapped(interval.ends()[0]);
-            return locations.push((t, u, IntersectionKind::Cross));
+            let times = self.snapped(interval.ends()[0]);
+            return locations.push(ClassifiedPoint::new(times, IntersectionKind::Cross));
         }
         if let Some(overlap) = self.overlap(interval) {
             return locations.push(overlap);
         }
         if let Some((t, u)) = self.end_in(interval) {
-            return locations.push((t, u, self.kind(t, u)));
+            return locations.push(self.with_kind(t, u));
         }
         let middle = (
             0.5 * (interval.t[0] + interval.t[1]),
             0.5 * (interval.u[0] + interval.u[1]),
         );
-        if let Some((t, u)) = self
+        if let Some(times) = self
             .tangency(middle)
             .filter(|&location| interval.holds(location))
         {
-            return locations.push((t, u, IntersectionKind::Tangent));
+            return locations.push(ClassifiedPoint::new(times, IntersectionKind::Tangent));
         }
         let crossing = |location| {
             self.crossing(location)
@@ -58,14 +62,15 @@ impl NormalizedPair {
         };
         match self.paired(interval).map(crossing) {
             [Some(p), Some(q)] if (p.0 - q.0).abs() + (p.1 - q.1).abs() > TWO_CROSSINGS => {
-                locations.extend([p, q].map(|(t, u)| (t, u, IntersectionKind::Cross)));
+                let cross = |times| ClassifiedPoint::new(times, IntersectionKind::Cross);
+                locations.extend([p, q].map(cross));
             }
-            [Some((t, u)), _] | [None, Some((t, u))] => locations.push((t, u, self.kind(t, u))),
+            [Some((t, u)), _] | [None, Some((t, u))] => locations.push(self.with_kind(t, u)),
             // A contact of higher order, or a cusp, that Newton's method does not refine.
             [None, None] => {
                 let (t, u) = self.opposite(middle.0, middle.1);
                 if self.coincide((t, u)) {
-                    locations.push((t, u, self.kind(t, u)));
+                    locations.push(self.with_kind(t, u));
                 }
             }
         }
@@ -108,11 +113,12 @@ impl NormalizedPair {
         let [start, end] = self
             .paired(interval)
             .map(|location| self.at_end(interval, self.snapped(location)));
-        let ((t, u), (t_end, u_end)) = (start?, end?);
+        let (start @ (t, u), (t_end, u_end)) = (start?, end?);
         let shared = self.is_long(0, [t, t_end])
             && self.is_long(1, [u, u_end])
             && self.have_equal_boxes([t, t_end], [u, u_end], |_| 0.0);
-        shared.then_some((t, u, IntersectionKind::Overlap { t_end, u_end }))
+        let kind = IntersectionKind::Overlap { t_end, u_end };
+        shared.then_some(ClassifiedPoint::new(start, kind))
     }
 
     /// Whether a segment of a curve is longer than the effect of rounding.
@@ -186,14 +192,19 @@ impl NormalizedPair {
             .find(|&location| self.coincide(location))
     }
 
+    /// The intersection at the given parameters, with its kind.
+    pub(crate) fn with_kind(&self, t: f64, u: f64) -> ClassifiedPoint {
+        ClassifiedPoint::new((t, u), self.kind(t, u))
+    }
+
     /// `Tangent` if the directions differ by no more than rounding can rotate them, otherwise `Cross`.
-    pub(crate) fn kind(&self, t: f64, u: f64) -> IntersectionKind {
+    fn kind(&self, t: f64, u: f64) -> IntersectionKind {
         let [a, b] = [(0, t), (1, u)].map(|(k, t)| {
             let points = &self.curves[k];
             let tangent = Curve::from_slice(points).tangent(t);
             (tangent, 1.0 / Point::length(taylor(points, t)[1]))
         });
-        let turned = (16.0 * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
+        let turned = (ROTATION * self.slack * (a.1 + b.1)).min(HIDDEN_TURN);
         let directed = a.0 != DVec2::ZERO && b.0 != DVec2::ZERO;
         if directed && a.0.perp_dot(b.0).abs() <= turned {
             IntersectionKind::Tangent

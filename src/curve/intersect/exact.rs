@@ -4,7 +4,7 @@
 use super::intersection::IntersectionKind;
 use super::near::taylor;
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
-use super::tolerances::{LARGEST_GAP, MIN_OVERLAP};
+use super::tolerances::{LARGEST_GAP, MIN_OVERLAP, NO_HEIGHT};
 use crate::bernstein::evaluate::evaluate;
 use crate::geometry::point::Point;
 use glam::DVec2;
@@ -12,11 +12,12 @@ use glam::DVec2;
 /// Intersections closer than this, at size 1, are one if an end or a stop lies between them.
 const SAME_POINT_DISTANCE: f64 = 1e-8;
 
-/// The largest parameter difference of such intersections.
+/// The largest parameter difference of such intersections: the square root of their distance, because next to a stop the
+/// distance grows with the square of the parameter.
 const NEARBY_PARAMETERS: f64 = 1e-4;
 
-/// Heights up to this many times the slack count as 0: the slack of both curves, and of their difference.
-const NO_HEIGHT: f64 = 4.0;
+/// A height is certainly not 0 if it exceeds the heights that count as 0 by this factor.
+const CLEAR_HEIGHT: f64 = 4.0;
 
 impl NormalizedPair {
     /// Whether both curves are lines of non-zero length.
@@ -46,15 +47,16 @@ impl NormalizedPair {
                 .max_element();
             if long > MIN_OVERLAP * self.slack {
                 let (t_end, u_end) = last;
-                return vec![(first.0, first.1, IntersectionKind::Overlap { t_end, u_end })];
+                let kind = IntersectionKind::Overlap { t_end, u_end };
+                return vec![ClassifiedPoint::new(first, kind)];
             }
             // Prefer an intersection at ends of both lines.
             let both = |&(t, u): &(f64, f64)| t.fract() == 0.0 && u.fract() == 0.0;
             let (t, u) = ends.iter().copied().find(both).unwrap_or(first);
-            return vec![(t, u, self.kind(t, u))];
+            return vec![self.with_kind(t, u)];
         }
         self.lines_crossing()
-            .map(|(t, u)| (t, u, IntersectionKind::Cross))
+            .map(|times| ClassifiedPoint::new(times, IntersectionKind::Cross))
             .into_iter()
             .collect()
     }
@@ -105,7 +107,7 @@ impl NormalizedPair {
                 self.merge_at_stop(&mut locations, curve, stop);
             }
         }
-        sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
+        sort(&mut locations, |p, q| p.times() < q.times());
         self.one_crossing_each(&mut locations);
         locations
     }
@@ -114,14 +116,14 @@ impl NormalizedPair {
     /// far from it on the other curve to remove it.
     fn merge_at_stop(&self, locations: &mut Vec<ClassifiedPoint>, curve: usize, stop: f64) {
         let near = |location: &&ClassifiedPoint| {
-            is_point(location) && self.is_next_to(curve, location, stop)
+            location.is_point() && self.is_next_to(curve, location, stop)
         };
         let all: Vec<ClassifiedPoint> = locations.iter().filter(near).copied().collect();
         for location in all {
             let tip = if curve == 0 {
-                self.opposite(stop, location.1)
+                self.opposite(stop, location.u)
             } else {
-                self.across(location.0, stop)
+                self.across(location.t, stop)
             };
             if locations.contains(&location) && self.coincide(tip) {
                 self.merge(locations, tip, false);
@@ -131,7 +133,7 @@ impl NormalizedPair {
 
     /// Whether the parameter of an intersection on a curve is next to a given one, but not equal.
     fn is_next_to(&self, curve: usize, location: &ClassifiedPoint, at: f64) -> bool {
-        let t = if curve == 0 { location.0 } else { location.1 };
+        let t = if curve == 0 { location.t } else { location.u };
         t != at && self.is_near(curve, t, at)
     }
 
@@ -152,25 +154,26 @@ impl NormalizedPair {
         (t, u): (f64, f64),
         always: bool,
     ) -> bool {
-        let near = |p: f64, q: f64| self.is_near(0, p, t) && self.is_near(1, q, u);
+        let near = |(p, q): (f64, f64)| self.is_near(0, p, t) && self.is_near(1, q, u);
         let mut ends_piece = false;
         for location in locations.iter_mut() {
-            let IntersectionKind::Overlap { t_end, u_end } = &mut location.2 else {
+            let start = location.times();
+            let IntersectionKind::Overlap { t_end, u_end } = &mut location.kind else {
                 continue;
             };
             // An overlap that is shorter than the distance keeps its two ends.
-            if near(location.0, location.1) && *t_end > t && *u_end != u {
-                (location.0, location.1, ends_piece) = (t, u, true);
-            } else if near(*t_end, *u_end) && location.0 < t && location.1 != u {
+            if near(start) && *t_end > t && *u_end != u {
+                (location.t, location.u, ends_piece) = (t, u, true);
+            } else if near((*t_end, *u_end)) && start.0 < t && start.1 != u {
                 (*t_end, *u_end, ends_piece) = (t, u, true);
             }
         }
         let before = locations.len();
-        locations.retain(|location| !(is_point(location) && near(location.0, location.1)));
+        locations.retain(|location| !(location.is_point() && near(location.times())));
         let replaced = locations.len() < before;
         if !ends_piece && (replaced || always) {
-            let k = locations.partition_point(|location| (location.0, location.1) < (t, u));
-            locations.insert(k, (t, u, self.kind(t, u)));
+            let k = locations.partition_point(|location| location.times() < (t, u));
+            locations.insert(k, self.with_kind(t, u));
         }
         replaced
     }
@@ -186,8 +189,8 @@ impl NormalizedPair {
                 let run_ends =
                     k + 1 == locations.len() || !self.is_continued(locations[k], locations[k + 1]);
                 if run_ends {
-                    let (t, u) = self.between(p, q);
-                    locations[first] = (t, u, self.kind_between(p, q));
+                    let times = self.between(p, q);
+                    locations[first] = ClassifiedPoint::new(times, self.kind_between(p, q));
                     locations.drain(first + 1..=k);
                     k = first + 1;
                     first = k;
@@ -205,7 +208,7 @@ impl NormalizedPair {
     /// next to a reversal, the mean parameters may not match; then the nearest point of one curve to the other's is
     /// used.
     fn between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> (f64, f64) {
-        let middle = (0.5 * (p.0 + q.0), 0.5 * (p.1 + q.1));
+        let middle = (0.5 * (p.t + q.t), 0.5 * (p.u + q.u));
         if self.coincide(middle) {
             return middle;
         }
@@ -215,27 +218,27 @@ impl NormalizedPair {
         ]
         .into_iter()
         .find(|&location| self.coincide(location))
-        .unwrap_or((p.0, p.1))
+        .unwrap_or(p.times())
     }
 
     fn is_continued(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> bool {
-        let (gap_t, gap_u) = (q.0 - p.0, q.1 - p.1);
+        let (gap_t, gap_u) = (q.t - p.t, q.u - p.u);
         // A point that a curve passes twice gives two intersections.
         let [a, _] = &self.curves;
-        let same = (evaluate(a, p.0) - evaluate(a, q.0)).abs().max_element() <= self.slack;
+        let same = (evaluate(a, p.t) - evaluate(a, q.t)).abs().max_element() <= self.slack;
         is_crossing(&p)
             && is_crossing(&q)
             && !(same && gap_t.abs().max(gap_u.abs()) > SAME_POINT_DISTANCE)
             && gap_t.abs() < LARGEST_GAP
             && gap_u.abs() < LARGEST_GAP
             && [0.25, 0.5, 0.75].iter().all(|&part| {
-                self.height(p.0 + part * gap_t, p.1 + part * gap_u) <= NO_HEIGHT * self.slack
+                self.height(p.t + part * gap_t, p.u + part * gap_u) <= NO_HEIGHT * self.slack
             })
     }
 
     /// A crossing if the sides before and after differ, otherwise a tangency.
     fn kind_between(&self, p: ClassifiedPoint, q: ClassifiedPoint) -> IntersectionKind {
-        let (before, after) = (self.side(p, p.0 - q.0), self.side(q, q.0 - p.0));
+        let (before, after) = (self.side(p, p.t - q.t), self.side(q, q.t - p.t));
         if before * after > 0.0 {
             IntersectionKind::Tangent
         } else {
@@ -245,7 +248,7 @@ impl NormalizedPair {
 
     /// The side of the second curve on which the first one is, at some distance from an intersection; 0 if the curve
     /// ends before the distance exceeds rounding.
-    fn side(&self, (t, u, _): ClassifiedPoint, mut step: f64) -> f64 {
+    fn side(&self, ClassifiedPoint { t, u, .. }: ClassifiedPoint, mut step: f64) -> f64 {
         loop {
             step *= 2.0;
             let at = t + step;
@@ -256,17 +259,13 @@ impl NormalizedPair {
             let [b, direction, _] = taylor(&self.curves[1], u);
             let gap: DVec2 = evaluate(&self.curves[0], at) - b;
             let height = Point::normalize_or_zero(direction).perp_dot(gap);
-            if height.abs() > 4.0 * NO_HEIGHT * self.slack {
+            if height.abs() > CLEAR_HEIGHT * NO_HEIGHT * self.slack {
                 return height.signum();
             }
         }
     }
 }
 
-fn is_point(location: &ClassifiedPoint) -> bool {
-    !matches!(location.2, IntersectionKind::Overlap { .. })
-}
-
 fn is_crossing(location: &ClassifiedPoint) -> bool {
-    location.2 == IntersectionKind::Cross
+    location.kind == IntersectionKind::Cross
 }

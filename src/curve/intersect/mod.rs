@@ -1,7 +1,7 @@
 //! Intersections of two curves.
 //!
 //! [`pair`] moves both curves to the origin and scales them to size 1, so that one small distance, the slack, bounds
-//! the effect of rounding. The search in `kernels/src/clipping` cuts the curves down to crossings and to intervals of
+//! the effect of rounding. The search in [`clipping`] cuts the curves down to crossings and to intervals of
 //! contact; [`contact_interval`] joins contacts that belong together, and [`classify`] decides what an interval is: a
 //! tangency, an overlap, or crossings that are too close for the search.
 
@@ -16,6 +16,11 @@ mod solve;
 mod stationary;
 mod tolerances;
 
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod clipping;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::curve::intersect::clipping;
+
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 
 use super::Curve;
@@ -28,10 +33,11 @@ impl Curve<DVec2> {
     /// A(t) = B(u) with t and u in [0, 1], end points included. There is one entry for each pair of parameters: two
     /// where a curve passes a point twice. A shared segment is one [`IntersectionKind::Overlap`] with its two ends.
     ///
-    /// Curves intersect where their distance is below rounding: about (n + 2)·1e-15 of the largest coordinate, where n
-    /// is the higher degree, also if the curves are small and far from the origin. So two crossings closer together
-    /// than about 1e-8 of the size of the curves are reported as one tangency. A(t) and B(u) are at most 64 (n + 2)
-    /// ulps of the largest coordinate apart.
+    /// Curves intersect where their distance is below rounding: about 2ε (L + (n + 1) S), where ε is 2.2e-16, L the
+    /// largest coordinate, S the size of the box around both curves, and n the higher degree. It is at least 2 ulps of the
+    /// largest coordinate, also if the curves are small and far from the origin. Curves that run along each other count
+    /// as one up to four times this distance. So two crossings closer together than about 1e-8 of the size of the curves
+    /// are reported as one tangency. A(t) and B(u) are at most 64 (n + 2) ulps of the largest coordinate apart.
     ///
     /// The search processes at most 4096 pairs of segments, and 256 more for each degree above 3; the cost of each is
     /// the square of the degree. Only curves that nearly coincide over long ranges need more. After the limit,

@@ -1,7 +1,7 @@
 //! Distances between two curves, and local searches for nearest points, crossings and tangencies.
 
 use super::pair::NormalizedPair;
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
 use crate::geometry::bounds::Bounds;
@@ -41,12 +41,12 @@ pub(crate) fn taylor(points: &[DVec2], t: f64) -> [DVec2; 3] {
     let n = (points.len() - 1) as f64;
     let slopes = differences(points);
     let second_derivatives = differences(&slopes);
-    let bend = match second_derivatives.len() {
+    let second = match second_derivatives.len() {
         0 => DVec2::ZERO,
         _ => evaluate(&second_derivatives, t),
     };
     let slope = evaluate(&slopes, t);
-    [evaluate(points, t), slope * n, bend * (n * (n - 1.0))]
+    [evaluate(points, t), slope * n, second * (n * (n - 1.0))]
 }
 
 fn differences(points: &[DVec2]) -> Points<DVec2> {
@@ -100,7 +100,7 @@ impl NormalizedPair {
     /// The box of the control points of a segment; its ends may be in any order.
     fn bounds_of(&self, curve: usize, [from, to]: [f64; 2]) -> Bounds<DVec2> {
         let mut piece = Points::from(&self.curves[curve][..]);
-        blossom_piece(&mut piece, from.min(to), from.max(to));
+        keep_between(&mut piece, from.min(to), from.max(to));
         Curve::from_points(piece).control_bounds()
     }
 
@@ -122,9 +122,9 @@ impl NormalizedPair {
             }
             (best, min) = (t, distance);
             // Newton's method for (P − q) · P′ = 0 where it leads to a minimum, otherwise a step along the tangent.
-            let bend = d.length_squared() + gap.dot(dd);
-            let slope = if bend > 0.5 * d.length_squared() {
-                bend
+            let second = d.length_squared() + gap.dot(dd);
+            let slope = if second > 0.5 * d.length_squared() {
+                second
             } else {
                 d.length_squared()
             };
@@ -152,8 +152,11 @@ impl NormalizedPair {
         for _ in 0..CROSSING_STEPS {
             let [a, da, _] = taylor(&self.curves[0], t);
             let [b, db, _] = taylor(&self.curves[1], u);
-            let turn = da.perp_dot(db);
-            let (dt, du) = ((b - a).perp_dot(db) / turn, (b - a).perp_dot(da) / turn);
+            let determinant = da.perp_dot(db);
+            let (dt, du) = (
+                (b - a).perp_dot(db) / determinant,
+                (b - a).perp_dot(da) / determinant,
+            );
             if !(dt.is_finite() && du.is_finite()) {
                 break;
             }
@@ -171,18 +174,18 @@ impl NormalizedPair {
         for _ in 0..TANGENCY_STEPS {
             let [a, da, dda] = taylor(&self.curves[0], t);
             let [b, db, ddb] = taylor(&self.curves[1], u);
-            let (turn, ahead) = (da.perp_dot(db), (a - b).dot(da));
-            if turn.abs() <= PARALLEL * Point::length(da) * Point::length(db)
+            let (cross, ahead) = (da.perp_dot(db), (a - b).dot(da));
+            if cross.abs() <= PARALLEL * Point::length(da) * Point::length(db)
                 && ahead.abs() <= self.slack * Point::length(da)
             {
                 // A multiple root cannot be determined more accurately.
                 break;
             }
-            let (turn_t, turn_u) = (dda.perp_dot(db), da.perp_dot(ddb));
+            let (cross_t, cross_u) = (dda.perp_dot(db), da.perp_dot(ddb));
             let (ahead_t, ahead_u) = (da.dot(da) + (a - b).dot(dda), -db.dot(da));
-            let det = turn_t * ahead_u - turn_u * ahead_t;
-            let dt = (turn * ahead_u - ahead * turn_u) / det;
-            let du = (turn_t * ahead - ahead_t * turn) / det;
+            let det = cross_t * ahead_u - cross_u * ahead_t;
+            let dt = (cross * ahead_u - ahead * cross_u) / det;
+            let du = (cross_t * ahead - ahead_t * cross) / det;
             if !(dt.is_finite() && du.is_finite()) {
                 break;
             }

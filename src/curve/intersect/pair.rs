@@ -1,11 +1,12 @@
 //! Normalization of a pair of curves to a common origin and size 1.
 
+use super::clipping::Contact;
 use super::intersection::IntersectionKind;
 use super::stationary::stops;
-use crate::numeric::float::ratio;
+use crate::curve::elevate::elevate_once;
+use crate::curve::intersect::clipping::{ClippingSolver, Piece, intersect_cubics};
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::{Points, Scalars};
-use casteljau_kernels as kernels;
-use casteljau_kernels::{ClippingSolver, Piece, intersect_cubics};
 use glam::DVec2;
 
 /// Maximum number of pairs of segments: a fixed number, and an additional one for each degree above 3. This is more
@@ -21,9 +22,30 @@ const INPUT_ROUNDING: f64 = 2.0 * f64::EPSILON;
 const STEP_ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// The parameters of an intersection, and its kind.
-pub(crate) type ClassifiedPoint = (f64, f64, IntersectionKind);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ClassifiedPoint {
+    pub(crate) t: f64,
+    pub(crate) u: f64,
+    pub(crate) kind: IntersectionKind,
+}
 
-/// Two curves translated to the origin and scaled to size 1.
+impl ClassifiedPoint {
+    pub(crate) fn new((t, u): (f64, f64), kind: IntersectionKind) -> Self {
+        Self { t, u, kind }
+    }
+
+    /// The parameters on both curves.
+    pub(crate) fn times(&self) -> (f64, f64) {
+        (self.t, self.u)
+    }
+
+    /// Whether the intersection is a single point and not an overlap.
+    pub(crate) fn is_point(&self) -> bool {
+        !matches!(self.kind, IntersectionKind::Overlap { .. })
+    }
+}
+
+/// Two curves translated to the origin and scaled to a size between ½ and 1.
 pub(crate) struct NormalizedPair {
     pub(crate) curves: [Points<DVec2>; 2],
     /// Points closer than this are equal.
@@ -45,12 +67,12 @@ impl NormalizedPair {
             return None;
         }
         // Halved, so that no difference overflows; powers of two, so that nothing is rounded.
-        let unit = inverse_power_of_two(largest);
+        let unit = 0.5 * unit_scale(largest);
         let origin = a[0] * unit;
         let spread = ((max * unit - origin).abs())
             .max((min * unit - origin).abs())
             .max_element();
-        let scale = inverse_power_of_two(spread);
+        let scale = 0.5 * unit_scale(spread);
         let normalized = |p: &DVec2| (*p * unit - origin) * scale;
         let degree = (a.len().max(b.len()) - 1) as f64;
         let (a, b): (Points<DVec2>, Points<DVec2>) = (
@@ -70,7 +92,7 @@ impl NormalizedPair {
         cuts_a: &[f64],
         cuts_b: &[f64],
         pairs: impl IntoIterator<Item = (usize, usize)>,
-    ) -> Vec<kernels::Contact> {
+    ) -> Vec<Contact> {
         let [a, b] = &self.curves;
         let degree = a.len().max(b.len()) - 1;
         if degree <= 3 {
@@ -106,15 +128,6 @@ fn corners(points: &[DVec2]) -> (DVec2, DVec2) {
         })
 }
 
-/// 2ᵏ so that x · 2ᵏ is in [½, 1); up to 4 for the largest numbers, below ½ for the smallest.
-fn inverse_power_of_two(x: f64) -> f64 {
-    if x == 0.0 {
-        return 1.0;
-    }
-    let exponent = (x.to_bits() >> 52).clamp(1, 2044);
-    f64::from_bits((2045 - exponent) << 52)
-}
-
 fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {
     let p = |i: usize| points[i];
     let points = match points.len() {
@@ -144,12 +157,7 @@ fn cubic(points: &[DVec2]) -> Piece<[f64; 4]> {
 fn piece(points: &[DVec2], degree: usize) -> Piece<Vec<f64>> {
     let mut points = Points::from(points);
     while points.len() <= degree {
-        let count = points.len();
-        points.push(points[count - 1]);
-        for i in (1..count).rev() {
-            let part = ratio(i, count);
-            points[i] = points[i - 1] * part + points[i] * (1.0 - part);
-        }
+        elevate_once(&mut points);
     }
     Piece {
         x: points.iter().map(|p| p.x).collect(),

@@ -1,10 +1,10 @@
 //! Self-intersections of a curve.
 
 use super::super::Curve;
-use super::intersection::{IntersectionKind, SelfIntersection};
-use super::pair::NormalizedPair;
+use super::intersection::SelfIntersection;
+use super::pair::{ClassifiedPoint, NormalizedPair};
 use super::stationary::{runs_forward, stops};
-use crate::bernstein::casteljau::blossom_piece;
+use crate::bernstein::de_casteljau::keep_between;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
@@ -96,7 +96,7 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
         .windows(2)
         .map(|ends| {
             let mut piece = Points::from(&pair.curves[0][..]);
-            blossom_piece(&mut piece, ends[0], ends[1]);
+            keep_between(&mut piece, ends[0], ends[1]);
             Curve::from_points(piece).control_bounds()
         })
         .collect();
@@ -110,15 +110,15 @@ fn crossings(pair: &NormalizedPair) -> Vec<(f64, f64)> {
     // Adjacent segments meet at their cut, which is not a self-intersection; the caller removes these.
     pair.locations(found)
         .into_iter()
-        .filter(|location| !matches!(location.2, IntersectionKind::Overlap { .. }))
-        .map(|(t, u, _)| (t, u))
+        .filter(ClassifiedPoint::is_point)
+        .map(|location| location.times())
         .collect()
 }
 
 /// Cuts a segment until its parts have no reversals, and appends their ends.
 fn cut(pair: &NormalizedPair, from: f64, to: f64, depth: usize, cuts: &mut Vec<f64>) {
     let mut piece = Points::from(&pair.curves[0][..]);
-    blossom_piece(&mut piece, from, to);
+    keep_between(&mut piece, from, to);
     let small = piece
         .iter()
         .all(|p| (*p - piece[0]).max_abs() <= pair.slack);

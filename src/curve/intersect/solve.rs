@@ -1,11 +1,11 @@
 //! The complete intersection of a pair of curves: search, classification, removal of duplicates.
 
 use super::super::Curve;
+use super::clipping::Contact;
 use super::contact_interval::joined;
 use super::intersection::{Intersection, IntersectionKind};
 use super::pair::{ClassifiedPoint, NormalizedPair, sort};
 use super::stationary::with_ends;
-use casteljau_kernels as kernels;
 use glam::DVec2;
 
 /// Parameters this close are equal: a few roundings of numbers up to 1.
@@ -27,7 +27,7 @@ impl NormalizedPair {
         };
         locations
             .into_iter()
-            .map(|(t, u, kind)| Intersection {
+            .map(|ClassifiedPoint { t, u, kind }| Intersection {
                 t,
                 u,
                 point: point_at(a, b, t, u),
@@ -37,7 +37,7 @@ impl NormalizedPair {
     }
 
     /// All contacts of the curves.
-    fn contacts(&self) -> Vec<kernels::Contact> {
+    fn contacts(&self) -> Vec<Contact> {
         if self.stops.iter().all(|stops| stops.is_empty()) {
             self.search(&[0.0, 1.0], &[0.0, 1.0], [(0, 0)])
         } else {
@@ -49,15 +49,15 @@ impl NormalizedPair {
     }
 
     /// The classified intersections of contacts, in order.
-    pub(crate) fn locations(&self, found: Vec<kernels::Contact>) -> Vec<ClassifiedPoint> {
+    pub(crate) fn locations(&self, found: Vec<Contact>) -> Vec<ClassifiedPoint> {
         let mut locations = Vec::with_capacity(found.len());
         if found.iter().all(|contact| contact.crossing) {
-            let snap = |contact: &kernels::Contact| self.snapped((contact.t[0], contact.u[0]));
+            let snap = |contact: &Contact| self.snapped((contact.t[0], contact.u[0]));
             locations.extend(
                 found
                     .iter()
                     .map(snap)
-                    .map(|(t, u)| (t, u, IntersectionKind::Cross)),
+                    .map(|times| ClassifiedPoint::new(times, IntersectionKind::Cross)),
             );
         } else {
             for interval in joined(self, found) {
@@ -71,41 +71,37 @@ impl NormalizedPair {
 /// The intersections sorted by t, then by u, with parameters that differ by rounding made equal, and without
 /// duplicates.
 fn tidied(mut locations: Vec<ClassifiedPoint>) -> Vec<ClassifiedPoint> {
-    sort(&mut locations, |p, q| p.0 < q.0);
+    sort(&mut locations, |p, q| p.t < q.t);
     for k in 1..locations.len() {
-        if locations[k].0 - locations[k - 1].0 <= ONE_PARAMETER {
-            locations[k].0 = locations[k - 1].0;
+        if locations[k].t - locations[k - 1].t <= ONE_PARAMETER {
+            locations[k].t = locations[k - 1].t;
         }
     }
-    sort(&mut locations, |p, q| (p.0, p.1) < (q.0, q.1));
+    sort(&mut locations, |p, q| p.times() < q.times());
     let mut kept: Vec<ClassifiedPoint> = Vec::with_capacity(locations.len());
     for &location in &locations {
         let again = kept
             .iter()
             .rev()
-            .any(|q| near(location, (q.0, q.1), SAME_PARAMETERS) && is_point(q));
-        if !(is_point(&location) && (again || ends_piece(location, &locations))) {
+            .any(|q| near(location, q.times(), SAME_PARAMETERS) && q.is_point());
+        if !(location.is_point() && (again || ends_piece(location, &locations))) {
             kept.push(location);
         }
     }
     kept
 }
 
-fn is_point(location: &ClassifiedPoint) -> bool {
-    !matches!(location.2, IntersectionKind::Overlap { .. })
-}
-
 fn near(p: ClassifiedPoint, (t, u): (f64, f64), within: f64) -> bool {
-    (p.0 - t).abs() <= within && (p.1 - u).abs() <= within
+    (p.t - t).abs() <= within && (p.u - u).abs() <= within
 }
 
 /// Whether an intersection is an end of an overlap.
 fn ends_piece(location: ClassifiedPoint, all: &[ClassifiedPoint]) -> bool {
     all.iter().any(|q| {
-        let IntersectionKind::Overlap { t_end, u_end } = q.2 else {
+        let IntersectionKind::Overlap { t_end, u_end } = q.kind else {
             return false;
         };
-        near(location, (q.0, q.1), ONE_END) || near(location, (t_end, u_end), ONE_END)
+        near(location, q.times(), ONE_END) || near(location, (t_end, u_end), ONE_END)
     })
 }
 

@@ -5,17 +5,14 @@
 //! segments. Pairs of segments that cannot be nearer than the best distance found are dropped, and the others are
 //! halved. Newton's method finds the exact parameters.
 
-use super::{counted_parameter, unit_for};
-use crate::bernstein::evaluate::evaluate;
+use super::counted_parameter;
+use super::segment_tree::{Bounded, Heap, SegmentTree};
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::point::Point;
-use crate::numeric::float::{ratio, ulp};
+use crate::numeric::float::{ratio, ulp, unit_scale};
 use crate::numeric::list::Points;
-use crate::numeric::list::points_of;
-use casteljau_kernels::WorkLimit;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use crate::numeric::work_limit::WorkLimit;
 
 /// The minimum distance of two curves and the parameters where it occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,13 +69,13 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn distance_to(&self, other: &Self) -> Distance {
         let size = self.max_abs().max(other.max_abs());
-        let unit = unit_for(size);
-        let start = self.start() * unit;
-        let about = |curve: &Self| curve.points.iter().map(|&p| p * unit - start).collect();
+        let scale = unit_scale(size);
+        let start = self.start() * scale;
+        let about = |curve: &Self| curve.points.iter().map(|&p| p * scale - start).collect();
         let (a, b): (Points<P>, Points<P>) = (about(self), about(other));
         // The error bound of a difference of two points, in ulps.
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let mut search = Search::new(&a, &b, ulps * ulp(size * unit));
+        let mut search = Search::new(&a, &b, ulps * ulp(size * scale));
         search.find_intersection();
         if search.distance > search.rounding {
             search.run();
@@ -95,112 +92,6 @@ impl<P: Point> Curve<P> {
             t,
             u,
         }
-    }
-}
-
-/// The segments of a curve as a binary tree, created on demand.
-struct Pieces<P: Point>(Vec<Piece<P>>);
-
-struct Piece<P: Point> {
-    points: Points<P>,
-    lo: f64,
-    hi: f64,
-    middle: P,
-    /// The largest difference of a coordinate from the start.
-    size: f64,
-    /// The index of the first half, followed by the second; 0 before the halves are created.
-    halves: usize,
-}
-
-impl<P: Point> Piece<P> {
-    fn new(points: Points<P>, lo: f64, hi: f64) -> Self {
-        let start = points[0];
-        let size = points.iter().map(|&p| (p - start).max_abs());
-        Self {
-            lo,
-            hi,
-            middle: evaluate(&points, 0.5),
-            size: size.fold(0.0, f64::max),
-            points,
-            halves: 0,
-        }
-    }
-
-    fn mid(&self) -> f64 {
-        0.5 * (self.lo + self.hi)
-    }
-
-    /// The minimum and the maximum of the control points along a direction.
-    fn along(&self, direction: P) -> (f64, f64) {
-        let projections = self.points.iter().map(|&p| p.dot(direction));
-        projections.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        })
-    }
-
-    /// The component of a vector perpendicular to the chord.
-    fn across(&self, vector: P) -> P {
-        let chord = (self.points[self.points.len() - 1] - self.points[0]).normalize_or_zero();
-        vector - chord * vector.dot(chord)
-    }
-
-    /// A lower bound on the distance of two segments.
-    fn apart(&self, other: &Self) -> f64 {
-        let vector = self.middle - other.middle;
-        let bound = |vector: P| {
-            let direction = vector.normalize_or_zero();
-            self.along(direction).0 - other.along(direction).1
-        };
-        bound(vector)
-            .max(bound(self.across(vector)))
-            .max(bound(other.across(vector)))
-    }
-}
-
-impl<P: Point> Pieces<P> {
-    fn new(points: &[P]) -> Self {
-        Self(vec![Piece::new(points_of(points), 0.0, 1.0)])
-    }
-
-    fn halves(&mut self, index: usize) -> [usize; 2] {
-        let piece = &self.0[index];
-        if piece.halves == 0 {
-            let (left, right) = Curve::from_slice(&piece.points).halve();
-            let (lo, mid, hi) = (piece.lo, piece.mid(), piece.hi);
-            self.0[index].halves = self.0.len();
-            self.0.push(Piece::new(left.points, lo, mid));
-            self.0.push(Piece::new(right.points, mid, hi));
-        }
-        let first = self.0[index].halves;
-        [first, first + 1]
-    }
-}
-
-/// An item with a lower bound; the smallest bound comes first in a heap.
-pub(crate) struct Apart<T> {
-    pub(crate) min: f64,
-    pub(crate) of: T,
-}
-
-pub(crate) type Heap<T> = BinaryHeap<Apart<T>>;
-
-impl<T> PartialEq for Apart<T> {
-    fn eq(&self, other: &Self) -> bool {
-        self.min == other.min
-    }
-}
-
-impl<T> Eq for Apart<T> {}
-
-impl<T> Ord for Apart<T> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.min.total_cmp(&self.min)
-    }
-}
-
-impl<T> PartialOrd for Apart<T> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
     }
 }
 
@@ -254,8 +145,11 @@ impl<'a, P: Point> Search<'a, P> {
             let t = self.foot(self.a.points, self.b.at(end));
             self.consider(t, end);
         }
-        let (mut left, mut right) = (Pieces::new(self.a.points), Pieces::new(self.b.points));
-        let mut pairs = Heap::from([Apart {
+        let (mut left, mut right) = (
+            SegmentTree::new(self.a.points),
+            SegmentTree::new(self.b.points),
+        );
+        let mut pairs = Heap::from([Bounded {
             min: 0.0,
             of: (0, 0),
         }]);
@@ -265,7 +159,7 @@ impl<'a, P: Point> Search<'a, P> {
                 return;
             }
             // The pair with the smallest lower bound; if it cannot improve the result, no pair can.
-            let Some(Apart { min, of: (i, j) }) = pairs.pop() else {
+            let Some(Bounded { min, of: (i, j) }) = pairs.pop() else {
                 return;
             };
             let (p, q) = (&left.0[i], &right.0[j]);
@@ -285,7 +179,7 @@ impl<'a, P: Point> Search<'a, P> {
                 }
                 let min = p.apart(q);
                 if self.may_improve(min) {
-                    pairs.push(Apart { min, of: (i, j) });
+                    pairs.push(Bounded { min, of: (i, j) });
                 }
             }
         }

@@ -1,13 +1,14 @@
 //! Hausdorff distance of two curves.
 
-use super::distance::{Apart, Heap};
-use super::{counted_parameter, nearest_parameter, unit_for};
+use super::segment_tree::{Bounded, Heap};
+use super::{counted_parameter, nearest_parameter};
 use crate::bernstein::evaluate::evaluate;
 use crate::curve::Curve;
+use crate::curve::elevate::elevate_once;
 use crate::geometry::point::Point;
-use crate::numeric::float::ulp;
+use crate::numeric::float::{ulp, unit_scale};
 use crate::numeric::list::Points;
-use casteljau_kernels::WorkLimit;
+use crate::numeric::work_limit::WorkLimit;
 
 /// Maximum number of nearest points. Only coincident curves with different parametrizations need more.
 const MAX_LOCATIONS: usize = 600;
@@ -41,15 +42,15 @@ impl<P: Point> Curve<P> {
     /// ```
     pub fn hausdorff(&self, other: &Self) -> f64 {
         let size = self.max_abs().max(other.max_abs());
-        let unit = unit_for(size);
-        let start = self.start() * unit;
+        let scale = unit_scale(size);
+        let start = self.start() * scale;
         let about = |curve: &Self| {
-            let points: Points<P> = curve.points.iter().map(|&p| p * unit - start).collect();
-            as_segment(points, ulp(size * unit))
+            let points: Points<P> = curve.points.iter().map(|&p| p * scale - start).collect();
+            as_segment(points, ulp(size * scale))
         };
         let (a, b) = (about(self), about(other));
         let ulps = 2.0 * (a.len() + b.len()) as f64;
-        let rounding = ulps * ulp(size * unit);
+        let rounding = ulps * ulp(size * scale);
         let (high, wide) = elevated_alike(&a, &b);
         let mut greatest = 0.0;
         greatest = farthest([&a, &high], [&b, &wide], rounding, greatest);
@@ -57,7 +58,7 @@ impl<P: Point> Curve<P> {
         if greatest <= rounding {
             0.0
         } else {
-            greatest / unit
+            greatest / scale
         }
     }
 }
@@ -104,17 +105,17 @@ fn as_segment<P: Point>(points: Points<P>, rounding: f64) -> Points<P> {
 /// Both curves, elevated to the higher of their degrees.
 fn elevated_alike<P: Point>(a: &Points<P>, b: &Points<P>) -> (Points<P>, Points<P>) {
     let raised = |points: &Points<P>, count: usize| {
-        let mut curve = Curve::from_slice(points);
-        while curve.points.len() < count {
-            curve = curve.elevated();
+        let mut points = points.clone();
+        while points.len() < count {
+            elevate_once(&mut points);
         }
-        curve.points
+        points
     };
     (raised(a, b.len()), raised(b, a.len()))
 }
 
 /// A segment of A with the parameters of the points of B that are nearest to its ends.
-struct Piece<P: Point> {
+struct Segment<P: Point> {
     points: Points<P>,
     from: f64,
     to: f64,
@@ -139,42 +140,42 @@ fn farthest<P: Point>(
     let straight = [original.len() == 2, b.len() == 2];
     let (from, _) = look(a[0], &mut greatest);
     let (to, _) = look(a[a.len() - 1], &mut greatest);
-    let whole = Piece {
+    let whole = Segment {
         points: a.clone(),
         from,
         to,
     };
-    let mut pieces = Heap::new();
-    pieces.push(Apart {
+    let mut segments = Heap::new();
+    segments.push(Bounded {
         min: -whole.max(&b_curve, straight),
         of: whole,
     });
     for _ in 0..MAX_LOCATIONS {
         // The segment with the largest upper bound; if it cannot increase the result, none can.
-        let Some(Apart { min, of: piece }) = pieces.pop() else {
+        let Some(Bounded { min, of: segment }) = segments.pop() else {
             break;
         };
         if -min <= greatest * (1.0 + ACCURACY) + rounding {
             break;
         }
-        let (left, right) = Curve::from_points(piece.points).halve();
+        let (left, right) = Curve::from_points(segment.points).halve();
         let (mid, within) = look(right.points[0], &mut greatest);
         if !within {
             break;
         }
         for half in [
-            Piece {
+            Segment {
                 points: left.points,
-                from: piece.from,
+                from: segment.from,
                 to: mid,
             },
-            Piece {
+            Segment {
                 points: right.points,
                 from: mid,
-                to: piece.to,
+                to: segment.to,
             },
         ] {
-            pieces.push(Apart {
+            segments.push(Bounded {
                 min: -half.max(&b_curve, straight),
                 of: half,
             });
@@ -183,7 +184,7 @@ fn farthest<P: Point>(
     greatest
 }
 
-impl<P: Point> Piece<P> {
+impl<P: Point> Segment<P> {
     /// An upper bound on the distance of the segment's points from B: the maximum distance at equal parameters from the
     /// segment of B between the nearest points, or from one of its ends. For straight segments the bound does not
     /// depend on the parametrization.

@@ -6,17 +6,25 @@
 
 pub(crate) mod distance;
 mod hausdorff;
+mod segment_tree;
+
+#[cfg(not(feature = "wasm"))]
+pub(crate) mod search;
+#[cfg(feature = "wasm")]
+pub(crate) use casteljau_fast::curve::nearest::search;
 
 use super::Curve;
 use super::with_derivatives::CurveWithDerivatives;
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::product::Binomials;
 use crate::bernstein::roots::{roots_inside, sign_changes};
+use crate::curve::nearest::search::{nearest_in_plane, nearest_in_space};
 use crate::geometry::check::{check_finite, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::unit_scale;
 use crate::numeric::list::Points;
-use casteljau_kernels::{WorkLimit, nearest_in_plane, nearest_in_space};
+use crate::numeric::work_limit::WorkLimit;
 
 /// The point of a curve or of a spline that is nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,20 +107,14 @@ pub(crate) fn counted_parameter<P: Point>(points: &[P], p: P) -> (f64, usize) {
     if let Some(t) = as_cubic(points).and_then(|cubic| on_cubic(cubic, p)) {
         return (t, STEPS_OF_CUBIC);
     }
-    let unit = unit_for(max_abs(points).max(p.max_abs()));
-    let about: Points<P> = points.iter().map(|&q| q * unit - p * unit).collect();
+    let scale = unit_scale(max_abs(points).max(p.max_abs()));
+    let about: Points<P> = points.iter().map(|&q| q * scale - p * scale).collect();
     if let [a, b] = *about {
         return (on_segment(a, b), 1);
     }
     as_cubic(&about)
         .and_then(|cubic| on_cubic(cubic, P::default()))
         .map_or_else(|| of_any_degree(&about), |t| (t, STEPS_OF_CUBIC))
-}
-
-/// A power of two that scales the size to about 1.
-pub(crate) fn unit_for(size: f64) -> f64 {
-    let exponent = size.to_bits() >> 52;
-    f64::from_bits(2046_u64.saturating_sub(exponent).max(1) << 52)
 }
 
 /// The parameter of the point from a to b that is nearest to the origin.

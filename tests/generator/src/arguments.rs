@@ -181,6 +181,7 @@ impl Maker<'_> {
             "flatten tolerance" => self.seldom_fine(0.01, size, min.max(-10.0), -7.0),
             "piece tolerance" => self.seldom_fine(0.02, size, min.max(-5.0), -2.0),
             "mesh tolerance" => self.seldom_fine(0.004, size, min, -3.0),
+            "easing tolerance" => self.tolerance(1.0, -4.2, 1.0),
             "wire width" => self.tolerance(size, -4.0, -1.0),
             // Any number above 0 is allowed here.
             "pixels" if self.rng.chance(0.02) => self.rng.pick(&[0.0, -1.0]),

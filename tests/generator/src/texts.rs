@@ -133,14 +133,36 @@ fn easing(rng: &mut Rng) -> String {
         "EASE-OUT",
         " ease-in-out ",
         "linear",
+        "step-start",
         "transition: ease;",
     ];
     let (x1, y1, x2, y2) = (rng.unit(), number(rng), rng.unit(), number(rng));
-    match rng.below(4) {
+    match rng.below(8) {
         0 => rng.pick(&words).to_owned(),
         1 => format!("{x1} {y1}, {x2} {y2}"),
+        2 | 3 => {
+            let count = rng.pick(&["1", "2", "+5", "40000", "2147483647"]);
+            let position = rng.pick(&["", ", end", ",start", ", jump-none", ", Jump-Both"]);
+            format!("steps({count}{position})")
+        }
+        4 | 5 => linear(rng),
         _ => format!("cubic-bezier({x1}, {y1},{x2}, {y2})"),
     }
+}
+
+fn linear(rng: &mut Rng) -> String {
+    let stops: Vec<String> = (0..2 + rng.below(6))
+        .map(|_| {
+            let percentages = (0..rng.below(3)).map(|_| format!("{}%", number(rng)));
+            let percentages: Vec<String> = percentages.collect();
+            match rng.below(4) {
+                0 => format!("{} {}", percentages.join(" "), number(rng)),
+                1 => format!("/**/{} {}", number(rng), percentages.join(" ")),
+                _ => format!("{} {}", number(rng), percentages.join(" ")),
+            }
+        })
+        .collect();
+    format!("linear({})", stops.join(","))
 }
 
 /// What may stand behind the `#` of the site's pages.

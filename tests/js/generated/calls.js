@@ -32,6 +32,20 @@ const traced = (draw) => {
   draw(target);
   return target.calls.map((call) => call.slice(1));
 };
+/** A location on one of the subpaths, if there is one, whose t is a part of the number of segments. */
+const location = (a, k = a.k, part = a.t) => {
+  const subpath = k % (a.path.subpathCount || 1);
+  return { subpath, t: part * (a.path.subpaths[subpath]?.segmentCount ?? 1) };
+};
+const pointsOfPath = (path) => path.subpaths.flatMap((spline) => spline.toJSON().points);
+const withPath2D = (act) => {
+  globalThis.Path2D = recorder;
+  try {
+    return act();
+  } finally {
+    delete globalThis.Path2D;
+  }
+};
 const grid = (a) => ({ segments: { u: a.segments_u, v: a.segments_v }, quads: a.quads });
 const fineness = (a) => (a.cells === undefined ? { tolerance: a.tolerance } : { segments: a.cells });
 const view = (a) => ({ pixels: a.pixels, viewProjection: a.view, viewport: [640, 480] });
@@ -66,6 +80,7 @@ const CURVE = {
   "Curve.frames": (a) => a.curve.frames(a.segments),
   "Curve.length": (a) => a.curve.length(a.tolerance),
   "Curve.timeAtLength": (a) => a.curve.timeAtLength(a.s, a.tolerance),
+  "Curve.pointAtLength": (a) => a.curve.pointAtLength(a.s),
   "Curve.equidistantTimes": (a) => a.curve.equidistantTimes(a.segments),
   "Curve.area": (a) => a.curve.area(),
   "Curve.split": (a) => a.curve.split(a.t),
@@ -107,7 +122,8 @@ const SPLINE = {
   "Spline.toJSON": (a) => a.spline.toJSON(),
   "Spline.interpolate": (a) =>
     Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
-  "Spline.fit": (a) => Spline.fit(a.points, a.tolerance, { closed: a.closed, ...dimensionOf(a.points) }),
+  "Spline.fit": (a) =>
+    Spline.fit(a.points, a.tolerance, { cornerAngle: a.corner_angle, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.controlPoints": (a) => a.spline.controlPoints(),
   "Spline.dimension": (a) => a.spline.dimension,
   "Spline.closed": (a) => a.spline.closed,
@@ -118,9 +134,20 @@ const SPLINE = {
   "Spline.eval": (a) => a.spline.eval(a.t),
   "Spline.evalAt": (a) => a.spline.evalAt(a.ts),
   "Spline.sample": (a) => a.spline.sample(a.segments),
+  "Spline.derivativeAt": (a) => a.spline.derivativeAt(a.t, a.k),
+  "Spline.tangent": (a) => a.spline.tangent(a.t),
+  "Spline.normal": (a) => a.spline.normal(a.t),
+  "Spline.curvature": (a) => a.spline.curvature(a.t),
+  "Spline.torsion": (a) => a.spline.torsion(a.t),
+  "Spline.split": (a) => a.spline.split(a.t),
+  "Spline.subsegment": (a) => a.spline.subsegment(a.t0, a.t1),
+  "Spline.hull": (a) => a.spline.hull(),
+  "Spline.extrema": (a) => a.spline.extrema(),
+  "Spline.timesAtCoordinate": (a) => a.spline.timesAtCoordinate({ [axes[a.axis]]: a.value }),
   "Spline.frames": (a) => a.spline.frames(a.segments),
   "Spline.length": (a) => a.spline.length(a.tolerance),
   "Spline.timeAtLength": (a) => a.spline.timeAtLength(a.s, a.tolerance),
+  "Spline.pointAtLength": (a) => a.spline.pointAtLength(a.s),
   "Spline.equidistantTimes": (a) => a.spline.equidistantTimes(a.segments),
   "Spline.area": (a) => a.spline.area(),
   "Spline.bounds": (a) => a.spline.bounds(),
@@ -169,6 +196,25 @@ const PATH = {
   "Path.reverse": (a) => a.path.reverse(),
   "Path.trace": (a) => traced((target) => a.path.trace(target, { tolerance: a.tolerance })),
   "Path.toSVG": (a) => a.path.toSVG(svg(a)),
+  "Path.eval": (a) => a.path.eval(location(a)),
+  "Path.evalAt": (a) => a.path.evalAt(a.path.equidistantTimes(a.segments)),
+  "Path.sample": (a) => a.path.sample(a.segments),
+  "Path.derivativeAt": (a) => a.path.derivativeAt(location(a), a.order),
+  "Path.tangent": (a) => a.path.tangent(location(a)),
+  "Path.normal": (a) => a.path.normal(location(a)),
+  "Path.curvature": (a) => a.path.curvature(location(a)),
+  "Path.pointAtLength": (a) => a.path.pointAtLength(a.s, a.tolerance),
+  "Path.split": (a) => a.path.split(location(a)),
+  "Path.subsegment": (a) => a.path.subsegment(location(a, a.k, a.t0), location(a, a.last, a.t1)),
+  "Path.extrema": (a) => a.path.extrema(),
+  "Path.timesAtCoordinate": (a) => a.path.timesAtCoordinate({ [axes[a.axis]]: a.value }),
+  "Path.toPath2D": (a) => withPath2D(() => a.path.toPath2D({ tolerance: a.tolerance })).calls,
+  "Path.from": (a) => Path.from([a.path, ...a.path.subpaths]),
+  "Path.circle": (a) => Path.circle(a.p, Math.abs(a.radius), { tolerance: a.tolerance }),
+  "Path.ellipse": (a) => Path.ellipse(a.p, Math.abs(a.radius), Math.abs(a.other_radius), a.rotation),
+  "Path.arc": (a) => Path.arc(a.p, Math.abs(a.radius), a.t0, a.t1),
+  "Path.rect": (a) => Path.rect(a.p, Math.abs(a.width), Math.abs(a.height), { radii: Math.abs(a.radius) }),
+  "Path.polygon": (a) => Path.polygon(pointsOfPath(a.path), { closed: a.closed }),
 };
 
 const PATCH = {
@@ -246,6 +292,7 @@ const SURFACE = {
   "Mesh.toGLB": (a) => mesh(a).toGLB(),
   "Mesh.toThree": (a) => mesh(a).toThree(THREE).getAttribute("position").array,
   easing: (a) => easing(a.x1, a.y1, a.x2, a.y2)(a.x),
+  "Easing.toLinear": (a) => easing(a.x1, a.y1, a.x2, a.y2).toLinear(a.tolerance),
 };
 
 /** Calls by the names of functions, in pieces of about equal work. */

@@ -1,17 +1,17 @@
 // What every answer is checked for: finite numbers; for many functions what makes the answer true. The deep checks of the
 // core are in tests/generated; here stands what could go wrong between the core and JavaScript.
 import assert from "node:assert/strict";
-import { Curve, Path, Spline, Surface } from "casteljau";
+import { Curve, easing, Path, Spline, Surface } from "casteljau";
 
 /** Whose answers may be infinite by definition: the curvature at a cusp, and what is made from it. */
-const INFINITE = new Set(["Curve.curvature", "Curve.torsion"]);
+const INFINITE = new Set(["Curve.curvature", "Curve.torsion", "Spline.curvature", "Spline.torsion", "Path.curvature"]);
 
-/** All numbers of an answer. @param {unknown} value @param {(x: number) => void} see */
+/** All numbers of an answer. @param {any} value @param {(x: number) => void} see */
 function visit(value, see) {
   if (typeof value === "number") return see(value);
   if (typeof value !== "object" || value === null) return;
   if (ArrayBuffer.isView(value)) {
-    for (const x of value) see(x);
+    for (const x of /** @type {Float64Array} */ (value)) see(x);
     return;
   }
   if (Array.isArray(value)) return value.forEach((item) => visit(item, see));
@@ -55,7 +55,8 @@ export function works() {
   assert.deepEqual(new Spline(CUBIC).flatten(100).points.length >= 4, true);
 }
 
-const numbersOf = (point) => (ArrayBuffer.isView(point) || Array.isArray(point) ? [...point] : Object.values(point));
+const numbersOf = (/** @type {any} */ point) =>
+  ArrayBuffer.isView(point) || Array.isArray(point) ? Array.from(/** @type {any} */ (point)) : Object.values(point);
 const distance = (p, q) => Math.hypot(...numbersOf(p).map((x, k) => x - numbersOf(q)[k]));
 /** 64 (n + 2) roundings of the largest coordinate. */
 const slackOf = (size, degree) => 64 * (degree + 2) * Number.EPSILON * size + Number.MIN_VALUE;
@@ -138,6 +139,26 @@ const CHECKS = {
   "Spline.fromCurves": (again, { spline }) => assert.ok(again.equals(spline)),
   "Spline.toBSpline": ({ points, ...options }, { spline }) =>
     assert.ok(Spline.fromBSpline(points, options).equals(spline)),
+  "Spline.split": ([left, right], { spline, t }, size) => {
+    assert.ok(!left.closed && !right.closed);
+    close(left.eval(left.segmentCount), right.eval(0), 0, "the parts at the joint");
+    const outside = Math.max(0, -t, t - spline.segmentCount);
+    close(right.eval(0), spline.eval(t), slackOf(size, 24) * growth(1 + outside, 24), "the joint");
+  },
+  "Spline.subsegment": (part, { spline, t0, t1 }, size) => {
+    const inside = t0 >= 0 && t1 >= 0 && Math.max(t0, t1) <= spline.segmentCount;
+    if (!inside) return;
+    close(part.eval(0), spline.eval(t0), slackOf(size, 24), "the start");
+    close(part.eval(part.segmentCount), spline.eval(t1), slackOf(size, 24), "the end");
+  },
+  "Spline.pointAtLength": ({ t, point }, { spline }, size) => {
+    assert.ok(t >= 0 && t <= spline.segmentCount, `t = ${t}`);
+    close(point, spline.eval(t), slackOf(size, 24), "the point at t");
+  },
+  "Spline.extrema": (extrema, { spline }) => {
+    for (const ts of Object.values(extrema)) ascend(ts, 0, spline.segmentCount);
+  },
+  "Spline.timesAtCoordinate": (ts, { spline }) => ascend(ts, 0, spline.segmentCount),
   "Spline.nearest": (answer, { spline }, size) => {
     assert.ok(answer.t >= 0 && answer.t <= spline.segmentCount, `t = ${answer.t}`);
     close(answer.point, spline.eval(answer.t), slackOf(size, 24), "the point at t");
@@ -153,6 +174,12 @@ const CHECKS = {
     close(moved.controlPoints().slice(index * to.length, (index + 1) * to.length), to, 0, "the point"),
   "Path.fromJSON": (again, { path }) => assert.ok(again.equals(path)),
   "Path.constructor": (again, { path }) => assert.ok(again.equals(path)),
+  "Path.from": (twice, { path }) => assert.ok(twice.equals(new Path([...path.subpaths, ...path.subpaths]))),
+  "Path.pointAtLength": (found, { path }) => found && assert.deepEqual(found.point, path.eval(found)),
+  "Path.timesAtCoordinate": (times, { path, axis, value }, size) => {
+    for (const time of times)
+      assert.ok(Math.abs(numbersOf(path.eval(time))[axis] - value) <= 1e-9 * (size + Math.abs(value)));
+  },
   "Path.reverse": (reversed, { path }) => assert.ok(reversed.reverse().equals(path)),
   "Path.fromSVG": (path, { text }) => {
     const again = Path.fromSVG(path.toSVG());
@@ -193,6 +220,11 @@ const CHECKS = {
     assert.ok(surface.vertices.length / 3 + surface.patchCount <= text.length, "more than the text can say");
   },
   "Mesh.toSTL": (bytes) => assert.equal((bytes.length - 84) % 50, 0),
+  "Easing.toLinear": (text, { x1, y1, x2, y2, tolerance }) => {
+    const [ease, linear] = [easing(x1, y1, x2, y2), easing(text)];
+    for (let k = 0; k <= 100; k++)
+      assert.ok(Math.abs(ease(k / 100) - linear(k / 100)) <= tolerance * (1 + 1e-9), `${text} at ${k / 100}`);
+  },
   easing: (y, { x }) => assert.ok((x !== 0 && x !== 1) || y === x, `${y} at ${x}`),
 };
 

@@ -41,4 +41,5 @@ export const rowOf = (name) =>
   name
     .replace("constructor", "new")
     .replace(/\.equals$/, ".approx_eq")
-    .replace(/^easing$/, "Easing.eval");
+    .replace(/^easing$/, "Easing.eval")
+    .replace(/^Easing\.toLinear$/, "Easing.to_linear");

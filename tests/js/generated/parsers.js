@@ -11,19 +11,31 @@ import { fromSvg, pathOf } from "../../../www/glyph/outline.js";
 function readBy(reader, text) {
   try {
     return reader(text);
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     assert.ok(error instanceof RangeError || error instanceof TypeError, `${error.stack}`);
     assert.match(error.message, /expected /);
     return undefined;
   }
 }
 
+/** A timing function as the package reads it: finite, and the same after writing and reading. */
+function readCss(text) {
+  const ease = readBy(easing, text);
+  if (!ease) return;
+  assert.equal(easing(ease.css).css, ease.css);
+  for (const x of [-1e308, -1, 0, 0.3, 1, 2, 1e308]) {
+    assert.ok(Number.isFinite(ease(x)), `${ease(x)} at ${x}`);
+    assert.equal(easing(ease.css)(x), ease(x));
+  }
+}
+
 /** A timing function as the page and as the elements read it: four numbers that come back from their text. */
 function readEasing({ text }) {
+  readCss(text);
   const [onPage, inElement] = [readBy(parse, text), readBy(readTiming, text)];
   for (const handles of [onPage, inElement].filter(Boolean)) {
     assert.ok(handles.length === 4 && handles.every(Number.isFinite));
-    assert.equal(easing(...handles)(1), 1);
+    assert.equal(easing(.../** @type {[number, number, number, number]} */ (handles))(1), 1);
     // The text of −0 is 0.
     assert.deepEqual(
       readTiming(timingText(handles)),
@@ -38,7 +50,7 @@ function readEasing({ text }) {
 function stateOf(text) {
   try {
     return JSON.parse(decodeURIComponent(text));
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     assert.ok(error instanceof SyntaxError || error instanceof URIError, `${error.stack}`);
     return null;
   }

@@ -24,7 +24,7 @@ function run(name, given) {
   let answer;
   try {
     answer = calls[name](values);
-  } catch (error) {
+  } catch (/** @type {any} */ error) {
     if (error?.code === "ERR_ASSERTION") throw error;
     checkRefusal(error);
     return works();
@@ -43,7 +43,7 @@ async function runFunction(name, place) {
       if (given.number % YIELD_AFTER === 0) await setImmediate();
       try {
         run(name, given);
-      } catch (error) {
+      } catch (/** @type {any} */ error) {
         failed++;
         if (failures.length < SHOWN)
           failures.push({ number: given.number, mode: given.mode, message: `${error?.message ?? error}` });
@@ -53,5 +53,6 @@ async function runFunction(name, place) {
   return { name, failed, failures };
 }
 
-for (const [place, name] of names.entries()) parentPort.postMessage(await runFunction(name, place));
-parentPort.close();
+const port = /** @type {import("node:worker_threads").MessagePort} */ (parentPort);
+for (const [place, name] of names.entries()) port.postMessage(await runFunction(name, place));
+port.close();

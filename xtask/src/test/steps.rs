@@ -76,7 +76,7 @@ pub(crate) const STEPS: [Step; 17] = [
     },
     Step {
         name: "types",
-        title: "JSDoc types of the package, and a program that uses them",
+        title: "JSDoc types of the package, its tests and benchmarks, and of a program that uses the package",
         needs: &["build"],
         act: types,
         ..PLAIN
@@ -89,6 +89,13 @@ pub(crate) const STEPS: [Step; 17] = [
         ..PLAIN
     },
     Step {
+        name: "site",
+        title: "The static site",
+        needs: &["build"],
+        act: |_| build::site().map(|()| Done::Passed),
+        ..PLAIN
+    },
+    Step {
         name: "js",
         title: "Tests of the npm package",
         needs: &["build"],
@@ -97,19 +104,12 @@ pub(crate) const STEPS: [Step; 17] = [
         ..PLAIN
     },
     Step {
-        name: "site",
-        title: "The static site",
-        needs: &["build"],
-        act: |_| build::site().map(|()| Done::Passed),
-        ..PLAIN
-    },
-    Step {
         name: "page",
         title: "Page tests, in Chromium",
         needs: &["build", "site"],
         selects: true,
+        beside: Some("js"), // a browser leaves one core idle for most of the time
         act: |context| node::page(context, &[]),
-        ..PLAIN
     },
     Step {
         name: "page-firefox",
@@ -233,8 +233,8 @@ fn size(_: &Context) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// Checks the types of the package, and a program that uses its declarations. The build checks the package only if
-/// something changed; this step always does.
+/// Checks the types of the package, the tests, the benchmarks, and a program that uses the package's declarations. The
+/// build checks those of the package only if something changed; this step always does.
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
     let tsc = "node_modules/typescript/bin/tsc";
@@ -247,8 +247,8 @@ fn types(_: &Context) -> Result<Done> {
     ];
     let mut package = shell::node(&[tsc]);
     package.args(check_only);
-    let user = shell::node(&[tsc, "--project", "tests/types"]);
-    run_all([package, user])
+    let project = |folder| shell::node(&[tsc, "--project", folder]);
+    run_all([package, project("tests"), project("benches"), project("tests/types")])
 }
 
 /// Passes the file for the list of skipped tests to a custom runner.

@@ -1,0 +1,114 @@
+// The fewest stops of a CSS linear() within a tolerance of a timing function. src/easing/stops.rs performs the same
+// operations in the same order.
+import { linear, stepStops } from "./easing-piecewise.js";
+import { approximate } from "./easing-polyline.js";
+
+/**
+ * @import { Stop } from "./easing-piecewise.js"
+ * @import { Timing } from "./easing-css.js"
+ */
+
+/** The smallest tolerance, relative to the largest handle, or to 1 if that is larger. */
+const MIN_TOLERANCE = 1e-4;
+/** The part of the tolerance that is left to the distance between the function and its polyline. */
+const POLYLINE_SHARE = 1 / 64;
+/** The largest number of halvings of the parameter range. */
+const MAX_DEPTH = 20;
+/** The largest number of decimal places to which percentages are rounded; outputs have two more. */
+const MAX_DECIMALS = 12;
+
+/**
+ * The stops of a linear() within a tolerance: the fewest for a cubic curve, equal ones for steps() and linear().
+ *
+ * @internal
+ * @param {Timing} timing
+ * @param {number} tolerance
+ * @returns {readonly Stop[]}
+ * @throws {RangeError} for a tolerance that is too small
+ */
+export function fewestStops(timing, tolerance) {
+  const [x1, y1, x2, y2] = "handles" in timing ? timing.handles : [0, 0, 1, 1];
+  const scale = Math.max(1, Math.abs(y1), Math.abs(y2));
+  if (!(tolerance >= MIN_TOLERANCE * scale))
+    throw new RangeError(`tolerance: expected at least ${MIN_TOLERANCE} of the largest output, got ${tolerance}`);
+  if ("stops" in timing) return timing.stops;
+  if ("count" in timing) return stepStops(timing.count, timing.position);
+  /** @type {Stop[]} */
+  const run = [[0, 0]];
+  // Outputs are divided by their scale, so that no difference overflows.
+  const relative = tolerance / scale;
+  const share = relative * POLYLINE_SHARE;
+  subdivide([0, 100 * x1, 100 * x2, 100], [0, y1 / scale, y2 / scale, 1 / scale], MAX_DEPTH, share, run);
+  return rounded(run, approximate(run, relative - 2 * share), relative - share, scale);
+}
+
+/**
+ * Appends the vertices of a polyline along a cubic curve, except for its start.
+ *
+ * The vertical distance of the curve from its chord is a cubic polynomial whose inner Bernstein coefficients are the
+ * distances of the handles; their weights add up to at most 3/4.
+ *
+ * @param {readonly number[]} x the control values, ascending in t
+ * @param {readonly number[]} y
+ * @param {number} depth
+ * @param {number} tolerance
+ * @param {Stop[]} run
+ */
+function subdivide(x, y, depth, tolerance, run) {
+  const slope = (y[3] - y[0]) / (x[3] - x[0]);
+  /** @param {number} k */
+  const isClose = (k) => 0.75 * Math.abs(y[k] - y[0] - slope * (x[k] - x[0])) <= tolerance;
+  if (depth === 0 || (isClose(1) && isClose(2))) run.push([x[3], y[3]]);
+  else {
+    const [xs, ys] = [halves(x), halves(y)];
+    for (const k of [0, 3]) subdivide(xs.slice(k, k + 4), ys.slice(k, k + 4), depth - 1, tolerance, run);
+  }
+}
+
+/**
+ * The control values of both halves, seven numbers.
+ *
+ * @param {readonly number[]} values
+ */
+function halves([a, b, c, d]) {
+  const [ab, bc, cd] = [(a + b) / 2, (b + c) / 2, (c + d) / 2];
+  const [abc, bcd] = [(ab + bc) / 2, (bc + cd) / 2];
+  return [a, ab, abc, (abc + bcd) / 2, bcd, cd, d];
+}
+
+/**
+ * The stops with outputs multiplied by `scale`, with as few decimal places as the tolerance permits.
+ *
+ * @param {readonly Stop[]} run
+ * @param {readonly Stop[]} stops
+ * @param {number} tolerance
+ * @param {number} scale
+ * @returns {Stop[]}
+ */
+function rounded(run, stops, tolerance, scale) {
+  for (let decimals = 0, unit = 1; decimals <= MAX_DECIMALS; decimals++, unit *= 10) {
+    const result = stops.map(([x, y]) => /** @type {Stop} */ ([round(x, unit), round(y * scale, 100 * unit)]));
+    const candidate = result.map(([x, y]) => /** @type {Stop} */ ([x, y / scale]));
+    // Both are straight in between: the distance is greatest at a vertex or at a stop.
+    if (isWithin(run, linear(candidate), tolerance) && isWithin(candidate, linear(run), tolerance)) return result;
+  }
+  const unrounded = stops.slice(0, -1).map(([x, y]) => /** @type {Stop} */ ([x, y * scale]));
+  return [...unrounded, [100, 1]];
+}
+
+/**
+ * @param {number} value
+ * @param {number} unit
+ */
+function round(value, unit) {
+  const scaled = value * unit;
+  // Above 2⁵² there is nothing to round.
+  return Math.abs(scaled) < 2 ** 52 ? Math.floor(scaled + 0.5) / unit + 0 : value;
+}
+
+/**
+ * @param {readonly Stop[]} stops
+ * @param {(x: number) => number} evaluate
+ * @param {number} tolerance
+ */
+const isWithin = (stops, evaluate, tolerance) => stops.every(([x, y]) => Math.abs(evaluate(x / 100) - y) <= tolerance);

@@ -1,0 +1,295 @@
+// Circles, ellipses, arcs, rectangles and polygons as packed paths.
+import * as check from "../check.js";
+import { flatten, writePoint } from "../points.js";
+import { arc, directionOfDegrees } from "../../io/svg-arc.js";
+import { checkTolerance } from "../../io/svg-write.js";
+import { PackedPathBuilder, packedSplines } from "../../wasm/packed-path.js";
+
+/**
+ * @import { PointLike, PointsLike } from "../check.js"
+ * @import { Pair } from "../../io/svg-arc.js"
+ */
+
+/**
+ * `tolerance`: the largest distance of the cubics from the arcs, by default 1e-9 of the larger radius. No cubic covers
+ * more than a quarter turn, whatever the tolerance.
+ *
+ * @typedef {{ tolerance?: number }} ArcOptions
+ */
+
+/**
+ * `radii`: the radius of all corners, or the four radii in the order of the corners on the path: (x, y), (x + width, y),
+ * (x + width, y + height), (x, y + height). As in CSS, all are reduced by one factor if two do not fit on a side.
+ *
+ * @typedef {ArcOptions & { radii?: number | ArrayLike<number> }} RectOptions
+ */
+
+/**
+ * @internal
+ * @param {PointLike} center
+ * @param {number} radius
+ * @param {ArcOptions | undefined} options
+ * @returns {Float64Array}
+ */
+export function circle(center, radius, options) {
+  checkedLength(radius, "radius");
+  return ellipse(center, radius, radius, 0, options);
+}
+
+/**
+ * @internal
+ * @param {PointLike} center
+ * @param {number} radiusX
+ * @param {number} radiusY
+ * @param {number | undefined} rotation
+ * @param {ArcOptions | undefined} options
+ * @returns {Float64Array}
+ */
+export function ellipse(center, radiusX, radiusY, rotation = 0, options = undefined) {
+  const [x, y] = checkedPoint(center, "center");
+  checkedLength(radiusX, "radiusX");
+  checkedLength(radiusY, "radiusY");
+  const degrees = degreesOf(check.finite(rotation, "rotation"));
+  const builder = new ShapeBuilder(check.options(options, ["tolerance"]).tolerance);
+  const [cos, sin] = directionOfDegrees(degrees);
+  const corner = (/** @type {number} */ u, /** @type {number} */ v) =>
+    /** @type {Pair} */ ([x + (u * radiusX * cos - v * radiusY * sin), y + (u * radiusX * sin + v * radiusY * cos)]);
+  builder.moveTo(corner(1, 0));
+  for (const [u, v] of [
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+    [1, 0],
+  ])
+    builder.arcTo(radiusX, radiusY, degrees, true, corner(u, v));
+  return builder.packed(true);
+}
+
+/**
+ * @internal
+ * @param {PointLike} center
+ * @param {number} radius
+ * @param {number} startAngle
+ * @param {number} endAngle
+ * @param {ArcOptions | undefined} options
+ * @returns {Float64Array}
+ */
+export function circularArc(center, radius, startAngle, endAngle, options) {
+  const [x, y] = checkedPoint(center, "center");
+  checkedLength(radius, "radius");
+  const [start, end] = [check.finite(startAngle, "startAngle"), check.finite(endAngle, "endAngle")];
+  const turn = end - start;
+  if (!(Math.abs(turn) <= 2 * Math.PI * (1 + Number.EPSILON))) {
+    throw new RangeError(`endAngle: expected at most a full turn (2π) from startAngle (${start}), got ${end}`);
+  }
+  const at = (/** @type {number} */ angle) => {
+    const [cos, sin] = directionOfDegrees(degreesOf(angle));
+    return /** @type {Pair} */ ([x + radius * cos, y + radius * sin]);
+  };
+  const builder = new ShapeBuilder(check.options(options, ["tolerance"]).tolerance);
+  builder.moveTo(at(start));
+  const parts = Math.max(1, Math.ceil(Math.abs(turn) / (Math.PI / 2) - ANGLE_ROUNDING));
+  for (let k = 1; k <= parts; k++) {
+    builder.arcTo(radius, radius, 0, turn > 0, at(k === parts ? end : start + (turn * k) / parts));
+  }
+  return builder.packed(false);
+}
+
+/** A rounded angle may exceed a number of quarter turns by this part of a quarter turn. */
+const ANGLE_ROUNDING = 1e-12;
+
+/**
+ * @internal
+ * @param {PointLike} corner
+ * @param {number} width
+ * @param {number} height
+ * @param {RectOptions | undefined} options
+ * @returns {Float64Array}
+ */
+export function rect(corner, width, height, options) {
+  const [x, y] = checkedPoint(corner, "corner");
+  checkedLength(width, "width");
+  checkedLength(height, "height");
+  const { radii: requested, tolerance } = check.options(options, ["radii", "tolerance"]);
+  const radii = fittingRadii(cornerRadii(requested), width, height);
+  const [right, top] = [x + width, y + height];
+  const builder = new ShapeBuilder(tolerance);
+  builder.moveTo([x + radii[0], y]);
+  /** @param {number} k @param {Pair} before @param {Pair} after */
+  const roundCorner = (k, before, after) => {
+    builder.lineTo(before);
+    if (radii[k] > 0) builder.arcTo(radii[k], radii[k], 0, true, after);
+  };
+  roundCorner(1, [right - radii[1], y], [right, y + radii[1]]);
+  roundCorner(2, [right, top - radii[2]], [right - radii[2], top]);
+  roundCorner(3, [x + radii[3], top], [x, top - radii[3]]);
+  roundCorner(0, [x, y + radii[0]], [x + radii[0], y]);
+  return builder.packed(true);
+}
+
+/**
+ * @param {unknown} radii
+ * @returns {number[]}
+ */
+function cornerRadii(radii = 0) {
+  if (typeof radii === "number") return new Array(4).fill(checkedLength(radii, "radii"));
+  const list = [...check.numbers(radii, "radii")];
+  if (list.length !== 4) throw new RangeError(`radii: expected a number or 4 numbers, got ${list.length} numbers`);
+  return list.map((radius, k) => checkedLength(radius, `radii[${k}]`));
+}
+
+/**
+ * @param {number[]} radii
+ * @param {number} width
+ * @param {number} height
+ * @returns {number[]}
+ */
+function fittingRadii(radii, width, height) {
+  const sides = [width, height, width, height];
+  const factors = sides.map((side, k) => {
+    const sum = radii[k] + radii[(k + 1) % 4];
+    return sum > side ? side / sum : 1;
+  });
+  const factor = Math.min(...factors);
+  return radii.map((radius) => radius * factor);
+}
+
+/**
+ * @internal
+ * @param {PointsLike} points
+ * @param {{ closed?: boolean } | undefined} options
+ * @returns {Float64Array}
+ */
+export function polygon(points, options) {
+  const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed", true);
+  const { flat } = flatten(points, 2, 2);
+  const count = flat.length / 2;
+  const min = closed ? 1 : 2;
+  if (count < min) throw new RangeError(`points: expected at least ${min} points, got ${count}`);
+  return packedSplines([{ flat, degrees: new Array(closed ? count : count - 1).fill(1), closed }]);
+}
+
+/** Builds one subpath of lines and elliptical arcs. */
+class ShapeBuilder {
+  #packer = new PackedPathBuilder();
+  #tolerance;
+  #x = 0;
+  #y = 0;
+
+  /** @param {number | undefined} tolerance */
+  constructor(tolerance) {
+    this.#tolerance = check.optionalTolerance(tolerance);
+  }
+
+  /** @param {Pair} point */
+  moveTo([x, y]) {
+    this.#point(x, y);
+  }
+
+  /**
+   * Adds a line, unless it would be a point but for rounding.
+   *
+   * @param {Pair} point
+   */
+  lineTo([x, y]) {
+    if (!isRounding(x, this.#x) || !isRounding(y, this.#y)) this.#line(x, y);
+  }
+
+  /**
+   * Adds an arc, which is a line of length 0 if a radius is 0.
+   *
+   * @param {number} radiusX
+   * @param {number} radiusY
+   * @param {number} degrees
+   * @param {boolean} isCounterClockwise
+   * @param {Pair} point
+   */
+  arcTo(radiusX, radiusY, degrees, isCounterClockwise, [x, y]) {
+    if (!Number.isFinite(4 * Math.max(radiusX, radiusY) + Math.abs(x) + Math.abs(y))) {
+      throw new RangeError(`radius: expected an arc with finite coordinates, got ${Math.max(radiusX, radiusY)}`);
+    }
+    const numbers = Float64Array.of(radiusX, radiusY, degrees, 0, isCounterClockwise ? 1 : 0);
+    const cubics = arc(this.#x, this.#y, numbers, x, y, this.#tolerance);
+    if (!cubics) return this.#line(x, y);
+    for (let k = 0; k < cubics.length; k += 2) {
+      if (k % 6 === 0) this.#packer.degrees.push(3);
+      this.#point(cubics[k], cubics[k + 1]);
+    }
+  }
+
+  /**
+   * The packed path of the subpath.
+   *
+   * @param {boolean} closed
+   * @returns {Float64Array}
+   * @throws {RangeError} for coordinates that overflow, and a tolerance below their precision
+   */
+  packed(closed) {
+    if (this.#packer.degrees.length === 0) this.#line(this.#x, this.#y);
+    this.#packer.endSubpath(closed);
+    const packed = this.#packer.packed();
+    const bad = packed.find((number) => !Number.isFinite(number));
+    if (bad !== undefined) throw new RangeError(`shape: expected finite coordinates, got ${bad}`);
+    checkTolerance(packed, this.#tolerance);
+    return packed;
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  #line(x, y) {
+    this.#packer.degrees.push(1);
+    this.#point(x, y);
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  #point(x, y) {
+    this.#packer.points.push(x);
+    this.#packer.points.push(y);
+    this.#x = x;
+    this.#y = y;
+  }
+}
+
+/**
+ * Whether two coordinates differ by rounding only.
+ *
+ * @param {number} a
+ * @param {number} b
+ */
+function isRounding(a, b) {
+  return Math.abs(a - b) <= 4 * Number.EPSILON * Math.max(Math.abs(a), Math.abs(b));
+}
+
+/**
+ * @param {PointLike} point
+ * @param {string} name
+ * @returns {Pair}
+ */
+function checkedPoint(point, name) {
+  const coordinates = new Float64Array(2);
+  writePoint(coordinates, 0, point, 2, name);
+  return [coordinates[0], coordinates[1]];
+}
+
+/**
+ * A length: a finite number from 0.
+ *
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {number}
+ */
+function checkedLength(value, name) {
+  const length = check.finite(value, name);
+  if (length < 0) throw new RangeError(`${name}: expected a number from 0, got ${length}`);
+  return length;
+}
+
+/** @param {number} radians */
+function degreesOf(radians) {
+  return (radians * 180) / Math.PI; // exact for the multiples of π/2 that f64 rounds to
+}

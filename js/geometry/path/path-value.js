@@ -1,0 +1,240 @@
+import { pathData } from "../brand.js";
+import * as check from "../check.js";
+import { samePoints, writePoint } from "../points.js";
+import { inspectedAsSVG } from "./inspected-path.js";
+import { checkedSplineData } from "./packed-shape.js";
+import { splineOf } from "../spline/spline.js";
+import { svgOf, traceOn } from "../../io/svg-write.js";
+import { extents, packedSplines } from "../../wasm/packed-path.js";
+
+/**
+ * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { Curve } from "../curve/curve.js"
+ * @import { CoreSpline } from "../spline/core-spline.js"
+ * @import { Spline } from "../spline/spline.js"
+ * @import { SvgOptions } from "../../io/svg-write.js"
+ */
+
+/**
+ * The subpaths of a path, their control points, and what the classes that extend this one need to pass them to the core;
+ * about the members with an underscore see `CurveValue`.
+ */
+export class PathValue extends /* @__PURE__ */ inspectedAsSVG() {
+  /** @type {Float64Array} see `packed-path.js` */
+  #packed;
+  /** @type {readonly Spline[] | null} */
+  #subpaths = null;
+  /** @type {(readonly Curve[])[]} the segments of the subpaths that were asked for */
+  #segments = [];
+
+  /**
+   * @param {ArrayLike<CoreSpline | CoreCurve>} splines 2D
+   * @throws {TypeError} for values that are not splines or curves, and for 3D ones
+   */
+  constructor(splines) {
+    super();
+    const checked = /** @type {unknown} */ (splines);
+    if (checked instanceof CheckedPath) {
+      this.#packed = checked.packed;
+      return;
+    }
+    if (!Array.isArray(splines))
+      throw new TypeError(`splines: expected an array of splines, got ${check.describe(splines)}`);
+    this.#packed = packedSplines(Array.from(splines, (spline, k) => checkedSplineData(spline, `splines[${k}]`)));
+  }
+
+  /** The number of subpaths. */
+  get subpathCount() {
+    return this.#packed[0];
+  }
+
+  /** The subpaths, a frozen array. */
+  get subpaths() {
+    this.#subpaths ??= Object.freeze(unpack(this.#packed));
+    return this.#subpaths;
+  }
+
+  /**
+   * The path as the `d` attribute of an SVG `<path>`; segments of higher degree become cubics.
+   *
+   * Without `precision`: "M0,0 L1,0.5 Z", each number with the fewest digits that round-trip, so that `fromSVG` reads
+   * an equal path. With it: the shortest form, "M0 0 1 .5Z", with at most that many digits after the decimal point.
+   *
+   * @param {SvgOptions} [options]
+   * @returns {string}
+   */
+  toSVG(options) {
+    return svgOf(this.#packed, options);
+  }
+
+  /**
+   * Whether both have the same structure and each control point lies within a distance of its counterpart.
+   *
+   * @param {PathValue} other
+   * @param {number} [tolerance]
+   * @returns {boolean}
+   */
+  equals(other, tolerance = 0) {
+    const [a, b] = [this.#packed, pathData(other, "other")];
+    samePoints(new Float64Array(0), new Float64Array(0), 2, tolerance); // checks the tolerance
+    if (a.length !== b.length || a[0] !== b[0]) return false;
+    for (const { degrees, points, end } of extents(a)) {
+      for (let k = degrees - 2; k < points; k++) if (a[k] !== b[k]) return false;
+      if (!samePoints(a.subarray(points, end), b.subarray(points, end), 2, tolerance)) return false;
+    }
+    return true;
+  }
+
+  /**
+   * The path transformed by an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {this}
+   */
+  transform(matrix) {
+    const [a, b, , c, d, , , , , e, f] = check.affine(matrix);
+    const packed = this.#packed.slice();
+    for (const { points, end } of extents(packed)) {
+      for (let k = points; k < end; k += 2) {
+        const [x, y] = [packed[k], packed[k + 1]];
+        packed[k] = a * x + c * y + e;
+        packed[k + 1] = b * x + d * y + f;
+      }
+    }
+    return this._pathOf(packed);
+  }
+
+  /**
+   * The same path with each subpath reversed; the order of the subpaths and the first points of closed ones are kept.
+   *
+   * @returns {this}
+   */
+  reverse() {
+    const packed = this.#packed.slice();
+    for (const { closed, degrees, points, end } of extents(packed)) {
+      packed.subarray(degrees, points).reverse();
+      const first = closed ? points + 2 : points;
+      // Reversing the array also exchanges x and y of each point.
+      packed.subarray(first, end).reverse();
+      for (let k = first; k < end; k += 2) [packed[k], packed[k + 1]] = [packed[k + 1], packed[k]];
+    }
+    return this._pathOf(packed);
+  }
+
+  /**
+   * Draws the path on a canvas context or a Path2D.
+   *
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
+   */
+  trace(target, options) {
+    traceOn(this.#packed, target, options);
+  }
+
+  /**
+   * A new Path2D of the path, for `fill`, `stroke`, `clip` and `isPointInPath` of a canvas context. In environments
+   * without Path2D (Node, for example) it throws an Error; `trace` draws on any context.
+   *
+   * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
+   * @returns {Path2D}
+   */
+  toPath2D(options) {
+    if (typeof Path2D !== "function") throw new Error("toPath2D: expected an environment with Path2D, got none");
+    const target = new Path2D();
+    this.trace(target, options);
+    return target;
+  }
+
+  /**
+   * @returns {{ subpaths: ReturnType<Spline["toJSON"]>[] }}
+   */
+  toJSON() {
+    return { subpaths: this.subpaths.map((spline) => spline.toJSON()) };
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"path"}
+   */
+  get casteljauType() {
+    return "path";
+  }
+
+  /**
+   * The packed path, not copied.
+   *
+   * @internal
+   * @returns {Float64Array}
+   */
+  casteljauData() {
+    return this.#packed;
+  }
+
+  /**
+   * The packed path, not copied.
+   *
+   * @internal
+   */
+  get _packed() {
+    return this.#packed;
+  }
+
+  /**
+   * The segments of a subpath.
+   *
+   * @internal
+   * @param {number} subpath
+   * @returns {readonly Curve[]}
+   */
+  _segments(subpath) {
+    this.#segments[subpath] ??= this.subpaths[subpath].segments();
+    return this.#segments[subpath];
+  }
+
+  /**
+   * A path of the same class. The class `Path` implements it.
+   *
+   * @internal
+   * @param {Float64Array} packed
+   * @returns {this}
+   */
+  _pathOf(packed) {
+    throw new TypeError(`expected a class that makes paths of ${packed.length} numbers`);
+  }
+}
+
+/**
+ * A packed path that is already checked: the constructor accepts it from inside the package.
+ *
+ * @internal
+ */
+export class CheckedPath {
+  /** @param {Float64Array} packed */
+  constructor(packed) {
+    this.packed = packed;
+  }
+}
+
+/**
+ * @internal
+ * @param {PointLike} point
+ * @returns {Float64Array}
+ */
+export function coordinatesOf(point) {
+  const coordinates = new Float64Array(2);
+  writePoint(coordinates, 0, point, 2, "point");
+  return coordinates;
+}
+
+/**
+ * @param {Float64Array} packed
+ * @returns {Spline[]}
+ */
+function unpack(packed) {
+  return Array.from(extents(packed), ({ closed, degrees, points, end }) =>
+    splineOf({ flat: packed.slice(points, end), dimension: 2, degrees: [...packed.subarray(degrees, points)], closed }),
+  );
+}

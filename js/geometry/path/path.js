@@ -1,0 +1,214 @@
+import * as check from "../check.js";
+import { PathMeasures } from "./path-measures.js";
+import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import * as shapes from "./path-shapes.js";
+import { packedShape, require2D } from "./packed-shape.js";
+import { CheckedPath } from "./path-value.js";
+import { splineDataOf } from "../spline/spline-value.js";
+import { readSvg } from "../../io/svg-read.js";
+import { checkTolerance } from "../../io/svg-write.js";
+import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
+
+/**
+ * @import { PointLike, PointsLike } from "../check.js"
+ * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { ArcOptions, RectOptions } from "./path-shapes.js"
+ * @import { PathTime } from "./path-queries.js"
+ * @import { Intersection, PathIntersection } from "../intersections.js"
+ * @import { PathValue } from "./path-value.js"
+ * @import { CoreSpline } from "../spline/core-spline.js"
+ * @import { SplineJSON } from "../spline/spline-value.js"
+ */
+
+/**
+ * The error that `Path.fromSVG` throws: a RangeError with the offset of the error in the text, in characters, and the
+ * path up to the error (which viewers are to render, according to the SVG specification).
+ *
+ * @typedef {RangeError & { offset: number, path: Path }} SvgError
+ */
+
+/**
+ * What a path can be made of and intersected with, from any entry point of this package.
+ *
+ * @typedef {PathValue | CoreSpline | CoreCurve} Shape
+ */
+
+/**
+ * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
+ * empty.
+ *
+ *     const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
+ *     ring.contains([0.5, 2]); // true
+ *     ring.contains([2, 2]); // false
+ */
+export class Path extends PathMeasures {
+  /**
+   * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
+   *
+   * Arcs are approximated by cubics, by default within 1e-9 of the larger radius. A moveto without a segment is ignored; "M1 1Z" is
+   * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
+   *
+   * @param {string} d
+   * @param {ArcOptions} [options]
+   * @returns {Path}
+   * @throws {SvgError} a RangeError with `offset` and `path`, the path up to the error
+   * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  static fromSVG(d, options) {
+    if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.describe(d)}`);
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
+    const { packed, error } = readSvg(d, tolerance);
+    const path = pathOf(packed);
+    if (error) throw Object.assign(new RangeError(error.message), { offset: error.offset, path });
+    checkTolerance(packed, tolerance);
+    return path;
+  }
+
+  /**
+   * @param {{ subpaths: SplineJSON[] }} json what `toJSON` returned
+   * @returns {Path}
+   */
+  static fromJSON(json) {
+    if (typeof json !== "object" || json === null || !Array.isArray(json.subpaths)) {
+      throw new TypeError(`json: expected an object with subpaths, got ${check.describe(json)}`);
+    }
+    return pathOf(
+      packedSplines(Array.from(json.subpaths, (subpath, k) => require2D(splineDataOf(subpath), `subpaths[${k}]`))),
+    );
+  }
+
+  /**
+   * The path of a curve, a spline, a path, or an array of these; the subpaths of paths are copied.
+   *
+   * @param {Shape | ArrayLike<Shape>} shapes
+   * @returns {Path}
+   * @throws {TypeError} for other values, and for 3D ones
+   */
+  static from(shapes) {
+    if (!Array.isArray(shapes)) return pathOf(packedShape(shapes, "shapes"));
+    return pathOf(packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`))));
+  }
+
+  /**
+   * A circle, counter-clockwise (x right, y up; clockwise on a canvas), from the point to the right of the centre. It
+   * consists of cubics that join at each quarter turn.
+   *
+   * By default, 36 cubics approximate it within 1e-9 of the radius. The largest distance of a cubic over the angle θ is
+   * 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: a tolerance of 2.73e-4 · radius gives the usual four cubics.
+   *
+   * @param {PointLike} center
+   * @param {number} radius 0 gives a closed subpath that is a point
+   * @param {ArcOptions} [options]
+   * @returns {Path}
+   * @throws {RangeError} for a negative radius, coordinates that overflow, and a tolerance not above 0 or below 4 ulps of
+   *   the largest coordinate
+   */
+  static circle(center, radius, options) {
+    return pathOf(shapes.circle(center, radius, options));
+  }
+
+  /**
+   * An ellipse with the same direction and accuracy as `circle`, from the end of its first semi-axis.
+   *
+   * @param {PointLike} center
+   * @param {number} radiusX the length of the first semi-axis
+   * @param {number} radiusY the length of the second semi-axis
+   * @param {number} [rotation] the angle from the x-axis to the first semi-axis, in radians, counter-clockwise (y up)
+   * @param {ArcOptions} [options]
+   * @returns {Path}
+   */
+  static ellipse(center, radiusX, radiusY, rotation, options) {
+    return pathOf(shapes.ellipse(center, radiusX, radiusY, rotation, options));
+  }
+
+  /**
+   * An arc of a circle as an open subpath, with the accuracy of `circle`: counter-clockwise (x right, y up; clockwise on
+   * a canvas) if `endAngle` is greater than `startAngle`, otherwise clockwise.
+   *
+   *     Path.arc([0, 0], 1, 0, Math.PI / 2); // from (1, 0) to (0, 1)
+   *
+   * @param {PointLike} center
+   * @param {number} radius
+   * @param {number} startAngle in radians, from the x-axis towards the y-axis
+   * @param {number} endAngle in radians; at most a full turn away from `startAngle`
+   * @param {ArcOptions} [options]
+   * @returns {Path}
+   */
+  static arc(center, radius, startAngle, endAngle, options) {
+    return pathOf(shapes.circularArc(center, radius, startAngle, endAngle, options));
+  }
+
+  /**
+   * A rectangle with sides parallel to the axes, counter-clockwise (x right, y up; clockwise on a canvas), from the
+   * corner with the smallest coordinates (after its rounding).
+   *
+   * @param {PointLike} corner the corner with the smallest coordinates
+   * @param {number} width
+   * @param {number} height
+   * @param {RectOptions} [options]
+   * @returns {Path}
+   */
+  static rect(corner, width, height, options) {
+    return pathOf(shapes.rect(corner, width, height, options));
+  }
+
+  /**
+   * A polygon, or an open polyline, with the given corners in their order.
+   *
+   * @param {PointsLike} points a flat array is read as x, y, x, y, …; at least 1 point, at least 2 if open
+   * @param {{ closed?: boolean }} [options] closed by default
+   * @returns {Path}
+   */
+  static polygon(points, options) {
+    return pathOf(shapes.polygon(points, options));
+  }
+
+  /**
+   * All intersections with another path, a spline or a curve. `t` is a location {subpath, t} on this path; `u` is a
+   * location on another path, or the t of a spline or a curve. They are sorted by the subpath of this path, the subpath
+   * of the other one, t and u.
+   *
+   * An intersection at a joint or at the start of a closed subpath is reported once, and so is an end point that both
+   * have in common. Subpaths are intersected separately: a point that lies on two of them is reported for each. The
+   * lines that would close open subpaths do not count.
+   *
+   * Pairs of segments are found with a tree of boxes, in about n log n time for n segments. In the worst case each pair
+   * of segments is compared, with the limits of `Curve.intersections`.
+   *
+   * @template {Shape} S
+   * @param {S} other
+   * @returns {Intersection<PathTime, S extends PathValue ? PathTime : number>[]}
+   */
+  intersections(other) {
+    return /** @type {any} */ (intersectPathWith(this._packed, other));
+  }
+
+  /**
+   * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
+   * Each pair is reported once.
+   *
+   * @returns {PathIntersection[]}
+   */
+  selfIntersections() {
+    return selfIntersectPath(this._packed);
+  }
+
+  /**
+   * @internal
+   * @override
+   * @param {Float64Array} packed
+   * @returns {this}
+   */
+  _pathOf(packed) {
+    return /** @type {this} */ (pathOf(packed));
+  }
+}
+
+/**
+ * @internal
+ * @param {Float64Array} packed
+ * @returns {Path}
+ */
+export function pathOf(packed) {
+  return new Path(/** @type {any} */ (new CheckedPath(packed))); // outside of the class, see curve.js
+}

@@ -1,0 +1,49 @@
+/** @import { SplineData } from "../brand.js" */
+
+/**
+ * Where the segments of a spline are in its list of points. It is made once for each spline that is asked for a segment.
+ *
+ * @internal
+ */
+export class SegmentIndex {
+  /** For each segment the index of its first coordinate, then the index of the last point of the spline. */
+  #starts;
+  /** All coordinates; for a closed spline, those of the first point again at the end. */
+  #flat;
+
+  /** @param {SplineData} data */
+  constructor({ flat, dimension, degrees, closed }) {
+    this.dimension = dimension;
+    this.count = degrees.length;
+    this.closed = closed;
+    this.#flat = flat;
+    if (closed) {
+      this.#flat = new Float64Array(flat.length + dimension);
+      this.#flat.set(flat);
+      this.#flat.set(flat.subarray(0, dimension), flat.length);
+    }
+    this.#starts = new Float64Array(degrees.length + 1);
+    for (let k = 0; k < degrees.length; k++) this.#starts[k + 1] = this.#starts[k] + degrees[k] * dimension;
+  }
+
+  /**
+   * The coordinates of the control points of segment k, not copied.
+   *
+   * @param {number} k
+   * @returns {Float64Array}
+   */
+  pointsOf(k) {
+    return this.pointsFrom(k, k + 1);
+  }
+
+  /**
+   * The coordinates of the control points of the segments from one index to the one before another, not copied.
+   *
+   * @param {number} from
+   * @param {number} to
+   * @returns {Float64Array}
+   */
+  pointsFrom(from, to) {
+    return this.#flat.subarray(this.#starts[from], this.#starts[to] + this.dimension);
+  }
+}

@@ -1,0 +1,106 @@
+// Queries of the single coordinates of a spline: extrema, and parameters of given values.
+
+/**
+ * @import { CurveMeasures } from "../curve/curve-measures.js"
+ * @import { Extrema } from "../curve-queries.js"
+ * @import { SegmentIndex } from "./segment-index.js"
+ */
+
+const AXES = /** @type {const} */ (["x", "y", "z"]);
+
+/**
+ * The parameters of the local extrema of each coordinate.
+ *
+ * @internal
+ * @param {SegmentIndex} index
+ * @param {readonly CurveMeasures[]} segments
+ * @returns {Extrema}
+ */
+export function splineExtrema(index, segments) {
+  const inside = segments.map((segment) => segment.extrema());
+  const timesOf = (/** @type {number} */ axis) => {
+    const isExtremum = jointExtrema(index, axis);
+    const ts = inside.flatMap((extrema, k) => {
+      const times = Array.from(extrema[AXES[axis]] ?? [], (t) => k + t);
+      return isExtremum[k] ? [k, ...times] : times;
+    });
+    return Float64Array.from(new Set(ts)); // k + t may be rounded to a joint
+  };
+  const [x, y] = [timesOf(0), timesOf(1)];
+  return index.dimension === 2 ? { x, y } : { x, y, z: timesOf(2) };
+}
+
+/**
+ * For the start of each segment, whether a coordinate changes there between rising and falling.
+ *
+ * @param {SegmentIndex} index
+ * @param {number} axis
+ * @returns {boolean[]}
+ */
+function jointExtrema(index, axis) {
+  const directions = Array.from({ length: index.count }, (_, k) => directionsOf(index, k, axis));
+  const before = carried(
+    directions.map(([, end]) => end),
+    index.closed,
+  );
+  const after = carried(directions.map(([start]) => start).reverse(), index.closed).reverse();
+  return directions.map((_, k) => {
+    const previous = k > 0 ? before[k - 1] : index.closed ? before[index.count - 1] : 0;
+    return previous * after[k] < 0;
+  });
+}
+
+/**
+ * Whether a coordinate of segment k rises (1), falls (−1) or is constant (0) at its start and at its end.
+ *
+ * @param {SegmentIndex} index
+ * @param {number} k
+ * @param {number} axis
+ * @returns {[start: number, end: number]}
+ */
+function directionsOf(index, k, axis) {
+  const values = index.pointsOf(k).filter((_, i) => i % index.dimension === axis);
+  const start = firstDirection(values);
+  return [start, -firstDirection(values.reverse())];
+}
+
+/**
+ * The sign of the first difference from the first value that is not zero.
+ *
+ * @param {Float64Array} values
+ * @returns {number}
+ */
+function firstDirection(values) {
+  return Math.sign((values.find((value) => value !== values[0]) ?? values[0]) - values[0]);
+}
+
+/**
+ * Directions with each 0 replaced by the direction before it, in a closed spline also across its start.
+ *
+ * @param {number[]} directions
+ * @param {boolean} closed
+ * @returns {number[]}
+ */
+function carried(directions, closed) {
+  let current = closed ? ([...directions].reverse().find((direction) => direction !== 0) ?? 0) : 0;
+  return directions.map((direction) => {
+    current = direction || current;
+    return current;
+  });
+}
+
+/**
+ * The parameters at which a coordinate has a value.
+ *
+ * @internal
+ * @param {readonly CurveMeasures[]} segments
+ * @param {{ x: number } | { y: number } | { z: number }} where
+ * @param {boolean} closed
+ * @returns {Float64Array}
+ */
+export function splineTimesAtCoordinate(segments, where, closed) {
+  const ts = segments.flatMap((segment, k) => Array.from(segment.timesAtCoordinate(where), (t) => k + t));
+  const times = new Set(ts); // a joint is the end of one segment and the start of the next
+  if (closed && times.has(0)) times.delete(segments.length);
+  return Float64Array.from(times);
+}

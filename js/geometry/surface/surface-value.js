@@ -1,0 +1,232 @@
+import * as check from "../check.js";
+import { CheckedNetwork, joinedOf } from "./network.js";
+import { flatten, writePoint } from "../points.js";
+import { networkJSON, vertexIndices } from "../surface-network.js";
+import { surfaceText } from "../../io/surface-text.js";
+import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
+
+/**
+ * @import { MatrixLike, PointLike, PointsLike } from "../check.js"
+ * @import { Network } from "./network.js"
+ * @import { PatchValue } from "../patch/patch-value.js"
+ */
+
+/**
+ * The vertices and patches of a surface. The members with an underscore are for the classes that extend this one, see
+ * `CurveValue`.
+ *
+ * @template {PatchValue} [P=PatchValue] the class of its patches
+ */
+export class SurfaceValue {
+  /** @type {Network} */
+  #network;
+
+  /**
+   * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data for each patch its
+   *   (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index
+   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @throws {RangeError} for an index without a vertex, a wrong count, a NaN or an infinity
+   */
+  constructor(data, options) {
+    const checked = /** @type {unknown} */ (data);
+    if (checked instanceof CheckedNetwork) {
+      this.#network = checked.network;
+      return;
+    }
+    this.#network = checkedNetwork(data, options);
+  }
+
+  /**
+   * The surface as text from which `parse` creates a bit-identical surface (except that vertices which have been moved
+   * to the same position are joined): the row `surface`; `vertices` and their number, then a row x y z for each;
+   * `patches` and their number, then for each a row with its degrees in u and v, followed by its net, for each j a row
+   * with the vertex numbers, from 0, of the points Pᵢⱼ.
+   *
+   * @returns {string}
+   */
+  toText() {
+    return surfaceText(this.#network);
+  }
+
+  /**
+   * The vertices and, for each patch, its vertex indices and degrees. As with `toText`, vertices which have been moved
+   * to the same position are joined in the surface that `fromJSON` returns.
+   *
+   * @returns {{ vertices: number[][], patches: number[][], degrees: number[][] }}
+   */
+  toJSON() {
+    return networkJSON(this.#network, this.patches);
+  }
+
+  /** A copy of the coordinates of the vertices. */
+  get vertices() {
+    return this.#network.vertices.slice();
+  }
+
+  /** For each patch a copy of the vertex indices of its control points. */
+  get patches() {
+    let from = 0;
+    return Array.from({ length: this.patchCount }, (_, k) => {
+      const to = from + this.#netLength(k);
+      const indices = this.#network.indices.slice(from, to);
+      from = to;
+      return indices;
+    });
+  }
+
+  /** The number of patches. */
+  get patchCount() {
+    return this.#network.degrees.length / 2;
+  }
+
+  /**
+   * One patch.
+   *
+   * @param {number} k
+   * @returns {P}
+   */
+  patch(k) {
+    check.whole(k, "patch", 0, this.patchCount - 1);
+    const { vertices, degrees } = this.#network;
+    const indices = this.patches[k];
+    const net = new Float64Array(3 * indices.length);
+    indices.forEach((index, i) => net.set(vertices.subarray(3 * index, 3 * index + 3), 3 * i));
+    return this._patchOf(net, degrees[2 * k], degrees[2 * k + 1]);
+  }
+
+  /**
+   * The surface with one vertex moved, together with all vertices that had the same position when the surface was
+   * created. So patches that were joined stay joined, and others do not become joined.
+   *
+   * @param {number} index
+   * @param {PointLike} to
+   * @returns {this}
+   */
+  movePoint(index, to) {
+    const { joined } = this.#network;
+    if (joined.length === 0) throw new RangeError("vertices: expected at least 1, got 0");
+    check.whole(index, "index", 0, joined.length - 1);
+    const vertices = this.vertices;
+    writePoint(vertices, 3 * index, to, 3, "to");
+    const moved = vertices.slice(3 * index, 3 * index + 3);
+    joined.forEach((first, k) => {
+      if (first === joined[index]) vertices.set(moved, 3 * k);
+    });
+    return this._surfaceOf({ ...this.#network, vertices });
+  }
+
+  /**
+   * The surface transformed by an affine map.
+   *
+   * @param {MatrixLike} matrix
+   * @returns {this}
+   */
+  transform(matrix) {
+    const { vertices } = this.#network;
+    writeArguments(vertices, 12).set(check.affine(matrix), vertices.length);
+    core().points_transform(3, vertices.length / 3);
+    return this._surfaceOf({ ...this.#network, vertices: readResult(0, vertices.length) });
+  }
+
+  /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"surface"}
+   */
+  get casteljauType() {
+    return "surface";
+  }
+
+  /**
+   * @internal
+   * @returns {Network}
+   */
+  casteljauData() {
+    return this.#network;
+  }
+
+  /**
+   * A surface of the same class. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {Network} network
+   * @returns {this}
+   */
+  _surfaceOf(network) {
+    throw new TypeError(`expected a class that makes surfaces of ${network.degrees.length / 2} patches`);
+  }
+
+  /**
+   * A patch. The class of each entry point implements it.
+   *
+   * @internal
+   * @param {Float64Array} flat
+   * @param {number} degreeU
+   * @param {number} degreeV
+   * @returns {P}
+   */
+  _patchOf(flat, degreeU, degreeV) {
+    throw new TypeError(`expected a class that makes ${degreeU} × ${degreeV} patches of ${flat.length} numbers`);
+  }
+
+  /**
+   * @internal
+   * Writes the surface to the arena with room for `extra` more numbers, and returns the arena and the index of that
+   * room.
+   *
+   * @param {number} [extra]
+   * @param {boolean} [withJoined] false for functions that treat patches separately
+   * @returns {{ view: Float64Array, at: number }}
+   */
+  _write(extra = 0, withJoined = true) {
+    const { vertices, degrees, indices, joined } = this.#network;
+    const from = 3 + degrees.length;
+    const joinedAt = from + vertices.length + indices.length;
+    const joinedCount = withJoined ? joined.length : 0;
+    const at = joinedAt + joinedCount;
+    const view = writeArguments(Float64Array.of(vertices.length / 3, degrees.length / 2, joinedCount), at + extra);
+    view.set(degrees, 3);
+    view.set(vertices, from);
+    view.set(indices, from + vertices.length);
+    if (withJoined) view.set(joined, joinedAt);
+    return { view, at };
+  }
+
+  /** @param {number} k */
+  #netLength(k) {
+    const { degrees } = this.#network;
+    return (degrees[2 * k] + 1) * (degrees[2 * k + 1] + 1);
+  }
+}
+
+/**
+ * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data
+ * @param {{ degreeU?: number, degreeV?: number }} [options]
+ * @returns {Network}
+ */
+function checkedNetwork(data, options) {
+  const { vertices, patches } = check.object(data, "data");
+  const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
+  check.whole(degreeU, "degreeU", 1, 64);
+  check.whole(degreeV, "degreeV", 1, 64);
+  const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
+  const indices = patchIndices(patches, (degreeU + 1) * (degreeV + 1), flat.length / 3);
+  const degrees = Array.from({ length: (2 * indices.length) / ((degreeU + 1) * (degreeV + 1)) }, (_, k) =>
+    k % 2 ? degreeV : degreeU,
+  );
+  return { vertices: flat, joined: joinedOf(flat), degrees, indices };
+}
+
+/**
+ * @param {unknown} patches
+ * @param {number} count the number of points of one net
+ * @param {number} vertices
+ * @returns {Uint32Array}
+ */
+function patchIndices(patches, count, vertices) {
+  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
+  const all = new Uint32Array(patches.length * count);
+  patches.forEach((net, k) => all.set(vertexIndices(net, count, vertices, `patches[${k}]`), k * count));
+  return all;
+}

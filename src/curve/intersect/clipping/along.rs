@@ -1,0 +1,161 @@
+//! Contacts of two segments with about the same direction, compared as graphs over that direction.
+//!
+//! Let x be the coordinate along the direction and y the coordinate across it, and let both segments span the same x.
+//! At equal parameters s, the curve B is ahead of A by B_x − A_x, and its slope is between those of its control edges,
+//! so the height of A over B at the x of A(s) is (A_y − B_y) − slope · (A_x − B_x). With a mean slope this is a
+//! polynomial in s, bounded by its Bernstein coefficients; the remainder is half the range of slopes times |A_x − B_x|.
+//! Both shrink as the segments get shorter. If the whole height is below rounding, the segments are in contact. Two
+//! curves with a common segment are detected immediately, since their parameters correspond.
+
+use super::crossing::cross_product;
+use super::piece::{Coefficients, Piece, time_at};
+use super::solver::{ClippingSolver, Contact, SPLIT};
+use crate::numeric::order::range;
+
+/// Heights up to this many times the slack count as contact if a segment cannot be discarded. The factor is above 1 so
+/// that halving terminates.
+const CONTACT: f64 = 4.0;
+
+impl<C: Coefficients> ClippingSolver<C> {
+    /// Finds the contacts if the segments have about the same direction (or the opposite one); otherwise returns false.
+    pub(super) fn run_along(&mut self, a: &Piece<C>, b: &Piece<C>) -> bool {
+        let Some((direction, forwards)) = common_direction(a, b, self.slack) else {
+            return false;
+        };
+        let b = if forwards { b.clone() } else { b.reversed() };
+        let (a, b) = (a.turned(direction), b.turned(direction));
+        let n = a.last();
+        let from = a.x.get()[0].max(b.x.get()[0]);
+        let to = a.x.get()[n].min(b.x.get()[n]);
+        if to < from - self.slack {
+            return true;
+        }
+        let to = to.max(from);
+        let common = |p: &Piece<C>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
+        self.matched(&common(&a), &common(&b));
+        true
+    }
+
+    /// Finds the contacts of two segments that span the same x.
+    fn matched(&mut self, a: &Piece<C>, b: &Piece<C>) {
+        if !self.work.spend(1) {
+            return self.note(a, b);
+        }
+        let (slopes_a, slopes_b) = (slopes(a), slopes(b));
+        let heights = heights(a, b, slopes_a, slopes_b);
+        let (min, max) = (heights.min, heights.max);
+        if min > self.slack || max < -self.slack {
+            return;
+        }
+        let contact = CONTACT * self.slack;
+        if max <= contact && min >= -contact {
+            return self.note(a, b);
+        }
+        let one_crossing = slopes_a.0 > slopes_b.1 || slopes_a.1 < slopes_b.0;
+        if one_crossing && self.monotone(a, b, &heights) {
+            return;
+        }
+        let (before_a, after_a) = a.split(SPLIT);
+        let x = after_a.x.get()[0];
+        let (before_b, after_b) = b.split(time_at(b.x.get(), x));
+        self.matched(&before_a, &before_b);
+        self.matched(&after_a, &after_b);
+    }
+
+    /// Handles two segments whose height difference is monotone; returns false if the result is unclear.
+    fn monotone(&mut self, a: &Piece<C>, b: &Piece<C>, heights: &Heights) -> bool {
+        let (start, end) = (heights.start, heights.end);
+        if start * end < 0.0 {
+            let s = start / (start - end);
+            let found = self.newton(a, b, s, s);
+            found.is_some_and(|contact| {
+                self.found.push(contact);
+                true
+            })
+        } else {
+            if start.abs().min(end.abs()) <= self.slack {
+                let s = if start.abs() <= end.abs() { 0.0 } else { 1.0 };
+                let (t, u) = (a.at(s), b.at(s));
+                self.found.push(Contact {
+                    t: [t, t],
+                    u: [u, u],
+                    crossing: false,
+                });
+            }
+            true
+        }
+    }
+}
+
+/// A unit vector from which no control edge of either segment deviates by more than 45°; the edges of `b` are reversed
+/// if the second value is false.
+fn common_direction<C: Coefficients>(
+    a: &Piece<C>,
+    b: &Piece<C>,
+    slack: f64,
+) -> Option<([f64; 2], bool)> {
+    let (direction_a, direction_b) = (normalized(a.chord())?, normalized(b.chord())?);
+    let forwards = direction_a[0] * direction_b[0] + direction_a[1] * direction_b[1] >= 0.0;
+    let sign = if forwards { 1.0 } else { -1.0 };
+    let direction = normalized([
+        direction_a[0] + sign * direction_b[0],
+        direction_a[1] + sign * direction_b[1],
+    ])?;
+    let keeps = |p: &Piece<C>, sign: f64| {
+        (0..p.last()).all(|i| {
+            let [x, y] = p.edge(i);
+            let forward = sign * (x * direction[0] + y * direction[1]);
+            forward >= cross_product(direction, [x, y]).abs() || x.abs().max(y.abs()) <= slack
+        })
+    };
+    (keeps(a, 1.0) && keeps(b, sign)).then_some((direction, forwards))
+}
+
+fn normalized([x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    let length = (x * x + y * y).sqrt();
+    (length > 0.0).then(|| [x / length, y / length])
+}
+
+/// The smallest and the largest slope of the control edges, which bound the slopes of the curve.
+#[inline(always)]
+fn slopes<C: Coefficients>(p: &Piece<C>) -> (f64, f64) {
+    let edges = (0..p.last()).map(|i| p.edge(i));
+    let (min, max) = range(edges.filter(|e| e[0] > 0.0).map(|[x, y]| y / x));
+    // All edges have zero extent: treat the segment as level.
+    if min > max { (0.0, 0.0) } else { (min, max) }
+}
+
+/// The height of one segment over the other: bounds, and the values at the two ends.
+struct Heights {
+    min: f64,
+    max: f64,
+    start: f64,
+    end: f64,
+}
+
+#[inline(always)]
+fn heights<C: Coefficients>(a: &Piece<C>, b: &Piece<C>, sa: (f64, f64), sb: (f64, f64)) -> Heights {
+    // The slopes of either curve may be used; those of the straighter one give a tighter bound.
+    let (low, high) = if sa.1 - sa.0 < sb.1 - sb.0 { sa } else { sb };
+    let (mean, spread) = (0.5 * (low + high), 0.5 * (high - low));
+    let mut ahead = 0.0;
+    let n = a.last();
+    let height = |i: usize| {
+        let ([ax, ay], [bx, by]) = (a.point(i), b.point(i));
+        (ay - by) - mean * (ax - bx)
+    };
+    for i in 0..=n {
+        let difference = (a.x.get()[i] - b.x.get()[i]).abs();
+        if difference > ahead {
+            ahead = difference;
+        }
+    }
+    let (min, max) = range((0..=n).map(height));
+    let margin = spread * ahead;
+    Heights {
+        min: min - margin,
+        max: max + margin,
+        start: height(0),
+        end: height(n),
+    }
+}

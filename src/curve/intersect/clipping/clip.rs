@@ -1,0 +1,124 @@
+//! Fat-line clipping: removal of the parts of a curve that cannot intersect another one.
+
+use super::piece::{Coefficients, Piece};
+use crate::numeric::order::range;
+
+/// If a clip leaves more than this part, it is not worth applying, and a segment is halved instead. Source: Sederberg
+/// and Nishita.
+pub(super) const WORTH_CLIPPING: f64 = 0.8;
+
+/// Removes from `b` what is outside the fat line of `a`, the strip parallel to its chord that contains `a`. Returns the
+/// remaining part, 1 for all; `None` if nothing remains.
+#[inline(always)]
+pub(super) fn clip<C: Coefficients>(a: &Piece<C>, b: &mut Piece<C>, slack: f64) -> Option<f64> {
+    let n = a.last();
+    let [x0, y0] = a.point(0);
+    let [mut dx, mut dy] = a.chord();
+    if dx == 0.0 && dy == 0.0 {
+        // A closed segment: any direction is valid; that of the first edge is likely to be a good one.
+        [dx, dy] = a.edge(0);
+        if dx == 0.0 && dy == 0.0 {
+            dx = 1.0;
+        }
+    }
+    let side = |[x, y]: [f64; 2]| dx * (y - y0) - dy * (x - x0);
+    let (min, max) = range((1..n + 1).map(|i| side(a.point(i))));
+    let (min, max) = (min.min(0.0), max.max(0.0));
+    let margin = slack * (dx.abs() + dy.abs());
+    let mut sides = b.x.clone();
+    let (bx, by) = (b.x.get(), b.y.get());
+    for (i, s) in sides.get_mut().iter_mut().enumerate() {
+        *s = side([bx[i], by[i]]);
+    }
+    let (lo, hi) = inside(sides.get(), min - margin, max + margin)?;
+    let remaining = hi - lo;
+    if remaining <= WORTH_CLIPPING {
+        *b = b.between(lo, hi);
+    }
+    Some(remaining)
+}
+
+/// The part of [0, 1] where the convex hull of the points (i/n, rowᵢ) is between two heights.
+#[inline(always)]
+fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
+    let (min, max) = range(row.iter().copied());
+    if max < low || min > high {
+        return None;
+    }
+    let n = row.len() - 1;
+    let (mut lo, mut hi) = (0.0, 1.0);
+    // The sign that maps an end outside to one below the height to be reached, and this height.
+    let below = |end: f64| {
+        if end < low {
+            Some((1.0, low))
+        } else if end > high {
+            Some((-1.0, -high))
+        } else {
+            None
+        }
+    };
+    if let Some((sign, height)) = below(row[0]) {
+        lo = entry(n, |i| sign * row[i] - height);
+    }
+    if let Some((sign, height)) = below(row[n]) {
+        hi = 1.0 - entry(n, |i| sign * row[n - i] - height);
+    }
+    // Rounding may swap the ends of an interval that is a single parameter.
+    Some((lo, if hi < lo { lo } else { hi }))
+}
+
+/// The first parameter where the upper hull of points that start below 0 reaches 0, or 1 if it does not.
+///
+/// The hull goes from each of its points to the one in the steepest direction.
+#[inline(always)]
+fn entry(n: usize, height: impl Fn(usize) -> f64) -> f64 {
+    if n == 3 {
+        return entry_of_cubic([height(0), height(1), height(2), height(3)]);
+    }
+    let (mut i, mut low) = (0, height(0));
+    loop {
+        let (mut next, mut high, mut rise) = (n, low, f64::NEG_INFINITY);
+        for j in i + 1..n + 1 {
+            let here = height(j);
+            let slope = (here - low) / (j - i) as f64;
+            if slope > rise {
+                (next, high, rise) = (j, here, slope);
+            }
+        }
+        if high >= 0.0 || next == n {
+            let steps = if high > low { low / (low - high) } else { 1.0 };
+            return (i as f64 + (next - i) as f64 * steps) / n as f64;
+        }
+        (i, low) = (next, high);
+    }
+}
+
+/// [`entry`] for degree 3, unrolled.
+#[inline(always)]
+fn entry_of_cubic([a, b, c, d]: [f64; 4]) -> f64 {
+    let third = 1.0 / 3.0;
+    let rise = |from: f64, to: f64| {
+        if to > from {
+            (from / (from - to)).min(1.0)
+        } else {
+            1.0
+        }
+    };
+    let (to_b, to_c, to_d) = (b - a, 0.5 * (c - a), third * (d - a));
+    if to_b >= to_c && to_b >= to_d {
+        if b >= 0.0 {
+            return third * rise(a, b);
+        }
+        if c - b < 0.5 * (d - b) {
+            return third + 2.0 * third * rise(b, d);
+        }
+        if c >= 0.0 {
+            return third + third * rise(b, c);
+        }
+    } else if to_c < to_d {
+        return rise(a, d);
+    } else if c >= 0.0 {
+        return 2.0 * third * rise(a, c);
+    }
+    2.0 * third + third * rise(c, d)
+}

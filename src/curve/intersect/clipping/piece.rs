@@ -1,0 +1,199 @@
+//! A segment of a plane curve, and operations on one of its coordinates.
+
+use crate::bernstein::de_casteljau::{keep_after, keep_before, levels, split};
+use crate::numeric::order::range;
+use crate::numeric::zero::newton_in_bracket;
+
+/// The Bernstein coefficients of one coordinate: an array if the degree is known, otherwise a vector.
+pub trait Coefficients: Clone {
+    /// The coefficients.
+    fn get(&self) -> &[f64];
+    /// The coefficients, mutable.
+    fn get_mut(&mut self) -> &mut [f64];
+}
+
+impl Coefficients for [f64; 4] {
+    #[inline(always)]
+    fn get(&self) -> &[f64] {
+        self
+    }
+    #[inline(always)]
+    fn get_mut(&mut self) -> &mut [f64] {
+        self
+    }
+}
+
+impl Coefficients for Vec<f64> {
+    fn get(&self) -> &[f64] {
+        self
+    }
+    fn get_mut(&mut self) -> &mut [f64] {
+        self
+    }
+}
+
+/// The segment of a plane curve between two parameters; `from` > `to` if it runs backwards.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<C> {
+    /// The x coordinates of the control points.
+    pub x: C,
+    /// The y coordinates of the control points.
+    pub y: C,
+    /// The parameter of the curve at the start of the segment.
+    pub from: f64,
+    /// The parameter of the curve at the end of the segment.
+    pub to: f64,
+}
+
+impl<C: Coefficients> Piece<C> {
+    /// The degree.
+    #[inline(always)]
+    pub(super) fn last(&self) -> usize {
+        self.x.get().len() - 1
+    }
+
+    /// The parameter of the curve at parameter s of the segment; exact at the ends.
+    #[inline(always)]
+    pub(super) fn at(&self, s: f64) -> f64 {
+        if s == 1.0 {
+            self.to
+        } else {
+            self.from + s * (self.to - self.from)
+        }
+    }
+
+    /// Control point i.
+    #[inline(always)]
+    pub(super) fn point(&self, i: usize) -> [f64; 2] {
+        [self.x.get()[i], self.y.get()[i]]
+    }
+
+    /// The vector from control point i to the next.
+    #[inline(always)]
+    pub(super) fn edge(&self, i: usize) -> [f64; 2] {
+        let (x, y) = (self.x.get(), self.y.get());
+        [x[i + 1] - x[i], y[i + 1] - y[i]]
+    }
+
+    /// The vector from the start to the end.
+    #[inline(always)]
+    pub(super) fn chord(&self) -> [f64; 2] {
+        let (x, y, n) = (self.x.get(), self.y.get(), self.last());
+        [x[n] - x[0], y[n] - y[0]]
+    }
+
+    /// The larger side of the box of the control points.
+    pub(super) fn extent(&self) -> f64 {
+        let spread = |row: &[f64]| {
+            let (min, max) = range(row.iter().copied());
+            max - min
+        };
+        spread(self.x.get()).max(spread(self.y.get()))
+    }
+
+    /// Whether the bounding boxes of the control points are farther apart than the slack.
+    pub(super) fn is_off(&self, other: &Self, slack: f64) -> bool {
+        let apart = |a: &[f64], b: &[f64]| {
+            let (a, b) = (range(a.iter().copied()), range(b.iter().copied()));
+            a.0 > b.1 + slack || b.0 > a.1 + slack
+        };
+        apart(self.x.get(), other.x.get()) || apart(self.y.get(), other.y.get())
+    }
+
+    /// The point and the derivative at s.
+    #[inline(always)]
+    pub(super) fn taylor(&self, s: f64) -> ([f64; 2], [f64; 2]) {
+        let (x, dx) = value_and_slope(self.x.get(), s);
+        let (y, dy) = value_and_slope(self.y.get(), s);
+        ([x, y], [dx, dy])
+    }
+
+    /// The segment between two parameters of this one, s₀ ≤ s₁.
+    #[inline]
+    pub(super) fn between(&self, s0: f64, s1: f64) -> Self {
+        let mut piece = self.clone();
+        for row in [piece.x.get_mut(), piece.y.get_mut()] {
+            if s0 > 0.0 {
+                keep_after(row, s0);
+            }
+            if s1 < 1.0 {
+                keep_before(
+                    row,
+                    if s0 < 1.0 {
+                        (s1 - s0) / (1.0 - s0)
+                    } else {
+                        0.0
+                    },
+                );
+            }
+        }
+        (piece.from, piece.to) = (self.at(s0), self.at(s1));
+        piece
+    }
+
+    /// The segments before and after s.
+    pub(super) fn split(&self, s: f64) -> (Self, Self) {
+        let (mut left, mut right) = (self.clone(), self.clone());
+        left.to = self.at(s);
+        right.from = left.to;
+        split(left.x.get_mut(), right.x.get_mut(), s);
+        split(left.y.get_mut(), right.y.get_mut(), s);
+        (left, right)
+    }
+
+    /// The segment in the opposite direction.
+    pub(super) fn reversed(&self) -> Self {
+        let mut piece = self.clone();
+        piece.x.get_mut().reverse();
+        piece.y.get_mut().reverse();
+        (piece.from, piece.to) = (self.to, self.from);
+        piece
+    }
+
+    /// The segment in coordinates along a unit vector and across it.
+    pub(super) fn turned(&self, [dx, dy]: [f64; 2]) -> Self {
+        let mut piece = self.clone();
+        let both = piece.x.get_mut().iter_mut().zip(piece.y.get_mut());
+        both.for_each(|(x, y)| (*x, *y) = (dx * *x + dy * *y, dx * *y - dy * *x));
+        piece
+    }
+}
+
+/// The value and the derivative at s of a polynomial in Bernstein form.
+#[inline(always)]
+pub(super) fn value_and_slope(row: &[f64], s: f64) -> (f64, f64) {
+    if let [a, b, c, d] = *row {
+        let r = 1.0 - s;
+        let (ab, bc, cd) = (a * r + b * s, b * r + c * s, c * r + d * s);
+        let (abc, bcd) = (ab * r + bc * s, bc * r + cd * s);
+        return (abc * r + bcd * s, 3.0 * (bcd - abc));
+    }
+    let (before, after) = last_two(row, s);
+    let n = (row.len() - 1) as f64;
+    (before * (1.0 - s) + after * s, n * (after - before))
+}
+
+/// The last two numbers of de Casteljau's triangle.
+fn last_two(row: &[f64], s: f64) -> (f64, f64) {
+    let mut level = [0.0; 65];
+    let count = row.len();
+    level[..count].copy_from_slice(row);
+    levels(&mut level[..count], count - 2, s);
+    (level[0], level[1])
+}
+
+/// The parameter at which a non-decreasing coordinate has a value; 0 or 1 for a value outside the range.
+pub(super) fn time_at(row: &[f64], value: f64) -> f64 {
+    let n = row.len() - 1;
+    if value <= row[0] {
+        return 0.0;
+    }
+    if value >= row[n] {
+        return 1.0;
+    }
+    let guess = (value - row[0]) / (row[n] - row[0]);
+    newton_in_bracket([0.0, 1.0], guess, 0.0, |s| {
+        let (v, slope) = value_and_slope(row, s);
+        (v - value, slope)
+    })
+}

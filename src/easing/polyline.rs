@@ -1,0 +1,169 @@
+//! The fewest links of a polyline within a tolerance of another one.
+//!
+//! `js/geometry/easing-polyline.js` performs the same operations in the same order.
+//!
+//! Each link is extended as far as a line stays within the tolerance. The longest line touches one boundary and ends at
+//! the other one; the next link may begin anywhere between these two points.
+//!
+//! Source: H. Imai and M. Iri, "An optimal algorithm for approximating a piecewise linear function", Journal of
+//! Information Processing 9 (1986).
+
+use super::piecewise::Stop;
+
+/// Halvings of the tolerance in the search for the smallest error.
+const ROUNDS: usize = 12;
+/// The lower boundary limits slopes from below, the upper boundary from above.
+const SIGNS: [f64; 2] = [1.0, -1.0];
+
+/// The line of a link. The next link begins on it, between the point `from` and x = `to`.
+#[derive(Clone, Copy)]
+struct Line {
+    slope: f64,
+    from: Stop,
+    to: f64,
+}
+
+/// What a line has to pass, for one boundary of the tolerance.
+struct Boundary {
+    /// The points on the boundary.
+    points: Vec<Stop>,
+    /// The limit of the slopes, and the point at which it was set: the line of this slope touches it last.
+    slope: f64,
+    touch: usize,
+}
+
+/// The polyline of the fewest stops between the ends of a run, at the smallest error that this number permits.
+pub(crate) fn approximate(run: &[Stop], mut tolerance: f64) -> Vec<Stop> {
+    let mut best = fewest_lines(run, tolerance);
+    let mut low = 0.0;
+    for _ in 0..ROUNDS {
+        let middle = 0.5 * (low + tolerance);
+        let lines = fewest_lines(run, middle);
+        if lines.len() > best.len() {
+            low = middle;
+        } else {
+            (tolerance, best) = (middle, lines);
+        }
+    }
+    let inner = best.windows(2).map(|pair| corner(&pair[0], &pair[1]));
+    let ends = [run[0], run[run.len() - 1]];
+    std::iter::once(ends[0])
+        .chain(inner)
+        .chain([ends[1]])
+        .collect()
+}
+
+/// The lines of the fewest links, each one as long as possible.
+fn fewest_lines(run: &[Stop], tolerance: f64) -> Vec<Line> {
+    let end = run.len() - 1;
+    let mut lines = Vec::new();
+    let mut link = new_link();
+    let mut k = 0;
+    while k <= end {
+        let [x, y] = run[k];
+        let is_pinned = k % end == 0;
+        let points = SIGNS.map(|sign| [x, if is_pinned { y } else { y - sign * tolerance }]);
+        let out_of_reach = |&side: &usize| {
+            SIGNS[side] * (slope_to(&link, side, points[side]) - link[1 - side].slope) > 0.0
+        };
+        let Some(side) = (0..2).find(out_of_reach) else {
+            add_point(&mut link, 0, points[0]);
+            add_point(&mut link, 1, points[1]);
+            k += 1;
+            continue;
+        };
+        let line = longest_line(&link, side, points[side], k == end);
+        lines.push(line);
+        link = next_link(&link, side, line, k < end);
+    }
+    // Through the last point, in the middle of the possible slopes.
+    let slopes = link.map(|boundary| boundary.slope);
+    let slopes = match slopes.map(f64::is_finite) {
+        [true, false] => [slopes[0]; 2],
+        [false, true] => [slopes[1]; 2],
+        _ => slopes,
+    };
+    lines.push(Line {
+        slope: 0.5 * (slopes[0] + slopes[1]),
+        from: run[end],
+        to: 0.0,
+    });
+    lines
+}
+
+/// The lower and the upper boundary, without points.
+fn new_link() -> [Boundary; 2] {
+    SIGNS.map(|sign| Boundary {
+        points: Vec::new(),
+        slope: -sign * f64::INFINITY,
+        touch: 0,
+    })
+}
+
+/// The limit that a point of one boundary, right of all others, sets to the slopes of lines which pass the other one.
+fn slope_to(link: &[Boundary; 2], side: usize, [x, y]: Stop) -> f64 {
+    let sign = SIGNS[side];
+    let left = link[1 - side].points.iter().filter(|[a, _]| *a < x);
+    let slopes = left.map(|[a, b]| (sign * (y - b)) / (x - a));
+    sign * slopes.fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn add_point(link: &mut [Boundary; 2], side: usize, point: Stop) {
+    let slope = slope_to(link, side, point);
+    let own = &mut link[side];
+    if SIGNS[side] * (slope - own.slope) > 0.0 {
+        (own.slope, own.touch) = (slope, own.points.len());
+    }
+    own.points.push(point);
+}
+
+/// The line that comes closest to a point out of its reach, up to where it leaves the boundary of this point, or up to
+/// the end of the run.
+fn longest_line(link: &[Boundary; 2], side: usize, point: Stop, is_end: bool) -> Line {
+    let other = &link[1 - side];
+    let (slope, from) = (other.slope, other.points[other.touch]);
+    let points = &link[side].points;
+    let to = if is_end {
+        point[0]
+    } else {
+        crossing(slope, from, points[points.len() - 1], point)
+    };
+    Line { slope, from, to }
+}
+
+/// The lines that cross a line between the point that it touches and its end.
+fn next_link(link: &[Boundary; 2], side: usize, line: Line, has_end: bool) -> [Boundary; 2] {
+    let mut next = new_link();
+    let other = &link[1 - side];
+    for &point in &other.points[other.touch..] {
+        add_point(&mut next, 1 - side, point);
+    }
+    if has_end {
+        let end = [line.to, height_at(line.slope, line.from, line.to)];
+        add_point(&mut next, side, end);
+    }
+    next
+}
+
+/// The x at which a line crosses the one between two points, which lie on different sides of it.
+fn crossing(slope: f64, from: Stop, a: Stop, b: Stop) -> f64 {
+    let [before, after] = [a, b].map(|[x, y]| (height_at(slope, from, x) - y).abs());
+    a[0] + (before / (before + after)) * (b[0] - a[0])
+}
+
+fn height_at(slope: f64, from: Stop, x: f64) -> f64 {
+    from[1] + slope * (x - from[0])
+}
+
+/// The point at which two consecutive lines meet.
+fn corner(line: &Line, next: &Line) -> Stop {
+    let Line { slope, from, to } = *line;
+    let turn = slope - next.slope;
+    let away = if turn == 0.0 {
+        0.0
+    } else {
+        (height_at(next.slope, next.from, from[0]) - from[1]) / turn
+    };
+    let x = (from[0] + away.max(0.0)).min(to);
+    [x, height_at(slope, from, x)]
+}

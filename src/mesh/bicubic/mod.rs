@@ -1,0 +1,11 @@
+//! Grids of bicubic patches: rows are blended in f64, then eight samples at a time are evaluated in f32.
+#![allow(
+    unreachable_pub,
+    reason = "the wasm build compiles this file in another crate, src/wasm/fast"
+)]
+
+mod fill;
+pub mod grid;
+mod lanes;
+mod normals;
+mod positions;

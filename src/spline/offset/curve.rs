@@ -1,0 +1,316 @@
+//! Offset curves of a curve.
+//!
+//! The offset curve at a distance d is O(t) = B(t) + d·N(t), with N the tangent rotated by +90°. In general it is not a
+//! Bézier curve, so cubics approximate it within a tolerance. The offset continues where |κd| exceeds 1: there O′ = (1
+//! − κd)·B′ reverses its direction and O has cusps (a swallowtail; nothing is trimmed). Where the curve itself
+//! reverses, at a cusp or at a turn of a straight curve, N jumps to the other side; a half circle about that point,
+//! around its outside, joins the two sides.
+
+use super::offset_curve::{OffsetCurve, Source, add_arc};
+use crate::curve::Curve;
+use crate::geometry::check::check_tolerance;
+use crate::geometry::error::Error;
+use crate::geometry::point::Point;
+use crate::numeric::float::{ulp, unit_scale};
+use crate::numeric::work_limit::WorkLimit;
+use crate::spline::Spline;
+use crate::spline::spline_builder::SplineBuilder;
+use glam::DVec2;
+use std::f64::consts::PI;
+
+/// The default tolerance, as a part of the diagonal of the control points' box.
+const DEFAULT_RATIO: f64 = 1e-4;
+
+/// The default tolerance is at least this part of the largest coordinate plus the distance.
+const MIN_DEFAULT: f64 = 1e-12;
+
+/// Rounding error of a distance, relative to the distance and the size of the curve.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Maximum number of steps for one curve: attempted pieces and evaluated bounds. A cubic at a tolerance of 10⁻¹² of its
+/// size takes some thousands.
+const MAX_STEPS: usize = 1 << 17;
+
+/// The part of the tolerance for the approximation; the rest is for rounding of the control points, which is at most an
+/// ulp of the coordinates for tolerances of 256 ulps and more.
+const FITTED_PART: f64 = 1.0 - 1.0 / 256.0;
+
+/// Larger distances, in sizes of the curve, are clamped to this one: beyond it the curve is far smaller than an ulp of
+/// the offset.
+const FARTHEST: f64 = 1e30;
+
+impl Curve<DVec2> {
+    /// The offset curve at a distance along the normal, as a spline of lines and cubics.
+    ///
+    /// O(t) = B(t) + d·N(t), with N the tangent rotated by +90°; a negative distance gives the other side. `tolerance`
+    /// is the maximum distance from any point of O to the spline and from any point of the spline to O, in the unit of
+    /// the input. The default is 10⁻⁴ of the diagonal of the control points' box, and at least 10⁻¹² of the largest
+    /// coordinate plus the distance. End points and end tangents are exact, and adjacent pieces share their ends.
+    ///
+    /// Where |κd| passes 1 the offset curve has a cusp, and so has the spline; nothing is trimmed. Where the curve
+    /// reverses (a cusp, a turn of a straight curve), a half circle about that point joins the two sides. Lines stay
+    /// lines. Where the derivative is so small that its rounding moves the offset by more than the tolerance, the
+    /// tolerance holds for a curve whose control points differ by rounding. A distance of 0 gives the curve itself. A
+    /// curve that is a point has no normal and is returned unchanged.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a distance that is not finite or makes coordinates infinite, and for a tolerance that is
+    /// not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the largest coordinate plus the distance;
+    /// [`Error::TooMany`] if more than 2¹⁷ steps (attempted pieces and evaluated bounds) would be needed.
+    ///
+    /// Source: Levien, "Parallel curves of cubic Béziers" (2022), for the idea; the bound on the distance is our own.
+    pub fn offset(&self, distance: f64, tolerance: Option<f64>) -> Result<Spline<DVec2>, Error> {
+        self.offset_builder(distance, tolerance)
+            .map(SplineBuilder::spline)
+    }
+
+    /// Same as [`offset`](Self::offset), but returns the builder of the spline.
+    pub(crate) fn offset_builder(
+        &self,
+        distance: f64,
+        tolerance: Option<f64>,
+    ) -> Result<SplineBuilder, Error> {
+        let diagonal = || self.control_bounds().diagonal();
+        let tolerance = offset_tolerance(distance, tolerance, self.max_abs(), diagonal)?;
+        let mut builder = SplineBuilder::default();
+        builder.add_offset(self, distance, tolerance)?;
+        Ok(builder)
+    }
+}
+
+/// The given tolerance after its checks, or the default for the size of the curve; returns an error for an invalid
+/// distance or tolerance.
+pub(crate) fn offset_tolerance(
+    distance: f64,
+    requested: Option<f64>,
+    largest: f64,
+    diagonal: impl FnOnce() -> f64,
+) -> Result<f64, Error> {
+    let reach = largest + distance.abs();
+    if !(reach * 4.0).is_finite() {
+        return Err(Error::Range {
+            what: "distance",
+            expected: "a finite number, and coordinates that stay finite",
+            got: distance,
+        });
+    }
+    match requested {
+        Some(tolerance) => check_tolerance(tolerance, reach).map(|()| tolerance),
+        None => Ok((DEFAULT_RATIO * diagonal())
+            .max(MIN_DEFAULT * reach)
+            .max(4.0 * ulp(reach))),
+    }
+}
+
+impl SplineBuilder {
+    /// Appends the offset curve of a curve. A spline that is not empty ends at the start of that offset curve.
+    pub(crate) fn add_offset(
+        &mut self,
+        curve: &Curve<DVec2>,
+        distance: f64,
+        tolerance: f64,
+    ) -> Result<(), Error> {
+        let reach = farthest(curve);
+        if distance == 0.0 || reach == 0.0 {
+            self.start(curve.start());
+            self.points.extend(&curve.control_points()[1..]);
+            self.degrees.push(curve.degree());
+        } else if let Some(direction) = curve.straight_direction() {
+            self.add_offset_of_straight(curve, direction, distance, tolerance);
+        } else {
+            NormalizedCurve::new(curve, reach, distance, tolerance).add_to(self)?;
+        }
+        Ok(())
+    }
+
+    /// Appends the offset of a straight curve: lines in both directions, and half circles about the points where the
+    /// curve reverses.
+    fn add_offset_of_straight(
+        &mut self,
+        curve: &Curve<DVec2>,
+        direction: DVec2,
+        distance: f64,
+        tolerance: f64,
+    ) {
+        let mut reversals = curve.turns_along(direction);
+        reversals.push(1.0);
+        // The signs come from the derivative, because different points may be equal after rounding.
+        let mut runs: Vec<(DVec2, DVec2, f64)> = Vec::new();
+        let (mut t, mut from) = (0.0, curve.start());
+        for &next in &reversals {
+            let to = if next < 1.0 {
+                curve.eval(next)
+            } else {
+                curve.end()
+            };
+            let sign = curve.sign_along(direction, 0.5 * (t + next));
+            match runs.last_mut() {
+                _ if sign == 0.0 => {}
+                Some((_, end, last)) if *last == sign => *end = to,
+                _ => runs.push((from, to, sign)),
+            }
+            (t, from) = (next, to);
+        }
+        for (k, &(from, to, sign)) in runs.iter().enumerate() {
+            let normal = direction.perp() * sign;
+            if k > 0 {
+                self.add_arc_about(
+                    from,
+                    -direction * sign,
+                    direction * sign,
+                    distance,
+                    tolerance,
+                );
+            }
+            self.start(from + normal * distance);
+            self.line_to(to + normal * distance);
+        }
+    }
+
+    /// Appends an arc about a point, as the normal rotates from one tangent to another by at most 180°. A half turn
+    /// goes around the outside.
+    pub(crate) fn add_arc_about(
+        &mut self,
+        about: DVec2,
+        from: DVec2,
+        to: DVec2,
+        distance: f64,
+        tolerance: f64,
+    ) {
+        let (sin, cos) = (from.perp_dot(to), from.dot(to));
+        let reversed = cos < 0.0 && sin.abs() <= REVERSED_SINE;
+        let angle = if reversed {
+            -PI.copysign(distance)
+        } else {
+            sin.atan2(cos)
+        };
+        let before = self.points.len();
+        add_arc(
+            [about; 2],
+            [from, to],
+            angle,
+            distance,
+            tolerance,
+            &mut self.points,
+        );
+        let pieces = (self.points.len() - before) / 3;
+        self.degrees.extend(std::iter::repeat_n(3, pieces));
+    }
+}
+
+/// Tangents whose angle differs from 180° by at most this sine count as opposite; this is the rounding of unit vectors.
+const REVERSED_SINE: f64 = 1e-12;
+
+/// A curve that is not straight, scaled to a size of about 1.
+struct NormalizedCurve<'a> {
+    curve: &'a Curve<DVec2>,
+    source: Source,
+    distance: f64,
+    tolerance: f64,
+    /// The scaled distance and tolerance.
+    scaled: (f64, f64),
+    /// The factor back to the unit of the caller.
+    unit: f64,
+}
+
+impl<'a> NormalizedCurve<'a> {
+    fn new(curve: &'a Curve<DVec2>, reach: f64, distance: f64, tolerance: f64) -> Self {
+        let scale = unit_scale(reach);
+        let points: crate::numeric::list::Points<DVec2> =
+            curve.control_points().iter().map(|&p| p * scale).collect();
+        let scaled = (distance * scale).clamp(-FARTHEST, FARTHEST);
+        let unit = if scaled.abs() < FARTHEST {
+            1.0 / scale
+        } else {
+            (distance / scaled).abs()
+        };
+        Self {
+            curve,
+            source: Source::new(bytemuck::cast_slice(&points)),
+            distance,
+            tolerance,
+            // The tolerance is at least the rounding of distances.
+            scaled: (
+                scaled,
+                (FITTED_PART * tolerance / unit).max(ROUNDING * (1.0 + scaled.abs())),
+            ),
+            unit,
+        }
+    }
+
+    fn add_to(&self, builder: &mut SplineBuilder) -> Result<(), Error> {
+        let mut work = WorkLimit::new(MAX_STEPS);
+        let [first, last] = self.source.end_tangents();
+        let (mut t, mut tangent) = (0.0, first);
+        for cusp in self.source.cusps() {
+            let (before, after) = self.source.cusp_tangents(cusp);
+            let about = self.curve.eval(cusp);
+            self.add_run(builder, (t, cusp), [tangent, before], about, &mut work);
+            builder.add_arc_about(
+                about,
+                vector(before),
+                vector(after),
+                self.distance,
+                self.tolerance,
+            );
+            (t, tangent) = (cusp, after);
+        }
+        self.add_run(
+            builder,
+            (t, 1.0),
+            [tangent, last],
+            self.curve.end(),
+            &mut work,
+        );
+        if work.is_exceeded() {
+            return Err(Error::TooMany {
+                what: "steps of an offset",
+                limit: MAX_STEPS,
+                needed: work.used(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Appends the offset of the curve between two cusps.
+    fn add_run(
+        &self,
+        builder: &mut SplineBuilder,
+        ts: (f64, f64),
+        tangents: [DVec2; 2],
+        end: DVec2,
+        work: &mut WorkLimit,
+    ) {
+        let normal = |tangent: DVec2| vector(tangent).perp() * self.distance;
+        if ts.0 == 0.0 {
+            builder.start(self.curve.start() + normal(tangents[0]));
+        }
+        let mut out = Vec::with_capacity(12);
+        OffsetCurve::new(&self.source, self.scaled.0, self.scaled.1)
+            .run(ts, tangents, &mut out, work);
+        let origin = self.curve.start();
+        let position = |p: &DVec2| vector(*p) * self.unit + origin;
+        builder.points.extend(out.iter().map(position));
+        builder
+            .degrees
+            .extend(std::iter::repeat_n(3, out.len() / 3));
+        // The exact end point, without the rounding of the scaling.
+        if let Some(p) = builder.points.last_mut() {
+            *p = end + normal(tangents[1]);
+        }
+    }
+}
+
+fn vector(p: DVec2) -> DVec2 {
+    DVec2::new(p.x, p.y)
+}
+
+/// The largest difference of a coordinate from that of the start.
+fn farthest(curve: &Curve<DVec2>) -> f64 {
+    let start = curve.start() * 0.5;
+    let half = curve
+        .control_points()
+        .iter()
+        .fold(0.0, |m: f64, &p| m.max(Point::max_abs(p * 0.5 - start)));
+    2.0 * half.min(f64::MAX / 4.0)
+}

@@ -1,0 +1,231 @@
+//! A bound on the distance between a cubic and the offset curve.
+//!
+//! Take two pairs, each of a point of the cubic and the foot of its perpendicular on the source. Between them let u run
+//! from 0 to 1 on both curves: Q(u) on the cubic, B(u) on the source. E = Q − B is a cubic in u, so |E|², E·B′ and
+//! |B′|² − E·B″ are polynomials, which lie between their smallest and their largest Bernstein coefficient. They bound
+//! the difference of |E| from the given distance, the deviation of E from the normal, and the distance of the foot of
+//! the perpendicular from B(u). With δ the tangential component of E, either
+//!
+//!   √(δ² + (|E| − d)²)   or   ||E| − d| + (E·B′)² / (2|E| (|B′|² − E·B″))
+//!
+//! bounds the distance from Q(u) to the offset curve, if E points to the side of the offset curve. |E| is the same on
+//! the other side, and tolerances of more than d accept single points there, so the side is checked at the first pair:
+//! E cannot change sides without passing B′. The foot moves along with u from one end to the other, so every point of
+//! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
+//! a factor of four.
+
+use super::fit::FootPair;
+use super::{OffsetCurve, VANISHING_SPEED};
+use crate::numeric::order::range;
+use crate::numeric::work_limit::WorkLimit;
+use glam::DVec2;
+
+/// Maximum number of bounds evaluated for one cubic before it is rejected; a cubic within the tolerance needs 4 to 40.
+const MAX_BOUNDS: usize = 96;
+
+/// The contribution of the foot, as a multiple of its first estimate: |B′|² − E·B″ is bounded only for the pairs (u,
+/// u), and the foot is at a slightly different parameter.
+const FOOT_SAFETY: f64 = 2.0;
+
+impl OffsetCurve<'_> {
+    /// Whether the cubic is proved to be within the tolerance everywhere, with at most `MAX_BOUNDS` bounds.
+    pub(super) fn holds(
+        &self,
+        cubic: &[DVec2; 4],
+        pairs: &[FootPair; 5],
+        work: &mut WorkLimit,
+    ) -> bool {
+        let last = work.used() + MAX_BOUNDS;
+        pairs
+            .windows(2)
+            .all(|pair| self.holds_between(cubic, &pair[0], &pair[1], last, work))
+    }
+
+    fn holds_between(
+        &self,
+        cubic: &[DVec2; 4],
+        from: &FootPair,
+        to: &FootPair,
+        last: usize,
+        work: &mut WorkLimit,
+    ) -> bool {
+        if self.bound(from, to) <= self.tolerance || self.near(from, to) {
+            return true;
+        }
+        if work.used() >= last || !work.spend(1) {
+            return false;
+        }
+        let mut middle = FootPair {
+            s: 0.5 * (from.s + to.s),
+            ..FootPair::default()
+        };
+        middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
+        self.find_foot(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
+        self.error(&middle).abs() <= self.tolerance
+            && self.holds_between(cubic, from, &middle, last, work)
+            && self.holds_between(cubic, &middle, to, last, work)
+    }
+
+    /// Whether the cubic and the offset curve between two pairs are so short that their distance cannot exceed the
+    /// tolerance.
+    fn near(&self, from: &FootPair, to: &FootPair) -> bool {
+        let there = (to.point - from.point).length()
+            + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
+        let (a, b) = (&from.foot, &to.foot);
+        let back = self.length_bound(a, b);
+        let apart =
+            |pair: &FootPair| (pair.point - pair.foot.point - pair.normal * self.distance).length();
+        a.t <= b.t && apart(from).max(apart(to)) + there + back <= self.tolerance
+    }
+
+    /// The bound between two pairs; infinite if there is none.
+    fn bound(&self, from: &FootPair, to: &FootPair) -> f64 {
+        let distance = self.distance.abs();
+        let (ds, dt) = (to.s - from.s, to.foot.t - from.foot.t);
+        // A bound on the distance of the source from a cubic with the same end points and end derivatives.
+        let rest = self.fourth * (dt * dt) * (dt * dt) / 384.0;
+        if dt.is_nan() || dt <= 0.0 || rest > REMAINDER_SHARE * self.tolerance {
+            return f64::INFINITY;
+        }
+        let (v0, v2) = (from.foot.first * dt, to.foot.first * dt);
+        // The mean of the tangent lines to B′ at both ends: differences of points would lose digits for a small dt.
+        let half_change = (from.foot.second - to.foot.second) * (0.5 * dt);
+        let v1 = (from.foot.first + to.foot.first + half_change) * (0.5 * dt);
+        let (e0, e3) = (from.point - from.foot.point, to.point - to.foot.point);
+        let e = [
+            e0,
+            e0 + (from.derivative * ds - v0) * (1.0 / 3.0),
+            e3 - (to.derivative * ds - v2) * (1.0 / 3.0),
+            e3,
+        ];
+        let (min, max) = range(squares(&e).into_iter());
+        let (low, high) = (min.max(0.0).sqrt() - rest, max.sqrt() + rest);
+        let off = (high - distance).max(distance - low);
+        if high + distance <= self.tolerance {
+            return high + distance;
+        }
+        let is_beyond_source = e0.dot(from.normal) * self.distance <= 0.0;
+        if off > self.tolerance || is_beyond_source {
+            return f64::INFINITY;
+        }
+        let d = Self::direction([v0, v1, v2]);
+        self.with_foot(&e, [v0, v1, v2], &d, (low, high), rest)
+    }
+
+    /// The bound including the contribution of the tangential component of E.
+    fn with_foot(
+        &self,
+        e: &[DVec2; 4],
+        v: [DVec2; 3],
+        d: &[DVec2; 3],
+        (low, high): (f64, f64),
+        rest: f64,
+    ) -> f64 {
+        let distance = self.distance.abs();
+        let (min, max) = range(products2(d, d).into_iter());
+        let (lean_min, lean_max) = range(products3(e, d).into_iter());
+        let d_slopes = [(d[1] - d[0]) * 2.0, (d[2] - d[1]) * 2.0];
+        let ahead = products2(&v, d);
+        let curved = products31(e, &d_slopes);
+        let (f_min, f_max) = range((0..5).map(|i| ahead[i] - curved[i]));
+        let mut lean = lean_max.max(-lean_min);
+        let mut forward = f_min.max(-f_max);
+        if rest > 0.0 {
+            // With M a bound on the fourth derivative and h the step, B′h differs from the quadratic by at most
+            // (1/125 + 1/24) M h⁴ < 20 M h⁴/384, and its derivative by at most eight times as much.
+            let fastest = max.sqrt();
+            lean += rest * (fastest + 20.0 * high);
+            forward -= rest * (40.0 * fastest + 160.0 * high);
+        }
+        let squares = lean * lean;
+        if forward > lean && squares < 0.25 * low * low * min {
+            let off = (high - distance).max(distance - low);
+            let found = off + FOOT_SAFETY * squares / (2.0 * low * forward);
+            if found <= self.tolerance {
+                return found;
+            }
+        }
+        if min <= 0.0 || squares >= low * low * min {
+            return f64::INFINITY;
+        }
+        let delta_squared = squares / min;
+        let up = (low * low - delta_squared).max(0.0).sqrt();
+        let across = (high - distance).max(distance - up);
+        (across * across + delta_squared).sqrt()
+    }
+
+    /// A quadratic field with the directions of B′dt: B′dt itself, or, if it vanishes at an end, B′dt divided by u or 1
+    /// − u.
+    fn direction(v: [DVec2; 3]) -> [DVec2; 3] {
+        let [v0, v1, v2] = v;
+        let max = v0
+            .length_squared()
+            .max(v1.length_squared())
+            .max(v2.length_squared());
+        let still = |p: DVec2| p.length_squared() <= VANISHING_SPEED * VANISHING_SPEED * max;
+        if still(v0) {
+            if still(v1) {
+                return [v2; 3];
+            }
+            return [v1 * 2.0, v1 + v2 * 0.5, v2];
+        }
+        if still(v2) {
+            if still(v1) {
+                return [v0; 3];
+            }
+            return [v0, v1 + v0 * 0.5, v1 * 2.0];
+        }
+        v
+    }
+}
+
+/// A cubic that replaces a segment of a higher degree may have an error of this part of the tolerance.
+const REMAINDER_SHARE: f64 = 0.02;
+
+/// |E|², degree 6.
+fn squares(e: &[DVec2; 4]) -> [f64; 7] {
+    let [a, b, c, d] = *e;
+    [
+        a.length_squared(),
+        a.dot(b),
+        (3.0 * b.length_squared() + 2.0 * a.dot(c)) * 0.2,
+        (9.0 * b.dot(c) + a.dot(d)) * 0.1,
+        (3.0 * c.length_squared() + 2.0 * b.dot(d)) * 0.2,
+        c.dot(d),
+        d.length_squared(),
+    ]
+}
+
+/// E·D, degree 5.
+fn products3(e: &[DVec2; 4], d: &[DVec2; 3]) -> [f64; 6] {
+    [
+        e[0].dot(d[0]),
+        (2.0 * e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.2,
+        (e[0].dot(d[2]) + 6.0 * e[1].dot(d[1]) + 3.0 * e[2].dot(d[0])) * 0.1,
+        (3.0 * e[1].dot(d[2]) + 6.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.1,
+        (3.0 * e[2].dot(d[2]) + 2.0 * e[3].dot(d[1])) * 0.2,
+        e[3].dot(d[2]),
+    ]
+}
+
+/// V·D of two quadratics, degree 4.
+fn products2(v: &[DVec2; 3], d: &[DVec2; 3]) -> [f64; 5] {
+    [
+        v[0].dot(d[0]),
+        (v[0].dot(d[1]) + v[1].dot(d[0])) * 0.5,
+        (v[0].dot(d[2]) + 4.0 * v[1].dot(d[1]) + v[2].dot(d[0])) * (1.0 / 6.0),
+        (v[1].dot(d[2]) + v[2].dot(d[1])) * 0.5,
+        v[2].dot(d[2]),
+    ]
+}
+
+/// E·D′ of a cubic and a line, degree 4.
+fn products31(e: &[DVec2; 4], d: &[DVec2; 2]) -> [f64; 5] {
+    [
+        e[0].dot(d[0]),
+        (e[0].dot(d[1]) + 3.0 * e[1].dot(d[0])) * 0.25,
+        (e[1].dot(d[1]) + e[2].dot(d[0])) * 0.5,
+        (3.0 * e[2].dot(d[1]) + e[3].dot(d[0])) * 0.25,
+        e[3].dot(d[1]),
+    ]
+}

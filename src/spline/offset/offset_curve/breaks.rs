@@ -1,0 +1,184 @@
+//! Cusps of the source and of the offset curve, at which a curve must be cut before the offsets of its parts are
+//! smooth.
+
+use super::source::Source;
+use super::{End, OffsetCurve};
+use crate::bernstein::de_casteljau::split_with;
+use crate::numeric::work_limit::WorkLimit;
+use glam::DVec2;
+
+/// Halvings in the search for a zero of B′; the remaining interval is refined.
+const MAX_HALVINGS: usize = 30;
+
+/// A second derivative below this part of the largest speed gives no direction.
+const VANISHING_BEND: f64 = 1e-9;
+
+/// The step in t to a neighbouring point. Its square root is used if no derivative gives a direction; times the length
+/// of the piece, it is used to evaluate the direction of the offset curve.
+const BESIDE: f64 = 1.0 / (1_u32 << 20) as f64;
+
+/// Steps of the search for cusps of the offset curve; a cusp that it misses is cut when no cubic fits.
+const CUSP_STEPS: usize = 12;
+
+impl Source {
+    /// The parameters inside (0, 1) where B′ vanishes.
+    pub fn cusps(&self) -> Vec<f64> {
+        let mut found = Vec::new();
+        let n = self.degree();
+        if n <= 3 {
+            self.search::<3>(
+                &self.first_vectors(),
+                3,
+                (0.0, 1.0),
+                MAX_HALVINGS,
+                &mut found,
+            );
+        } else {
+            let mut vectors = [DVec2::default(); 64];
+            vectors[..n].copy_from_slice(self.differences());
+            self.search::<64>(&vectors, n, (0.0, 1.0), MAX_HALVINGS, &mut found);
+        }
+        found.dedup_by(|b, a| *b - *a < 2.0 * BESIDE * BESIDE);
+        found
+    }
+
+    /// Halves until all control vectors of B′ lie in one half-plane, so that B′ does not vanish.
+    fn search<const N: usize>(
+        &self,
+        vectors: &[DVec2; N],
+        n: usize,
+        (t0, t1): (f64, f64),
+        halvings: usize,
+        found: &mut Vec<f64>,
+    ) {
+        let direction = vectors[0] + vectors[n - 1];
+        let agree = vectors[..n].iter().all(|v| v.dot(direction) >= 0.0);
+        if agree && vectors[..n].iter().any(|v| v.dot(direction) > 0.0) {
+            return;
+        }
+        if halvings == 0 {
+            found.extend(self.refined(0.5 * (t0 + t1)));
+            return;
+        }
+        let (mut left, mut right) = (*vectors, *vectors);
+        split_with(&mut left[..n], &mut right[..n], |a, b| (a + b) * 0.5);
+        let t = 0.5 * (t0 + t1);
+        self.search(&left, n, (t0, t), halvings - 1, found);
+        if self.is_still(&self.at(t)) {
+            found.extend(self.refined(t));
+        }
+        self.search(&right, n, (t, t1), halvings - 1, found);
+    }
+
+    /// The zero of B′ near t, if there is one: Gauss–Newton steps for the minimum of |B′|².
+    fn refined(&self, mut t: f64) -> Option<f64> {
+        for _ in 0..4 {
+            let sample = self.at(t);
+            let square = sample.second.length_squared();
+            if square > 0.0 {
+                t -= sample.first.dot(sample.second) / square;
+            }
+        }
+        if t <= BESIDE || t >= 1.0 - BESIDE {
+            return None;
+        }
+        let zero = self.is_still(&self.at(t));
+        // Next to zero-length handles B′ is also small, but does not reverse.
+        let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
+        let turns = self.at(t - beside).first.dot(self.at(t + beside).first) < 0.0;
+        (zero && turns).then_some(t)
+    }
+
+    /// The tangents before and after a cusp.
+    pub fn cusp_tangents(&self, t: f64) -> (DVec2, DVec2) {
+        let sample = self.at(t);
+        if sample.second.length() > VANISHING_BEND * self.speed() {
+            return (
+                -sample.second.normalize_or_zero(),
+                sample.second.normalize_or_zero(),
+            );
+        }
+        let beside = BESIDE.sqrt().min(0.5 * t).min(0.5 * (1.0 - t));
+        (
+            self.at(t - beside).first.normalize_or_zero(),
+            self.at(t + beside).first.normalize_or_zero(),
+        )
+    }
+}
+
+impl OffsetCurve<'_> {
+    /// Appends three control points for each cubic between two parameters, between which B′ does not vanish; the
+    /// tangents are the limits from inside. The first point is already present. If the work limit is exceeded, the rest
+    /// is missing.
+    pub fn run(
+        &self,
+        (t0, t1): (f64, f64),
+        tangents: [DVec2; 2],
+        out: &mut Vec<DVec2>,
+        work: &mut WorkLimit,
+    ) {
+        let mut from = self.outer_end(t0, tangents[0], BESIDE * (t1 - t0));
+        let to = self.outer_end(t1, tangents[1], -BESIDE * (t1 - t0));
+        let mut last = from;
+        if !self.surely_forward((t0, t1)) {
+            for step in 1..CUSP_STEPS {
+                let t = t0 + (t1 - t0) * (step as f64 / CUSP_STEPS as f64);
+                last = self.pass(&mut from, &last, self.end(t), out, work);
+            }
+        }
+        self.pass(&mut from, &last, to, out, work);
+        self.cover(&from, &to, out, work);
+    }
+
+    /// If there is a cusp between two ends, appends the cubics up to the cusp and continues behind it.
+    fn pass(
+        &self,
+        from: &mut End,
+        last: &End,
+        next: End,
+        out: &mut Vec<DVec2>,
+        work: &mut WorkLimit,
+    ) -> End {
+        if last.sign != next.sign
+            && let Some((before, after)) = self.cusp(last, &next)
+        {
+            self.cover(from, &before, out, work);
+            *from = after;
+        }
+        next
+    }
+
+    fn outer_end(&self, t: f64, tangent: DVec2, inwards: f64) -> End {
+        let mut end = self.end(t);
+        if self.source.is_still(&end.sample) {
+            end.sample.first = DVec2::default();
+            end.sign_t = t + inwards;
+            end.sign = self.end(end.sign_t).sign;
+        }
+        End { tangent, ..end }
+    }
+
+    /// Whether a quick test of the control points proves that the offset curve has no cusp. Up to degree 3 only.
+    fn surely_forward(&self, (t0, t1): (f64, f64)) -> bool {
+        if self.source.degree() > 3 || (t0, t1) != (0.0, 1.0) {
+            return false;
+        }
+        let [v0, v1, v2] = self.source.first_vectors();
+        let max_bend = (self.distance * v0.perp_dot(v1))
+            .max(self.distance * v0.perp_dot(v2) * 0.5)
+            .max(self.distance * v1.perp_dot(v2))
+            * 2.0;
+        if max_bend <= 0.0 {
+            return true;
+        }
+        let squares = [
+            v0.length_squared(),
+            v0.dot(v1),
+            (v0.dot(v2) + 2.0 * v1.length_squared()) * (1.0 / 3.0),
+            v1.dot(v2),
+            v2.length_squared(),
+        ];
+        let min = squares.into_iter().fold(f64::INFINITY, f64::min).max(0.0);
+        min * min.sqrt() > max_bend
+    }
+}

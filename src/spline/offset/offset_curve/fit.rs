@@ -1,0 +1,165 @@
+//! Fitting of the handle lengths by least squares.
+
+use super::source::OffsetSample;
+use super::{End, OffsetCurve};
+use crate::numeric::work_limit::WorkLimit;
+use glam::DVec2;
+
+/// The parameters at which distances are measured.
+const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Maximum number of least-squares rounds; the last ones gain digits if the tolerance is far below the first error.
+const MAX_ROUNDS: usize = 5;
+
+/// If the error at the samples is below this part of the tolerance, it cannot be the reason why a bound fails.
+const SMALL_PART: f64 = 0.01;
+
+/// The damping added to the diagonal of the normal equations, as a part of the trace: if the cubic is nearly straight,
+/// the handles do not influence the distances.
+const DAMPING: f64 = 1e-9;
+
+/// The minimum damping; the entries of the matrix are at most 1.
+const MIN_DAMPING: f64 = 1e-18;
+
+/// A point of the cubic (parameter, point and derivative) and the foot of its perpendicular on the source.
+#[derive(Clone, Copy, Default)]
+pub(super) struct FootPair {
+    /// The unit normal at the foot.
+    pub(super) normal: DVec2,
+    /// The parameter of the cubic.
+    pub(super) s: f64,
+    pub(super) point: DVec2,
+    pub(super) derivative: DVec2,
+    pub(super) foot: OffsetSample,
+}
+
+impl OffsetCurve<'_> {
+    /// A cubic from one end to the other within the tolerance, if one is found.
+    pub(super) fn fit(&self, from: &End, to: &End, work: &mut WorkLimit) -> Option<[DVec2; 4]> {
+        let (start, end) = (self.point(from), self.point(to));
+        let (mut a, mut b) = self.first_handles(from, to);
+        let mut previous = f64::INFINITY;
+        let mut pairs = self.pairs(from, to);
+        for round in 0..MAX_ROUNDS {
+            let cubic = [start, start + from.tangent * a, end + to.tangent * -b, end];
+            let mut normal = [0.0; 5];
+            let mut worst: f64 = 0.0;
+            for pair in &mut pairs[1..4] {
+                let steps = if round == 0 { 2 } else { 1 };
+                self.find_foot(&cubic, pair, (from.sample.t, to.sample.t), steps);
+                let n = pair.normal;
+                let error = self.error(pair);
+                worst = worst.max(error.abs());
+                let r = 1.0 - pair.s;
+                let (ja, jb) = (
+                    3.0 * pair.s * r * r * from.tangent.dot(n),
+                    -3.0 * pair.s * pair.s * r * to.tangent.dot(n),
+                );
+                normal[0] += ja * ja;
+                normal[1] += ja * jb;
+                normal[2] += jb * jb;
+                normal[3] -= ja * error;
+                normal[4] -= jb * error;
+            }
+            if worst <= self.tolerance {
+                self.evaluate_ends(&cubic, &mut pairs);
+                if self.holds(&cubic, &pairs, work) {
+                    return Some(cubic);
+                }
+            }
+            let improves = worst < 0.5 * previous;
+            if worst <= SMALL_PART * self.tolerance || !improves {
+                return None;
+            }
+            previous = worst;
+            if round + 1 == MAX_ROUNDS {
+                break;
+            }
+            let [aa, ab, bb, ra, rb] = normal;
+            let damping = DAMPING * (aa + bb) + MIN_DAMPING;
+            let (aa, bb) = (aa + damping, bb + damping);
+            let scale = 1.0 / (aa * bb - ab * ab);
+            let (da, db) = ((ra * bb - rb * ab) * scale, (rb * aa - ra * ab) * scale);
+            a = from.sign * (from.sign * (a + da)).max(0.0);
+            b = to.sign * (to.sign * (b + db)).max(0.0);
+        }
+        None
+    }
+
+    /// The sums of the handles of the source's segment and of the arc of the normal, 4/3 tan(θ/4).
+    fn first_handles(&self, from: &End, to: &End) -> (f64, f64) {
+        let third = (to.sample.t - from.sample.t) / 3.0;
+        let (cos, sin) = (
+            from.tangent.dot(to.tangent),
+            from.tangent.perp_dot(to.tangent),
+        );
+        let half_cos = (0.5 + 0.5 * cos).max(0.0).sqrt();
+        let half_sin = (0.5 - 0.5 * cos).max(0.0).sqrt().copysign(sin);
+        let arc = self.distance * (4.0 / 3.0) * half_sin / (1.0 + half_cos);
+        let handle = |end: &End| {
+            let length = third * end.sample.first.length() - arc;
+            end.sign * (end.sign * length).max(0.0)
+        };
+        (handle(from), handle(to))
+    }
+
+    fn pairs(&self, from: &End, to: &End) -> [FootPair; 5] {
+        let mut pairs = [FootPair::default(); 5];
+        (pairs[0].foot, pairs[0].normal) = (from.sample, from.tangent.perp());
+        (pairs[4].s, pairs[4].foot, pairs[4].normal) = (1.0, to.sample, to.tangent.perp());
+        for (pair, s) in pairs[1..4].iter_mut().zip(SAMPLES) {
+            pair.s = s;
+            pair.foot.t = from.sample.t + (to.sample.t - from.sample.t) * s;
+        }
+        pairs
+    }
+
+    /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies.
+    pub(super) fn find_foot(
+        &self,
+        cubic: &[DVec2; 4],
+        pair: &mut FootPair,
+        (t0, t1): (f64, f64),
+        steps: u8,
+    ) {
+        (pair.point, pair.derivative) = at(cubic, pair.s);
+        for _ in 0..steps {
+            let sample = if pair.normal == DVec2::default() {
+                self.source.at(pair.foot.t)
+            } else {
+                pair.foot
+            };
+            let gap = pair.point - sample.point;
+            let t = sample.t
+                + gap.dot(sample.first) / (sample.first.length_squared() - gap.dot(sample.second));
+            let t = if t > t0 && t < t1 { t } else { sample.t };
+            pair.foot = self.source.at(t);
+            pair.normal = DVec2 { x: 1.0, y: 0.0 };
+        }
+        pair.normal = pair.foot.first.normalize_or_zero().perp();
+    }
+
+    /// The signed distance from the source minus the given distance.
+    pub(super) fn error(&self, pair: &FootPair) -> f64 {
+        (pair.point - pair.foot.point).dot(pair.normal) - self.distance
+    }
+
+    fn evaluate_ends(&self, cubic: &[DVec2; 4], pairs: &mut [FootPair; 5]) {
+        let [p0, p1, p2, p3] = *cubic;
+        (pairs[0].point, pairs[0].derivative) = (p0, (p1 - p0) * 3.0);
+        (pairs[4].point, pairs[4].derivative) = (p3, (p3 - p2) * 3.0);
+    }
+}
+
+/// The point and the derivative of a cubic.
+#[inline]
+fn at(p: &[DVec2; 4], s: f64) -> (DVec2, DVec2) {
+    let r = 1.0 - s;
+    let (a, b, c) = (
+        p[0] * r + p[1] * s,
+        p[1] * r + p[2] * s,
+        p[2] * r + p[3] * s,
+    );
+    let (d, e) = (a * r + b * s, b * r + c * s);
+    (d * r + e * s, (e - d) * 3.0)
+}

@@ -1,0 +1,73 @@
+//! Bindings of interpolation, fitting and simplification, and of B-splines. Splines are stored in the arena as in `spline`.
+
+use super::arena;
+use super::optional;
+use super::spline::{changed, write};
+use crate::curve::Curve;
+use crate::spline::Spline;
+use glam::DVec3;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Arguments: points. Writes the Catmull-Rom spline through them if alpha ≥ 0, otherwise the natural spline.
+#[wasm_bindgen]
+pub fn spline_interpolate(dimension: usize, count: usize, closed: bool, alpha: f64) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        // JavaScript's power function: Rust's would add two kilobytes to the module.
+        let power = |length| js_sys::Math::pow(length, alpha);
+        let step: Option<&dyn Fn(f64) -> f64> = if alpha < 0.0 { None } else { Some(&power) };
+        let spline = Spline::interpolate_with(&points, closed, step)?;
+        Ok(write(a, &spline, dimension))
+    })
+}
+
+/// Arguments: points, then knots (none for uniform knots). Writes the Bézier form of the B-spline.
+#[wasm_bindgen]
+pub fn spline_from_bspline(
+    dimension: usize,
+    count: usize,
+    degree: usize,
+    closed: bool,
+    knots: usize,
+) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let knots = a.numbers(count * dimension, knots).to_vec();
+        let explicit_knots = (!knots.is_empty()).then_some(&knots[..]);
+        let spline = Spline::from_bspline(&points, degree, explicit_knots, closed)?;
+        Ok(write(a, &spline, dimension))
+    })
+}
+
+/// Arguments: points, followed by as many parameters or none. Writes the control points of the interpolating curve.
+#[wasm_bindgen]
+pub fn curve_interpolate(dimension: usize, count: usize, number: usize) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let ts = (number > 0).then(|| a.numbers(count * dimension, number));
+        let curve = Curve::interpolate(&points, ts)?;
+        Ok(a.write_from_space(0, curve.control_points(), dimension))
+    })
+}
+
+/// Arguments: sampled points. Writes the fitted spline; a corner angle of 0 stands for the default.
+#[wasm_bindgen]
+pub fn spline_fit(
+    dimension: usize,
+    count: usize,
+    tolerance: f64,
+    corner_angle: f64,
+    closed: bool,
+) -> isize {
+    arena::answer(|a| {
+        let points: Vec<DVec3> = a.points_in_space(0, count, dimension);
+        let spline = Spline::fit(&points, tolerance, optional(corner_angle), closed)?;
+        Ok(write(a, &spline, dimension))
+    })
+}
+
+/// Writes the simplified spline.
+#[wasm_bindgen]
+pub fn spline_simplify(dimension: usize, tolerance: f64) -> isize {
+    changed(dimension, |_, spline, _| spline.simplify(tolerance))
+}

@@ -1,0 +1,165 @@
+// Timing functions from and to CSS text, and their approximation by linear().
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { easing } from "casteljau/easing";
+import { refused } from "./reference.js";
+
+// tests/easing/css.rs reads the same table.
+const table = JSON.parse(readFileSync(new URL("../texts/easing.json", import.meta.url), "utf8"));
+
+test("every text of the table is read, evaluated and written", () => {
+  for (const { text, css, values } of table.filter((row) => row.css)) {
+    const ease = easing(text);
+    assert.equal(ease.css, css, text);
+    assert.equal(easing(css).css, css);
+    for (const [x, y] of values) {
+      const got = ease(x);
+      assert.ok(Math.abs(got - y) <= 4e-16 * Math.max(1, Math.abs(y)), `${text} at ${x}: ${got}`);
+    }
+  }
+});
+
+test("every refused text of the table has its message and its offset", () => {
+  for (const { text, error, offset } of table.filter((row) => row.error)) {
+    assert.throws(
+      () => easing(text),
+      (/** @type {any} */ thrown) => {
+        assert.equal(thrown.constructor, RangeError, text);
+        assert.equal(thrown.message, error);
+        assert.equal(thrown.offset, offset);
+        return true;
+      },
+    );
+  }
+});
+
+test("keywords are their cubic curves", () => {
+  /** @type {Record<string, [number, number, number, number]>} */
+  const curves = { ease: [0.25, 0.1, 0.25, 1], "ease-in": [0.42, 0, 1, 1], "ease-out": [0, 0, 0.58, 1] };
+  for (const [word, handles] of Object.entries(curves))
+    for (const x of [-0.5, 0.1, 0.5, 0.9, 1.5]) assert.equal(easing(word)(x), easing(...handles)(x));
+});
+
+/** The stops of a linear(), by an independent reading of what toLinear writes. */
+function stopsOf(css) {
+  const list = css === "linear" ? "0, 1" : css.match(/^linear\((.*)\)$/)[1];
+  const parts = list.split(", ").map((part) => part.split(" ").map(Number.parseFloat));
+  return parts.flatMap(([y, ...percentages], k) =>
+    (percentages.length > 0 ? percentages : [k === 0 ? 0 : 100]).map((percentage) => [percentage / 100, y]),
+  );
+}
+
+/** The greatest distance of a function from a polyline, found by sampling, with stops among the samples. */
+function distance(ease, stops) {
+  let greatest = 0;
+  for (let k = 1; k < stops.length; k++) {
+    const [[ax, ay], [bx, by]] = [stops[k - 1], stops[k]];
+    for (let i = 0; i <= 400; i++) {
+      const x = ax + ((bx - ax) * i) / 400;
+      greatest = Math.max(greatest, Math.abs(ay + ((by - ay) * i) / 400 - ease(x)));
+    }
+  }
+  return greatest;
+}
+
+const CURVES = [
+  "ease",
+  "ease-in-out",
+  "cubic-bezier(0.68, -0.55, 0.265, 1.55)",
+  "cubic-bezier(0, 1, 1, 0)",
+  "cubic-bezier(1, 0, 0, 1)",
+  "cubic-bezier(0, 1, 0, 1)",
+  "cubic-bezier(0.1, 7, 0.9, -6)",
+];
+
+test("toLinear keeps the tolerance and the ends", () => {
+  for (const css of CURVES) {
+    const ease = easing(css);
+    for (const tolerance of [0.3, 0.1, 0.01, 0.001]) {
+      const stops = stopsOf(ease.toLinear(tolerance));
+      assert.deepEqual(
+        [stops[0], stops.at(-1)],
+        [
+          [0, 0],
+          [1, 1],
+        ],
+        css,
+      );
+      const error = distance(ease, stops);
+      assert.ok(error <= tolerance * (1 + 1e-9), `${css}, ${tolerance}: ${error}`);
+    }
+  }
+});
+
+test("a parabola has the number of stops that is known in closed form", () => {
+  // y = x²: a link that begins and ends on a boundary of the tolerance e has the width √(8e), the first and the last one
+  // (1 + √2)√e.
+  const square = easing(1 / 3, 0, 2 / 3, 1 / 3);
+  for (const tolerance of [0.05, 0.02, 0.01, 0.003, 0.001, 0.0002]) {
+    const links = (e) => 2 + Math.ceil((1 - 2 * (1 + Math.SQRT2) * Math.sqrt(e)) / Math.sqrt(8 * e));
+    const count = stopsOf(square.toLinear(tolerance)).length - 1;
+    assert.ok(count >= links(tolerance) && count <= links(0.96 * tolerance), `${tolerance}: ${count}`);
+  }
+});
+
+test("a straight line takes two stops, steps and linear() remain as they are", () => {
+  assert.equal(easing(0.3, 0.3, 0.7, 0.7).toLinear(0.0001), "linear");
+  assert.equal(easing("linear(0, 0.2 10%, 1)").toLinear(0.5), "linear(0, 0.2 10%, 1)");
+  assert.equal(easing("steps(2)").toLinear(0.1), "linear(0 0% 50%, 0.5 50% 100%, 1)");
+  assert.equal(easing("steps(2, start)").toLinear(0.1), "linear(0.5 0% 50%, 1 50% 100%)");
+  for (const css of ["steps(5)", "steps(5, start)", "steps(5, jump-none)", "steps(5, jump-both)"]) {
+    const [ease, same] = [easing(css), easing(easing(css).toLinear(0.1))];
+    for (const x of [0, 0.1, 0.2, 0.3, 0.4, 0.59, 0.6, 0.7, 0.8, 0.99, 1])
+      assert.equal(same(x), ease(x), `${css} ${x}`);
+  }
+});
+
+test("toLinear writes the same text as Rust: tests/easing/css.rs has the same sum", () => {
+  let sum = 0n;
+  for (const css of CURVES)
+    for (const tolerance of [0.1, 0.01, 0.001])
+      for (const byte of new TextEncoder().encode(easing(css).toLinear(tolerance)))
+        sum = BigInt.asUintN(64, (sum << 7n) | (sum >> 57n)) ^ BigInt(byte);
+  assert.equal(sum.toString(16), "990a60f034ae026e");
+});
+
+test("never NaN, at the largest numbers either", () => {
+  const texts = table.filter((row) => row.css).map((row) => row.text);
+  const extreme = [
+    "linear(-1.7e308 -1.7e308%, 1.7e308 1.7e308%)",
+    "linear(0, 1.7e308 5e-324%, 0)",
+    "linear(1e308, -1e308)",
+  ];
+  for (const text of [...texts, ...extreme])
+    for (const x of [-Number.MAX_VALUE, -1, -5e-324, 0, 5e-324, 0.5, 1, 2, Number.MAX_VALUE])
+      assert.ok(Number.isFinite(easing(text)(x)), `${text} at ${x}`);
+  const huge = easing(0.1, 1e300, 0.9, -1e300);
+  assert.ok(
+    distance(
+      (x) => huge(x) / 1e300,
+      stopsOf(huge.toLinear(1e298)).map(([x, y]) => [x, y / 1e300]),
+    ) <= 0.01,
+  );
+});
+
+test("refusals", () => {
+  /** @type {any} */
+  const untyped = easing;
+  refused(() => untyped(), TypeError, /^easing: expected a text or 4 numbers, got undefined$/);
+  refused(() => untyped(5), TypeError, /^easing: expected a text or 4 numbers, got 5$/);
+  refused(() => untyped(0, 0, 1, 1, 1), TypeError, /^easing: expected a text or 4 numbers, got 5 arguments$/);
+  refused(() => untyped(0, 0, 1), TypeError, /^y2: expected a number, got undefined$/);
+  const ease = untyped("ease");
+  refused(() => ease.toLinear(), TypeError, /^tolerance: expected a number, got undefined$/);
+  refused(
+    () => ease.toLinear(1e-5),
+    RangeError,
+    /^tolerance: expected at least 0.0001 of the largest output, got 0.00001$/,
+  );
+  refused(() => ease.toLinear(-1), RangeError, /^tolerance: .*got -1$/);
+  refused(() => ease.toLinear(NaN), RangeError, /^tolerance: expected a finite number, got NaN$/);
+  refused(() => easing("steps(40000)").toLinear(1), RangeError, /^stops: expected at most 65536, this needs 80001$/);
+  for (const text of ["steps(4)", "linear(0, 1)"])
+    refused(() => easing(text)(NaN), RangeError, /^x: expected a finite number, got NaN$/);
+});

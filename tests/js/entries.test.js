@@ -1,0 +1,192 @@
+// The entry points casteljau, casteljau/core, casteljau/surfaces and casteljau/slim together in one program.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import * as complete from "casteljau";
+import * as coreEntry from "casteljau/core";
+import * as slim from "casteljau/slim";
+import * as surfaces from "casteljau/surfaces";
+import { build } from "esbuild";
+
+const root = fileURLToPath(new URL("../../", import.meta.url));
+await slim.init(await readFile(new URL("../../dist/casteljau.wasm", import.meta.url)));
+
+const ARCH = [0, 0, 0, 2, 3, 2, 3, 0];
+const LINE = [-1, 1, 4, 1];
+/** The abscissas at which the arch y = 6t(1 − t) has the height 1. */
+const ROOTS = [(3 - Math.sqrt(3)) / 6, (3 + Math.sqrt(3)) / 6];
+const WITH_CURVES = { complete, core: coreEntry, slim };
+
+test("entries: what each one exports", () => {
+  const all = ["Curve", "Mesh", "Patch", "Path", "Spline", "Surface", "easing", "init"];
+  assert.deepEqual(Object.keys(complete).sort(), all);
+  assert.deepEqual(Object.keys(slim).sort(), all);
+  assert.deepEqual(Object.keys(coreEntry).sort(), ["Curve", "Spline", "init"]);
+  assert.deepEqual(Object.keys(surfaces).sort(), ["Mesh", "Patch", "Surface", "init"]);
+});
+
+test("entries: import and require give the same classes", () => {
+  const require = createRequire(import.meta.url);
+  assert.equal(require("casteljau/core").Curve, coreEntry.Curve);
+  assert.equal(require("casteljau/surfaces").Surface, surfaces.Surface);
+});
+
+test("entries: init is optional, and starts the module of its entry", async () => {
+  await coreEntry.init();
+  await surfaces.init();
+  assert.deepEqual(new coreEntry.Curve(LINE).eval(0.5), { x: 1.5, y: 1 });
+});
+
+test("entries: every class of curves is accepted where a curve is expected", () => {
+  for (const [name, { Curve }] of Object.entries(WITH_CURVES)) {
+    const line = new Curve(LINE);
+    for (const { Curve: Other, Path } of [complete, slim]) {
+      const arch = new Other(ARCH);
+      const found = arch.intersections(line).map(({ t }) => t);
+      assert.ok(found.length === 2 && found.every((t, k) => Math.abs(t - ROOTS[k]) < 1e-14), `${name}: ${found}`);
+      assert.equal(arch.distanceTo(line).distance, 0);
+      assert.equal(arch.hausdorff(new Curve(ARCH)), 0);
+      assert.ok(arch.equals(new Curve(ARCH)) && new Curve(ARCH).equals(arch) && !arch.equals(line));
+      assert.equal(new Path([arch]).intersections(line).length, 2);
+    }
+  }
+});
+
+test("entries: every class of splines is accepted where a spline is expected", () => {
+  for (const { Curve, Spline } of Object.values(WITH_CURVES)) {
+    const spline = new Spline([...ARCH, 3, -2, 6, -2, 6, 0]);
+    for (const { Spline: Other, Curve: OtherCurve, Path } of [complete, slim]) {
+      const other = Other.fromCurves(spline.segments());
+      assert.ok(other.equals(spline) && spline.equals(other));
+      assert.equal(new OtherCurve(LINE).intersections(spline).length, 2);
+      assert.equal(other.intersections(new Spline([...LINE, 5, 1], { degree: 1 })).length, 2);
+      assert.equal(new Path([spline, new Curve(LINE)]).subpathCount, 2);
+    }
+  }
+});
+
+test("entries: paths and patches of casteljau and casteljau/slim are accepted by each other", () => {
+  const outlines = [complete, slim].map(({ Path }) => Path.fromSVG("M0 0H4V4H0Z"));
+  const line = [complete, slim].map(({ Path }) => Path.fromSVG("M-1 1L5 1"));
+  assert.ok(outlines[0].equals(outlines[1]) && outlines[1].equals(outlines[0]) && !outlines[0].equals(line[1]));
+  assert.equal(outlines[0].intersections(line[1]).length, 2);
+  assert.equal(outlines[1].intersections(line[0]).length, 2);
+  const patches = [complete, slim, surfaces].map(({ Surface }) => Surface.teacup().patch(5));
+  assert.ok(patches.every((patch) => patches.every((other) => patch.equals(other))));
+});
+
+test("entries: methods return the classes of their own entry", () => {
+  for (const { Curve, Spline } of Object.values(WITH_CURVES)) {
+    const curve = new Curve(ARCH);
+    const curves = [...curve.split(0.3), curve.derivative(), curve.reverse(), curve.subdivide(10).curve];
+    assert.ok(curves.every((each) => each instanceof Curve));
+    assert.ok(Curve.fromJSON(curve.toJSON()) instanceof Curve && Curve.fromBasis("bezier", ARCH) instanceof Curve);
+    const spline = Spline.fromCurves(curve.split(0.5));
+    assert.ok([spline, spline.reverse(), spline.insert(0.5)].every((each) => each instanceof Spline));
+    assert.ok(spline.segments().every((each) => each instanceof Curve));
+    assert.ok(Spline.fromJSON(spline.toJSON()) instanceof Spline);
+  }
+  const { Patch, Surface } = surfaces;
+  const surface = Surface.teapot().movePoint(0, [0, 0, 9]);
+  const patch = surface.patch(0);
+  assert.ok(surface instanceof Surface && patch instanceof Patch && patch.splitU(0.5)[0] instanceof Patch);
+  assert.ok(Patch.fromJSON(patch.toJSON()).equals(patch) && Patch.fromBasis("bezier", new Float64Array(48)));
+});
+
+test("entries: the curves of surfaces have the methods of casteljau/core", () => {
+  const patch = surfaces.Surface.teapot().patch(4);
+  const curve = patch.isocurveAtU(0.25);
+  assert.deepEqual(curve.eval(0.5), patch.eval(0.25, 0.5));
+  assert.ok(curve.equals(complete.Surface.teapot().patch(4).isocurveAtU(0.25)));
+  assert.ok(new complete.Curve(curve.controlPoints(), { dimension: 3 }).distanceTo(curve).distance === 0);
+  assert.ok("trace" in curve && !("nearest" in curve) && "nearest" in complete.Curve.prototype);
+  assert.equal(surfaces.Surface.teapot().isocurves({ lines: 1 })[0].flatten(0.01).points.length % 3, 0);
+});
+
+test("entries: casteljau/core gives the same numbers as casteljau, and refuses the same arguments", () => {
+  const points = [0, 0, 1, 3, 4, -1, 5, 2, 7, 1];
+  const results = ({ Curve, Spline }) => {
+    const curve = new Curve(points);
+    const spline = new Spline([...points.slice(0, 6), 6, 1], { degree: 3 });
+    return [
+      curve.eval(0.3),
+      curve.sample(7),
+      curve.evalAt([0.1, 0.9]),
+      curve.derivativeAt(0.2, 2),
+      curve.tangent(0.4),
+      curve.normal(0.4),
+      curve.curvature(0.4),
+      curve.deCasteljau(0.3),
+      curve.elevate().controlPoints(),
+      curve.transform([1, 2, 3, 4, 5, 6]).controlPoints(),
+      curve.flatten(0.01).ts,
+      curve.bounds(),
+      curve.hull(),
+      curve.toSVG(),
+      Curve.bernstein(3, 0.2),
+      Curve.basisMatrix("hermite"),
+      spline.insert(0.5).continuity(1),
+      spline
+        .append([8, 8])
+        .movePoint(3, [1, 1], { joints: ["free", "c1"] })
+        .toJSON(),
+      spline.toSVG({ precision: 2 }),
+    ];
+  };
+  assert.deepEqual(results(coreEntry), results(complete));
+  const message = ({ Curve }) => {
+    try {
+      new Curve(points).flatten(1e-30);
+    } catch (error) {
+      return `${error}`;
+    }
+  };
+  assert.match(message(coreEntry), /RangeError: tolerance/);
+  assert.equal(message(coreEntry), message(complete));
+});
+
+test("entries: other values are refused by name", () => {
+  const { Curve, Path, Spline } = complete;
+  const curve = new Curve(ARCH);
+  const spline = Spline.fromCurves([curve]);
+  for (const other of [null, undefined, 1, {}, { casteljauType: "mesh" }, surfaces.Surface.teapot()]) {
+    assert.throws(() => curve.intersections(other), {
+      name: "TypeError",
+      message: /^other: expected a Curve or a Spline/,
+    });
+    assert.throws(() => curve.equals(other), { name: "TypeError", message: /^other: expected a Curve, got / });
+    assert.throws(() => spline.equals(other), { name: "TypeError", message: /^other: expected a Spline, got / });
+    assert.throws(() => new Path([other]), {
+      name: "TypeError",
+      message: /^splines\[0\]: expected a Spline or a Curve/,
+    });
+  }
+  assert.throws(() => Spline.fromCurves([spline]), { message: /^curves\[0\]: expected a Curve, got / });
+});
+
+/** The functions of the core that the sources of an entry call. */
+async function calledFunctions(entry) {
+  const options = { bundle: true, format: "esm", metafile: true, write: false };
+  const { metafile } = await build({ entryPoints: [entry], absWorkingDir: root, outdir: "unused", ...options });
+  const files = Object.keys(metafile.inputs).filter((file) => !file.startsWith("js/glue/"));
+  const called = new Set();
+  for (const file of files) {
+    const text = await readFile(new URL(file, `file://${root}`), "utf8");
+    for (const [, name] of text.matchAll(/(?:core\([^()]*\)|exports)\.([a-z]+_\w+)/g)) called.add(name);
+  }
+  return [...called].sort();
+}
+
+/** The functions that a module exports, without those of wasm-bindgen. */
+async function exportedFunctions(name) {
+  const module = new WebAssembly.Module(await readFile(new URL(`../../js/glue/${name}.wasm`, import.meta.url)));
+  const names = WebAssembly.Module.exports(module).map((each) => each.name);
+  return names.filter((each) => !each.startsWith("__") && each !== "memory").sort();
+}
+
+test("entries: the modules of casteljau/core and casteljau/surfaces export what their classes call, and no more", async () => {
+  assert.deepEqual(await exportedFunctions("core"), await calledFunctions("js/core.js"));
+  assert.deepEqual(await exportedFunctions("core-surfaces"), await calledFunctions("js/surfaces.js"));
+});

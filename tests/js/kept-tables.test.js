@@ -1,0 +1,167 @@
+// What splines keep between calls: the results are those of the core, and repeated queries ask the core less.
+import assert from "node:assert/strict";
+import { beforeEach, test } from "node:test";
+import { Path, Spline } from "../../js/index.js";
+import { curvesModule } from "../../js/wasm/curves-module.js";
+import { core } from "../../js/wasm/init.js";
+import { readResult } from "../../js/wasm/transfer.js";
+import { near, refused } from "./reference.js";
+
+const SEGMENTS = 2000;
+/** How often each function of the core was called since the start of the test. */
+const calls = new Map();
+
+core(); // instantiates the module
+curvesModule.functions = Object.fromEntries(
+  Object.entries(curvesModule.functions).map(([name, value]) => [
+    name,
+    typeof value !== "function"
+      ? value
+      : (...args) => {
+          calls.set(name, (calls.get(name) ?? 0) + 1);
+          return value(...args);
+        },
+  ]),
+);
+beforeEach(() => calls.clear());
+
+const waves = (closed, dimension = 2) => {
+  const points = Array.from({ length: SEGMENTS }, (_, i) =>
+    [i, 30 * Math.sin(i / 7), (i * i) % 11].slice(0, dimension),
+  );
+  return Spline.interpolate(points, { closed });
+};
+const mixed = () =>
+  Spline.fromJSON({
+    points: [0, 0, 3, 1, 3, 5, 9, 5, 9, 9, 2, 12, 2, 12, 2, 12, 2, 12, 0, 11, -4, 4, 3, 3],
+    degrees: [1, 2, 3, 1, 4],
+    closed: false,
+    dimension: 2,
+  });
+const called = (...names) => names.map((name) => calls.get(name) ?? 0);
+/** The answer of the core's function of splines, which keeps nothing. */
+function fromCore(spline, name, ...args) {
+  return readResult(0, core()[name](spline._write(), ...args));
+}
+
+/** The first of the nearest points of all segments. */
+function nearestOfAll(spline, p) {
+  const found = spline.segments().map((segment, k) => {
+    const { t, ...rest } = segment.nearest(p);
+    return { t: k + t, ...rest };
+  });
+  return found.reduce((best, other) => (other.distance < best.distance ? other : best));
+}
+
+test("timeAtLength: the results of the core, inside, at joints, and outside", () => {
+  for (const spline of [waves(false), waves(true), waves(false, 3), mixed()]) {
+    const length = spline.length();
+    assert.equal(length, fromCore(spline, "spline_length", 0)[0]);
+    const before = spline.subsegment(0, 1).length();
+    for (const s of [-1, 0, 1e-300, before, length / 7, length / 2, 0.999 * length, length, 2 * length]) {
+      assert.equal(spline.timeAtLength(s), fromCore(spline, "spline_time_at_length", s, 0)[0], `s = ${s}`);
+    }
+  }
+});
+
+test("timeAtLength: a joint where a segment has no length is its end", () => {
+  const spline = new Spline([0, 0, 3, 0, 3, 0, 3, 4], { degree: 1 });
+  assert.deepEqual([spline.timeAtLength(3), spline.timeAtLength(1.5), spline.timeAtLength(5)], [2, 0.5, 2.5]);
+});
+
+test("timeAtLength: after the first call the core examines one segment, and is not passed the spline", () => {
+  const spline = waves(false);
+  spline.timeAtLength(10);
+  assert.deepEqual(called("curve_length", "curve_time_at_length"), [SEGMENTS - 1, 1]);
+  for (let s = 20; s < 120; s++) spline.timeAtLength(s);
+  spline.length();
+  assert.deepEqual(called("curve_length", "curve_time_at_length"), [SEGMENTS - 1, 101]);
+  assert.deepEqual(called("spline_time_at_length", "spline_length"), [0, 0]);
+});
+
+test("timeAtLength: a tolerance is checked by the core until one as small was accepted", () => {
+  const spline = waves(false);
+  refused(() => spline.timeAtLength(10, 1e-300), RangeError, /tolerance/);
+  refused(() => spline.timeAtLength(10, 1e-300), RangeError, /tolerance/);
+  for (const [s, tolerance] of [
+    [10, 1e-3],
+    [20, 1e-3],
+    [30, 1e-2],
+    [40, 1e-6],
+    [50, 1e-6],
+  ]) {
+    const expected = fromCore(spline, "spline_time_at_length", s, tolerance)[0];
+    assert.equal(spline.timeAtLength(s, tolerance), expected);
+  }
+  assert.deepEqual(called("spline_time_at_length"), [5 + 2 + 2]); // the expected times, the refusals, two new tolerances
+  refused(() => spline.timeAtLength(Number.NaN), RangeError, /^s: /);
+  refused(() => spline.timeAtLength(1, -1), RangeError, /^tolerance: /);
+});
+
+test("equidistantTimes: the results of the core for few and for many arcs", () => {
+  for (const spline of [waves(false), waves(true, 3), mixed()]) {
+    for (const segments of [1, 2, 3, 7, 1000, 3000]) {
+      assert.deepEqual(
+        spline.equidistantTimes(segments),
+        fromCore(spline, "spline_equidistant_times", segments),
+        `${segments}`,
+      );
+    }
+  }
+  const point = new Spline([1, 1, 1, 1, 1, 1, 1, 1], { degree: 1 });
+  assert.deepEqual([...point.equidistantTimes(2)], [0, 1.5, 3]);
+});
+
+test("nearest: the results of the segments and of the core", () => {
+  for (const spline of [waves(false), waves(true), waves(false, 3), mixed()]) {
+    for (const p of [
+      [0, 0, 0],
+      [1000, 200, 3],
+      [-40, 2, 1],
+      [777.7, 12.5, 5],
+      [1e200, -1e200, 0],
+      [2, 12, 0],
+    ]) {
+      const point = p.slice(0, spline.dimension);
+      const found = spline.nearest(point);
+      assert.deepEqual(found, nearestOfAll(spline, point));
+      if (spline.dimension === 3) continue;
+      const { subpath, ...onPath } = new Path([spline]).nearest(point); // which keeps nothing
+      assert.deepEqual([subpath, found], [0, onPath]);
+    }
+  }
+});
+
+test("nearest: far points, and of two points at the same distance the first", () => {
+  const large = new Spline([0, 0, 1e200, 0, 1e200, 1e200], { degree: 1 });
+  assert.deepEqual(large.nearest([1e200, 2e200]), { t: 2, point: { x: 1e200, y: 1e200 }, distance: 1e200 });
+  // y = 2 from x = −5 to 5, then back on (−10u, 16u² − 2), whose box contains the origin
+  const both = Spline.fromJSON({ points: [-5, 2, 5, 2, 0, -6, -5, 2], degrees: [1, 2], closed: false, dimension: 2 });
+  assert.deepEqual(both.subsegment(1, 2).nearest([0, 0]), { t: 0.5, point: { x: 0, y: -2 }, distance: 2 });
+  assert.deepEqual(both.nearest([0, 0]), { t: 0.5, point: { x: 0, y: 2 }, distance: 2 });
+});
+
+test("nearest examines only the segments whose boxes may be nearer", () => {
+  const spline = waves(false);
+  spline.nearest([1000, 80]);
+  assert.ok(called("curve_nearest")[0] < 100, `${called("curve_nearest")}`);
+});
+
+test("eval: the results of the core, of every degree, inside and outside", () => {
+  for (const spline of [waves(true), waves(false, 3), mixed()]) {
+    for (const t of [-0.5, 0, 0.3, 1, 2.75, 4.9, spline.segmentCount, spline.segmentCount + 0.25]) {
+      assert.deepEqual(Object.values(spline.eval(t)), [...spline.evalAt([t])], `t = ${t}`);
+    }
+  }
+});
+
+test("what is kept cannot be changed from outside", () => {
+  const spline = mixed();
+  const before = [spline.eval(2.5), spline.timeAtLength(5), spline.nearest([4, 4])];
+  spline.segments().length = 0;
+  spline.segments()[2].controlPoints().fill(7);
+  spline.controlPoints().fill(7);
+  spline.nearest([0, 0]).point.x = 7;
+  assert.deepEqual([spline.eval(2.5), spline.timeAtLength(5), spline.nearest([4, 4])], before);
+  near([mixed().length()], [spline.length()], 0);
+});

@@ -1,0 +1,205 @@
+//! Corners of fitted splines: those of known shapes are kept, noise adds none.
+
+use crate::common::{Rng, real};
+use crate::reference::{dense, farthest};
+use casteljau::glam::DVec2;
+use casteljau::{Error, Spline};
+use std::f64::consts::{PI, TAU};
+
+/// Points along a closed polygon, `count` on each edge.
+fn along(polygon: &[DVec2], count: usize) -> Vec<DVec2> {
+    let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    ends.flat_map(|(&a, &b)| (0..count).map(move |k| a.lerp(b, real(k) / real(count))))
+        .collect()
+}
+
+fn with_noise(rng: &mut Rng, points: &[DVec2], size: f64) -> Vec<DVec2> {
+    let moved = |&p: &DVec2| p + DVec2::new(rng.signed(), rng.signed()) * size;
+    points.iter().map(moved).collect()
+}
+
+fn regular(count: usize) -> Vec<DVec2> {
+    (0..count)
+        .map(|k| DVec2::from_angle(TAU * real(k) / real(count)) * 200.0)
+        .collect()
+}
+
+fn star() -> Vec<DVec2> {
+    let radius = |k: usize| if k.is_multiple_of(2) { 200.0 } else { 90.0 };
+    (0..10)
+        .map(|k| DVec2::from_angle(TAU * real(k) / 10.0) * radius(k))
+        .collect()
+}
+
+/// The joints where the tangent turns, also at the start of a closed spline.
+fn corners(spline: &Spline<DVec2>) -> Vec<DVec2> {
+    (usize::from(!spline.is_closed())..spline.segment_count())
+        .filter(|&k| !spline.continuity(k, Some(1e-6)).expect("a joint").g1)
+        .map(|k| spline.eval(real(k)))
+        .collect()
+}
+
+/// The largest turn of the direction within an arc length, by small steps.
+fn sharpest_turn(spline: &Spline<DVec2>, length: f64) -> f64 {
+    let points = spline.sample(64).expect("few");
+    let steps = points.windows(2).map(|p| p[1] - p[0]);
+    let steps: Vec<DVec2> = steps.filter(|step| step.length() > 1e-9).collect();
+    let (mut s, mut angle) = (0.0, 0.0);
+    let mut turned = vec![(0.0, 0.0)];
+    for pair in steps.windows(2) {
+        s += pair[0].length();
+        angle += pair[0].angle_to(pair[1]);
+        turned.push((s, angle));
+    }
+    let mut first = 0;
+    let mut sharpest: f64 = 0.0;
+    for (k, &(s, angle)) in turned.iter().enumerate() {
+        while turned[first].0 < s - length {
+            first += 1;
+        }
+        for &(_, before) in &turned[first..k] {
+            sharpest = sharpest.max((angle - before).abs());
+        }
+    }
+    sharpest
+}
+
+fn is_within(spline: &Spline<DVec2>, points: &[DVec2], tolerance: f64) {
+    let off = farthest(&dense(spline, 0.01 * tolerance), points, tolerance);
+    assert!(off <= 1.02 * tolerance, "{off} for {tolerance}");
+}
+
+#[test]
+fn polygons_keep_exactly_their_corners() {
+    let mut rng = Rng(83);
+    let shapes = [regular(4), regular(6), regular(8), star()];
+    for (shape, polygon) in shapes.iter().enumerate() {
+        // With fewer points on an edge, those of a hexagon or an octagon may be a circle's.
+        for count in [2, 5, 30, 200, 1000] {
+            for (noise, tolerance) in [(0.0, 1.0), (0.0, 0.1), (0.5, 1.0), (0.5, 3.0)] {
+                let seeds = if noise == 0.0 || count == 1000 { 1 } else { 8 };
+                for seed in 0..seeds {
+                    let what = format!("shape {shape}, {count}, ±{noise}, {tolerance}, {seed}");
+                    let points = with_noise(&mut rng, &along(polygon, count), noise);
+                    let fitted = Spline::fit(&points, tolerance, None, true).expect("finite");
+                    let found = corners(&fitted);
+                    assert_eq!(found.len(), polygon.len(), "{what}");
+                    for &corner in polygon {
+                        let near = |p: &DVec2| (*p - corner).length() < 4.0 * (tolerance + noise);
+                        assert!(found.iter().any(near), "{what}: none at {corner}");
+                    }
+                    is_within(&fitted, &points, tolerance);
+                    if noise == 0.0 {
+                        assert_eq!(fitted.segment_count(), polygon.len(), "{what}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sparse_square_or_star_has_corners_and_a_sparse_circle_has_none() {
+    let count = |polygon: &[DVec2]| {
+        let fitted = Spline::fit(polygon, 1.0, None, true).expect("finite");
+        corners(&fitted).len()
+    };
+    // Only the outer turns of the star are above 75°, and the inner ones are not twice as large as those beside them.
+    assert_eq!((count(&regular(4)), count(&star())), (4, 5));
+    for n in [6, 8, 12, 40, 400] {
+        assert_eq!(count(&regular(n)), 0, "{n}");
+    }
+}
+
+/// Spirals as a mouse draws them, in whole pixels, and with noise: no corner, whether the tolerance is above the noise
+/// or below.
+#[test]
+fn noise_on_smooth_strokes_is_no_corner() {
+    let mut rng = Rng(89);
+    for (turns, radius) in [(3.0, 300.0), (8.0, 300.0), (20.0, 500.0)] {
+        let spiral = |k: usize| {
+            let t = real(k) / 4999.0;
+            DVec2::from_angle(TAU * turns * t) * (radius * t) + DVec2::splat(400.0)
+        };
+        let exact: Vec<DVec2> = (0..5000).map(spiral).collect();
+        let rounded: Vec<DVec2> = exact.iter().map(|p| p.round()).collect();
+        let needed = Spline::fit(&exact, 1.0, None, false).expect("finite");
+        for seed in 0..4 {
+            let jittered = with_noise(&mut rng, &exact, 0.5);
+            for (points, kind) in [(&rounded, "rounded"), (&jittered, "jittered")] {
+                for tolerance in [0.5, 0.75, 1.0, 2.0, 4.0] {
+                    let fitted = Spline::fit(points, tolerance, None, false).expect("finite");
+                    let what = format!("{turns} turns {kind}, {tolerance}, {seed}");
+                    assert_eq!(corners(&fitted).len(), 0, "{what}");
+                    is_within(&fitted, points, tolerance);
+                    if tolerance >= 1.0 {
+                        let (got, needed) = (fitted.segment_count(), needed.segment_count());
+                        assert!(got <= 3 * needed, "{what}: {got} and {needed} segments");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A wave whose smallest radius of curvature is 30: over 2 units it turns by at most 4°.
+#[test]
+fn noise_on_smooth_strokes_is_no_hook() {
+    let mut rng = Rng(97);
+    for count in [50, 500, 5000] {
+        let wave = |k: usize| {
+            let t = real(k) / real(count - 1);
+            DVec2::new(800.0 * t, 150.0 * (12.0 * t).sin())
+        };
+        let exact: Vec<DVec2> = (0..count).map(wave).collect();
+        for tolerance in [1.0, 2.0] {
+            for _ in 0..10 {
+                let points = with_noise(&mut rng, &exact, 0.5);
+                let fitted = Spline::fit(&points, tolerance, None, false).expect("finite");
+                let turn = sharpest_turn(&fitted, 2.0).to_degrees();
+                assert!(turn < 45.0, "{count}, {tolerance}: {turn}°");
+                is_within(&fitted, &points, tolerance);
+            }
+        }
+    }
+}
+
+#[test]
+fn circles_with_noise_close_smoothly() {
+    let mut rng = Rng(101);
+    for count in [40, 400, 4000] {
+        for _ in 0..8 {
+            let points = with_noise(&mut rng, &regular(count), 0.5);
+            for tolerance in [0.5, 1.0, 2.0] {
+                let fitted = Spline::fit(&points, tolerance, None, true).expect("finite");
+                assert_eq!(corners(&fitted).len(), 0, "{count}, {tolerance}");
+                is_within(&fitted, &points, tolerance);
+            }
+        }
+    }
+}
+
+/// Long edges that turn by 20°, 50° and 100°.
+#[test]
+fn the_corner_angle_selects_corners() {
+    let mut points = vec![DVec2::ZERO];
+    let mut direction = DVec2::X;
+    for turn in [0.0_f64, 20.0, 50.0, 100.0] {
+        direction = DVec2::from_angle(turn.to_radians()).rotate(direction);
+        let start = points[points.len() - 1];
+        points.extend((1..=100).map(|k| start + direction * (3.0 * real(k))));
+    }
+    let count = |angle: Option<f64>| {
+        let fitted = Spline::fit(&points, 1.0, angle, false).expect("finite");
+        is_within(&fitted, &points, 1.0);
+        corners(&fitted).len()
+    };
+    let angles = [10.0_f64, 30.0, 70.0, 120.0].map(|angle| count(Some(angle.to_radians())));
+    assert_eq!((angles, count(None)), ([3, 2, 1, 0], 2));
+    for angle in [0.0, -1.0, 3.2, f64::NAN, f64::INFINITY] {
+        let refused = Spline::fit(&points, 1.0, Some(angle), false);
+        let what = "corner_angle";
+        assert!(matches!(refused, Err(Error::Range { what: got, .. }) if got == what));
+    }
+    assert_eq!(count(Some(PI)), 0);
+}
