@@ -154,7 +154,7 @@ test("entries: other values are refused by name", () => {
   for (const other of [null, undefined, 1, {}, { casteljauType: "mesh" }, surfaces.Surface.teapot()]) {
     assert.throws(() => curve.intersections(other), {
       name: "TypeError",
-      message: /^other: expected a Curve or a Spline/,
+      message: /^other: expected a Curve, a Spline or a Path, got /,
     });
     assert.throws(() => curve.equals(other), { name: "TypeError", message: /^other: expected a Curve, got / });
     assert.throws(() => spline.equals(other), { name: "TypeError", message: /^other: expected a Spline, got / });

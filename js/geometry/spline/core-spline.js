@@ -96,10 +96,12 @@ export class CoreSpline extends SplineEvaluation {
    * is also divided at its start: the first part begins there, the second part ends there.
    *
    * @param {number} t 0 to the number of segments; values outside extrapolate the first and the last segment
+   * @param {never[]} surplus
    * @returns {[this, this]}
    * @throws {RangeError} for a t that is not finite
    */
-  split(t) {
+  split(t, ...surplus) {
+    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
     const { k, segment, rest } = this._locate(t);
     const count = this.segmentCount;
     if (rest === 0 && k > 0) return [this._part([], 0, k, []), this._part([], k, count, [])];
@@ -115,10 +117,12 @@ export class CoreSpline extends SplineEvaluation {
    *
    * @param {number} t0 0 to the number of segments; values outside extrapolate the first and the last segment
    * @param {number} t1
+   * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} for a value that is not finite
    */
-  subsegment(t0, t1) {
+  subsegment(t0, t1, ...surplus) {
+    check.noSurplus(surplus, "subsegment", 2);
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     if (t0 > t1) return this.subsegment(t1, t0).reverse();
@@ -135,10 +139,12 @@ export class CoreSpline extends SplineEvaluation {
    * The corners of the convex hull of all control points, counter-clockwise (x right, y up); it contains the spline. If
    * all points are on a line, its two ends; if all are equal, that point. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {Float64Array}
    * @throws {TypeError} in 3D
    */
-  hull() {
+  hull(...surplus) {
+    check.noSurplus(surplus, "hull", 0);
     this._require2D("hull");
     const { flat } = this.casteljauData();
     writeArguments(flat);
