@@ -1,4 +1,5 @@
 // The public interface. Importing it compiles nothing; the first call does.
+export * from "./types.js";
 export { init } from "./wasm/init.js";
 export { Curve } from "./geometry/curve/curve.js";
 export { Spline } from "./geometry/spline/spline.js";

@@ -1,5 +1,6 @@
 // casteljau/surfaces: patches and surfaces on the curves of casteljau/core. xtask/bundle.js gives it one wasm module with the
 // functions of both.
+export * from "./types.js";
 export { init } from "./wasm/init.js";
 export { Patch } from "./geometry/core/patch.js";
 export { Surface } from "./geometry/core/surface.js";

@@ -10,7 +10,9 @@ export function kindOf(value) {
   if (typeof value === "string") return JSON.stringify(value);
   if (value === null || typeof value !== "object") return typeof value === "function" ? "a function" : String(value);
   if ("localName" in value) return `a <${value.localName}> element`;
-  return Array.isArray(value) ? `an array of ${value.length}` : (value.constructor?.name ?? "an object");
+  return Array.isArray(value)
+    ? `an array of ${value.length}`
+    : Object.prototype.toString.call(value).slice("[object ".length, -1);
 }
 
 /**

@@ -53,7 +53,7 @@ export function basisNumbers(basis) {
  */
 export function pointsInBasis(basis, points, options) {
   const matrix = basisNumbers(basis);
-  const { flat, dimension } = flatten(points, checkedOptions(options).dimension, 2);
+  const { flat, dimension } = flatten(points, checkedOptions(options, ["dimension"]).dimension, 2);
   if (flat.length !== 4 * dimension) {
     throw new RangeError(`points: expected 4 points, got ${flat.length / dimension}`);
   }

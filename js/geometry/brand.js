@@ -1,7 +1,7 @@
 // How curves, splines, paths, patches and surfaces of one copy of this package are recognised by another copy: each entry point
 // is a bundle with its own classes, so that `instanceof` does not answer that question. All of them have the two members
 // of `Branded`, whose names are strings because bundlers keep an unused class that has a computed name.
-import { describe } from "./check.js";
+import { describe } from "./describe.js";
 
 /**
  * The data of a spline: its control points (joints once), the degree of each segment, whether it is closed.
@@ -19,7 +19,7 @@ import { describe } from "./check.js";
 
 /**
  * @internal
- * @typedef {"curve" | "spline" | "path" | "patch" | "surface"} BrandedType
+ * @typedef {"curve" | "spline" | "path" | "patch" | "surface" | "mesh"} BrandedType
  */
 
 /**

@@ -36,7 +36,9 @@ import { writeArguments } from "../wasm/transfer.js";
  * @returns {{ length: number, dimension: 2 | 3 }}
  */
 export function fromBSpline(points, options) {
-  const { degree = 3, closed = false, knots: customKnots, dimension: requested } = check.options(options);
+  const checked = check.options(options, ["degree", "closed", "knots", "dimension"]);
+  const { degree = 3, knots: customKnots, dimension: requested } = checked;
+  const closed = check.optionalBoolean(checked.closed, "closed");
   check.whole(degree, "degree", 1, 64);
   const { flat, dimension } = flatten(points, requested, 2);
   const count = flat.length / dimension;
@@ -46,7 +48,7 @@ export function fromBSpline(points, options) {
     throw new RangeError(`knots: expected ${needed} (for ${count} points of degree ${degree}), got 0`);
   }
   writeArguments(flat, knots.length).set(knots, flat.length);
-  return { length: core().spline_from_bspline(dimension, count, degree, Boolean(closed), knots.length), dimension };
+  return { length: core().spline_from_bspline(dimension, count, degree, closed, knots.length), dimension };
 }
 
 /**

@@ -1,5 +1,9 @@
 // Checks of arguments. The public functions check every argument once; after that, values have the right type, are
 // finite and have matching counts.
+import { describe } from "./describe.js";
+
+export { describe } from "./describe.js";
+export { noSurplus, optionalBoolean, options } from "./options.js";
 
 /**
  * A point: `[x, y]`, `[x, y, z]`, `{x, y}`, `{x, y, z}` or a DOMPoint.
@@ -14,24 +18,11 @@
  */
 
 /**
- * An affine map: `[a, b, c, d, e, f]` in SVG order, 16 numbers column-major, or a DOMMatrix.
+ * An affine map: `[a, b, c, d, e, f]` in SVG order, 16 numbers column-major, a DOMMatrix, or an object with `elements`,
+ * 16 numbers column-major (a Matrix4 of three.js).
  *
- * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array }} MatrixLike
+ * @typedef {ArrayLike<number> | { toFloat64Array(): Float64Array } | { elements: ArrayLike<number> }} MatrixLike
  */
-
-/**
- * Describes a value for the "got …" part of a message.
- *
- * @param {unknown} value
- * @returns {string}
- */
-export function describe(value) {
-  if (typeof value === "string") return JSON.stringify(value.length > 40 ? `${value.slice(0, 40)}…` : value);
-  if (typeof value === "bigint") return `${value}n`;
-  if (typeof value !== "object" || value === null) return String(value);
-  if (Array.isArray(value)) return `an array of ${value.length}`;
-  return `an object (${value.constructor?.name ?? "no class"})`;
-}
 
 /**
  * A finite number.
@@ -119,14 +110,14 @@ export function oneOf(value, name, words) {
 }
 
 /**
- * Options: an object, undefined or null.
+ * An object whose keys are not a fixed list of options; undefined and null count as an empty one.
  *
  * @template {object} T
  * @param {T | undefined} value
- * @param {string} [name]
+ * @param {string} name
  * @returns {Partial<T>}
  */
-export function options(value, name = "options") {
+export function object(value, name) {
   if (value === undefined || value === null) return {};
   if (typeof value !== "object") throw new TypeError(`${name}: expected an object, got ${describe(value)}`);
   return value;
@@ -139,10 +130,10 @@ export function options(value, name = "options") {
  * @param {unknown} value
  * @param {string} name
  * @param {new (...args: any[]) => T} type
- * @param {string} [expected] with an article; minifiers change the names of classes
+ * @param {string} expected the class in messages, with its article
  * @returns {T}
  */
-export function instanceOf(value, name, type, expected = `a ${type.name}`) {
+export function instanceOf(value, name, type, expected) {
   if (value instanceof type) return value;
   throw new TypeError(`${name}: expected ${expected}, got ${describe(value)}`);
 }
@@ -208,10 +199,24 @@ export function affine(matrix) {
  * @returns {Float64Array}
  */
 export function matrixNumbers(matrix, name = "matrix") {
-  const dom = typeof matrix === "object" && matrix !== null && "toFloat64Array" in matrix;
-  const m = numbers(dom ? matrix.toFloat64Array() : matrix, name);
-  if (m.length === 6 || m.length === 16) return m;
-  throw new RangeError(`${name}: expected 6 or 16 numbers, got ${m.length}`);
+  if (isList(matrix)) return matrixOf(matrix, name, [6, 16]);
+  const { elements, toFloat64Array } = /** @type {{ elements?: unknown, toFloat64Array?: unknown }} */ (matrix ?? {});
+  if (isList(elements)) return matrixOf(elements, `${name}.elements`, [16]);
+  if (typeof toFloat64Array === "function") return matrixOf(toFloat64Array.call(matrix), name, [16]);
+  const forms = "6 or 16 numbers, a DOMMatrix or an object with elements";
+  throw new TypeError(`${name}: expected ${forms}, got ${describe(matrix)}`);
+}
+
+/**
+ * @param {unknown} list
+ * @param {string} name
+ * @param {number[]} lengths
+ * @returns {Float64Array}
+ */
+function matrixOf(list, name, lengths) {
+  const m = numbers(list, name);
+  if (lengths.includes(m.length)) return m;
+  throw new RangeError(`${name}: expected ${lengths.join(" or ")} numbers, got ${m.length}`);
 }
 
 /**

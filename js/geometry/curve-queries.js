@@ -1,6 +1,6 @@
 // Queries of curves: nearest points, parameters of given coordinates, extrema, tangents, distances.
 import { arena } from "../wasm/arena.js";
-import { finite, options, describe } from "./check.js";
+import { describe, finite, object } from "./check.js";
 import { core, cubicEval } from "../wasm/init.js";
 import { pointAt, writePoint } from "./points.js";
 import { writeArguments, readResult } from "../wasm/transfer.js";
@@ -11,10 +11,13 @@ import { writeArguments, readResult } from "../wasm/transfer.js";
  */
 
 /**
- * The point of a curve or a spline that is nearest to another point: its parameter, the point, the distance.
+ * The point of a curve or a spline that is nearest to another point.
  *
  * @template {2 | 3} [D=2 | 3]
- * @typedef {{ t: number, point: Point<D>, distance: number }} Nearest
+ * @typedef {object} Nearest
+ * @property {number} t the parameter of the nearest point
+ * @property {Point<D>} point the nearest point
+ * @property {number} distance its distance from the other point
  */
 
 /**
@@ -102,11 +105,12 @@ export function extrema(flat, dimension) {
  * @returns {Float64Array}
  */
 export function timesAtCoordinate(flat, dimension, where) {
-  const values = /** @type {Record<string, unknown>} */ (options(where, "where"));
+  const values = /** @type {Record<string, unknown>} */ (object(where, "where"));
   const axes = AXES.slice(0, dimension);
-  const axis = axes.findIndex((name) => values[name] !== undefined);
-  if (axis < 0 || axes.some((name, k) => k !== axis && values[name] !== undefined)) {
-    throw new TypeError(`where: expected one of ${axes.join(", ")}, got ${describe(where)}`);
+  const given = AXES.filter((name) => values[name] !== undefined);
+  const axis = axes.indexOf(given[0]);
+  if (axis < 0 || given.length > 1) {
+    throw new TypeError(`where: expected exactly one of ${axes.join(", ")}, got ${describe(where)}`);
   }
   const value = finite(values[axes[axis]], axes[axis]);
   writeArguments(flat);

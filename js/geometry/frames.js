@@ -54,7 +54,7 @@ export function frameTimes(where, curves) {
  * @returns {Float64Array}
  */
 export function frameArguments(ts, options) {
-  const { normal } = check.options(options);
+  const { normal } = check.options(options, ["normal"]);
   if (normal === undefined) return ts;
   const args = new Float64Array(ts.length + 3);
   args.set(ts);

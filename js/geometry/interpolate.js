@@ -32,8 +32,13 @@ const KINDS = ["natural", "catmull-rom"];
  * @returns {{ length: number, dimension: 2 | 3 }}
  */
 export function interpolate(points, options) {
-  const { kind = "natural", alpha = 0.5, closed = false, dimension: requested } = check.options(options);
+  const checked = check.options(options, ["kind", "alpha", "closed", "dimension"]);
+  const { kind = "natural", alpha = 0.5, dimension: requested } = checked;
   check.oneOf(kind, "kind", KINDS);
+  const closed = check.optionalBoolean(checked.closed, "closed");
+  if (kind === "natural" && checked.alpha !== undefined) {
+    throw new TypeError('alpha: expected kind "catmull-rom", which has an alpha, got "natural"');
+  }
   const exponent = check.finite(alpha, "alpha");
   if (!(exponent >= 0 && exponent <= 1)) {
     throw new RangeError(`alpha: expected a number from 0 to 1, got ${exponent}`);
@@ -42,7 +47,7 @@ export function interpolate(points, options) {
   writeArguments(flat);
   const count = flat.length / dimension;
   return {
-    length: core().spline_interpolate(dimension, count, Boolean(closed), kind === "natural" ? -1 : exponent),
+    length: core().spline_interpolate(dimension, count, closed, kind === "natural" ? -1 : exponent),
     dimension,
   };
 }

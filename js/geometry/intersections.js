@@ -20,19 +20,29 @@ import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
  *
  * @template [T=number]
  * @template [U=number]
- * @typedef {{ t: T, u: U, point: Point, kind: "cross" | "tangent" }} PointIntersection
- */
-
-/**
- * @template [T=number]
- * @template [U=number]
- * @typedef {{ t: T, u: U, point: Point, kind: "overlap", tEnd: T, uEnd: U }} OverlapIntersection
- */
-
-/**
- * @template [T=number]
- * @template [U=number]
  * @typedef {PointIntersection<T, U> | OverlapIntersection<T, U>} Intersection
+ */
+
+/**
+ * @template [T=number]
+ * @template [U=number]
+ * @typedef {object} PointIntersection
+ * @property {T} t the parameter on the first shape
+ * @property {U} u the parameter on the second shape
+ * @property {Point} point
+ * @property {"cross" | "tangent"} kind
+ */
+
+/**
+ * @template [T=number]
+ * @template [U=number]
+ * @typedef {object} OverlapIntersection
+ * @property {T} t the start of the shared part on the first shape
+ * @property {U} u its start on the second shape
+ * @property {Point} point its start
+ * @property {"overlap"} kind
+ * @property {T} tEnd the end of the shared part on the first shape
+ * @property {U} uEnd its end on the second shape, before `u` if the directions are opposite
  */
 
 /**

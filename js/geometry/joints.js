@@ -50,7 +50,7 @@ export function modeCode(mode, name, dimension) {
  * @returns {Float64Array}
  */
 export function modeCodes(joints, segments, dimension) {
-  const modes = /** @type {Record<number, JointMode | undefined>} */ (check.options(joints, "joints"));
+  const modes = /** @type {Record<number, JointMode | undefined>} */ (check.object(joints, "joints"));
   const codes = new Float64Array(segments);
   for (let k = 0; k < segments; k++) {
     const mode = modes[k];

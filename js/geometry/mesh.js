@@ -6,13 +6,17 @@ import { meshToThree } from "../io/three.js";
 import { core } from "../wasm/surfaces-transfer.js";
 
 /**
- * @import { GeometryLike, Three } from "../io/three.js"
+ * @import { Three } from "../io/three.js"
  */
 
 /**
  * The range of one patch in the arrays of a mesh.
  *
- * @typedef {{ firstVertex: number, vertices: number, firstIndex: number, indices: number }} PatchRange
+ * @typedef {object} PatchRange
+ * @property {number} firstVertex the index of the first vertex
+ * @property {number} vertices the number of vertices; 0 if patches share them
+ * @property {number} firstIndex the position of the first index in `indices`
+ * @property {number} indices the number of indices, three for each triangle
  */
 
 /**
@@ -39,6 +43,7 @@ import { core } from "../wasm/surfaces-transfer.js";
  */
 export const gridLayouts = new WeakMap();
 
+const GRID_OPTIONS = /** @type {const} */ (["segments", "method", "quads", "into"]);
 const METHODS = /** @type {const} */ (["bernstein", "forward-difference"]);
 
 /** The core releases the memory of a mesh with more bytes than this after it was read. */
@@ -88,6 +93,16 @@ export class Mesh {
   }
 
   /**
+   * See `brand.js`.
+   *
+   * @internal
+   * @returns {"mesh"}
+   */
+  get casteljauType() {
+    return "mesh";
+  }
+
+  /**
    * The text of a Wavefront OBJ file: positions, (u, v) if the mesh has uvs, normals; quads if the mesh has them,
    * otherwise triangles. Each number has the fewest digits that round-trip.
    *
@@ -129,11 +144,10 @@ export class Mesh {
    *     import * as THREE from "three";
    *     const geometry = Surface.teapot({ up: "y" }).tessellate({ tolerance: 0.01 }).toThree(THREE);
    *
-   * @template Attribute
-   * @template {GeometryLike<Attribute>} Geometry
-   * @param {Three<Attribute, Geometry>} THREE the namespace of three.js, or an object with its BufferGeometry and
+   * @template {{ new (): any, prototype: any }} GeometryClass
+   * @param {Three<GeometryClass>} THREE the namespace of three.js, or an object with its BufferGeometry and
    *   BufferAttribute
-   * @returns {Geometry}
+   * @returns {GeometryClass["prototype"]}
    * @throws {TypeError} if one of the two classes is missing
    */
   toThree(THREE) {
@@ -149,10 +163,10 @@ export class Mesh {
  * @returns {{ u: number, v: number, quads: boolean, differences: boolean, into: Mesh | undefined }}
  */
 export function gridOptions(options) {
-  const { segments, method = "bernstein", quads = false, into } = check.options(options);
+  const { segments, method = "bernstein", quads, into } = check.options(options, GRID_OPTIONS);
   const { u, v } = segmentsOf(segments);
   const differences = check.oneOf(method, "method", METHODS) === "forward-difference";
-  return { u, v, quads: Boolean(quads), differences, into: meshInto(into) };
+  return { u, v, quads: check.optionalBoolean(quads, "quads"), differences, into: meshInto(into) };
 }
 
 /**

@@ -25,6 +25,10 @@ import { meshInto, segmentsOf } from "./mesh.js";
  * @typedef {Detail & { weld?: "position" | "normal" | "none", precision?: "f32" | "f64", into?: Mesh }} TessellationOptions
  */
 
+/** The names of the options; exactly one of `DETAILS` is given. */
+const DETAILS = ["segments", "tolerance", "pixels"];
+const VIEW = ["viewProjection", "viewport"];
+const NAMES = /** @type {any} */ ([...DETAILS, ...VIEW, "weld", "precision", "into"]);
 /** In the order of the core's codes. */
 const WELDS = /** @type {const} */ (["position", "normal", "none"]);
 const SEGMENTS = 0;
@@ -37,9 +41,10 @@ const PIXELS = 2;
  *
  * @internal
  * @param {TessellationOptions} options
+ * @param {"normal" | "none"} [defaultWeld]
  */
-export function tessellation(options) {
-  const { weld = "normal", precision = "f32", into, ...detail } = check.options(options);
+export function tessellation(options, defaultWeld = "normal") {
+  const { weld = defaultWeld, precision = "f32", into, ...detail } = check.options(options, NAMES);
   const weldCode = WELDS.indexOf(check.oneOf(weld, "weld", WELDS));
   const isF64 = check.oneOf(precision, "precision", ["f32", "f64"]) === "f64";
   const { kind, a, b = 0, extra = [] } = detailNumbers(detail);
@@ -52,16 +57,19 @@ export function tessellation(options) {
  * @returns {{ kind: number, a: number, b?: number, extra?: number[] }}
  */
 function detailNumbers(detail) {
-  if ("segments" in detail) {
+  const given = DETAILS.filter((name) => detail[name] !== undefined);
+  if (given.length !== 1) {
+    const got = given.length === 0 ? "none of them" : given.join(" and ");
+    throw new TypeError(`options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got ${got}`);
+  }
+  const extraView = VIEW.find((name) => detail[name] !== undefined);
+  if (detail.pixels === undefined && extraView) throw new TypeError(`${extraView}: expected pixels, got ${given[0]}`);
+  if (detail.segments !== undefined) {
     const { u, v } = segmentsOf(detail.segments);
     return { kind: SEGMENTS, a: u, b: v };
   }
-  if ("tolerance" in detail) return { kind: TOLERANCE, a: check.positive(detail.tolerance, "tolerance") };
-  if ("pixels" in detail)
-    return { kind: PIXELS, a: check.positive(detail.pixels, "pixels"), extra: viewNumbers(detail) };
-  throw new TypeError(
-    "options: expected {segments}, {tolerance} or {pixels, viewProjection, viewport}, got none of them",
-  );
+  if (detail.tolerance !== undefined) return { kind: TOLERANCE, a: check.positive(detail.tolerance, "tolerance") };
+  return { kind: PIXELS, a: check.positive(detail.pixels, "pixels"), extra: viewNumbers(detail) };
 }
 
 /**

@@ -15,6 +15,7 @@ import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-t
 /** The default number of strips per patch in each direction. */
 const DEFAULT_LINES = 4;
 const DEFAULT_SIDES = 8;
+const WIREFRAME_OPTIONS = /** @type {any} */ (["lines", "radius", "sides", "width", "into"]);
 /** The largest count that can be passed to the core, which has a lower limit of its own. */
 const MAX_SIDES = 0xffffffff;
 
@@ -25,7 +26,7 @@ const MAX_SIDES = 0xffffffff;
  * @returns {Float64Array[]} the control points of each
  */
 export function isocurves(writeSurface, options) {
-  const lines = check.segmentCount(check.options(options).lines ?? DEFAULT_LINES, "lines");
+  const lines = check.segmentCount(check.options(options, ["lines"]).lines ?? DEFAULT_LINES, "lines");
   writeSurface();
   const numbers = readResult(0, core().surface_isocurves(lines));
   releaseMemory();
@@ -45,11 +46,14 @@ export function isocurves(writeSurface, options) {
  * @returns {Mesh}
  */
 export function wireframe(writeSurface, options) {
-  const checked = /** @type {Record<string, any>} */ (check.options(options));
+  const checked = /** @type {Record<string, any>} */ (check.options(options, WIREFRAME_OPTIONS));
   const { lines = DEFAULT_LINES, radius, sides = DEFAULT_SIDES, width, into } = checked;
   if ((radius === undefined) === (width === undefined)) {
     const got = radius === undefined ? "none of them" : "both";
     throw new TypeError(`options: expected either radius (tubes) or width (ribbons), got ${got}`);
+  }
+  if (width !== undefined && checked.sides !== undefined) {
+    throw new TypeError("sides: expected radius (tubes have sides), got width");
   }
   check.segmentCount(lines, "lines");
   check.whole(sides, "sides", 3, MAX_SIDES);

@@ -14,7 +14,7 @@ import { checkMesh } from "./mesh-file.js";
  * @returns {string}
  */
 export function meshToOBJ(mesh, options) {
-  const { quads = mesh.quads !== undefined } = check.options(options);
+  const quads = check.optionalBoolean(check.options(options, ["quads"]).quads, "quads", mesh.quads !== undefined);
   if (quads && !mesh.quads) throw new RangeError("quads: expected a mesh with quads, got one without");
   const [faces, corners] = quads && mesh.quads ? [mesh.quads, 4] : [mesh.indices, 3];
   checkMesh(mesh, faces, corners);

@@ -1,6 +1,7 @@
 // Parsing and writing the text of surfaces; src/io/surface_text.rs does the same with the same messages.
 import { quote, Reader, syntaxError } from "./text-reader.js";
 import { formatNumber } from "./format-number.js";
+import { sharedVertices } from "../geometry/surface-network.js";
 
 /**
  * @import { Network } from "../geometry/surface/network.js"
@@ -49,27 +50,6 @@ export function parseSurface(text, joinedOf) {
   // The text has points instead of vertex numbers: points with the same position become one vertex.
   if (degrees.length > parser.indices.length) return { degrees, ...sharedVertices(vertices, joined) };
   return { vertices, joined, degrees, indices: new Uint32Array(parser.indices) };
-}
-
-/**
- * Keeps the first of the vertices with the same position.
- *
- * @param {Float64Array} vertices overwritten
- * @param {Float64Array} joined
- * @returns {{ vertices: Float64Array, joined: Float64Array, indices: Uint32Array }}
- */
-function sharedVertices(vertices, joined) {
-  const indices = new Uint32Array(joined.length);
-  let count = 0;
-  for (let k = 0; k < joined.length; k++) {
-    if (joined[k] < k) {
-      indices[k] = indices[joined[k]];
-      continue;
-    }
-    for (let axis = 0; axis < 3; axis++) vertices[3 * count + axis] = vertices[3 * k + axis];
-    indices[k] = count++;
-  }
-  return { vertices: vertices.slice(0, 3 * count), joined: new Float64Array(count).map((_, k) => k), indices };
 }
 
 /**

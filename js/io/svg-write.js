@@ -103,7 +103,7 @@ export function checkTolerance(packed, tolerance) {
  */
 export function traceOn(packed, target, options) {
   const canvas = check.drawingTarget(target);
-  const tolerance = check.optionalTolerance(check.options(options).tolerance);
+  const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
   checkTolerance(packed, tolerance);
   const sink = {
     move: (/** @type {number} */ x, /** @type {number} */ y) => canvas.moveTo(x, y),
@@ -118,10 +118,12 @@ export function traceOn(packed, target, options) {
 }
 
 /**
- * The options of SVG path data: `precision` (0 to 100), the maximum number of digits after the decimal point, selects
- * the shortest form; `tolerance` is for degrees above 3, which become cubics.
+ * The options of SVG path data.
  *
- * @typedef {{ precision?: number, tolerance?: number }} SvgOptions
+ * @typedef {object} SvgOptions
+ * @property {number} [precision] 0 to 100, the maximum number of digits after the decimal point; selects the shortest
+ *   form
+ * @property {number} [tolerance] the largest distance of the cubics that replace segments of degrees above 3
  */
 
 /**
@@ -133,7 +135,7 @@ export function traceOn(packed, target, options) {
  * @returns {string}
  */
 export function svgOf(packed, options) {
-  const { precision, tolerance } = check.options(options);
+  const { precision, tolerance } = check.options(options, ["precision", "tolerance"]);
   if (precision !== undefined) check.whole(precision, "precision", 0, MAX_DIGITS);
   const maxError = check.optionalTolerance(tolerance);
   checkTolerance(packed, maxError);

@@ -6,27 +6,21 @@ import * as check from "../geometry/check.js";
  */
 
 /**
- * The methods of a geometry that are used.
+ * The classes of three.js that are used: the namespace of three.js, or an object with these two.
  *
- * @template Attribute
- * @typedef {{ setAttribute(name: string, attribute: Attribute): unknown, setIndex(attribute: Attribute): unknown }} GeometryLike
- */
-
-/**
- * The classes of three.js that are used.
- *
- * @template Attribute
- * @template {GeometryLike<Attribute>} Geometry
- * @typedef {{ BufferGeometry: new () => Geometry, BufferAttribute: new (array: any, itemSize: number) => Attribute }} Three
+ * @template {{ new (): any, prototype: any }} [GeometryClass={ new (): any, prototype: any }]
+ * @typedef {object} Three
+ * @property {GeometryClass} BufferGeometry whose `prototype` is an instance for any type parameters (`InstanceType`
+ *   would be one for their constraints)
+ * @property {new (array: any, itemSize: number) => any} BufferAttribute
  */
 
 /**
  * @internal
- * @template Attribute
- * @template {GeometryLike<Attribute>} Geometry
+ * @template {{ new (): any, prototype: any }} GeometryClass
  * @param {Mesh} mesh
- * @param {Three<Attribute, Geometry>} THREE
- * @returns {Geometry}
+ * @param {Three<GeometryClass>} THREE
+ * @returns {GeometryClass["prototype"]}
  */
 export function meshToThree({ positions, normals, uvs, indices }, THREE) {
   const names = /** @type {const} */ (["BufferGeometry", "BufferAttribute"]);

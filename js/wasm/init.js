@@ -135,5 +135,7 @@ async function compileResponse(response) {
  * @returns {string}
  */
 function kindOf(value) {
-  return typeof value === "object" && value ? (value.constructor?.name ?? "an object") : typeof value;
+  return typeof value === "object" && value
+    ? Object.prototype.toString.call(value).slice("[object ".length, -1)
+    : typeof value;
 }

@@ -3,7 +3,6 @@
 
 use super::arena;
 use super::arena::Arena;
-use super::spline::spline;
 use crate::curve::Curve;
 use crate::curve::nearest::distance::Distance;
 use crate::curve::nearest::search::nearest_in_space;

@@ -163,7 +163,7 @@ test("entries: other values are refused by name", () => {
   ])) {
     assert.throws(() => curve.intersections(other), {
       name: "TypeError",
-      message: /^other: expected a Curve or a Spline/,
+      message: /^other: expected a Curve, a Spline or a Path, got /,
     });
     assert.throws(() => curve.equals(other), { name: "TypeError", message: /^other: expected a Curve, got / });
     assert.throws(() => spline.equals(other), { name: "TypeError", message: /^other: expected a Spline, got / });

@@ -41,5 +41,5 @@ test("{ easing } is bundled without the classes of curves", async () => {
   });
   assert.doesNotMatch(outputFiles[0].text, /nodejs\.util\.inspect|WebAssembly/);
   const size = gzipSync(outputFiles[0].contents, { level: 9 }).length;
-  assert.ok(size <= 2000, `${size} bytes after gzip`);
+  assert.ok(size <= 5000, `${size} bytes after gzip`); // easing, its parser of CSS texts, and toLinear
 });

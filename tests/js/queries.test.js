@@ -214,7 +214,7 @@ const refusals = /** @type {[string, () => unknown, any, RegExp][]} */ ([
     "nine points",
     () => Patch.fromBasis("b-spline", bowl.controlPoints()),
     RangeError,
-    /^net: expected 16 points, got 9$/,
+    /^net: expected 16 control points in rows of 4 along u \(degrees 3 × 3\), got 9$/,
   ],
 ]);
 

@@ -5,8 +5,8 @@ import { CheckedPoints } from "../../wasm/transfer.js";
 
 /**
  * @import { BasisLike } from "../basis.js"
- * @import { PointsLike } from "../check.js"
  * @import { Curve } from "./curve.js"
+ * @import { NetLike } from "../net.js"
  * @import { PatchJSON } from "../patch/patch-value.js"
  */
 
@@ -26,7 +26,7 @@ export class Patch extends CorePatch {
    *     const patch = Patch.fromBasis("b-spline", net);
    *
    * @param {BasisLike} basis
-   * @param {PointsLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
+   * @param {NetLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
    *   last two rows are derivatives in v
    * @returns {Patch}
    */
@@ -68,7 +68,7 @@ export class Patch extends CorePatch {
 // Outside of the class, see curve.js.
 
 /**
- * @param {PointsLike} net
+ * @param {NetLike} net
  * @param {{ degreeU?: number, degreeV?: number }} options
  * @returns {Patch}
  */

@@ -51,9 +51,11 @@ export class CoreCurve extends CurveEvaluation {
    * Splits the curve at t into two.
    *
    * @param {number} t
+   * @param {never[]} surplus
    * @returns {[this, this]}
    */
-  split(t) {
+  split(t, ...surplus) {
+    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
     if (typeof t !== "number" || t - t !== 0) check.finite(t, "t");
     core().curve_split(this.dimension, this._write(), t);
     const n = this._flat.length;
@@ -63,9 +65,11 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * Splits the curve at t = ½ into two.
    *
+   * @param {never[]} surplus
    * @returns {[this, this]}
    */
-  halve() {
+  halve(...surplus) {
+    check.noSurplus(surplus, "halve", 0, "split(t)");
     return this.split(0.5);
   }
 
@@ -74,9 +78,11 @@ export class CoreCurve extends CurveEvaluation {
    *
    * @param {number} t0
    * @param {number} t1
+   * @param {never[]} surplus
    * @returns {this}
    */
-  subsegment(t0, t1) {
+  subsegment(t0, t1, ...surplus) {
+    check.noSurplus(surplus, "subsegment", 2);
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     core().curve_subsegment(this.dimension, this._write(), t0, t1);
@@ -98,10 +104,12 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The same curve with the degree raised by one.
    *
+   * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} at degree 64
    */
-  elevate() {
+  elevate(...surplus) {
+    check.noSurplus(surplus, "elevate", 0);
     return this._read(core().curve_elevate(this.dimension, this._write()));
   }
 
@@ -131,10 +139,12 @@ export class CoreCurve extends CurveEvaluation {
    * A polyline whose distance from the curve is nowhere greater than `tolerance`.
    *
    * @param {number} tolerance in the unit of the points
+   * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }} the vertices and their parameters
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  flatten(tolerance) {
+  flatten(tolerance, ...surplus) {
+    check.noSurplus(surplus, "flatten", 1);
     check.positive(tolerance, "tolerance");
     const vertices = core().curve_flatten(this.dimension, this._write(), tolerance);
     return readPolyline(vertices, this.dimension);
@@ -174,9 +184,11 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The corners of the convex hull of the control points, counter-clockwise (x right, y up); 2D only.
    *
+   * @param {never[]} surplus
    * @returns {Float64Array}
    */
-  hull() {
+  hull(...surplus) {
+    check.noSurplus(surplus, "hull", 0, "deCasteljau(t)");
     this._require2D("hull");
     return readResult(0, core().curve_hull(this._write()));
   }

@@ -37,7 +37,7 @@ export class CurveEvaluation extends CurveValue {
    */
   sample(segments, options) {
     check.segmentCount(segments);
-    const { into } = check.options(options);
+    const { into } = check.options(options, ["into"]);
     const length = (segments + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
     const count = core().curve_sample(this.dimension, this._write(), segments);
@@ -55,7 +55,7 @@ export class CurveEvaluation extends CurveValue {
   evalAt(ts, options) {
     const parameters = check.numbers(ts, "ts");
     const length = parameters.length * this.dimension;
-    const into = check.resultArray(check.options(options).into, length);
+    const into = check.resultArray(check.options(options, ["into"]).into, length);
     const count = this._write(parameters);
     core().curve_eval_at(this.dimension, count, parameters.length);
     return readResultInto(into, length);
@@ -64,9 +64,11 @@ export class CurveEvaluation extends CurveValue {
   /**
    * The derivative as a curve of degree n − 1; the derivative of a line is a line whose two points are equal.
    *
+   * @param {never[]} surplus
    * @returns {this}
    */
-  derivative() {
+  derivative(...surplus) {
+    check.noSurplus(surplus, "derivative", 0, "derivativeAt(t)");
     return this._read(core().curve_derivative(this.dimension, this._write()));
   }
 

@@ -61,10 +61,12 @@ export class CurveMeasures extends CoreCurve {
    * At most 4096 intervals are integrated, more than ten times as many as coordinates of moderate size need.
    *
    * @param {number} [tolerance] the largest error, in the unit of the points, if it is to be smaller
+   * @param {never[]} surplus
    * @returns {number} 0 if all control points are equal
    * @throws {RangeError} for a tolerance not above 0 or below 4 ulps of the largest coordinate
    */
-  length(tolerance) {
+  length(tolerance, ...surplus) {
+    check.noSurplus(surplus, "length", 1, "subsegment(t0, t1).length()");
     return curveLength(this._flat, this.dimension, tolerance);
   }
 

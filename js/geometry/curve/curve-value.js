@@ -175,7 +175,7 @@ export class CurveValue {
  * @returns {CheckedPoints}
  */
 function checkedPoints(points, options) {
-  const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+  const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
   const count = flat.length / dimension;
   if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);
   throw new RangeError(`points: expected 2 to 65 control points (degree 1 to 64), got ${count}`);

@@ -81,7 +81,7 @@ export class Curve extends CurveMeasures {
    * @throws {RangeError} for equal parameters
    */
   static interpolate(points, ts, options) {
-    const { flat, dimension } = flatten(points, check.options(options).dimension, 2);
+    const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
     const count = flat.length / dimension;
     if (count < 2 || count > 65) throw new RangeError(`points: expected 2 to 65 points, got ${count}`);
     const parameters = ts === undefined ? new Float64Array() : check.numbers(ts, "ts");
@@ -97,9 +97,11 @@ export class Curve extends CurveMeasures {
    * The curve of degree n − 1 with the same end points whose largest distance from this one at equal t is smallest, and
    * that distance. A line is returned unchanged with error 0.
    *
+   * @param {never[]} surplus
    * @returns {Reduced<D>}
    */
-  reduce() {
+  reduce(...surplus) {
+    check.noSurplus(surplus, "reduce", 0);
     const used = core().curve_reduce(this.dimension, this._write());
     return { curve: this._curveOf(readResult(1, used)), error: readResult(0, 1)[0] };
   }
@@ -123,7 +125,7 @@ export class Curve extends CurveMeasures {
   offset(distance, options) {
     this._require2D("offset");
     check.finite(distance, "distance");
-    const tolerance = check.optionalTolerance(check.options(options).tolerance);
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
     return /** @type {Spline<2>} */ (readSpline(core().curve_offset(this._write(), distance, tolerance), 2));
   }
 
@@ -157,10 +159,12 @@ export class Curve extends CurveMeasures {
    *
    * @template {CoreCurve | CoreSpline | PathValue} S
    * @param {S} other
+   * @param {never[]} surplus
    * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    * @throws {TypeError} for a 3D curve
    */
-  intersections(other) {
+  intersections(other, ...surplus) {
+    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     if (typeOf(other) !== "curve") return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
     const a = this._flat;

@@ -196,13 +196,13 @@ export class CorePatch extends PatchValue {
   }
 
   /**
-   * A mesh of the patch; see `Surface.tessellate`.
+   * A mesh of the patch; see `Surface.tessellate`. Here `weld` is "none" by default, so that the mesh has uvs.
    *
    * @param {TessellationOptions} options
    * @returns {Mesh}
    */
   tessellate(options) {
-    const { args, extra, into, ...kind } = tessellation(options);
+    const { args, extra, into, ...kind } = tessellation(options, "none");
     writeArguments(this._flat, extra.length).set(extra, this._flat.length);
     unwrapCount(core().patch_tessellate(this.degreeU, this.degreeV, ...args));
     return readMesh(into, kind);

@@ -1,20 +1,25 @@
 import { basisNumbers } from "../basis.js";
 import { patchData } from "../brand.js";
 import * as check from "../check.js";
-import { flatten, nested, samePoints, writePoint } from "../points.js";
+import { netNumbers } from "../net.js";
+import { nested, samePoints, writePoint } from "../points.js";
 import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 
 /**
  * @import { BasisLike } from "../basis.js"
  * @import { PatchData } from "../brand.js"
- * @import { MatrixLike, PointLike, PointsLike } from "../check.js"
+ * @import { MatrixLike, PointLike } from "../check.js"
+ * @import { NetLike } from "../net.js"
  */
 
 /**
- * What `Patch.toJSON` returns; `Patch.fromJSON` also reads other forms of points.
+ * What `Patch.toJSON` returns; `Patch.fromJSON` also reads other forms of nets.
  *
- * @typedef {{ net: PointsLike, degreeU?: number, degreeV?: number }} PatchJSON
+ * @typedef {object} PatchJSON
+ * @property {NetLike} net
+ * @property {number} [degreeU] 3 by default
+ * @property {number} [degreeV] 3 by default
  */
 
 /**
@@ -30,20 +35,17 @@ export class PatchValue {
   #degreeV;
 
   /**
-   * @param {PointsLike} net (degreeU + 1)·(degreeV + 1) control points; a flat array holds three numbers each
+   * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
+   *   degreeV + 1 rows; an array of numbers holds three for each point
    * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net, options) {
-    const { degreeU = 3, degreeV = 3 } = check.options(options);
+    const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
     this.#degreeU = check.whole(degreeU, "degreeU", 1, 64);
     this.#degreeV = check.whole(degreeV, "degreeV", 1, 64);
     const checked = /** @type {unknown} */ (net);
-    this.#flat = checked instanceof CheckedPoints ? checked.flat : flatten(net, 3, 3, "net").flat;
-    const [count, needed] = [this.#flat.length / 3, (degreeU + 1) * (degreeV + 1)];
-    if (count !== needed) {
-      throw new RangeError(`net: expected ${needed} control points (degrees ${degreeU} × ${degreeV}), got ${count}`);
-    }
+    this.#flat = checked instanceof CheckedPoints ? checked.flat : netNumbers(net, degreeU, degreeV);
   }
 
   /** The degree in u. */
@@ -79,9 +81,11 @@ export class PatchValue {
    * Splits the patch at u into two.
    *
    * @param {number} u
+   * @param {never[]} surplus
    * @returns {[this, this]}
    */
-  splitU(u) {
+  splitU(u, ...surplus) {
+    check.noSurplus(surplus, "splitU", 1, "split(u, v)");
     return this.#split(true, check.finite(u, "u"));
   }
 
@@ -89,9 +93,11 @@ export class PatchValue {
    * Splits the patch at v into two.
    *
    * @param {number} v
+   * @param {never[]} surplus
    * @returns {[this, this]}
    */
-  splitV(v) {
+  splitV(v, ...surplus) {
+    check.noSurplus(surplus, "splitV", 1, "split(u, v)");
     return this.#split(false, check.finite(v, "v"));
   }
 
@@ -111,10 +117,12 @@ export class PatchValue {
   /**
    * The same patch with both degrees raised by one.
    *
+   * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} at degree 64
    */
-  elevate() {
+  elevate(...surplus) {
+    check.noSurplus(surplus, "elevate", 0);
     writeArguments(this.#flat);
     const length = core().patch_elevate(this.#degreeU, this.#degreeV);
     return this._patchOf(readResult(0, length), this.#degreeU + 1, this.#degreeV + 1);
@@ -233,14 +241,12 @@ export class PatchValue {
  *
  * @internal
  * @param {BasisLike} basis
- * @param {PointsLike} net
+ * @param {NetLike} net
  * @returns {Float64Array}
  */
 export function netInBasis(basis, net) {
   const matrix = basisNumbers(basis);
-  const { flat } = flatten(net, 3, 3, "net");
-  if (flat.length !== 48) throw new RangeError(`net: expected 16 points, got ${flat.length / 3}`);
-  writeArguments(flat, 16).set(matrix, 48);
+  writeArguments(netNumbers(net, 3, 3), 16).set(matrix, 48);
   return readResult(0, core().patch_from_basis());
 }
 
@@ -249,7 +255,7 @@ export function netInBasis(basis, net) {
  *
  * @internal
  * @param {PatchJSON} json
- * @returns {[PointsLike, { degreeU?: number, degreeV?: number }]}
+ * @returns {[NetLike, { degreeU?: number, degreeV?: number }]}
  */
 export function patchArguments(json) {
   if (typeof json !== "object" || json === null) {

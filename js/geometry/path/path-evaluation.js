@@ -42,7 +42,7 @@ export class PathEvaluation extends PathValue {
       throw new TypeError(`locations: expected an array of {subpath, t}, got ${check.describe(locations)}`);
     }
     const checked = Array.from(locations, (location, k) => checkedLocation(this, location, `locations[${k}]`));
-    const points = check.resultArray(check.options(options).into, 2 * checked.length);
+    const points = check.resultArray(check.options(options, ["into"]).into, 2 * checked.length);
     checked.forEach((location, k) => {
       const { x, y } = this.eval(location);
       points[2 * k] = x;

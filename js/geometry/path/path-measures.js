@@ -51,9 +51,11 @@ export class PathMeasures extends PathEvaluation {
    * The sum of the lengths of all segments.
    *
    * @param {number} [tolerance] the largest error, by default 1e-12 of the length
+   * @param {never[]} surplus
    * @returns {number}
    */
-  length(tolerance) {
+  length(tolerance, ...surplus) {
+    check.noSurplus(surplus, "length", 1);
     const maxError = check.optionalTolerance(tolerance);
     writeArguments(this._packed);
     return readResult(0, core().path_length(maxError))[0];
@@ -163,9 +165,11 @@ export class PathMeasures extends PathEvaluation {
    * For each subpath a polyline whose distance from it is nowhere greater than `tolerance`; joints are vertices.
    *
    * @param {number} tolerance
+   * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }[]}
    */
-  flatten(tolerance) {
+  flatten(tolerance, ...surplus) {
+    check.noSurplus(surplus, "flatten", 1);
     check.positive(tolerance, "tolerance");
     writeArguments(this._packed);
     const numbers = readResult(0, core().path_flatten(tolerance));

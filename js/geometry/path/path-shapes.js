@@ -50,7 +50,7 @@ export function ellipse(center, radiusX, radiusY, rotation = 0, options = undefi
   checkedLength(radiusX, "radiusX");
   checkedLength(radiusY, "radiusY");
   const degrees = degreesOf(check.finite(rotation, "rotation"));
-  const builder = new ShapeBuilder(options);
+  const builder = new ShapeBuilder(check.options(options, ["tolerance"]).tolerance);
   const [cos, sin] = directionOfDegrees(degrees);
   const corner = (/** @type {number} */ u, /** @type {number} */ v) =>
     /** @type {Pair} */ ([x + (u * radiusX * cos - v * radiusY * sin), y + (u * radiusX * sin + v * radiusY * cos)]);
@@ -86,7 +86,7 @@ export function circularArc(center, radius, startAngle, endAngle, options) {
     const [cos, sin] = directionOfDegrees(degreesOf(angle));
     return /** @type {Pair} */ ([x + radius * cos, y + radius * sin]);
   };
-  const builder = new ShapeBuilder(options);
+  const builder = new ShapeBuilder(check.options(options, ["tolerance"]).tolerance);
   builder.moveTo(at(start));
   const parts = Math.max(1, Math.ceil(Math.abs(turn) / (Math.PI / 2) - ANGLE_ROUNDING));
   for (let k = 1; k <= parts; k++) {
@@ -110,9 +110,10 @@ export function rect(corner, width, height, options) {
   const [x, y] = checkedPoint(corner, "corner");
   checkedLength(width, "width");
   checkedLength(height, "height");
-  const radii = fittingRadii(cornerRadii(check.options(options).radii), width, height);
+  const { radii: requested, tolerance } = check.options(options, ["radii", "tolerance"]);
+  const radii = fittingRadii(cornerRadii(requested), width, height);
   const [right, top] = [x + width, y + height];
-  const builder = new ShapeBuilder(options);
+  const builder = new ShapeBuilder(tolerance);
   builder.moveTo([x + radii[0], y]);
   /** @param {number} k @param {Pair} before @param {Pair} after */
   const roundCorner = (k, before, after) => {
@@ -160,7 +161,7 @@ function fittingRadii(radii, width, height) {
  * @returns {Float64Array}
  */
 export function polygon(points, options) {
-  const closed = Boolean(check.options(options).closed ?? true);
+  const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed", true);
   const { flat } = flatten(points, 2, 2);
   const count = flat.length / 2;
   const min = closed ? 1 : 2;
@@ -175,9 +176,9 @@ class ShapeBuilder {
   #x = 0;
   #y = 0;
 
-  /** @param {ArcOptions | undefined} options */
-  constructor(options) {
-    this.#tolerance = check.optionalTolerance(check.options(options).tolerance);
+  /** @param {number | undefined} tolerance */
+  constructor(tolerance) {
+    this.#tolerance = check.optionalTolerance(tolerance);
   }
 
   /** @param {Pair} point */

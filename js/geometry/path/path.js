@@ -56,7 +56,7 @@ export class Path extends PathMeasures {
    */
   static fromSVG(d, options) {
     if (typeof d !== "string") throw new TypeError(`d: expected a string, got ${check.describe(d)}`);
-    const tolerance = check.optionalTolerance(check.options(options).tolerance);
+    const tolerance = check.optionalTolerance(check.options(options, ["tolerance"]).tolerance);
     const { packed, error } = readSvg(d, tolerance);
     const path = pathOf(packed);
     if (error) throw Object.assign(new RangeError(error.message), { offset: error.offset, path });

@@ -66,7 +66,7 @@ export class CoreSpline extends SplineEvaluation {
   movePoint(index, to, options) {
     const last = this.casteljauData().flat.length / this.dimension - 1;
     check.whole(index, "index", 0, last);
-    const modes = modeCodes(check.options(options).joints, this.segmentCount, this.dimension);
+    const modes = modeCodes(check.options(options, ["joints"]).joints, this.segmentCount, this.dimension);
     const position = this._coordinates(to, "to");
     const args = new Float64Array(position.length + modes.length);
     args.set(position);
@@ -96,10 +96,12 @@ export class CoreSpline extends SplineEvaluation {
    * is also divided at its start: the first part begins there, the second part ends there.
    *
    * @param {number} t 0 to the number of segments; values outside extrapolate the first and the last segment
+   * @param {never[]} surplus
    * @returns {[this, this]}
    * @throws {RangeError} for a t that is not finite
    */
-  split(t) {
+  split(t, ...surplus) {
+    check.noSurplus(surplus, "split", 1, "subsegment(t0, t1)");
     const { k, segment, rest } = this._locate(t);
     const count = this.segmentCount;
     if (rest === 0 && k > 0) return [this._part([], 0, k, []), this._part([], k, count, [])];
@@ -115,10 +117,12 @@ export class CoreSpline extends SplineEvaluation {
    *
    * @param {number} t0 0 to the number of segments; values outside extrapolate the first and the last segment
    * @param {number} t1
+   * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} for a value that is not finite
    */
-  subsegment(t0, t1) {
+  subsegment(t0, t1, ...surplus) {
+    check.noSurplus(surplus, "subsegment", 2);
     check.finite(t0, "t0");
     check.finite(t1, "t1");
     if (t0 > t1) return this.subsegment(t1, t0).reverse();
@@ -135,10 +139,12 @@ export class CoreSpline extends SplineEvaluation {
    * The corners of the convex hull of all control points, counter-clockwise (x right, y up); it contains the spline. If
    * all points are on a line, its two ends; if all are equal, that point. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {Float64Array}
    * @throws {TypeError} in 3D
    */
-  hull() {
+  hull(...surplus) {
+    check.noSurplus(surplus, "hull", 0);
     this._require2D("hull");
     const { flat } = this.casteljauData();
     writeArguments(flat);
@@ -268,7 +274,7 @@ export function joinCurves(curves, options) {
   const dimension = data[0].dimension;
   const other = data.findIndex((curve) => curve.dimension !== dimension);
   if (other > 0) throw new TypeError(`curves[${other}]: expected a ${dimension}D curve, got a ${5 - dimension}D one`);
-  const closed = check.options(options).closed ? 1 : 0;
+  const closed = check.optionalBoolean(check.options(options, ["closed"]).closed, "closed") ? 1 : 0;
   const degrees = data.map((curve) => curve.degrees[0]);
   writeArguments(Float64Array.from([data.length, closed, ...degrees, ...data.flatMap(({ flat }) => [...flat])]));
   return { length: core().spline_from_curves(dimension), dimension };

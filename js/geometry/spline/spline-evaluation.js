@@ -91,7 +91,7 @@ export class SplineEvaluation extends SplineValue {
    */
   sample(segmentsPerCurve, options) {
     check.segmentCount(segmentsPerCurve, "segmentsPerCurve");
-    const into = check.options(options).into;
+    const into = check.options(options, ["into"]).into;
     const length = (segmentsPerCurve * this.segmentCount + 1) * this.dimension;
     if (into !== undefined) check.resultArray(into, length);
     const count = core().spline_sample(this._write(), segmentsPerCurve);
@@ -110,7 +110,7 @@ export class SplineEvaluation extends SplineValue {
   evalAt(ts, options) {
     const parameters = check.numbers(ts, "ts");
     const length = parameters.length * this.dimension;
-    const into = check.resultArray(check.options(options).into, length);
+    const into = check.resultArray(check.options(options, ["into"]).into, length);
     core().spline_eval_at(this._write(parameters), parameters.length);
     return readResultInto(into, length);
   }
@@ -119,9 +119,11 @@ export class SplineEvaluation extends SplineValue {
    * A polyline whose distance from the spline is nowhere greater than `tolerance`; joints are vertices.
    *
    * @param {number} tolerance
+   * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }}
    */
-  flatten(tolerance) {
+  flatten(tolerance, ...surplus) {
+    check.noSurplus(surplus, "flatten", 1);
     check.positive(tolerance, "tolerance");
     return readPolyline(core().spline_flatten(this._write(), tolerance), this.dimension);
   }

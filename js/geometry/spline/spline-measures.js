@@ -65,9 +65,11 @@ export class SplineMeasures extends CoreSpline {
    * The arc length with a relative error below 10⁻¹². Without a tolerance, further calls return the same number at once.
    *
    * @param {number} [tolerance] the largest error, in the unit of the points, if it is to be smaller
+   * @param {never[]} surplus
    * @returns {number}
    */
-  length(tolerance) {
+  length(tolerance, ...surplus) {
+    check.noSurplus(surplus, "length", 1);
     if (tolerance === undefined) return this._arcLengths[this.segmentCount];
     const maxError = check.optionalTolerance(tolerance);
     return readResult(0, core().spline_length(this._write(), maxError))[0];

@@ -268,16 +268,17 @@ export class CheckedSplineData {
  * @returns {SplineData}
  */
 function checkedData(points, options) {
-  const { degree = 3, closed = false, dimension: requested } = check.options(options);
+  const { degree = 3, closed, dimension: requested } = check.options(options, ["degree", "closed", "dimension"]);
+  const isClosed = check.optionalBoolean(closed, "closed");
   check.whole(degree, "degree", 1, 64);
   const { flat, dimension } = flatten(points, requested, 2);
   const count = flat.length / dimension;
-  const segments = (count - (closed ? 0 : 1)) / degree;
+  const segments = (count - (isClosed ? 0 : 1)) / degree;
   if (segments < 1 || !Number.isInteger(segments)) {
-    const rule = closed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
+    const rule = isClosed ? `a multiple of ${degree}` : `a multiple of ${degree}, and one more,`;
     throw new RangeError(`points: expected ${rule} control points (degree ${degree}), got ${count}`);
   }
-  return { flat, dimension, degrees: new Array(segments).fill(degree), closed: Boolean(closed) };
+  return { flat, dimension, degrees: new Array(segments).fill(degree), closed: isClosed };
 }
 
 /**

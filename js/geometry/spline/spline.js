@@ -112,17 +112,16 @@ export class Spline extends SplineMeasures {
    * @returns {Spline<D>}
    */
   static fit(points, tolerance, options) {
-    const { closed = false, cornerAngle, dimension: requested } = check.options(options);
+    const checked = check.options(options, ["closed", "cornerAngle", "dimension"]);
+    const { cornerAngle, dimension: requested } = checked;
+    const closed = check.optionalBoolean(checked.closed, "closed");
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
     check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     writeArguments(flat);
-    const spline = readSpline(
-      core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, Boolean(closed)),
-      dimension,
-    );
+    const spline = readSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, closed), dimension);
     releaseMemory();
     return /** @type {Spline<D>} */ (spline);
   }
@@ -136,9 +135,11 @@ export class Spline extends SplineMeasures {
    *
    * @template {CoreCurve | CoreSpline | PathValue} S
    * @param {S} other
+   * @param {never[]} surplus
    * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    */
-  intersections(other) {
+  intersections(other, ...surplus) {
+    check.noSurplus(surplus, "intersections", 1);
     this._require2D("intersections");
     return /** @type {any} */ (intersectSplines(this.casteljauData(), other));
   }
@@ -183,7 +184,7 @@ export class Spline extends SplineMeasures {
   offset(distance, options) {
     this._require2D("offset");
     check.finite(distance, "distance");
-    const { tolerance, join = "round" } = check.options(options);
+    const { tolerance, join = "round" } = check.options(options, ["tolerance", "join"]);
     const code = JOINS.indexOf(check.oneOf(join, "join", JOINS));
     const maxError = check.optionalTolerance(tolerance);
     this._write();

@@ -191,7 +191,7 @@ export class CoreSurface extends SurfaceValue {
    */
   trace(target, options) {
     const sink = check.drawingTarget(target);
-    const { matrix, lines = 4, tolerance } = check.options(options);
+    const { matrix, lines = 4, tolerance } = check.options(options, ["matrix", "lines", "tolerance"]);
     const m = check.matrixNumbers(/** @type {MatrixLike} */ (matrix));
     check.segmentCount(lines, "lines");
     const tolerancePx = check.optionalTolerance(tolerance);

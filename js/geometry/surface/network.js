@@ -4,11 +4,17 @@ import { parseSurface } from "../../io/surface-text.js";
 import { core, writeArguments, readResult, releaseMemory } from "../../wasm/surfaces-transfer.js";
 
 /**
- * The parts of the teapot (all by default), its height ("squashed", 3.15, by default; "original", 4/3 as tall) and the
- * axis that points up ("z" by default).
+ * The parts of the teapot, its height and the axis that points up.
  *
- * @typedef {{ rim?: boolean, body?: boolean, handle?: boolean, spout?: boolean, lid?: boolean, bottom?: boolean,
- *   height?: "squashed" | "original", up?: "z" | "y" }} TeapotOptions
+ * @typedef {object} TeapotOptions
+ * @property {boolean} [rim] true by default, as all parts
+ * @property {boolean} [body]
+ * @property {boolean} [handle]
+ * @property {boolean} [spout]
+ * @property {boolean} [lid]
+ * @property {boolean} [bottom]
+ * @property {"squashed" | "original"} [height] "squashed" (3.15) by default; "original" is 4/3 as tall
+ * @property {"z" | "y"} [up] "z" by default
  */
 
 /**
@@ -20,6 +26,7 @@ import { core, writeArguments, readResult, releaseMemory } from "../../wasm/surf
 
 /** In the order of the core's bits. */
 const PARTS = /** @type {const} */ (["rim", "body", "handle", "spout", "lid", "bottom"]);
+const TEAPOT_OPTIONS = /** @type {const} */ ([...PARTS, "height", "up"]);
 
 /**
  * A network that is already checked: constructors accept it from inside the package.
@@ -41,10 +48,13 @@ export class CheckedNetwork {
  * @returns {Network}
  */
 export function teapotNetwork(options) {
-  const checked = check.options(options);
+  const checked = check.options(options, TEAPOT_OPTIONS);
   const height = check.oneOf(checked.height ?? "squashed", "height", ["squashed", "original"]);
-  const up = upAxis(checked);
-  const bits = PARTS.reduce((sum, part, k) => (checked[part] === false ? sum : sum | (1 << k)), 0);
+  const up = upAxis(checked.up);
+  const bits = PARTS.reduce(
+    (sum, part, k) => (check.optionalBoolean(checked[part], part, true) ? sum | (1 << k) : sum),
+    0,
+  );
   return readNetwork(core().surface_teapot(bits, height === "original", up === "y"));
 }
 
@@ -57,7 +67,7 @@ export function teapotNetwork(options) {
  * @returns {Network}
  */
 export function teasetNetwork(isSpoon, options) {
-  return readNetwork(core().surface_teaset(isSpoon, upAxis(options) === "y"));
+  return readNetwork(core().surface_teaset(isSpoon, upAxis(check.options(options, ["up"]).up) === "y"));
 }
 
 /**
@@ -106,7 +116,7 @@ export function joinedOf(vertices) {
   return joined;
 }
 
-/** @param {{ up?: "z" | "y" } | undefined} options */
-function upAxis(options) {
-  return check.oneOf(check.options(options).up ?? "z", "up", ["z", "y"]);
+/** @param {unknown} up */
+function upAxis(up = "z") {
+  return check.oneOf(up, "up", ["z", "y"]);
 }

@@ -1,6 +1,7 @@
 import * as check from "../check.js";
 import { CheckedNetwork, joinedOf } from "./network.js";
 import { flatten, writePoint } from "../points.js";
+import { networkJSON, vertexIndices } from "../surface-network.js";
 import { surfaceText } from "../../io/surface-text.js";
 import { core, writeArguments, readResult } from "../../wasm/surfaces-transfer.js";
 
@@ -45,6 +46,16 @@ export class SurfaceValue {
    */
   toText() {
     return surfaceText(this.#network);
+  }
+
+  /**
+   * The vertices and, for each patch, its vertex indices and degrees. As with `toText`, vertices which have been moved
+   * to the same position are joined in the surface that `fromJSON` returns.
+   *
+   * @returns {{ vertices: number[][], patches: number[][], degrees: number[][] }}
+   */
+  toJSON() {
+    return networkJSON(this.#network, this.patches);
   }
 
   /** A copy of the coordinates of the vertices. */
@@ -195,8 +206,8 @@ export class SurfaceValue {
  * @returns {Network}
  */
 function checkedNetwork(data, options) {
-  const { vertices, patches } = check.options(data, "data");
-  const { degreeU = 3, degreeV = 3 } = check.options(options);
+  const { vertices, patches } = check.object(data, "data");
+  const { degreeU = 3, degreeV = 3 } = check.options(options, ["degreeU", "degreeV"]);
   check.whole(degreeU, "degreeU", 1, 64);
   check.whole(degreeV, "degreeV", 1, 64);
   const flat = flatten(/** @type {PointsLike} */ (vertices), 3, 3, "vertices").flat;
@@ -216,11 +227,6 @@ function checkedNetwork(data, options) {
 function patchIndices(patches, count, vertices) {
   if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
   const all = new Uint32Array(patches.length * count);
-  patches.forEach((net, k) => {
-    if (!check.isList(net)) throw new TypeError(`patches[${k}]: expected vertex indices, got ${check.describe(net)}`);
-    if (net.length !== count)
-      throw new RangeError(`patches[${k}]: expected ${count} vertex indices, got ${net.length}`);
-    for (let i = 0; i < count; i++) all[k * count + i] = check.whole(net[i], `patches[${k}][${i}]`, 0, vertices - 1);
-  });
+  patches.forEach((net, k) => all.set(vertexIndices(net, count, vertices, `patches[${k}]`), k * count));
   return all;
 }

@@ -1,13 +1,16 @@
 import { curveOf } from "../curve/curve.js";
 import { patchOf } from "../patch/patch.js";
 import { CoreSurface } from "./core-surface.js";
-import { CheckedNetwork, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
+import { CheckedNetwork, joinedOf, parsedNetwork, teapotNetwork, teasetNetwork } from "./network.js";
+import { networkOfJSON, networkOfPatches } from "../surface-network.js";
 import { CheckedPoints } from "../../wasm/transfer.js";
 
 /**
  * @import { Curve } from "../curve/curve.js"
  * @import { Patch } from "../patch/patch.js"
  * @import { Network, TeapotOptions } from "./network.js"
+ * @import { PatchValue } from "../patch/patch-value.js"
+ * @import { SurfaceJSON } from "../surface-network.js"
  */
 
 /**
@@ -70,6 +73,25 @@ export class Surface extends CoreSurface {
    */
   static parse(text) {
     return surfaceOf(parsedNetwork(text));
+  }
+
+  /**
+   * The surface of patches, which may differ in their degrees. Control points at the same position become one vertex,
+   * so neighbours that have the same points along an edge are joined there. The order of the patches is kept.
+   *
+   * @param {readonly PatchValue[]} patches
+   * @returns {Surface}
+   */
+  static fromPatches(patches) {
+    return surfaceOf(networkOfPatches(patches, joinedOf));
+  }
+
+  /**
+   * @param {SurfaceJSON} json what `toJSON` returned
+   * @returns {Surface}
+   */
+  static fromJSON(json) {
+    return surfaceOf(networkOfJSON(json, joinedOf));
   }
 
   /**

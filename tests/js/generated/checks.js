@@ -137,7 +137,8 @@ const CHECKS = {
   "Spline.fromJSON": (again, { spline }) => assert.ok(again.equals(spline)),
   "Spline.reverse": (reversed, { spline }) => assert.ok(reversed.reverse().equals(spline)),
   "Spline.fromCurves": (again, { spline }) => assert.ok(again.equals(spline)),
-  "Spline.toBSpline": (form, { spline }) => assert.ok(Spline.fromBSpline(form.points, form).equals(spline)),
+  "Spline.toBSpline": ({ points, ...options }, { spline }) =>
+    assert.ok(Spline.fromBSpline(points, options).equals(spline)),
   "Spline.split": ([left, right], { spline, t }, size) => {
     assert.ok(!left.closed && !right.closed);
     close(left.eval(left.segmentCount), right.eval(0), 0, "the parts at the joint");
@@ -210,6 +211,10 @@ const CHECKS = {
   "Surface.tessellateView": isMesh,
   "Surface.wireframe": isMesh,
   "Surface.toText": (text) => assert.equal(Surface.parse(text).toText(), text),
+  "Surface.fromPatches": (joined, { surface }) => {
+    for (let k = 0; k < surface.patchCount; k++) assert.ok(joined.patch(k).equals(surface.patch(k)), `patch ${k}`);
+  },
+  "Surface.fromJSON": (again, { surface }) => assert.equal(again.toText(), surface.toText()),
   "Surface.parse": (surface, { text }) => {
     assert.equal(Surface.parse(surface.toText()).toText(), surface.toText());
     assert.ok(surface.vertices.length / 3 + surface.patchCount <= text.length, "more than the text can say");

@@ -76,7 +76,7 @@ pub(crate) const STEPS: [Step; 17] = [
     },
     Step {
         name: "types",
-        title: "JSDoc types of the package, its tests and benchmarks",
+        title: "JSDoc types of the package, its tests and benchmarks, and of a program that uses the package",
         needs: &["build"],
         act: types,
         ..PLAIN
@@ -233,8 +233,8 @@ fn size(_: &Context) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// Checks the types of the package, the tests and the benchmarks. The build checks those of the package only if
-/// something changed; this step always does.
+/// Checks the types of the package, the tests, the benchmarks, and a program that uses the package's declarations. The
+/// build checks those of the package only if something changed; this step always does.
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
     let tsc = "node_modules/typescript/bin/tsc";
@@ -248,7 +248,12 @@ fn types(_: &Context) -> Result<Done> {
     let mut package = shell::node(&[tsc]);
     package.args(check_only);
     let project = |folder| shell::node(&[tsc, "--project", folder]);
-    run_all([package, project("tests"), project("benches")])
+    run_all([
+        package,
+        project("tests"),
+        project("benches"),
+        project("tests/types"),
+    ])
 }
 
 /// Passes the file for the list of skipped tests to a custom runner.

@@ -1,0 +1,70 @@
+// Nets of patches as arguments: flat lists of points, or rows of points.
+import { describe } from "./describe.js";
+import { isList } from "./check.js";
+import { flatten } from "./points.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ */
+
+/**
+ * The control points of a patch: a flat list in which u runs along the fast index (the point Pᵢⱼ has the index
+ * j·(degreeU + 1) + i), or one array of degreeU + 1 points for each j.
+ *
+ * @typedef {PointsLike | ArrayLike<PointsLike>} NetLike
+ */
+
+/**
+ * The coordinates of a net, checked.
+ *
+ * @internal
+ * @param {NetLike} net
+ * @param {number} degreeU
+ * @param {number} degreeV
+ * @returns {Float64Array}
+ */
+export function netNumbers(net, degreeU, degreeV) {
+  const [columns, rows] = [degreeU + 1, degreeV + 1];
+  const degrees = `degrees ${degreeU} × ${degreeV}`;
+  if (isNested(net)) {
+    if (net.length !== rows) {
+      throw new RangeError(`net: expected ${rows} rows of ${columns} points (${degrees}), got ${net.length} rows`);
+    }
+    return flatRows(net, columns);
+  }
+  const { flat } = flatten(/** @type {PointsLike} */ (net), 3, 3, "net");
+  const [count, needed] = [flat.length / 3, columns * rows];
+  if (count === needed) return flat;
+  const order = `in rows of ${columns} along u`;
+  throw new RangeError(`net: expected ${needed} control points ${order} (${degrees}), got ${count}`);
+}
+
+/**
+ * Whether a net consists of rows: its elements are arrays of points, not of numbers.
+ *
+ * @param {unknown} net
+ * @returns {net is ArrayLike<unknown>}
+ */
+function isNested(net) {
+  if (!Array.isArray(net) || !Array.isArray(net[0])) return false;
+  return isList(net[0][0]) || (typeof net[0][0] === "object" && net[0][0] !== null);
+}
+
+/**
+ * @param {ArrayLike<unknown>} rows
+ * @param {number} columns
+ * @returns {Float64Array}
+ */
+function flatRows(rows, columns) {
+  const all = new Float64Array(3 * columns * rows.length);
+  for (let j = 0; j < rows.length; j++) {
+    const row = rows[j];
+    if (!isList(row)) throw new TypeError(`net[${j}]: expected a row of ${columns} points, got ${describe(row)}`);
+    const { flat } = flatten(/** @type {PointsLike} */ (row), 3, 3, `net[${j}]`);
+    if (flat.length !== 3 * columns) {
+      throw new RangeError(`net[${j}]: expected a row of ${columns} points, got ${flat.length / 3}`);
+    }
+    all.set(flat, 3 * columns * j);
+  }
+  return all;
+}

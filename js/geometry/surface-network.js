@@ -1,0 +1,149 @@
+// Networks of surfaces from patches and from JSON.
+import { patchData } from "./brand.js";
+import * as check from "./check.js";
+import { flatten, nested } from "./points.js";
+
+/**
+ * @import { PointsLike } from "./check.js"
+ * @import { PatchData } from "./brand.js"
+ * @import { PatchValue } from "./patch/patch-value.js"
+ * @import { Network } from "./surface/network.js"
+ */
+
+/**
+ * What `Surface.toJSON` returns; `Surface.fromJSON` also reads other forms of points.
+ *
+ * @typedef {object} SurfaceJSON
+ * @property {PointsLike} vertices
+ * @property {ArrayLike<ArrayLike<number>>} patches for each patch the vertex indices of its control points, u along the
+ *   fast index
+ * @property {ArrayLike<ArrayLike<number>>} [degrees] for each patch its degrees in u and v; bicubic by default
+ */
+
+/**
+ * For each vertex the index of the first one with the same position.
+ *
+ * @internal
+ * @typedef {(vertices: Float64Array) => Float64Array} JoinedOf
+ */
+
+/**
+ * The network of patches: control points at the same position become one vertex.
+ *
+ * @internal
+ * @param {ArrayLike<PatchValue>} patches
+ * @param {JoinedOf} joinedOf
+ * @returns {Network}
+ */
+export function networkOfPatches(patches, joinedOf) {
+  if (!Array.isArray(patches)) throw new TypeError(`patches: expected an array, got ${check.describe(patches)}`);
+  const checked = Array.from(patches, checkedPatch); // also finds holes
+  const nets = checked.map(({ flat }) => flat);
+  const vertices = new Float64Array(nets.reduce((sum, net) => sum + net.length, 0));
+  let at = 0;
+  for (const net of nets) {
+    vertices.set(net, at);
+    at += net.length;
+  }
+  const degrees = checked.flatMap(({ degreeU, degreeV }) => [degreeU, degreeV]);
+  return { degrees, ...sharedVertices(vertices, joinedOf(vertices)) };
+}
+
+/**
+ * @param {unknown} value
+ * @param {number} k
+ * @returns {PatchData}
+ */
+function checkedPatch(value, k) {
+  return patchData(value, `patches[${k}]`);
+}
+
+/**
+ * Keeps the first of the vertices with the same position.
+ *
+ * @internal
+ * @param {Float64Array} vertices overwritten
+ * @param {Float64Array} joined
+ * @returns {{ vertices: Float64Array, joined: Float64Array, indices: Uint32Array }}
+ */
+export function sharedVertices(vertices, joined) {
+  const indices = new Uint32Array(joined.length);
+  let count = 0;
+  for (let k = 0; k < joined.length; k++) {
+    if (joined[k] < k) {
+      indices[k] = indices[joined[k]];
+      continue;
+    }
+    for (let axis = 0; axis < 3; axis++) vertices[3 * count + axis] = vertices[3 * k + axis];
+    indices[k] = count++;
+  }
+  return { vertices: vertices.slice(0, 3 * count), joined: new Float64Array(count).map((_, k) => k), indices };
+}
+
+/**
+ * @internal
+ * @param {Network} network
+ * @param {ArrayLike<number>[]} patches the vertex indices of each patch
+ */
+export function networkJSON({ vertices, degrees }, patches) {
+  return {
+    vertices: nested(vertices, 3),
+    patches: patches.map((indices) => Array.from(indices)),
+    degrees: patches.map((_, k) => [degrees[2 * k], degrees[2 * k + 1]]),
+  };
+}
+
+/**
+ * The network of JSON.
+ *
+ * @internal
+ * @param {SurfaceJSON} json
+ * @param {JoinedOf} joinedOf
+ * @returns {Network}
+ */
+export function networkOfJSON(json, joinedOf) {
+  if (typeof json !== "object" || json === null || !Array.isArray(json.patches)) {
+    throw new TypeError(`json: expected an object with vertices and patches, got ${check.describe(json)}`);
+  }
+  const { flat } = flatten(json.vertices, 3, 3, "vertices");
+  const degrees = degreesOf(json.degrees, json.patches.length);
+  const nets = Array.from(json.patches, (net, k) => {
+    const needed = (degrees[2 * k] + 1) * (degrees[2 * k + 1] + 1);
+    return vertexIndices(net, needed, flat.length / 3, `patches[${k}]`);
+  });
+  return { vertices: flat, joined: joinedOf(flat), degrees, indices: Uint32Array.from(nets.flat()) };
+}
+
+/**
+ * @param {unknown} degrees
+ * @param {number} patches
+ * @returns {number[]}
+ */
+function degreesOf(degrees, patches) {
+  if (degrees === undefined) return new Array(2 * patches).fill(3);
+  if (!Array.isArray(degrees)) throw new TypeError(`degrees: expected an array, got ${check.describe(degrees)}`);
+  if (degrees.length !== patches) {
+    throw new RangeError(`degrees: expected ${patches} pairs, one for each patch, got ${degrees.length}`);
+  }
+  return Array.from(degrees, (pair, k) => {
+    const numbers = [...check.numbers(pair, `degrees[${k}]`)];
+    if (numbers.length !== 2) throw new RangeError(`degrees[${k}]: expected 2 numbers, got ${numbers.length}`);
+    return numbers.map((degree, i) => check.whole(degree, `degrees[${k}][${i}]`, 1, 64));
+  }).flat();
+}
+
+/**
+ * The vertex indices of one patch, checked.
+ *
+ * @internal
+ * @param {unknown} net
+ * @param {number} count
+ * @param {number} vertices
+ * @param {string} name
+ * @returns {number[]}
+ */
+export function vertexIndices(net, count, vertices, name) {
+  if (!check.isList(net)) throw new TypeError(`${name}: expected vertex indices, got ${check.describe(net)}`);
+  if (net.length !== count) throw new RangeError(`${name}: expected ${count} vertex indices, got ${net.length}`);
+  return Array.from(net, (index, i) => check.whole(index, `${name}[${i}]`, 0, vertices - 1));
+}

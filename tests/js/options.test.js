@@ -1,0 +1,187 @@
+// What would be ignored silently is refused: unknown and contradictory options, surplus arguments.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Curve, Patch, Path, Spline, Surface } from "casteljau";
+import { CUBIC, SEVEN, SPACE } from "./reference.js";
+
+const cubic = new Curve(CUBIC);
+const space = new Curve(SPACE);
+const seven = new Spline(SEVEN);
+const path = new Path([seven]);
+const patch = new Patch(Array.from({ length: 16 }, (_, k) => [k % 4, k >> 2, 0]));
+const surface = Surface.fromPatches([patch]);
+const mesh = surface.grid({ segments: 1 });
+const target = { moveTo() {}, lineTo() {}, quadraticCurveTo() {}, bezierCurveTo() {}, closePath() {} };
+
+const refuses = (act, message) => assert.throws(act, { name: "TypeError", message });
+
+/** Every function with options: a call with the given ones. */
+const CALLS = {
+  "new Curve": (options) => new Curve(CUBIC, options),
+  "Curve.fromBasis": (options) => Curve.fromBasis("bezier", CUBIC, options),
+  "Curve.interpolate": (options) => Curve.interpolate(CUBIC, undefined, options),
+  "curve.sample": (options) => cubic.sample(2, options),
+  "curve.evalAt": (options) => cubic.evalAt([0], options),
+  "curve.frames": (options) => space.frames(2, options),
+  "curve.offset": (options) => cubic.offset(1, options),
+  "curve.toSVG": (options) => cubic.toSVG(options),
+  "curve.trace": (options) => cubic.trace(target, options),
+  "new Spline": (options) => new Spline(SEVEN, options),
+  "Spline.fromCurves": (options) => Spline.fromCurves([cubic], options),
+  "Spline.interpolate": (options) => Spline.interpolate(SEVEN, options),
+  "Spline.fromBSpline": (options) => Spline.fromBSpline(SEVEN, options),
+  "spline.sample": (options) => seven.sample(2, options),
+  "spline.evalAt": (options) => seven.evalAt([0], options),
+  "spline.offset": (options) => seven.offset(1, options),
+  "spline.movePoint": (options) => seven.movePoint(1, [0, 0], options),
+  "spline.toSVG": (options) => seven.toSVG(options),
+  "spline.trace": (options) => seven.trace(target, options),
+  "path.toSVG": (options) => path.toSVG(options),
+  "path.trace": (options) => path.trace(target, options),
+  "new Patch": (options) => new Patch(new Float64Array(48), options),
+  "patch.grid": (options) => patch.grid({ segments: 1, ...options }),
+  "patch.tessellate": (options) => patch.tessellate({ segments: 1, ...options }),
+  "new Surface": (options) => new Surface({ vertices: [], patches: [] }, options),
+  "Surface.teapot": (options) => Surface.teapot(options),
+  "Surface.teacup": (options) => Surface.teacup(options),
+  "Surface.teaspoon": (options) => Surface.teaspoon(options),
+  "surface.grid": (options) => surface.grid({ segments: 1, ...options }),
+  "surface.tessellate": (options) => surface.tessellate({ segments: 1, ...options }),
+  "surface.isocurves": (options) => surface.isocurves(options),
+  "surface.wireframe": (options) => surface.wireframe({ radius: 0.1, ...options }),
+  "surface.trace": (options) => surface.trace(target, { matrix: [1, 0, 0, 1, 0, 0], ...options }),
+  "mesh.toOBJ": (options) => mesh.toOBJ(options),
+};
+
+for (const [name, call] of Object.entries(CALLS)) {
+  test(`${name}: unknown options`, () => {
+    refuses(() => call({ zzz: 1 }), /^zzz: unknown option; expected \w/);
+    call({ zzz: undefined });
+    call({});
+  });
+}
+
+test("unknown options: the nearest known one is suggested", () => {
+  refuses(() => cubic.offset(1, { tol: 1 }), "tol: unknown option; did you mean tolerance?");
+  refuses(() => cubic.toSVG({ precison: 2 }), "precison: unknown option; did you mean precision?");
+  refuses(() => cubic.toSVG({ Tolerance: 2 }), "Tolerance: unknown option; did you mean tolerance?");
+  refuses(() => surface.grid({ segment: 2 }), "segment: unknown option; did you mean segments?");
+  refuses(() => seven.offset(1, { jion: "miter" }), "jion: unknown option; expected tolerance, join");
+  refuses(() => new Spline(SEVEN, { isClosed: true }), "isClosed: unknown option; did you mean closed?");
+  refuses(() => cubic.offset(1, { ["x".repeat(1e6)]: 1 }), /^x{40}…: unknown option; expected tolerance$/);
+});
+
+test("options: not an object of options", () => {
+  refuses(() => cubic.sample(2, new Float64Array(6)), /^options: expected an object, got an object \(Float64Array\)$/);
+  refuses(() => new Curve(CUBIC, [2]), /^options: expected an object, got an array of 1$/);
+  refuses(() => cubic.toSVG(2), /^options: expected an object, got 2$/);
+  cubic.toSVG(/** @type {any} */ (null));
+});
+
+test("options that are true or false", () => {
+  refuses(() => Surface.teapot({ lid: 0 }), "lid: expected true or false, got 0");
+  refuses(() => new Spline(SEVEN.slice(1), { closed: 1 }), "closed: expected true or false, got 1");
+  refuses(() => Spline.fromCurves([cubic], { closed: "no" }), 'closed: expected true or false, got "no"');
+  refuses(() => surface.grid({ segments: 1, quads: null }), "quads: expected true or false, got null");
+  assert.equal(Surface.teapot({ lid: false }).patchCount, 24);
+  assert.equal(Surface.teapot({ lid: undefined }).patchCount, 32);
+});
+
+test("contradictory options", () => {
+  const detail = /^options: expected \{segments\}, \{tolerance\} or \{pixels, viewProjection, viewport\}, got /;
+  refuses(() => surface.tessellate({ tolerance: 0.1, segments: 2 }), /, got segments and tolerance$/);
+  refuses(() => surface.tessellate({ tolerance: 0.1, pixels: 2 }), detail);
+  refuses(() => surface.tessellate({}), /, got none of them$/);
+  refuses(() => surface.tessellate({ segments: 2, viewport: [1, 1] }), "viewport: expected pixels, got segments");
+  refuses(() => surface.wireframe({ width: 0.1, sides: 3 }), "sides: expected radius (tubes have sides), got width");
+  refuses(() => Spline.interpolate(SEVEN, { alpha: 1 }), /^alpha: expected kind "catmull-rom".* got "natural"$/);
+  surface.tessellate({ tolerance: 0.1, segments: undefined });
+});
+
+test("surplus arguments", () => {
+  const calls = [
+    [() => cubic.split(0.2, 0.6), "split: expected 1 argument, got 2; did you mean subsegment(t0, t1)?"],
+    [() => cubic.halve(0.2), "halve: expected no arguments, got 1; did you mean split(t)?"],
+    [() => cubic.subsegment(0, 1, 2), "subsegment: expected 2 arguments, got 3"],
+    [() => cubic.elevate(2), "elevate: expected no arguments, got 1"],
+    [() => cubic.reduce(2), "reduce: expected no arguments, got 1"],
+    [() => cubic.derivative(0.5), "derivative: expected no arguments, got 1; did you mean derivativeAt(t)?"],
+    [() => cubic.hull(0.5), "hull: expected no arguments, got 1; did you mean deCasteljau(t)?"],
+    [() => cubic.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
+    [() => cubic.length(0.1, 0.5), "length: expected 1 argument, got 2; did you mean subsegment(t0, t1).length()?"],
+    [() => cubic.intersections(seven, 0.1), "intersections: expected 1 argument, got 2"],
+    [() => seven.intersections(cubic, 0.1), "intersections: expected 1 argument, got 2"],
+    [() => seven.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
+    [() => seven.length(0.1, 0.5), "length: expected 1 argument, got 2"],
+    [() => path.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
+    [() => path.length(0.1, 0.5), "length: expected 1 argument, got 2"],
+    [() => patch.splitU(0.5, 0.5), "splitU: expected 1 argument, got 2; did you mean split(u, v)?"],
+    [() => patch.splitV(0.5, 0.5), "splitV: expected 1 argument, got 2; did you mean split(u, v)?"],
+    [() => patch.elevate(2), "elevate: expected no arguments, got 1"],
+  ];
+  for (const [act, message] of calls) refuses(act, message);
+  cubic.split(0.5, undefined);
+  assert.deepEqual([cubic.toJSON()].map(Curve.fromJSON)[0].toJSON(), cubic.toJSON()); // other functions can be callbacks
+});
+
+test("timesAtCoordinate: exactly one coordinate", () => {
+  refuses(
+    () => cubic.timesAtCoordinate({ x: 1, y: 2 }),
+    "where: expected exactly one of x, y, got an object with x, y",
+  );
+  refuses(
+    () => cubic.timesAtCoordinate({ x: 1, z: 2 }),
+    /^where: expected exactly one of x, y, got an object with x, z$/,
+  );
+  refuses(() => space.timesAtCoordinate({}), "where: expected exactly one of x, y, z, got an object without keys");
+});
+
+test("matrices with elements", () => {
+  const elements = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
+  assert.deepEqual(space.transform({ elements }).eval(0), space.transform(elements).eval(0));
+  assert.deepEqual(
+    new Curve([
+      [0, 0],
+      [1, 1],
+    ])
+      .transform({ elements })
+      .eval(0),
+    { x: 5, y: 6 },
+  );
+  const wrong = { name: "RangeError", message: "matrix.elements: expected 16 numbers, got 9" };
+  assert.throws(() => space.transform({ elements: new Float32Array(9) }), wrong);
+  refuses(
+    () => space.transform({ a: 1, b: 0, c: 0, d: 1, e: 0, f: 0 }),
+    "matrix: expected 6 or 16 numbers, a DOMMatrix or an object with elements, got an object with a, b, c, d, …",
+  );
+  refuses(() => space.transform(undefined), /^matrix: expected 6 or 16 numbers.* got undefined$/);
+});
+
+test("nets as rows of points", () => {
+  const flat = Array.from({ length: 6 }, (_, k) => [k % 3, k, k * k]);
+  const rows = [flat.slice(0, 3), flat.slice(3)];
+  const degrees = { degreeU: 2, degreeV: 1 };
+  assert.ok(new Patch(rows, degrees).equals(new Patch(flat, degrees)));
+  const objects = rows.map((row) => row.map(([x, y, z]) => ({ x, y, z })));
+  assert.ok(new Patch(objects, degrees).equals(new Patch(flat, degrees)));
+  const range = (act, message) => assert.throws(act, { name: "RangeError", message });
+  range(() => new Patch(rows), "net: expected 4 rows of 4 points (degrees 3 × 3), got 2 rows");
+  range(() => new Patch([flat.slice(0, 3), flat.slice(4)], degrees), "net[1]: expected a row of 3 points, got 2");
+  range(() => new Patch(flat), "net: expected 16 control points in rows of 4 along u (degrees 3 × 3), got 6");
+  refuses(() => new Patch([rows[0], null], degrees), "net[1]: expected a row of 3 points, got null");
+});
+
+test("messages contain no names of classes that minifiers change", () => {
+  class Renamed {
+    member = 1;
+  }
+  const got = (value, expected) => refuses(() => cubic.equals(value), `other: expected a Curve, got ${expected}`);
+  got(new Renamed(), "an object with member");
+  got(Renamed, "a function");
+  got(new Date(0), "an object (Date)");
+  got(seven, "a Spline");
+  got(path, "a Path");
+  got(patch, "a Patch");
+  got(surface, "a Surface");
+  got(mesh, "a Mesh");
+});
