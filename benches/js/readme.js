@@ -28,7 +28,7 @@ const line = ({ work, peer, unit, theirs, ours, ratio }) =>
 const head = "| work | peer | peer's | ours | ratio |\n|---|---|---|---|---|";
 const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
 const source = `${date.slice(0, 10)}, ${machine.cpu}, ${machine.cores} cores; ${versionList.join(", ")}. All rows: \`benches/results.json\`.`;
-const table = `\n${head}\n${ROWS.map((id) => line(rows.find((row) => row.id === id))).join("\n")}\n\n${source}\n\n`;
+const table = `\n${head}\n${ROWS.map((id) => line(rows.find((/** @type {{ id: string }} */ row) => row.id === id))).join("\n")}\n\n${source}\n\n`;
 const text = readFileSync(readme, "utf8");
 writeFileSync(
   readme,

@@ -1,3 +1,4 @@
+// @ts-nocheck: these calls pass what the types refuse.
 // What would be ignored silently is refused: unknown and contradictory options, surplus arguments.
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -32,9 +32,7 @@ import type {
   PatchPoint,
   PatchRange,
   PathIntersection,
-  PathOverlapIntersection,
   PathPoint,
-  PathPointIntersection,
   PathTime,
   Point,
   PointIntersection,
@@ -108,7 +106,7 @@ export const results: [
   path.moments(),
   path.timeAtLength(1),
   path.nearest([0, 0]),
-  path.intersections(curve),
+  path.intersections(path),
   patch.partials(0, 0),
   patch.curvature(0, 0),
   patch.deCasteljau(0, 0),
@@ -151,7 +149,7 @@ export const copies: [CurveJSON, SplineJSON, PatchJSON, SurfaceJSON] = [
   surface.toJSON(),
 ];
 export const options: [SplineOptions, BSplineOptions, BasisName] = [{ closed: true }, { degree: 2 }, "bezier"];
-export type Sources = WasmSource | SvgError["offset"] | PathPointIntersection | PathOverlapIntersection;
+export type Sources = WasmSource | SvgError["offset"];
 export type Kinds = PointIntersection["kind"] | OverlapIntersection["kind"];
 
 // three.js
