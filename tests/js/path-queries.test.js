@@ -136,7 +136,7 @@ test("locations of a coordinate: joints once, the end of a closed subpath as its
   assert.equal(path.timesAtCoordinate({ y: 11 }).length, 2);
   assert.deepEqual(empty.timesAtCoordinate({ x: 0 }), []);
   for (const bad of /** @type {any[]} */ ([{}, { x: 1, y: 1 }, { z: 1 }, undefined]))
-    refused(() => path.timesAtCoordinate(bad), TypeError, /^where: expected one of x, y, got/);
+    refused(() => path.timesAtCoordinate(bad), TypeError, /^where: expected exactly one of x, y, got/);
   refused(() => path.timesAtCoordinate({ x: NaN }), RangeError, /^x: /);
 });
 

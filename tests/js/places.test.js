@@ -237,7 +237,10 @@ test("refusals name what came", () => {
   for (const bad of [null, undefined, 5, "x", {}, [1], [1, 2, 3], { x: "1", y: 2 }]) {
     assert.throws(() => arch.nearest(/** @type {any} */ (bad)), /^(Range|Type)Error: p/);
   }
-  assert.throws(() => arch.timesAtCoordinate({ z: 1 }), { name: "TypeError", message: /^where: expected one of x, y/ });
+  assert.throws(() => arch.timesAtCoordinate({ z: 1 }), {
+    name: "TypeError",
+    message: /^where: expected exactly one of x, y/,
+  });
   assert.throws(() => arch.timesAtCoordinate(/** @type {any} */ ({})), TypeError);
   assert.throws(() => arch.timesAtCoordinate(/** @type {any} */ ({ x: 1, y: 2 })), TypeError);
   assert.throws(() => new Curve(SPACE).inflections(), {

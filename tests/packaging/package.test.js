@@ -36,8 +36,8 @@ test("no file of the tarball names a folder of the machine that built it", async
   }
 });
 
-/** The largest tarball; a change that raises it gives the reason. */
-const MAX_TARBALL_KB = 2100;
+/** The largest tarball; a change that raises it gives the reason. Half of it are the five wasm modules, each in the bundles that use it. */
+const MAX_TARBALL_KB = 2500;
 
 test("the tarball stays within its budget", async () => {
   const { size } = await stat(fixture.tarball);

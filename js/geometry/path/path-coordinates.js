@@ -102,7 +102,7 @@ export function timesAtCoordinateOfPath(path, where) {
 function requestedCoordinate(where) {
   const values = /** @type {Record<string, unknown>} */ (check.object(/** @type {object} */ (where), "where"));
   const given = AXES.filter((name) => values[name] !== undefined);
-  if (given.length !== 1) throw new TypeError(`where: expected one of x, y, got ${check.describe(where)}`);
+  if (given.length !== 1) throw new TypeError(`where: expected exactly one of x, y, got ${check.describe(where)}`);
   return [AXES.indexOf(given[0]), check.finite(values[given[0]], given[0])];
 }
 
