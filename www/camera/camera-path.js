@@ -44,7 +44,10 @@ export class CameraPath extends Figure {
     this.state = FIRST;
     this.path = pathThrough(FIRST.points, FIRST);
     this.length = 0;
-    this.line = this.stops = new Float64Array();
+    /** @type {Float64Array} */
+    this.line = new Float64Array();
+    /** @type {Float64Array} */
+    this.stops = this.line;
     /** @type {import("./path.js").Frame[]} */
     this.frames = [];
     this.progress = 0;
@@ -270,7 +273,7 @@ export class CameraPath extends Figure {
             ["upright", "upright"],
           ],
           value: state.frames,
-          change: (frames) => set({ frames }),
+          change: (frames) => set({ frames: /** @type {import("./path.js").FrameKind} */ (frames) }),
         })}
         ${choice({
           name: "Look",
@@ -279,7 +282,7 @@ export class CameraPath extends Figure {
             ["teapot", "at the teapot"],
           ],
           value: state.look,
-          change: (look) => set({ look }),
+          change: (look) => set({ look: /** @type {"ahead" | "teapot"} */ (look) }),
         })}
       </div>
       <div class="controls">

@@ -22,7 +22,7 @@ export class FigAffine extends Figure {
     const height = Math.round(Math.min(400, (this.wide * HEIGHT) / WIDTH));
     const scale = height / HEIGHT;
     const [cx, cy] = [this.wide / 2, height / 2];
-    const place = (/** @type {Curve} */ curve) => curve.transform([scale, 0, 0, scale, cx, cy]);
+    const place = (/** @type {import("casteljau").Curve} */ curve) => curve.transform([scale, 0, 0, scale, cx, cy]);
     const [old, now] = [place(before), place(after)];
     const flat = now.controlPoints();
     const at = (/** @type {number} */ i) => /** @type {[number, number]} */ ([flat[2 * i], flat[2 * i + 1]]);

@@ -178,13 +178,16 @@ export function contestants() {
   const rising = [0, 1, 2, 3]
     .map((j) => curve.derivativeAt(0, j))
     .flatMap(({ x, y, z }, j) => [x, y, z].map((value) => value / [1, 1, 2, 6][j]));
+  /** @type {Record<keyof typeof HAND, Float64Array>} */
   const given = {
-    ...Object.fromEntries(Object.keys(HAND).map((key) => [key, flat])),
+    .../** @type {Record<keyof typeof HAND, Float64Array>} */ (
+      Object.fromEntries(Object.keys(HAND).map((key) => [key, flat]))
+    ),
     horner: Float64Array.from([...Object.values(curve.eval(0)), ...rising.slice(3)]),
   };
   const out = new Float64Array(3 * (SEGMENTS + 1));
   const byHand = (/** @type {keyof typeof HAND} */ key) => () => {
-    for (let i = 0; i <= SEGMENTS; i++) HAND[key](/** @type {Float64Array} */ (given[key]), i / SEGMENTS, out, 3 * i);
+    for (let i = 0; i <= SEGMENTS; i++) HAND[key](given[key], i / SEGMENTS, out, 3 * i);
     return out;
   };
   const ways = Object.fromEntries(

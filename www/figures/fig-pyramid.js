@@ -33,7 +33,7 @@ export function waysTo(level, index) {
  * @param {Steps} way
  * @param {number} t
  */
-export const product = (way, t) => way.reduce((value, step) => value * (step ? t : 1 - t), 1);
+export const product = (way, t) => way.reduce((/** @type {number} */ value, step) => value * (step ? t : 1 - t), 1);
 
 /** `<fig-pyramid degree="3" t="0.5">` */
 export class FigPyramid extends Figure {
@@ -100,7 +100,7 @@ export class FigPyramid extends Figure {
     /** @type {Steps[]} */ ways,
   ) {
     const shown = this.way === null ? ways : [ways[this.way]];
-    const at = (/** @type {Steps} */ way) => way.slice(0, level).reduce((sum, s) => sum + s, 0);
+    const at = (/** @type {Steps} */ way) => way.slice(0, level).reduce((/** @type {number} */ sum, s) => sum + s, 0);
     return shown.some((way) => way.length > level && at(way) === index && way[level] === step);
   }
 

@@ -23,7 +23,8 @@ const [WIDTH, HEIGHT] = [100, 80];
  * @returns {number[][]}
  */
 export function orders(n) {
-  const insert = (/** @type {number[]} */ used) =>
+  /** @type {(used: number[]) => number[][]} */
+  const insert = (used) =>
     used.length === n
       ? [used]
       : Array.from({ length: n }, (_, k) => k)

@@ -139,7 +139,10 @@ export function handle(options) {
  * @param {readonly [number, number]} point
  * @returns {[number, number]}
  */
-const within = (box, point) => [0, 1].map((k) => Math.min(Math.max(point[k], box.min[k]), box.max[k]));
+const within = ({ min, max }, [x, y]) => [clamp(x, min[0], max[0]), clamp(y, min[1], max[1])];
+
+/** @param {number} value @param {number} min @param {number} max */
+const clamp = (value, min, max) => Math.min(Math.max(value, min), max);
 
 /**
  * Boxes for fingers overlap: the handle is meant whose centre is nearest.

@@ -11,7 +11,7 @@ import { button, element, uniqueId } from "./dom.js";
 /** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, predict?: Prediction }} Task */
 
 /** @type {Record<string, () => Promise<Task>>} */
-const TASKS = import.meta.glob("../tasks/*.js");
+const TASKS = /** @type {any} */ (import.meta.glob("../tasks/*.js"));
 
 /** What a target says when its reader moved something, or its page did. */
 const EVENTS = ["input", "change", "update"];
@@ -81,7 +81,7 @@ export class LessonTask extends HTMLElement {
       const chosen = /** @type {HTMLInputElement | null} */ (field.querySelector("input:checked"));
       if (!chosen) return this.#say("Choose one first.");
       this.#guess = Number(chosen.value);
-      /** @type {HTMLFieldSetElement} */ (field).disabled = true;
+      /** @type {any} */ (field).disabled = true;
       if (this.#task.check) this.#say("Noted. Now find out.");
       this.#open();
       /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();

@@ -23,7 +23,7 @@ class TeapotData extends HTMLElement {
     );
     const scroll = element(
       "div",
-      { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Control points of a patch" },
+      { className: "scroll", tabIndex: "0", role: "group", ariaLabel: "Control points of a patch" },
       element("table", {}, this.#body),
     );
     this.#words.setAttribute("role", "status");

@@ -67,7 +67,7 @@ class DifferenceTable extends HTMLElement {
     this.#words.setAttribute("role", "status");
     const scroll = element(
       "div",
-      { className: "scroll", tabIndex: 0, role: "group", ariaLabel: "Table of differences" },
+      { className: "scroll", tabIndex: "0", role: "group", ariaLabel: "Table of differences" },
       element("table", {}, element("thead", {}, head), this.#body),
     );
     this.append(knob.line, caption, scroll, this.#words, plot());

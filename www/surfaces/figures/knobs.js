@@ -163,7 +163,7 @@ class SurfaceKnobs extends HTMLElement {
       const made = Object.assign(document.createElement("button"), { type: "button", textContent: title });
       made.addEventListener("click", () => this.#set(properties, "change"));
       // It is pressed when what makes it differ from its neighbours is there: words, and which lengths are in use.
-      const same = ([key, value]) =>
+      const same = (/** @type {[string, unknown]} */ [key, value]) =>
         typeof value === "number" && key !== "segments"
           ? this.#target?.[key] !== null
           : key === "segments" || this.#target?.[key] === value;
