@@ -29,7 +29,7 @@ export default async function configure(eleventy) {
   eleventy.addPairedShortcode(
     "code",
     (/** @type {string} */ code, /** @type {string} */ language) =>
-      `<pre><code>${highlight(code, language)}</code></pre>`,
+      `<pre tabindex="0"><code>${highlight(code, language)}</code></pre>`,
   );
   eleventy.addFilter("pathToRoot", pathToRoot);
   eleventy.addFilter("contentsOf", contentsOf);

@@ -1,9 +1,9 @@
 // A camera on its way: what it sees, where it is, and what even speed and calm frames are worth.
 import { css, html, svg } from "lit";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { check, choice, handle, list, pathOf, slider } from "../figures/parts.js";
-import { decimal, short } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { check, choice, handle, list, pathOf, slider } from "../figures/lib/parts.js";
+import { decimal, short } from "../figures/lib/numbers.js";
 import { cameraCode } from "./code.js";
 import { equalSteps, framesOf, lookingAt, pathThrough, timeAt } from "./path.js";
 import { rolls, strip } from "./plots.js";

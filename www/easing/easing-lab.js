@@ -1,10 +1,10 @@
 // The page's laboratory: presets, previews beside another timing function, the curve with t and x told apart, code.
 import { css as styles, html, svg } from "lit";
 import { Curve, easing } from "casteljau";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { diamond, disc, list, polyline, ring, slider, square } from "../figures/parts.js";
-import { decimal } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { diamond, disc, list, polyline, ring, slider, square } from "../figures/lib/parts.js";
+import { decimal } from "../figures/lib/numbers.js";
 import { css, parse, PRESETS, same } from "./value.js";
 
 /** Marks of equal steps. */

@@ -1,9 +1,9 @@
 // Quadratic and cubic, side by side: one handle against two, and the shape that one handle cannot make.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure } from "./figure.js";
-import { check, disc, handle, polyline, ring, square } from "./parts.js";
-import { decimal, short } from "./words.js";
+import { Figure } from "./lib/figure.js";
+import { check, disc, handle, polyline, ring, square } from "./lib/parts.js";
+import { decimal, short } from "./lib/numbers.js";
 
 const [WIDTH, HEIGHT] = [100, 76];
 const BOX = /** @type {const} */ ({ min: [1, -3], max: [99, 79] });
@@ -220,3 +220,5 @@ export class FigCompare extends Figure {
     `;
   }
 }
+
+customElements.define("fig-compare", FigCompare);

@@ -1,11 +1,11 @@
 // What a point of a cubic in space costs: operations as counted by arithmetic that counts, time as measured here and now.
 import { html } from "lit";
 import { Curve } from "casteljau";
-import { counting } from "./evaluators.js";
-import { Figure } from "./figure.js";
-import { decimal } from "./words.js";
+import { counting } from "./lib/evaluators.js";
+import { Figure } from "./lib/figure.js";
+import { decimal } from "./lib/numbers.js";
 
-/** @typedef {import("./evaluators.js").Arithmetic} Arithmetic */
+/** @typedef {import("./lib/evaluators.js").Arithmetic} Arithmetic */
 /** @typedef {readonly [number, number, number]} Point */
 /** @typedef {(o: Arithmetic, points: readonly Point[], t: number) => readonly number[]} Way */
 
@@ -285,3 +285,5 @@ export class FigCosts extends Figure {
     `;
   }
 }
+
+customElements.define("fig-costs", FigCosts);

@@ -1,9 +1,9 @@
 // The pyramid of coefficients: every step to the left multiplies by 1 − t, every step to the right by t.
 import { html, mathml, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./figure.js";
-import { choice, slider } from "./parts.js";
-import { decimal, subscript, superscript } from "./words.js";
+import { Figure, numeric } from "./lib/figure.js";
+import { choice, slider } from "./lib/parts.js";
+import { decimal, subscript, superscript } from "./lib/numbers.js";
 
 const DEGREES = /** @type {const} */ ([1, 2, 3, 4, 5, 6]);
 const ROW = 62;
@@ -220,3 +220,5 @@ export class FigPyramid extends Figure {
     `;
   }
 }
+
+customElements.define("fig-pyramid", FigPyramid);

@@ -2,9 +2,9 @@
 import { html, svg } from "lit";
 import { live } from "lit/directives/live.js";
 import { Curve } from "casteljau";
-import { Figure } from "./figure.js";
-import { disc, handle, polyline, square } from "./parts.js";
-import { short } from "./words.js";
+import { Figure } from "./lib/figure.js";
+import { disc, handle, polyline, square } from "./lib/parts.js";
+import { short } from "./lib/numbers.js";
 
 /** The places of the figure, in a box of 100 × 80. @type {[number, number][]} */
 const PLACES = [
@@ -119,3 +119,5 @@ export class FigReorder extends Figure {
 
 /** @param {Curve} curve */
 const polylineOf = (curve) => `M${Array.from(curve.controlPoints(), (value) => value.toFixed(1)).join(" ")}`;
+
+customElements.define("fig-reorder", FigReorder);

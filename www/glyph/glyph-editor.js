@@ -1,8 +1,8 @@
 // The editor of a letter: outline, points, joints; what it looks like in small and in large; in and out as SVG.
 import { css, html } from "lit";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { short } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { short } from "../figures/lib/numbers.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { History } from "./history.js";
 import {

@@ -1,7 +1,7 @@
 // The large picture of the letter: guides, ink, outline, handles, which way each contour runs.
 import { html, svg } from "lit";
-import { handle, polyline } from "../figures/parts.js";
-import { short } from "../figures/words.js";
+import { handle, polyline } from "../figures/lib/parts.js";
+import { short } from "../figures/lib/numbers.js";
 import { GUIDES } from "./glyphs.js";
 import { countPoints, movePoint, nodesOf, pathOf } from "./outline.js";
 

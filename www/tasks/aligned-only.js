@@ -1,4 +1,4 @@
-import { HAND, distance, verdict } from "../curves/judge.js";
+import { HAND, distance, verdict } from "./utils/curves.js";
 
 /** Clearly unequal lengths: one handle at least half as long again as the other. */
 const UNEQUAL = 1.5;

@@ -1,4 +1,4 @@
-import { shown, verdict } from "../surfaces/judge.js";
+import { shown, verdict } from "./utils/surfaces.js";
 
 export const predict = {
   options: ["P00, where row 0 begins", "P03, where row 0 ends", "P30, where row 3 begins", "P33, where row 3 ends"],

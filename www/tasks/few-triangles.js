@@ -1,4 +1,4 @@
-import { many, shown, verdict } from "../surfaces/judge.js";
+import { many, shown, verdict } from "./utils/surfaces.js";
 
 const [WANTED, MOST] = [0.01, 10000];
 

@@ -1,4 +1,4 @@
-import { shown, verdict } from "../surfaces/judge.js";
+import { shown, verdict } from "./utils/surfaces.js";
 
 const WANTED = 0.1;
 

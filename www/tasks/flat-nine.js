@@ -1,5 +1,5 @@
-import { shown, verdict } from "../surfaces/judge.js";
-import { SURFACES } from "../surfaces/figures/surfaces.js";
+import { shown, verdict } from "./utils/surfaces.js";
+import { SURFACES } from "../figures/lib/surfaces.js";
 
 /** What a hand can do: a few pixels of the picture. */
 const HAND = 0.12;

@@ -1,4 +1,4 @@
-import { firstCurve, verdict } from "../curves/judge.js";
+import { firstCurve, verdict } from "./utils/curves.js";
 
 /** Half a degree: what a slider in steps of a hundredth can reach. */
 const LEVEL = 0.02;

@@ -1,4 +1,4 @@
-import { HAND, distance, px, verdict } from "../curves/judge.js";
+import { HAND, distance, px, verdict } from "./utils/curves.js";
 
 /** Where P4 must be: P3 amid P2 and P4. @param {[number, number][]} points */
 const mirrored = (points) =>

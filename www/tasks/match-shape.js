@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { HAND, apart, firstCurve, px, verdict } from "../curves/judge.js";
+import { HAND, apart, firstCurve, px, verdict } from "./utils/curves.js";
 
 /** The curve to be found; the page shows it dashed. */
 export const TARGET = /** @type {[number, number][]} */ ([

@@ -1,4 +1,4 @@
-import { lengthOf, shown, verdict } from "../surfaces/judge.js";
+import { lengthOf, shown, verdict } from "./utils/surfaces.js";
 
 export const predict = {
   options: ["No: where a derivative vanishes, there is no normal", "Yes: the limit from inside the patch"],

@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { HAND, apart, firstCurve, px, verdict } from "../curves/judge.js";
+import { HAND, apart, firstCurve, px, verdict } from "./utils/curves.js";
 
 /** The quadratic that the cubic must become; the page shows it dashed. */
 export const QUADRATIC = /** @type {[number, number][]} */ ([

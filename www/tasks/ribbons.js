@@ -1,4 +1,4 @@
-import { many, verdict } from "../surfaces/judge.js";
+import { many, verdict } from "./utils/surfaces.js";
 
 const [MOST, LEAST_STRIPS] = [5000, 4];
 

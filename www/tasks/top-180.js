@@ -1,4 +1,4 @@
-import { HAND, px, verdict } from "../curves/judge.js";
+import { HAND, px, verdict } from "./utils/curves.js";
 
 /** How high the curve is to be, in px above the line from P0 to P2. */
 const WANTED = 180;

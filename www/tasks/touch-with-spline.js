@@ -1,4 +1,4 @@
-import { HAND, px, verdict } from "../curves/judge.js";
+import { HAND, px, verdict } from "./utils/curves.js";
 
 /** How far the spline passes P2: the joint there is (P1 + 4 P2 + P3) / 6. @param {[number, number][]} points */
 const missed = ([, p1, p2, p3]) => Math.hypot(p1[0] + p3[0] - 2 * p2[0], p1[1] + p3[1] - 2 * p2[1]) / 6;

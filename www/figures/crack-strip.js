@@ -1,7 +1,8 @@
 // <crack-strip>: the side that two patches share, cut once from the left and once from the right.
 import { Curve } from "casteljau";
-import { element } from "../../parts/dom.js";
-import { chain, slider, svg } from "./svg.js";
+import { element } from "../parts/dom.js";
+import { chain, slider, svg } from "./lib/svg.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
 const [WIDTH, HEIGHT] = [420, 300];
 /** The common side, from below. */
@@ -32,7 +33,7 @@ export function gapBetween(a, b) {
   return Math.max(...ts.map((t) => Math.hypot(...at(left, t).map((x, i) => x - at(right, t)[i]))));
 }
 
-class CrackStrip extends HTMLElement {
+class CrackStrip extends LinkedFigure {
   #left = 4;
   #right = 3;
   #polygons = {
@@ -43,8 +44,7 @@ class CrackStrip extends HTMLElement {
   #dots = { left: svg("g", { class: "dots left" }), right: svg("g", { class: "dots right" }) };
   #words = element("p", { className: "note" });
 
-  connectedCallback() {
-    if (this.childNodes.length > 0) return;
+  build() {
     const { gap, left, right } = this.#polygons;
     const curve = svg("polyline", { points: chain(cut(64)), class: "curve" });
     this.append(
@@ -63,7 +63,7 @@ class CrackStrip extends HTMLElement {
         this.#dots.right,
       ),
     );
-    const knob = (/** @type {"left" | "right"} */ name, /** @type {number} */ value) =>
+    const control = (/** @type {"left" | "right"} */ name, /** @type {number} */ value) =>
       slider(
         name === "left" ? "Left patch" : "Right patch",
         { min: 1, max: MOST, step: 1, value, name },
@@ -73,7 +73,7 @@ class CrackStrip extends HTMLElement {
           this.dispatchEvent(new Event(type, { bubbles: true }));
         },
       );
-    this.#knobs = { left: knob("left", this.#left), right: knob("right", this.#right) };
+    this.#knobs = { left: control("left", this.#left), right: control("right", this.#right) };
     this.#words.setAttribute("role", "status");
     this.append(this.#knobs.left.line, this.#knobs.right.line, this.#words);
     this.#draw();

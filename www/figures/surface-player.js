@@ -1,60 +1,62 @@
 // <surface-player for="id">: lets the curve of constant u run over the surface.
 
+import { LinkedFigure } from "./lib/linked-figure.js";
+
 const SECONDS = 6;
 
-class SurfacePlayer extends HTMLElement {
+class SurfacePlayer extends LinkedFigure {
   #button = document.createElement("button");
   #frame = 0;
   #before = 0;
 
-  connectedCallback() {
+  build() {
     this.#button.type = "button";
     this.#button.onclick = () => (this.#frame ? this.#stop() : this.#start());
-    this.#say();
-    if (!this.contains(this.#button)) this.append(this.#button);
-    this.#target?.addEventListener("input", this.#byHand);
+    this.#showState();
+    this.append(this.#button);
+  }
+
+  connectedCallback() {
+    super.connectedCallback();
+    this.target?.addEventListener("input", this.#onInput);
   }
 
   disconnectedCallback() {
-    this.#target?.removeEventListener("input", this.#byHand);
+    super.disconnectedCallback();
+    this.target?.removeEventListener("input", this.#onInput);
     this.#stop();
   }
 
-  /** @returns {any} */
-  get #target() {
-    return document.getElementById(this.getAttribute("for") ?? "");
-  }
-
-  #say() {
-    this.#button.textContent = this.#frame ? "Stop" : "Let it grow";
+  #showState() {
+    this.#button.textContent = this.#frame ? "Stop" : "Play";
   }
 
   #start() {
-    if (this.#target.u >= 1) this.#target.u = 0;
+    if (this.target.u >= 1) this.target.u = 0;
     this.#before = performance.now();
     this.#frame = requestAnimationFrame((now) => this.#step(now));
-    this.#say();
+    this.#showState();
   }
 
   #stop() {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    this.#say();
+    this.#showState();
   }
 
-  /** Who moves the slider wants to hold it. @param {Event} event */
-  #byHand = (event) => {
+  /** Stops when the reader moves the slider of u. @param {Event} event */
+  #onInput = (event) => {
     if (event.isTrusted || !this.#frame) return;
     this.#stop();
   };
 
   /** @param {number} now */
   #step(now) {
-    const target = this.#target;
+    const target = this.target;
     target.u = Math.min(target.u + Math.max(now - this.#before, 0) / 1000 / SECONDS, 1);
     this.#before = now;
     this.#frame = target.u < 1 ? requestAnimationFrame((then) => this.#step(then)) : 0;
-    this.#say();
+    this.#showState();
   }
 }
 

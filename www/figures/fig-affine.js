@@ -1,8 +1,8 @@
 // Affine maps: the control points mapped and then drawn (a line), points of the old curve mapped one by one (dots).
 import { html, svg } from "lit";
-import { Figure } from "../figures/figure.js";
-import { disc, polyline, slider, square } from "../figures/parts.js";
-import { bothWays } from "./affine.js";
+import { Figure } from "./lib/figure.js";
+import { disc, polyline, slider, square } from "./lib/parts.js";
+import { bothWays } from "./lib/affine.js";
 
 const [WIDTH, HEIGHT] = [240, 170];
 
@@ -56,4 +56,4 @@ export class FigAffine extends Figure {
   }
 }
 
-if (!customElements.get("fig-affine")) customElements.define("fig-affine", FigAffine);
+customElements.define("fig-affine", FigAffine);

@@ -1,9 +1,10 @@
 // <teapot-data for="id">: the sixteen numbers of a patch, the points behind them, and which of them other patches use, too.
 import { Surface } from "casteljau";
-import { element } from "../../parts/dom.js";
-import { slider } from "./svg.js";
+import { element } from "../parts/dom.js";
+import { slider } from "./lib/svg.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
-class TeapotData extends HTMLElement {
+class TeapotData extends LinkedFigure {
   #teapot = Surface.teapot();
   #nets = this.#teapot.patches;
   #points = this.#teapot.vertices;
@@ -11,9 +12,8 @@ class TeapotData extends HTMLElement {
   #body = element("tbody");
   #words = element("p", { className: "note" });
 
-  connectedCallback() {
-    if (this.childNodes.length > 0) return;
-    const knob = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) =>
+  build() {
+    const control = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) =>
       this.#fill(k, true),
     );
     const caption = element(
@@ -27,7 +27,7 @@ class TeapotData extends HTMLElement {
       element("table", {}, this.#body),
     );
     this.#words.setAttribute("role", "status");
-    this.append(knob.line, caption, scroll, this.#words);
+    this.append(control.line, caption, scroll, this.#words);
     this.#fill(4, false);
   }
 
@@ -48,8 +48,7 @@ class TeapotData extends HTMLElement {
     this.#body.replaceChildren(...[0, 1, 2, 3].map((j) => element("tr", {}, ...net.slice(4 * j, 4 * j + 4).map(cell))));
     const shared = new Set(net.filter((vertex) => this.#uses[vertex] > 1)).size;
     this.#words.textContent = `Patch ${k}: ${new Set(net).size} different points, ${shared} of them shared.`;
-    const target = /** @type {any} */ (document.getElementById(this.getAttribute("for") ?? ""));
-    if (pick && target) target.patch = k;
+    if (pick && this.target) this.target.patch = k;
   }
 }
 

@@ -1,13 +1,13 @@
 // How fast a point runs along the pieces of an applet when t runs evenly, or how sharply it turns: at a joint both may jump.
 import { html, svg } from "lit";
-import { Figure } from "../figures/figure.js";
-import { choice, polyline } from "../figures/parts.js";
-import { along, jumps } from "./along.js";
+import { Figure } from "./lib/figure.js";
+import { choice, polyline } from "./lib/parts.js";
+import { along, jumps } from "./lib/along.js";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [72, 14, 16, 30];
 const HEIGHT = 210;
 
-/** @typedef {import("./along.js").Piece} Piece */
+/** @typedef {import("./lib/along.js").Piece} Piece */
 
 /** `<fig-speed for="id of an applet">` */
 export class FigSpeed extends Figure {
@@ -109,4 +109,4 @@ export class FigSpeed extends Figure {
 /** Three digits are enough to read. @param {number} value */
 const short = (value) => String(Number(value.toPrecision(3))).replace("-", "−");
 
-if (!customElements.get("fig-speed")) customElements.define("fig-speed", FigSpeed);
+customElements.define("fig-speed", FigSpeed);

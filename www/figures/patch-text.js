@@ -1,12 +1,12 @@
 // <patch-text for="id">: a patch file to write in, shown by a figure.
 import { Surface } from "casteljau";
-import { button, element, uniqueId } from "../../parts/dom.js";
+import { button, element, uniqueId } from "../parts/dom.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
-class PatchText extends HTMLElement {
+class PatchText extends LinkedFigure {
   #words = element("p", { className: "note" });
 
-  connectedCallback() {
-    if (this.querySelector("textarea")) return;
+  build() {
     const text = (this.textContent ?? "").trim();
     const area = Object.assign(document.createElement("textarea"), {
       value: text,
@@ -25,7 +25,7 @@ class PatchText extends HTMLElement {
 
   /** @param {string} text */
   #show(text) {
-    const target = /** @type {any} */ (document.getElementById(this.getAttribute("for") ?? ""));
+    const target = this.target;
     try {
       target.surface = Surface.parse(text);
       const { patchCount } = target.surface;

@@ -76,8 +76,8 @@ export const SURFACES = {
   neighbours,
 };
 
-/** Gives every figure with `data-surface` its surface, and with `data-view` its first view. */
-export function fill() {
+/** Gives every <bezier-surface> with `data-surface` its surface, and with `data-view` its first view. */
+export function showSurfaces() {
   for (const element of /** @type {NodeListOf<any>} */ (document.querySelectorAll("bezier-surface[data-view]"))) {
     element.view = JSON.parse(element.dataset.view);
   }

@@ -1,9 +1,9 @@
 // <surface-side for="id">: the same patch with its triangles wound the other way.
-import { exchanged } from "./surfaces.js";
+import { exchanged } from "./lib/surfaces.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
-class SurfaceSide extends HTMLElement {
-  connectedCallback() {
-    if (this.childNodes.length > 0) return;
+class SurfaceSide extends LinkedFigure {
+  build() {
     this.setAttribute("role", "group");
     this.setAttribute("aria-label", "Winding");
     const buttons = [
@@ -18,7 +18,7 @@ class SurfaceSide extends HTMLElement {
       made.addEventListener("click", () => {
         if (made.ariaPressed === "true") return;
         buttons.forEach((each) => (each.ariaPressed = String(each === made)));
-        const target = /** @type {any} */ (document.getElementById(this.getAttribute("for") ?? ""));
+        const target = this.target;
         target.surface = exchanged(target.surface);
         target.dispatchEvent(new Event("change", { bubbles: true, composed: true }));
       });

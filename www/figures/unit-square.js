@@ -1,6 +1,7 @@
 // <unit-square for="id">: the square of all (u, v) beside the surface that it becomes.
-import { element } from "../../parts/dom.js";
-import { svg } from "./svg.js";
+import { element } from "../parts/dom.js";
+import { svg } from "./lib/svg.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
 const SIDE = 200;
 const MARGIN = 24;
@@ -13,7 +14,7 @@ const KEYS = /** @type {Record<string, [number, number]>} */ ({
 });
 const STEP = 0.01;
 
-class UnitSquare extends HTMLElement {
+class UnitSquare extends LinkedFigure {
   #mark = svg(
     "g",
     { class: "hand" },
@@ -23,20 +24,8 @@ class UnitSquare extends HTMLElement {
   #ofU = svg("path", { class: "of-u" });
   #ofV = svg("path", { class: "of-v" });
   #words = element("p", { className: "note" });
-  /** @type {any} */ #target = null;
 
-  connectedCallback() {
-    this.#target = document.getElementById(this.getAttribute("for") ?? "");
-    if (this.childNodes.length === 0) this.#build();
-    this.#target?.addEventListener("update", this.#follow);
-    this.#follow();
-  }
-
-  disconnectedCallback() {
-    this.#target?.removeEventListener("update", this.#follow);
-  }
-
-  #build() {
+  build() {
     const square = svg("rect", { x: 0, y: 0, width: SIDE, height: SIDE, class: "square" });
     const lines = Array.from({ length: LINES - 1 }, (_, k) => ((k + 1) * SIDE) / LINES);
     const grid = svg("path", { class: "grid", d: lines.map((x) => `M${x} 0V${SIDE}M0 ${x}H${SIDE}`).join("") });
@@ -86,8 +75,8 @@ class UnitSquare extends HTMLElement {
   /** @param {number} u @param {number} v @param {"input" | "change"} type */
   #set(u, v, type) {
     const [a, b] = [u, v].map((x) => Math.round(100 * Math.min(Math.max(x, 0), 1)) / 100);
-    Object.assign(this.#target, { u: a, v: b });
-    this.#target.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
+    Object.assign(this.target, { u: a, v: b });
+    this.target.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
   }
 
   #held = false;
@@ -105,7 +94,7 @@ class UnitSquare extends HTMLElement {
     if (!this.#held) return;
     if (type === "change") {
       this.#held = false;
-      return this.#set(this.#target.u, this.#target.v, type);
+      return this.#set(this.target.u, this.target.v, type);
     }
     const { left, bottom, width, height } = square.getBoundingClientRect();
     this.#set((event.clientX - left) / width, (bottom - event.clientY) / height, type);
@@ -117,18 +106,18 @@ class UnitSquare extends HTMLElement {
     if (!way || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     const step = event.shiftKey ? 10 * STEP : STEP;
-    this.#set(this.#target.u + step * way[0], this.#target.v + step * way[1], "change");
+    this.#set(this.target.u + step * way[0], this.target.v + step * way[1], "change");
   }
 
-  #follow = () => {
-    const { u, v, place } = this.#target?.figure ?? {};
+  follow() {
+    const { u, v, place } = this.target?.figure ?? {};
     if (!place) return;
     const [x, y] = [u * SIDE, (1 - v) * SIDE];
     this.#mark.setAttribute("transform", `translate(${x} ${y})`);
     this.#ofU.setAttribute("d", `M${x} 0V${SIDE}`);
     this.#ofV.setAttribute("d", `M0 ${y}H${SIDE}`);
     this.#words.textContent = `S(${u}, ${v}) = (${place.point.map((/** @type {number} */ c) => c.toFixed(2).replace("-", "−")).join(", ")})`;
-  };
+  }
 }
 
 customElements.define("unit-square", UnitSquare);

@@ -1,7 +1,6 @@
-// <surface-knobs for="id" knobs="segments shading">: the few controls of a figure that its text speaks of.
-import { element, uniqueId } from "../../parts/dom.js";
-
-/** @typedef {HTMLElement & Record<string, any>} Target */
+// <surface-controls for="id" controls="segments shading">: the few controls of a figure that its text speaks of.
+import { element, uniqueId } from "../parts/dom.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
 const decimals = (/** @type {number} */ x) => x.toFixed(2);
 const figures = (/** @type {number} */ x) => (x < 1e-4 ? x.toExponential(1) : String(Number(x.toPrecision(2))));
@@ -37,7 +36,7 @@ const CHOICES = {
   fineness: {
     label: "Cut",
     options: {
-      evenly: { segments: 8, tolerance: null, pixels: null, flatness: null },
+      uniformly: { segments: 8, tolerance: null, pixels: null, flatness: null },
       "by tolerance": { tolerance: 0.03, pixels: null, flatness: null },
       "by pixels": { tolerance: null, pixels: 1, flatness: null },
       "until flat enough": { tolerance: null, pixels: null, flatness: 0.03 },
@@ -93,39 +92,22 @@ const STEPS = [
   "4 of 4: and on that curve, at v, lies the point of the surface.",
 ];
 
-class SurfaceKnobs extends HTMLElement {
+class SurfaceControls extends LinkedFigure {
   /** @type {(() => void)[]} */ #followers = [];
-  /** @type {Target | null} */ #target = null;
 
-  connectedCallback() {
-    this.#target = /** @type {Target | null} */ (document.getElementById(this.getAttribute("for") ?? ""));
-    if (!this.#target) return;
-    if (this.childNodes.length === 0) this.#build();
-    this.#target.addEventListener("update", this.#follow);
-    this.#follow();
+  follow() {
+    this.#followers.forEach((follow) => follow());
   }
 
-  disconnectedCallback() {
-    this.#target?.removeEventListener("update", this.#follow);
-  }
-
-  #follow = () => this.#followers.forEach((follow) => follow());
-
-  #build() {
+  build() {
     const allowed = (this.getAttribute("words") ?? "").split(" ").filter(Boolean);
-    for (const name of (this.getAttribute("knobs") ?? "").split(" ")) {
+    for (const name of (this.getAttribute("controls") ?? "").split(" ")) {
       if (name === "step") this.append(this.#stepper());
       else if (name === "probe") this.append(...this.#probe());
       else if (name in SLIDERS) this.append(this.#slider(/** @type {keyof typeof SLIDERS} */ (name)));
       else if (name in CHOICES) this.append(this.#choice(/** @type {keyof typeof CHOICES} */ (name)));
       else this.append(this.#list(/** @type {keyof typeof LISTS} */ (name), allowed));
     }
-  }
-
-  /** As if the reader had done it in the figure. @param {Record<string, unknown>} properties @param {"input" | "change"} type */
-  #set(properties, type) {
-    Object.assign(/** @type {Target} */ (this.#target), properties);
-    this.#target?.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
   }
 
   /** @param {keyof typeof SLIDERS} name */
@@ -137,12 +119,15 @@ class SurfaceKnobs extends HTMLElement {
     const line = element("label", { className: "line" }, element("span", {}, label), input, value);
     for (const type of /** @type {const} */ (["input", "change"])) {
       input.addEventListener(type, () =>
-        this.#set({ [name]: log ? Number((10 ** input.valueAsNumber).toPrecision(2)) : input.valueAsNumber }, type),
+        this.setTarget(
+          { [name]: log ? Number((10 ** input.valueAsNumber).toPrecision(2)) : input.valueAsNumber },
+          type,
+        ),
       );
     }
     this.#followers.push(() => {
-      const now = this.#target?.[name];
-      line.hidden = now === null || (name === "segments" && LENGTHS.some((other) => this.#target?.[other] !== null)); // another way of cutting counts
+      const now = this.target?.[name];
+      line.hidden = now === null || (name === "segments" && LENGTHS.some((other) => this.target?.[other] !== null)); // another way of cutting counts
       if (typeof now !== "number") return;
       input.value = String(log ? Math.log10(now) : now);
       value.textContent = shown(now);
@@ -161,12 +146,12 @@ class SurfaceKnobs extends HTMLElement {
     );
     for (const [title, properties] of Object.entries(options)) {
       const made = Object.assign(document.createElement("button"), { type: "button", textContent: title });
-      made.addEventListener("click", () => this.#set(properties, "change"));
+      made.addEventListener("click", () => this.setTarget(properties, "change"));
       // It is pressed when what makes it differ from its neighbours is there: words, and which lengths are in use.
       const same = (/** @type {[string, unknown]} */ [key, value]) =>
         typeof value === "number" && key !== "segments"
-          ? this.#target?.[key] !== null
-          : key === "segments" || this.#target?.[key] === value;
+          ? this.target?.[key] !== null
+          : key === "segments" || this.target?.[key] === value;
       this.#followers.push(() => made.setAttribute("aria-pressed", String(Object.entries(properties).every(same))));
       group.append(made);
     }
@@ -182,11 +167,11 @@ class SurfaceKnobs extends HTMLElement {
       { className: "choice", role: "group", ariaLabel: label },
       element("span", { ariaHidden: "true" }, label),
     );
-    const chosen = () => this.#target?.[name]?.split(" ") ?? all;
+    const chosen = () => this.target?.[name]?.split(" ") ?? all;
     for (const word of all.filter((each) => allowed.length === 0 || allowed.includes(each))) {
       const box = Object.assign(document.createElement("input"), { type: "checkbox", name: word });
       box.addEventListener("change", () =>
-        this.#set(
+        this.setTarget(
           { [name]: all.filter((each) => (each === word ? box.checked : chosen().includes(each))).join(" ") },
           "change",
         ),
@@ -199,7 +184,7 @@ class SurfaceKnobs extends HTMLElement {
 
   /** Three sliders for a point in space, and what is nearest to it. */
   #probe() {
-    const now = () => this.#target?.figure?.probe ?? [0, 0, 0];
+    const now = () => this.target?.figure?.probe ?? [0, 0, 0];
     const lines = ["x", "y", "z"].map((axis, k) => {
       const input = Object.assign(document.createElement("input"), {
         type: "range",
@@ -210,7 +195,9 @@ class SurfaceKnobs extends HTMLElement {
       });
       const value = element("output", {});
       for (const type of /** @type {const} */ (["input", "change"])) {
-        input.addEventListener(type, () => this.#set({ probe: now().with(k, input.valueAsNumber).join(" ") }, type));
+        input.addEventListener(type, () =>
+          this.setTarget({ probe: now().with(k, input.valueAsNumber).join(" ") }, type),
+        );
       }
       this.#followers.push(() => {
         input.value = String(now()[k]);
@@ -221,7 +208,7 @@ class SurfaceKnobs extends HTMLElement {
     const words = element("p", { className: "note" });
     words.setAttribute("role", "status");
     this.#followers.push(() => {
-      const found = this.#target?.figure?.nearest;
+      const found = this.target?.figure?.nearest;
       words.textContent = found
         ? `${found.distance.toFixed(3)} away: patch ${found.patch}, u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.`
         : "";
@@ -233,7 +220,7 @@ class SurfaceKnobs extends HTMLElement {
     const words = element("p", { className: "note", id: uniqueId("step") });
     words.setAttribute("role", "status");
     const move = (/** @type {number} */ by) => () =>
-      this.#set({ step: Math.min(Math.max(this.#target?.step + by, 1), STEPS.length) }, "change");
+      this.setTarget({ step: Math.min(Math.max(this.target?.step + by, 1), STEPS.length) }, "change");
     const [back, next] = [
       ["Step back", -1],
       ["Next step", 1],
@@ -243,7 +230,7 @@ class SurfaceKnobs extends HTMLElement {
       return made;
     });
     this.#followers.push(() => {
-      const step = this.#target?.step ?? STEPS.length;
+      const step = this.target?.step ?? STEPS.length;
       words.textContent = STEPS[step - 1];
       back.disabled = step === 1;
       next.disabled = step === STEPS.length;
@@ -252,4 +239,4 @@ class SurfaceKnobs extends HTMLElement {
   }
 }
 
-customElements.define("surface-knobs", SurfaceKnobs);
+customElements.define("surface-controls", SurfaceControls);

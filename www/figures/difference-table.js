@@ -1,6 +1,7 @@
 // <difference-table>: a cubic by additions alone, and how far rounding carries it away.
-import { element } from "../../parts/dom.js";
-import { chain, slider, svg } from "./svg.js";
+import { element } from "../parts/dom.js";
+import { chain, slider, svg } from "./lib/svg.js";
+import { LinkedFigure } from "./lib/linked-figure.js";
 
 /** Heights of a cubic: its control points. */
 const HEIGHTS = [0.1, 1.1, 1.9, 0.3];
@@ -40,13 +41,12 @@ export function rows(n, round = (x) => x) {
 export const drift = (n, round = (x) => x) =>
   rows(n, round).reduce((most, [f], i) => Math.max(most, Math.abs(f - cubic(i / n))), 0);
 
-class DifferenceTable extends HTMLElement {
+class DifferenceTable extends LinkedFigure {
   #steps = 4;
   #body = element("tbody");
   #words = element("p", { className: "note" });
 
-  connectedCallback() {
-    if (this.childNodes.length > 0) return;
+  build() {
     const head = element(
       "tr",
       {},
@@ -59,7 +59,7 @@ class DifferenceTable extends HTMLElement {
       { className: "note" },
       "Each number is the sum of its upper neighbour and the one to the right of that.",
     );
-    const knob = slider("Steps", { min: 2, max: 16, step: 1, value: this.#steps, name: "steps" }, (n, type) => {
+    const control = slider("Steps", { min: 2, max: 16, step: 1, value: this.#steps, name: "steps" }, (n, type) => {
       this.#steps = n;
       this.#fill();
       this.dispatchEvent(new Event(type, { bubbles: true }));
@@ -70,7 +70,7 @@ class DifferenceTable extends HTMLElement {
       { className: "scroll", tabIndex: "0", role: "group", ariaLabel: "Table of differences" },
       element("table", {}, element("thead", {}, head), this.#body),
     );
-    this.append(knob.line, caption, scroll, this.#words, plot());
+    this.append(control.line, caption, scroll, this.#words, plot());
     this.#fill();
   }
 
