@@ -126,27 +126,27 @@ export class CameraPath extends Figure {
   /** @param {import("./state.js").State} state */
   change(state) {
     this.state = state;
-    this.tell();
+    this.notifyChange();
   }
 
   updated() {
     const style = getComputedStyle(this);
     const colours = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
     const { camera, frame } = this.here;
-    this.paint("eye", camera, (sheet) => {
-      drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.handle, 1.5, () => line(sheet, this.line));
+    this.paint("eye", camera, (drawContext) => {
+      drawScene(drawContext, /** @type {any} */ (colours));
+      stroke(drawContext, colours.handle, 1.5, () => line(drawContext, this.line));
     });
-    this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (sheet) => {
-      drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.quiet, 1.5, () => line(sheet, this.line));
-      drawFrames(sheet, this.frames, 0.9, /** @type {any} */ (colours));
-      drawFrames(sheet, [frame], 1.6, /** @type {any} */ (colours));
-      drawCamera(sheet, { ...camera, angle: 0.5 }, 1.3, colours.ink);
+    this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (drawContext) => {
+      drawScene(drawContext, /** @type {any} */ (colours));
+      stroke(drawContext, colours.quiet, 1.5, () => line(drawContext, this.line));
+      drawFrames(drawContext, this.frames, 0.9, /** @type {any} */ (colours));
+      drawFrames(drawContext, [frame], 1.6, /** @type {any} */ (colours));
+      drawCamera(drawContext, { ...camera, angle: 0.5 }, 1.3, colours.ink);
     });
   }
 
-  /** @param {string} name @param {import("./scene.js").Camera} camera @param {(sheet: import("./scene.js").Sheet) => void} draw */
+  /** @param {string} name @param {import("./scene.js").Camera} camera @param {(drawContext: import("./scene.js").DrawContext) => void} draw */
   paint(name, camera, draw) {
     const canvas = /** @type {HTMLCanvasElement} */ (this.renderRoot.querySelector(`#${name}`));
     const width = canvas.clientWidth;
@@ -231,7 +231,7 @@ export class CameraPath extends Figure {
           step: 0.1,
           say: (value) => short(value, 2),
           move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])),
-          done: () => this.tell(),
+          done: () => this.notifyChange(),
           focus: () => (this.chosen = k),
         }),
       )}

@@ -104,7 +104,7 @@ export class EasingLab extends Figure {
       this.problem = `Not taken: ${/** @type {Error} */ (error).message}. The last good curve is kept.`;
       return;
     }
-    if (done) this.tell();
+    if (done) this.notifyChange();
   }
 
   /** The editor's own events are not the lab's. @param {Event} event */
@@ -190,7 +190,7 @@ export class EasingLab extends Figure {
             text: `${(this.duration / 1000).toFixed(1)} s`,
             change: (ms) => {
               this.duration = ms;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${list({
@@ -199,7 +199,7 @@ export class EasingLab extends Figure {
             value: this.against,
             change: (name) => {
               this.against = name;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

@@ -40,7 +40,7 @@ export class FigAffine extends Figure {
     const ways = bothWays({ turn: this.turn, shear: this.shear, width: this.stretch });
     const set = (/** @type {"turn" | "shear" | "stretch"} */ name) => (/** @type {number} */ value) => {
       this[name] = value;
-      this.tell();
+      this.notifyChange();
     };
     return html`
       <div class="frame">

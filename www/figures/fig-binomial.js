@@ -115,7 +115,7 @@ export class FigBinomial extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -124,7 +124,7 @@ export class FigBinomial extends Figure {
             value: this.degree,
             change: (n) => {
               this.degree = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

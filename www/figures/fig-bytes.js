@@ -104,7 +104,7 @@ export class FigBytes extends Figure {
             text: String(this.segments),
             change: (n) => {
               this.segments = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -116,7 +116,7 @@ export class FigBytes extends Figure {
             value: this.model,
             change: (model) => {
               this.model = model;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

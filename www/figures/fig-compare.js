@@ -101,7 +101,7 @@ export class FigCompare extends Figure {
       },
       this.fit,
     );
-    this.tell();
+    this.notifyChange();
   }
 
   /** @returns {{ wide: number, height: number, scale: number, place: (p: readonly [number, number]) => Place, unplace: (p: readonly [number, number]) => Place }} */
@@ -145,7 +145,7 @@ export class FigCompare extends Figure {
           <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
           ${parts.map(({ at, kind: mark }) => (mark === "on" ? disc : square)(...place(at)))}
         </svg>
-        ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.tell() }))}
+        ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.notifyChange() }))}
       </div>
     `;
   }
@@ -199,11 +199,11 @@ export class FigCompare extends Figure {
           <div class="row">
             <button @click=${() => {
               this.show(ARCH, false);
-              this.tell();
+              this.notifyChange();
             }}>Arch</button>
             <button @click=${() => {
               this.show(S, this.fit);
-              this.tell();
+              this.notifyChange();
             }}>S-shape</button>
             <button @click=${this.elevate}>Make the cubic the quadratic</button>
           </div>
@@ -212,7 +212,7 @@ export class FigCompare extends Figure {
             value: this.fit,
             change: (fit) => {
               this.fit = fit;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

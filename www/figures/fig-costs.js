@@ -245,7 +245,7 @@ export class FigCosts extends Figure {
     this.running = true;
     this.times = await race();
     this.running = false;
-    this.tell();
+    this.notifyChange();
   }
 
   /** @param {string} key */

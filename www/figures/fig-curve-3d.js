@@ -207,7 +207,7 @@ export class FigCurve3d extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}

@@ -83,7 +83,7 @@ export class FigParabola extends Figure {
     const at = PARABOLA.eval(this.t);
     const set = (/** @type {"t" | "from" | "to"} */ name) => (/** @type {number} */ value) => {
       this[name] = value;
-      this.tell();
+      this.notifyChange();
     };
     const range = { min: -1.5, max: 1.5, step: 0.05 };
     return html`

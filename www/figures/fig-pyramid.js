@@ -203,7 +203,7 @@ export class FigPyramid extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -212,7 +212,7 @@ export class FigPyramid extends Figure {
             value: this.degree,
             change: (n) => {
               this.degree = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

@@ -73,7 +73,7 @@ export class FigReorder extends Figure {
           return svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="strong haloed middle" x=${x} y=${y + (below ? 24 : -14)}>${"ABCD"[k]} · ${i + 1}</text>`;
         })}
       </svg>
-      ${this.places.map((at, k) => handle({ name: `Point ${"ABCD"[k]}`, at, place, unplace, size: [this.wide, height], box: BOX, step: 1, say: (v) => short(v, 1), kind: order.indexOf(k) % 3 === 0 ? "on" : "off", move: move(k), done: () => this.tell() }))}
+      ${this.places.map((at, k) => handle({ name: `Point ${"ABCD"[k]}`, at, place, unplace, size: [this.wide, height], box: BOX, step: 1, say: (v) => short(v, 1), kind: order.indexOf(k) % 3 === 0 ? "on" : "off", move: move(k), done: () => this.notifyChange() }))}
     `;
   }
 
@@ -90,7 +90,7 @@ export class FigReorder extends Figure {
       <label class="thumb" data-twin=${twin} title=${this.name(k)}>
         <input type="radio" name="order" .checked=${live(k === this.chosen)} @change=${() => {
           this.chosen = k;
-          this.tell();
+          this.notifyChange();
         }} />
         <span class="away">${this.name(k)}</span>
         <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" aria-hidden="true">

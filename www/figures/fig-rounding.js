@@ -152,7 +152,7 @@ export class FigRounding extends Figure {
           value: this.case,
           change: (name) => {
             this.case = name;
-            this.tell();
+            this.notifyChange();
           },
         })}</div>
         <div class="stage">${this.picture()}</div>

@@ -95,7 +95,7 @@ export class FigSpeed extends Figure {
             value: this.what,
             change: (what) => {
               this.what = /** @type {"speed" | "curvature"} */ (what);
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

@@ -40,7 +40,7 @@ export class LessonTask extends HTMLElement {
     this.#target = null;
   }
 
-  /** "open" until the task is "done", or its answer "revealed". */
+  /** "open" until the task is "done", or its answer "revealed", or the answer to a question "wrong". */
   get state() {
     return this.dataset.state ?? "open";
   }
@@ -85,10 +85,17 @@ export class LessonTask extends HTMLElement {
       if (this.#task.check) this.#say("Noted. Now find out.");
       this.#open();
       /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
-      if (!this.#task.check) this.#finish("");
+      if (!this.#task.check) this.#finishQuiz();
     });
     this.#steps.append(field);
     this.#buttons.replaceChildren(guess);
+  }
+
+  /** Without anything to try, the guess is the answer. */
+  #finishQuiz() {
+    const isRight = this.#guess === this.#task.predict?.answer;
+    this.dataset.state = isRight ? "done" : "wrong";
+    this.#say(this.#judged());
   }
 
   /** Now it can be tried. */

@@ -22,9 +22,9 @@ export function keepInAddress(element, { read, write }) {
       const state = JSON.parse(decodeURIComponent(text.slice(PREFIX.length)));
       if (typeof state !== "object" || state === null) throw new RangeError("expected an object behind #state=");
       read(state);
-      tell(element, "");
+      showMessage(element, "");
     } catch (error) {
-      tell(
+      showMessage(
         element,
         `The address of this page could not be used: ${/** @type {Error} */ (error).message}. The page is as it was.`,
       );
@@ -47,7 +47,7 @@ export function keepInAddress(element, { read, write }) {
 }
 
 /** Says it above the application; an empty text takes it away. @param {HTMLElement} element @param {string} words */
-function tell(element, words) {
+function showMessage(element, words) {
   const known = element.previousElementSibling;
   if (known?.matches(".state-message")) known.remove();
   if (!words) return;

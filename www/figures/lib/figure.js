@@ -40,7 +40,7 @@ export class Figure extends LitElement {
   }
 
   /** Tells the page that the user has changed something. */
-  tell() {
+  notifyChange() {
     this.dispatchEvent(new Event("change", { bubbles: true, composed: true }));
   }
 }

@@ -1,7 +1,7 @@
 // What the tasks of this chapter measure. Pure: figures in, numbers and words out.
 
 /** By hand nobody hits a point better than this, in the units of the picture. */
-export const HAND = 4;
+export const PRECISION_PX = 4;
 
 /** @typedef {readonly [number, number]} Pair */
 /** @typedef {{ eval(t: number): { x: number, y: number } }} Evaluated */
@@ -23,7 +23,7 @@ export const asText = (points) => [...points].map(([x, y]) => `${x},${y}`).join(
 
 /**
  * How far a curve strays from a polyline of `segments` equal steps of t: the greatest distance of the curve from the chord of
- * its step, looked for at LOOKS places a step.
+ * its step, looked for at SAMPLES_PER_STEP places a step.
  *
  * @param {Evaluated} curve
  * @param {number} segments
@@ -32,11 +32,12 @@ export function polylineError(curve, segments) {
   let worst = 0;
   for (let k = 0; k < segments; k++) {
     const [a, b] = [curve.eval(k / segments), curve.eval((k + 1) / segments)];
-    for (let i = 1; i < LOOKS; i++) worst = Math.max(worst, fromChord(curve.eval((k + i / LOOKS) / segments), a, b));
+    for (let i = 1; i < SAMPLES_PER_STEP; i++)
+      worst = Math.max(worst, fromChord(curve.eval((k + i / SAMPLES_PER_STEP) / segments), a, b));
   }
   return worst;
 }
-const LOOKS = 16;
+const SAMPLES_PER_STEP = 16;
 
 /** @param {{ x: number, y: number }} p @param {{ x: number, y: number }} a @param {{ x: number, y: number }} b */
 function fromChord(p, a, b) {
@@ -53,8 +54,8 @@ function fromChord(p, a, b) {
  * @param {Evaluated} b
  */
 export function apart(a, b) {
-  const gaps = Array.from({ length: 2 * LOOKS + 1 }, (_, i) => {
-    const [p, q] = [a.eval(i / (2 * LOOKS)), b.eval(i / (2 * LOOKS))];
+  const gaps = Array.from({ length: 2 * SAMPLES_PER_STEP + 1 }, (_, i) => {
+    const [p, q] = [a.eval(i / (2 * SAMPLES_PER_STEP)), b.eval(i / (2 * SAMPLES_PER_STEP))];
     return Math.hypot(p.x - q.x, p.y - q.y);
   });
   return Math.max(...gaps);

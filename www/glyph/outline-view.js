@@ -21,7 +21,7 @@ const CLOSE_UNITS = 200;
  * @param {import("./outline.js").Outline} outline
  * @param {(point: readonly number[]) => Place} place
  */
-function ways(outline, place) {
+function directionArrows(outline, place) {
   return outline.map(({ spline }) => {
     const segments = spline.segments();
     const longest = segments.reduce((best, segment) => (segment.length() > best.length() ? segment : best));
@@ -34,7 +34,7 @@ function ways(outline, place) {
 }
 
 /** @param {GlyphEditor} editor */
-export function sheet(editor) {
+export function outlineView(editor) {
   const { place, unplace, height, matrix } = editor.scales();
   const visible = ([x, y] = /** @type {Place} */ ([0, 0])) =>
     x > -HANDLE_MARGIN_PX &&
@@ -58,14 +58,14 @@ export function sheet(editor) {
   const [sx, sy] = place(editor.selected.node.at);
   const counts = countPoints(editor.outline);
   return html`
-    <svg class="sheet" viewBox="0 0 ${editor.wide} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.sheetKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
+    <svg class="outlineView" viewBox="0 0 ${editor.wide} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.sheetKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
       @pointermove=${(/** @type {PointerEvent} */ event) => (editor.pointer = editor.locate(event))} @pointerleave=${() => (editor.pointer = null)}
       aria-label="The outline: ${editor.outline.length} contours, ${counts.on} points on it and ${counts.off} beside it. Plus and minus zoom, arrow keys move the picture, zero shows all">
       ${GUIDES.map(([name, y]) => svg`<path class="guide" d="M0 ${place([0, y])[1]}H${editor.wide}" /><text class="quiet" x="8" y=${place([0, y])[1] - 4}>${name}</text>`)}
       <path class="ink ${editor.filled ? "solid" : ""}" d=${editor.path.transform(matrix).toSVG({ precision: PRECISION })} />
       ${editor.ghost ? svg`<path class="ghost" d=${pathOf(editor.quadratic.outline).transform(matrix).toSVG({ precision: PRECISION })} />` : ""}
       <path class="curve" d=${editor.path.transform(matrix).toSVG({ precision: PRECISION })} stroke-width="2" />
-      ${rods}${ways(editor.outline, place)}
+      ${rods}${directionArrows(editor.outline, place)}
       ${
         editor.ghost
           ? editor.quadratic.outline.flatMap(({ spline }) =>
