@@ -131,6 +131,7 @@ for (const fragment of ["#hero?points=1,2,3&t=NaN", `#${"%".repeat(1_000_000)}`]
 const EMBEDDED = [
   ["", "bezier-applet", null],
   ["?points=60,360+160,60+500,60+600,360&t=0.3&controls=", "bezier-applet", null],
+  ["?label=My+curve:+100%25!", "bezier-applet", null],
   ["?element=bezier-surface&model=patch&show=surface+net&u=0.3", "bezier-surface", null],
   [
     "?element=script&src=x",
