@@ -69,6 +69,28 @@ impl BoxTree {
         }
     }
 
+    /// Calls `act` for each segment whose box contains a point, until the work is used up.
+    pub(super) fn around_point(
+        &self,
+        p: DVec2,
+        work: &mut WorkLimit,
+        mut act: impl FnMut(usize),
+    ) {
+        let leaves = self.leaves();
+        let mut stack = vec![1];
+        while let Some(k) = stack.pop() {
+            let [min, max] = self.boxes[k];
+            if !work.spend(1) || p.cmplt(min).any() || p.cmpgt(max).any() {
+                continue;
+            }
+            if k >= leaves {
+                act(self.order[k - leaves]);
+            } else {
+                stack.extend([2 * k, 2 * k + 1]);
+            }
+        }
+    }
+
     /// Calls `act` for each segment whose box meets the ray from p in a direction; `act` returns the length at which
     /// the ray may end.
     pub(super) fn along_ray(&self, p: DVec2, direction: DVec2, mut act: impl FnMut(usize) -> f64) {

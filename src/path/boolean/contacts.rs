@@ -39,6 +39,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
             pair_contacts(segments, a, b, &mut found);
         }
     });
+    near_crossings(segments, tree, &mut work, &mut found);
     if work.is_exceeded() || found.len() > MAX_CONTACTS {
         return Err(Error::TooMany {
             what: "contacts",
@@ -47,6 +48,27 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
         });
     }
     Ok(found)
+}
+
+/// Adds the contacts of crossings with further segments that pass within epsilon of them.
+fn near_crossings(
+    segments: &Segments,
+    tree: &BoxTree,
+    work: &mut WorkLimit,
+    found: &mut Vec<Contact>,
+) {
+    for k in 0..found.len() {
+        let [(i, t), (j, u)] = found[k].places;
+        if t == 0.0 || t == 1.0 || u == 0.0 || u == 1.0 {
+            continue; // The end of a segment is compared with all others.
+        }
+        let p = segments.list[i].at(t);
+        tree.around_point(p, work, |other| {
+            if other != i && other != j && found.len() <= MAX_CONTACTS {
+                point_contact(segments, (i, t), p, other, found);
+            }
+        });
+    }
 }
 
 fn self_contacts(segments: &Segments, index: usize, found: &mut Vec<Contact>) {
@@ -124,22 +146,22 @@ fn runs_on(a: &Segment, b: &Segment) -> bool {
 /// The contacts of the start of segment i with segment j, if it is within epsilon of it; its end is the start of the
 /// next segment.
 fn end_contact(segments: &Segments, i: usize, j: usize, found: &mut Vec<Contact>) {
-    let (a, b) = (&segments.list[i], &segments.list[j]);
-    start_contact(segments, (i, 0.0), a.start(), b, j, found);
+    let a = &segments.list[i];
+    point_contact(segments, (i, 0.0), a.start(), j, found);
     if a.is_last {
-        start_contact(segments, (i, 1.0), a.end(), b, j, found);
+        point_contact(segments, (i, 1.0), a.end(), j, found);
     }
 }
 
-fn start_contact(
+/// The contact of a point of a segment with segment j, if it is within epsilon of it.
+fn point_contact(
     segments: &Segments,
     place: (usize, f64),
     p: DVec2,
-    b: &Segment,
     j: usize,
     found: &mut Vec<Contact>,
 ) {
-    let epsilon = segments.epsilon;
+    let (b, epsilon) = (&segments.list[j], segments.epsilon);
     if (b.bounds.min - p).max(p - b.bounds.max).max_element() > epsilon
         || is_beside(&b.points, &[p], epsilon)
     {
