@@ -70,12 +70,7 @@ impl BoxTree {
     }
 
     /// Calls `act` for each segment whose box contains a point, until the work is used up.
-    pub(super) fn around_point(
-        &self,
-        p: DVec2,
-        work: &mut WorkLimit,
-        mut act: impl FnMut(usize),
-    ) {
+    pub(super) fn around_point(&self, p: DVec2, work: &mut WorkLimit, mut act: impl FnMut(usize)) {
         let leaves = self.leaves();
         let mut stack = vec![1];
         while let Some(k) = stack.pop() {

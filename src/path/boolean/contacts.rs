@@ -167,11 +167,10 @@ fn point_contact(
     {
         return;
     }
-    let (to_start, to_end) = (Point::length(p - b.start()), Point::length(p - b.end()));
-    let (u, gap) = if to_start <= epsilon && to_start <= to_end {
-        (0.0, to_start)
-    } else if to_end <= epsilon {
-        (1.0, to_end)
+    let (u, gap) = if p == b.start() {
+        (0.0, 0.0)
+    } else if p == b.end() {
+        (1.0, 0.0)
     } else {
         let nearest = nearest_on(&b.points, p);
         (nearest.t, nearest.distance)
