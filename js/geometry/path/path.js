@@ -1,6 +1,7 @@
 import * as check from "../check.js";
 import { PathMeasures } from "./path-measures.js";
 import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import * as regions from "./path-boolean.js";
 import * as shapes from "./path-shapes.js";
 import { packedShape, require2D } from "./packed-shape.js";
 import { CheckedPath } from "./path-value.js";
@@ -12,6 +13,7 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
 /**
  * @import { PointLike, PointsLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { BooleanOperation, RegionOptions } from "./path-boolean.js"
  * @import { ArcOptions, RectOptions } from "./path-shapes.js"
  * @import { PathTime } from "./path-queries.js"
  * @import { Intersection, PathIntersection } from "../intersections.js"
@@ -161,6 +163,81 @@ export class Path extends PathMeasures {
    */
   static polygon(points, options) {
     return pathOf(shapes.polygon(points, options));
+  }
+
+  /**
+   * Combines the regions that any number of paths fill, see `union`. Without paths the result is empty.
+   *
+   * @param {Path[]} paths
+   * @param {BooleanOperation} operation
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  static combine(paths, operation, options) {
+    return pathOf(regions.combine(paths, operation, options));
+  }
+
+  /**
+   * The union of two regions: the points inside this path, inside the other one, or both.
+   *
+   *     Path.circle([0, 0], 1).union(Path.circle([1, 0], 1));
+   *
+   * Open subpaths are closed by lines. The contours of the result are simple and do not cross: winding numbers are 0
+   * and 1, so that both fill rules agree. Outer contours run counter-clockwise (x right, y up; clockwise on a canvas),
+   * holes clockwise; each outer contour is followed by its holes. Segments that nothing else touches are returned bit
+   * for bit, reversed where the direction requires it. The boundary lies within 1e-9 of the size from the exact one;
+   * outlines that are closer than that count as one.
+   *
+   * @param {Path} other
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   * @throws {RangeError} for more segments or intersections than the limit
+   */
+  union(other, options) {
+    return pathOf(regions.combineTwo(this._packed, other, "union", options));
+  }
+
+  /**
+   * The intersection of two regions: the points inside both paths. See `union`.
+   *
+   * @param {Path} other
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  intersect(other, options) {
+    return pathOf(regions.combineTwo(this._packed, other, "intersect", options));
+  }
+
+  /**
+   * The difference of two regions: the points inside this path and outside of the other one. See `union`.
+   *
+   * @param {Path} other
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  subtract(other, options) {
+    return pathOf(regions.subtract(this._packed, other, options));
+  }
+
+  /**
+   * The symmetric difference of two regions: the points inside exactly one of the paths. See `union`.
+   *
+   * @param {Path} other
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  exclude(other, options) {
+    return pathOf(regions.combineTwo(this._packed, other, "exclude", options));
+  }
+
+  /**
+   * The region that the path fills, with simple contours. See `union`.
+   *
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  removeOverlaps(options) {
+    return pathOf(regions.removeOverlaps(this._packed, options));
   }
 
   /**

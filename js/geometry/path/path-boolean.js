@@ -1,0 +1,126 @@
+// Boolean operations: the arguments of the methods of Path, and the calls of the core.
+import * as check from "../check.js";
+import { core } from "../../wasm/init.js";
+import { packedPath } from "../brand.js";
+import { describe } from "../describe.js";
+import { regionsModule } from "../../wasm/regions-module.js";
+import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.js";
+
+/** @import { FillRule } from "./path-measures.js" */
+
+/**
+ * @typedef {object} RegionOptions
+ * @property {FillRule} [fillRule] which points a path contains: those with a winding number other than 0 ("nonzero", the
+ *   default), or with an odd one ("evenodd")
+ */
+
+/**
+ * How `Path.combine` combines regions: the points in at least one of them, in all of them, or in an odd number of them.
+ *
+ * @typedef {"union" | "intersect" | "exclude"} BooleanOperation
+ */
+
+/** @type {readonly BooleanOperation[]} in the order of the core */
+const OPERATIONS = ["union", "intersect", "exclude"];
+/** @type {readonly FillRule[]} */
+const FILL_RULES = ["nonzero", "evenodd"];
+
+/**
+ * @param {RegionOptions | undefined} options
+ * @returns {boolean} whether the rule is "evenodd"
+ */
+function isEvenOdd(options) {
+  const { fillRule = "nonzero" } = check.options(options, ["fillRule"]);
+  check.oneOf(fillRule, "fillRule", FILL_RULES);
+  return fillRule === "evenodd";
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+function packedOf(value, name) {
+  const packed = packedPath(value);
+  if (!packed) throw new TypeError(`${name}: expected a Path, got ${describe(value)}`);
+  return packed;
+}
+
+/**
+ * Writes paths to the arena of the module of regions, one after the other.
+ *
+ * @param {Float64Array[]} packed
+ */
+function writePaths(packed) {
+  const numbers = new Float64Array(packed.reduce((length, path) => length + path.length, 0));
+  let at = 0;
+  for (const path of packed) {
+    numbers.set(path, at);
+    at += path.length;
+  }
+  writeArguments(numbers, 0, regionsModule);
+}
+
+/**
+ * @param {number} end what a function of the core returned
+ * @returns {Float64Array} a packed path
+ */
+function readPath(end) {
+  const packed = readResult(0, end, regionsModule);
+  releaseMemory(regionsModule);
+  return packed;
+}
+
+/**
+ * @internal
+ * @param {unknown} paths
+ * @param {BooleanOperation} operation
+ * @param {RegionOptions} [options]
+ * @returns {Float64Array} a packed path
+ */
+export function combine(paths, operation, options) {
+  if (!Array.isArray(paths)) throw new TypeError(`paths: expected an array of paths, got ${describe(paths)}`);
+  check.oneOf(operation, "operation", OPERATIONS);
+  const evenOdd = isEvenOdd(options);
+  writePaths(Array.from(paths, (path, k) => packedOf(path, `paths[${k}]`)));
+  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), paths.length, evenOdd));
+}
+
+/**
+ * @internal
+ * @param {Float64Array} path
+ * @param {unknown} other
+ * @param {BooleanOperation} operation
+ * @param {RegionOptions} [options]
+ * @returns {Float64Array} a packed path
+ */
+export function combineTwo(path, other, operation, options) {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path, packedOf(other, "other")]);
+  return readPath(core(regionsModule).region_combine(OPERATIONS.indexOf(operation), 2, evenOdd));
+}
+
+/**
+ * @internal
+ * @param {Float64Array} path
+ * @param {unknown} other
+ * @param {RegionOptions} [options]
+ * @returns {Float64Array} a packed path
+ */
+export function subtract(path, other, options) {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path, packedOf(other, "other")]);
+  return readPath(core(regionsModule).region_subtract(evenOdd));
+}
+
+/**
+ * @internal
+ * @param {Float64Array} path
+ * @param {RegionOptions} [options]
+ * @returns {Float64Array} a packed path
+ */
+export function removeOverlaps(path, options) {
+  const evenOdd = isEvenOdd(options);
+  writePaths([path]);
+  return readPath(core(regionsModule).region_combine(0, 1, evenOdd));
+}
