@@ -19,7 +19,7 @@ mod trace;
 mod winding;
 
 pub use crate::io::svg_error::SvgError;
-pub use boolean::BooleanOperation;
+pub use boolean::{BooleanOperation, Face};
 pub use builder::PathBuilder;
 pub use elements::PathElement;
 pub use intersect::PathIntersection;

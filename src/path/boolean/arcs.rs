@@ -133,6 +133,7 @@ fn cut(
 ) -> Vec<Cut> {
     let mut cuts: Vec<Cut> = Vec::with_capacity(2 * contacts.len());
     for contact in contacts.iter().filter(|contact| contact.gap <= tolerance) {
+        let point = contact_point(segments, contact);
         let [a, b] = contact.places.map(|(segment, t)| {
             let ends = segments.list[segment].ends;
             if t == 0.0 {
@@ -141,7 +142,11 @@ fn cut(
                 ends[1]
             } else {
                 let node = nodes.add();
-                points.push(segments.list[segment].at(t));
+                points.push(if contact.gap == 0.0 {
+                    point
+                } else {
+                    segments.list[segment].at(t)
+                });
                 cuts.push(Cut { segment, t, node });
                 node
             }
@@ -153,6 +158,17 @@ fn cut(
     });
     join_close(segments, &cuts, tolerance, nodes, points);
     cuts
+}
+
+/// The point of a contact; where a segment is a horizontal or vertical line, exactly on it.
+fn contact_point(segments: &Segments, contact: &Contact) -> DVec2 {
+    let (segment, t) = contact.places[0];
+    let mut point = segments.list[segment].at(t);
+    for (segment, _) in contact.places {
+        let Bounds { min, max } = segments.list[segment].bounds;
+        point = DVec2::select(min.cmpeq(max), min, point);
+    }
+    point
 }
 
 /// Joins cuts that are closer together on their segment than the tolerance, and those next to an end with the end.

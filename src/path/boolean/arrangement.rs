@@ -57,17 +57,16 @@ impl Arrangement {
         visit_faces(&self.segments, &self.edges, &self.faces, rule, enter);
     }
 
-    /// A label for each face, equal where faces with a common edge are the same region; [`NONE`] for faces that are not
-    /// inside.
+    /// A label for each face inside, equal where the faces on both sides of an edge are joined; [`NONE`] for others.
     pub(super) fn joined_faces(
         &self,
-        is_one: impl Fn(usize, usize) -> bool,
         inside: &[bool],
+        is_joined: impl Fn(usize) -> bool,
     ) -> Vec<usize> {
         let mut sets = UnionFind::new(self.faces.count);
         for e in 0..self.edges.list.len() {
             let [a, b] = [2 * e, 2 * e + 1].map(|h| self.faces.left[h]);
-            if is_one(a, b) {
+            if inside[a] && inside[b] && is_joined(e) {
                 sets.join(a, b);
             }
         }

@@ -8,8 +8,10 @@
 mod arcs;
 mod arrangement;
 mod box_tree;
+mod choice;
 mod contacts;
 mod contours;
+mod cutting;
 mod edges;
 mod faces;
 mod nesting;
@@ -20,4 +22,4 @@ mod segments;
 mod union_find;
 mod windings;
 
-pub use operations::BooleanOperation;
+pub use operations::{BooleanOperation, Face};

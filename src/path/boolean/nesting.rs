@@ -12,7 +12,7 @@ use glam::DVec2;
 
 /// The direction in which extreme points are farthest and rays run. Both coordinates are not rational, so that a ray
 /// does not run along lines of a drawing or through its corners: −cos 35°, −sin 35°.
-const RAY: DVec2 = DVec2::new(-0.819_152_044_288_991_8, -0.573_576_436_351_046_1);
+const RAY: DVec2 = DVec2::new(-0.819_152_044_288_991_8, -0.573_576_436_351_046);
 
 /// The point of a component that is farthest in the direction of the ray.
 #[derive(Clone, Copy)]
