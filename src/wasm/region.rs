@@ -66,3 +66,34 @@ pub fn region_subtract(even_odd: bool) -> isize {
         paths[0].subtract(&paths[1], fill_rule(even_odd))
     })
 }
+
+/// Writes for each bounded face whether each of the `count` paths contains it, 1 or 0, and the face.
+#[wasm_bindgen]
+pub fn region_faces(count: usize, even_odd: bool) -> isize {
+    arena::answer(|a| {
+        let faces = Path::faces(&paths(a, count).0, fill_rule(even_odd))?;
+        Ok(faces.iter().fold(0, |at, face| {
+            let at = a.write_counts(at, face.inside.iter().map(|&inside| usize::from(inside)));
+            write_path(a, at, &face.path)
+        }))
+    })
+}
+
+/// Writes the parts into which the second path divides the region of the first one.
+#[wasm_bindgen]
+pub fn region_divide(even_odd: bool) -> isize {
+    arena::answer(|a| {
+        let (paths, _) = paths(a, 2);
+        let parts = paths[0].divide(&paths[1], fill_rule(even_odd))?;
+        Ok(parts.iter().fold(0, |at, part| write_path(a, at, part)))
+    })
+}
+
+/// Writes the parts of the first path inside the region of the second one.
+#[wasm_bindgen]
+pub fn region_clip(even_odd: bool) -> isize {
+    answer_path(|a| {
+        let (paths, _) = paths(a, 2);
+        paths[0].clip(&paths[1], fill_rule(even_odd))
+    })
+}

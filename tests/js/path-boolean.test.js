@@ -85,6 +85,52 @@ test("the fill rule decides what a path that crosses itself contains", () => {
   assert.equal(STAR.removeOverlaps({ fillRule: "evenodd" }).subpaths.length, 5);
 });
 
+test("faces: the parts of two circles, and the hole of a ring", () => {
+  const [a, b] = [circle(0, 0, 1), circle(1, 0, 1)];
+  const faces = Path.faces([a, b]);
+  assert.equal(faces.length, 3);
+  for (const point of samples(a, b)) {
+    const here = faces.filter(({ path }) => path.contains(point));
+    const inside = [a.contains(point), b.contains(point)];
+    assert.equal(here.length, inside.includes(true) ? 1 : 0);
+    if (here.length) assert.deepEqual(here[0].inside, inside);
+  }
+  const ring = Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z");
+  assert.deepEqual(
+    Path.faces([ring])
+      .map(({ inside }) => inside[0])
+      .sort(),
+    [false, true],
+  );
+  assert.deepEqual(Path.faces([]), []);
+});
+
+test("divide: a square along a line", () => {
+  const square = Path.rect([0, 0], 2, 2);
+  const parts = square.divide(Path.polygon([-1, 0.5, 3, 0.5], { closed: false }));
+  assert.deepEqual(parts.map((part) => part.area()).sort(), [1, 3]);
+  assert.equal(square.divide(Path.polygon([-1, 0.5, 1, 0.5], { closed: false })).length, 1);
+});
+
+test("clip: the parts of a line inside a ring", () => {
+  const line = Path.polygon([-1, 2, 5, 2], { closed: false });
+  const inside = line.clip(Path.fromSVG("M0 0H4V4H0Z M1 1V3H3V1Z"));
+  const ends = inside.subpaths.map((piece) => [...piece.controlPoints()]);
+  assert.deepEqual(ends, [
+    [0, 2, 1, 2],
+    [3, 2, 4, 2],
+  ]);
+});
+
+test("area and moments of the filled region", () => {
+  const twice = Path.fromSVG("M0 0H1V1H0Z M0 0H1V1H0Z");
+  assert.equal(twice.area(), 2);
+  assert.equal(twice.area({ fillRule: "nonzero" }), 1);
+  assert.equal(twice.area({ fillRule: "evenodd" }), 0);
+  assert.equal(twice.reverse().moments({ fillRule: "nonzero" }).x, 0.5);
+  assert.throws(() => untyped(twice).area({ rule: "nonzero" }), { name: "TypeError", message: /fillRule/ });
+});
+
 test("wrong arguments", () => {
   const a = untyped(circle(0, 0, 1));
   assert.throws(() => a.union(), { name: "TypeError", message: /^other: expected a Path, got undefined/ });

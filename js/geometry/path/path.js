@@ -1,5 +1,5 @@
 import * as check from "../check.js";
-import { PathMeasures } from "./path-measures.js";
+import { PathRegions } from "./path-regions.js";
 import { intersectPathWith, selfIntersectPath } from "../intersections.js";
 import * as regions from "./path-boolean.js";
 import * as shapes from "./path-shapes.js";
@@ -36,6 +36,12 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
+ * A face of `Path.faces`: an outer contour with its holes, and for each path whether it contains the face.
+ *
+ * @typedef {{ path: Path, inside: boolean[] }} Face
+ */
+
+/**
  * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
  * empty.
  *
@@ -43,7 +49,7 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  *     ring.contains([0.5, 2]); // true
  *     ring.contains([2, 2]); // false
  */
-export class Path extends PathMeasures {
+export class Path extends PathRegions {
   /**
    * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
@@ -178,66 +184,19 @@ export class Path extends PathMeasures {
   }
 
   /**
-   * The union of two regions: the points inside this path, inside the other one, or both.
+   * The bounded faces into which the outlines of paths divide the plane, and which paths contain each: what a shape
+   * builder shows under the pointer. Faces that no path contains (the hole of a ring) are in the list as well. Open
+   * subpaths are closed by lines; see `union` for the contours.
    *
-   *     Path.circle([0, 0], 1).union(Path.circle([1, 0], 1));
+   *     const parts = Path.faces([Path.circle([0, 0], 1), Path.circle([1, 0], 1)]);
+   *     parts.map(({ inside }) => inside); // [true, false], [true, true] and [false, true] in some order
    *
-   * Open subpaths are closed by lines. The contours of the result are simple and do not cross: winding numbers are 0
-   * and 1, so that both fill rules agree. Outer contours run counter-clockwise (x right, y up; clockwise on a canvas),
-   * holes clockwise; each outer contour is followed by its holes. Segments that nothing else touches are returned bit
-   * for bit, reversed where the direction requires it. The boundary lies within 1e-9 of the size from the exact one;
-   * outlines that are closer than that count as one.
-   *
-   * @param {Path} other
+   * @param {Path[]} paths
    * @param {RegionOptions} [options]
-   * @returns {Path}
-   * @throws {RangeError} for more segments or intersections than the limit
+   * @returns {Face[]}
    */
-  union(other, options) {
-    return pathOf(regions.combineTwo(this._packed, other, "union", options));
-  }
-
-  /**
-   * The intersection of two regions: the points inside both paths. See `union`.
-   *
-   * @param {Path} other
-   * @param {RegionOptions} [options]
-   * @returns {Path}
-   */
-  intersect(other, options) {
-    return pathOf(regions.combineTwo(this._packed, other, "intersect", options));
-  }
-
-  /**
-   * The difference of two regions: the points inside this path and outside of the other one. See `union`.
-   *
-   * @param {Path} other
-   * @param {RegionOptions} [options]
-   * @returns {Path}
-   */
-  subtract(other, options) {
-    return pathOf(regions.subtract(this._packed, other, options));
-  }
-
-  /**
-   * The symmetric difference of two regions: the points inside exactly one of the paths. See `union`.
-   *
-   * @param {Path} other
-   * @param {RegionOptions} [options]
-   * @returns {Path}
-   */
-  exclude(other, options) {
-    return pathOf(regions.combineTwo(this._packed, other, "exclude", options));
-  }
-
-  /**
-   * The region that the path fills, with simple contours. See `union`.
-   *
-   * @param {RegionOptions} [options]
-   * @returns {Path}
-   */
-  removeOverlaps(options) {
-    return pathOf(regions.removeOverlaps(this._packed, options));
+  static faces(paths, options) {
+    return regions.faces(paths, options).map(({ packed, inside }) => ({ path: pathOf(packed), inside }));
   }
 
   /**
