@@ -125,6 +125,7 @@ test("toLinear writes the same text as Rust: tests/easing/css.rs has the same su
 });
 
 test("percentages that are filled in ascend, though the range is a few ulps wide", () => {
+  /** @type {[string, string, number][]} */
   const ranges = [
     ["79.87344453458203%", "79.87344453458206%", 7],
     ["13.569893703974877%", "13.569893703974884%", 10],

@@ -144,6 +144,7 @@ test("a surface of another entry point, which has classes of its own", async (t)
     } catch (error) {
       return String(error);
     }
+    return "";
   });
   assert.equal(refusal, "TypeError: surface: expected a Surface or null, got object");
 });
