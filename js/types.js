@@ -25,7 +25,7 @@ export {};
 /** @typedef {import("./geometry/path/path-measures.js").FillRule} FillRule */
 /** @typedef {import("./geometry/path/path-measures.js").Moments} Moments */
 /** @typedef {import("./geometry/path/path.js").SvgError} SvgError */
-/** @typedef {import("./geometry/path/path-boolean.js").RegionOptions} RegionOptions */
+/** @typedef {import("./geometry/path/path-measures.js").RegionOptions} RegionOptions */
 /** @typedef {import("./geometry/path/path.js").Face} Face */
 /** @typedef {import("./geometry/path/path-boolean.js").BooleanOperation} BooleanOperation */
 /** @typedef {import("./geometry/path/path-queries.js").PathTime} PathTime */

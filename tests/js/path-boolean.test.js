@@ -40,7 +40,7 @@ for (const [name, a, b] of PAIRS)
         const result = a[operation](b, { fillRule });
         for (const point of samples(a, b)) {
           const winding = result.windingNumber(point);
-          const inside = expected(a.contains(point, fillRule), b.contains(point, fillRule));
+          const inside = expected(a.contains(point, { fillRule }), b.contains(point, { fillRule }));
           assert.equal(winding, inside ? 1 : 0, `${operation} ${fillRule} at ${point}`);
         }
       }

@@ -4,16 +4,11 @@ import { core } from "../../wasm/init.js";
 import { packedPath } from "../brand.js";
 import { describe } from "../describe.js";
 import { extentAt } from "../../wasm/packed-path.js";
+import { isEvenOdd } from "./path-measures.js";
 import { regionsModule } from "../../wasm/regions-module.js";
 import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.js";
 
-/** @import { FillRule } from "./path-measures.js" */
-
-/**
- * @typedef {object} RegionOptions
- * @property {FillRule} [fillRule] which points a path contains: those with a winding number other than 0 ("nonzero", the
- *   default), or with an odd one ("evenodd")
- */
+/** @import { RegionOptions } from "./path-measures.js" */
 
 /**
  * How `Path.combine` combines regions: the points in at least one of them, in all of them, or in an odd number of them.
@@ -23,18 +18,6 @@ import { readResult, releaseMemory, writeArguments } from "../../wasm/transfer.j
 
 /** @type {readonly BooleanOperation[]} in the order of the core */
 const OPERATIONS = ["union", "intersect", "exclude"];
-/** @type {readonly FillRule[]} */
-const FILL_RULES = ["nonzero", "evenodd"];
-
-/**
- * @param {RegionOptions | undefined} options
- * @returns {boolean} whether the rule is "evenodd"
- */
-function isEvenOdd(options) {
-  const { fillRule = "nonzero" } = check.options(options, ["fillRule"]);
-  check.oneOf(fillRule, "fillRule", FILL_RULES);
-  return fillRule === "evenodd";
-}
 
 /**
  * @param {unknown} value

@@ -3,8 +3,7 @@ import { PathMeasures } from "./path-measures.js";
 import * as regions from "./path-boolean.js";
 
 /**
- * @import { RegionOptions } from "./path-boolean.js"
- * @import { Moments } from "./path-measures.js"
+ * @import { Moments, RegionOptions } from "./path-measures.js"
  * @import { PathValue } from "./path-value.js"
  */
 

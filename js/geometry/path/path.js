@@ -13,7 +13,8 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
 /**
  * @import { PointLike, PointsLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
- * @import { BooleanOperation, RegionOptions } from "./path-boolean.js"
+ * @import { BooleanOperation } from "./path-boolean.js"
+ * @import { RegionOptions } from "./path-measures.js"
  * @import { ArcOptions, RectOptions } from "./path-shapes.js"
  * @import { PathTime } from "./path-queries.js"
  * @import { Intersection, PathIntersection } from "../intersections.js"
