@@ -6,21 +6,26 @@ use casteljau::Spline;
 use casteljau::glam::{DAffine2, DVec2};
 use std::f64::consts::{PI, TAU};
 
-pub(crate) const FAMILIES: [(&str, fn(&mut Random) -> (Path, Path)); 14] = [
-    ("blobs", blobs),
-    ("scribbles", scribbles),
-    ("turned", turned),
-    ("moved", moved),
-    ("shared segments", shared_segments),
-    ("partial overlap", partial_overlap),
-    ("tangent circles", tangent_circles),
-    ("touching", touching),
-    ("nested", nested),
-    ("grids", grids),
-    ("glyphs", glyphs),
-    ("lattice", lattice),
-    ("stars", stars),
-    ("slivers", slivers),
+pub(crate) type Family = fn(&mut Random) -> (Path, Path);
+
+/// The families: name, generator, and whether outlines may nearly coincide.
+pub(crate) const FAMILIES: [(&str, Family, bool); 16] = [
+    ("blobs", blobs, false),
+    ("scribbles", scribbles, false),
+    ("turned", turned, true),
+    ("moved", moved, true),
+    ("shared segments", shared_segments, false),
+    ("partial overlap", partial_overlap, false),
+    ("tangent circles", tangent_circles, false),
+    ("touching", touching, false),
+    ("nested", nested, false),
+    ("grids", grids, false),
+    ("glyphs", glyphs, false),
+    ("lattice", lattice, false),
+    ("stars", stars, true),
+    ("slivers", slivers, true),
+    ("cusps", cusps, false),
+    ("high degrees", high_degrees, false),
 ];
 
 fn closed(points: &[DVec2], degree: usize) -> Path {
@@ -363,4 +368,53 @@ fn slivers(random: &mut Random) -> (Path, Path) {
         join([sliver(random), sliver(random)]),
         join([sliver(random), sliver(random)]),
     )
+}
+
+/// Curves with cusps, loops, turn-backs and control points that coincide.
+fn cusps(random: &mut Random) -> (Path, Path) {
+    let shape = |random: &mut Random| {
+        let (a, b, c) = (random.point(1.0), random.point(1.0), random.point(1.0));
+        let tip = a + b - c;
+        let points = match random.below(6) {
+            0 => vec![a, b + (c - a), a + (b - c), c, c, a], // nearly a cusp, and a handle of length 0
+            1 => vec![a, tip, tip, b, c, c],
+            2 => vec![a, a, a, b, b, b],
+            3 => vec![a, a + (b - a) * 2.0, b - (b - a) * 1.5, b, b, c], // turns back on a line
+            4 => vec![a, a + (b - a) * 3.0, a + (c - a) * 3.0, a, c, b], // a loop that closes
+            _ => vec![a, DVec2::new(b.x, a.y), DVec2::new(a.x, b.y), b, b, a], // a line, and a crossing over
+        };
+        closed(&points, 3)
+    };
+    (shape(random), shape(random))
+}
+
+fn high_degrees(random: &mut Random) -> (Path, Path) {
+    let shape = |random: &mut Random| {
+        let (count, degree) = (1 + random.below(2), 4 + random.below(5));
+        let points: Vec<DVec2> = (0..count * degree).map(|_| random.point(1.0)).collect();
+        closed(&points, degree)
+    };
+    (shape(random), shape(random))
+}
+
+/// Open and closed subpaths with coordinates of many sizes, points that coincide, and segments of length 0.
+pub(crate) fn mixed_scales(random: &mut Random) -> Path {
+    let count = 1 + random.below(4);
+    let subpath = |random: &mut Random| {
+        let (degree, segments) = (1 + random.below(4), 1 + random.below(4));
+        let closed = random.below(2) == 0;
+        let mut points: Vec<DVec2> = Vec::new();
+        for _ in 0..degree * segments + usize::from(!closed) {
+            let size = 10.0_f64.powf(random.between(-14.0, 14.0));
+            let next = match (random.below(4), points.last()) {
+                (0, Some(&last)) => last,
+                (1, Some(&last)) => last + random.point(size * 1e-9),
+                (2, Some(_)) => points[random.below(points.len())],
+                _ => random.point(size),
+            };
+            points.push(next);
+        }
+        Spline::new(&points, degree, closed).expect("valid points")
+    };
+    (0..count).map(|_| subpath(random)).collect()
 }

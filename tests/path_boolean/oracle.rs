@@ -1,85 +1,97 @@
-//! Winding numbers of densely sampled outlines; independent of the code under test.
+//! Winding numbers by halving control polygons; independent of the code under test.
 
 use casteljau::Path;
 use casteljau::glam::DVec2;
 
-/// The number of chords of a curved segment.
-const CHORDS: usize = 96;
+/// After this many halvings a part counts as its chord.
+const HALVINGS: usize = 60;
 
-/// Closed polylines, and the largest distance of a point of the outline from its polyline.
+/// The curves of all subpaths, closed by lines.
 pub(crate) struct Outline {
-    lines: Vec<Vec<DVec2>>,
-    pub(crate) error: f64,
+    curves: Vec<Vec<DVec2>>,
 }
 
 impl Outline {
     pub(crate) fn new(path: &Path) -> Self {
-        let (mut lines, mut error) = (Vec::new(), 0.0_f64);
+        let mut curves = Vec::new();
         for spline in path.subpaths() {
-            let mut line = vec![spline.control_points()[0]];
-            for curve in spline.segments() {
-                let points = curve.control_points().to_vec();
-                let chords = if points.len() == 2 { 1 } else { CHORDS };
-                line.extend((1..=chords).map(|k| casteljau(&points, k as f64 / chords as f64)));
-                error = error.max(deviation(&points, chords));
-            }
-            lines.push(line);
+            let start = curves.len();
+            curves.extend(
+                spline
+                    .segments()
+                    .map(|curve| curve.control_points().to_vec()),
+            );
+            let (first, last) = (
+                curves[start][0],
+                *curves.last().and_then(|c| c.last()).expect("points"),
+            );
+            curves.push(vec![last, first]);
         }
-        Self { lines, error }
+        Self { curves }
     }
 
-    fn chords(&self) -> impl Iterator<Item = (DVec2, DVec2)> + '_ {
-        self.lines
+    /// Points spread over the outline.
+    pub(crate) fn samples(&self, count: usize) -> Vec<DVec2> {
+        let ts = (0..count).map(|k| k as f64 / count as f64);
+        let all = self
+            .curves
             .iter()
-            .flat_map(|line| (0..line.len()).map(move |k| (line[k], line[(k + 1) % line.len()])))
+            .flat_map(|curve| ts.clone().map(|t| point_at(curve, t)));
+        all.collect()
     }
 
-    /// The vertices of all polylines.
-    pub(crate) fn vertices(&self) -> Vec<DVec2> {
-        self.lines.iter().flatten().copied().collect()
-    }
-
-    pub(crate) fn distance(&self, p: DVec2) -> f64 {
-        let to_chord = |(a, b): (DVec2, DVec2)| {
-            let along = b - a;
-            let t = (p - a).dot(along) / along.dot(along);
-            let nearest = if t > 0.0 { a + along * t.min(1.0) } else { a };
-            p.distance_squared(nearest)
-        };
-        self.chords()
-            .map(to_chord)
-            .fold(f64::INFINITY, f64::min)
-            .sqrt()
-    }
-
+    /// The winding number around p: upward minus downward crossings to the right of p.
     pub(crate) fn winding(&self, p: DVec2) -> i32 {
-        let crossing = |(a, b): (DVec2, DVec2)| {
-            let side = (b - a).perp_dot(p - a);
-            i32::from(a.y <= p.y && b.y > p.y && side > 0.0)
-                - i32::from(a.y > p.y && b.y <= p.y && side < 0.0)
-        };
-        self.chords().map(crossing).sum()
+        self.curves
+            .iter()
+            .map(|curve| crossings(curve, p, HALVINGS))
+            .sum()
     }
 }
 
-/// The point of a curve by repeated linear interpolation.
-fn casteljau(points: &[DVec2], t: f64) -> DVec2 {
-    let mut level = points.to_vec();
+fn crossings(curve: &[DVec2], p: DVec2, halvings: usize) -> i32 {
+    let (first, last) = (curve[0], curve[curve.len() - 1]);
+    let rise = i32::from(last.y > p.y) - i32::from(first.y > p.y);
+    if curve.iter().all(|q| q.y > p.y) || curve.iter().all(|q| q.y <= p.y) {
+        return 0;
+    }
+    if curve.iter().all(|q| q.x <= p.x) {
+        return 0;
+    }
+    if curve.iter().all(|q| q.x > p.x) {
+        return rise;
+    }
+    if curve.len() == 2 || halvings == 0 {
+        let side = (last - first).perp_dot(p - first) * f64::from(rise);
+        return if side > 0.0 { rise } else { 0 };
+    }
+    let (before, after) = halves(curve);
+    crossings(&before, p, halvings - 1) + crossings(&after, p, halvings - 1)
+}
+
+/// Both halves of a curve, by repeated interpolation.
+fn halves(curve: &[DVec2]) -> (Vec<DVec2>, Vec<DVec2>) {
+    let (mut before, mut after) = (Vec::new(), Vec::new());
+    let mut level = curve.to_vec();
+    loop {
+        before.push(level[0]);
+        after.push(level[level.len() - 1]);
+        if level.len() == 1 {
+            break;
+        }
+        level = level.windows(2).map(|q| (q[0] + q[1]) * 0.5).collect();
+    }
+    after.reverse();
+    (before, after)
+}
+
+fn point_at(curve: &[DVec2], t: f64) -> DVec2 {
+    let mut level = curve.to_vec();
     while level.len() > 1 {
         level = level
             .windows(2)
-            .map(|p| p[0] * (1.0 - t) + p[1] * t)
+            .map(|q| q[0] * (1.0 - t) + q[1] * t)
             .collect();
     }
     level[0]
-}
-
-/// The distance of a curve from its chords: h²/8 · max |B″|.
-fn deviation(points: &[DVec2], chords: usize) -> f64 {
-    let n = (points.len() - 1) as f64;
-    let second = points
-        .windows(3)
-        .map(|p| (p[2] - p[1] * 2.0 + p[0]).length());
-    let most = second.fold(0.0, f64::max) * n * (n - 1.0);
-    most / (8.0 * (chords * chords) as f64)
 }
