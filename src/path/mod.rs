@@ -6,6 +6,7 @@
 //! it.
 
 pub(crate) mod arc;
+mod boolean;
 mod bounds;
 pub(crate) mod builder;
 mod convert;
@@ -18,6 +19,7 @@ mod trace;
 mod winding;
 
 pub use crate::io::svg_error::SvgError;
+pub use boolean::{BooleanOperation, Face};
 pub use builder::PathBuilder;
 pub use elements::PathElement;
 pub use intersect::PathIntersection;

@@ -32,6 +32,16 @@ pub enum FillRule {
     EvenOdd,
 }
 
+impl FillRule {
+    /// Whether points with a winding number are inside.
+    pub(crate) fn is_inside(self, winding: i32) -> bool {
+        match self {
+            Self::NonZero => winding != 0,
+            Self::EvenOdd => winding % 2 != 0,
+        }
+    }
+}
+
 /// Parts smaller than this many ulps of the segment's largest coordinate count as lines; halving moves points by as
 /// much.
 const SMALLEST_ULPS: f64 = 4.0;
@@ -65,11 +75,7 @@ impl Path {
     /// Whether the path, filled by `rule`, contains a point; see [`winding_number`](Self::winding_number) for the
     /// boundary.
     pub fn contains(&self, p: DVec2, rule: FillRule) -> bool {
-        let winding = self.winding_number(p);
-        match rule {
-            FillRule::NonZero => winding != 0,
-            FillRule::EvenOdd => winding % 2 != 0,
-        }
+        rule.is_inside(self.winding_number(p))
     }
 }
 

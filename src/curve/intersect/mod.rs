@@ -21,6 +21,8 @@ pub(crate) mod clipping;
 #[cfg(feature = "wasm")]
 pub(crate) use casteljau_fast::curve::intersect::clipping;
 
+pub(crate) use stationary::straight_turns;
+
 pub use intersection::{Intersection, IntersectionKind, SelfIntersection};
 
 use super::Curve;

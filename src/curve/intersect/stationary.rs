@@ -2,6 +2,7 @@
 
 use crate::bernstein::evaluate::evaluate;
 use crate::bernstein::roots::roots_inside;
+use crate::curve::extrema::extrema_of;
 use crate::geometry::point::Point;
 use crate::numeric::list::{Points, Scalars};
 use crate::numeric::sort::sort_by;
@@ -12,6 +13,9 @@ const VANISHING_RATIO: f64 = 1e-12;
 
 /// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
 const NEVER_RATIO: f64 = 1e-9;
+
+/// A curve is straight if its control points are within this part of its length of a line.
+const STRAIGHT: f64 = 4.0 * f64::EPSILON;
 
 /// Parameters closer than this are one: the accuracy of a double root.
 const ONE_ROOT: f64 = 1e-7;
@@ -64,4 +68,21 @@ pub(crate) fn with_ends(inside: &[f64]) -> Vec<f64> {
     all.extend(inside);
     all.push(1.0);
     all
+}
+
+/// The parameters at which a straight curve reverses its direction; `None` for a curve that is not straight.
+pub(crate) fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
+    if points.len() == 2 {
+        return Some(Scalars::new());
+    }
+    let away = points.iter().map(|&p| p - points[0]);
+    let longest = away.max_by(|p, q| p.length_squared().total_cmp(&q.length_squared()))?;
+    let width = points
+        .iter()
+        .map(|&p| longest.perp_dot(p - points[0]).abs());
+    let limit = STRAIGHT * longest.length_squared();
+    width.fold(0.0, f64::max).le(&limit).then(|| {
+        let along: Scalars = points.iter().map(|p| longest.dot(*p - points[0])).collect();
+        extrema_of(&along).into_iter().collect()
+    })
 }

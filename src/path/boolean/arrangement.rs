@@ -1,0 +1,101 @@
+//! The division of the plane by the segments of some paths: vertices, edges and faces.
+
+use super::arcs::Arcs;
+use super::box_tree::BoxTree;
+use super::contacts::{Contact, contacts};
+use super::contours::NONE;
+use super::edges::Edges;
+use super::faces::Faces;
+use super::order::Order;
+use super::segments::{Role, Segments};
+use super::union_find::UnionFind;
+use super::windings::{Windings, visit_faces};
+use crate::geometry::error::Error;
+use crate::path::Path;
+use crate::path::winding::FillRule;
+
+/// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
+/// other, because features are of about this size, the next is tried.
+const TOLERANCES: [f64; 5] = [0.25, 0.02, 0.1, 1e-3, 1e-5];
+
+/// Edges, their order around vertices, and faces.
+pub(super) struct Arrangement {
+    pub(super) segments: Segments,
+    pub(super) arcs: Arcs,
+    pub(super) edges: Edges,
+    pub(super) faces: Faces,
+}
+
+/// What depends on the tolerance.
+struct Attempt {
+    arcs: Arcs,
+    edges: Edges,
+    faces: Faces,
+}
+
+impl Arrangement {
+    /// # Errors
+    /// [`Error::TooMany`] for more than 2²² segments or 2²⁴ contacts.
+    pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
+        let segments = Segments::new(paths)?;
+        let tree = BoxTree::new(&segments, segments.epsilon);
+        let contacts = contacts(&segments, &tree)?;
+        let mut first = None;
+        for part in TOLERANCES {
+            let attempt = Attempt::new(&segments, &tree, &contacts, part * segments.epsilon);
+            if attempt.is_consistent(&segments) {
+                return Ok(attempt.with(segments));
+            }
+            first.get_or_insert(attempt);
+        }
+        let first = first.unwrap_or_else(|| Attempt::new(&segments, &tree, &contacts, 0.0));
+        Ok(first.with(segments))
+    }
+
+    /// Calls `enter` for each face with its winding numbers.
+    pub(super) fn visit_faces(&self, rule: FillRule, enter: impl FnMut(usize, &Windings)) {
+        visit_faces(&self.segments, &self.edges, &self.faces, rule, enter);
+    }
+
+    /// A label for each face inside, equal where the faces on both sides of an edge are joined; [`NONE`] for others.
+    pub(super) fn joined_faces(
+        &self,
+        inside: &[bool],
+        is_joined: impl Fn(usize) -> bool,
+    ) -> Vec<usize> {
+        let mut sets = UnionFind::new(self.faces.count);
+        for e in 0..self.edges.list.len() {
+            let [a, b] = [2 * e, 2 * e + 1].map(|h| self.faces.left[h]);
+            if inside[a] && inside[b] && is_joined(e) {
+                sets.join(a, b);
+            }
+        }
+        let label = |(face, &inside): (usize, &bool)| if inside { sets.find(face) } else { NONE };
+        inside.iter().enumerate().map(label).collect()
+    }
+}
+
+impl Attempt {
+    fn new(segments: &Segments, tree: &BoxTree, contacts: &[Contact], tolerance: f64) -> Self {
+        let arcs = Arcs::new(segments, contacts, tolerance);
+        let edges = Edges::new(segments, &arcs, 2.0 * tolerance);
+        let order = Order::new(&arcs, &edges);
+        let faces = Faces::new(segments, tree, &arcs, &edges, &order);
+        Self { arcs, edges, faces }
+    }
+
+    fn is_consistent(&self, segments: &Segments) -> bool {
+        let Self { edges, faces, .. } = self;
+        faces.is_plane && visit_faces(segments, edges, faces, FillRule::NonZero, |_, _| ())
+    }
+
+    fn with(self, segments: Segments) -> Arrangement {
+        let Self { arcs, edges, faces } = self;
+        Arrangement {
+            segments,
+            arcs,
+            edges,
+            faces,
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The boundaries of regions that consist of faces, as simple contours.
+
+use super::arrangement::Arrangement;
+use super::order::origin;
+use crate::curve::area::area_about;
+use crate::numeric::sort::sort_by;
+
+/// The label of faces that belong to no region.
+pub(super) const NONE: usize = usize::MAX;
+
+/// A simple closed contour, with its region on the left.
+pub(super) struct Contour {
+    pub(super) region: usize,
+    pub(super) half_edges: Vec<usize>,
+    is_hole: bool,
+    /// The smallest index of a segment on it.
+    first: usize,
+}
+
+/// The contours of all regions, sorted by region: each outer contour is followed by its holes. `regions` has a label for
+/// each face.
+pub(super) fn contours(arrangement: &Arrangement, regions: &[usize]) -> Vec<Contour> {
+    let tracer = Tracer {
+        arrangement,
+        regions,
+    };
+    let mut all = Vec::new();
+    let mut visited = vec![false; arrangement.faces.left.len()];
+    let mut slots = vec![NONE; arrangement.arcs.vertices.len()];
+    for h in 0..visited.len() {
+        if !visited[h] && tracer.is_boundary(h) {
+            tracer.trace(h, &mut visited, &mut slots, &mut all);
+        }
+    }
+    in_order(all, regions)
+}
+
+struct Tracer<'a> {
+    arrangement: &'a Arrangement,
+    regions: &'a [usize],
+}
+
+impl Tracer<'_> {
+    fn region(&self, h: usize) -> usize {
+        self.regions[self.arrangement.faces.left[h]]
+    }
+
+    fn is_boundary(&self, h: usize) -> bool {
+        self.region(h) != NONE && self.region(h) != self.region(h ^ 1)
+    }
+
+    /// The next half-edge on the boundary of the same region: at its end, the first one clockwise.
+    fn next(&self, h: usize) -> usize {
+        let next = &self.arrangement.faces.next;
+        let mut h = next[h];
+        while self.region(h) == self.region(h ^ 1) {
+            h = next[h ^ 1];
+        }
+        h
+    }
+
+    /// Follows the boundary of a region, and ends a contour wherever a vertex comes again.
+    fn trace(
+        &self,
+        start: usize,
+        visited: &mut [bool],
+        slots: &mut [usize],
+        all: &mut Vec<Contour>,
+    ) {
+        let mut way: Vec<usize> = Vec::new();
+        let mut h = start;
+        while !visited[h] {
+            visited[h] = true;
+            let vertex = origin(&self.arrangement.edges, h);
+            if slots[vertex] != NONE {
+                self.end_contour(way.split_off(slots[vertex]), slots, all);
+            }
+            slots[vertex] = way.len();
+            way.push(h);
+            h = self.next(h);
+        }
+        self.end_contour(way, slots, all);
+    }
+
+    fn end_contour(&self, half_edges: Vec<usize>, slots: &mut [usize], all: &mut Vec<Contour>) {
+        let edges = &self.arrangement.edges;
+        let (mut area, mut first) = (0.0, usize::MAX);
+        let centre = edges.points(half_edges[0] / 2)[0];
+        for &h in &half_edges {
+            slots[origin(edges, h)] = NONE;
+            let swept = area_about(edges.points(h / 2), centre, 1.0);
+            area += if h % 2 == 0 { swept } else { -swept };
+            first = first.min(edges.members(h / 2)[0].arc.segment);
+        }
+        all.push(Contour {
+            region: self.region(half_edges[0]),
+            half_edges,
+            is_hole: area < 0.0,
+            first,
+        });
+    }
+}
+
+/// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last.
+fn in_order(all: Vec<Contour>, regions: &[usize]) -> Vec<Contour> {
+    let mut firsts = vec![usize::MAX; regions.len()];
+    for contour in all.iter().filter(|contour| !contour.is_hole) {
+        let first = &mut firsts[contour.region];
+        *first = contour.first.min(*first);
+    }
+    let mut order: Vec<usize> = (0..all.len()).collect();
+    let key = |k: usize| {
+        let Contour {
+            region,
+            is_hole,
+            first,
+            ..
+        } = all[k];
+        (firsts[region], region, is_hole, first)
+    };
+    sort_by(&mut order, |&a, &b| key(a).cmp(&key(b)));
+    let mut slots: Vec<Option<Contour>> = all.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|k| slots[k].take()).collect()
+}

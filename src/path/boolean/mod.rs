@@ -1,0 +1,25 @@
+//! Boolean operations: unions, intersections, differences of the regions that paths fill.
+//!
+//! The outlines of all paths divide the plane into faces. [`contacts`] finds where segments meet, [`arcs`] cuts them
+//! there, [`edges`] takes arcs together that coincide, [`order`] sorts the edges around each vertex, and [`faces`]
+//! follows the boundaries of the faces. Winding numbers are carried from face to face ([`windings`]); then the
+//! boundary between faces inside and faces outside is the result ([`contours`], [`outline`]).
+
+mod arcs;
+mod arrangement;
+mod box_tree;
+mod choice;
+mod contacts;
+mod contours;
+mod cutting;
+mod edges;
+mod faces;
+mod nesting;
+mod operations;
+mod order;
+mod outline;
+mod segments;
+mod union_find;
+mod windings;
+
+pub use operations::{BooleanOperation, Face};

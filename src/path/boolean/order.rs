@@ -1,0 +1,207 @@
+//! The order of the edges around each vertex.
+//!
+//! Edges leave a vertex in directions that may be equal, as at a tangency. Arcs do not cross between vertices, so two
+//! of them are in the same order at every distance from the vertex; they are compared where they are farthest apart.
+
+use super::arcs::{Arcs, Vertex};
+use super::edges::Edges;
+use crate::bernstein::evaluate::evaluate;
+use crate::geometry::point::Point;
+use crate::numeric::float::ratio;
+use crate::numeric::list::{Points, points_of};
+use crate::numeric::sort::sort_by;
+use glam::DVec2;
+
+/// An arc's direction is taken where it is this many times farther from the vertex than arcs end from each other.
+const CLEAR_OF_SPREAD: f64 = 64.0;
+
+/// The distance at which directions are taken is at least this part of the size of the arc.
+const MIN_PROBE: f64 = 1e-6;
+
+/// Directions closer than this are compared at several distances.
+const SIMILAR: f64 = 1e-3;
+
+/// The number of parts in which an arc is searched for the end of the part that leads away from its start.
+const WALK_STEPS: usize = 16;
+
+/// The number of distances at which two arcs are compared; each is half of the previous one.
+const COMPARISONS: usize = 8;
+
+/// The largest number of passes through the edges of a vertex that exchange neighbours.
+const MAX_PASSES: usize = 64;
+
+/// The half-edges around every vertex. Half-edge 2e runs along edge e, half-edge 2e + 1 against it.
+pub(super) struct Order {
+    /// The half-edges that start at vertex v, counter-clockwise, are those from `starts[v]` to `starts[v + 1]`.
+    pub(super) starts: Vec<usize>,
+    pub(super) around: Vec<usize>,
+}
+
+impl Order {
+    pub(super) fn new(arcs: &Arcs, edges: &Edges) -> Self {
+        let mut starts = vec![0; arcs.vertices.len() + 1];
+        let half_edges = || (0..2 * edges.list.len()).map(|h| (h, origin(edges, h)));
+        for (_, v) in half_edges() {
+            starts[v + 1] += 1;
+        }
+        for v in 0..arcs.vertices.len() {
+            starts[v + 1] += starts[v];
+        }
+        let mut around = vec![0; 2 * edges.list.len()];
+        let mut next = starts.clone();
+        for (h, v) in half_edges() {
+            around[next[v]] = h;
+            next[v] += 1;
+        }
+        for (v, ends) in starts.windows(2).enumerate() {
+            let own = &mut around[ends[0]..ends[1]];
+            if own.len() > 2 {
+                sort_around(&arcs.vertices[v], edges, own);
+            }
+        }
+        Self { starts, around }
+    }
+}
+
+/// The vertex at which a half-edge starts.
+pub(super) fn origin(edges: &Edges, h: usize) -> usize {
+    edges.list[h / 2].vertices[h % 2]
+}
+
+/// The control points of a half-edge, from its start.
+fn half_edge_points(edges: &Edges, h: usize) -> Points<DVec2> {
+    let mut points = points_of(edges.points(h / 2));
+    if h % 2 == 1 {
+        points.reverse();
+    }
+    points
+}
+
+/// A half-edge as seen from the vertex at which it starts.
+struct Spoke {
+    half_edge: usize,
+    /// The control points relative to the vertex.
+    points: Points<DVec2>,
+    direction: DVec2,
+    /// The error of the direction.
+    error: f64,
+}
+
+impl Spoke {
+    fn new(vertex: &Vertex, half_edge: usize, mut points: Points<DVec2>) -> Self {
+        points.iter_mut().for_each(|p| *p -= vertex.point);
+        let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+        let clear = (CLEAR_OF_SPREAD * vertex.spread).max(MIN_PROBE * size);
+        let mut s = MIN_PROBE;
+        while s < 0.5 && Point::length(evaluate(&points, s)) < clear {
+            s *= 2.0;
+        }
+        let probe = evaluate(&points, s);
+        Self {
+            half_edge,
+            direction: Point::normalize_or_zero(probe),
+            error: vertex.spread / Point::length(probe).max(f64::MIN_POSITIVE),
+            points,
+        }
+    }
+
+    /// The distance from the vertex up to which the arc leads away from it without turning far.
+    fn reach(&self) -> f64 {
+        let mut reach = 0.0;
+        for k in 1..=WALK_STEPS {
+            let p = evaluate(&self.points, ratio(k, WALK_STEPS));
+            let distance = Point::length(p);
+            if distance < reach || p.dot(self.direction) < 0.5 * distance {
+                break;
+            }
+            reach = distance;
+        }
+        reach
+    }
+
+    /// The point of the arc at a distance from the vertex of at most its reach.
+    fn at_distance(&self, r: f64) -> DVec2 {
+        let (mut lo, mut hi) = (0.0, 1.0);
+        for k in 1..=WALK_STEPS {
+            hi = ratio(k, WALK_STEPS);
+            if Point::length(evaluate(&self.points, hi)) >= r {
+                break;
+            }
+            lo = hi;
+        }
+        while hi - lo > f64::EPSILON * hi {
+            let middle = 0.5 * (lo + hi);
+            if middle <= lo || middle >= hi {
+                break;
+            }
+            if Point::length(evaluate(&self.points, middle)) < r {
+                lo = middle;
+            } else {
+                hi = middle;
+            }
+        }
+        evaluate(&self.points, hi)
+    }
+}
+
+/// Sorts the half-edges that start at a vertex counter-clockwise.
+fn sort_around(vertex: &Vertex, edges: &Edges, own: &mut [usize]) {
+    let mut spokes: Vec<Spoke> = own
+        .iter()
+        .map(|&h| Spoke::new(vertex, h, half_edge_points(edges, h)))
+        .collect();
+    let mut order: Vec<usize> = (0..spokes.len()).collect();
+    sort_by(&mut order, |&a, &b| {
+        pseudo_angle(spokes[a].direction).total_cmp(&pseudo_angle(spokes[b].direction))
+    });
+    exchange_neighbours(&mut spokes, &mut order);
+    for (slot, &k) in own.iter_mut().zip(&order) {
+        *slot = spokes[k].half_edge;
+    }
+}
+
+/// A number from −2 to 2 that increases with the angle of a unit vector.
+fn pseudo_angle(d: DVec2) -> f64 {
+    let from_axis = d.y / (d.x.abs() + d.y.abs());
+    match (d.x >= 0.0, d.y >= 0.0) {
+        (true, _) => from_axis,
+        (false, true) => 2.0 - from_axis,
+        (false, false) => -2.0 - from_axis,
+    }
+}
+
+/// Exchanges neighbours with similar directions that are in the wrong order, until none is left.
+fn exchange_neighbours(spokes: &mut [Spoke], order: &mut [usize]) {
+    let count = order.len();
+    for _ in 0..MAX_PASSES {
+        let mut changed = false;
+        for k in 0..count {
+            let next = (k + 1) % count;
+            let (a, b) = (&spokes[order[k]], &spokes[order[next]]);
+            let similar = a.direction.dot(b.direction) > 0.0
+                && a.direction.perp_dot(b.direction).abs() <= SIMILAR + 2.0 * (a.error + b.error);
+            if similar && turn(a, b) < 0.0 {
+                order.swap(k, next);
+                changed = true;
+            }
+        }
+        if !changed {
+            return;
+        }
+    }
+}
+
+/// Positive if arc `b` is counter-clockwise of arc `a`, negative if it is clockwise: where they are farthest apart.
+fn turn(a: &Spoke, b: &Spoke) -> f64 {
+    let reach = a.reach().min(b.reach());
+    let mut largest = 0.0_f64;
+    let mut r = reach;
+    for _ in 0..COMPARISONS {
+        let side = a.at_distance(r).perp_dot(b.at_distance(r)) / r;
+        if side.abs() > largest.abs() {
+            largest = side;
+        }
+        r *= 0.5;
+    }
+    largest
+}

@@ -1,0 +1,186 @@
+//! Contours as paths: arcs of one segment are joined again, and what is whole keeps its bits.
+
+use super::arcs::Arc;
+use super::arrangement::Arrangement;
+use super::choice::chosen_pieces;
+use super::edges::Member;
+use crate::geometry::point::Point;
+use crate::numeric::list::Points;
+use crate::path::Path;
+use glam::DVec2;
+
+/// A part of a segment, in the direction of its outline: from t₀ to t₁, where t₀ > t₁ means backwards.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) segment: usize,
+    pub(super) t: [f64; 2],
+    /// The vertices at its start and at its end.
+    vertices: [usize; 2],
+}
+
+impl Piece {
+    /// An arc of an edge, along the edge or against it.
+    pub(super) fn new(member: &Member, forward: bool) -> Self {
+        let mut piece = Self::along(&member.arc);
+        if member.forward != forward {
+            piece.t.reverse();
+            piece.vertices.reverse();
+        }
+        piece
+    }
+
+    /// A whole arc, in its direction.
+    pub(super) fn along(arc: &Arc) -> Self {
+        Self {
+            segment: arc.segment,
+            t: arc.t,
+            vertices: arc.vertices,
+        }
+    }
+
+    pub(super) fn is_forward(&self) -> bool {
+        self.t[0] < self.t[1]
+    }
+
+    /// Whether the next piece goes on along the same segment.
+    fn goes_on(&self, next: &Self) -> bool {
+        self.segment == next.segment
+            && self.t[1] == next.t[0]
+            && self.is_forward() == next.is_forward()
+    }
+
+    /// Whether the next piece goes on along the same subpath of the input.
+    pub(super) fn continues(&self, arrangement: &Arrangement, next: &Self) -> bool {
+        let end = joint(arrangement, self.segment, self.t[1]);
+        let start = joint(arrangement, next.segment, next.t[0]);
+        let is_next = end.is_some() && end == start && self.is_forward() == next.is_forward();
+        is_next || self.goes_on(next)
+    }
+
+    /// Joins consecutive pieces of one segment; in a closed outline also the last with the first.
+    pub(super) fn joined(pieces: Vec<Self>, closed: bool) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::with_capacity(pieces.len());
+        for piece in pieces {
+            match all.last_mut().filter(|last| last.goes_on(&piece)) {
+                Some(last) => {
+                    last.t[1] = piece.t[1];
+                    last.vertices[1] = piece.vertices[1];
+                }
+                None => all.push(piece),
+            }
+        }
+        if let [first, .., last] = all[..]
+            && closed
+            && last.goes_on(&first)
+        {
+            all.pop();
+            all[0] = Self {
+                t: [last.t[0], first.t[1]],
+                vertices: [last.vertices[0], first.vertices[1]],
+                ..last
+            };
+        }
+        all
+    }
+}
+
+/// The joint at t of a segment, if there is one.
+fn joint(arrangement: &Arrangement, segment: usize, t: f64) -> Option<usize> {
+    let ends = arrangement.segments.list[segment].ends;
+    if t == 0.0 {
+        Some(ends[0])
+    } else if t == 1.0 {
+        Some(ends[1])
+    } else {
+        None
+    }
+}
+
+/// Appends a closed subpath along some half-edges.
+pub(super) fn push_contour(arrangement: &Arrangement, half_edges: &[usize], path: &mut Path) {
+    let pieces = Piece::joined(chosen_pieces(arrangement, half_edges), true);
+    let pieces = started(arrangement, pieces);
+    push_subpath(arrangement, &pieces, true, path);
+}
+
+/// The pieces of a closed outline from the start of a subpath of the input if it has one, otherwise from the start of
+/// the piece with the smallest index.
+fn started(arrangement: &Arrangement, mut pieces: Vec<Piece>) -> Vec<Piece> {
+    let is_first = |piece: &Piece| arrangement.segments.list[piece.segment].is_first;
+    let starts = (0..pieces.len()).filter_map(|k| {
+        let before = &pieces[(k + pieces.len() - 1) % pieces.len()];
+        let here = &pieces[k];
+        if here.t[0] == 0.0 && is_first(here) {
+            Some((here.segment, k))
+        } else if before.t[1] == 0.0 && is_first(before) {
+            Some((before.segment, k))
+        } else {
+            None
+        }
+    });
+    let any = (0..pieces.len()).map(|k| (pieces[k].segment, k));
+    if let Some((_, k)) = starts.min().or_else(|| any.min()) {
+        pieces.rotate_left(k);
+    }
+    pieces
+}
+
+/// Appends a subpath of pieces.
+pub(super) fn push_subpath(
+    arrangement: &Arrangement,
+    pieces: &[Piece],
+    closed: bool,
+    path: &mut Path,
+) {
+    let segments = &arrangement.segments;
+    let mut points: Vec<DVec2> = Vec::new();
+    let mut degrees: Vec<usize> = Vec::new();
+    let last = pieces.len() - 1;
+    for (k, piece) in pieces.iter().enumerate() {
+        let mut part = segments.part(piece.segment, piece.t[0], piece.t[1]);
+        let before = (closed || k > 0).then(|| &pieces[if k > 0 { k - 1 } else { last }]);
+        let after = (closed || k < last).then(|| &pieces[if k < last { k + 1 } else { 0 }]);
+        move_start(&mut part, junction(arrangement, before, Some(piece)));
+        part.reverse();
+        move_start(&mut part, junction(arrangement, Some(piece), after));
+        part.reverse();
+        if part.iter().all(|&p| p == part[0]) {
+            continue;
+        }
+        if points.is_empty() {
+            points.push(part[0]);
+        }
+        points.extend(&part[1..]);
+        degrees.push(part.len() - 1);
+    }
+    if degrees.is_empty() {
+        return;
+    }
+    if closed {
+        points.pop();
+    }
+    points.iter_mut().for_each(|p| *p /= segments.unit);
+    path.push(&points, &degrees, closed);
+}
+
+/// The point where one or two consecutive pieces of an outline end: a joint of the input where there is one.
+fn junction(arrangement: &Arrangement, before: Option<&Piece>, after: Option<&Piece>) -> DVec2 {
+    let end = before.map(|piece| (piece.segment, piece.t[1], piece.vertices[1]));
+    let start = after.map(|piece| (piece.segment, piece.t[0], piece.vertices[0]));
+    let ends = || [end, start].into_iter().flatten();
+    let joints = ends().filter_map(|(segment, t, _)| joint(arrangement, segment, t));
+    let vertex = ends().map(|(_, _, vertex)| vertex).min().unwrap_or(0);
+    match joints.min() {
+        Some(joint) => arrangement.segments.joints[joint],
+        None => arrangement.arcs.vertices[vertex].point,
+    }
+}
+
+/// Moves the start of a curve, and the handle next to it by as much.
+fn move_start(points: &mut Points<DVec2>, to: DVec2) {
+    let by = to - points[0];
+    if points.len() > 3 && by.max_abs() > 0.0 {
+        points[1] += by;
+    }
+    points[0] = to;
+}

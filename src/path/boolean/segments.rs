@@ -1,0 +1,191 @@
+//! The input of Boolean operations as one list of segments, scaled to size 1.
+
+use crate::bernstein::evaluate::evaluate;
+use crate::curve::intersect::straight_turns;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::error::Error;
+use crate::numeric::float::unit_scale;
+use crate::numeric::list::{Points, points_of};
+use crate::path::Path;
+use glam::DVec2;
+
+/// The largest number of segments of all paths together.
+const MAX_SEGMENTS: usize = 1 << 22;
+
+/// Points closer than this part of the size count as one, and so do outlines that run along each other within it.
+const EPSILON: f64 = 1e-9;
+
+/// No distance below this many roundings of the largest coordinate is resolved.
+const RESOLUTION: f64 = 32.0 * f64::EPSILON;
+
+/// What a path contributes to an operation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Role {
+    /// Its interior: open subpaths are closed.
+    Region,
+    /// Its segments alone, which only cut: open subpaths stay open.
+    Cut,
+}
+
+/// A segment of an outline.
+pub(super) struct Segment {
+    /// The control points, scaled.
+    pub(super) points: Points<DVec2>,
+    /// The box of the control points.
+    pub(super) bounds: Bounds<DVec2>,
+    /// The index of the path.
+    pub(super) path: usize,
+    /// The node of the start and that of the end: a joint of an outline is one node.
+    pub(super) ends: [usize; 2],
+    /// Whether the segment starts where its subpath starts.
+    pub(super) is_first: bool,
+    /// Whether the segment ends where an open subpath ends.
+    pub(super) is_last: bool,
+}
+
+impl Segment {
+    pub(super) fn start(&self) -> DVec2 {
+        self.points[0]
+    }
+
+    pub(super) fn end(&self) -> DVec2 {
+        self.points[self.points.len() - 1]
+    }
+
+    pub(super) fn at(&self, t: f64) -> DVec2 {
+        evaluate(&self.points, t)
+    }
+}
+
+/// The segments of all paths.
+pub(super) struct Segments {
+    pub(super) list: Vec<Segment>,
+    /// The points of the joints.
+    pub(super) joints: Vec<DVec2>,
+    pub(super) path_count: usize,
+    /// Whether a path only cuts.
+    pub(super) roles: Vec<Role>,
+    /// The power of two that scales the largest coordinate to about 1.
+    pub(super) unit: f64,
+    /// The distance below which outlines count as one, scaled.
+    pub(super) epsilon: f64,
+}
+
+impl Segments {
+    /// The segments of the paths, without those that are a point.
+    ///
+    /// # Errors
+    /// [`Error::TooMany`] for more than 2²² segments.
+    pub(super) fn new(paths: &[(&Path, Role)]) -> Result<Self, Error> {
+        let needed = paths.iter().map(|(path, _)| path.segment_count()).sum();
+        if needed > MAX_SEGMENTS {
+            return Err(Error::TooMany {
+                what: "segments",
+                limit: MAX_SEGMENTS,
+                needed,
+            });
+        }
+        let largest = paths.iter().fold(0.0, |m: f64, (p, _)| m.max(p.max_abs()));
+        let mut segments = Self {
+            list: Vec::with_capacity(needed),
+            joints: Vec::with_capacity(needed),
+            path_count: paths.len(),
+            roles: paths.iter().map(|&(_, role)| role).collect(),
+            unit: unit_scale(largest),
+            epsilon: 0.0,
+        };
+        for (index, (path, role)) in paths.iter().enumerate() {
+            for part in path.parts() {
+                let (start, end) = part.ends();
+                let line = [end, start];
+                let closing = (*role == Role::Region && start != end).then_some(&line[..]);
+                let closed = part.closed || *role == Role::Region;
+                segments.push_subpath(part.segments().chain(closing), index, closed);
+            }
+        }
+        segments.epsilon = segments.distance_of_one();
+        Ok(segments)
+    }
+
+    fn push_subpath<'a>(
+        &mut self,
+        curves: impl Iterator<Item = &'a [DVec2]>,
+        path: usize,
+        closed: bool,
+    ) {
+        let (first, first_joint) = (self.list.len(), self.joints.len());
+        for curve in curves {
+            let points: Points<DVec2> = curve.iter().map(|&p| p * self.unit).collect();
+            if points.iter().all(|&p| p == points[0]) {
+                continue;
+            }
+            match straight_turns(&points) {
+                Some(turns) if !turns.is_empty() => {
+                    let mut from = points[0];
+                    for t in turns {
+                        let to = evaluate(&points, t);
+                        self.push_segment(&[from, to], path);
+                        from = to;
+                    }
+                    self.push_segment(&[from, points[points.len() - 1]], path);
+                }
+                _ => self.push_segment(&points, path),
+            }
+        }
+        let Some(last) = self.list.len().checked_sub(1).filter(|&last| last >= first) else {
+            return;
+        };
+        self.list[first].is_first = true;
+        if closed {
+            self.list[last].ends[1] = first_joint;
+        } else {
+            self.list[last].is_last = true;
+            self.joints.push(self.list[last].end());
+        }
+    }
+
+    /// Appends a segment that starts at a new joint, and expects the next one to start where it ends.
+    fn push_segment(&mut self, points: &[DVec2], path: usize) {
+        let joint = self.joints.len();
+        self.joints.push(points[0]);
+        let start = Bounds {
+            min: points[0],
+            max: points[0],
+        };
+        self.list.push(Segment {
+            points: points_of(points),
+            bounds: points.iter().fold(start, |b, &p| b.including(p)),
+            path,
+            ends: [joint, joint + 1],
+            is_first: false,
+            is_last: false,
+        });
+    }
+
+    fn distance_of_one(&self) -> f64 {
+        let boxes = self.list.iter().map(|segment| segment.bounds);
+        let Some(all) = boxes.reduce(Bounds::union) else {
+            return 0.0;
+        };
+        let largest = all.min.abs().max(all.max.abs()).max_element();
+        let size = (all.max - all.min).max_element();
+        (EPSILON * size).max(RESOLUTION * largest)
+    }
+
+    /// The control points of a part of a segment; backwards if t₀ > t₁. A whole segment keeps its bits.
+    pub(super) fn part(&self, segment: usize, t0: f64, t1: f64) -> Points<DVec2> {
+        let points = &self.list[segment].points;
+        let mut part = points.clone();
+        let (from, to) = if t0 > t1 { (t1, t0) } else { (t0, t1) };
+        if (from, to) != (0.0, 1.0) {
+            crate::bernstein::de_casteljau::keep_between(&mut part, from, to);
+            let last = part.len() - 1;
+            part[0] = evaluate(points, from);
+            part[last] = evaluate(points, to);
+        }
+        if t0 > t1 {
+            part.reverse();
+        }
+        part
+    }
+}

@@ -1,0 +1,157 @@
+//! All checks of one pair of paths.
+
+use crate::oracle::Outline;
+use crate::random::Random;
+use casteljau::Path;
+use casteljau::glam::DVec2;
+use casteljau::path::FillRule;
+
+/// The number of random points, most of them next to the outlines.
+const POINTS: usize = 160;
+
+/// ε of the operations, relative to the size.
+const EPSILON: f64 = 1e-9;
+
+type Apply = fn(&Path, &Path, FillRule) -> Path;
+
+/// The operations of two regions, and whether a point is in the result, from whether it is in both regions.
+pub(crate) const OPERATIONS: [(&str, Apply, fn(bool, bool) -> bool); 4] = [
+    ("union", |a, b, rule| valid(a.union(b, rule)), |a, b| a || b),
+    (
+        "intersect",
+        |a, b, rule| valid(a.intersect(b, rule)),
+        |a, b| a && b,
+    ),
+    (
+        "subtract",
+        |a, b, rule| valid(a.subtract(b, rule)),
+        |a, b| a && !b,
+    ),
+    (
+        "exclude",
+        |a, b, rule| valid(a.exclude(b, rule)),
+        |a, b| a != b,
+    ),
+];
+
+pub(crate) fn valid(result: Result<Path, casteljau::Error>) -> Path {
+    result.expect("few segments")
+}
+
+/// The larger side of the box around two paths.
+pub(crate) fn size(a: &Path, b: &Path) -> f64 {
+    let points = |path: &Path| {
+        path.bounds()
+            .map_or(Vec::new(), |bounds| vec![bounds.min, bounds.max])
+    };
+    let corners = [points(a), points(b)].concat();
+    let min = corners.iter().fold(DVec2::INFINITY, |min, &p| min.min(p));
+    let max = corners
+        .iter()
+        .fold(DVec2::NEG_INFINITY, |max, &p| max.max(p));
+    if corners.is_empty() {
+        0.0
+    } else {
+        (max - min).max_element()
+    }
+}
+
+/// What is wrong with the results of a pair: winding numbers at points that are farther from the outlines than ε,
+/// areas, and the structure of the results.
+pub(crate) fn faults(a: &Path, b: &Path, rule: FillRule, random: &mut Random) -> Vec<String> {
+    let results = OPERATIONS.map(|(_, apply, _)| apply(a, b, rule));
+    let (own, other) = (Outline::new(a), Outline::new(b));
+    let outlines = results.each_ref().map(Outline::new);
+    let mut faults: Vec<String> = results.iter().filter_map(structure_fault).collect();
+    for p in sample_points(a, b, random) {
+        let [inside_a, inside_b] =
+            [&own, &other].map(|outline| is_inside(outline.winding(p), rule));
+        for ((name, _, expected), outline) in OPERATIONS.iter().zip(&outlines) {
+            let expected = i32::from(expected(inside_a, inside_b));
+            let got = outline.winding(p);
+            if got != expected {
+                faults.push(format!("{name}: at {p} expected {expected}, got {got}"));
+            }
+        }
+    }
+    faults
+}
+
+pub(crate) fn is_inside(winding: i32, rule: FillRule) -> bool {
+    match rule {
+        FillRule::NonZero => winding != 0,
+        FillRule::EvenOdd => winding % 2 != 0,
+    }
+}
+
+/// Random points farther from both outlines than ε.
+fn sample_points(a: &Path, b: &Path, random: &mut Random) -> Vec<DVec2> {
+    let outline = [Outline::new(a).samples(16), Outline::new(b).samples(16)].concat();
+    let size = size(a, b);
+    let centre = outline.iter().fold(DVec2::ZERO, |sum, &p| sum + p) / outline.len() as f64;
+    let clear = |p: DVec2, path: &Path| {
+        let nearest = path.nearest(p).expect("a finite point");
+        nearest.is_none_or(|nearest| nearest.distance > 2.0 * EPSILON * size)
+    };
+    (0..POINTS)
+        .map(|k| {
+            if k % 4 == 0 {
+                return centre + random.point(size);
+            }
+            let near = outline[random.below(outline.len())];
+            let far = size * 10.0_f64.powf(random.between(-8.6, -1.0));
+            near + DVec2::from_angle(random.between(0.0, 6.3)) * far
+        })
+        .filter(|&p| clear(p, a) && clear(p, b))
+        .collect()
+}
+
+/// What is wrong with the contours of a result: all are closed; each that runs clockwise is a hole of the last one that
+/// runs counter-clockwise, and no point comes twice in a contour.
+fn structure_fault(result: &Path) -> Option<String> {
+    let mut outer: Option<Outline> = None;
+    for (k, spline) in result.subpaths().enumerate() {
+        if !spline.is_closed() {
+            return Some(format!("contour {k} is open"));
+        }
+        let mut joints: Vec<[u64; 2]> = spline
+            .segments()
+            .map(|curve| curve.start().to_array().map(|x| (x + 0.0).to_bits()))
+            .collect();
+        joints.sort_unstable();
+        if joints.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Some(format!("contour {k} passes a point twice"));
+        }
+        let contour = Path::from(spline);
+        if contour.area() > 0.0 {
+            outer = Some(Outline::new(&contour));
+            continue;
+        }
+        let Some(outer) = &outer else {
+            return Some(format!("contour {k} is a hole of nothing"));
+        };
+        let points = Outline::new(&contour).samples(7);
+        let inside = points.iter().filter(|&&p| outer.winding(p) == 1).count();
+        if 4 * inside < points.len() {
+            return Some(format!("contour {k} is not inside the one before"));
+        }
+    }
+    None
+}
+
+/// The largest error of the identities of areas, relative to the square of the size.
+pub(crate) fn identity_error(a: &Path, b: &Path, rule: FillRule) -> f64 {
+    let [union, intersection, difference, exclusion] =
+        OPERATIONS.map(|(_, apply, _)| apply(a, b, rule).area());
+    let [of_a, of_b] = [a, b].map(|path| path.filled_area(rule).expect("few segments"));
+    let size = size(a, b);
+    let errors = [
+        union + intersection - of_a - of_b,
+        exclusion - (union - intersection),
+        difference - (of_a - intersection),
+    ];
+    errors
+        .into_iter()
+        .fold(0.0, |m: f64, error| m.max(error.abs()))
+        / (size * size)
+}
