@@ -342,7 +342,7 @@ test("with the halves their points are called q and r, and the one at t both", (
 test("the names of both points at the cut stand on the side of their half", () => {
   const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.5 });
   const names = namesOf(figureOf(state), state);
-  const named = (text) => names.find((name) => name.text === text);
+  const named = (text) => /** @type {(typeof names)[number]} */ (names.find((name) => name.text === text));
   for (const [cut, neighbour] of [
     ["q3", "q2"],
     ["r0", "r1"],
