@@ -1,6 +1,6 @@
 // <teapot-data for="id">: the listing of the teapot as published, with 306 vertices: the sixteen vertex numbers of a patch,
 // the vertices, and which of them other patches use, too.
-import listing from "../../tests/data/teapot.json";
+import listing from "../../tests/data/teapot.json" with { type: "json" };
 import { element } from "../parts/dom.js";
 import { slider } from "./lib/svg.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
