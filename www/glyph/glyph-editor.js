@@ -51,9 +51,9 @@ export class GlyphEditor extends Figure {
     .rod { fill: none; stroke: var(--handle); stroke-width: 1.25; }
     .way { fill: var(--ink); stroke: var(--paper); stroke-width: 1; }
     .picked { fill: none; stroke: var(--accent); stroke-width: 2.5; }
-    .outlineView { cursor: grab; touch-action: pan-y; }
-    .outlineView:active { cursor: grabbing; }
-    .outlineView:focus-visible { outline-offset: -3px; }
+    .outline-view { cursor: grab; touch-action: pan-y; }
+    .outline-view:active { cursor: grabbing; }
+    .outline-view:focus-visible { outline-offset: -3px; }
     textarea { font: 0.8125rem/1.5 ui-monospace, Menlo, Consolas, monospace; inline-size: 100%; min-block-size: 7.5rem; color: inherit; background: var(--paper); border: 1px solid var(--field); border-radius: 7px; padding: 0.5rem 0.6rem; resize: vertical; }
     .in { display: block; padding: 0.7rem 0.9rem; }
     .in > span { display: block; font-weight: 600; }
@@ -178,7 +178,7 @@ export class GlyphEditor extends Figure {
 
   /** Where an event is, in units. @param {MouseEvent} event @returns {Place} */
   locate(event) {
-    const rect = /** @type {Element} */ (this.renderRoot.querySelector(".outlineView")).getBoundingClientRect();
+    const rect = /** @type {Element} */ (this.renderRoot.querySelector(".outline-view")).getBoundingClientRect();
     return this.scales().unplace([
       ((event.clientX - rect.left) * this.wide) / rect.width,
       ((event.clientY - rect.top) * this.wide) / rect.width,
@@ -226,7 +226,7 @@ export class GlyphEditor extends Figure {
   }
 
   /** @param {KeyboardEvent} event */
-  sheetKey(event) {
+  onKey(event) {
     /** @type {Record<string, () => void>} */
     const keys = {
       "+": () => this.zoom(ZOOM_STEP),

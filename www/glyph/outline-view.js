@@ -58,7 +58,7 @@ export function outlineView(editor) {
   const [sx, sy] = place(editor.selected.node.at);
   const counts = countPoints(editor.outline);
   return html`
-    <svg class="outlineView" viewBox="0 0 ${editor.wide} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.sheetKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
+    <svg class="outline-view" viewBox="0 0 ${editor.wide} ${height}" role="img" tabindex="0" @pointerdown=${(/** @type {any} */ event) => editor.pan(event)} @wheel=${(/** @type {any} */ event) => editor.wheel(event)} @keydown=${(/** @type {any} */ event) => editor.onKey(event)} @dblclick=${(/** @type {any} */ event) => editor.insertHere(event)}
       @pointermove=${(/** @type {PointerEvent} */ event) => (editor.pointer = editor.locate(event))} @pointerleave=${() => (editor.pointer = null)}
       aria-label="The outline: ${editor.outline.length} contours, ${counts.on} points on it and ${counts.off} beside it. Plus and minus zoom, arrow keys move the picture, zero shows all">
       ${GUIDES.map(([name, y]) => svg`<path class="guide" d="M0 ${place([0, y])[1]}H${editor.wide}" /><text class="quiet" x="8" y=${place([0, y])[1] - 4}>${name}</text>`)}
