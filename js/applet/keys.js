@@ -1,4 +1,5 @@
 // The keyboard: letters on the whole page, arrows on the points.
+import { addKeyTarget, keyTarget } from "./key-targets.js";
 
 /**
  * What the letters do.
@@ -10,12 +11,6 @@
  * @property {() => void} toggle
  * @property {() => boolean} escape ends a drag; false if there is none
  */
-
-/** Every frame that an applet lives in: letters typed inside one are not for the others. @type {WeakSet<EventTarget>} */
-const hosts = new WeakSet();
-
-/** Events that an applet has used, which is no reason for the next one to leave them alone. @type {WeakSet<Event>} */
-const used = new WeakSet();
 
 /** Input types in which letters are not text. */
 const TEXTLESS = new Set(["button", "checkbox", "color", "file", "image", "radio", "range", "reset", "submit"]);
@@ -39,9 +34,12 @@ const FINE_STEP = 0.1;
 export function listenToKeys(port) {
   const page = port.host.ownerDocument;
   const listener = (/** @type {KeyboardEvent} */ event) => pressed(event, port);
-  hosts.add(port.host);
+  const removeTarget = addKeyTarget(port.host);
   page.addEventListener("keydown", listener);
-  return () => page.removeEventListener("keydown", listener);
+  return () => {
+    removeTarget();
+    page.removeEventListener("keydown", listener);
+  };
 }
 
 /**
@@ -52,20 +50,21 @@ function pressed(event, port) {
   if (event.key === "Escape" && port.escape()) return event.preventDefault();
   const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()]; // a browser that fills in a form sends events without a key
   if (!act || !isPlain(event) || isForText(event)) return;
-  const frame = event.composedPath().find((target) => hosts.has(target));
-  if (frame ? frame !== port.host : !port.pageWide()) return;
+  const { host, focused } = keyTarget(event, port.host.ownerDocument);
+  if (host !== port.host || !(focused || port.pageWide())) return;
   event.preventDefault();
-  used.add(event);
   act();
 }
 
 /**
+ * Whether a key was pressed without modifiers; Shift is allowed, as for capital letters.
+ *
  * @param {KeyboardEvent} event
  * @returns {boolean}
  */
-function isPlain(event) {
-  const modified = event.ctrlKey || event.altKey || event.metaKey || event.shiftKey;
-  return !modified && !event.repeat && !event.isComposing && (!event.defaultPrevented || used.has(event));
+export function isPlain(event) {
+  const modified = event.ctrlKey || event.altKey || event.metaKey;
+  return !modified && !event.repeat && !event.isComposing && !event.defaultPrevented;
 }
 
 /**

@@ -1,5 +1,6 @@
 // Parsing and writing the text of surfaces; src/io/surface_text.rs does the same with the same messages.
-import { quote, Reader, syntaxError } from "./text-reader.js";
+import { END, quote, Reader, syntaxError, wholeOf } from "./text-reader.js";
+import { readArrays } from "./surface-arrays.js";
 import { formatNumber } from "./format-number.js";
 import { sharedVertices } from "../geometry/surface-network.js";
 
@@ -38,12 +39,8 @@ export function parseSurface(text, joinedOf) {
   const parser = { reader, vertices: [], indices: [], degrees: [] };
   const words = reader.next(1);
   if (words === 1 && reader.word(0) === "surface") readIndexed(parser);
-  else {
-    const count = reader.whole(0, '"surface" or the number of patches');
-    if (words > 1) throw syntaxError(reader.line, "the number of patches alone", `${words} words`);
-    readNumbered(parser, count);
-  }
-  if (reader.next(1)) throw reader.syntaxError(0, "the end of the text");
+  else if (text.includes("{") && wholeOf(reader.word(0) ?? "") === undefined) readArrays(text, parser);
+  else readNumbered(parser, words);
   const vertices = new Float64Array(parser.vertices);
   const { degrees } = parser;
   const joined = joinedOf(vertices);
@@ -70,22 +67,41 @@ function readIndexed(parser) {
       readIndices(parser, 0, count);
     }
   }
+  checkEnd(reader);
 }
 
 /**
- * Parses the formats that start with the number of patches, after that row.
+ * Parses the formats that start with the number of patches, from that row on.
+ *
+ * @param {Parser} parser
+ * @param {number} words the number of words in that row
+ */
+function readNumbered(parser, words) {
+  const { reader } = parser;
+  const count = reader.whole(0, '"surface" or the number of patches');
+  if (words > 1) throw syntaxError(reader.line, "the number of patches alone", `${words} words`);
+  checkCount(reader, count, "patches", 0, MIN_PATCH_CHARACTERS);
+  if (count > 0) readPatches(parser, count);
+  checkEnd(reader);
+}
+
+/**
+ * Parses the patches of a listing or of the .bpt format, which the length of the first row distinguishes.
  *
  * @param {Parser} parser
  * @param {number} count
  */
-function readNumbered(parser, count) {
+function readPatches(parser, count) {
   const { reader } = parser;
-  checkCount(reader, count, "patches", 0, MIN_PATCH_CHARACTERS);
-  if (count === 0) return;
   const words = reader.next(LISTING_ROW);
   if (words === LISTING_ROW) readListing(parser, count);
   else if (words === 2) readPoints(parser, count);
-  else throw syntaxError(reader.line, "2 degrees or 16 vertex numbers", words || "the end of the text");
+  else throw syntaxError(reader.line, "2 degrees or 16 vertex numbers", words || END);
+}
+
+/** @param {Reader} reader */
+function checkEnd(reader) {
+  if (reader.next(1)) throw reader.syntaxError(0, "the end of the text");
 }
 
 /**

@@ -1,7 +1,7 @@
 // Reading text by rows, and syntax errors; src/io/text_reader.rs reads the same format.
 
 /** The name of the end of the text in messages. */
-const END = "the end of the text";
+export const END = "the end of the text";
 
 const BYTE_ORDER_MARK = 0xfeff;
 
@@ -109,9 +109,8 @@ export class Reader {
   number(index) {
     const simple = this.#simpleNumber(index);
     if (!Number.isNaN(simple)) return simple;
-    const word = this.word(index) ?? "";
-    if (!NUMBER.test(word)) throw this.syntaxError(index, "a number");
-    const number = Number(word);
+    const number = numberOf(this.word(index) ?? "");
+    if (number === undefined) throw this.syntaxError(index, "a number");
     if (!Number.isFinite(number)) throw this.syntaxError(index, "a finite number");
     return number;
   }
@@ -124,9 +123,9 @@ export class Reader {
    * @returns {number}
    */
   whole(index, expected) {
-    const word = this.word(index) ?? "";
-    if (!WHOLE.test(word)) throw this.syntaxError(index, expected);
-    return Number(word);
+    const number = wholeOf(this.word(index) ?? "");
+    if (number === undefined) throw this.syntaxError(index, expected);
+    return number;
   }
 
   /**
@@ -194,6 +193,20 @@ export class Reader {
     return true;
   }
 }
+
+/**
+ * @internal
+ * @param {string} word
+ * @returns {number | undefined} undefined if the word is no number; infinite if it is too large
+ */
+export const numberOf = (word) => (NUMBER.test(word) ? Number(word) : undefined);
+
+/**
+ * @internal
+ * @param {string} word
+ * @returns {number | undefined} undefined if the word is not a sequence of digits
+ */
+export const wholeOf = (word) => (WHOLE.test(word) ? Number(word) : undefined);
 
 /**
  * @internal

@@ -3,6 +3,7 @@
 mod file_size;
 mod glb;
 mod mesh_export;
+mod surface_arrays;
 mod surface_text;
 pub(crate) mod svg_error;
 pub(crate) mod svg_number;

@@ -1,5 +1,6 @@
 //! Parsing surfaces from text.
 
+use super::surface_arrays::read_arrays;
 use super::text_reader::{END, ParseError, Reader, number, refuse, shown, whole};
 use crate::geometry::error::MAX_DEGREE;
 use crate::numeric::order::to_u32;
@@ -18,7 +19,7 @@ const PATCH_CHARACTERS: usize = 4 + 4 * VERTEX_CHARACTERS;
 const LISTED: usize = 16;
 
 impl Surface {
-    /// Parses a surface from text in one of three forms, which are distinguished by their first rows.
+    /// Parses a surface from text in one of four forms, which are distinguished by their first rows.
     ///
     /// - The form of [`to_text`](Self::to_text): the row `surface`; `vertices` and their number, then a row x y z for
     ///   each; `patches` and their number, then for each a row with its degrees in u and v, followed by its net, row by
@@ -28,7 +29,12 @@ impl Surface {
     /// - The listing in which the teapot was distributed: the number of patches, then a row of 16 vertex numbers from 1
     ///   for each; the number of vertices, then a row x y z for each. All patches are bicubic.
     ///
-    /// Each row is a line; its words are separated by spaces, tabs or commas. Lines end with a line feed, a carriage
+    /// - The arrays of C source code in which many programs carry the teapot: an array whose rows are 3 coordinates in
+    ///   braces, and an array whose rows are 16 vertex numbers in braces, in either order. The numbers are from 0 if 0
+    ///   occurs, otherwise from 1. Declarations around the arrays and the comments of C are skipped. All patches are
+    ///   bicubic, and the vertices keep their order.
+    ///
+    /// In the other three forms, each row is a line; its words are separated by spaces, tabs or commas. Lines end with a line feed, a carriage
     /// return or both. Empty lines and comments (from `#` to the end of the line) are ignored.
     ///
     /// The time is proportional to the length of the text. Counts are checked against that length before memory is
@@ -39,6 +45,7 @@ impl Surface {
     /// to 64, or a vertex that does not exist.
     pub fn parse(text: &str) -> Result<Self, ParseError> {
         let mut parser = Parser {
+            text,
             reader: Reader::new(text),
             // Count in UTF-16 as JavaScript does, so that both parsers refuse the same texts with the same messages.
             characters: text.encode_utf16().count(),
@@ -54,6 +61,7 @@ impl Surface {
 
 /// The state of the surface parser.
 struct Parser<'a> {
+    text: &'a str,
     reader: Reader<'a>,
     characters: usize,
     vertices: Vec<DVec3>,
@@ -66,6 +74,8 @@ impl Parser<'_> {
         let words = self.reader.row(1);
         if words == 1 && self.reader.last_words().first() == Some(&"surface") {
             self.read_indexed()?;
+        } else if self.has_arrays() {
+            return self.read_arrays();
         } else {
             let count = self.whole(0, "\"surface\" or the number of patches")?;
             if words > 1 {
@@ -78,6 +88,18 @@ impl Parser<'_> {
             0 => Ok(()),
             _ => Err(self.refuse(0, "the end of the text")),
         }
+    }
+
+    /// Whether the text is C source code: it has a brace, and no number of patches in its first row.
+    fn has_arrays(&self) -> bool {
+        let first = self.reader.last_words().first();
+        self.text.contains('{') && first.and_then(|word| whole(word)).is_none()
+    }
+
+    fn read_arrays(&mut self) -> Result<(), ParseError> {
+        (self.vertices, self.indices) = read_arrays(self.text)?;
+        self.degrees = vec![[3, 3]; self.indices.len() / LISTED];
+        Ok(())
     }
 
     /// Reads the form of `to_text`, after its first row.

@@ -140,16 +140,56 @@ test("arrows move by 1, 10 and 0.1; a held key is one undo step", async (t) => {
   near((await points(page))[0], [71, 340], 1e-9);
 });
 
-test("keys count only while the focus is inside, and can be switched off", async (t) => {
+test("r and m reach the applet that has the focus, is under the pointer, or is alone in view", async (t) => {
+  const page = await openApplet(t, "", { more: `<bezier-applet id="b"></bezier-applet>` });
+  const second = () => page.evaluate(() => /** @type {any} */ (document.getElementById("b")).points);
+  const [first, other] = [await points(page), await second()];
+  await press(page, "r");
+  assert.deepEqual([await points(page), await second()], [first, other], "two are in view");
+  await page.locator("#b").hover();
+  await press(page, "Shift+R");
+  assert.deepEqual(await points(page), first);
+  const moved = await second();
+  assert.notDeepEqual(moved, other, "the one under the pointer");
+  await focus(page, 3);
+  await press(page, "r");
+  assert.deepEqual(await second(), moved);
+  assert.notDeepEqual(await points(page), first, "the one with the focus");
+  await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
+  await page.mouse.move(2, 2);
+  await page.setViewportSize({ width: 800, height: 300 });
+  await press(page, "m");
+  assert.equal(await ask(page, () => a.mode), "4", "the one in view");
+});
+
+test("Reset restores what the page set before the first action", async (t) => {
+  const page = await openApplet(t, "controls");
+  const given = [
+    [100, 300],
+    [150, 100],
+    [400, 120],
+    [500, 310],
+  ]; // prettier-ignore
+  await set(page, { points: given });
+  await focus(page, 1);
+  await press(page, "ArrowLeft");
+  assert.equal((await points(page))[1][0], 149);
+  await button(page, "Reset").click();
+  await settled(page);
+  assert.deepEqual(await points(page), given);
+});
+
+test("keys are left alone in fields, and can be switched off", async (t) => {
   const page = await openApplet(t, "controls", { more: `<p><input aria-label="name"></p>` });
   const before = await points(page);
   await page.getByRole("textbox", { name: "name" }).focus();
   for (const key of ["r", "m", "i", "Delete"]) await press(page, key);
+  assert.deepEqual(await points(page), before);
+  await ask(page, () => a.setAttribute("hotkeys", "off"));
   await page.evaluate(() => /** @type {any} */ (document.activeElement).blur());
   await press(page, "r");
   assert.deepEqual(await points(page), before);
   await focus(page, 3);
-  await ask(page, () => a.setAttribute("hotkeys", "off"));
   for (const key of ["r", "m", "i", "Delete", "Enter"]) await press(page, key);
   assert.deepEqual(await points(page), before);
   assert.deepEqual(await ask(page, () => [a.mode, a.joints]), ["", ["free"]]);

@@ -56,7 +56,9 @@ test("every anchor is there", () => {
   assert.ok(anchors.length > 100, `${anchors.length} anchors`);
   const missing = anchors.filter(
     ({ target }) =>
-      !idsOf(found.get(target.href.split("#")[0])?.text ?? "").includes(decodeURIComponent(target.hash.slice(1))),
+      !idsOf(found.get(target.href.split("#")[0])?.text ?? "").includes(
+        decodeURIComponent(target.hash.slice(1).split("?")[0]),
+      ),
   );
   assert.deepEqual([...new Set(missing.map(({ from, reference }) => `${from}: ${reference}`))], []);
 });

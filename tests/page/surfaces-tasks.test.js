@@ -106,7 +106,12 @@ test("the spout is clicked, the handle left alone, a patch chosen in the table",
   for (const part of ["lid", "rim", "body", "spout", "bottom"]) await pot.getByLabel(part, { exact: true }).uncheck();
   assert.match(await done(page, "only-handle"), /4 patches.*You predicted it/);
   await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("20");
-  await page.getByText(/Patch 20: \d+ different points/).waitFor();
+  await page.getByText(/Patch 20: \d+ different vertices/).waitFor();
+  await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("31");
+  const rows = await page.locator("teapot-data tr").evaluateAll((rows) =>
+    rows.map((row) => [...row.querySelectorAll("b, span")].map(({ textContent }) => textContent).join(" ")),
+  );
+  assert.deepEqual(rows, ["270 270 270 270", "300 305 306 279", "297 303 304 275", "294 301 302 271"], "as published");
 });
 
 test("a patch file is written and shown; what is none is refused in words", async (t) => {

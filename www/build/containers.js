@@ -2,7 +2,7 @@
 //
 //     ::: figure curve              a figure with the id figure-curve; its last paragraph is the caption
 //     ::: task half-height for=ID   a task (www/tasks/half-height.js) about the element with that id
-//     ::: sample polyline           the sample www/samples/polyline.js and .rs
+//     ::: sample polyline           the sample www/samples/polyline.js and .rs, with the id sample-polyline
 //     ::: article                   an `<article>`
 import container from "markdown-it-container";
 import { permalink } from "./markdown.js";
@@ -22,7 +22,7 @@ export function containers(md, { highlight }) {
     figure: { open: ({ meta }) => `<figure id="figure-${meta.name}">\n`, close: "</figure>\n" },
     task: { open: ({ meta }) => `<lesson-task${attributesOf(meta)}>\n`, close: "</lesson-task>\n" },
     sample: {
-      open: ({ meta }) => `<lesson-sample name="${meta.name}">${sampleCode(meta.name, highlight)}`,
+      open: ({ meta }) => `<lesson-sample id="sample-${meta.name}" name="${meta.name}">${sampleCode(meta.name, highlight)}`,
       close: "</lesson-sample>\n",
     },
     article: { open: () => "<article>\n", close: "</article>\n" },

@@ -1,60 +1,62 @@
-// Short computations that settle what a text says of curves. Each returns what it found, in words, and whether that proves the point.
-import { Curve, Path, Spline } from "casteljau";
-import { counted, listings } from "./operations.js";
-import { rounding, SAMPLES } from "./rounding.js";
+// A computation for each erratum about curves: a sentence with the numbers, and whether they prove the correction.
+import { Curve, Path, Patch, Spline } from "casteljau";
+import { roundingErrors } from "./rounding.js";
+import { listed, rounded } from "./format.js";
 
-/** @typedef {{ words: string, holds: boolean }} Found */
+/** @typedef {{ words: string, holds: boolean }} Proof */
+/** @typedef {[number, number]} Point */
 
-/** @param {number} x @param {number} [digits] */
-const n = (x, digits = 3) => String(Number(x.toFixed(digits))).replace("-", "−");
-/** @param {Iterable<number>} xs @param {number} [digits] */
-const list = (xs, digits = 3) => `[${Array.from(xs, (x) => n(x, digits)).join(", ")}]`;
-/** @param {Iterable<number>} xs */
-const sum = (xs) => [...xs].reduce((a, b) => a + b, 0);
 /** @param {number} count */
 const steps = (count) => Array.from({ length: count + 1 }, (_, i) => i / count);
+/** @param {{ x: number, y: number }} p @param {{ x: number, y: number }} q */
+const distance = (p, q) => Math.hypot(p.x - q.x, p.y - q.y);
 
-/** The first curve of the applet. */
-const ARCH = /** @type {[number, number][]} */ ([
+/** The first curve of the applet. @type {Point[]} */
+const ARCH = [
   [70, 330],
   [90, 80],
   [280, 60],
   [335, 240],
-]);
+];
 
-/** The greatest distance of a curve from the polyline of so many equal steps of t. @param {Curve} curve @param {number} segments */
-function polylineError(curve, segments) {
-  const points = curve.sample(segments);
-  const chord = (/** @type {number} */ k) => new Curve([...points.slice(2 * k, 2 * k + 4)], { dimension: 2 });
-  return Math.max(
-    ...steps(segments)
-      .slice(1)
-      .map((t, k) => curve.subsegment(t - 1 / segments, t).hausdorff(chord(k))),
-  );
+/** The continuity at the joint of two cubics with these seven points. @param {Point[]} points */
+const jointOf = (points) => new Spline(points).continuity(1);
+/** A joint at (100, 0) with P2 = (60, 0). @param {Point} p4 */
+const alignedJoint = (p4) => jointOf([[0, 0], [0, 80], [60, 0], [100, 0], p4, [220, 90], [260, 0]]);
+
+/** The second derivatives on both sides of a joint with b2 as given. @param {number} degree @param {Point} offset added to b2 */
+function c2Jump(degree, offset) {
+  const a = Array.from({ length: degree + 1 }, (_, i) => [40 * i, 30 * ((i * i) % 5)]);
+  const [a2, a1, a0] = a.slice(-3);
+  const b = Array.from({ length: degree + 1 }, (_, i) => [40 * (degree + i), 20 * i]);
+  b[0] = a0;
+  b[1] = [0, 1].map((k) => 2 * a0[k] - a1[k]);
+  b[2] = [0, 1].map((k) => a2[k] - 4 * a1[k] + 4 * a0[k] + offset[k]);
+  const second = (/** @type {number[][]} */ p, /** @type {number} */ t) =>
+    new Curve(/** @type {Point[]} */ (p)).derivative().derivativeAt(t);
+  return distance(second(a, 1), second(b, 0));
 }
 
-/** A polygon's corners with the first again at the end. @param {Float64Array} corners x, y, x, y … */
-const closedPolygon = (corners) => new Float64Array([...corners, corners[0], corners[1]]);
+/** The corrected listing. @param {Point[]} p @param {number} t @returns {Point[][]} */
+function splitBezier(p, t) {
+  const between = (/** @type {Point} */ a, /** @type {Point} */ b) =>
+    /** @type {Point} */ (a.map((x, k) => (1 - t) * x + t * b[k]));
+  const [p12, p23, p34] = [between(p[0], p[1]), between(p[1], p[2]), between(p[2], p[3])];
+  const [p1223, p2334] = [between(p12, p23), between(p23, p34)];
+  const point = between(p1223, p2334);
+  return [
+    [p[0], p12, p1223, point],
+    [point, p2334, p34, p[3]],
+  ];
+}
 
-/** @type {Record<string, () => Found>} */
+/** @type {Record<string, () => Proof>} */
 export const curveProofs = {
-  magnets() {
-    const least = Math.min(...steps(200).flatMap((t) => [...Curve.bernstein(3, t)]));
-    const beyond = Curve.bernstein(3, 1.25);
-    return {
-      words: `The least of the four weights at 201 values of t from 0 to 1 is ${n(least)}. At t = 1.25 they are ${list(beyond)}.`,
-      holds: least === 0 && Math.min(...beyond) < 0,
-    };
-  },
-
   "four-points"() {
-    const line = new Curve([
-      [0, 0],
-      [3, 4],
-    ]);
+    const [two, three] = [ARCH.slice(0, 2), ARCH.slice(0, 3)].map((points) => new Curve(points));
     return {
-      words: `new Curve([[0, 0], [3, 4]]) has degree ${line.degree} and length ${n(line.length())}.`,
-      holds: line.degree === 1 && line.length() === 5,
+      words: `The curve of (70, 330) and (90, 80) has degree ${two.degree} and the length of the segment, ${rounded(two.length(), 1)}. With (280, 60) as a third point the degree is ${three.degree}.`,
+      holds: two.degree === 1 && three.degree === 2 && Math.abs(two.length() - Math.hypot(20, 250)) < 1e-9,
     };
   },
 
@@ -64,90 +66,82 @@ export const curveProofs = {
       [0.5, 0],
       [1, 1],
     ]);
-    const far = Math.max(...steps(100).map((t) => Math.abs(curve.eval(t).x - t) + Math.abs(curve.eval(t).y - t * t)));
+    const errors = steps(100).map((t) => distance(curve.eval(t), { x: t, y: t * t }));
     return {
-      words: `The points (0, 0), (½, 0), (1, 1) give (t, t²) to within ${far.toExponential(0)} at 101 values of t.`,
-      holds: far < 1e-15,
+      words: `The points (0, 0), (½, 0), (1, 1) give (t, t²) with an error of at most ${Math.max(...errors).toExponential(0)} at 101 values of t.`,
+      holds: Math.max(...errors) < 1e-15,
     };
   },
 
-  "equal-steps"() {
-    const curve = new Curve(ARCH);
-    const pieces = steps(10)
-      .slice(1)
-      .map((t) => curve.subsegment(t - 0.1, t).length());
-    const [shortest, longest] = [Math.min(...pieces), Math.max(...pieces)];
+  numbering() {
+    const t = 0.2;
+    const k = [(1 - t) ** 3, 3 * (1 - t) ** 2 * t, 3 * (1 - t) * t ** 2, t ** 3];
+    const b = Curve.bernstein(3, t);
     return {
-      words: `Ten equal steps of t on the applet's first curve: the shortest piece is ${n(shortest, 1)} px long, the longest ${n(longest, 1)} px.`,
-      holds: longest > 1.5 * shortest,
+      words: `At t = 0.2, k₁ … k₄ are ${listed(k)} and B₀ … B₃ are ${listed(b)}: k₁ is B₀, and not B₁.`,
+      holds: k.every((weight, i) => Math.abs(weight - b[i]) < 1e-15),
     };
   },
 
   "n-zero"() {
     const [zero, one] = [Curve.bernstein(0, 0.3), Curve.bernstein(1, 0.3)];
     return {
-      words: `At t = 0.3 degree 0 has the weights ${list(zero)}, degree 1 has ${list(one)}.`,
-      holds: zero.length === 1 && zero[0] === 1 && one.length === 2,
+      words: `At t = 0.3 degree 0 has the weights ${listed(zero)}, degree 1 has ${listed(one)}.`,
+      holds: zero.length === 1 && zero[0] === 1 && one.length === 2 && Math.abs(one[0] - 0.7) < 1e-15,
     };
   },
 
-  "matrix-rows"() {
-    const weights = (/** @type {Float64Array} */ m, /** @type {boolean} */ turned) =>
-      [0, 1, 2, 3].map((k) =>
-        sum([0.125, 0.25, 0.5, 1].map((power, row) => power * m[turned ? 4 * k + row : 4 * row + k])),
-      );
-    const [right, wrong] = [false, true].map((turned) => weights(Curve.basisMatrix("b-spline"), turned));
-    const bezier = [false, true].map((turned) => list(weights(Curve.basisMatrix("bezier"), turned)));
+  bicubic() {
+    const patch = new Patch(Array.from({ length: 16 }, (_, i) => [i % 4, Math.floor(i / 4), 0]));
+    const curve = new Curve(ARCH);
     return {
-      words: `Weights of the B-spline at t = ½ with the matrix as it must be: ${list(right)}, together ${n(sum(right))}. Rows taken for columns: ${list(wrong)}, together ${n(sum(wrong))}.`,
-      holds: Math.abs(sum(right) - 1) < 1e-12 && Math.abs(sum(wrong) - 1) > 0.1 && bezier[0] === bezier[1],
+      words: `Four points: a curve of degree ${curve.degree} in its only parameter. Sixteen points: a surface of degrees ${patch.degreeU} and ${patch.degreeV}.`,
+      holds: curve.degree === 3 && patch.degreeU === 3 && patch.degreeV === 3,
     };
   },
 
   stable() {
-    const { bernstein, casteljau, powers } = rounding();
+    const { bernsteinSum, deCasteljau, powers } = roundingErrors();
     return {
-      words: `Degree 12 in single precision, ${SAMPLES + 1} values of t: the weights are off by at most ${n(bernstein, 1)} units in the last place, de Casteljau by ${n(casteljau, 1)}, the powers of t by ${n(powers, 0)}.`,
-      holds: powers > 20 * Math.max(bernstein, casteljau),
+      words: `500 random cubics in single precision, root mean square errors in units in the last place: ${rounded(bernsteinSum, 2)} for the lesson's first listing, ${rounded(deCasteljau, 2)} for its de Casteljau listing, ${rounded(powers, 2)} for powers of t.`,
+      holds: Math.abs(bernsteinSum / deCasteljau - 1) < 0.1 && powers > 2 * bernsteinSum,
     };
   },
 
-  operations() {
-    const said = { weights: "6−, 9+, 22×", casteljau: "6−, 18+, 36×" };
-    const found = Object.fromEntries(Object.entries(listings).map(([name, run]) => [name, counted(run)]));
+  circumscribed() {
+    const curve = new Curve(ARCH);
+    const corners = curve.hull();
+    const hull = new Path([new Spline([...corners, corners[0], corners[1]], { degree: 1, dimension: 2 })]);
+    const inside = steps(100)
+      .slice(1, -1)
+      .filter((t) => hull.contains(curve.eval(t))).length;
     return {
-      words: `Counted while they ran, in space: the weights as listed ${found.weights}, de Casteljau as listed ${found.casteljau}; the weights with shared factors ${found.sharedWeights}, de Casteljau as P + t(Q − P) ${found.differences}.`,
-      holds: found.weights === said.weights && found.casteljau === said.casteljau,
-    };
-  },
-
-  "zero-handle"() {
-    const tangent = new Curve([
-      [0, 0],
-      [0, 0],
-      [3, 4],
-      [6, 0],
-    ]).tangent(0);
-    return {
-      words: `P0 = P1 = (0, 0), P2 = (3, 4): the tangent at the start is (${n(tangent.x)}, ${n(tangent.y)}), the direction of P2.`,
-      holds: Math.abs(tangent.x - 0.6) < 1e-12,
+      words: `Of 99 points between the ends of the applet's first curve, ${inside} lie inside the hull.`,
+      holds: inside === 99,
     };
   },
 
   aligned() {
-    const [uneven, back] = [
-      [200, 0],
-      [50, 0],
-    ].map((p4) => new Spline([[0, 0], [0, 80], [60, 0], [100, 0], p4, [220, 90], [260, 0]]).continuity(1));
-    const told = (/** @type {ReturnType<Spline["continuity"]>} */ c) =>
-      `${c.g1 ? "G1" : "not G1"}, ${c.c1 ? "C1" : "not C1"}`;
+    const [uneven, back] = [alignedJoint([200, 0]), alignedJoint([50, 0])];
+    const described = (/** @type {typeof uneven} */ c) => `${c.g1 ? "G1" : "not G1"} and ${c.c1 ? "C1" : "not C1"}`;
     return {
-      words: `P2 = (60, 0), P3 = (100, 0). With P4 = (200, 0) the joint is ${told(uneven)}; with P4 = (50, 0), on the same line, ${told(back)}: the curve turns back by ${n((back.angle * 180) / Math.PI, 0)}°.`,
+      words: `P2 = (60, 0), P3 = (100, 0). With P4 = (200, 0) the joint is ${described(uneven)}; with P4 = (50, 0), on the same line, it is ${described(back)}: the curve turns back by ${rounded((back.angle * 180) / Math.PI, 0)}°.`,
       holds: uneven.g1 && !uneven.c1 && !back.g1 && !back.c1,
     };
   },
 
+  c0() {
+    const joint = alignedJoint([140, 0]);
+    return {
+      words: `P2 = (60, 0), P3 = (100, 0), P4 = (140, 0): the curves are tangent, and C0 is ${joint.c0}.`,
+      holds: joint.c0 && joint.g1 && joint.c1,
+    };
+  },
+
   c2() {
+    const degrees = [2, 3, 4, 5];
+    const jumps = degrees.map((degree) => c2Jump(degree, [0, 0]));
+    const missed = degrees.map((degree) => c2Jump(degree, [1, 0]));
     const [a1, a2, a3] = [
       [40, 90],
       [80, 90],
@@ -155,147 +149,89 @@ export const curveProofs = {
     ];
     const b1 = [0, 1].map((k) => 2 * a3[k] - a2[k]);
     const b2 = [0, 1].map((k) => a1[k] - 4 * a2[k] + 4 * a3[k]);
-    const joint = (/** @type {number[]} */ p5) => new Spline([[0, 0], a1, a2, a3, b1, p5, [300, 0]]).continuity(1);
+    const area = (b1[0] - a3[0]) * (b2[1] - a3[1]) - (b1[1] - a3[1]) * (b2[0] - a3[0]);
     return {
-      words: `P1 to P3 at (40, 90), (80, 90), (120, 60): only P4 = (${b1}) with P5 = (${b2}) makes the joint C2, and these do not lie on one line with P3. P5 one pixel aside: C2 is ${joint([b2[0] + 1, b2[1]]).c2}.`,
-      holds: joint(b2).c2 && !joint([b2[0] + 1, b2[1]]).c2,
+      words: `Degrees 2, 3, 4 and 5: the formula leaves a jump of ${rounded(Math.max(...jumps))} in the second derivative, and b2 one pixel aside one of at least ${rounded(Math.min(...missed))}. A cubic that ends with (40, 90), (80, 90), (120, 60) needs (${listed(b1)}) and (${listed(b2)}), which are not on one line with (120, 60).`,
+      holds: Math.max(...jumps) < 1e-9 && Math.min(...missed) >= 1 && area !== 0,
     };
   },
 
-  "halves-speed"() {
-    const [left, right] = new Curve(ARCH).split(0.25);
-    const speed = (/** @type {Curve} */ half, /** @type {number} */ t) =>
-      Math.hypot(half.derivativeAt(t).x, half.derivativeAt(t).y);
-    const ratio = speed(left, 1) / speed(right, 0);
-    return {
-      words: `Cut at t = ¼, the first half arrives with ${n(speed(left, 1), 1)} and the second leaves with ${n(speed(right, 0), 1)}: 1 to ${n(1 / ratio)}, as ¼ to ¾.`,
-      holds: Math.abs(ratio - 1 / 3) < 1e-12,
-    };
-  },
-
-  optimise() {
-    const [direct, middles] = [counted(listings.halvesDirectly), counted(listings.halvesByMiddles)];
-    return {
-      words: `Counted while they ran, for one coordinate: as listed ${direct}; six middles ${middles}. Both give the same points.`,
-      holds: direct === "9+, 8×" && middles === "6+, 6×",
-    };
-  },
-
-  "c1-lengths"() {
-    const joint = (/** @type {number[]} */ b1) => {
-      const a = new Curve([
-        [0, 0],
-        [30, 60],
-        [60, 60],
-        [90, 30],
-      ]).derivativeAt(1);
-      const b = new Curve([[90, 30], b1, [180, -60], [220, 0]]).derivativeAt(0);
-      return [a.x - b.x / 2, a.y - b.y / 2]; // the second piece lasts twice as long
-    };
-    const [middle, right] = [joint([120, 0]), joint([150, -30])];
-    return {
-      words: `The first piece lasts 1 s, the second 2 s. With the joint in the middle of its neighbours the speed jumps by (${list(middle, 0)}) px/s; at one third, by (${list(right, 0)}).`,
-      holds: Math.hypot(...middle) > 1 && Math.hypot(...right) < 1e-9,
-    };
-  },
-
-  "hull-range"() {
-    const [inside, outside] = [0.99, 1.01].map((t) => new Curve(ARCH).eval(t));
-    const hull = new Spline(closedPolygon(new Curve(ARCH).hull()), { degree: 1 });
-    const contains = (/** @type {{ x: number, y: number }} */ p) => new Path([hull]).contains(p);
-    return {
-      words: `In the hull at t = 0.99: ${contains(inside)}. At t = 1.01: ${contains(outside)}.`,
-      holds: contains(inside) && !contains(outside),
-    };
-  },
-
-  "not-through"() {
-    const points = ARCH;
-    const start = Spline.fromBSpline(points).segments()[0].eval(0);
-    return {
-      words: `The uniform B-spline of four points with P0 = (70, 330) starts at (${n(start.x, 1)}, ${n(start.y, 1)}).`,
-      holds: Math.hypot(start.x - 70, start.y - 330) > 10,
-    };
-  },
-
-  fraction() {
-    const curve = new Curve([
-      [0, 0],
-      [10, 0],
-      [100, 0],
+  divide() {
+    const curve = new Curve(ARCH);
+    const cut = 0.3;
+    const [left, right] = curve.split(cut);
+    const errors = steps(100).flatMap((t) => [
+      distance(left.eval(t), curve.eval(cut * t)),
+      distance(right.eval(t), curve.eval(cut + (1 - cut) * t)),
     ]);
-    const [t, share] = [0.5, curve.subsegment(0, 0.5).length() / curve.length()];
     return {
-      words: `The points 0, 10, 100 on a line: at t = ${t} the curve has run ${n(100 * share, 1)} % of its way.`,
-      holds: Math.abs(share - 0.3) < 1e-9,
+      words: `The applet's first curve split at t = 0.3: both parts are cubics, and at 101 values of t they differ from B(0.3 t) and B(0.3 + 0.7 t) by at most ${Math.max(...errors).toExponential(0)} px.`,
+      holds: left.degree === 3 && right.degree === 3 && Math.max(...errors) < 1e-12,
     };
   },
 
-  smoother() {
-    const [ten, twenty] = [10, 20].map((count) => polylineError(new Curve(ARCH), count));
+  p1224() {
+    const t = 0.3;
+    const between = (/** @type {Point} */ a, /** @type {Point} */ b) => a.map((x, k) => (1 - t) * x + t * b[k]);
+    const [p12, p23] = [between(ARCH[0], ARCH[1]), between(ARCH[1], ARCH[2])];
+    const p1223 = between(/** @type {Point} */ (p12), /** @type {Point} */ (p23));
+    const third = [...new Curve(ARCH).split(t)[0].controlPoints().slice(4, 6)];
     return {
-      words: `Ten pieces are off by ${n(ten, 2)} px, twenty by ${n(twenty, 2)} px: twice as many, ${n(ten / twenty, 1)} times as close.`,
-      holds: Math.abs(ten / twenty - 4) < 0.5,
+      words: `At t = 0.3, P12 and P23 give P1223 = (${listed(p1223)}), and the third point of the first sub-curve is (${listed(third)}).`,
+      holds: third.every((x, k) => Math.abs(x - p1223[k]) < 1e-12),
+    };
+  },
+
+  "split-listing"() {
+    const t = 0.3;
+    const corrected = splitBezier(ARCH, t);
+    const halves = new Curve(ARCH).split(t).map((half) => [...half.controlPoints()]);
+    const error = Math.max(...corrected.flatMap((half, i) => half.flat().map((x, k) => Math.abs(x - halves[i][k]))));
+    return {
+      words: `The corrected listing at t = 0.3 gives the control points of curve.split(0.3), to 12 decimals; its last point is P[3] = (${corrected[1][3].join(", ")}).`,
+      holds: error < 1e-12 && corrected[1][3] === ARCH[3],
+    };
+  },
+
+  "spline-through"() {
+    const spline = Spline.fromBSpline(ARCH);
+    const distances = ARCH.map((point) => spline.nearest(point).distance);
+    return {
+      words: `The uniform cubic B-spline of the applet's first four points passes them at distances of ${listed(distances, 0)} px.`,
+      holds: Math.min(...distances) > 10,
+    };
+  },
+
+  superset() {
+    const first = Spline.fromBSpline(ARCH).segments()[0];
+    const [start, tangent] = [first.eval(0), first.tangent(0)];
+    const side = { x: ARCH[1][0] - ARCH[0][0], y: ARCH[1][1] - ARCH[0][1] };
+    const angle = Math.acos((tangent.x * side.x + tangent.y * side.y) / Math.hypot(side.x, side.y));
+    return {
+      words: `The uniform B-spline of the applet's first four points starts at (${listed([start.x, start.y], 1)}) instead of (70, 330), and its tangent there is ${rounded((angle * 180) / Math.PI, 0)}° off the direction from P0 to P1.`,
+      holds: distance(start, { x: 70, y: 330 }) > 10 && angle > 0.1,
     };
   },
 
   concave() {
-    const bends = (/** @type {[number, number][]} */ points) => new Curve(points).inflections().length;
-    const [quadratic, cubic] = [
-      bends([
-        [0, 0],
-        [50, 90],
-        [100, 0],
-      ]),
-      bends([
-        [0, 0],
-        [50, 100],
-        [50, -100],
-        [100, 0],
-      ]),
-    ];
-    return {
-      words: `Places where the bend changes sides: ${quadratic} on a quadratic, ${cubic} on the cubic (0, 0), (50, 100), (50, −100), (100, 0).`,
-      holds: quadratic === 0 && cubic === 1,
-    };
-  },
-
-  "fixed-increment"() {
-    const run = (/** @type {(x: number) => number} */ round) => {
-      let [t, count] = [0, 0];
-      const increment = round(0.1);
-      let last = t;
-      for (; t <= 1; t = round(t + increment)) {
-        last = t;
-        count++;
-      }
-      return { count, last };
-    };
-    const [double, single] = [run((x) => x), run(Math.fround)];
-    return {
-      words: `for (t = 0; t <= 1; t += 0.1): ${double.count} points in double precision, the last at t = ${double.last}; ${single.count} in single precision, the last at t = ${n(single.last, 6)}.`,
-      holds: double.last !== 1 && single.last !== 1,
-    };
-  },
-
-  "stop-test"() {
-    const [chord, height] = [100, 1.8];
-    const curve = new Curve([
+    const inflections = (/** @type {Point[]} */ points) => new Curve(points).inflections().length;
+    const area = (/** @type {Point[]} */ [a, b, c]) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    /** @type {Point[]} */
+    const quadratic = [
       [0, 0],
-      [chord / 3, height],
-      [(2 * chord) / 3, height],
-      [chord, 0],
+      [50, 90],
+      [100, 0],
+    ];
+    const backwards = [...quadratic].reverse();
+    const cubic = inflections([
+      [0, 0],
+      [50, 100],
+      [50, -100],
+      [100, 0],
     ]);
-    const excess = 2 * Math.hypot(chord / 3, height) + chord / 3 - chord;
-    const distance = curve.hausdorff(
-      new Curve([
-        [0, 0],
-        [chord, 0],
-      ]),
-    );
     return {
-      words: `A chord of 100 px, both handles 1.8 px beside it: D1 − D2 = ${n(excess)}, below a tolerance of 0.1; the curve is ${n(distance, 2)} px away.`,
-      holds: excess < 0.1 && distance > 1.3,
+      words: `The quadratic (0, 0), (50, 90), (100, 0) has ${inflections(quadratic)} inflections; it turns right, and left when it is run backwards. The cubic (0, 0), (50, 100), (50, −100), (100, 0) has ${cubic}.`,
+      holds: inflections(quadratic) === 0 && cubic === 1 && area(quadratic) < 0 && area(backwards) > 0,
     };
   },
 };

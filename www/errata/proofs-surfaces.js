@@ -1,34 +1,30 @@
-// Short computations that settle what a text says of surfaces.
+// A computation for each erratum about surfaces: a sentence with the numbers, and whether they prove the correction.
 import { Curve, Patch, Surface } from "casteljau";
+import { listed, rounded } from "./format.js";
 
-/** @typedef {import("./proofs-curves.js").Found} Found */
+/** @typedef {import("./proofs-curves.js").Proof} Proof */
 /** @typedef {{ x: number, y: number, z: number }} Vector */
 
-/** @param {number} x @param {number} [digits] */
-const n = (x, digits = 3) => String(Number(x.toFixed(digits))).replace("-", "−");
 /** @param {Vector} v */
-const told = ({ x, y, z }) => `(${n(x, 2)}, ${n(y, 2)}, ${n(z, 2)})`;
+const described = ({ x, y, z }) => `(${listed([x, y, z], 2)})`;
 /** @param {Vector} a @param {Vector} b @returns {Vector} */
 const cross = (a, b) => ({ x: a.y * b.z - a.z * b.y, y: a.z * b.x - a.x * b.z, z: a.x * b.y - a.y * b.x });
-/** @param {Vector} a @param {Vector} b */
-const dot = (a, b) => a.x * b.x + a.y * b.y + a.z * b.z;
 /** @param {Vector} a @param {Vector} b @returns {Vector} */
 const minus = (a, b) => ({ x: a.x - b.x, y: a.y - b.y, z: a.z - b.z });
-
-/** A patch over a square of side 3, lifted as told. @param {(i: number, j: number) => number} height @param {number} [degree] */
-const lifted = (height, degree = 3) => {
-  const side = Array.from({ length: degree + 1 }, (_, i) => i);
-  return new Patch(
-    side.flatMap((j) => side.map((i) => [i, j, height(i, j)])),
-    { degreeU: degree, degreeV: degree },
-  );
+/** @param {Vector} v */
+const length = ({ x, y, z }) => Math.hypot(x, y, z);
+/** @param {Surface} surface @returns {Vector} the width, depth and height of its bounding box */
+const sizeOf = (surface) => {
+  const bounds = surface.bounds();
+  return minus(/** @type {Vector} */ (bounds?.max), /** @type {Vector} */ (bounds?.min));
 };
 
 /** The point of a patch. @param {Patch} patch @param {number} u @param {number} v */
 const pointAt = (patch, u, v) => /** @type {Vector} */ (patch.eval(u, v));
 
-/** A flat quarter of a ring: all its points in one plane, two of its sides bent. */
-const K = 0.5522847498307936; // 4/3 · (√2 − 1), a cubic's handle for a quarter of a circle
+/** The handle of a cubic for a quarter of a circle, 4/3 · (√2 − 1). */
+const K = 0.5522847498307936;
+/** A flat quarter of a ring: all its points are in one plane, two of its edges are curved. */
 const RING = new Patch(
   [1, 4 / 3, 5 / 3, 2].flatMap((r) => [
     [r, 0, 0],
@@ -38,15 +34,17 @@ const RING = new Patch(
   ]),
 );
 
-/** @type {Record<string, () => Found>} */
+/** @type {Record<string, () => Proof>} */
 export const surfaceProofs = {
-  "u-or-v"() {
-    const patch = lifted((i, j) => i + 10 * j);
-    const along = patch.isocurveAtV(0).controlPoints();
-    const numbers = [0, 1, 2, 3].map((k) => along[3 * k] + 4 * along[3 * k + 1] + 1);
+  "t-in-k"() {
+    const [u, t] = [0.2, 0.6];
+    const k = (/** @type {number} */ x) => [(1 - x) ** 3, 3 * (1 - x) ** 2 * x, 3 * (1 - x) * x ** 2, x ** 3];
+    const weights = Curve.bernstein(3, u);
+    const matches = (/** @type {number[]} */ values) =>
+      values.every((value, i) => Math.abs(value - weights[i]) < 1e-15);
     return {
-      words: `Keep v = 0 and let u run: the curve has the control points ${numbers.join(", ")}.`,
-      holds: numbers.join() === "1,2,3,4",
+      words: `At u = 0.2 the Bernstein polynomials are ${listed(weights)}. The right-hand sides with u in place of t give ${listed(k(u))}; with t = 0.6 left in they give ${listed(k(t))}.`,
+      holds: matches(k(u)) && !matches(k(t)),
     };
   },
 
@@ -59,108 +57,52 @@ export const surfaceProofs = {
     ];
     const [right, wrong] = [row, [row[0], row[1], row[3], [0, 0]]].map((points) => new Curve(points).eval(1));
     return {
-      words: `The row (0, 0), (1, 2), (2, 2), (3, 0) ends at (${right.x}, ${right.y}). With index 2 written twice, and zeros where nothing was written, at (${wrong.x}, ${wrong.y}).`,
+      words: `The row (0, 0), (1, 2), (2, 2), (3, 0) ends at (${right.x}, ${right.y}). With index 2 written twice, and zeros in the entry that is never set, it ends at (${wrong.x}, ${wrong.y}).`,
       holds: right.x === 3 && wrong.x === 0,
     };
   },
 
-  winding() {
-    const patch = lifted((i, j) => (i * (3 - i) + j * (3 - j)) / 2);
-    const at = (/** @type {number} */ u, /** @type {number} */ v) => pointAt(patch, u / 16, v / 16);
-    const [a, b, c] = [at(8, 8), at(8, 9), at(9, 9)]; // one step of v first, as listed
-    const { u, v } = patch.partials(0.5, 0.5);
-    const normal = cross(/** @type {Vector} */ (u), /** @type {Vector} */ (v));
-    const agreement = dot(cross(minus(b, a), minus(c, a)), normal);
-    return {
-      words: `The quad in the middle of a patch, in the order of the listing: its normal times ∂u × ∂v is ${agreement.toExponential(1)}.`,
-      holds: agreement < 0,
-    };
-  },
-
   "scale-axis"() {
-    const size = (/** @type {Surface} */ pot) =>
-      minus(/** @type {Vector} */ (pot.bounds()?.max), /** @type {Vector} */ (pot.bounds()?.min));
     const pot = Surface.teapot();
-    const wide = pot.transform([1, 0, 0, 0, 0, 4 / 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+    const aboutZ = pot.transform([0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+    const aboutX = pot.transform([1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1]);
+    const [size, turned, upright] = [pot, aboutZ, aboutX].map(sizeOf);
+    const near = (/** @type {number} */ a, /** @type {number} */ b) => Math.abs(a - b) < 1e-12;
     return {
-      words: `The listed pot measures ${told(size(pot))}: 3.15 is its height, and z is up. Stretched along y it measures ${told(size(wide))}, as high as before; Newell's measures ${told(size(Surface.teapot({ height: "original" })))}.`,
-      holds:
-        Math.abs(size(wide).z - 3.15) < 1e-12 && Math.abs(size(Surface.teapot({ height: "original" })).z - 4.2) < 1e-12,
+      words: `The listed pot measures ${described(size)} along x, y and z, and its height is along z. After 90° about z it measures ${described(turned)}: the height is still along z. After 90° about x, ${described(upright)}: the height is along y.`,
+      holds: near(size.z, 3.15) && near(turned.z, size.z) && near(turned.y, size.x) && near(upright.y, size.z),
     };
   },
 
-  poles() {
-    const pot = Surface.teapot();
-    const { collapsed } = pot.topology();
-    const { u } = pot.patch(20).partials(0.5, 0);
-    const { v } = pot.patch(20).partials(0.5, 0);
-    const area = Math.hypot(...Object.values(cross(/** @type {Vector} */ (u), /** @type {Vector} */ (v))));
-    const count = typeof collapsed === "number" ? collapsed : collapsed.length;
+  "forward-differential"() {
+    const curve = new Curve([
+      [0, 0],
+      [1, 0],
+      [0, 0],
+      [2, 0],
+    ]);
+    const step = 0.25;
+    const difference = curve.eval(step).x - curve.eval(0).x;
+    const differential = step * curve.derivativeAt(0).x;
     return {
-      words: `Sides of the teapot's patches that are one point: ${count}. At the tip of the lid |∂u × ∂v| = ${n(area)}.`,
-      holds: count > 0 && area < 1e-12,
+      words: `The cubic with the values 0, 1, 0, 2 and a step of ¼: the technique adds the difference B(¼) − B(0) = ${rounded(difference, 5)}; the differential B′(0) · ¼ is ${rounded(differential, 5)}.`,
+      holds: Math.abs(difference - 0.453125) < 1e-15 && differential === 0.75,
     };
   },
 
-  cracks() {
-    const side = Surface.teapot().patch(4).isocurveAtU(0);
-    const polyline = (/** @type {number} */ segments) => side.sample(segments);
-    const [coarse, fine] = [polyline(3), polyline(4)];
-    const piece = (/** @type {number} */ k) => new Curve([...coarse.slice(3 * k, 3 * k + 6)], { dimension: 3 });
-    const gaps = [1, 2, 3].map((i) =>
-      Math.min(...[0, 1, 2].map((k) => piece(k).nearest([...fine.slice(3 * i, 3 * i + 3)]).distance)),
-    );
+  "sum-product"() {
+    const net = Array.from({ length: 9 }, (_, i) => [i % 3, Math.floor(i / 3), (i * i) % 5]);
+    const patch = new Patch(net, { degreeU: 2, degreeV: 2 });
+    const [u, v] = [0.3, 0.6];
+    const [inU, inV] = [Curve.bernstein(2, u), Curve.bernstein(2, v)];
+    const weighted = (/** @type {(a: number, b: number) => number} */ weight) =>
+      [0, 1, 2].map((axis) => net.reduce((sum, p, k) => sum + weight(inU[k % 3], inV[Math.floor(k / 3)]) * p[axis], 0));
+    const { x, y, z } = pointAt(patch, u, v);
+    const [products, sums] = [weighted((a, b) => a * b), weighted((a, b) => a + b)];
+    const error = (/** @type {number[]} */ p) => Math.hypot(p[0] - x, p[1] - y, p[2] - z);
     return {
-      words: `A side of the teapot's body, cut in three on one patch and in four on its neighbour: the gap is up to ${n(Math.max(...gaps))} wide, the pot 3.15 high.`,
-      holds: Math.max(...gaps) > 0.001,
-    };
-  },
-
-  "rank-one"() {
-    const [a, b] = [
-      [1, 2, 4, 3],
-      [2, 1, 1, 5],
-    ];
-    const product = (/** @type {number} */ i, /** @type {number} */ j) => a[i] * b[j];
-    const pairs = [0, 1, 2].flatMap((i) => [i + 1, i + 2, i + 3].filter((k) => k < 4).map((k) => [i, k]));
-    const minors = pairs.flatMap(([i, k]) =>
-      pairs.map(([j, l]) => product(i, j) * product(k, l) - product(i, l) * product(k, j)),
-    );
-    return {
-      words: `Heights a_i b_j: all ${minors.length} determinants of 2 × 2 parts of the net are 0. Eight numbers say it all; a patch has sixteen.`,
-      holds: minors.length === 36 && minors.every((minor) => minor === 0),
-    };
-  },
-
-  "diagonal-degree"() {
-    const patch = lifted(
-      (i, j) =>
-        [
-          [0, 2, 1],
-          [3, 1, 0],
-          [1, 4, 2],
-        ][i][j],
-      2,
-    );
-    let heights = Array.from({ length: 6 }, (_, i) => pointAt(patch, i / 5, i / 5).z);
-    const differences = [];
-    for (let k = 1; k <= 5; k++) {
-      heights = heights.slice(1).map((h, i) => h - heights[i]);
-      differences.push(heights[0]);
-    }
-    return {
-      words: `Heights along the diagonal u = v of a patch with nine points: the fourth differences are ${n(differences[3])}, the fifth ${n(Math.abs(differences[4]), 12)}. Degree 4.`,
-      holds: Math.abs(differences[3]) > 1e-3 && Math.abs(differences[4]) < 1e-12,
-    };
-  },
-
-  "inner-rows"() {
-    const patch = lifted((i, j) => (i % 3 && j % 3 ? 3 : 0));
-    const row = new Curve([0, 1, 2, 3].map((i) => [i, 1, i % 3 ? 3 : 0]));
-    const away = patch.nearest(row.eval(0.5)).distance;
-    return {
-      words: `The curve of the second row, at its middle, is ${n(away, 2)} away from the patch, whose net is 3 wide.`,
-      holds: away > 0.1,
+      words: `A quadratic patch at (0.3, 0.6) is at (${listed([x, y, z])}). Points weighted with products give (${listed(products)}), with sums (${listed(sums)}).`,
+      holds: error(products) < 1e-12 && error(sums) > 1,
     };
   },
 
@@ -174,25 +116,11 @@ export const surfaceProofs = {
     ].map(([u, v]) => pointAt(RING, u, v));
     const [a, b, c, d] = corners;
     const triangle = (/** @type {Vector} */ p, /** @type {Vector} */ q, /** @type {Vector} */ r) =>
-      Math.hypot(...Object.values(cross(minus(q, p), minus(r, p)))) / 2;
+      length(cross(minus(q, p), minus(r, p))) / 2;
     const [two, all] = [triangle(a, b, d) + triangle(a, d, c), RING.area()];
     return {
-      words: `A flat quarter of a ring: all sixteen points lie in the plane of three corners, at distance 0. Its area is ${n(all, 2)}, that of its two triangles ${n(two, 2)}.`,
+      words: `A flat quarter of a ring: all sixteen points lie in the plane of three corners, at distance 0. Its area is ${rounded(all, 2)}, that of its two triangles ${rounded(two, 2)}.`,
       holds: flat && all / two > 1.5,
-    };
-  },
-
-  "no-plane"() {
-    const patch = Surface.teapot().patch(20);
-    const [a, b, c] = [
-      [0, 0],
-      [1, 0],
-      [0, 1],
-    ].map(([u, v]) => pointAt(patch, u, v));
-    const area = Math.hypot(...Object.values(cross(minus(b, a), minus(c, a))));
-    return {
-      words: `On the teapot's lid the corners (0, 0) and (1, 0) of a patch are one point: three corners that include both span a triangle of area ${n(area)}.`,
-      holds: area < 1e-12,
     };
   },
 };

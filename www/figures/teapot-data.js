@@ -1,13 +1,12 @@
-// <teapot-data for="id">: the sixteen numbers of a patch, the points behind them, and which of them other patches use, too.
-import { Surface } from "casteljau";
+// <teapot-data for="id">: the listing of the teapot as published, with 306 vertices: the sixteen vertex numbers of a patch,
+// the vertices, and which of them other patches use, too.
+import listing from "../../tests/data/teapot.json" with { type: "json" };
 import { element } from "../parts/dom.js";
 import { slider } from "./lib/svg.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
 
 class TeapotData extends LinkedFigure {
-  #teapot = Surface.teapot();
-  #nets = this.#teapot.patches;
-  #points = this.#teapot.vertices;
+  #nets = listing.patches;
   #uses = countUses(this.#nets);
   #body = element("tbody");
   #words = element("p", { className: "note" });
@@ -19,7 +18,7 @@ class TeapotData extends LinkedFigure {
     const caption = element(
       "p",
       { className: "note" },
-      "The sixteen numbers of a patch, a row for each row of its net, and the point that each number stands for. Bold: other patches use it, too.",
+      `The sixteen vertex numbers of a patch, from 1 to ${listing.vertices.length} as published, and the vertex below each. Bold: other patches use it, too.`,
     );
     const scroll = element(
       "div",
@@ -33,21 +32,19 @@ class TeapotData extends LinkedFigure {
 
   /** @param {number} k @param {boolean} pick whether the figure beside picks the patch, too */
   #fill(k, pick) {
-    const net = Array.from(this.#nets[k]);
+    const net = this.#nets[k];
     const cell = (/** @type {number} */ vertex) => {
-      const at = [...this.#points.slice(3 * vertex, 3 * vertex + 3)]
-        .map((x) => String(Number(x.toFixed(5))).replace("-", "−"))
-        .join(", ");
+      const at = listing.vertices[vertex].map((x) => String(Number(x.toFixed(5))).replace("-", "−")).join(", ");
       return element(
         "td",
         {},
-        element(this.#uses[vertex] > 1 ? "b" : "span", {}, String(vertex)),
+        element(this.#uses[vertex] > 1 ? "b" : "span", {}, String(vertex + 1)),
         element("small", {}, at),
       );
     };
     this.#body.replaceChildren(...[0, 1, 2, 3].map((j) => element("tr", {}, ...net.slice(4 * j, 4 * j + 4).map(cell))));
     const shared = new Set(net.filter((vertex) => this.#uses[vertex] > 1)).size;
-    this.#words.textContent = `Patch ${k}: ${new Set(net).size} different points, ${shared} of them shared.`;
+    this.#words.textContent = `Patch ${k}: ${new Set(net).size} different vertices, ${shared} of them shared.`;
     if (pick && this.target) this.target.patch = k;
   }
 }

@@ -22,6 +22,8 @@ export class AppletEditing extends AppletAttributes {
   good = false;
   /** What the user began with, for `reset`. @type {State | null} */
   #origin = null;
+  /** Whether the user has changed something. */
+  #isTouched = false;
   /** @type {{ state: State, figure: Figure } | null} */
   #made = null;
 
@@ -31,7 +33,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set points(points) {
-    this.byPage((state) => FIELDS.points.put(state, points));
+    this.#assign((state) => FIELDS.points.put(state, points));
   }
 
   /** The mode of each inner joint. */
@@ -40,7 +42,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set joints(joints) {
-    this.byPage((state) => edits.withJoints(state, /** @type {State} */ (FIELDS.joints.put(state, joints)).joints));
+    this.#assign((state) => edits.withJoints(state, /** @type {State} */ (FIELDS.joints.put(state, joints)).joints));
   }
 
   get t() {
@@ -58,7 +60,7 @@ export class AppletEditing extends AppletAttributes {
 
   set state(json) {
     const state = stateOf(json);
-    this.byPage(() => state);
+    this.#assign(() => state);
   }
 
   toJSON() {
@@ -175,6 +177,16 @@ export class AppletEditing extends AppletAttributes {
   }
 
   /**
+   * The page sets a property. Before the first action of the user, what it sets is what `reset` restores.
+   *
+   * @param {(state: State) => State} change
+   */
+  #assign(change) {
+    this.byPage(change);
+    if (!this.#isTouched) this.#origin = null;
+  }
+
+  /**
    * @internal
    * A part of what the user is doing; `settle` completes it.
    *
@@ -184,6 +196,7 @@ export class AppletEditing extends AppletAttributes {
     const before = this.now();
     const next = change(before);
     this.#origin ??= before;
+    this.#isTouched = true;
     this.history.touch(before);
     this.display(next);
     this.fire("input");

@@ -5,7 +5,7 @@ import { Acting } from "./acting.js";
 import * as edits from "./edits.js";
 import { listenToFiles } from "./files.js";
 import { frame } from "./frame.js";
-import { listenToKeys } from "./keys.js";
+import { listenToKeys, listenToPage } from "./keys.js";
 import { jointsOf } from "./joints.js";
 import { snapped, turnedBy15 } from "./snap.js";
 import { Stage } from "./stage.js";
@@ -18,6 +18,9 @@ import { description } from "./words.js";
 export class Hands extends Acting {
   /** For which the colours were read. */
   #theme = "";
+
+  /** @type {(() => void) | null} */
+  #stopListeningToPage = null;
 
   /** @param {import("./editing.js").AppletEditing} host */
   constructor(host) {
@@ -39,6 +42,7 @@ export class Hands extends Acting {
       this.begin(stage, new Speaker(find("[role=status]"), () => this.#describe()));
       this.#describe();
     }
+    this.#stopListeningToPage ??= listenToPage(host, this.#keyPort());
     if (!this.heard.includes(this.message)) this.speaker?.say();
     this.stage?.start();
     if (this.#theme !== host.theme)
@@ -50,6 +54,8 @@ export class Hands extends Acting {
   /** Leaves nothing running. */
   end() {
     this.player.stop();
+    this.#stopListeningToPage?.();
+    this.#stopListeningToPage = null;
     this.stage?.end();
     this.speaker?.end();
   }

@@ -1,5 +1,6 @@
-// The keyboard, while the focus is inside.
-import { arrowStep, isForText } from "../../applet/keys.js";
+// The keyboard: `r` and `m` from the whole page, everything else while the focus is inside.
+import { addKeyTarget, keyTarget } from "../../applet/key-targets.js";
+import { arrowStep, isForText, isPlain } from "../../applet/keys.js";
 
 /**
  * @typedef {object} KeyPort
@@ -31,6 +32,31 @@ export function listenToKeys(host, port) {
     if (!elsewhere && pressed(event, port)) event.preventDefault();
   });
   for (const type of ["keyup", "focusout"]) host.addEventListener(type, () => port.settled());
+}
+
+/**
+ * Listens to `r` and `m` on the page, which count if the element is under the pointer or the only applet in view.
+ *
+ * @param {HTMLElement} host
+ * @param {KeyPort} port
+ * @returns {() => void} stops listening
+ */
+export function listenToPage(host, port) {
+  const page = host.ownerDocument;
+  const removeTarget = addKeyTarget(host);
+  const listener = (/** @type {KeyboardEvent} */ event) => {
+    const act = { r: port.randomize, m: port.toggle }[(event.key ?? "").toLowerCase()];
+    if (!act || port.off() || !isPlain(event) || isForText(event)) return;
+    const target = keyTarget(event, page);
+    if (target.focused || target.host !== host) return;
+    event.preventDefault();
+    act();
+  };
+  page.addEventListener("keydown", listener);
+  return () => {
+    removeTarget();
+    page.removeEventListener("keydown", listener);
+  };
 }
 
 /**

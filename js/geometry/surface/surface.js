@@ -55,15 +55,19 @@ export class Surface extends CoreSurface {
   }
 
   /**
-   * Parses the text of a surface. There are three formats, which differ in their first rows:
+   * Parses the text of a surface. There are four formats, which differ in their first rows:
    *
    * - the format of `toText`;
    * - .bpt: the number of patches; for each patch a row with its degrees, followed by its points, one per row, u along
    *   the fast index. Points with equal coordinates become one vertex;
    * - the listing in which the teapot was published: the number of patches, for each a row of 16 vertex numbers from 1;
-   *   the number of vertices, for each a row x y z. Bicubic.
+   *   the number of vertices, for each a row x y z. Bicubic;
+   * - arrays of C source code, in which many programs carry the teapot: an array whose rows are 3 coordinates in braces,
+   *   and an array whose rows are 16 vertex numbers in braces, in either order. The numbers are from 0 if 0 occurs,
+   *   otherwise from 1. Declarations around the arrays and the comments of C are skipped. Bicubic; the vertices keep
+   *   their order.
    *
-   * A row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
+   * In the other three formats a row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
    * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
    * first.
    *

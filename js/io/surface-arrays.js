@@ -1,0 +1,148 @@
+// Parsing a surface from arrays of C source code; src/io/surface_arrays.rs does the same with the same messages.
+import { END, numberOf, quote, syntaxError, wholeOf } from "./text-reader.js";
+
+/**
+ * @typedef {{ word: string, line: number }} Token
+ * @typedef {{ vertices: number[], indices: number[], degrees: number[] }} Output
+ * @typedef {{ tokens: Tokens, output: Output, min: number, largest: { index: number, token: Token | null } }} Parser
+ */
+
+const VERTEX_ROW = 3;
+const PATCH_ROW = 16;
+/** Larger numbers are replaced by this one: it is out of range, too. */
+const MAX_INDEX = 0xffffffff;
+/** What a row of each length contains. @type {Record<number, string>} */
+const CONTENTS = { [VERTEX_ROW]: "coordinates", [PATCH_ROW]: "vertex numbers" };
+
+/** Words, braces, comments and line breaks; everything between them separates words. */
+const TOKEN = /\r\n|[\r\n]|#[^\r\n]*|\/\/[^\r\n]*|\/\*[\s\S]*?(?:\*\/|$)|[{}/]|[^ \t,;\v\f\r\n{}#/]+/g;
+const LINE_BREAK = /\r\n|[\r\n]/g;
+const SKIPPED = /^(?:[\r\n#]|\/[/*])/;
+
+class Tokens {
+  line = 1;
+  #matches;
+
+  /** @param {string} text */
+  constructor(text) {
+    this.#matches = text.matchAll(TOKEN);
+  }
+
+  /** @returns {Token | null} null at the end of the text */
+  next() {
+    for (const [word] of this.#matches) {
+      if (!SKIPPED.test(word)) return { word, line: this.line };
+      this.line += word.match(LINE_BREAK)?.length ?? 0;
+    }
+    return null;
+  }
+
+  /**
+   * @param {string} expected
+   * @param {Token | null} token
+   */
+  syntaxError(expected, token) {
+    return syntaxError(token?.line ?? this.line, expected, token ? quote(token.word) : END);
+  }
+}
+
+/**
+ * Parses the array of vertices and the array of patches in C source code: rows of 3 coordinates and rows of 16 vertex
+ * numbers, each row and each array in braces. Text outside of braces is skipped.
+ *
+ * @internal
+ * @param {string} text
+ * @param {Output} output is filled
+ * @throws {RangeError} with the line number
+ */
+export function readArrays(text, output) {
+  const tokens = new Tokens(text);
+  /** @type {Parser} */
+  const parser = { tokens, output, min: Infinity, largest: { index: -1, token: null } };
+  for (let token = tokens.next(); token; token = tokens.next()) {
+    if (token.word === "}") throw tokens.syntaxError('"{" or the end of the text', token);
+    if (token.word === "{") readArray(parser);
+  }
+  if (output.degrees.length === 0) throw tokens.syntaxError("an array with rows of 16 vertex numbers", null);
+  if (output.vertices.length === 0) throw tokens.syntaxError("an array with rows of 3 coordinates", null);
+  subtractFirst(parser);
+}
+
+/**
+ * Reads an array after its opening brace.
+ *
+ * @param {Parser} parser
+ */
+function readArray(parser) {
+  const { tokens, output } = parser;
+  let width = 0;
+  for (let token = tokens.next(); token?.word !== "}"; token = tokens.next()) {
+    if (token?.word !== "{") throw tokens.syntaxError('"{" or "}"', token);
+    const { words, count } = readRow(tokens);
+    if (width && count !== width) throw syntaxError(token.line, `${width} ${CONTENTS[width]}`, count);
+    if (!(count in CONTENTS)) throw syntaxError(token.line, "3 coordinates or 16 vertex numbers", count);
+    const read = count === VERTEX_ROW ? output.vertices.length : output.degrees.length;
+    if (!width && read) throw syntaxError(token.line, `one array of ${CONTENTS[count]}`, "a second one");
+    width = count;
+    if (count === VERTEX_ROW) readVertex(parser, words);
+    else readPatch(parser, words);
+  }
+}
+
+/**
+ * Reads a row after its opening brace. Words after the 16th are only counted.
+ *
+ * @param {Tokens} tokens
+ */
+function readRow(tokens) {
+  /** @type {Token[]} */
+  const words = [];
+  let count = 0;
+  for (let token = tokens.next(); token?.word !== "}"; token = tokens.next()) {
+    if (!token || token.word === "{") throw tokens.syntaxError('a number or "}"', token);
+    if (count++ < PATCH_ROW) words.push(token);
+  }
+  return { words, count };
+}
+
+/**
+ * @param {Parser} parser
+ * @param {Token[]} words
+ */
+function readVertex({ tokens, output }, words) {
+  for (const token of words) {
+    const number = numberOf(token.word.replace(/[fFlL]$/, ""));
+    if (number === undefined) throw tokens.syntaxError("a number", token);
+    if (!Number.isFinite(number)) throw tokens.syntaxError("a finite number", token);
+    output.vertices.push(number);
+  }
+}
+
+/**
+ * @param {Parser} parser
+ * @param {Token[]} words
+ */
+function readPatch(parser, words) {
+  const { tokens, output } = parser;
+  for (const token of words) {
+    const number = wholeOf(token.word.replace(/[uUlL]{1,3}$/, ""));
+    if (number === undefined) throw tokens.syntaxError("a vertex number", token);
+    const index = Math.min(number, MAX_INDEX);
+    parser.min = Math.min(parser.min, index);
+    if (index > parser.largest.index) parser.largest = { index, token };
+    output.indices.push(index);
+  }
+  output.degrees.push(3, 3);
+}
+
+/**
+ * Makes the indices start at 0: they do if 0 occurs, and are from 1 otherwise.
+ *
+ * @param {Parser} parser
+ */
+function subtractFirst({ tokens, output, min, largest }) {
+  const first = min === 0 ? 0 : 1;
+  const last = output.vertices.length / VERTEX_ROW - 1 + first;
+  if (largest.index > last) throw tokens.syntaxError(`a vertex number from ${first} to ${last}`, largest.token);
+  for (let i = 0; i < output.indices.length; i++) output.indices[i] -= first;
+}
