@@ -34,6 +34,8 @@ export class CurveValue {
   #dimension;
 
   /**
+   * The curve of the given control points.
+   *
    * @param {PointArrays<D> | PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
    * @param {{ dimension?: D }} [options]
    * @throws {RangeError} for a wrong count, a NaN or an infinity
@@ -82,6 +84,8 @@ export class CurveValue {
   }
 
   /**
+   * The curve as an object for JSON, from which `Curve.fromJSON` makes an equal curve; it has `dimension: 3` for a curve in space.
+   *
    * @returns {{ points: number[][] }}
    */
   toJSON() {

@@ -61,6 +61,8 @@ export class Curve extends CurveMeasures {
   }
 
   /**
+   * The curve that `toJSON` described.
+   *
    * @param {CurveJSON} json what `toJSON` returned
    * @returns {Curve}
    */

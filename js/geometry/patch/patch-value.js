@@ -35,6 +35,8 @@ export class PatchValue {
   #degreeV;
 
   /**
+   * The patch of the given net of control points.
+   *
    * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
    *   degreeV + 1 rows; an array of numbers holds three for each point
    * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
@@ -155,6 +157,8 @@ export class PatchValue {
   }
 
   /**
+   * The patch as an object for JSON, from which `Patch.fromJSON` makes an equal patch.
+   *
    * @returns {{ net: number[][], degreeU: number, degreeV: number }}
    */
   toJSON() {

@@ -35,6 +35,8 @@ export class Patch extends CorePatch {
   }
 
   /**
+   * The patch that `toJSON` described.
+   *
    * @param {PatchJSON} json what `toJSON` returned
    * @returns {Patch}
    */

@@ -35,6 +35,8 @@ export class PathValue {
   #segments = [];
 
   /**
+   * The path with the given splines and curves as its subpaths, in their order.
+   *
    * @param {ArrayLike<CoreSpline | CoreCurve>} splines 2D
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
@@ -153,6 +155,8 @@ export class PathValue {
   }
 
   /**
+   * The path as an object for JSON, from which `Path.fromJSON` makes an equal path.
+   *
    * @returns {{ subpaths: ReturnType<Spline["toJSON"]>[] }}
    */
   toJSON() {

@@ -65,6 +65,8 @@ export class Path extends PathMeasures {
   }
 
   /**
+   * The path that `toJSON` described.
+   *
    * @param {{ subpaths: SplineJSON[] }} json what `toJSON` returned
    * @returns {Path}
    */

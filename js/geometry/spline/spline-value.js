@@ -16,6 +16,8 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
 let isShown = false;
 
 /**
+ * Options of the constructor of `Spline`.
+ *
  * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
  */
 
@@ -45,6 +47,8 @@ export class SplineValue {
   #index;
 
   /**
+   * The spline of the given control points, with segments of one degree that share their end points.
+   *
    * @param {PointArrays<D> | PointsLike} points n · degree + 1 control points, closed n · degree
    * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] degree 3 and open by default
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
@@ -87,6 +91,8 @@ export class SplineValue {
   }
 
   /**
+   * The segments as curves.
+   *
    * @returns {C[]}
    */
   segments() {
@@ -107,6 +113,8 @@ export class SplineValue {
   }
 
   /**
+   * The spline as an object for JSON, from which `Spline.fromJSON` makes an equal spline.
+   *
    * @returns {{ points: number[][], degrees: number[], closed: boolean }}
    */
   toJSON() {

@@ -92,6 +92,8 @@ export class Spline extends SplineMeasures {
   }
 
   /**
+   * The spline that `toJSON` described.
+   *
    * @param {SplineJSON} json what `toJSON` returned
    * @returns {Spline}
    */

@@ -22,6 +22,8 @@ export class SurfaceValue {
   #network;
 
   /**
+   * The surface of patches of the same degrees, whose control points are given as indices into a list of vertices.
+   *
    * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data for each patch its
    *   (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index
    * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default

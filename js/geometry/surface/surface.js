@@ -87,6 +87,8 @@ export class Surface extends CoreSurface {
   }
 
   /**
+   * The surface that `toJSON` described.
+   *
    * @param {SurfaceJSON} json what `toJSON` returned
    * @returns {Surface}
    */

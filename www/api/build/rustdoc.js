@@ -1,0 +1,41 @@
+// Addresses in the Rust documentation, which the site has in the folder rust/.
+
+/** Types outside of the crate's root, and enums; all others are structs in the root. @type {Record<string, string>} */
+const PAGES = {
+  Basis: "curve/enum.Basis.html",
+  Subdivision: "curve/struct.Subdivision.html",
+  PathBuilder: "path/struct.PathBuilder.html",
+  TessellationOptions: "mesh/struct.TessellationOptions.html",
+  models: "models/index.html",
+};
+
+/** `toSVG` is `to_svg` in Rust. @param {string} name */
+export const snakeCase = (name) =>
+  name
+    .replace(/BSpline/g, "Bspline")
+    .replace(/([a-z])([A-Z])/g, "$1_$2")
+    .toLowerCase();
+
+/**
+ * The name and the address of a symbol: "Curve::nearest", or "models::teapot" for a function of a module.
+ *
+ * @param {string} symbol
+ */
+export function rustAddress(symbol) {
+  const [type, name] = symbol.split("::");
+  if (type === "models") return `casteljau/models/fn.${name}.html`;
+  return `casteljau/${PAGES[type] ?? `struct.${type}.html`}#method.${name}`;
+}
+
+/**
+ * The counterpart in Rust of an entry: what its Rust sample names, or the same name in snake_case.
+ *
+ * @param {string} title of the page: "Curve"
+ * @param {string} id of the entry: "timesAtCoordinate"
+ * @param {string} info what stands behind ```rust
+ */
+export function counterpart(title, id, info) {
+  if (info) return info;
+  const type = title === "easing" ? "Easing" : title;
+  return `${type}::${id === "constructor" ? "new" : snakeCase(id)}`;
+}
