@@ -16,8 +16,12 @@ thread_local! {
 /// Collects what samples print.
 macro_rules! println {
     ($($text:tt)*) => {
-        PRINTED.with_borrow_mut(|printed| printed.extend(format!($($text)*).lines().map(str::to_owned)))
+        print(&format!($($text)*))
     };
+}
+
+fn print(text: &str) {
+    PRINTED.with_borrow_mut(|printed| printed.extend(text.lines().map(str::to_owned)));
 }
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;

@@ -64,9 +64,9 @@ function classDoc(name, symbol, checker) {
   const statics = checker.getPropertiesOfType(checker.getTypeOfSymbol(symbol)).filter((s) => s.name !== "prototype");
   const instance = checker.getPropertiesOfType(checker.getDeclaredTypeOfSymbol(symbol));
   const { summary, details } = docOf(declaration);
-  const constructor = constructorOf(declaration, name, checker);
+  const own = constructorOf(declaration, name, checker);
   const members = [
-    ...(constructor ? [constructor] : []),
+    ...(own ? [own] : []),
     ...statics.filter(isPublic).map((s) => member(s, "static", checker, `${name}.${s.name}`)),
     ...instance.filter(isPublic).map((s) => member(s, isMethod(s) ? "method" : "property", checker, s.name)),
   ];
@@ -135,19 +135,19 @@ function signatureOf(declaration, title, checker) {
   const doc = docOf(declaration);
   const parameters = declaration.parameters
     .filter((parameter) => parameter.name.getText() !== "surplus") // refuses arguments that peers take
-    .map((parameter) => parameterOf(parameter, doc.parameters.get(parameter.name.getText()) ?? "", checker));
+    .map((parameter) => parameterOf(parameter, doc.parameters.get(parameter.name.getText()) ?? ""));
   const type = cleanType(declaration.type?.getText() ?? "void");
   const shown = parameters.map((p) => `${p.name}${p.optional ? "?" : ""}: ${p.type}`).join(", ");
   const text = `${title}(${shown})${ts.isConstructorDeclaration(declaration) ? "" : `: ${type}`}`;
   return { text, parameters, result: { type, doc: doc.returns }, throws: doc.throws };
 }
 
-/** @param {ts.ParameterDeclaration} parameter @param {string} doc @param {ts.TypeChecker} checker @returns {Parameter} */
-function parameterOf(parameter, doc, checker) {
+/** @param {ts.ParameterDeclaration} parameter @param {string} doc @returns {Parameter} */
+function parameterOf(parameter, doc) {
   const rest = parameter.dotDotDotToken ? "..." : "";
   const type = cleanType(parameter.type?.getText() ?? "unknown");
   const named = fieldsIn(doc);
-  const fields = parameter.type ? fieldsOf(parameter.type, named.fields, checker) : [];
+  const fields = parameter.type ? fieldsOf(parameter.type, named.fields) : [];
   const optional = Boolean(parameter.questionToken || parameter.initializer);
   return { name: rest + parameter.name.getText(), type, optional, doc: fields.length > 0 ? named.rest : doc, fields };
 }
@@ -155,9 +155,9 @@ function parameterOf(parameter, doc, checker) {
 /**
  * The fields of an object type: of a literal in place, or of a type alias of this package that is an object.
  *
- * @param {ts.TypeNode} node @param {Map<string, string>} documented @param {ts.TypeChecker} checker @returns {Field[]}
+ * @param {ts.TypeNode} node @param {Map<string, string>} documented @returns {Field[]}
  */
-function fieldsOf(node, documented, checker) {
+function fieldsOf(node, documented) {
   if (!ts.isTypeLiteralNode(node)) return [];
   return node.members.filter(ts.isPropertySignature).map((field) => {
     const name = field.name.getText() + (field.questionToken ? "?" : "");
@@ -177,7 +177,7 @@ function typeDoc(name, alias, checker) {
     text,
     summary: docs.summary,
     details: docs.details,
-    fields: fieldsOf(target.type, new Map(), checker),
+    fields: fieldsOf(target.type, new Map()),
   };
 }
 

@@ -6,7 +6,6 @@ const PAGES = {
   Subdivision: "curve/struct.Subdivision.html",
   PathBuilder: "path/struct.PathBuilder.html",
   TessellationOptions: "mesh/struct.TessellationOptions.html",
-  models: "models/index.html",
 };
 
 /** `toSVG` is `to_svg` in Rust. @param {string} name */
@@ -17,13 +16,13 @@ export const snakeCase = (name) =>
     .toLowerCase();
 
 /**
- * The name and the address of a symbol: "Curve::nearest", or "models::teapot" for a function of a module.
+ * The name and the address of a symbol: "Curve::nearest", or "curve::bernstein" for a function of a module.
  *
  * @param {string} symbol
  */
 export function rustAddress(symbol) {
   const [type, name] = symbol.split("::");
-  if (type === "models") return `casteljau/models/fn.${name}.html`;
+  if (/^[a-z]/.test(type)) return `casteljau/${type}/fn.${name}.html`;
   return `casteljau/${PAGES[type] ?? `struct.${type}.html`}#method.${name}`;
 }
 
