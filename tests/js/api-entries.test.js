@@ -7,11 +7,9 @@ import { checksOf, differences } from "../../www/api/build/run.js";
 import { entryFolders, readEntries, SECTIONS } from "../../www/api/build/entries.js";
 import { reference } from "../../www/api/build/reference.js";
 
-/** What `console.log` prints, without its line breaks. */
+/** What `console.log` prints, on one line. */
 const shown = (value) =>
-  typeof value === "string"
-    ? value
-    : inspectInNode(value, { breakLength: Infinity, compact: 100, maxArrayLength: null });
+  typeof value === "string" ? value : inspectInNode(value, { maxArrayLength: null }).replace(/\s+/g, " ");
 
 for (const folder of entryFolders()) {
   for (const [name, entry] of readEntries(folder)) {
