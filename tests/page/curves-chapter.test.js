@@ -88,7 +88,7 @@ test("the sections, and every place that the list of the texts links to, are the
       all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id),
     );
   assert.deepEqual(bare, [], "each has a task and a sample");
-  const listed = (await readFile(`${root}www/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
+  const listed = (await readFile(`${root}site/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
   const missing = await page.evaluate(
     (ids) => ids.filter((id) => !document.getElementById(id)),
     Array.from(listed, ([, id]) => id),

@@ -58,15 +58,9 @@ function pathOf(curve, sight) {
   return `M${first}${rest.length === 3 ? "C" : rest.length === 2 ? "Q" : "L"}${rest.join(" ")}`;
 }
 
-/** Vite's plugin: it takes the place of the words that stand in the element. */
-export const surfacePosters = {
-  name: "surface-posters",
-  transformIndexHtml: {
-    order: /** @type {const} */ ("pre"),
-    handler: (/** @type {string} */ html) =>
-      html.replace(
-        /(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g,
-        (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes)),
-      ),
-  },
-};
+/** Draws the picture into every `<bezier-surface>` of a page that holds no elements. @param {string} html */
+export const addSurfacePosters = (html) =>
+  html.replace(
+    /(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g,
+    (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes)),
+  );

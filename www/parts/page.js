@@ -3,5 +3,4 @@ import "casteljau/elements";
 import "./contents.js";
 import "./lesson-sample.js";
 import "./lesson-task.js";
-import "./permalinks.js";
 import "./url-state.js";
