@@ -16,7 +16,7 @@ export const permalink = (id, label) => ` <a class="permalink" href="#${id}" ari
 
 /** @param {(code: string, language: string) => string} highlight */
 export function markdown(highlight) {
-  const md = markdownIt({ html: true, highlight });
+  const md = markdownIt({ html: true, highlight: (code, language) => highlight(code, language) });
   md.use(attributes);
   md.use(anchor, { level: [2, 3], tabIndex: false, slugify, permalink: headingPermalink });
   md.use(tex, { render: typeset, delimiters: "dollars" });

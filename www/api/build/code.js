@@ -1,42 +1,28 @@
 // Code as HTML: signatures with links to types, and samples whose inputs and printed lines can be changed by a live figure.
-import { createHighlighter } from "shiki";
+import { codeHighlighter, escapeHtml } from "../../build/highlight.js";
 import { importLine, inputsOf } from "./sample.js";
 
-const THEMES = { light: "github-light-high-contrast", dark: "github-dark-high-contrast" };
-const highlighter = await createHighlighter({ themes: Object.values(THEMES), langs: ["js", "rust", "ts"] });
+const highlight = await codeHighlighter();
 
-/** @param {string} text */
-export const escapeHtml = (text) =>
-  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
-
-/**
- * @param {string} code
- * @param {"js" | "rust" | "ts"} lang
- * @param {import("shiki").DecorationItem[]} [decorations]
- */
-export function highlighted(code, lang, decorations = []) {
-  return highlighter.codeToHtml(code, { lang, themes: THEMES, defaultColor: false, decorations });
-}
+/** @param {string} code @param {"js" | "rust" | "ts"} language */
+export const codeHtml = (code, language) => `<pre><code>${highlight(code, language)}</code></pre>`;
 
 const OUTPUT = /\/\/ → (.*)$/gm;
 
 /** A JavaScript sample: inputs are marked with `data-input`, what is printed with `data-output`. @param {string} code */
 export function sampleHtml(code) {
   const head = importLine(code);
-  const mark = (
-    /** @type {number} */ start,
-    /** @type {number} */ end,
-    /** @type {Record<string, string>} */ properties,
-  ) => ({
-    start: start + head.length,
-    end: end + head.length,
-    properties,
+  const inputs = inputsOf(code).map(({ name, start, end }) => ({ start, end, attribute: `data-input="${name}"` }));
+  const outputs = Array.from(code.matchAll(OUTPUT), (match, k) => {
+    const end = match.index + match[0].length;
+    return { start: end - match[1].length, end, attribute: `data-output="${k}"` };
   });
-  const inputs = inputsOf(code).map(({ name, start, end }) => mark(start, end, { "data-input": name }));
-  const outputs = Array.from(code.matchAll(OUTPUT), (match, k) =>
-    mark(match.index + match[0].length - match[1].length, match.index + match[0].length, { "data-output": String(k) }),
-  );
-  return highlighted(head + code, "js", [...inputs, ...outputs]);
+  const marks = [...inputs, ...outputs].map((mark) => ({
+    ...mark,
+    start: mark.start + head.length,
+    end: mark.end + head.length,
+  }));
+  return `<pre><code>${highlight(head + code, "js", marks)}</code></pre>`;
 }
 
 const RUST_NAMES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "Easing"];
@@ -55,7 +41,7 @@ export function rustSource(code) {
 }
 
 /** @param {string} code */
-export const rustHtml = (code) => highlighted(rustSource(code), "rust");
+export const rustHtml = (code) => codeHtml(rustSource(code), "rust");
 
 /**
  * A type or a signature with links to the pages of the names in it.

@@ -2,7 +2,7 @@
 import { handlesOf } from "../live/handles.js";
 import { inspect } from "../live/inspect.js";
 import { viewOf } from "../live/projection.js";
-import { escapeHtml } from "./code.js";
+import { escapeHtml } from "../../build/highlight.js";
 import { runEntry } from "./run.js";
 
 /**

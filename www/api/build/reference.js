@@ -14,8 +14,17 @@ import { extract } from "./extract.js";
 
 const MODULES = /** @type {const} */ (["index", "applet/index", "geometry/easing"]);
 
+/** @type {Reference | undefined} */
+let model;
+
+/** The model, made at the first call. */
+export const reference = () => {
+  model ??= makeReference();
+  return model;
+};
+
 /** @returns {Reference} */
-export function reference() {
+function makeReference() {
   const found = extract([...MODULES]);
   const { classes, functions, types } = found.index;
   const folders = entryFolders();

@@ -1,6 +1,7 @@
 // The pages of the reference as HTML.
 import markdownIt from "markdown-it";
-import { escapeHtml, highlighted, linkedType, rustHtml, sampleHtml } from "./code.js";
+import { escapeHtml } from "../../build/highlight.js";
+import { codeHtml, linkedType, rustHtml, sampleHtml } from "./code.js";
 import { SECTIONS } from "./entries.js";
 import { figureHtml } from "./figure.js";
 import { counterpart, rustAddress } from "./rustdoc.js";
@@ -40,7 +41,7 @@ export const inline = (text) => md.renderInline(text);
 
 /** @param {string[]} parts */
 const paragraphsHtml = (parts) =>
-  parts.map((part) => (/^ {4}/.test(part) ? highlighted(unindented(part), "js") : md.render(part))).join("");
+  parts.map((part) => (/^ {4}/.test(part) ? codeHtml(unindented(part), "js") : md.render(part))).join("");
 
 /** @param {string} text */
 const unindented = (text) => text.replace(/^ {4}/gm, "").trimEnd();
@@ -55,9 +56,7 @@ export async function pageHtml(page, addresses) {
   const items = [];
   for (const item of page.items) items.push(await itemHtml(page, item, addresses));
   const list = page.items.map(({ id, name }) => `<li><a href="#${id}"><code>${escapeHtml(name)}</code></a></li>`);
-  return `<h1>${escapeHtml(page.title)}</h1>
-<p class="lead">${inline(page.summary)}</p>
-${paragraphsHtml(page.details)}
+  return `${paragraphsHtml(page.details)}
 <nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${items.join("\n")}`;
 }
@@ -119,7 +118,7 @@ const rustLink = (symbol) =>
 function sectionsHtml({ sections }) {
   const shown = SECTIONS.filter((name) => sections.has(name)).map((name) => {
     const { text, blocks } = /** @type {import("./entries.js").Section} */ (sections.get(name));
-    const code = blocks.map((block) => highlighted(block.code, "js")).join("");
+    const code = blocks.map((block) => codeHtml(block.code, "js")).join("");
     return `<dt>${name}</dt><dd>${md.render(text)}${code}</dd>`;
   });
   return shown.length > 0 ? `<dl class="properties">${shown.join("")}</dl>` : "";
@@ -147,9 +146,7 @@ export function typesHtml(types, addresses) {
     return `<section class="entry" id="${type.name}"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
 <pre class="signature"><code>${linkedType(type.text, addresses)}</code></pre>${table}${paragraphsHtml(type.details)}</section>`;
   });
-  return `<h1>Types and options</h1>
-<p class="lead">The types of arguments, options and results, as TypeScript sees them: <code>import type { Nearest } from "casteljau"</code>.</p>
-<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
+  return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${entries.join("\n")}`;
 }
 
@@ -166,9 +163,7 @@ export function elementsHtml(elements) {
     });
     return `<section class="entry" id="${tag}"><h2><code>&lt;${tag}&gt;</code> <small>element</small></h2><p>${inline(summary)}</p>${shown.join("")}</section>`;
   });
-  return `<h1>Elements</h1>
-<p class="lead">Custom elements that show curves and surfaces on any page: <code>import "casteljau/elements"</code>. The page <a href="../../elements/">Elements</a> shows them at work.</p>
-<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
+  return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${entries.join("\n")}`;
 }
 
@@ -183,9 +178,7 @@ export function indexHtml({ pages, types, elements }) {
     `<section><h2 id="${slug}"><a href="${slug}/">${escapeHtml(title)}</a></h2><p>${inline(summary)}</p><ul class="names">${list
       .map(({ id, name }) => `<li><a href="${slug}/#${id}"><code>${escapeHtml(name)}</code></a></li>`)
       .join("")}</ul></section>`;
-  return `<h1>API reference</h1>
-<p class="lead">Every class, function, option and type of the npm package, with samples in JavaScript and Rust. The figures can be dragged; the code below them follows.</p>
-${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}
+  return `${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}
 ${group(
   "elements",
   "Elements",
