@@ -50,7 +50,7 @@ function addExport(found, name, symbol, checker) {
   const declaration = symbol.declarations?.[0];
   if (!declaration) return;
   if (ts.isClassDeclaration(declaration)) found.classes.push(classDoc(name, symbol, checker));
-  else if (ts.isFunctionDeclaration(declaration)) found.functions.push(member(symbol, "function", checker, name));
+  else if (ts.isFunctionDeclaration(declaration)) found.functions.push(member(symbol, "function", name));
   else if (ts.isVariableDeclaration(declaration)) found.functions.push(variable(name, declaration, checker));
   else if (ts.isTypeAliasDeclaration(declaration)) {
     const type = typeDoc(name, declaration, checker);
@@ -62,15 +62,21 @@ function addExport(found, name, symbol, checker) {
 function classDoc(name, symbol, checker) {
   const declaration = /** @type {ts.ClassDeclaration} */ (symbol.declarations?.[0]);
   const statics = checker.getPropertiesOfType(checker.getTypeOfSymbol(symbol)).filter((s) => s.name !== "prototype");
-  const instance = checker.getPropertiesOfType(checker.getDeclaredTypeOfSymbol(symbol));
+  const instance = baseClassesFirst(checker.getPropertiesOfType(checker.getDeclaredTypeOfSymbol(symbol)));
   const { summary, details } = docOf(declaration);
   const own = constructorOf(declaration, name, checker);
   const members = [
     ...(own ? [own] : []),
-    ...statics.filter(isPublic).map((s) => member(s, "static", checker, `${name}.${s.name}`)),
-    ...instance.filter(isPublic).map((s) => member(s, isMethod(s) ? "method" : "property", checker, s.name)),
+    ...statics.filter(isPublic).map((s) => member(s, "static", `${name}.${s.name}`)),
+    ...instance.filter(isPublic).map((s) => member(s, isMethod(s) ? "method" : "property", s.name)),
   ];
   return { name, summary, details, members };
+}
+
+/** Members of the class that all others extend come first: they are the most basic ones. @param {ts.Symbol[]} members */
+function baseClassesFirst(members) {
+  const parents = [...new Set(members.map((member) => member.declarations?.[0].parent))].reverse();
+  return parents.flatMap((parent) => members.filter((member) => member.declarations?.[0].parent === parent));
 }
 
 /** @param {ts.Symbol} symbol */
@@ -93,7 +99,7 @@ function constructorOf(declaration, name, checker) {
   const own = declaration.members.find(ts.isConstructorDeclaration);
   if (own) {
     const { summary, details } = docOf(own);
-    const signature = signatureOf(own, `new ${name}`, checker);
+    const signature = signatureOf(own, `new ${name}`);
     return {
       name: `new ${name}`,
       kind: "constructor",
@@ -107,8 +113,8 @@ function constructorOf(declaration, name, checker) {
   return base && constructorOf(base, name, checker);
 }
 
-/** @param {ts.Symbol} symbol @param {Member["kind"]} kind @param {ts.TypeChecker} checker @param {string} title @returns {Member} */
-function member(symbol, kind, checker, title) {
+/** @param {ts.Symbol} symbol @param {Member["kind"]} kind @param {string} title @returns {Member} */
+function member(symbol, kind, title) {
   const declarations = /** @type {any[]} */ (symbol.declarations ?? []);
   const { summary, details, returns } = docOf(declarations[0]);
   if (kind === "property" || !declarations.some((d) => d.parameters && !ts.isGetAccessor(d))) {
@@ -117,7 +123,7 @@ function member(symbol, kind, checker, title) {
     const text = `${symbol.name}: ${type}`;
     return { name: symbol.name, kind, summary, details, signatures: [{ text, parameters: [], result, throws: [] }] };
   }
-  const signatures = declarations.map((d) => signatureOf(d, title, checker));
+  const signatures = declarations.map((d) => signatureOf(d, title));
   return { name: symbol.name, kind, summary, details, signatures };
 }
 
@@ -126,12 +132,12 @@ function variable(name, declaration, checker) {
   const statement = declaration.parent.parent;
   const { summary, details } = docOf(statement);
   const calls = checker.getTypeAtLocation(declaration).getCallSignatures();
-  const signatures = calls.map((call) => signatureOf(/** @type {any} */ (call.getDeclaration()), name, checker));
+  const signatures = calls.map((call) => signatureOf(/** @type {any} */ (call.getDeclaration()), name));
   return { name, kind: "function", summary, details, signatures };
 }
 
-/** @param {ts.SignatureDeclaration} declaration @param {string} title @param {ts.TypeChecker} checker @returns {Signature} */
-function signatureOf(declaration, title, checker) {
+/** @param {ts.SignatureDeclaration} declaration @param {string} title @returns {Signature} */
+function signatureOf(declaration, title) {
   const doc = docOf(declaration);
   const parameters = declaration.parameters
     .filter((parameter) => parameter.name.getText() !== "surplus") // refuses arguments that peers take

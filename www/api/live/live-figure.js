@@ -140,6 +140,7 @@ class LiveFigure extends HTMLElement {
 
   #changed() {
     this.#placeButtons();
+    this.setAttribute("aria-busy", "true");
     cancelAnimationFrame(this.#frame);
     this.#frame = requestAnimationFrame(() => this.#run());
   }
@@ -157,6 +158,7 @@ class LiveFigure extends HTMLElement {
       printed.push(String(error));
     }
     this.#code.setOutput(printed);
+    this.removeAttribute("aria-busy");
   }
 
   /** @param {Drawing} drawing */
