@@ -29,6 +29,7 @@ async function crawl() {
     const type = response.headers.get("content-type")?.split(";")[0] ?? "";
     const text = await response.text();
     found.set(address, { status: response.status, text });
+    if (new URL(address).pathname.startsWith(`${FOLDER}rust/`)) continue; // rustdoc's links are its own
     for (const [, reference] of text.matchAll(REFERENCES[type] ?? /$^/g)) {
       if (/^(data|blob|https?):/.test(reference) && !reference.startsWith(server.url)) continue;
       const target = new URL(unescaped(reference), address);

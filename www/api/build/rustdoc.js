@@ -1,9 +1,10 @@
 // Addresses in the Rust documentation, which the site has in the folder rust/.
 
-/** Types outside of the crate's root, and enums; all others are structs in the root. @type {Record<string, string>} */
+/** Types that are not in the module of the same name, and enums. @type {Record<string, string>} */
 const PAGES = {
   Basis: "curve/enum.Basis.html",
-  Subdivision: "curve/struct.Subdivision.html",
+  Easing: "struct.Easing.html",
+  Grid: "mesh/struct.Grid.html",
   PathBuilder: "path/struct.PathBuilder.html",
   TessellationOptions: "mesh/struct.TessellationOptions.html",
 };
@@ -23,7 +24,7 @@ export const snakeCase = (name) =>
 export function rustAddress(symbol) {
   const [type, name] = symbol.split("::");
   if (/^[a-z]/.test(type)) return `casteljau/${type}/fn.${name}.html`;
-  return `casteljau/${PAGES[type] ?? `struct.${type}.html`}#method.${name}`;
+  return `casteljau/${PAGES[type] ?? `${type.toLowerCase()}/struct.${type}.html`}#method.${name}`;
 }
 
 /**
