@@ -57,7 +57,10 @@ function load() {
   const [name, query] = hash.slice(1).split(/\?(.*)/s);
   const id = decoded(name);
   if (!document.getElementById(id)) return tell("The address asks for a place that is not on this page.");
-  if (query === undefined) return tell("");
+  if (query === undefined) {
+    if (!moved) document.getElementById(id)?.scrollIntoView(); // browsers without scroll anchoring have lost it meanwhile
+    return tell("");
+  }
   const element = elementOf(id);
   if (!element) return tell("The address sets values where there is no figure to take them.");
   const { values, problems } = read(query, SHARED[element.localName]);
@@ -77,6 +80,11 @@ function save({ target }) {
     // Browsers allow only so many a minute; the next change will do.
   }
 }
+
+/** Whether the reader has moved the page since it was opened. */
+let moved = false;
+for (const type of ["wheel", "touchmove", "keydown", "pointerdown"])
+  addEventListener(type, () => (moved = true), { once: true, passive: true });
 
 async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];
