@@ -133,7 +133,7 @@ export class Drawing {
   /** The isocurves of a patch or a surface. @param {any} surface @param {Style | Tone} [style] */
   surface(surface, style) {
     const { tone = "main", lines = 5 } = styleOf(style);
-    for (const curve of surface.isocurves({ lines })) this.curve(curve, tone);
+    for (const curve of isocurvesOf(surface, lines)) this.curve(curve, tone);
   }
 
   /** The triangles of a mesh, lit from above. @param {any} mesh @param {Style | Tone} [style] */
@@ -170,6 +170,13 @@ const styleOf = (style) => (typeof style === "string" ? { tone: style } : (style
 function partsOf(shape) {
   if (shape.subpaths) return [...shape.subpaths];
   return shape.dimension === 3 && shape.segments ? shape.segments() : [shape];
+}
+
+/** @param {any} surface a Patch or a Surface @param {number} lines strips in each direction @returns {any[]} */
+function isocurvesOf(surface, lines) {
+  if (surface.isocurves) return surface.isocurves({ lines });
+  const at = Array.from({ length: lines + 1 }, (_, k) => k / lines);
+  return at.flatMap((t) => [surface.isocurveAtU(t), surface.isocurveAtV(t)]);
 }
 
 /** @param {{ corners: number[][], light: number }} face @param {Tone} tone */
