@@ -17,11 +17,15 @@ export const snakeCase = (name) =>
     .toLowerCase();
 
 /**
- * The name and the address of a symbol: "Curve::nearest", or "curve::bernstein" for a function of a module.
+ * The address of a symbol: "Curve::nearest", "curve::bernstein" for a function of a module, or "Mesh.positions" for a field.
  *
  * @param {string} symbol
  */
 export function rustAddress(symbol) {
+  if (symbol.includes(".")) {
+    const [type, field] = symbol.split(".");
+    return `casteljau/${PAGES[type] ?? `${type.toLowerCase()}/struct.${type}.html`}#structfield.${field}`;
+  }
   const [type, name] = symbol.split("::");
   if (/^[a-z]/.test(type)) return `casteljau/${type}/fn.${name}.html`;
   return `casteljau/${PAGES[type] ?? `${type.toLowerCase()}/struct.${type}.html`}#method.${name}`;
