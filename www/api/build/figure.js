@@ -16,7 +16,8 @@ export async function figureHtml(page, id, entry) {
   const values = Object.fromEntries(inputs.map((/** @type {Input} */ input) => [input.name, input.value]));
   const handles = handlesOf(inputs, values);
   const info = entry.draw?.info ?? "";
-  const space = handles.some((handle) => handle.point.length === 3) || info.includes("space");
+  const inSpace = drawing.extent.some(([, , z]) => z !== 0) || handles.some(({ point }) => point.length === 3);
+  const space = inSpace || info.includes("space");
   const extent = [
     ...drawing.extent,
     ...handles.map(({ point }) => /** @type {any} */ ([point[0], point[1], point[2] ?? 0])),
