@@ -6,6 +6,14 @@ import { addSurfacePosters } from "./build/surface-posters.js";
 import { codeHighlighter } from "./build/highlight.js";
 import { markdown } from "./build/markdown.js";
 
+/** @typedef {{ data: { navigation?: { name: string, order: number } } }} Page */
+
+/** The pages that every page links to, in order. @param {Page[]} pages */
+function navigation(pages) {
+  const order = (/** @type {Page} */ { data }) => data.navigation?.order ?? 0;
+  return pages.filter(order).sort((a, b) => order(a) - order(b));
+}
+
 /** @param {any} eleventy */
 export default async function configure(eleventy) {
   const highlight = await codeHighlighter();
@@ -21,16 +29,13 @@ export default async function configure(eleventy) {
   eleventy.addPairedShortcode(
     "code",
     (/** @type {string} */ code, /** @type {string} */ language) =>
-      `<pre><code>${highlight(code, language)}</code></pre>`,
+      `<pre tabindex="0"><code>${highlight(code, language)}</code></pre>`,
   );
   eleventy.addFilter("pathToRoot", pathToRoot);
   eleventy.addFilter("contentsOf", contentsOf);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));
-  eleventy.addCollection("navigation", (/** @type {any} */ collections) =>
-    collections
-      .getAll()
-      .filter(({ data }) => data.navigation)
-      .sort((a, b) => a.data.navigation.order - b.data.navigation.order),
+  eleventy.addCollection("navigation", (/** @type {{ getAll(): Page[] }} */ collections) =>
+    navigation(collections.getAll()),
   );
   eleventy.setTemplateFormats(["md", "njk", "11ty.js"]);
   eleventy.ignores.add("**/api/entries/**"); // read by api/build/entries.js

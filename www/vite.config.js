@@ -15,7 +15,7 @@ const plainPages = readdirSync(www, { recursive: true, encoding: "utf8" })
   .filter((name) => name.endsWith(".html"))
   .map((name) => www + name);
 
-/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. */
+/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. @type {import("vite").Plugin} */
 const classicScript = {
   name: "classic-script",
   configureServer({ middlewares }) {
@@ -29,7 +29,7 @@ const classicScript = {
   },
 };
 
-/** package.json lists the few modules of the package that have side effects; the modules of the pages all have. */
+/** package.json lists the few modules of the package that have side effects; the modules of the pages all have. @type {import("vite").Plugin} */
 const pageSideEffects = {
   name: "page-side-effects",
   transform: (/** @type {string} */ code, /** @type {string} */ id) =>

@@ -338,3 +338,17 @@ test("with the halves their points are called q and r, and the one at t both", (
   );
   assert.deepEqual(namesOf(figure, { ...state, labels: "none" }), []);
 });
+
+test("the names of both points at the cut stand on the side of their half", () => {
+  const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.5 });
+  const names = namesOf(figureOf(state), state);
+  const named = (text) => names.find((name) => name.text === text);
+  for (const [cut, neighbour] of [
+    ["q3", "q2"],
+    ["r0", "r1"],
+  ]) {
+    const { at, away } = named(cut);
+    const [dx, dy] = [named(neighbour).at[0] - at[0], named(neighbour).at[1] - at[1]];
+    assert.ok(away[0] * dx + away[1] * dy > 0, `${cut} is on the side of ${neighbour}`);
+  }
+});

@@ -8,7 +8,7 @@ import { figureOf } from "../../js/elements/surface/figure.js";
 import { Geometry } from "../../js/elements/surface/geometry.js";
 import { surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
-import { SURFACES } from "../../www/surfaces/figures/surfaces.js";
+import { SURFACES } from "../../www/figures/lib/surfaces.js";
 
 const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
 

@@ -57,7 +57,7 @@ for (const folder of entryFolders()) {
 test("a point follows the pointer, and the code shows where it is", async (t) => {
   const page = await openPage(t, "/api/curve/#nearest");
   const section = page.locator("#nearest");
-  const handle = section.getByRole("button", { name: /^p / });
+  const handle = section.getByRole("button", { name: /^p \(/ });
   await handle.scrollIntoViewIfNeeded();
   const box = await handle.boundingBox();
   assert.ok(box);

@@ -16,10 +16,12 @@ export const permalink = (id, label) => ` <a class="permalink" href="#${id}" ari
 
 /** @param {(code: string, language: string) => string} highlight */
 export function markdown(highlight) {
-  const md = markdownIt({ html: true, highlight: (code, language) => highlight(code, language) });
-  md.use(attributes);
-  md.use(anchor, { level: [2, 3], tabIndex: false, slugify, permalink: headingPermalink });
+  const md = markdownIt({ html: true });
+  md.use(/** @type {any} */ (attributes)); // its types are those of another version of markdown-it
+  md.use(/** @type {any} */ (anchor), { level: [2, 3], tabIndex: false, slugify, permalink: headingPermalink });
   md.use(tex, { render: typeset, delimiters: "dollars" });
+  md.renderer.rules.fence = (tokens, i) =>
+    `<pre tabindex="0"><code>${highlight(tokens[i].content.trimEnd(), tokens[i].info.trim())}</code></pre>\n`;
   md.use(containers, { highlight });
   md.use(standaloneElements);
   md.use(sections);
@@ -36,7 +38,12 @@ const slugify = (title) =>
     .replace(/[^a-z0-9]+/g, "-")
     .replace(/^-|-$/g, "");
 
-/** @type {import("markdown-it-anchor").PermalinkGenerator} */
+/**
+ * @param {string} slug
+ * @param {unknown} _options
+ * @param {import("markdown-it").StateCore} state
+ * @param {number} index of the heading's opening token
+ */
 function headingPermalink(slug, _options, state, index) {
   const link = new state.Token("html_inline", "", 0);
   link.content = permalink(slug, "Link to this section");

@@ -16,7 +16,7 @@ export async function makeMathFont(pages) {
   await writeFile(TARGET, await subsetFont(font, charactersOf(pages), { targetFormat: "woff2" }));
 }
 
-/** A plugin for Vite: the license has to accompany the font. */
+/** A plugin for Vite: the license has to accompany the font. @type {import("vite").Plugin} */
 export const mathFontLicense = {
   name: "math-font-license",
   async generateBundle() {

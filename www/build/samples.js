@@ -50,6 +50,6 @@ export function sampleCode(name, highlight) {
   if (!existsSync(`${folder}${name}.js`)) throw new Error(`expected the sample www/samples/${name}.js`);
   const read = (/** @type {string} */ ending) => readFileSync(`${folder}${name}.${ending}`, "utf8");
   const code = (/** @type {"js" | "rs"} */ language) =>
-    `<pre data-language="${language}"><code>${highlight(unwrap(read(language), language), language)}</code></pre>`;
+    `<pre tabindex="0" data-language="${language}"><code>${highlight(unwrap(read(language), language), language)}</code></pre>`;
   return code("js") + code("rs");
 }

@@ -3,7 +3,7 @@
 import { frameOf, HOME, moved, placeOf, sightOf } from "../../js/elements/surface/camera.js";
 import { framingPoints, surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
-import { SURFACES } from "../surfaces/figures/surfaces.js";
+import { SURFACES } from "../figures/lib/surfaces.js";
 
 const [WIDTH, HEIGHT] = [600, 400];
 /** Curves that divide each patch into so many strips: one patch can have more than thirty-two. */

@@ -42,4 +42,4 @@ function controlHtml({ name, kind, value, min, max, step, options = [] }) {
 
 /** @param {number} turn */
 const turnHtml = (turn) =>
-  `<label>turn <input type="range" data-turn min="-180" max="180" step="5" value="${turn}" disabled> <output>${turn}</output>°</label>`;
+  `<label>turn (°) <input type="range" data-turn min="-180" max="180" step="5" value="${turn}" disabled> <output>${turn}</output></label>`;

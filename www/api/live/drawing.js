@@ -5,7 +5,7 @@ import { flattened, Projection } from "./projection.js";
 /**
  * @import { Point3, View } from "./projection.js"
  * @typedef {"main" | "second" | "third" | "result" | "faint"} Tone
- * @typedef {{ tone?: Tone, label?: string, closed?: boolean, dimension?: 2 | 3, lines?: number }} Style
+ * @typedef {{ tone?: Tone, label?: string, closed?: boolean, dimension?: 2 | 3, lines?: number, thin?: boolean }} Style
  * @typedef {(projection: Projection) => string} Mark writes one item
  */
 
@@ -22,10 +22,11 @@ export class Drawing {
 
   /** A curve, a spline or a path. @param {any} shape @param {Style | Tone} [style] */
   curve(shape, style) {
-    const { tone = "main" } = styleOf(style);
+    const { tone = "main", thin } = styleOf(style);
+    const kind = thin ? "line thin" : "line";
     for (const part of partsOf(shape)) {
       this.#include(flattened(part.controlPoints(), part.dimension));
-      this.marks.push((p) => `<path class="line ${tone}" d="${p.pathOf(part)}"/>`);
+      this.marks.push((p) => `<path class="${kind} ${tone}" d="${p.pathOf(part)}"/>`);
     }
   }
 
@@ -133,7 +134,7 @@ export class Drawing {
   /** The isocurves of a patch or a surface. @param {any} surface @param {Style | Tone} [style] */
   surface(surface, style) {
     const { tone = "main", lines = 5 } = styleOf(style);
-    for (const curve of isocurvesOf(surface, lines)) this.curve(curve, tone);
+    for (const curve of isocurvesOf(surface, lines)) this.curve(curve, { tone, thin: true });
   }
 
   /** The triangles of a mesh, lit from above. @param {any} mesh @param {Style | Tone} [style] */

@@ -17,7 +17,7 @@ export function handlesOf(inputs, values) {
     return values[name].map((/** @type {number[]} */ point, /** @type {number} */ index) => ({
       input: name,
       index,
-      label: name === "points" ? `P${index}` : `${name}[${index}]`,
+      label: name === "points" ? `P${index}` : String(index),
       point,
     }));
   });

@@ -170,12 +170,12 @@ class LiveFigure extends HTMLElement {
   #placeButtons() {
     const projection = new Projection(this.#view);
     for (const [k, button] of this.#buttons.entries()) {
-      const { label, point } = this.#handles[k];
+      const { input, index, label, point } = this.#handles[k];
       const [x, y] = projection.place(this.#point(k));
       button.style.left = `${(100 * x) / this.#view.width}%`;
       button.style.top = `${(100 * y) / this.#view.height}%`;
       button.dataset.label = label;
-      button.setAttribute("aria-label", `${label} (${point.join(", ")})`);
+      button.setAttribute("aria-label", `${index === undefined ? input : `${input}[${index}]`} (${point.join(", ")})`);
     }
   }
 }
