@@ -1,5 +1,5 @@
 // Runs the samples of the reference in Node, against the built package.
-import * as casteljau from "../../../dist/index.js";
+import * as casteljau from "casteljau";
 import { Drawing } from "../live/drawing.js";
 import { inspect } from "../live/inspect.js";
 import { expectedLines, promisesOf } from "./entries.js";

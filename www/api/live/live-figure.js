@@ -8,7 +8,6 @@ import { Projection } from "./projection.js";
 
 /**
  * @import { View } from "./projection.js"
- * @import { Handle } from "./handles.js"
  * @typedef {{ run(values: Record<string, any>, console: { log(...values: unknown[]): void }, draw: Drawing): unknown }} Sample
  * @typedef {Record<string, () => Promise<{ default: Record<string, Sample> }>>} Sources
  */
