@@ -17,6 +17,7 @@ export {};
 /** @typedef {import("./geometry/spline/spline-value.js").SplineOptions} SplineOptions */
 /** @typedef {import("./geometry/spline/spline-value.js").SplineJSON} SplineJSON */
 /** @typedef {import("./geometry/interpolate.js").InterpolateOptions} InterpolateOptions */
+/** @typedef {import("./geometry/spline/spline.js").FitOptions} FitOptions */
 /** @typedef {import("./geometry/bspline.js").BSplineOptions} BSplineOptions */
 /** @typedef {import("./geometry/bspline.js").BSpline} BSpline */
 /** @typedef {import("./geometry/joints.js").JointMode} JointMode */

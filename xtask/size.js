@@ -9,12 +9,12 @@ import { gzipSync } from "node:zlib";
  */
 const LIMITS_KB = {
   "{ easing }": 5,
-  "{ Curve }": 156,
-  "{ Surface }": 266,
-  everything: 276,
-  "{ Curve, Spline } of core": 51,
-  "{ Surface } of surfaces": 125,
-  "index.js + applet.js": 288,
+  "{ Curve }": 148,
+  "{ Surface }": 255,
+  everything: 266,
+  "{ Curve, Spline } of core": 46.5,
+  "{ Surface } of surfaces": 120,
+  "index.js + applet.js": 278,
   "elements, loaded at once": 31,
   "elements, when needed": 64,
   "bezier-app.js": 43,

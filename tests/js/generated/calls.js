@@ -123,7 +123,12 @@ const SPLINE = {
   "Spline.interpolate": (a) =>
     Spline.interpolate(a.points, { kind: a.kind, alpha: a.alpha, closed: a.closed, ...dimensionOf(a.points) }),
   "Spline.fit": (a) =>
-    Spline.fit(a.points, a.tolerance, { cornerAngle: a.corner_angle, closed: a.closed, ...dimensionOf(a.points) }),
+    Spline.fit(a.points, {
+      tolerance: a.tolerance,
+      cornerAngle: a.corner_angle,
+      closed: a.closed,
+      ...dimensionOf(a.points),
+    }),
   "Spline.controlPoints": (a) => a.spline.controlPoints(),
   "Spline.dimension": (a) => a.spline.dimension,
   "Spline.closed": (a) => a.spline.closed,
