@@ -39,7 +39,7 @@ export class PatchValue {
    *
    * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
    *   degreeV + 1 rows; an array of numbers holds three for each point
-   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @param {{ degreeU?: number, degreeV?: number }} [options] `degreeU`: 3 by default; `degreeV`: 3 by default
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net, options) {
@@ -70,8 +70,8 @@ export class PatchValue {
   /**
    * Whether both have the same degrees and each control point lies within a distance of its counterpart.
    *
-   * @param {PatchValue} other
-   * @param {number} [tolerance]
+   * @param {PatchValue} other the value to compare with
+   * @param {number} [tolerance] the largest distance of two control points, by default 0
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
@@ -82,7 +82,7 @@ export class PatchValue {
   /**
    * Splits the patch at u into two.
    *
-   * @param {number} u
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @param {never[]} surplus
    * @returns {[this, this]}
    */
@@ -94,7 +94,7 @@ export class PatchValue {
   /**
    * Splits the patch at v into two.
    *
-   * @param {number} v
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @param {never[]} surplus
    * @returns {[this, this]}
    */
@@ -106,8 +106,8 @@ export class PatchValue {
   /**
    * Splits the patch at (u, v) into four: before both, after u, after v, after both.
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {[this, this, this, this]}
    */
   split(u, v) {
@@ -133,7 +133,7 @@ export class PatchValue {
   /**
    * The patch transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {
@@ -145,8 +145,8 @@ export class PatchValue {
   /**
    * The patch with one control point moved.
    *
-   * @param {number} index
-   * @param {PointLike} to
+   * @param {number} index the number of the control point, from 0
+   * @param {PointLike} to the new position
    * @returns {this}
    */
   movePoint(index, to) {

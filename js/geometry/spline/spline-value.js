@@ -50,7 +50,8 @@ export class SplineValue {
    * The spline of the given control points, with segments of one degree that share their end points.
    *
    * @param {PointArrays<D> | PointsLike} points n · degree + 1 control points, closed n · degree
-   * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] degree 3 and open by default
+   * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] `degree`: of all segments, 3 by default; `closed`: whether
+   *   the last segment ends at the first point, false by default; `dimension`: 2 or 3, how a flat array is read
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
    */
   constructor(points, options) {
@@ -102,8 +103,8 @@ export class SplineValue {
   /**
    * Whether both have the same structure and each control point lies within a distance of its counterpart.
    *
-   * @param {SplineValue} other
-   * @param {number} [tolerance]
+   * @param {SplineValue} other the value to compare with
+   * @param {number} [tolerance] the largest distance of two control points, by default 0
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
