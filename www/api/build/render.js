@@ -82,7 +82,7 @@ ${throwsHtml(item)}
 /** Parameters and result. @param {Signature} signature @param {Map<string, string>} addresses */
 function signatureHtml({ parameters, result }, addresses) {
   const rows = parameters.flatMap((parameter) => parameterRows(parameter, addresses));
-  const returned = result?.doc
+  const returned = result && result.type !== "void"
     ? `<tr><th scope="row">result</th><td><code>${linkedType(result.type, addresses)}</code></td><td>${inline(result.doc)}</td></tr>`
     : "";
   if (rows.length === 0 && !returned) return "";
