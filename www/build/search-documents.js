@@ -36,7 +36,7 @@ function sectionOf(address, page, html) {
   const heading = plain(
     (/<h2[^>]*>(.*?)<\/h2>/s.exec(html)?.[1] ?? "").replace(/<small>.*|<a class="permalink".*/s, ""),
   );
-  const isEntry = html.startsWith('<section class="entry"');
+  const isEntry = /^<section [^>]*class="entry"/.test(html);
   const title = isEntry && /^[A-Z]\w+$/.test(page) && !heading.startsWith("new ") ? `${page}.${heading}` : heading;
   const [text, rest = ""] = html.slice(html.indexOf("</h2>")).split("<dt>Peers</dt>");
   const peers = isEntry ? plain(rest.slice(0, rest.indexOf("</dd>"))) : "";

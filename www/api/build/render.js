@@ -67,7 +67,7 @@ async function itemHtml(page, item, addresses) {
   const signatures = item.signatures.map(
     ({ text }) => `<pre class="signature"><code>${linkedType(text, addresses)}</code></pre>`,
   );
-  return `<section class="entry" id="${item.id}" aria-labelledby="${item.id}-name">
+  return `<section id="${item.id}" class="entry" aria-labelledby="${item.id}-name">
 <h2 id="${item.id}-name"><code>${escapeHtml(item.name)}</code> <small>${item.kind}</small></h2>
 <p>${inline(item.summary)}</p>
 ${signatures.join("")}
@@ -82,9 +82,10 @@ ${throwsHtml(item)}
 /** Parameters and result. @param {Signature} signature @param {Map<string, string>} addresses */
 function signatureHtml({ parameters, result }, addresses) {
   const rows = parameters.flatMap((parameter) => parameterRows(parameter, addresses));
-  const returned = result && result.type !== "void"
-    ? `<tr><th scope="row">result</th><td><code>${linkedType(result.type, addresses)}</code></td><td>${inline(result.doc)}</td></tr>`
-    : "";
+  const returned =
+    result && result.type !== "void"
+      ? `<tr><th scope="row">result</th><td><code>${linkedType(result.type, addresses)}</code></td><td>${inline(result.doc)}</td></tr>`
+      : "";
   if (rows.length === 0 && !returned) return "";
   return `<div class="scroll"><table class="parameters"><tbody>${rows.join("")}${returned}</tbody></table></div>`;
 }
@@ -143,7 +144,7 @@ export function typesHtml(types, addresses) {
       rows.length > 0
         ? `<div class="scroll"><table class="parameters"><tbody>${rows.join("")}</tbody></table></div>`
         : "";
-    return `<section class="entry" id="${type.name}"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
+    return `<section id="${type.name}" class="entry"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
 <pre class="signature"><code>${linkedType(type.text, addresses)}</code></pre>${table}${paragraphsHtml(type.details)}</section>`;
   });
   return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
@@ -161,7 +162,7 @@ export function elementsHtml(elements) {
       );
       return `<h3>${title}</h3><div class="scroll"><table class="parameters"><tbody>${lines.join("")}</tbody></table></div>`;
     });
-    return `<section class="entry" id="${tag}"><h2><code>&lt;${tag}&gt;</code> <small>element</small></h2><p>${inline(summary)}</p>${shown.join("")}</section>`;
+    return `<section id="${tag}" class="entry"><h2><code>&lt;${tag}&gt;</code> <small>element</small></h2><p>${inline(summary)}</p>${shown.join("")}</section>`;
   });
   return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${entries.join("\n")}`;
@@ -175,7 +176,7 @@ export function indexHtml({ pages, types, elements }) {
     /** @type {string} */ summary,
     /** @type {{ id: string, name: string }[]} */ list,
   ) =>
-    `<section><h2 id="${slug}"><a href="${slug}/">${escapeHtml(title)}</a></h2><p>${inline(summary)}</p><ul class="names">${list
+    `<section id="${slug}"><h2><a href="${slug}/">${escapeHtml(title)}</a></h2><p>${inline(summary)}</p><ul class="names">${list
       .map(({ id, name }) => `<li><a href="${slug}/#${id}"><code>${escapeHtml(name)}</code></a></li>`)
       .join("")}</ul></section>`;
   return `${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}

@@ -5,7 +5,7 @@ import { flattened, Projection } from "./projection.js";
 /**
  * @import { Point3, View } from "./projection.js"
  * @typedef {"main" | "second" | "third" | "result" | "faint"} Tone
- * @typedef {{ tone?: Tone, label?: string, closed?: boolean, dimension?: 2 | 3, lines?: number, thin?: boolean }} Style
+ * @typedef {{ tone?: Tone, label?: string, closed?: boolean, dimension?: 2 | 3, lines?: number, thin?: boolean, rule?: "nonzero" | "evenodd" }} Style
  * @typedef {(projection: Projection) => string} Mark writes one item
  */
 
@@ -32,10 +32,13 @@ export class Drawing {
 
   /** The inside of a closed spline or a path. @param {any} shape @param {Style | Tone} [style] */
   region(shape, style) {
-    const { tone = "main" } = styleOf(style);
+    const { tone = "main", rule = "nonzero" } = styleOf(style);
     const parts = partsOf(shape);
     for (const part of parts) this.#include(flattened(part.controlPoints(), 2));
-    this.marks.push((p) => `<path class="region ${tone}" d="${parts.map((part) => `${p.pathOf(part)}Z`).join("")}"/>`);
+    this.marks.push(
+      (p) =>
+        `<path class="region ${tone}" fill-rule="${rule}" d="${parts.map((part) => `${p.pathOf(part)}Z`).join("")}"/>`,
+    );
   }
 
   /** Straight lines through points: a list of points or a flat array. @param {any} points @param {Style | Tone} [style] */
