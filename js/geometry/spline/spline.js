@@ -26,6 +26,8 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  */
 
 /**
+ * Options of `Spline.fit`.
+ *
  * @typedef {object} FitOptions
  * @property {number} tolerance the greatest distance of a point from the spline
  * @property {boolean} [closed] whether to continue from the last point to the first
