@@ -66,7 +66,7 @@ test("no id is given twice, and all pages have the same names of pages above", (
   const names = (html) =>
     [
       ...(html.match(/<header class="site">.*?<\/header>/s)?.[0] ?? "").matchAll(
-        /<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g,
+        /<li><a href="(?:\.\.\/)*([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g,
       ),
     ].map(([, path, name]) => `${path} ${name}`);
   const expected = names(readFileSync(`${root}site/index.html`, "utf8"));

@@ -5,7 +5,7 @@ import { importLine, inputsOf } from "./sample.js";
 const highlight = await codeHighlighter();
 
 /** @param {string} code @param {"js" | "rust" | "ts"} language */
-export const codeHtml = (code, language) => `<pre><code>${highlight(code, language)}</code></pre>`;
+export const codeHtml = (code, language) => `<pre tabindex="0"><code>${highlight(code, language)}</code></pre>`;
 
 const OUTPUT = /\/\/ → (.*)$/gm;
 
@@ -22,7 +22,7 @@ export function sampleHtml(code) {
     start: mark.start + head.length,
     end: mark.end + head.length,
   }));
-  return `<pre><code>${highlight(head + code, "js", marks)}</code></pre>`;
+  return `<pre tabindex="0"><code>${highlight(head + code, "js", marks)}</code></pre>`;
 }
 
 const RUST_NAMES = ["Curve", "Spline", "Path", "Patch", "Surface", "Mesh", "Easing"];

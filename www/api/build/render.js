@@ -65,7 +65,7 @@ ${items.join("\n")}`;
 async function itemHtml(page, item, addresses) {
   const { entry } = item;
   const signatures = item.signatures.map(
-    ({ text }) => `<pre class="signature"><code>${linkedType(text, addresses)}</code></pre>`,
+    ({ text }) => `<pre class="signature" tabindex="0"><code>${linkedType(text, addresses)}</code></pre>`,
   );
   return `<section id="${item.id}" class="entry" aria-labelledby="${item.id}-name">
 <h2 id="${item.id}-name"><code>${escapeHtml(item.name)}</code> <small>${item.kind}</small></h2>
@@ -145,7 +145,7 @@ export function typesHtml(types, addresses) {
         ? `<div class="scroll"><table class="parameters"><tbody>${rows.join("")}</tbody></table></div>`
         : "";
     return `<section id="${type.name}" class="entry"><h2><code>${type.name}</code> <small>type</small></h2><p>${inline(type.summary)}</p>
-<pre class="signature"><code>${linkedType(type.text, addresses)}</code></pre>${table}${paragraphsHtml(type.details)}</section>`;
+<pre class="signature" tabindex="0"><code>${linkedType(type.text, addresses)}</code></pre>${table}${paragraphsHtml(type.details)}</section>`;
   });
   return `<nav class="names" aria-label="Entries of this page"><ul>${list.join("")}</ul></nav>
 ${entries.join("\n")}`;
@@ -176,7 +176,7 @@ export function indexHtml({ pages, types, elements }) {
     /** @type {string} */ summary,
     /** @type {{ id: string, name: string }[]} */ list,
   ) =>
-    `<section id="${slug}"><h2><a href="${slug}/">${escapeHtml(title)}</a></h2><p>${inline(summary)}</p><ul class="names">${list
+    `<section id="${slug}"><h2>${escapeHtml(title)}</h2><p>${inline(summary)} <a href="${slug}/">${escapeHtml(title)} in full</a></p><ul class="names">${list
       .map(({ id, name }) => `<li><a href="${slug}/#${id}"><code>${escapeHtml(name)}</code></a></li>`)
       .join("")}</ul></section>`;
   return `${pages.map((page) => group(page.slug, page.title, page.summary, page.items)).join("\n")}
