@@ -127,8 +127,9 @@ function awayFrom(below, flat, i) {
  */
 export function nameAt(labels, level, index, last) {
   if (labels === "b0") return `b${digits(index, SUBSCRIPTS)}${digits(level, SUPERSCRIPTS)}`;
-  if (labels === "p0") return last ? "P(t)" : `p${chained(level, index, "-")}`;
-  return last ? "P" : `P${chained(level, index + (labels === "P1" ? 1 : 0), "")}`;
+  if (last) return "B(t)";
+  if (labels === "p0") return `p${chained(level, index, "-")}`;
+  return `P${chained(level, index + (labels === "P1" ? 1 : 0), "")}`;
 }
 
 /**
