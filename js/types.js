@@ -72,6 +72,16 @@ export {};
 
 /**
  * @template {2 | 3} [D=2 | 3]
+ * @typedef {import("./geometry/points.js").PointArrays<D>} PointArrays
+ */
+
+/**
+ * @template {2 | 3} [D=2 | 3]
+ * @typedef {import("./geometry/arc-length.js").PointAtLength<D>} PointAtLength
+ */
+
+/**
+ * @template {2 | 3} [D=2 | 3]
  * @typedef {import("./geometry/curve/curve.js").Reduced<D>} Reduced
  */
 

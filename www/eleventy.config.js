@@ -38,6 +38,7 @@ export default async function configure(eleventy) {
     navigation(collections.getAll()),
   );
   eleventy.setTemplateFormats(["md", "njk", "11ty.js"]);
+  eleventy.ignores.add("**/api/entries/**"); // read by api/build/entries.js
   return {
     dir: { includes: "_layouts", layouts: "_layouts", data: "_data" },
     markdownTemplateEngine: false, // braces belong to formulas

@@ -4,6 +4,7 @@ import { createReadStream, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
+import { referenceSamples } from "./api/build/vite-samples.js";
 import { mathFontLicense } from "./build/math-font.js";
 import { eleventyPages } from "./build/pages.js";
 
@@ -46,7 +47,7 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [eleventyPages(plainPages), mathFontLicense, classicScript, pageSideEffects],
+  plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

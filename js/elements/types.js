@@ -80,7 +80,7 @@
  *   ∂u, ∂v and the normal there)
  * @property {string} evaluation "cpu": by the package; "forward": by it, with forward differences; "gpu": by the vertex shader
  * @property {number} u where de Casteljau's grid is shown
- * @property {number} v
+ * @property {number} v where de Casteljau's grid is shown
  * @property {number} step how much of it: 1 the rows, 2 their points, 3 the curve, 4 its point
  * @property {boolean} swept whether only what the curve of constant u has swept on its way from 0 is drawn
  * @property {string | null} probe "x y z": a point whose nearest one of the surface is shown
@@ -89,7 +89,7 @@
  * @property {boolean} turn whether the picture turns by itself; not at once for those who want less motion
  * @property {string} label what screen readers call the picture
  * @property {Surface | null} surface what is shown, moved points included; null: the model
- * @property {SurfaceView} view
+ * @property {SurfaceView} view the camera's position
  * @property {SurfaceFigure} figure what is shown, as plain values; read-only
  * @property {() => Promise<Blob | null>} toBlob the picture as a PNG; null before there is one
  */
@@ -147,16 +147,16 @@
  * @property {string} label what screen readers call the picture
  * @property {Record<string, unknown>} state everything, as plain data
  * @property {AppletFigure} figure what is shown; read-only
- * @property {() => void} undo
- * @property {() => void} redo
+ * @property {() => void} undo takes back the last change
+ * @property {() => void} redo repeats the change that was taken back
  * @property {() => void} reset everything as it was at first
- * @property {(seed?: number) => void} randomize
+ * @property {(seed?: number) => void} randomize puts all points at random positions; equal seeds give equal points
  * @property {(t?: number) => [Curve, Curve]} split shows the halves at t, and returns those of the selected segment
  * @property {(t?: number) => void} insert cuts the selected segment; the curve stays as it is
  * @property {(index?: number) => void} remove a point; the curve heals. Without an index the element itself, as every element
  * @property {(...what: (Node | string | [number, number])[]) => void} append a point; nodes go into the element, as into every one
  * @property {() => void} toggleMode few points, or all
- * @property {() => Record<string, unknown>} toJSON
+ * @property {() => Record<string, unknown>} toJSON the property `state`, for JSON
  * @property {() => Promise<string>} toSVG the picture with all its layers
  * @property {() => Promise<Blob | null>} toBlob the same as a PNG
  * @property {(language: "js" | "rust" | "canvas") => Promise<string>} toCode a program that makes the same curve

@@ -8,6 +8,8 @@ import { CheckedPoints, readResult, writeArguments } from "../wasm/transfer.js";
  */
 
 /**
+ * The name of a basis of cubics.
+ *
  * @typedef {"bezier" | "hermite" | "b-spline" | "catmull-rom"} BasisName
  */
 

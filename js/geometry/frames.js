@@ -19,6 +19,8 @@ import { readResult, releaseMemory } from "../wasm/transfer.js";
  */
 
 /**
+ * Options of `frames`.
+ *
  * @typedef {object} FrameOptions
  * @property {PointLike} [normal] the requested normal at t = 0, projected to the plane perpendicular to the tangent. By
  *   default the principal normal; where the curve is straight, the coordinate axis with the largest angle to the

@@ -24,6 +24,8 @@ import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
  */
 
 /**
+ * A single point where two shapes intersect.
+ *
  * @template [T=number]
  * @template [U=number]
  * @typedef {object} PointIntersection
@@ -34,6 +36,8 @@ import { writeArguments, readResult, releaseMemory } from "../wasm/transfer.js";
  */
 
 /**
+ * A part that two shapes share.
+ *
  * @template [T=number]
  * @template [U=number]
  * @typedef {object} OverlapIntersection

@@ -66,6 +66,8 @@ const F64_NORMALS = 8;
  */
 export class Mesh {
   /**
+   * The mesh of the given arrays, which are not copied.
+   *
    * @param {object} data
    * @param {Float32Array | Float64Array} data.positions
    * @param {Float32Array | Float64Array} data.normals

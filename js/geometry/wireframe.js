@@ -22,7 +22,7 @@ const MAX_SIDES = 0xffffffff;
 /**
  * @internal
  * @param {() => unknown} writeSurface writes the surface to the arena
- * @param {{ lines?: number }} [options]
+ * @param {{ lines?: number }} [options] `lines`: how many strips, 4 by default
  * @returns {Float64Array[]} the control points of each
  */
 export function isocurves(writeSurface, options) {

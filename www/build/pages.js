@@ -4,6 +4,7 @@ import { existsSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { makeMathFont } from "./math-font.js";
+import { searchDocuments } from "./search-documents.js";
 
 const www = fileURLToPath(new URL("..", import.meta.url));
 const fromHere = relative(process.cwd(), www);
@@ -11,7 +12,10 @@ const fromHere = relative(process.cwd(), www);
 /** The file whose place a page takes, by its address: /curves/ is www/curves/index.html. @param {string} url */
 const fileOf = (url) => `${www}${url.slice(1)}`.replace(/\/$/, "/index.html");
 
-/** Renders all pages. @returns {Promise<Map<string, string>>} HTML by the file that it takes the place of */
+/** The index of the search, by its place in the site. */
+const SEARCH = "search.json";
+
+/** Renders all pages. @returns {Promise<{ pages: Map<string, string>, search: string }>} HTML by the file that it takes the place of */
 async function renderPages() {
   const eleventy = new Eleventy(fromHere, undefined, {
     configPath: `${fromHere}/eleventy.config.js`,
@@ -20,18 +24,20 @@ async function renderPages() {
   /** @type {{ url: string, content: string }[]} */
   const results = await eleventy.toJSON();
   await makeMathFont(results.map(({ content }) => content));
-  return new Map(results.map(({ url, content }) => [fileOf(url), content]));
+  const pages = new Map(results.map(({ url, content }) => [fileOf(url), content]));
+  return { pages, search: JSON.stringify(searchDocuments(results)) };
 }
 
 /** @param {string[]} others pages that are HTML files already */
 export function eleventyPages(others) {
   /** @type {Map<string, string>} */
   let pages = new Map();
+  let search = "";
   return {
     name: "eleventy-pages",
     enforce: /** @type {const} */ ("pre"),
     async config() {
-      pages = await renderPages();
+      ({ pages, search } = await renderPages());
       return { build: { rolldownOptions: { input: [...pages.keys(), ...others] } } };
     },
     resolveId(/** @type {string} */ id, /** @type {string | undefined} */ importer) {
@@ -41,14 +47,18 @@ export function eleventyPages(others) {
       return existsSync(file) ? file : undefined;
     },
     load: (/** @type {string} */ id) => pages.get(id),
+    generateBundle() {
+      /** @type {any} */ (this).emitFile({ type: "asset", fileName: SEARCH, source: search });
+    },
     configureServer(/** @type {import("vite").ViteDevServer} */ server) {
       server.watcher.on("change", async (file) => {
         if (!/\.(md|njk)$/.test(file)) return;
-        pages = await renderPages();
+        ({ pages, search } = await renderPages());
         server.ws.send({ type: "full-reload" });
       });
       server.middlewares.use(async (request, response, next) => {
         const path = new URL(request.originalUrl ?? "/", "http://localhost").pathname;
+        if (path === `/${SEARCH}`) return void response.end(search);
         const html = pages.get(fileOf(path));
         if (html === undefined) return next();
         response.setHeader("Content-Type", "text/html; charset=utf-8");

@@ -1,7 +1,7 @@
 //! `build`: builds dist/, the published package, from the Rust sources and js/.
 
 use crate::stamp::{self, Work, files_below};
-use crate::{glue, setup, shell, wasm_test};
+use crate::{glue, rust_docs, setup, shell, wasm_test};
 use anyhow::Result;
 use std::path::PathBuf;
 use std::process::Command;
@@ -165,11 +165,12 @@ fn types() -> Result<()> {
     )
 }
 
-/// Builds the static site, with relative URLs, in site/.
+/// Builds the static site, with relative URLs, in site/, and the Rust documentation in site/rust/.
 pub(crate) fn site() -> Result<()> {
     build()?;
     let root = shell::root();
     let mut inputs = files_below(&root.join("www"));
+    inputs.extend(files_below(&root.join("src")));
     inputs.extend(SITE_SCRIPTS.map(|name| root.join("dist").join(name)));
     inputs.push(root.join("package-lock.json"));
     let work = Work {
@@ -184,6 +185,7 @@ pub(crate) fn site() -> Result<()> {
             "build",
             "--config",
             "www/vite.config.js",
-        ]))
+        ]))?;
+        rust_docs::add_to_site()
     })
 }

@@ -6,6 +6,7 @@ mod build;
 mod encode;
 mod glue;
 mod liveness;
+mod rust_docs;
 mod serve;
 mod setup;
 mod shell;

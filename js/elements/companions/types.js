@@ -24,7 +24,7 @@
  *
  * @typedef {object} BernsteinProperties
  * @property {number} degree 1 to 64
- * @property {number} t
+ * @property {number} t the parameter, from 0 to 1
  * @property {string} basis "bezier" (Bernstein polynomials), "hermite", "b-spline" or "catmull-rom"
  */
 
@@ -33,7 +33,7 @@
  *
  * @typedef {object} EquationProperties
  * @property {number[][]} points pairs; they can be written as text, too: "x,y x,y …"
- * @property {number} t
+ * @property {number} t the parameter, from 0 to 1
  * @property {number | null} degree of the curve, by as many points as it needs; null: by all of them
  * @property {string} basis as in `<bezier-bernstein>`, or "matrix"
  * @property {string} matrix 16 numbers, row by row: the curve is [t³ t² t 1] · M · P
@@ -58,16 +58,16 @@
  * @property {string | null} defaultValue the attribute `value`
  * @property {string} name in the form
  * @property {boolean} required whether one must be chosen
- * @property {boolean} disabled
+ * @property {boolean} disabled whether the field cannot be changed and is left out of the form
  * @property {string} type "bezier-easing"
- * @property {HTMLFormElement | null} form
- * @property {NodeList} labels
- * @property {ValidityState} validity
- * @property {string} validationMessage
- * @property {boolean} willValidate
- * @property {() => boolean} checkValidity
- * @property {() => boolean} reportValidity
- * @property {(message: string) => void} setCustomValidity
+ * @property {HTMLFormElement | null} form the form that the field belongs to
+ * @property {NodeList} labels the `<label>` elements of the field
+ * @property {ValidityState} validity what is wrong with the value, as of an `<input>`
+ * @property {string} validationMessage what the browser says about an invalid value
+ * @property {boolean} willValidate whether the value is checked when the form is submitted
+ * @property {() => boolean} checkValidity whether the value is valid; fires `invalid` if not
+ * @property {() => boolean} reportValidity like `checkValidity`, and shows the message
+ * @property {(message: string) => void} setCustomValidity sets a message that makes the value invalid; an empty one makes it valid
  */
 
 /** @typedef {HTMLElement & CompanionProperties & LinkProperties & BernsteinProperties} BezierBernsteinElement */

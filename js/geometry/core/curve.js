@@ -32,7 +32,7 @@ export class Curve extends CoreCurve {
    * @template {2 | 3} [D=2 | 3]
    * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
    * @param {PointArrays<D> | PointsLike} points four points
-   * @param {{ dimension?: D }} [options]
+   * @param {{ dimension?: D }} [options] `dimension`: 2 or 3, how a flat array is read; 2 by default
    * @returns {Curve<D>}
    */
   static fromBasis(basis, points, options) {

@@ -25,7 +25,7 @@ export class Patch extends CorePatch {
    *
    *     const patch = Patch.fromBasis("b-spline", net);
    *
-   * @param {BasisLike} basis
+   * @param {BasisLike} basis a name, or a 4×4 matrix, row-major
    * @param {NetLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
    *   last two rows are derivatives in v
    * @returns {Patch}

@@ -26,8 +26,8 @@ export class Spline extends CoreSpline {
    * The spline of consecutive curves, whose degrees may differ.
    *
    * @template {2 | 3} [D=2 | 3]
-   * @param {readonly CoreCurve<D>[]} curves
-   * @param {{ closed?: boolean }} [options]
+   * @param {readonly CoreCurve<D>[]} curves curves that each start where the one before ends
+   * @param {{ closed?: boolean }} [options] `closed`: whether the last curve ends where the first starts, false by default
    * @returns {Spline<D>}
    * @throws {RangeError} if a curve does not start at the end of the previous one
    */

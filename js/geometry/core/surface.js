@@ -67,7 +67,7 @@ export class Surface extends CoreSurface {
    * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
    * first.
    *
-   * @param {string} text
+   * @param {string} text the text in one of the three formats
    * @returns {Surface}
    * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
    */
@@ -79,7 +79,7 @@ export class Surface extends CoreSurface {
    * The surface of patches, which may differ in their degrees. Control points at the same position become one vertex,
    * so neighbours that have the same points along an edge are joined there. The order of the patches is kept.
    *
-   * @param {readonly PatchValue[]} patches
+   * @param {readonly PatchValue[]} patches patches of any degrees
    * @returns {Surface}
    */
   static fromPatches(patches) {

@@ -28,7 +28,7 @@ export class CoreCurve extends CurveEvaluation {
    * The values of the n + 1 Bernstein polynomials of a degree at t; for t in [0, 1] their sum is 1 within one ulp.
    *
    * @param {number} degree 0 to 64
-   * @param {number} t
+   * @param {number} t the parameter, mostly from 0 to 1
    * @returns {Float64Array}
    */
   static bernstein(degree, t) {
@@ -39,7 +39,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The 4×4 matrix of a basis, row-major: rows for t³, t², t and 1, columns for the geometry points.
    *
-   * @param {BasisName} name
+   * @param {BasisName} name the basis
    * @returns {Float64Array} 16 numbers
    */
   static basisMatrix(name) {
@@ -50,7 +50,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * Splits the curve at t into two.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @param {never[]} surplus
    * @returns {[this, this]}
    */
@@ -76,8 +76,8 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The part from t0 to t1, reversed if t0 > t1.
    *
-   * @param {number} t0
-   * @param {number} t1
+   * @param {number} t0 the parameter of the start
+   * @param {number} t1 the parameter of the end
    * @param {never[]} surplus
    * @returns {this}
    */
@@ -116,7 +116,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The curve transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {
@@ -127,7 +127,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The four geometry points that give this curve (of degree at most 3) in another basis.
    *
-   * @param {BasisLike} basis
+   * @param {BasisLike} basis a name, or a 4×4 matrix, row-major
    * @returns {Float64Array}
    */
   toBasis(basis) {
@@ -154,7 +154,7 @@ export class CoreCurve extends CurveEvaluation {
    * The tree of recursive halving until D1 − D2 < tolerance, where D1 is the length of the control polygon and D2 the
    * length of the chord. For teaching: D1 − D2 is not a bound on the distance, but `deviationBound` is.
    *
-   * @param {number} tolerance
+   * @param {number} tolerance the largest distance, in the unit of the points
    * @returns {Subdivision<this>}
    */
   subdivide(tolerance) {
@@ -196,7 +196,7 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * Draws the curve on a canvas context or a Path2D: `moveTo` its start, then the curve. 2D only.
    *
-   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target a canvas context or a Path2D
    * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {

@@ -17,7 +17,7 @@ export class CurveEvaluation extends CurveValue {
   /**
    * The point at t.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {Point<D>}
    */
   eval(t) {
@@ -31,7 +31,7 @@ export class CurveEvaluation extends CurveValue {
   /**
    * `segments` + 1 points at t = i / segments.
    *
-   * @param {number} segments
+   * @param {number} segments how many parts, at least 1
    * @param {{ into?: Float64Array }} [options] `into`: at least (segments + 1) · dimension numbers long
    * @returns {Float64Array}
    */
@@ -48,7 +48,7 @@ export class CurveEvaluation extends CurveValue {
   /**
    * The points at the given parameters.
    *
-   * @param {ArrayLike<number>} ts
+   * @param {ArrayLike<number>} ts the parameters
    * @param {{ into?: Float64Array }} [options] `into`: at least ts.length · dimension numbers long
    * @returns {Float64Array}
    */
@@ -75,8 +75,8 @@ export class CurveEvaluation extends CurveValue {
   /**
    * The k-th derivative at t; zero if k is greater than the degree.
    *
-   * @param {number} t
-   * @param {number} [k]
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
+   * @param {number} [k] the order of the derivative, by default 1
    * @returns {Point<D>}
    */
   derivativeAt(t, k = 1) {
@@ -90,7 +90,7 @@ export class CurveEvaluation extends CurveValue {
    * The unit tangent at t. Where the derivative vanishes (handles of length 0, cusps) it is the limit; if all control
    * points are equal, it is zero.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {Point<D>}
    */
   tangent(t) {
@@ -103,7 +103,7 @@ export class CurveEvaluation extends CurveValue {
    * The unit normal at t: in 2D the tangent turned by +90°, (x, y) → (−y, x); in 3D the principal normal, which is zero
    * where the curve is straight.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {Point<D>}
    */
   normal(t) {
@@ -116,7 +116,7 @@ export class CurveEvaluation extends CurveValue {
    * The curvature at t: in 2D positive when turning counter-clockwise (x right, y up), in 3D never negative. Infinite
    * at a cusp.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {number}
    */
   curvature(t) {
@@ -128,7 +128,7 @@ export class CurveEvaluation extends CurveValue {
    * All levels of de Casteljau's algorithm at t: the first level is the control points, the last is the point of the
    * curve.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {Float64Array[]}
    */
   deCasteljau(t) {

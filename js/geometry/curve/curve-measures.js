@@ -26,7 +26,7 @@ export class CurveMeasures extends CoreCurve {
    * tangent, positive for a right-handed helix. It is 0 in 2D and for planar curves. Where B′ × B″ vanishes, it is the
    * limit, which may be infinite.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to 1; others extrapolate
    * @returns {number}
    */
   torsion(t) {
@@ -73,7 +73,7 @@ export class CurveMeasures extends CoreCurve {
   /**
    * The t at which the arc length from the start is s. An s outside of [0, length] gives the nearer end.
    *
-   * @param {number} s
+   * @param {number} s the length, in the unit of the points
    * @param {number} [tolerance] the largest error, as a length; by default 10⁻¹² of the curve's length
    * @returns {number} 0 to 1
    */
@@ -101,7 +101,7 @@ export class CurveMeasures extends CoreCurve {
    *
    *     curve.evalAt(curve.equidistantTimes(100)); // 101 points, evenly spaced along the curve
    *
-   * @param {number} segments
+   * @param {number} segments how many parts, at least 1
    * @returns {Float64Array} `segments` + 1 values, the first 0, the last 1
    */
   equidistantTimes(segments) {
@@ -133,7 +133,7 @@ export class CurveMeasures extends CoreCurve {
    * All parameters in [0, 1] at which a coordinate has the given value, end points and tangencies included, sorted. If
    * the coordinate has that value everywhere: 0 and 1, the ends of the range.
    *
-   * @param {{ x: number } | { y: number } | { z: number }} where
+   * @param {{ x: number } | { y: number } | { z: number }} where one coordinate and its value
    * @returns {Float64Array}
    */
   timesAtCoordinate(where) {
@@ -175,7 +175,7 @@ export class CurveMeasures extends CoreCurve {
    * largest control vector of the derivative), the limit of the tangent must pass through p within 1e-7 of the curve's
    * size.
    *
-   * @param {PointLike} p
+   * @param {PointLike} p the point, in the unit of the points
    * @returns {Float64Array}
    */
   tangentsFrom(p) {

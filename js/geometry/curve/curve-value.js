@@ -34,8 +34,10 @@ export class CurveValue {
   #dimension;
 
   /**
+   * The curve of the given control points.
+   *
    * @param {PointArrays<D> | PointsLike} points the control points P₀ … Pₙ, 2 to 65 of them; a flat array is 2D unless `dimension` is 3
-   * @param {{ dimension?: D }} [options]
+   * @param {{ dimension?: D }} [options] `dimension`: 2 or 3, how a flat array is read; 2 by default
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    * @throws {TypeError} for a value that is not a point
    */
@@ -72,7 +74,7 @@ export class CurveValue {
   /**
    * Whether both have the same degree and each control point lies within a distance of its counterpart.
    *
-   * @param {CurveValue} other
+   * @param {CurveValue} other the value to compare with
    * @param {number} [tolerance] by default 0: equal coordinates
    * @returns {boolean}
    */
@@ -82,6 +84,8 @@ export class CurveValue {
   }
 
   /**
+   * The curve as an object for JSON, from which `Curve.fromJSON` makes an equal curve; it has `dimension: 3` for a curve in space.
+   *
    * @returns {{ points: number[][] }}
    */
   toJSON() {

@@ -53,7 +53,7 @@ export class Curve extends CurveMeasures {
    * @template {2 | 3} [D=2 | 3]
    * @param {BasisLike} basis "hermite" (P0, P1, M0, M1), "b-spline", "catmull-rom", "bezier", or a matrix, row-major
    * @param {PointArrays<D> | PointsLike} points four points
-   * @param {{ dimension?: D }} [options]
+   * @param {{ dimension?: D }} [options] `dimension`: 2 or 3, how a flat array is read; 2 by default
    * @returns {Curve<D>}
    */
   static fromBasis(basis, points, options) {
@@ -61,6 +61,8 @@ export class Curve extends CurveMeasures {
   }
 
   /**
+   * The curve that `toJSON` described.
+   *
    * @param {CurveJSON} json what `toJSON` returned
    * @returns {Curve}
    */
@@ -73,10 +75,10 @@ export class Curve extends CurveMeasures {
    * it oscillates between the points; `Spline.interpolate` does not.
    *
    * @template {2 | 3} [D=2 | 3]
-   * @param {PointArrays<D> | PointsLike} points
+   * @param {PointArrays<D> | PointsLike} points the points that are interpolated
    * @param {ArrayLike<number>} [ts] the parameter of each point; by default proportional to the lengths of the chords,
    *   from 0 to 1 (equally spaced if two neighbouring points are equal)
-   * @param {{ dimension?: D }} [options]
+   * @param {{ dimension?: D }} [options] `dimension`: 2 or 3, how a flat array is read; 2 by default
    * @returns {Curve<D>}
    * @throws {RangeError} for equal parameters
    */
@@ -114,7 +116,7 @@ export class Curve extends CurveMeasures {
    * the curve turns back, a half circle joins the two sides. If all control points are equal, the curve is returned
    * unchanged.
    *
-   * @param {number} distance
+   * @param {number} distance the distance, in the unit of the points; negative on the other side
    * @param {{ tolerance?: number }} [options] `tolerance`: the largest distance between the spline and the exact offset
    *   curve, by default 1e-4 of the diagonal of the control points' box, at least 1e-12 of the largest coordinate plus
    *   the distance
@@ -136,7 +138,7 @@ export class Curve extends CurveMeasures {
    * At most 256 pieces are examined up to degree 3, and 64 + 16 n at a higher degree n. Only distances that are
    * constant but for rounding need more.
    *
-   * @param {PointLike} p
+   * @param {PointLike} p the point, in the unit of the points
    * @returns {Nearest<D>}
    */
   nearest(p) {
@@ -158,7 +160,7 @@ export class Curve extends CurveMeasures {
    * along each other. The distance of each curve at its parameter from `point` is at most 64 (n + 2) ulps of L.
    *
    * @template {CoreCurve | CoreSpline | PathValue} S
-   * @param {S} other
+   * @param {S} other a curve, a spline or a path
    * @param {never[]} surplus
    * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    * @throws {TypeError} for a 3D curve

@@ -31,8 +31,8 @@ export class CorePatch extends PatchValue {
   /**
    * The point at (u, v), by de Casteljau's algorithm along u and then along v.
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {Point}
    */
   eval(u, v) {
@@ -43,8 +43,8 @@ export class CorePatch extends PatchValue {
   /**
    * The first and second partial derivatives at (u, v).
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {Partials}
    */
   partials(u, v) {
@@ -58,8 +58,8 @@ export class CorePatch extends PatchValue {
    * The unit normal at (u, v) in the direction of ∂u × ∂v. At collapsed edges it is the limit; it is zero for a patch
    * that is a curve or a point.
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {Point}
    */
   normal(u, v) {
@@ -71,8 +71,8 @@ export class CorePatch extends PatchValue {
    * The curvatures at (u, v). Where ∂u × ∂v vanishes, as at a collapsed edge, they are the limits on the line from the
    * patch's middle, and zero if there is no limit (the tip of a cone, a patch that is a curve or a point).
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {Curvature}
    */
   curvature(u, v) {
@@ -84,8 +84,8 @@ export class CorePatch extends PatchValue {
   /**
    * All intermediate points of de Casteljau's algorithm for S(u, v): rows, then a curve, then the point.
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {PatchDeCasteljau}
    */
   deCasteljau(u, v) {
@@ -98,7 +98,7 @@ export class CorePatch extends PatchValue {
   /**
    * The curve u = constant, which runs along v.
    *
-   * @param {number} u
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @returns {C}
    */
   isocurveAtU(u) {
@@ -108,7 +108,7 @@ export class CorePatch extends PatchValue {
   /**
    * The curve v = constant, which runs along u.
    *
-   * @param {number} v
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {C}
    */
   isocurveAtV(v) {
@@ -158,7 +158,7 @@ export class CorePatch extends PatchValue {
    * size (2⁻⁴ if the first search reaches its limit). If a search reaches its limit, as where a whole curve of the
    * patch is nearest, the result is the nearest point found so far, a local minimum of the distance.
    *
-   * @param {PointLike} p
+   * @param {PointLike} p the point, in the unit of the points
    * @returns {PatchPoint}
    */
   nearest(p) {
@@ -171,8 +171,8 @@ export class CorePatch extends PatchValue {
    * intersection. For a ray that lies in the patch, they are its crossings of the edges, and the origin if it is on the
    * patch.
    *
-   * @param {PointLike} origin
-   * @param {PointLike} direction
+   * @param {PointLike} origin the start of the ray
+   * @param {PointLike} direction the direction of the ray, of any length above 0
    * @returns {PatchPoint[]}
    * @throws {RangeError} for a direction of length 0, and if the search takes more than 2²⁷ steps, about one for each
    *   multiplication

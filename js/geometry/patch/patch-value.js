@@ -35,9 +35,11 @@ export class PatchValue {
   #degreeV;
 
   /**
+   * The patch of the given net of control points.
+   *
    * @param {NetLike} net (degreeU + 1)·(degreeV + 1) control points, u along the fast index: a flat list, or an array of
    *   degreeV + 1 rows; an array of numbers holds three for each point
-   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @param {{ degreeU?: number, degreeV?: number }} [options] `degreeU`: 3 by default; `degreeV`: 3 by default
    * @throws {RangeError} for a wrong count, a NaN or an infinity
    */
   constructor(net, options) {
@@ -68,8 +70,8 @@ export class PatchValue {
   /**
    * Whether both have the same degrees and each control point lies within a distance of its counterpart.
    *
-   * @param {PatchValue} other
-   * @param {number} [tolerance]
+   * @param {PatchValue} other the value to compare with
+   * @param {number} [tolerance] the largest distance of two control points, by default 0
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
@@ -80,7 +82,7 @@ export class PatchValue {
   /**
    * Splits the patch at u into two.
    *
-   * @param {number} u
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
    * @param {never[]} surplus
    * @returns {[this, this]}
    */
@@ -92,7 +94,7 @@ export class PatchValue {
   /**
    * Splits the patch at v into two.
    *
-   * @param {number} v
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @param {never[]} surplus
    * @returns {[this, this]}
    */
@@ -104,8 +106,8 @@ export class PatchValue {
   /**
    * Splits the patch at (u, v) into four: before both, after u, after v, after both.
    *
-   * @param {number} u
-   * @param {number} v
+   * @param {number} u the parameter along the fast index of the net, from 0 to 1; others extrapolate
+   * @param {number} v the parameter along the slow index of the net, from 0 to 1; others extrapolate
    * @returns {[this, this, this, this]}
    */
   split(u, v) {
@@ -131,7 +133,7 @@ export class PatchValue {
   /**
    * The patch transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {
@@ -143,8 +145,8 @@ export class PatchValue {
   /**
    * The patch with one control point moved.
    *
-   * @param {number} index
-   * @param {PointLike} to
+   * @param {number} index the number of the control point, from 0
+   * @param {PointLike} to the new position
    * @returns {this}
    */
   movePoint(index, to) {
@@ -155,6 +157,8 @@ export class PatchValue {
   }
 
   /**
+   * The patch as an object for JSON, from which `Patch.fromJSON` makes an equal patch.
+   *
    * @returns {{ net: number[][], degreeU: number, degreeV: number }}
    */
   toJSON() {

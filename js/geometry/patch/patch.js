@@ -25,7 +25,7 @@ export class Patch extends CorePatch {
    *
    *     const patch = Patch.fromBasis("b-spline", net);
    *
-   * @param {BasisLike} basis
+   * @param {BasisLike} basis a name, or a 4×4 matrix, row-major
    * @param {NetLike} net row by row; in the Hermite basis, a row holds two points and two derivatives in u, and the
    *   last two rows are derivatives in v
    * @returns {Patch}
@@ -35,6 +35,8 @@ export class Patch extends CorePatch {
   }
 
   /**
+   * The patch that `toJSON` described.
+   *
    * @param {PatchJSON} json what `toJSON` returned
    * @returns {Patch}
    */

@@ -20,7 +20,7 @@ export class PathEvaluation extends PathValue {
   /**
    * The point at a location.
    *
-   * @param {PathTime} location
+   * @param {PathTime} location a subpath and a parameter on it
    * @returns {Point}
    */
   eval(location) {
@@ -33,7 +33,7 @@ export class PathEvaluation extends PathValue {
    *
    *     path.evalAt(path.equidistantTimes(100)); // 101 points, evenly spaced along the path
    *
-   * @param {ArrayLike<PathTime>} locations
+   * @param {ArrayLike<PathTime>} locations subpaths and parameters on them
    * @param {{ into?: Float64Array }} [options] `into`: at least 2 · locations.length numbers long
    * @returns {Float64Array}
    */
@@ -54,7 +54,7 @@ export class PathEvaluation extends PathValue {
   /**
    * For each subpath, points at equally spaced t, both ends included, see `Spline.sample`.
    *
-   * @param {number} segmentsPerCurve
+   * @param {number} segmentsPerCurve how many parts for each segment, at least 1
    * @returns {Float64Array[]}
    */
   sample(segmentsPerCurve) {
@@ -65,8 +65,8 @@ export class PathEvaluation extends PathValue {
   /**
    * The k-th derivative with respect to t at a location; zero if k is greater than the degree of the segment.
    *
-   * @param {PathTime} location
-   * @param {number} [k]
+   * @param {PathTime} location a subpath and a parameter on it
+   * @param {number} [k] the order of the derivative, by default 1
    * @returns {Point}
    */
   derivativeAt(location, k = 1) {
@@ -77,7 +77,7 @@ export class PathEvaluation extends PathValue {
   /**
    * The unit tangent at a location, see `Curve.tangent`; zero if the segment is a point.
    *
-   * @param {PathTime} location
+   * @param {PathTime} location a subpath and a parameter on it
    * @returns {Point}
    */
   tangent(location) {
@@ -88,7 +88,7 @@ export class PathEvaluation extends PathValue {
   /**
    * The unit normal at a location: the tangent turned by +90°, (x, y) → (−y, x).
    *
-   * @param {PathTime} location
+   * @param {PathTime} location a subpath and a parameter on it
    * @returns {Point}
    */
   normal(location) {
@@ -99,7 +99,7 @@ export class PathEvaluation extends PathValue {
   /**
    * The curvature at a location, positive when turning counter-clockwise (x right, y up). Infinite at a cusp.
    *
-   * @param {PathTime} location
+   * @param {PathTime} location a subpath and a parameter on it
    * @returns {number}
    */
   curvature(location) {
@@ -116,7 +116,7 @@ export class PathEvaluation extends PathValue {
    *     before.toSVG(); // "M0,0 L4,0 M0,1 L2,1"
    *     after.toSVG(); // "M2,1 L4,1"
    *
-   * @param {PathTime} location
+   * @param {PathTime} location a subpath and a parameter on it
    * @returns {[this, this]}
    */
   split(location) {
@@ -134,8 +134,8 @@ export class PathEvaluation extends PathValue {
    * Parts of a subpath are open; a closed subpath that is contained as a whole stays closed. A part does not cross the
    * start of a closed subpath. If both locations are equal, the part is a single segment that is a point.
    *
-   * @param {PathTime} from
-   * @param {PathTime} to
+   * @param {PathTime} from the location of the start
+   * @param {PathTime} to the location of the end
    * @returns {this}
    */
   subsegment(from, to) {
@@ -161,7 +161,7 @@ export class PathEvaluation extends PathValue {
    * path. A joint is reported once, the end of a closed subpath as its start. For a segment on which the coordinate has
    * that value everywhere: its ends.
    *
-   * @param {{ x: number } | { y: number }} where
+   * @param {{ x: number } | { y: number }} where one coordinate and its value
    * @returns {PathTime[]}
    */
   timesAtCoordinate(where) {

@@ -108,7 +108,7 @@ export class PathMeasures extends PathEvaluation {
   /**
    * `segments` + 1 positions that divide the whole path into parts of equal length; none for an empty path.
    *
-   * @param {number} segments
+   * @param {number} segments how many parts, at least 1
    * @returns {PathTime[]}
    */
   equidistantTimes(segments) {
@@ -145,7 +145,7 @@ export class PathMeasures extends PathEvaluation {
   /**
    * The point of the path that is nearest to another point, the first one of several; null for an empty path.
    *
-   * @param {PointLike} point
+   * @param {PointLike} point the point, in the unit of the points
    * @returns {PathPoint | null}
    */
   nearest(point) {
@@ -156,7 +156,7 @@ export class PathMeasures extends PathEvaluation {
    * The winding number of the path around a point: counter-clockwise is positive (x right, y up). Open subpaths are
    * closed by a line. A point on the boundary counts as slightly displaced to the right and upwards.
    *
-   * @param {PointLike} point
+   * @param {PointLike} point the point, in the unit of the points
    * @returns {number}
    */
   windingNumber(point) {
@@ -168,7 +168,7 @@ export class PathMeasures extends PathEvaluation {
   /**
    * Whether the path, filled by the rule, contains a point.
    *
-   * @param {PointLike} point
+   * @param {PointLike} point the point, in the unit of the points
    * @param {RegionOptions} [options]
    * @returns {boolean}
    */
@@ -181,7 +181,7 @@ export class PathMeasures extends PathEvaluation {
   /**
    * For each subpath a polyline whose distance from it is nowhere greater than `tolerance`; joints are vertices.
    *
-   * @param {number} tolerance
+   * @param {number} tolerance the largest distance, in the unit of the points
    * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }[]}
    */

@@ -189,7 +189,7 @@ class ShapeBuilder {
   /**
    * Adds a line, unless it would be a point but for rounding.
    *
-   * @param {Pair} point
+   * @param {Pair} point the point, in the unit of the points
    */
   lineTo([x, y]) {
     if (!isRounding(x, this.#x) || !isRounding(y, this.#y)) this.#line(x, y);
@@ -202,7 +202,7 @@ class ShapeBuilder {
    * @param {number} radiusY
    * @param {number} degrees
    * @param {boolean} isCounterClockwise
-   * @param {Pair} point
+   * @param {Pair} point the point, in the unit of the points
    */
   arcTo(radiusX, radiusY, degrees, isCounterClockwise, [x, y]) {
     if (!Number.isFinite(4 * Math.max(radiusX, radiusY) + Math.abs(x) + Math.abs(y))) {

@@ -35,6 +35,8 @@ export class PathValue {
   #segments = [];
 
   /**
+   * The path with the given splines and curves as its subpaths, in their order.
+   *
    * @param {ArrayLike<CoreSpline | CoreCurve>} splines 2D
    * @throws {TypeError} for values that are not splines or curves, and for 3D ones
    */
@@ -77,8 +79,8 @@ export class PathValue {
   /**
    * Whether both have the same structure and each control point lies within a distance of its counterpart.
    *
-   * @param {PathValue} other
-   * @param {number} [tolerance]
+   * @param {PathValue} other the value to compare with
+   * @param {number} [tolerance] the largest distance of two control points, by default 0
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
@@ -95,7 +97,7 @@ export class PathValue {
   /**
    * The path transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {
@@ -131,7 +133,7 @@ export class PathValue {
   /**
    * Draws the path on a canvas context or a Path2D.
    *
-   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target a canvas context or a Path2D
    * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {
@@ -153,6 +155,8 @@ export class PathValue {
   }
 
   /**
+   * The path as an object for JSON, from which `Path.fromJSON` makes an equal path.
+   *
    * @returns {{ subpaths: ReturnType<Spline["toJSON"]>[] }}
    */
   toJSON() {

@@ -57,7 +57,7 @@ export class Path extends PathRegions {
    * Arcs are approximated by cubics, by default within 1e-9 of the larger radius. A moveto without a segment is ignored; "M1 1Z" is
    * a closed subpath with one line of length 0. `Z` adds a line to the start unless the current point is already there.
    *
-   * @param {string} d
+   * @param {string} d SVG path data
    * @param {ArcOptions} [options]
    * @returns {Path}
    * @throws {SvgError} a RangeError with `offset` and `path`, the path up to the error
@@ -74,6 +74,8 @@ export class Path extends PathRegions {
   }
 
   /**
+   * The path that `toJSON` described.
+   *
    * @param {{ subpaths: SplineJSON[] }} json what `toJSON` returned
    * @returns {Path}
    */
@@ -89,7 +91,7 @@ export class Path extends PathRegions {
   /**
    * The path of a curve, a spline, a path, or an array of these; the subpaths of paths are copied.
    *
-   * @param {Shape | ArrayLike<Shape>} shapes
+   * @param {Shape | ArrayLike<Shape>} shapes curves, splines and paths in the plane
    * @returns {Path}
    * @throws {TypeError} for other values, and for 3D ones
    */
@@ -105,7 +107,7 @@ export class Path extends PathRegions {
    * By default, 36 cubics approximate it within 1e-9 of the radius. The largest distance of a cubic over the angle θ is
    * 2/27 sin⁶(θ/4) / cos²(θ/4) of the radius: a tolerance of 2.73e-4 · radius gives the usual four cubics.
    *
-   * @param {PointLike} center
+   * @param {PointLike} center the center
    * @param {number} radius 0 gives a closed subpath that is a point
    * @param {ArcOptions} [options]
    * @returns {Path}
@@ -119,7 +121,7 @@ export class Path extends PathRegions {
   /**
    * An ellipse with the same direction and accuracy as `circle`, from the end of its first semi-axis.
    *
-   * @param {PointLike} center
+   * @param {PointLike} center the center
    * @param {number} radiusX the length of the first semi-axis
    * @param {number} radiusY the length of the second semi-axis
    * @param {number} [rotation] the angle from the x-axis to the first semi-axis, in radians, counter-clockwise (y up)
@@ -136,8 +138,8 @@ export class Path extends PathRegions {
    *
    *     Path.arc([0, 0], 1, 0, Math.PI / 2); // from (1, 0) to (0, 1)
    *
-   * @param {PointLike} center
-   * @param {number} radius
+   * @param {PointLike} center the center
+   * @param {number} radius the radius, in the unit of the points
    * @param {number} startAngle in radians, from the x-axis towards the y-axis
    * @param {number} endAngle in radians; at most a full turn away from `startAngle`
    * @param {ArcOptions} [options]
@@ -152,8 +154,8 @@ export class Path extends PathRegions {
    * corner with the smallest coordinates (after its rounding).
    *
    * @param {PointLike} corner the corner with the smallest coordinates
-   * @param {number} width
-   * @param {number} height
+   * @param {number} width the width, at least 0
+   * @param {number} height the height, at least 0
    * @param {RectOptions} [options]
    * @returns {Path}
    */
@@ -165,7 +167,7 @@ export class Path extends PathRegions {
    * A polygon, or an open polyline, with the given corners in their order.
    *
    * @param {PointsLike} points a flat array is read as x, y, x, y, …; at least 1 point, at least 2 if open
-   * @param {{ closed?: boolean }} [options] closed by default
+   * @param {{ closed?: boolean }} [options] `closed`: true by default
    * @returns {Path}
    */
   static polygon(points, options) {
@@ -213,7 +215,7 @@ export class Path extends PathRegions {
    * of segments is compared, with the limits of `Curve.intersections`.
    *
    * @template {Shape} S
-   * @param {S} other
+   * @param {S} other a curve, a spline or a path
    * @returns {Intersection<PathTime, S extends PathValue ? PathTime : number>[]}
    */
   intersections(other) {

@@ -26,7 +26,7 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * The continuity at the joint t = `joint` (closed splines have a joint 0, too).
    *
-   * @param {number} joint
+   * @param {number} joint the number of the joint: its t
    * @param {number} [tolerance] a distance, by default 1e-9 of the extent of the two segments
    * @returns {Continuity}
    */
@@ -40,7 +40,7 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * The spline with one more segment that ends at `point`, with automatic handles.
    *
-   * @param {PointLike} point
+   * @param {PointLike} point the point, in the unit of the points
    * @returns {this}
    */
   append(point) {
@@ -56,8 +56,8 @@ export class CoreSpline extends SplineEvaluation {
    * The handles of a joint move with it. "c2" and "g2" need segments of degree 3 or more, otherwise they act as "c1"
    * and "g1"; "auto" sets handles only on such segments, also the handle of a neighbouring open end.
    *
-   * @param {number} index
-   * @param {PointLike} to
+   * @param {number} index the number of the control point, from 0
+   * @param {PointLike} to the new position
    * @param {{ joints?: ArrayLike<JointMode | undefined> | Record<number, JointMode> }} [options] `joints[k]`: the mode
    *   of the joint at t = k, by default "free"
    * @returns {this}
@@ -78,8 +78,8 @@ export class CoreSpline extends SplineEvaluation {
    * The spline with the joint changed to satisfy the mode; the handle before the joint is kept ("auto" sets both
    * handles).
    *
-   * @param {number} joint
-   * @param {JointMode} mode
+   * @param {number} joint the number of the joint: its t
+   * @param {JointMode} mode the mode of the joint
    * @returns {this}
    * @throws {RangeError} if there is no such joint, and for "g2" in 3D
    */
@@ -116,7 +116,7 @@ export class CoreSpline extends SplineEvaluation {
    * does not cross the start of a closed spline.
    *
    * @param {number} t0 0 to the number of segments; values outside extrapolate the first and the last segment
-   * @param {number} t1
+   * @param {number} t1 the parameter of the end
    * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} for a value that is not finite
@@ -165,7 +165,7 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * The spline without a joint: its two segments become one. This is the exact inverse of `insert`.
    *
-   * @param {number} joint
+   * @param {number} joint the number of the joint: its t
    * @returns {this}
    */
   remove(joint) {
@@ -185,7 +185,7 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * The spline transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {
@@ -198,7 +198,7 @@ export class CoreSpline extends SplineEvaluation {
   /**
    * Draws the spline on a canvas context or a Path2D; 2D only.
    *
-   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target a canvas context or a Path2D
    * @param {{ tolerance?: number }} [options] `tolerance`: for degrees above 3, which are drawn as cubics
    */
   trace(target, options) {
@@ -264,7 +264,7 @@ export class CoreSpline extends SplineEvaluation {
  *
  * @internal
  * @param {readonly CoreCurve[]} curves
- * @param {{ closed?: boolean }} [options]
+ * @param {{ closed?: boolean }} [options] `closed`: whether the last curve ends where the first starts, false by default
  * @returns {{ length: number, dimension: 2 | 3 }}
  */
 export function joinCurves(curves, options) {

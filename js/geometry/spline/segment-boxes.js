@@ -36,7 +36,7 @@ export class SegmentBoxes {
    * The nearest point; of several, the one with the smallest t.
    *
    * @template {2 | 3} D
-   * @param {Float64Array} p
+   * @param {Float64Array} p the point, in the unit of the points
    * @param {D} dimension that of the spline
    * @returns {Nearest<D>}
    */

@@ -29,7 +29,7 @@ export class SegmentIndex {
   /**
    * The coordinates of the control points of segment k, not copied.
    *
-   * @param {number} k
+   * @param {number} k the number of the patch, from 0
    * @returns {Float64Array}
    */
   pointsOf(k) {
@@ -39,8 +39,8 @@ export class SegmentIndex {
   /**
    * The coordinates of the control points of the segments from one index to the one before another, not copied.
    *
-   * @param {number} from
-   * @param {number} to
+   * @param {number} from the location of the start
+   * @param {number} to the new position
    * @returns {Float64Array}
    */
   pointsFrom(from, to) {

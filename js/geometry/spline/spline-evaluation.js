@@ -21,7 +21,7 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The point at t, from 0 to the number of segments.
    *
-   * @param {number} t
+   * @param {number} t the parameter, from 0 to the number of segments; others extrapolate
    * @returns {Point<D>}
    */
   eval(t) {
@@ -85,8 +85,8 @@ export class SplineEvaluation extends SplineValue {
   /**
    * Points at equally spaced t, both ends included.
    *
-   * @param {number} segmentsPerCurve
-   * @param {{ into?: Float64Array }} [options]
+   * @param {number} segmentsPerCurve how many parts for each segment, at least 1
+   * @param {{ into?: Float64Array }} [options] `into`: an array for the result, long enough
    * @returns {Float64Array}
    */
   sample(segmentsPerCurve, options) {
@@ -103,8 +103,8 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The points at the given parameters.
    *
-   * @param {ArrayLike<number>} ts
-   * @param {{ into?: Float64Array }} [options]
+   * @param {ArrayLike<number>} ts the parameters
+   * @param {{ into?: Float64Array }} [options] `into`: an array for the result, long enough
    * @returns {Float64Array}
    */
   evalAt(ts, options) {
@@ -118,7 +118,7 @@ export class SplineEvaluation extends SplineValue {
   /**
    * A polyline whose distance from the spline is nowhere greater than `tolerance`; joints are vertices.
    *
-   * @param {number} tolerance
+   * @param {number} tolerance the largest distance, in the unit of the points
    * @param {never[]} surplus
    * @returns {{ points: Float64Array, ts: Float64Array }}
    */

@@ -116,7 +116,7 @@ export class SplineMeasures extends CoreSpline {
   /**
    * The values of t that divide the whole spline into arcs of equal length, independent of the joints.
    *
-   * @param {number} segments
+   * @param {number} segments how many parts, at least 1
    * @returns {Float64Array} `segments` + 1 values, the first 0, the last the number of the spline's segments
    */
   equidistantTimes(segments) {
@@ -146,7 +146,7 @@ export class SplineMeasures extends CoreSpline {
    * The first call computes the boxes of all segments. Only segments whose box is not farther from p than the nearest
    * point so far are examined.
    *
-   * @param {PointLike} p
+   * @param {PointLike} p the point, in the unit of the points
    * @returns {Nearest<D>}
    */
   nearest(p) {
@@ -170,7 +170,7 @@ export class SplineMeasures extends CoreSpline {
    * included, sorted. Joints are reported once, the start of a closed spline as 0. If the coordinate has that value on a
    * whole segment: both ends of the segment.
    *
-   * @param {{ x: number } | { y: number } | { z: number }} where
+   * @param {{ x: number } | { y: number } | { z: number }} where one coordinate and its value
    * @returns {Float64Array}
    * @throws {TypeError} unless `where` has exactly one coordinate of the spline's dimension
    */

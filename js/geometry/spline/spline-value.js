@@ -16,6 +16,8 @@ import { writeArguments, readResult } from "../../wasm/transfer.js";
 let isShown = false;
 
 /**
+ * Options of the constructor of `Spline`.
+ *
  * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
  */
 
@@ -45,8 +47,11 @@ export class SplineValue {
   #index;
 
   /**
+   * The spline of the given control points, with segments of one degree that share their end points.
+   *
    * @param {PointArrays<D> | PointsLike} points n · degree + 1 control points, closed n · degree
-   * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] degree 3 and open by default
+   * @param {{ degree?: number, closed?: boolean, dimension?: D }} [options] `degree`: of all segments, 3 by default; `closed`: whether
+   *   the last segment ends at the first point, false by default; `dimension`: 2 or 3, how a flat array is read
    * @throws {RangeError} for a wrong number of points, a NaN or an infinity
    */
   constructor(points, options) {
@@ -87,6 +92,8 @@ export class SplineValue {
   }
 
   /**
+   * The segments as curves.
+   *
    * @returns {C[]}
    */
   segments() {
@@ -96,8 +103,8 @@ export class SplineValue {
   /**
    * Whether both have the same structure and each control point lies within a distance of its counterpart.
    *
-   * @param {SplineValue} other
-   * @param {number} [tolerance]
+   * @param {SplineValue} other the value to compare with
+   * @param {number} [tolerance] the largest distance of two control points, by default 0
    * @returns {boolean}
    */
   equals(other, tolerance = 0) {
@@ -107,6 +114,8 @@ export class SplineValue {
   }
 
   /**
+   * The spline as an object for JSON, from which `Spline.fromJSON` makes an equal spline.
+   *
    * @returns {{ points: number[][], degrees: number[], closed: boolean }}
    */
   toJSON() {

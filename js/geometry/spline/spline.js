@@ -26,6 +26,8 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  */
 
 /**
+ * Options of `Spline.fit`.
+ *
  * @typedef {object} FitOptions
  * @property {number} tolerance the greatest distance of a point from the spline
  * @property {boolean} [closed] whether to continue from the last point to the first
@@ -52,8 +54,8 @@ export class Spline extends SplineMeasures {
    * The spline of consecutive curves, whose degrees may differ.
    *
    * @template {2 | 3} [D=2 | 3]
-   * @param {readonly CoreCurve<D>[]} curves
-   * @param {{ closed?: boolean }} [options]
+   * @param {readonly CoreCurve<D>[]} curves curves that each start where the one before ends
+   * @param {{ closed?: boolean }} [options] `closed`: whether the last curve ends where the first starts, false by default
    * @returns {Spline<D>}
    * @throws {RangeError} if a curve does not start at the end of the previous one
    */
@@ -99,6 +101,8 @@ export class Spline extends SplineMeasures {
   }
 
   /**
+   * The spline that `toJSON` described.
+   *
    * @param {SplineJSON} json what `toJSON` returned
    * @returns {Spline}
    */
@@ -140,7 +144,7 @@ export class Spline extends SplineMeasures {
    * In the worst case each pair of segments is compared, with the limits of `Curve.intersections`.
    *
    * @template {CoreCurve | CoreSpline | PathValue} S
-   * @param {S} other
+   * @param {S} other a curve, a spline or a path
    * @param {never[]} surplus
    * @returns {Intersection<number, S extends PathValue ? PathTime : number>[]}
    */
@@ -170,7 +174,7 @@ export class Spline extends SplineMeasures {
    * degree up to 3 are returned unchanged, and higher degrees as cubics with the same tangents, at most 4096 for each
    * segment (else a RangeError).
    *
-   * @param {number} tolerance
+   * @param {number} tolerance the largest distance, in the unit of the points
    * @returns {this}
    */
   simplify(tolerance) {
@@ -182,7 +186,7 @@ export class Spline extends SplineMeasures {
    * The offset curve at a distance along the normal: the offset curves of the segments (see `Curve.offset`), joined at
    * corners on both sides. 2D only. Nothing is trimmed; the offset of a closed spline is closed.
    *
-   * @param {number} distance
+   * @param {number} distance the distance, in the unit of the points; negative on the other side
    * @param {{ tolerance?: number, join?: "round" | "miter" | "bevel" }} [options] `join`: by default "round"; the
    *   miter limit is 4 times the distance
    * @returns {this}

@@ -74,7 +74,7 @@ export class CoreSurface extends SurfaceValue {
    * The point of the surface that is nearest to p; null without patches. The limit of steps of `Patch.nearest` applies
    * to each patch whose box is not too far away.
    *
-   * @param {PointLike} p
+   * @param {PointLike} p the point, in the unit of the points
    * @returns {SurfacePoint | null}
    */
   nearest(p) {
@@ -85,8 +85,8 @@ export class CoreSurface extends SurfaceValue {
    * All intersections with a ray, sorted by distance; see `Patch.intersectRay`. An intersection on a shared edge is
    * reported once.
    *
-   * @param {PointLike} origin
-   * @param {PointLike} direction
+   * @param {PointLike} origin the start of the ray
+   * @param {PointLike} direction the direction of the ray, of any length above 0
    * @returns {SurfacePoint[]}
    * @throws {RangeError} for a direction of length 0, and if the search in a patch takes too many steps
    */
@@ -135,7 +135,7 @@ export class CoreSurface extends SurfaceValue {
    * shared edge is listed once, a collapsed edge is not listed. For each patch, first the curves u = constant, then v =
    * constant.
    *
-   * @param {{ lines?: number }} [options]
+   * @param {{ lines?: number }} [options] `lines`: how many strips, 4 by default
    * @returns {C[]}
    * @throws {RangeError} for 0 lines and above 1 GiB
    */
@@ -171,7 +171,7 @@ export class CoreSurface extends SurfaceValue {
    * the tolerance does not bound the distance from the two triangles of a part. `tessellate` has no cracks and keeps
    * its tolerance.
    *
-   * @param {number} tolerance
+   * @param {number} tolerance the largest distance, in the unit of the points
    * @returns {FlatPiece[]} patch by patch
    * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and if all pieces,
    *   including split ones, have more than 2²⁴ control points together (the lower limit for degrees above 5)
@@ -184,7 +184,7 @@ export class CoreSurface extends SurfaceValue {
    * Draws the projected isocurves of all patches on a canvas context or a Path2D with one call of the core. The caller
    * strokes the path.
    *
-   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target
+   * @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | Path2D} target a canvas context or a Path2D
    * @param {{ matrix: MatrixLike, lines?: number, tolerance?: number }} options `matrix`: maps the surface's
    *   coordinates to pixels, 16 numbers column-major; (X, Y, ·, W) is drawn at (X/W, Y/W). `lines`: the number of
    *   strips per patch in each direction, 4 by default; `tolerance`: in pixels, 0.1 by default

@@ -22,9 +22,11 @@ export class SurfaceValue {
   #network;
 
   /**
+   * The surface of patches of the same degrees, whose control points are given as indices into a list of vertices.
+   *
    * @param {{ vertices: PointsLike, patches: ArrayLike<ArrayLike<number>> }} data for each patch its
    *   (degreeU + 1)·(degreeV + 1) vertex indices, u along the fast index
-   * @param {{ degreeU?: number, degreeV?: number }} [options] bicubic by default
+   * @param {{ degreeU?: number, degreeV?: number }} [options] `degreeU`: 3 by default; `degreeV`: 3 by default
    * @throws {RangeError} for an index without a vertex, a wrong count, a NaN or an infinity
    */
   constructor(data, options) {
@@ -82,7 +84,7 @@ export class SurfaceValue {
   /**
    * One patch.
    *
-   * @param {number} k
+   * @param {number} k the number of the patch, from 0
    * @returns {P}
    */
   patch(k) {
@@ -98,8 +100,8 @@ export class SurfaceValue {
    * The surface with one vertex moved, together with all vertices that had the same position when the surface was
    * created. So patches that were joined stay joined, and others do not become joined.
    *
-   * @param {number} index
-   * @param {PointLike} to
+   * @param {number} index the number of the control point, from 0
+   * @param {PointLike} to the new position
    * @returns {this}
    */
   movePoint(index, to) {
@@ -118,7 +120,7 @@ export class SurfaceValue {
   /**
    * The surface transformed by an affine map.
    *
-   * @param {MatrixLike} matrix
+   * @param {MatrixLike} matrix 6 numbers in SVG order, 16 numbers column-major, a DOMMatrix or an object with `elements`
    * @returns {this}
    */
   transform(matrix) {

@@ -16,7 +16,7 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 17] = [
+pub(crate) const STEPS: [Step; 18] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
@@ -52,6 +52,12 @@ pub(crate) const STEPS: [Step; 17] = [
         name: "doc",
         title: "Examples in the Rust documentation",
         act: doc,
+        ..PLAIN
+    },
+    Step {
+        name: "reference",
+        title: "Rust samples of the API reference",
+        act: reference,
         ..PLAIN
     },
     Step {
@@ -211,9 +217,12 @@ fn doc(_: &Context) -> Result<Done> {
     let package = ["--package", "casteljau", "--features", "serde,kurbo"];
     let mut examples = shell::cargo(&["test", "--doc"]);
     examples.args(package);
-    let mut docs = shell::cargo(&["doc", "--quiet", "--no-deps"]);
-    docs.args(package).env("RUSTDOCFLAGS", "--deny warnings");
-    run_all([examples, docs])
+    run_all([examples, crate::rust_docs::command()])
+}
+
+fn reference(_: &Context) -> Result<Done> {
+    let tests = ["test", "--quiet", "--package", "casteljau-reference"];
+    run_all([shell::cargo(&tests)])
 }
 
 fn driver(_: &Context) -> Result<Done> {

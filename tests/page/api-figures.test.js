@@ -1,0 +1,81 @@
+// Every figure of the API reference: dragging an input changes the picture and what the sample prints.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { entryFolders, readEntries } from "../../www/api/build/entries.js";
+import { inputsOf } from "../../www/api/build/sample.js";
+import { assertAccessibleInBothThemes, openPage } from "./browser.js";
+
+/** Keys that move a point or a slider; some figures need several for another result. */
+const KEYS = [..."uullddrrlluurrrrddddlllluuuu"].map(
+  (letter) => ({ u: "ArrowUp", l: "ArrowLeft", d: "ArrowDown", r: "ArrowRight" })[letter] ?? "",
+);
+
+/** What a figure shows: its picture and the printed lines. @param {import("playwright-core").Locator} section */
+const shownBy = (section) =>
+  section.evaluate((element) => ({
+    picture: element.querySelector("live-figure svg")?.innerHTML,
+    lines: [...element.querySelectorAll(".sample > pre [data-output]")].map((part) => part.textContent).join("\n"),
+  }));
+
+/**
+ * Presses keys on a control until the picture and the lines differ from the first ones.
+ *
+ * @param {import("playwright-core").Page} page @param {import("playwright-core").Locator} section
+ * @param {import("playwright-core").Locator} control
+ */
+async function changes(page, section, control) {
+  const before = await shownBy(section);
+  await control.focus();
+  for (const key of KEYS) {
+    await control.press(key);
+    await page.waitForFunction(() => !document.querySelector("live-figure[aria-busy]"));
+    const now = await shownBy(section);
+    if (now.picture !== before.picture && now.lines !== before.lines) return true;
+  }
+  return false;
+}
+
+for (const folder of entryFolders()) {
+  const live = [...readEntries(folder)].filter(([, entry]) => entry.draw);
+  test(`${folder}: every figure follows its inputs`, async (t) => {
+    const page = await openPage(t, `/api/${folder}/`);
+    const still = [];
+    for (const [name, entry] of live) {
+      const section = page.locator(`[id="${name}"]`);
+      assert.ok(inputsOf(entry.js?.code ?? "").length > 0, `${entry.file}: expected an input`);
+      const controls = section.locator("live-figure :is(button, input:not([data-turn]), select)");
+      let followed = false;
+      for (let k = 0; k < (await controls.count()) && !followed; k++) {
+        followed = await changes(page, section, controls.nth(k));
+      }
+      if (!followed) still.push(name);
+    }
+    assert.deepEqual(still, [], "no input of these changes both the picture and the printed lines");
+  });
+}
+
+test("a point follows the pointer, and the code shows where it is", async (t) => {
+  const page = await openPage(t, "/api/curve/#nearest");
+  const section = page.locator("#nearest");
+  const handle = section.getByRole("button", { name: /^p \(/ });
+  await handle.scrollIntoViewIfNeeded();
+  const box = await handle.boundingBox();
+  assert.ok(box);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 20, { steps: 3 });
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector("#nearest [data-output]")?.textContent !== "0.5");
+  const [x, y] = JSON.parse((await section.locator('[data-input="p"]').textContent()) ?? "");
+  assert.ok(x > 1.2 && y < 2.95, `${x}, ${y}`);
+  const t0 = Number(await section.locator("[data-output]").first().textContent());
+  assert.ok(t0 > 0.5 && t0 < 1, String(t0));
+});
+
+test("the pages of the reference are accessible, and readable without JavaScript", async (t) => {
+  const page = await openPage(t, "/api/curve/");
+  await assertAccessibleInBothThemes(page);
+  const plain = await openPage(t, "/api/curve/", { javaScriptEnabled: false });
+  assert.ok(await plain.locator("#nearest svg path").first().isVisible());
+  assert.match((await plain.locator("#nearest .sample > pre").textContent()) ?? "", /nearest\.distance\); \/\/ → 1\.5/);
+});

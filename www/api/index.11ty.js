@@ -1,0 +1,16 @@
+// /api/: the names of all entries.
+import { indexHtml } from "./build/render.js";
+import { reference } from "./build/reference.js";
+
+export const data = {
+  permalink: "/api/index.html",
+  title: "API reference · casteljau",
+  description:
+    "Every class, function, option and type of casteljau, with samples in JavaScript and Rust and live figures.",
+  heading: "API reference",
+  lead: "Every class, function, option and type of the npm package, with samples in JavaScript and Rust. The figures can be dragged; the code below them follows.",
+  navigation: { name: "API", order: 5 },
+  styles: ["api.css"],
+};
+
+export const render = () => indexHtml(reference());

@@ -1,0 +1,5 @@
+// The pages of the reference.
+import samples from "virtual:reference-samples";
+import { defineLiveFigure } from "./live/live-figure.js";
+
+defineLiveFigure(samples);
