@@ -12,10 +12,11 @@ const POINTS: usize = 160;
 /// ε of the operations, relative to the size.
 const EPSILON: f64 = 1e-9;
 
+type Expected = fn(bool, bool) -> bool;
 type Apply = fn(&Path, &Path, FillRule) -> Path;
 
 /// The operations of two regions, and whether a point is in the result, from whether it is in both regions.
-pub(crate) const OPERATIONS: [(&str, Apply, fn(bool, bool) -> bool); 4] = [
+pub(crate) const OPERATIONS: [(&str, Apply, Expected); 4] = [
     ("union", |a, b, rule| valid(a.union(b, rule)), |a, b| a || b),
     (
         "intersect",

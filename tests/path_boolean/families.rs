@@ -268,7 +268,7 @@ fn grids(random: &mut Random) -> (Path, Path) {
 fn glyph(random: &mut Random) -> Path {
     let unit = 1.0 / 1000.0;
     let at = |x: i32, y: i32| DVec2::new(f64::from(x), f64::from(y)) * unit;
-    let stem = random.below(120) as i32 + 60;
+    let stem = random.integer(120) + 60;
     let bowl = |w: i32, h: i32| {
         let k = 0.55;
         let (w, h) = (f64::from(w), f64::from(h));
@@ -291,10 +291,7 @@ fn glyph(random: &mut Random) -> Path {
         .collect();
         closed(&points, 3)
     };
-    let (w, h) = (
-        300 + random.below(200) as i32,
-        300 + random.below(300) as i32,
-    );
+    let (w, h) = (300 + random.integer(200), 300 + random.integer(300));
     let post = closed(
         &[
             at(w - stem, -h),

@@ -28,7 +28,12 @@ impl Random {
 
     /// An integer below n.
     pub(crate) fn below(&mut self, n: usize) -> usize {
-        (self.bits() >> 33) as usize % n
+        usize::try_from(self.bits() >> 33).expect("31 bits") % n
+    }
+
+    /// An integer below n.
+    pub(crate) fn integer(&mut self, n: i32) -> i32 {
+        i32::try_from(self.below(usize::try_from(n).expect("not negative"))).expect("below n")
     }
 
     pub(crate) fn point(&mut self, size: f64) -> DVec2 {

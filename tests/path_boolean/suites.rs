@@ -9,7 +9,7 @@ use casteljau::path::FillRule;
 /// nearly coincide.
 const NEARLY_COINCIDENT: f64 = 1e-9;
 
-fn check(suite: &str, fewest: usize) {
+fn check(suite: &str, fewest: u64) {
     let mut count = 0;
     for line in suite.lines().filter(|line| !line.starts_with("# ")) {
         let fields: Vec<&str> = line.split('\t').collect();
@@ -28,7 +28,7 @@ fn check(suite: &str, fewest: usize) {
         }
         count += 1;
     }
-    assert!(count as usize >= fewest, "only {count} cases were read");
+    assert!(count >= fewest, "only {count} cases were read");
 }
 
 #[test]

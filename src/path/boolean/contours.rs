@@ -16,7 +16,8 @@ const THIN: f64 = 0.02;
 pub(super) struct Contour {
     pub(super) region: usize,
     pub(super) half_edges: Vec<usize>,
-    is_hole: bool,
+    pub(super) is_hole: bool,
+    area: f64,
     /// The smallest index of a segment on it.
     first: usize,
 }
@@ -109,6 +110,7 @@ impl Tracer<'_> {
                 region: self.region(half_edges[0]),
                 half_edges,
                 is_hole: area < 0.0,
+                area,
                 first,
             });
         }
@@ -116,15 +118,25 @@ impl Tracer<'_> {
 }
 
 /// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last. A region
-/// without an outer contour is so thin that rounding decides the direction; it is left out.
+/// has one outer contour, its largest; others that run counter-clockwise are so thin that rounding decides the direction,
+/// and are left out, as are the contours of a region without an outer one.
 fn in_order(all: Vec<Contour>, regions: &[usize]) -> Vec<Contour> {
-    let mut firsts = vec![usize::MAX; regions.len()];
-    for contour in all.iter().filter(|contour| !contour.is_hole) {
-        let first = &mut firsts[contour.region];
-        *first = contour.first.min(*first);
+    let mut outer: Vec<Option<usize>> = vec![None; regions.len()];
+    for (k, contour) in all
+        .iter()
+        .enumerate()
+        .filter(|(_, contour)| !contour.is_hole)
+    {
+        let largest = &mut outer[contour.region];
+        if largest.is_none_or(|other| all[other].area < contour.area) {
+            *largest = Some(k);
+        }
     }
     let mut order: Vec<usize> = (0..all.len())
-        .filter(|&k| firsts[all[k].region] < usize::MAX)
+        .filter(|&k| match outer[all[k].region] {
+            Some(largest) => all[k].is_hole || k == largest,
+            None => false,
+        })
         .collect();
     let key = |k: usize| {
         let Contour {
@@ -133,7 +145,8 @@ fn in_order(all: Vec<Contour>, regions: &[usize]) -> Vec<Contour> {
             first,
             ..
         } = all[k];
-        (firsts[region], region, is_hole, first)
+        let outer_first = outer[region].map(|k| all[k].first);
+        (outer_first, region, is_hole, first)
     };
     sort_by(&mut order, |&a, &b| key(a).cmp(&key(b)));
     let mut slots: Vec<Option<Contour>> = all.into_iter().map(Some).collect();

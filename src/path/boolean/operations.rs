@@ -1,8 +1,8 @@
 //! Operations whose result is a region: unions, intersections, differences, faces, and measurements of a region.
 
 use super::arrangement::Arrangement;
-use super::contours::{NONE, contours};
-use super::outline::push_contour;
+use super::contours::{Contour, NONE, contours};
+use super::outline::push_contours;
 use super::segments::Role;
 use super::windings::Windings;
 use crate::curve::moments::Moments;
@@ -249,23 +249,21 @@ fn region(
     arrangement.visit_faces(rule, |face, windings| inside[face] = is_inside(windings));
     let regions = arrangement.joined_faces(&inside, |_| true);
     let mut path = Path::default();
-    for contour in contours(&arrangement, &regions) {
-        push_contour(&arrangement, &contour.half_edges, &mut path);
-    }
+    push_contours(&arrangement, &contours(&arrangement, &regions), &mut path);
     Ok(path)
 }
 
 /// The contours of each region as a path, with the label of the region.
 pub(super) fn paths_of(arrangement: &Arrangement, regions: &[usize]) -> Vec<(usize, Path)> {
+    let all = contours(arrangement, regions);
+    let same_region = |a: &Contour, b: &Contour| a.region == b.region;
     let mut paths: Vec<(usize, Path)> = Vec::new();
-    for contour in contours(arrangement, regions) {
-        if paths.last().is_none_or(|last| last.0 != contour.region) {
-            paths.push((contour.region, Path::default()));
-        }
-        if let Some((_, path)) = paths.last_mut() {
-            push_contour(arrangement, &contour.half_edges, path);
+    for own in all.chunk_by(same_region) {
+        let mut path = Path::default();
+        push_contours(arrangement, own, &mut path);
+        if !path.is_empty() {
+            paths.push((own[0].region, path));
         }
     }
-    paths.retain(|(_, path)| !path.is_empty());
     paths
 }

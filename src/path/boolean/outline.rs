@@ -3,6 +3,7 @@
 use super::arcs::Arc;
 use super::arrangement::Arrangement;
 use super::choice::chosen_pieces;
+use super::contours::Contour;
 use super::edges::Member;
 use crate::geometry::point::Point;
 use crate::numeric::list::Points;
@@ -96,11 +97,30 @@ fn joint(arrangement: &Arrangement, segment: usize, t: f64) -> Option<usize> {
     }
 }
 
-/// Appends a closed subpath along some half-edges.
-pub(super) fn push_contour(arrangement: &Arrangement, half_edges: &[usize], path: &mut Path) {
-    let pieces = Piece::joined(chosen_pieces(arrangement, half_edges), true);
-    let pieces = started(arrangement, pieces);
-    push_subpath(arrangement, &pieces, true, path);
+/// Appends the contours, sorted by region. A contour that runs the wrong way, because it is thinner than the distances
+/// that count as one point, is left out, and so are the holes in it.
+pub(super) fn push_contours(arrangement: &Arrangement, contours: &[Contour], path: &mut Path) {
+    let mut left_out = None;
+    for contour in contours {
+        if contour.is_hole && left_out == Some(contour.region) {
+            continue;
+        }
+        let pieces = Piece::joined(chosen_pieces(arrangement, &contour.half_edges), true);
+        let mut single = Path::default();
+        push_subpath(
+            arrangement,
+            &started(arrangement, pieces),
+            true,
+            &mut single,
+        );
+        let area = single.area();
+        if area != 0.0 && (area < 0.0) == contour.is_hole {
+            let count = single.points.len() - 1;
+            path.push(&single.points[..count], &single.degrees, true);
+        } else if !contour.is_hole {
+            left_out = Some(contour.region);
+        }
+    }
 }
 
 /// The pieces of a closed outline from the start of a subpath of the input if it has one, otherwise from the start of
