@@ -108,9 +108,11 @@ test("the spout is clicked, the handle left alone, a patch chosen in the table",
   await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("20");
   await page.getByText(/Patch 20: \d+ different vertices/).waitFor();
   await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("31");
-  const rows = await page.locator("teapot-data tr").evaluateAll((rows) =>
-    rows.map((row) => [...row.querySelectorAll("b, span")].map(({ textContent }) => textContent).join(" ")),
-  );
+  const rows = await page
+    .locator("teapot-data tr")
+    .evaluateAll((rows) =>
+      rows.map((row) => [...row.querySelectorAll("b, span")].map(({ textContent }) => textContent).join(" ")),
+    );
   assert.deepEqual(rows, ["270 270 270 270", "300 305 306 279", "297 303 304 275", "294 301 302 271"], "as published");
 });
 

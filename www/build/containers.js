@@ -22,7 +22,8 @@ export function containers(md, { highlight }) {
     figure: { open: ({ meta }) => `<figure id="figure-${meta.name}">\n`, close: "</figure>\n" },
     task: { open: ({ meta }) => `<lesson-task${attributesOf(meta)}>\n`, close: "</lesson-task>\n" },
     sample: {
-      open: ({ meta }) => `<lesson-sample id="sample-${meta.name}" name="${meta.name}">${sampleCode(meta.name, highlight)}`,
+      open: ({ meta }) =>
+        `<lesson-sample id="sample-${meta.name}" name="${meta.name}">${sampleCode(meta.name, highlight)}`,
       close: "</lesson-sample>\n",
     },
     article: { open: () => "<article>\n", close: "</article>\n" },

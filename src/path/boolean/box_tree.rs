@@ -6,6 +6,10 @@ use crate::numeric::sort::sort_by;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
+/// The steps counted for the examination of a segment or of a pair of segments: it takes a few hundred times as long as
+/// a comparison of boxes.
+pub(super) const SEGMENT_STEPS: usize = 256;
+
 /// The resolution of the grid in which centres of boxes are sorted.
 const GRID_BITS: u32 = 16;
 
@@ -58,7 +62,12 @@ impl BoxTree {
                 continue;
             }
             match (k >= leaves, l >= leaves) {
-                (true, true) => act(self.order[k - leaves], self.order[l - leaves]),
+                (true, true) => {
+                    if !work.spend(SEGMENT_STEPS) {
+                        return;
+                    }
+                    act(self.order[k - leaves], self.order[l - leaves]);
+                }
                 (leaf_k, leaf_l)
                     if leaf_l || !leaf_k && size(self.boxes[k]) >= size(self.boxes[l]) =>
                 {
@@ -79,6 +88,9 @@ impl BoxTree {
                 continue;
             }
             if k >= leaves {
+                if !work.spend(SEGMENT_STEPS) {
+                    return;
+                }
                 act(self.order[k - leaves]);
             } else {
                 stack.extend([2 * k, 2 * k + 1]);

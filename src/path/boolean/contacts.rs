@@ -10,8 +10,13 @@ use crate::geometry::point::Point;
 use crate::numeric::work_limit::WorkLimit;
 use glam::DVec2;
 
-/// The largest number of pairs of boxes that one operation compares, and of contacts that it finds.
-const MAX_WORK: usize = 1 << 30;
+/// The steps of the search for contacts: for each segment, and in addition for any number of them. A comparison of two
+/// boxes is one step, the examination of a segment [`SEGMENT_STEPS`](super::box_tree::SEGMENT_STEPS). Outlines of fonts and maps need fewer than
+/// 2,000 for each segment.
+const STEPS_PER_SEGMENT: usize = 1 << 13;
+const FURTHER_STEPS: usize = 1 << 24;
+
+/// The largest number of contacts that one operation finds.
 const MAX_CONTACTS: usize = 1 << 24;
 
 /// A point where two segments meet.
@@ -32,7 +37,7 @@ pub(super) fn contacts(segments: &Segments, tree: &BoxTree) -> Result<Vec<Contac
     for index in 0..segments.list.len() {
         self_contacts(segments, index, &mut found);
     }
-    let mut work = WorkLimit::new(MAX_WORK);
+    let mut work = WorkLimit::new(FURTHER_STEPS + STEPS_PER_SEGMENT * segments.list.len());
     tree.pairs(&mut work, |a, b| {
         let (a, b) = (a.min(b), a.max(b));
         if found.len() <= MAX_CONTACTS {
