@@ -25,7 +25,7 @@ pub use builder::PathBuilder;
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
-pub use stroke::{StrokeCap, StrokeOptions};
+pub use stroke::{OffsetOptions, StrokeCap, StrokeOptions};
 pub use winding::FillRule;
 
 use crate::geometry::point::Point;

@@ -5,6 +5,7 @@
 mod common;
 
 mod cases;
+mod contains;
 mod dashes;
 mod round;
 mod shapes;

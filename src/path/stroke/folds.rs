@@ -5,7 +5,8 @@
 //! counts its minima up to r as +1 and its maxima as −1. In an interval where the distance is below r, minima and
 //! maxima alternate, so the count is 1 if the interval ends inside the path. It can be 0 or −1 only if the interval ends
 //! at an end or corner and the point lies ahead of that end. A round or square cap, a round join and a miter count such
-//! points once more; a butt cap and a bevel do not, so what is swept backwards near them is added here.
+//! points once more; a butt cap and a bevel do not, so what is swept backwards near them is added here. On a closed
+//! subpath the count is 0 also where no distance exceeds r.
 
 use super::options::Pen;
 use super::outline::{Outline, push_closed};
@@ -42,20 +43,28 @@ pub(super) fn push_folds(
     outline: &Outline,
     pen: &Pen,
 ) -> Result<(), Error> {
-    if outline.blunt_ends.is_empty() {
+    let surrounds = outline.closed && is_within(curves, pen.radius);
+    if outline.blunt_ends.is_empty() && !surrounds {
         return Ok(());
     }
     for curve in curves.iter().filter(|curve| curve.degree() > 1) {
         for distance in [pen.radius, -pen.radius] {
             let side = Side::new(curve, distance);
             for run in side.backward_runs() {
-                if side.is_near(run, &outline.blunt_ends) {
+                if surrounds || side.is_near(run, &outline.blunt_ends) {
                     side.push_fold(run, pen, path)?;
                 }
             }
         }
     }
     Ok(())
+}
+
+/// Whether a disk of the radius may contain all curves.
+fn is_within(curves: &[Curve<DVec2>], radius: f64) -> bool {
+    let boxes = curves.iter().map(Curve::control_bounds);
+    let whole = boxes.reduce(|a, b| a.union(b));
+    whole.is_none_or(|whole| (whole.max * 0.5 - whole.min * 0.5).max_element() <= radius)
 }
 
 /// One side of a curve.

@@ -8,12 +8,15 @@
 //! Sources: Nehab, "Converting stroked primitives to filled primitives" (SIGGRAPH 2020); Levien and Uguray,
 //! "GPU-friendly stroke expansion" (HPG 2024).
 
+mod contains;
 mod contours;
 mod dash;
 mod folds;
+mod grow;
 mod options;
 mod outline;
 
+pub use grow::OffsetOptions;
 pub use options::{StrokeCap, StrokeOptions};
 
 use super::Path;

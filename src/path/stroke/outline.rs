@@ -17,7 +17,7 @@ use glam::DVec2;
 pub(super) struct Outline {
     left: SplineBuilder,
     right: SplineBuilder,
-    closed: bool,
+    pub(super) closed: bool,
     /// The points and directions beyond which the stroke ends with less than a half disk: butt caps and bevels.
     pub(super) blunt_ends: Vec<(DVec2, DVec2)>,
     caps: [SplineBuilder; 2],
@@ -36,14 +36,14 @@ impl Outline {
         let own = pen.tolerance * (1.0 - SMOOTH_PART);
         for (k, curve) in curves.iter().enumerate() {
             if k > 0 {
-                outline.join(&curves[k - 1], curve, pen);
+                outline.join(&curves[k - 1], curve, false, pen);
             }
             outline.left.add_offset(curve, pen.radius, own)?;
             outline.right.add_offset(curve, -pen.radius, own)?;
         }
         let (first, last) = (&curves[0], &curves[curves.len() - 1]);
         if closed {
-            outline.join(last, first, pen);
+            outline.join(last, first, true, pen);
         } else {
             let ends = [
                 (last.end(), end_tangent(last)),
@@ -57,8 +57,8 @@ impl Outline {
         Ok(outline)
     }
 
-    /// Connects both sides of two consecutive segments.
-    fn join(&mut self, before: &Curve<DVec2>, after: &Curve<DVec2>, pen: &Pen) {
+    /// Connects both sides of two consecutive segments; of the last and the first one if `is_last`.
+    fn join(&mut self, before: &Curve<DVec2>, after: &Curve<DVec2>, is_last: bool, pen: &Pen) {
         let (corner, from, to) = (after.start(), end_tangent(before), start_tangent(after));
         if Point::length(to - from) * pen.radius <= SMOOTH_PART * pen.tolerance {
             return;
@@ -76,13 +76,14 @@ impl Outline {
             outer.add_arc_about(corner, from, to, distance, pen.tolerance);
             return;
         }
-        match pen.miter(from.dot(to)) {
-            Some(reach) => {
-                outer.line_to(corner + (from + to).perp() * reach.copysign(distance));
-            }
-            None => self.blunt_ends.push((corner, from)),
-        }
-        outer.line_to(corner + to.perp() * distance);
+        let Some(reach) = pen.miter(from.dot(to)) else {
+            self.blunt_ends.push((corner, from));
+            outer.line_to(corner + to.perp() * distance);
+            return;
+        };
+        let tip = corner + (from + to).perp() * reach.copysign(distance);
+        let lines = [before, after].map(|curve| curve.degree() == 1);
+        push_miter(outer, tip, corner + to.perp() * distance, lines, is_last);
     }
 
     /// Appends the contours: one for an open subpath, two for a closed one.
@@ -106,6 +107,23 @@ impl Outline {
             append(&mut right, &part);
         }
         push_closed(path, right);
+    }
+}
+
+/// Appends the sides of a miter, from the end of the chain to the start of what follows. `lines` tells whether the
+/// segments before and after the corner are lines, which are extended to the tip; after the last corner of a closed
+/// chain the segment after it is the first one.
+fn push_miter(chain: &mut SplineBuilder, tip: DVec2, next: DVec2, lines: [bool; 2], is_last: bool) {
+    let end = chain.points.len() - 1;
+    if lines[0] {
+        chain.points[end] = tip;
+    } else {
+        chain.line_to(tip);
+    }
+    if !lines[1] {
+        chain.line_to(next);
+    } else if is_last {
+        chain.points[0] = tip;
     }
 }
 
