@@ -138,7 +138,7 @@ export class PathRegions extends PathMeasures {
    * an error of at most 1e-9 of the length of their subpath. On a closed subpath, the dash that reaches the end
    * continues at the start.
    *
-   *     Path.polygon([0, 0, 10, 0], { closed: false }).dash([4, 2]).toSVG(); // "M0 0H4M6 0H10"
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).dash([4, 2]).toSVG(); // "M0,0 L4,0 M6,0 L10,0"
    *
    * @param {ArrayLike<number>} pattern a pattern with an odd number of entries is repeated; an empty one gives the path
    * @param {number} [offset] the length in the pattern at which each subpath starts, 0 by default
