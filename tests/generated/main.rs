@@ -22,6 +22,7 @@ mod patch;
 mod patch_query;
 mod path;
 mod path_query;
+mod path_regions;
 mod percentiles;
 mod runner;
 mod spline_edit;
@@ -53,7 +54,7 @@ const GROUPS: [(&str, &[&[Row]]); 10] = [
             spline_query::ROWS,
         ],
     ),
-    ("paths", &[path::ROWS, path_query::ROWS]),
+    ("paths", &[path::ROWS, path_query::ROWS, path_regions::ROWS]),
     ("patches", &[patch::ROWS, patch_query::ROWS]),
     ("surfaces: meshes", &[surface::ROWS, export::ROWS]),
     ("surfaces: queries", &[surface_query::ROWS]),

@@ -4,7 +4,7 @@ use casteljau::curve::*;
 use casteljau::glam::{DVec2, DVec3};
 use casteljau::mesh::*;
 use casteljau::patch::*;
-use casteljau::path::PathElement;
+use casteljau::path::{Face, PathElement};
 use casteljau::path::{PathIntersection, PathPoint, PathTime};
 use casteljau::spline::*;
 use casteljau::surface::*;
@@ -122,6 +122,7 @@ by_fields! {
     [] SelfIntersection: t u point;
     [] Moments: area x y xx xy yy;
     [] Continuity: gap angle;
+    [] Face: path;
     [] PathTime: t;
     [] PathPoint: t point distance;
     [] PathIntersection: t u point kind;

@@ -4,6 +4,9 @@
 
 mod check;
 mod families;
+mod known;
 mod oracle;
+mod promises;
 mod random;
+mod suites;
 mod sweep;

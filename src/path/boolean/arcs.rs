@@ -23,7 +23,7 @@ pub(super) struct Vertex {
     /// The largest distance of the end of an arc from the point.
     pub(super) spread: f64,
     /// The number of joints and cuts in it.
-    count: usize,
+    pub(super) count: usize,
 }
 
 /// All segments, cut.

@@ -3,10 +3,14 @@
 use super::arrangement::Arrangement;
 use super::order::origin;
 use crate::curve::area::area_about;
+use crate::geometry::point::Point;
 use crate::numeric::sort::sort_by;
 
 /// The label of faces that belong to no region.
 pub(super) const NONE: usize = usize::MAX;
+
+/// A contour of this width, in parts of epsilon, has the shape of rounding, and is left out unless nothing touches it.
+const THIN: f64 = 0.25;
 
 /// A simple closed contour, with its region on the left.
 pub(super) struct Contour {
@@ -83,21 +87,31 @@ impl Tracer<'_> {
     }
 
     fn end_contour(&self, half_edges: Vec<usize>, slots: &mut [usize], all: &mut Vec<Contour>) {
-        let edges = &self.arrangement.edges;
-        let (mut area, mut first) = (0.0, usize::MAX);
+        let (edges, vertices) = (&self.arrangement.edges, &self.arrangement.arcs.vertices);
+        let (mut area, mut length, mut first) = (0.0, 0.0, usize::MAX);
+        let mut is_untouched = true;
         let centre = edges.points(half_edges[0] / 2)[0];
         for &h in &half_edges {
-            slots[origin(edges, h)] = NONE;
-            let swept = area_about(edges.points(h / 2), centre, 1.0);
+            let (points, vertex) = (edges.points(h / 2), origin(edges, h));
+            slots[vertex] = NONE;
+            is_untouched &= vertices[vertex].count == 1;
+            let swept = area_about(points, centre, 1.0);
             area += if h % 2 == 0 { swept } else { -swept };
+            length += points
+                .windows(2)
+                .map(|p| (p[1] - p[0]).max_abs())
+                .sum::<f64>();
             first = first.min(edges.members(h / 2)[0].arc.segment);
         }
-        all.push(Contour {
-            region: self.region(half_edges[0]),
-            half_edges,
-            is_hole: area < 0.0,
-            first,
-        });
+        let is_thin = area.abs() <= THIN * self.arrangement.segments.epsilon * length;
+        if is_untouched || !is_thin {
+            all.push(Contour {
+                region: self.region(half_edges[0]),
+                half_edges,
+                is_hole: area < 0.0,
+                first,
+            });
+        }
     }
 }
 

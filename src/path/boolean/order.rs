@@ -21,8 +21,9 @@ const MIN_PROBE: f64 = 1e-6;
 /// Directions closer than this are compared at several distances.
 const SIMILAR: f64 = 1e-3;
 
-/// The number of parts in which an arc is searched for the end of the part that leads away from its start.
-const WALK_STEPS: usize = 16;
+/// The end of the part of an arc that leads away from its start is searched in steps: the first 16 double the parameter
+/// up to 1/16, the others add 1/16.
+const WALK_STEPS: usize = 31;
 
 /// The number of distances at which two arcs are compared; each is half of the previous one.
 const COMPARISONS: usize = 8;
@@ -109,7 +110,7 @@ impl Spoke {
     fn reach(&self) -> f64 {
         let mut reach = 0.0;
         for k in 1..=WALK_STEPS {
-            let p = evaluate(&self.points, ratio(k, WALK_STEPS));
+            let p = evaluate(&self.points, walk_parameter(k));
             let distance = Point::length(p);
             if distance < reach || p.dot(self.direction) < 0.5 * distance {
                 break;
@@ -123,7 +124,7 @@ impl Spoke {
     fn at_distance(&self, r: f64) -> DVec2 {
         let (mut lo, mut hi) = (0.0, 1.0);
         for k in 1..=WALK_STEPS {
-            hi = ratio(k, WALK_STEPS);
+            hi = walk_parameter(k);
             if Point::length(evaluate(&self.points, hi)) >= r {
                 break;
             }
@@ -141,6 +142,14 @@ impl Spoke {
             }
         }
         evaluate(&self.points, hi)
+    }
+}
+
+/// The parameter after k steps along an arc.
+fn walk_parameter(k: usize) -> f64 {
+    match k.checked_sub(16) {
+        Some(more) if more > 0 => ratio(more + 1, 16),
+        _ => ratio(1 << k, 1 << 20),
     }
 }
 
