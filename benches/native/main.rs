@@ -1,4 +1,4 @@
-//! The native benchmarks, compared with kurbo and lyon_geom: `cargo bench`.
+//! The native benchmarks, compared with other crates: `cargo bench`.
 //!
 //! Every group first checks that all libraries give the same results. The table of `npm run bench` shows the medians.
 
@@ -9,6 +9,7 @@ mod intersect;
 mod length;
 mod nearest;
 mod offset;
+mod regions;
 mod teapot;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -20,6 +21,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, regions::bench, teapot::bench
 }
 criterion_main!(all);

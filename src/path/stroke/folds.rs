@@ -10,12 +10,15 @@
 
 use super::options::Pen;
 use super::outline::{Outline, push_closed};
+use crate::bernstein::product::product_of;
+use crate::bernstein::roots::roots_inside;
 use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
-use crate::numeric::list::Points;
+use crate::numeric::list::{Points, Scalars};
+use crate::numeric::sort::sort_by;
 use crate::numeric::zero::regula_falsi;
 use crate::path::Path;
 use crate::spline::spline_builder::SplineBuilder;
@@ -100,42 +103,62 @@ impl<'a> Side<'a> {
 
     /// The intervals of t with κd > 1, divided at the cusps of the curve.
     fn backward_runs(&self) -> Vec<[f64; 2]> {
+        let mut breaks = vec![0.0];
+        breaks.extend(self.curve.cusps());
+        breaks.push(1.0);
+        let slowest = self.slowest();
+        let mut runs = Vec::new();
+        for ends in breaks.windows(2) {
+            let [from, to] = [ends[0], ends[1]];
+            let count = SAMPLES_PER_DEGREE * self.curve.degree();
+            let even = (0..count).map(|k| from + (to - from) * ((k as f64 + 0.5) / count as f64));
+            let inside = slowest.iter().copied().filter(|&t| from < t && t < to);
+            let mut ts: Vec<f64> = even.chain(inside).collect();
+            sort_by(&mut ts, f64::total_cmp);
+            self.push_runs([from, to], &ts, &mut runs);
+        }
+        runs.retain(|run| run[0] < run[1]);
+        runs
+    }
+
+    /// The parameters at which the speed is smallest or largest; a tight turn is next to a smallest one.
+    fn slowest(&self) -> Scalars {
+        let steps = |points: &[DVec2]| -> Points<DVec2> {
+            points.windows(2).map(|pair| pair[1] - pair[0]).collect()
+        };
+        let first = steps(&self.points);
+        let second = steps(&first);
+        let n = first.len() - 1;
+        roots_inside(&product_of(n, n - 1, |i, j| first[i].dot(second[j])))
+    }
+
+    /// Appends the intervals with κd > 1 between two parameters, found by the signs at given ones.
+    fn push_runs(&self, [from, to]: [f64; 2], ts: &[f64], runs: &mut Vec<[f64; 2]>) {
         let with = CurveWithDerivatives::new(&self.points);
         let forward = |t: f64| {
             let [cube, bend] = self.terms(&with, t);
             cube - bend
         };
-        let mut breaks = vec![0.0];
-        breaks.extend(self.curve.cusps());
-        breaks.push(1.0);
-        let count = SAMPLES_PER_DEGREE * self.curve.degree();
-        let mut runs = Vec::new();
-        for ends in breaks.windows(2) {
-            let [from, to] = [ends[0], ends[1]];
-            let mut start = None;
-            let mut last = (from, 0.0);
-            for k in 0..count {
-                let t = from + (to - from) * ((k as f64 + 0.5) / count as f64);
-                let value = forward(t);
-                let zero = || {
-                    let sign = if last.1 < 0.0 { -1.0 } else { 1.0 };
-                    let bracket = [sign * last.1, sign * value];
-                    regula_falsi([last.0, t], bracket, ROOT_WIDTH, |t| sign * forward(t))
-                };
-                match start {
-                    None if value < 0.0 => start = Some(if k == 0 { from } else { zero() }),
-                    Some(start_of_run) if value >= 0.0 => {
-                        runs.push([start_of_run, zero()]);
-                        start = None;
-                    }
-                    _ => {}
+        let mut start = None;
+        let mut last = (from, 0.0);
+        for &t in ts {
+            let value = forward(t);
+            let zero = || {
+                let sign = if last.1 < 0.0 { -1.0 } else { 1.0 };
+                let bracket = [sign * last.1, sign * value];
+                regula_falsi([last.0, t], bracket, ROOT_WIDTH, |t| sign * forward(t))
+            };
+            match start {
+                None if value < 0.0 => start = Some(if last.0 == from { from } else { zero() }),
+                Some(start_of_run) if value >= 0.0 => {
+                    runs.push([start_of_run, zero()]);
+                    start = None;
                 }
-                last = (t, value);
+                _ => {}
             }
-            runs.extend(start.map(|start| [start, to]));
+            last = (t, value);
         }
-        runs.retain(|run| run[0] < run[1]);
-        runs
+        runs.extend(start.map(|start| [start, to]));
     }
 
     /// The points of the evolute and of the offset curve at t.
