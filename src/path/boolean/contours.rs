@@ -10,7 +10,7 @@ use crate::numeric::sort::sort_by;
 pub(super) const NONE: usize = usize::MAX;
 
 /// A contour of this width, in parts of epsilon, has the shape of rounding, and is left out unless nothing touches it.
-const THIN: f64 = 0.25;
+const THIN: f64 = 0.02;
 
 /// A simple closed contour, with its region on the left.
 pub(super) struct Contour {
@@ -115,14 +115,17 @@ impl Tracer<'_> {
     }
 }
 
-/// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last.
+/// Sorts the contours: regions by the first segment of the outer contour, and within a region the holes last. A region
+/// without an outer contour is so thin that rounding decides the direction; it is left out.
 fn in_order(all: Vec<Contour>, regions: &[usize]) -> Vec<Contour> {
     let mut firsts = vec![usize::MAX; regions.len()];
     for contour in all.iter().filter(|contour| !contour.is_hole) {
         let first = &mut firsts[contour.region];
         *first = contour.first.min(*first);
     }
-    let mut order: Vec<usize> = (0..all.len()).collect();
+    let mut order: Vec<usize> = (0..all.len())
+        .filter(|&k| firsts[all[k].region] < usize::MAX)
+        .collect();
     let key = |k: usize| {
         let Contour {
             region,
