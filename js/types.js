@@ -27,6 +27,11 @@ export {};
 /** @typedef {import("./geometry/path/path.js").SvgError} SvgError */
 /** @typedef {import("./geometry/path/path-measures.js").RegionOptions} RegionOptions */
 /** @typedef {import("./geometry/path/path.js").Face} Face */
+/** @typedef {import("./geometry/path/path-stroke.js").StrokeOptions} StrokeOptions */
+/** @typedef {import("./geometry/path/path-stroke.js").StrokeShape} StrokeShape */
+/** @typedef {import("./geometry/path/path-stroke.js").StrokeJoin} StrokeJoin */
+/** @typedef {import("./geometry/path/path-stroke.js").StrokeCap} StrokeCap */
+/** @typedef {import("./geometry/path/path-stroke.js").RegionOffsetOptions} RegionOffsetOptions */
 /** @typedef {import("./geometry/path/path-boolean.js").BooleanOperation} BooleanOperation */
 /** @typedef {import("./geometry/path/path-queries.js").PathTime} PathTime */
 /** @typedef {import("./geometry/path/path-queries.js").PathPoint} PathPoint */

@@ -29,7 +29,7 @@ pub(crate) mod subdivide;
 mod torsion;
 pub(crate) mod trace;
 mod turning;
-mod with_derivatives;
+pub(crate) mod with_derivatives;
 
 #[cfg(not(feature = "wasm"))]
 pub(crate) mod sample_plane_cubic;

@@ -15,6 +15,7 @@ pub(crate) mod intersect;
 mod length;
 mod moments;
 mod nearest;
+mod stroke;
 mod trace;
 mod winding;
 
@@ -24,6 +25,7 @@ pub use builder::PathBuilder;
 pub use elements::PathElement;
 pub use intersect::PathIntersection;
 pub use nearest::PathPoint;
+pub use stroke::{OffsetOptions, StrokeCap, StrokeOptions};
 pub use winding::FillRule;
 
 use crate::geometry::point::Point;

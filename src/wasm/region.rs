@@ -2,9 +2,12 @@
 
 use super::arena;
 use super::arena::Arena;
+use super::optional;
 use super::path::path_at;
 use crate::geometry::error::Error;
-use crate::path::{BooleanOperation, FillRule, Path};
+use crate::path::{BooleanOperation, FillRule, OffsetOptions, Path, StrokeCap, StrokeOptions};
+use crate::spline::OffsetJoin;
+use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 fn fill_rule(even_odd: bool) -> FillRule {
@@ -95,5 +98,87 @@ pub fn region_clip(even_odd: bool) -> isize {
     answer_path(|a| {
         let (paths, _) = paths(a, 2);
         paths[0].clip(&paths[1], fill_rule(even_odd))
+    })
+}
+
+/// A join by its index in `JOINS` of js/geometry/path/path-stroke.js.
+fn offset_join(index: u32) -> OffsetJoin {
+    match index {
+        0 => OffsetJoin::Miter,
+        1 => OffsetJoin::Round,
+        _ => OffsetJoin::Bevel,
+    }
+}
+
+/// A cap by its index in `CAPS` of js/geometry/path/path-stroke.js.
+fn stroke_cap(index: u32) -> StrokeCap {
+    match index {
+        0 => StrokeCap::Butt,
+        1 => StrokeCap::Round,
+        _ => StrokeCap::Square,
+    }
+}
+
+/// The path at the start of the arena and the options of its stroke: after the path, the miter limit, the dash offset,
+/// the tolerance (0 for the default), and `dashes` lengths.
+fn stroke_arguments(a: &Arena, join: u32, cap: u32, dashes: usize) -> (Path, StrokeOptions) {
+    let (path, end) = path_at(a, 0);
+    let options = StrokeOptions {
+        join: offset_join(join),
+        miter_limit: a.number(end),
+        cap: stroke_cap(cap),
+        dash: a.numbers(end + 3, dashes).to_vec(),
+        dash_offset: a.number(end + 1),
+        tolerance: optional(a.number(end + 2)),
+        simple: true,
+    };
+    (path, options)
+}
+
+/// Writes the region of a stroke; see `stroke_arguments`.
+#[wasm_bindgen]
+pub fn region_stroke(width: f64, join: u32, cap: u32, dashes: usize, simple: bool) -> isize {
+    answer_path(|a| {
+        let (path, options) = stroke_arguments(a, join, cap, dashes);
+        path.stroke(width, &StrokeOptions { simple, ..options })
+    })
+}
+
+/// Returns 1 if a point is in a stroke, otherwise 0; see `stroke_arguments`.
+#[wasm_bindgen]
+pub fn region_stroke_contains(
+    x: f64,
+    y: f64,
+    width: f64,
+    join: u32,
+    cap: u32,
+    dashes: usize,
+) -> isize {
+    arena::answer(|a| {
+        let (path, options) = stroke_arguments(a, join, cap, dashes);
+        let contains = path.stroke_contains(DVec2::new(x, y), width, &options)?;
+        Ok(usize::from(contains))
+    })
+}
+
+/// Writes the dashes of a path. Arguments: `count` lengths after the path.
+#[wasm_bindgen]
+pub fn region_dash(count: usize, offset: f64) -> isize {
+    answer_path(|a| {
+        let (path, end) = path_at(a, 0);
+        path.dash(a.numbers(end, count), offset)
+    })
+}
+
+/// Writes the region of a path, grown by a distance; a tolerance of 0 stands for the default.
+#[wasm_bindgen]
+pub fn region_offset(distance: f64, join: u32, miter_limit: f64, tolerance: f64) -> isize {
+    answer_path(|a| {
+        let options = OffsetOptions {
+            join: offset_join(join),
+            miter_limit,
+            tolerance: optional(tolerance),
+        };
+        path_at(a, 0).0.offset(distance, &options)
     })
 }

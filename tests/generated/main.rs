@@ -23,6 +23,7 @@ mod patch_query;
 mod path;
 mod path_query;
 mod path_regions;
+mod path_strokes;
 mod percentiles;
 mod runner;
 mod spline_edit;
@@ -54,7 +55,15 @@ const GROUPS: [(&str, &[&[Row]]); 10] = [
             spline_query::ROWS,
         ],
     ),
-    ("paths", &[path::ROWS, path_query::ROWS, path_regions::ROWS]),
+    (
+        "paths",
+        &[
+            path::ROWS,
+            path_query::ROWS,
+            path_regions::ROWS,
+            path_strokes::ROWS,
+        ],
+    ),
     ("patches", &[patch::ROWS, patch_query::ROWS]),
     ("surfaces: meshes", &[surface::ROWS, export::ROWS]),
     ("surfaces: queries", &[surface_query::ROWS]),

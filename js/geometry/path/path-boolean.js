@@ -51,11 +51,12 @@ function endOfPath(numbers, start) {
 }
 
 /**
- * Writes paths to the arena of the module of regions, one after the other.
+ * Writes paths and other numbers to the arena of the module of regions, one after the other.
  *
+ * @internal
  * @param {Float64Array[]} packed
  */
-function writePaths(packed) {
+export function writePaths(packed) {
   const numbers = new Float64Array(packed.reduce((length, path) => length + path.length, 0));
   let at = 0;
   for (const path of packed) {
@@ -66,10 +67,11 @@ function writePaths(packed) {
 }
 
 /**
+ * @internal
  * @param {number} end what a function of the core returned
  * @returns {Float64Array} a packed path
  */
-function readPath(end) {
+export function readPath(end) {
   const packed = readResult(0, end, regionsModule);
   releaseMemory(regionsModule);
   return packed;

@@ -1,9 +1,12 @@
 import * as check from "../check.js";
 import { PathMeasures } from "./path-measures.js";
 import * as regions from "./path-boolean.js";
+import * as strokes from "./path-stroke.js";
 
 /**
  * @import { Moments, RegionOptions } from "./path-measures.js"
+ * @import { PointLike } from "../check.js"
+ * @import { RegionOffsetOptions, StrokeOptions, StrokeShape } from "./path-stroke.js"
  * @import { PathValue } from "./path-value.js"
  */
 
@@ -94,6 +97,71 @@ export class PathRegions extends PathMeasures {
    */
   clip(region, options) {
     return this._pathOf(regions.clip(this._packed, region, options));
+  }
+
+  /**
+   * The region that a stroke of the path covers: the points on a normal of the path at a distance of at most half the
+   * width, the joins at corners, and the caps at the ends of open subpaths.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).stroke(2).area(); // 20
+   *
+   * Where a segment reverses its direction (a cusp), the half disk ahead of that point belongs to the stroke. A subpath
+   * that is a point gives a disk with round caps, a square with square caps, and nothing with butt caps. A width of 0
+   * gives the empty path. The boundary lies within the tolerance of the exact one. By default the result is a region as
+   * `union` describes it; with `simple: false`, which is faster, its contours overlap, and the nonzero rule fills it.
+   *
+   * @param {number} width
+   * @param {StrokeOptions} [options]
+   * @returns {this}
+   * @throws {RangeError} for a negative width, a miter limit below 1, a dash pattern with a negative entry or with zeros
+   *   only, and a tolerance not above 0 or below 4 ulps of the largest coordinate
+   */
+  stroke(width, options) {
+    return this._pathOf(strokes.stroke(this._packed, width, options));
+  }
+
+  /**
+   * Whether a point is in the stroke of the path: hit testing, as `isPointInStroke` of a canvas. It computes distances
+   * from the path, and is exact up to rounding.
+   *
+   * @param {PointLike} point
+   * @param {number} width
+   * @param {StrokeShape} [options]
+   * @returns {boolean}
+   */
+  strokeContains(point, width, options) {
+    return strokes.strokeContains(this._packed, point, width, options);
+  }
+
+  /**
+   * The dashes of the path along a pattern of lengths: on, off, on, off … They are open subpaths, cut by arc length with
+   * an error of at most 1e-9 of the length of their subpath. On a closed subpath, the dash that reaches the end
+   * continues at the start.
+   *
+   *     Path.polygon([0, 0, 10, 0], { closed: false }).dash([4, 2]).toSVG(); // "M0,0 L4,0 M6,0 L10,0"
+   *
+   * @param {ArrayLike<number>} pattern a pattern with an odd number of entries is repeated; an empty one gives the path
+   * @param {number} [offset] the length in the pattern at which each subpath starts, 0 by default
+   * @returns {this}
+   * @throws {RangeError} for a negative entry, for zeros only, and for more than 2²⁰ dashes
+   */
+  dash(pattern, offset) {
+    return this._pathOf(strokes.dash(this._packed, pattern, offset));
+  }
+
+  /**
+   * The region that the path fills, grown by a distance, or shrunk if it is negative, whatever its orientation. Open
+   * subpaths are closed; the nonzero rule applies. A region that is thinner than twice the distance shrinks to the
+   * empty path. (`offset` of curves and splines is different: it moves along the normal and trims nothing.)
+   *
+   *     Path.rect([0, 0], 4, 4).offset(-1).area(); // 4
+   *
+   * @param {number} distance
+   * @param {RegionOffsetOptions} [options]
+   * @returns {this}
+   */
+  offset(distance, options) {
+    return this._pathOf(strokes.offset(this._packed, distance, options));
   }
 
   /**

@@ -1,6 +1,6 @@
 //! Offset curves of splines.
 
-mod curve;
+pub(crate) mod curve;
 
 #[cfg(not(feature = "wasm"))]
 pub(crate) mod offset_curve;
@@ -37,7 +37,7 @@ pub enum OffsetJoin {
 const MITER_LIMIT: f64 = 4.0;
 
 /// The ends of two offset curves at a joint may differ by this ratio of the tolerance without a join.
-const SMOOTH_PART: f64 = 1.0 / 64.0;
+pub(crate) const SMOOTH_PART: f64 = 1.0 / 64.0;
 
 impl Spline<DVec2> {
     /// The offset curve at a distance along the normal: the offset curves of the segments, joined at corners.
@@ -132,12 +132,12 @@ impl SplineBuilder {
 }
 
 /// The tangent at the start: the direction to the first control point that differs from the start.
-fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
+pub(crate) fn start_tangent(curve: &Curve<DVec2>) -> DVec2 {
     let points = curve.control_points();
     first_direction(points[0], points.iter())
 }
 
-fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
+pub(crate) fn end_tangent(curve: &Curve<DVec2>) -> DVec2 {
     let points = curve.control_points();
     -first_direction(points[points.len() - 1], points.iter().rev())
 }

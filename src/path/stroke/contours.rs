@@ -1,0 +1,44 @@
+//! Strokes of points, and contours that are too thin to be kept.
+
+use super::options::{Pen, StrokeCap};
+use super::outline::{cap, push_closed};
+use crate::path::Path;
+use crate::spline::Spline;
+use glam::DVec2;
+
+/// A part of the stroke thinner than this part of half the width is an error of approximation.
+const THIN_PART: f64 = 0.25;
+
+/// Appends the stroke of a point: two caps back to back.
+pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen) {
+    if pen.cap == StrokeCap::Butt {
+        return;
+    }
+    let mut dot = cap(center, tangent, pen);
+    let back = cap(center, -tangent, pen);
+    if pen.cap == StrokeCap::Square {
+        // The caps meet in the middle of two sides, which need no corner there.
+        let corners = [&dot.points[1..3], &back.points[1..3]].concat();
+        path.push(&corners, &[1_usize; 4], true);
+        return;
+    }
+    dot.points.extend(&back.points[1..]);
+    dot.degrees.extend(&back.degrees);
+    push_closed(path, dot);
+}
+
+/// The contours of a region without those that are thinner than the tolerance. Their mean thickness is 2 A/L for an
+/// area A and a length L.
+pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {
+    let keeps = |contour: &Spline<DVec2>| {
+        let area = contour.area();
+        let thin = if area < 0.0 {
+            pen.tolerance
+        } else {
+            pen.tolerance.min(THIN_PART * pen.radius)
+        };
+        let length = contour.length(None).unwrap_or(f64::INFINITY);
+        2.0 * area.abs() > thin * length
+    };
+    region.subpaths().filter(keeps).collect()
+}

@@ -1,0 +1,169 @@
+//! Strokes, dashes, offsets of regions, and rounded corners.
+//!
+//! The stroke of a path is the region that a segment of the normal, half the width to both sides, sweeps along the
+//! path, together with joins and caps. The offset curves of both sides bound it ([`outline`]). Where a side bends more
+//! tightly than half the width, its offset runs backwards; there the outline alone can leave out points ahead of a butt
+//! cap or next to a bevel, and [`folds`] adds the missing parts.
+//!
+//! Sources: Nehab, "Converting stroked primitives to filled primitives" (SIGGRAPH 2020); Levien and Uguray,
+//! "GPU-friendly stroke expansion" (HPG 2024).
+
+mod contains;
+mod contours;
+mod dash;
+mod folds;
+mod grow;
+mod options;
+mod outline;
+
+pub use grow::OffsetOptions;
+pub use options::{StrokeCap, StrokeOptions};
+
+use super::Path;
+use super::boolean::BooleanOperation;
+use super::winding::FillRule;
+use crate::curve::Curve;
+use crate::geometry::error::Error;
+use crate::spline::Spline;
+use crate::spline::offset::curve::offset_tolerance;
+use dash::Pattern;
+use glam::DVec2;
+use options::Pen;
+use outline::Outline;
+
+impl Path {
+    /// The region that a stroke of the path covers.
+    ///
+    /// The points on a normal of the path at a distance of at most half the width, the joins at corners, and the caps
+    /// at the ends of open subpaths. Closed subpaths give two contours and have no caps. Where a segment reverses its
+    /// direction (a cusp, a turn of a straight curve), the half disk ahead of that point belongs to the stroke. A
+    /// subpath that is a point gives a disk with round caps, a square along the axes with square caps, and nothing with
+    /// butt caps. A width of 0 gives the empty path.
+    ///
+    /// The boundary of the result is within `tolerance` of the exact one; see [`StrokeOptions`] for the default. With
+    /// `simple` (the default) the result is a region as [`union`](Self::union) describes it, without parts and holes
+    /// thinner than the tolerance. Otherwise the contours overlap, and fill the region under the nonzero rule.
+    ///
+    /// ```
+    /// use casteljau::Path;
+    /// use casteljau::path::StrokeOptions;
+    ///
+    /// let line: Path = "M0 0H10".parse().expect("path data");
+    /// let outline = line.stroke(2.0, &StrokeOptions::default())?;
+    /// assert_eq!(outline.area(), 20.0);
+    /// # Ok::<(), casteljau::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Range`] for a width that is negative or not finite or makes coordinates infinite, for a miter limit
+    /// below 1, and for a tolerance that is not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the
+    /// largest coordinate plus half the width; for dashes as [`dash`](Self::dash); [`Error::TooMany`] as
+    /// [`Curve::offset`] and [`union`](Self::union).
+    pub fn stroke(&self, width: f64, options: &StrokeOptions) -> Result<Self, Error> {
+        let Some(pen) = self.pen(width, options)? else {
+            return Ok(Self::default());
+        };
+        let strokes = self.strokes(&pen, options)?;
+        if options.simple {
+            strokes.region(&pen)
+        } else {
+            Ok(strokes.overlapping())
+        }
+    }
+
+    /// The checked parameters of a stroke; `None` if it is empty.
+    fn pen(&self, width: f64, options: &StrokeOptions) -> Result<Option<Pen>, Error> {
+        if !(width >= 0.0 && width.is_finite()) {
+            return Err(Error::Range {
+                what: "width",
+                expected: "a finite number, at least 0",
+                got: width,
+            });
+        }
+        options.check()?;
+        let radius = 0.5 * width;
+        let diagonal = || {
+            self.control_bounds()
+                .map_or(0.0, |bounds| bounds.diagonal())
+                + width
+        };
+        let tolerance = offset_tolerance(radius, options.tolerance, self.max_abs(), diagonal)?;
+        let pen = Pen {
+            radius,
+            join: options.join,
+            miter_limit: options.miter_limit,
+            cap: options.cap,
+            tolerance,
+        };
+        Ok((radius > 0.0 && !self.is_empty()).then_some(pen))
+    }
+
+    /// The outlines of the strokes of all subpaths or their dashes.
+    fn strokes(&self, pen: &Pen, options: &StrokeOptions) -> Result<Strokes, Error> {
+        let mut strokes = Strokes::default();
+        let pattern = Pattern::new(&options.dash, options.dash_offset)?;
+        let mut count = 0;
+        for spline in self.subpaths() {
+            match &pattern {
+                None => strokes.add(&spline, DVec2::X, pen)?,
+                Some(pattern) => {
+                    for dash in pattern.dashes(&spline, &mut count)? {
+                        strokes.add(&dash.spline, dash.tangent, pen)?;
+                    }
+                }
+            }
+        }
+        Ok(strokes)
+    }
+}
+
+/// The parts of a stroke.
+#[derive(Default)]
+struct Strokes {
+    /// The outlines, with winding numbers that are not negative but for the folds.
+    outlines: Path,
+    /// The parts that are swept backwards, where the outlines alone can leave them out.
+    folds: Path,
+}
+
+impl Strokes {
+    /// Adds the stroke of a subpath, which has a given tangent if it is a point.
+    fn add(&mut self, spline: &Spline<DVec2>, tangent: DVec2, pen: &Pen) -> Result<(), Error> {
+        let curves: Vec<Curve<DVec2>> = spline.segments().filter(has_size).collect();
+        if curves.is_empty() {
+            contours::push_dot(&mut self.outlines, spline.control_points()[0], tangent, pen);
+            return Ok(());
+        }
+        let outline = Outline::new(&curves, spline.is_closed(), pen)?;
+        folds::push_folds(&mut self.folds, &curves, &outline, pen)?;
+        outline.push_to(&mut self.outlines);
+        Ok(())
+    }
+
+    /// All contours; the region is where the winding number is not 0.
+    fn overlapping(self) -> Path {
+        let mut path = self.outlines;
+        // Once for the part that the outline counts as −1, and once more to make it positive.
+        for spline in self.folds.subpaths() {
+            path.extend([spline.clone(), spline]);
+        }
+        path
+    }
+
+    /// The region as simple contours.
+    fn region(self, pen: &Pen) -> Result<Path, Error> {
+        let paths = [&self.outlines, &self.folds];
+        let union = if self.folds.is_empty() {
+            self.outlines.remove_overlaps(FillRule::NonZero)?
+        } else {
+            Path::combine(paths, BooleanOperation::Union, FillRule::NonZero)?
+        };
+        Ok(contours::without_thin(&union, pen))
+    }
+}
+
+/// Whether a curve is more than a point.
+fn has_size(curve: &Curve<DVec2>) -> bool {
+    let points = curve.control_points();
+    points.iter().any(|&p| p != points[0])
+}

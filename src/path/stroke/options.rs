@@ -1,0 +1,109 @@
+//! Options of strokes.
+
+use crate::geometry::error::Error;
+use crate::spline::OffsetJoin;
+
+/// What the ends of open subpaths look like.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
+pub enum StrokeCap {
+    /// The stroke ends at the end of the path, perpendicular to it.
+    #[default]
+    Butt,
+    /// A half disk.
+    Round,
+    /// A rectangle half as long as the stroke is wide.
+    Square,
+}
+
+/// Options of [`Path::stroke`](crate::Path::stroke); the defaults are those of SVG and Canvas.
+///
+/// ```
+/// use casteljau::path::{StrokeCap, StrokeOptions};
+///
+/// let options = StrokeOptions { cap: StrokeCap::Round, dash: vec![4.0, 2.0], ..StrokeOptions::default() };
+/// assert_eq!(options.miter_limit, 4.0);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "camelCase")
+)]
+pub struct StrokeOptions {
+    /// The joins at corners: `Miter` by default.
+    pub join: OffsetJoin,
+    /// A miter that reaches farther from its corner than this many half widths becomes a bevel: 4 by default.
+    pub miter_limit: f64,
+    /// The caps: `Butt` by default.
+    pub cap: StrokeCap,
+    /// The lengths of dashes and gaps, as for [`Path::dash`](crate::Path::dash). An empty list, the default, means a
+    /// stroke without gaps.
+    pub dash: Vec<f64>,
+    /// The length in the dash pattern at which each subpath starts: 0 by default.
+    pub dash_offset: f64,
+    /// The largest distance of the boundary from that of the exact stroke. The default is 10⁻⁴ of the diagonal of the
+    /// control points' box plus the width, and at least 10⁻¹² of the largest coordinate plus half the width. The union
+    /// of `simple` adds an error of up to 10⁻⁹ of the size of the stroke.
+    pub tolerance: Option<f64>,
+    /// Whether the result has no overlaps: true by default.
+    pub simple: bool,
+}
+
+impl Default for StrokeOptions {
+    fn default() -> Self {
+        Self {
+            join: OffsetJoin::Miter,
+            miter_limit: 4.0,
+            cap: StrokeCap::Butt,
+            dash: Vec::new(),
+            dash_offset: 0.0,
+            tolerance: None,
+            simple: true,
+        }
+    }
+}
+
+impl StrokeOptions {
+    pub(super) fn check(&self) -> Result<(), Error> {
+        check_miter_limit(self.miter_limit)
+    }
+}
+
+pub(super) fn check_miter_limit(limit: f64) -> Result<(), Error> {
+    if (1.0..=f64::MAX).contains(&limit) {
+        return Ok(());
+    }
+    Err(Error::Range {
+        what: "miter_limit",
+        expected: "a finite number, at least 1",
+        got: limit,
+    })
+}
+
+/// The checked parameters of a stroke.
+#[derive(Clone, Copy)]
+pub(super) struct Pen {
+    /// Half the width, above 0.
+    pub(super) radius: f64,
+    pub(super) join: OffsetJoin,
+    pub(super) miter_limit: f64,
+    pub(super) cap: StrokeCap,
+    pub(super) tolerance: f64,
+}
+
+impl Pen {
+    /// The factor of the sum of two unit normals at a corner that gives the tip of its miter; `None` for a join that is
+    /// not a miter, or exceeds the limit.
+    ///
+    /// The tip is 1/cos(θ/2) radii away, and 1 + cos θ = 2cos²(θ/2).
+    pub(super) fn miter(&self, cos: f64) -> Option<f64> {
+        let twice = 1.0 + cos;
+        let within = twice * self.miter_limit * self.miter_limit >= 2.0;
+        (self.join == OffsetJoin::Miter && within).then(|| self.radius / twice)
+    }
+}

@@ -1,0 +1,114 @@
+//! Checks of strokes, dashes and offsets of paths.
+
+use crate::arguments::*;
+use crate::check::*;
+use crate::runner::Row;
+use casteljau::Path;
+use casteljau::glam::DVec2;
+use casteljau::path::{OffsetOptions, StrokeCap, StrokeOptions};
+use casteljau::spline::OffsetJoin;
+use casteljau_generator::Case;
+
+pub(crate) const ROWS: &[Row] = &[
+    ("Path::stroke", stroke),
+    ("Path::stroke_contains", stroke_contains),
+    ("Path::dash", dash),
+    ("Path::offset", offset),
+];
+
+/// What may be refused: negative widths, and results that are too large or cannot be resolved.
+const REFUSALS: [&str; 8] = [
+    "width",
+    "distance",
+    "tolerance",
+    "steps of an offset",
+    "segments",
+    "contacts",
+    "dashes",
+    "pattern",
+];
+
+fn join(case: &Case) -> OffsetJoin {
+    match word(case, "join") {
+        "round" => OffsetJoin::Round,
+        "miter" => OffsetJoin::Miter,
+        _ => OffsetJoin::Bevel,
+    }
+}
+
+/// Caps follow the joins, so that all kinds occur.
+fn options(case: &Case, tolerance: Option<f64>) -> StrokeOptions {
+    StrokeOptions {
+        join: join(case),
+        cap: match join(case) {
+            OffsetJoin::Round => StrokeCap::Round,
+            OffsetJoin::Miter => StrokeCap::Square,
+            OffsetJoin::Bevel => StrokeCap::Butt,
+        },
+        tolerance,
+        ..StrokeOptions::default()
+    }
+}
+
+fn is_region(region: &Path) -> Checked {
+    let closed = region.subpaths().all(|spline| spline.is_closed());
+    ensure!(closed, "a contour is open");
+    let finite = region
+        .segments()
+        .all(|curve| curve.control_points().iter().all(|p| p.is_finite()));
+    ensure!(finite, "a point is not finite");
+    Ok(())
+}
+
+fn stroke(case: &Case) -> Checked {
+    let (path, width) = (path(case, "path"), number(case, "width"));
+    let options = options(case, optional(case, "tolerance"));
+    let region = answer!(case, path.stroke(width, &options), &REFUSALS);
+    is_region(&region)?;
+    let options = StrokeOptions {
+        simple: false,
+        ..options
+    };
+    let outlines = answer!(case, path.stroke(width, &options), &REFUSALS);
+    is_region(&outlines)
+}
+
+/// A point on the path is in a stroke with round joins and caps.
+fn stroke_contains(case: &Case) -> Checked {
+    let (path, width) = (path(case, "path"), number(case, "width"));
+    let p: DVec2 = point(case, "p");
+    let options = options(case, None);
+    let inside = answer!(case, path.stroke_contains(p, width, &options), &REFUSALS);
+    let nearest = path.nearest(p).map_err(|error| error.to_string())?;
+    let distance = nearest.map_or(f64::INFINITY, |nearest| nearest.distance);
+    let clear = (distance - 0.5 * width).abs() > slack(case.size(), crate::path::DEGREE);
+    ensure!(
+        !clear || options.join != OffsetJoin::Round || inside == (distance < 0.5 * width),
+        "inside: {inside} at the distance {distance:e}, width {width:e}"
+    );
+    Ok(())
+}
+
+fn dash(case: &Case) -> Checked {
+    let path = path(case, "path");
+    let pattern = [number(case, "s"), number(case, "width")];
+    let dashes = answer!(case, path.dash(&pattern, number(case, "offset")), &REFUSALS);
+    let sum = |path: &Path| path.length(None).map_err(|error| error.to_string());
+    let (whole, of_dashes) = (sum(&path)?, sum(&dashes)?);
+    ensure!(
+        of_dashes <= whole * (1.0 + 1e-9) + slack(case.size(), crate::path::DEGREE),
+        "dashes of the length {of_dashes:e} on a path of the length {whole:e}"
+    );
+    Ok(())
+}
+
+fn offset(case: &Case) -> Checked {
+    let (path, distance) = (path(case, "path"), number(case, "distance"));
+    let options = OffsetOptions {
+        join: join(case),
+        tolerance: optional(case, "tolerance"),
+        ..OffsetOptions::default()
+    };
+    let region = answer!(case, path.offset(distance, &options), &REFUSALS);
+    is_region(&region)
+}

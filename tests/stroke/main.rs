@@ -1,0 +1,11 @@
+//! Strokes: judged by the distance from the path, by closed forms, and by what a result promises.
+#![cfg(not(target_family = "wasm"))]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod cases;
+mod contains;
+mod dashes;
+mod round;
+mod shapes;

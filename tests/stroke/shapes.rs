@@ -1,0 +1,219 @@
+//! Closed forms: strokes of lines, corners, points and circles with each kind of join and cap.
+
+use casteljau::glam::DVec2;
+use casteljau::path::{FillRule, StrokeCap, StrokeOptions};
+use casteljau::spline::OffsetJoin;
+use casteljau::{Error, Path};
+use std::f64::consts::PI;
+
+const TOLERANCE: f64 = 1e-6;
+
+fn read(d: &str) -> Path {
+    d.parse().expect("path data")
+}
+
+fn options(join: OffsetJoin, cap: StrokeCap) -> StrokeOptions {
+    StrokeOptions {
+        join,
+        cap,
+        tolerance: Some(TOLERANCE),
+        ..StrokeOptions::default()
+    }
+}
+
+fn area(d: &str, width: f64, options: &StrokeOptions) -> f64 {
+    let outline = read(d).stroke(width, options).expect("few segments");
+    outline.area()
+}
+
+fn assert_near(got: f64, expected: f64) {
+    assert!((got - expected).abs() <= 1e-4, "{got}, expected {expected}");
+}
+
+#[test]
+fn areas_of_lines_with_caps() {
+    let with = |cap| area("M1 2H11", 4.0, &options(OffsetJoin::Miter, cap));
+    assert_near(with(StrokeCap::Butt), 40.0);
+    assert_near(with(StrokeCap::Square), 56.0);
+    assert_near(with(StrokeCap::Round), 40.0 + 4.0 * PI);
+}
+
+#[test]
+fn areas_of_points_with_caps() {
+    for d in ["M3 3H3", "M3 3Z", "M3 3C3 3 3 3 3 3", "M3 3H3H3"] {
+        let with = |cap| area(d, 4.0, &options(OffsetJoin::Miter, cap));
+        assert_near(with(StrokeCap::Butt), 0.0);
+        if !read(d).is_empty() {
+            assert_near(with(StrokeCap::Square), 16.0);
+            assert_near(with(StrokeCap::Round), 4.0 * PI);
+        }
+    }
+}
+
+/// Two legs of length 10 at an angle; what a join adds to the two rectangles of width 2 is known.
+#[test]
+fn areas_of_corners_with_joins() {
+    for degrees in [20.0_f64, 60.0, 90.0, 120.0, 150.0, 170.0] {
+        for side in [1.0, -1.0] {
+            let turn = degrees.to_radians();
+            let to = DVec2::X * 10.0 + DVec2::from_angle(side * turn) * 10.0;
+            let path = format!("M0 0H10L{} {}", to.x, to.y);
+            let half = (0.5 * turn).tan();
+            let inner = half.min(10.0);
+            let inner_area = if half <= 10.0 { inner } else { f64::NAN };
+            let strips = 40.0 - inner_area;
+            let miter = half;
+            let round = 0.5 * turn;
+            let bevel = 0.5 * turn.sin();
+            let with = |join, limit| {
+                let options = StrokeOptions {
+                    miter_limit: limit,
+                    ..options(join, StrokeCap::Butt)
+                };
+                area(&path, 2.0, &options)
+            };
+            if inner_area.is_nan() {
+                continue;
+            }
+            assert_near(with(OffsetJoin::Miter, 100.0), strips + miter);
+            assert_near(with(OffsetJoin::Round, 4.0), strips + round);
+            assert_near(with(OffsetJoin::Bevel, 4.0), strips + bevel);
+            let limit = 1.0 / (0.5 * turn).cos();
+            assert_near(
+                with(OffsetJoin::Miter, (limit * 0.999).max(1.0)),
+                strips + bevel,
+            );
+            assert_near(with(OffsetJoin::Miter, limit * 1.001), strips + miter);
+        }
+    }
+}
+
+#[test]
+fn a_path_that_turns_back() {
+    let with = |join, cap| area("M0 0H10H4", 2.0, &options(join, cap));
+    assert_near(with(OffsetJoin::Round, StrokeCap::Butt), 20.0 + 0.5 * PI);
+    assert_near(with(OffsetJoin::Miter, StrokeCap::Butt), 20.0);
+    assert_near(with(OffsetJoin::Bevel, StrokeCap::Square), 22.0);
+}
+
+#[test]
+fn closed_paths_have_joins_instead_of_caps() {
+    let square = "M0 0H10V10H0Z";
+    let with = |join, cap| area(square, 2.0, &options(join, cap));
+    for cap in [StrokeCap::Butt, StrokeCap::Square, StrokeCap::Round] {
+        assert_near(with(OffsetJoin::Miter, cap), 144.0 - 64.0);
+        assert_near(with(OffsetJoin::Bevel, cap), 144.0 - 64.0 - 2.0);
+        assert_near(with(OffsetJoin::Round, cap), 140.0 - 64.0 + PI);
+    }
+    let outline = read(square)
+        .stroke(2.0, &StrokeOptions::default())
+        .expect("few");
+    assert_eq!(outline.subpath_count(), 2);
+    assert_eq!(outline.segment_count(), 8);
+    // Wider than the square: no hole is left.
+    let filled = read(square)
+        .stroke(20.5, &StrokeOptions::default())
+        .expect("few");
+    assert_near(filled.area(), 30.5 * 30.5);
+}
+
+/// A ring; a stroke wider than the circle fills it, because normals pass through the centre.
+#[test]
+fn circles() {
+    let circle = "M5 0A5 5 0 1 1 -5 0A5 5 0 1 1 5 0Z";
+    for join in [OffsetJoin::Miter, OffsetJoin::Bevel, OffsetJoin::Round] {
+        let with = |width| area(circle, width, &options(join, StrokeCap::Butt));
+        assert_near(with(2.0), PI * (36.0 - 16.0));
+        assert_near(with(12.0), PI * 121.0);
+        assert_near(with(50.0), PI * 900.0);
+    }
+}
+
+/// The normals of an arc of 90° and radius 5, 8 to both sides, pass through its centre: the stroke is a sector of
+/// radius 13 and the opposite one of radius 3.
+#[test]
+fn normals_beyond_the_centre_of_an_arc() {
+    let sectors = 0.25 * PI * (169.0 + 9.0);
+    for simple in [true, false] {
+        let options = StrokeOptions {
+            simple,
+            ..options(OffsetJoin::Miter, StrokeCap::Butt)
+        };
+        let arc = read("M5 0A5 5 0 0 1 0 5");
+        let outline = arc.stroke(16.0, &options).expect("few segments");
+        let region = outline
+            .remove_overlaps(FillRule::NonZero)
+            .expect("few segments");
+        assert_near(region.area(), sectors);
+    }
+}
+
+#[test]
+fn dashes_of_strokes() {
+    let options = |cap, dash: &[f64]| StrokeOptions {
+        dash: dash.to_vec(),
+        ..options(OffsetJoin::Miter, cap)
+    };
+    assert_near(
+        area("M0 0H10", 2.0, &options(StrokeCap::Butt, &[3.0, 2.0])),
+        12.0,
+    );
+    // Dots: disks and squares along the path.
+    let dots = area("M0 0L3 4", 1.0, &options(StrokeCap::Round, &[0.0, 2.0]));
+    assert_near(dots, 3.0 * 0.25 * PI);
+    let squares = read("M0 0L3 4").stroke(1.0, &options(StrokeCap::Square, &[0.0, 2.0]));
+    let squares = squares.expect("few segments");
+    assert_near(squares.area(), 3.0);
+    assert!(squares.contains(DVec2::new(-0.1, 0.69), FillRule::NonZero));
+    // No seam in the middle of a dash at the start of a closed path.
+    let square = area("M0 0H4V4H0Z", 1.0, &options(StrokeCap::Butt, &[2.0, 2.0]));
+    assert_near(square, 8.0);
+}
+
+#[test]
+fn refused_arguments() {
+    let line = read("M0 0H10");
+    let with = |change: fn(&mut StrokeOptions)| {
+        let mut options = StrokeOptions::default();
+        change(&mut options);
+        line.stroke(1.0, &options)
+    };
+    for width in [-1.0, f64::NAN, f64::INFINITY] {
+        let result = line.stroke(width, &StrokeOptions::default());
+        assert!(matches!(result, Err(Error::Range { what: "width", .. })));
+    }
+    assert!(matches!(
+        with(|o| o.miter_limit = 0.5),
+        Err(Error::Range {
+            what: "miter_limit",
+            ..
+        })
+    ));
+    assert!(matches!(
+        with(|o| o.tolerance = Some(0.0)),
+        Err(Error::Range { .. })
+    ));
+    assert!(matches!(
+        with(|o| o.tolerance = Some(1e-30)),
+        Err(Error::Tolerance { .. })
+    ));
+    assert!(matches!(
+        with(|o| o.dash = vec![0.0]),
+        Err(Error::Range { .. })
+    ));
+    assert!(matches!(
+        with(|o| o.dash = vec![1.0, -1.0]),
+        Err(Error::Item { .. })
+    ));
+    assert!(
+        line.stroke(0.0, &StrokeOptions::default())
+            .expect("empty")
+            .is_empty()
+    );
+    assert!(
+        Path::default()
+            .stroke(1.0, &StrokeOptions::default())
+            .expect("empty")
+            .is_empty()
+    );
+}
