@@ -17,7 +17,7 @@ pub(crate) const ROWS: &[Row] = &[
 ];
 
 /// What may be refused: negative widths, and results that are too large or cannot be resolved.
-const REFUSALS: [&str; 8] = [
+const REFUSALS: [&str; 9] = [
     "width",
     "distance",
     "tolerance",
@@ -26,6 +26,7 @@ const REFUSALS: [&str; 8] = [
     "contacts",
     "dashes",
     "pattern",
+    "sum of the pattern",
 ];
 
 fn join(case: &Case) -> OffsetJoin {

@@ -27,6 +27,15 @@ pub(super) fn push_dot(path: &mut Path, center: DVec2, tangent: DVec2, pen: &Pen
     push_closed(path, dot);
 }
 
+/// Appends a disk.
+pub(super) fn push_disk(path: &mut Path, center: DVec2, pen: &Pen) {
+    let round = Pen {
+        cap: StrokeCap::Round,
+        ..*pen
+    };
+    push_dot(path, center, DVec2::X, &round);
+}
+
 /// The contours of a region without those that are thinner than the tolerance. Their mean thickness is 2 A/L for an
 /// area A and a length L.
 pub(super) fn without_thin(region: &Path, pen: &Pen) -> Path {

@@ -8,6 +8,7 @@
 //! points once more; a butt cap and a bevel do not, so what is swept backwards near them is added here. On a closed
 //! subpath the count is 0 also where no distance exceeds r.
 
+use super::contours::push_disk;
 use super::options::Pen;
 use super::outline::{Outline, push_closed};
 use crate::bernstein::product::product_of;
@@ -47,7 +48,11 @@ pub(super) fn push_folds(
     pen: &Pen,
 ) -> Result<(), Error> {
     let surrounds = outline.closed && is_within(curves, pen.radius);
-    if outline.blunt_ends.is_empty() && !surrounds {
+    if outline.blunt_ends.is_empty() {
+        if surrounds {
+            // What is within the radius of all points of the path is within it of the first one.
+            push_disk(path, curves[0].start(), pen);
+        }
         return Ok(());
     }
     for curve in curves.iter().filter(|curve| curve.degree() > 1) {
