@@ -29,6 +29,9 @@ const LIMITS: &[(&str, usize)] = &[
     ("Surface::intersect_ray", PATCHES * RAY),
     ("Surface::bounds", PATCHES * 6 * SEARCH),
     ("Surface::area", PATCHES << 22),
+    // The search for contacts of a few thousand segments.
+    ("Path::stroke", 1 << 27),
+    ("Path::offset", 1 << 27),
     ("Surface::subdivide", (1 << 24) + (1 << 12)),
 ];
 

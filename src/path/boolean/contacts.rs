@@ -14,7 +14,7 @@ use glam::DVec2;
 /// boxes is one step, the examination of a segment [`SEGMENT_STEPS`](super::box_tree::SEGMENT_STEPS). Outlines of fonts and maps need fewer than
 /// 2,000 for each segment.
 const STEPS_PER_SEGMENT: usize = 1 << 13;
-const FURTHER_STEPS: usize = 1 << 24;
+const FURTHER_STEPS: usize = 1 << 26;
 
 /// The largest number of contacts that one operation finds.
 const MAX_CONTACTS: usize = 1 << 24;

@@ -63,7 +63,7 @@ impl Path {
     ///
     /// # Errors
     /// [`Error::TooMany`] for more than 2²² segments, more than 2²⁴ contacts of segments, or more steps of the
-    /// search for contacts than 2²⁴ and 2¹³ for each segment.
+    /// search for contacts than 2²⁶ and 2¹³ for each segment.
     ///
     /// Source: winding numbers of the faces of a planar map, as in de Berg et al., *Computational Geometry*, §2.3 (the
     /// overlay of two subdivisions).

@@ -57,8 +57,9 @@ impl Path {
     /// # Errors
     /// [`Error::Range`] for a width that is negative or not finite or makes coordinates infinite, for a miter limit
     /// below 1, and for a tolerance that is not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the
-    /// largest coordinate plus half the width; for dashes as [`dash`](Self::dash); [`Error::TooMany`] as
-    /// [`Curve::offset`] and [`union`](Self::union).
+    /// largest coordinate plus half the width; for dashes as [`dash`](Self::dash); [`Error::TooMany`] for
+    /// outlines of more than 2,048 segments and 64 for each curve of the path, unless `simple` is false, and otherwise
+    /// as [`Curve::offset`] and [`union`](Self::union).
     pub fn stroke(&self, width: f64, options: &StrokeOptions) -> Result<Self, Error> {
         let Some(pen) = self.pen(width, options)? else {
             return Ok(Self::default());
@@ -117,9 +118,16 @@ impl Path {
     }
 }
 
+/// The largest number of segments of outlines whose union a stroke computes: for each curve that is stroked, and in
+/// addition for any number of them. More mean that the tolerance is tiny compared with the turns of the outline.
+const SEGMENTS_PER_CURVE: usize = 64;
+const FURTHER_SEGMENTS: usize = 1 << 11;
+
 /// The parts of a stroke.
 #[derive(Default)]
 struct Strokes {
+    /// The number of curves that are stroked.
+    curve_count: usize,
     /// The outlines, with winding numbers that are not negative but for the folds.
     outlines: Path,
     /// The parts that are swept backwards, where the outlines alone can leave them out.
@@ -130,6 +138,7 @@ impl Strokes {
     /// Adds the stroke of a subpath, which has a given tangent if it is a point.
     fn add(&mut self, spline: &Spline<DVec2>, tangent: DVec2, pen: &Pen) -> Result<(), Error> {
         let curves: Vec<Curve<DVec2>> = spline.segments().filter(has_size).collect();
+        self.curve_count += curves.len().max(1);
         if curves.is_empty() {
             contours::push_dot(&mut self.outlines, spline.control_points()[0], tangent, pen);
             return Ok(());
@@ -152,6 +161,15 @@ impl Strokes {
 
     /// The region as simple contours.
     fn region(self, pen: &Pen) -> Result<Path, Error> {
+        let needed = self.outlines.segment_count() + self.folds.segment_count();
+        let limit = FURTHER_SEGMENTS + SEGMENTS_PER_CURVE * self.curve_count;
+        if needed > limit {
+            return Err(Error::TooMany {
+                what: "segments",
+                limit,
+                needed,
+            });
+        }
         let paths = [&self.outlines, &self.folds];
         let union = if self.folds.is_empty() {
             self.outlines.remove_overlaps(FillRule::NonZero)?
