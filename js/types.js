@@ -17,6 +17,7 @@ export {};
 /** @typedef {import("./geometry/spline/spline-value.js").SplineOptions} SplineOptions */
 /** @typedef {import("./geometry/spline/spline-value.js").SplineJSON} SplineJSON */
 /** @typedef {import("./geometry/interpolate.js").InterpolateOptions} InterpolateOptions */
+/** @typedef {import("./geometry/spline/spline.js").FitOptions} FitOptions */
 /** @typedef {import("./geometry/bspline.js").BSplineOptions} BSplineOptions */
 /** @typedef {import("./geometry/bspline.js").BSpline} BSpline */
 /** @typedef {import("./geometry/joints.js").JointMode} JointMode */
@@ -24,6 +25,9 @@ export {};
 /** @typedef {import("./geometry/path/path-measures.js").FillRule} FillRule */
 /** @typedef {import("./geometry/path/path-measures.js").Moments} Moments */
 /** @typedef {import("./geometry/path/path.js").SvgError} SvgError */
+/** @typedef {import("./geometry/path/path-measures.js").RegionOptions} RegionOptions */
+/** @typedef {import("./geometry/path/path.js").Face} Face */
+/** @typedef {import("./geometry/path/path-boolean.js").BooleanOperation} BooleanOperation */
 /** @typedef {import("./geometry/path/path-queries.js").PathTime} PathTime */
 /** @typedef {import("./geometry/path/path-queries.js").PathPoint} PathPoint */
 /** @typedef {import("./geometry/path/path-queries.js").PathPointAtLength} PathPointAtLength */

@@ -1,21 +1,20 @@
-// The site: every .html file below www/ is a page. Built into site/ with relative URLs, so that it works in any folder.
+// The site. Eleventy renders its pages (eleventy.config.js); Vite bundles their scripts, serves them while working, and builds
+// site/ with relative URLs, so that it works in any folder.
 import { createReadStream, readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
-import { siteFrame } from "./build/frame.js";
-import { appletPosters } from "./build/posters.js";
-import { lessonSamples } from "./build/samples.js";
-import { surfacePosters } from "./build/surface-posters.js";
+import { mathFontLicense } from "./build/math-font.js";
+import { eleventyPages } from "./build/pages.js";
 
 const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
 
-const pages = readdirSync(www, { recursive: true, encoding: "utf8" })
+const plainPages = readdirSync(www, { recursive: true, encoding: "utf8" })
   .filter((name) => name.endsWith(".html"))
   .map((name) => www + name);
 
-/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. */
+/** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. @type {import("vite").Plugin} */
 const classicScript = {
   name: "classic-script",
   configureServer({ middlewares }) {
@@ -29,9 +28,9 @@ const classicScript = {
   },
 };
 
-/** package.json says that importing a module of the package does nothing but a few; those of the pages are another matter. */
-const pagesAct = {
-  name: "pages-act",
+/** package.json lists the few modules of the package that have side effects; the modules of the pages all have. @type {import("vite").Plugin} */
+const pageSideEffects = {
+  name: "page-side-effects",
   transform: (/** @type {string} */ code, /** @type {string} */ id) =>
     id.startsWith(www) && /\.js$/.test(id) ? { code, map: null, moduleSideEffects: true } : null,
 };
@@ -39,7 +38,7 @@ const pagesAct = {
 export default defineConfig({
   root: www,
   base: "./",
-  appType: "mpa", // what is not there is a 404, not the first page
+  appType: "mpa", // an unknown address is a 404, not the first page
   publicDir: "public",
   resolve: {
     alias: [
@@ -47,13 +46,12 @@ export default defineConfig({
       { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
-  plugins: [classicScript, pagesAct, siteFrame, lessonSamples, appletPosters, surfacePosters],
+  plugins: [eleventyPages(plainPages), mathFontLicense, classicScript, pageSideEffects],
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",
     emptyOutDir: true,
     target: "es2022",
     modulePreload: { polyfill: false },
-    rollupOptions: { input: pages },
   },
 });

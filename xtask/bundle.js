@@ -9,7 +9,7 @@ const sources = resolve("js");
 const { version, license } = JSON.parse(await readFile("package.json", "utf8"));
 const banner = { js: `/*! casteljau ${version} | ${license} */` };
 
-/** Replaces both modules by the complete one without bytes: in the slim bundle, `init` gets the bytes. */
+/** Replaces the modules by the complete one without bytes: in the slim bundle, `init` gets the bytes. */
 const withoutBytes = {
   name: "without-bytes",
   setup(build) {
@@ -17,8 +17,9 @@ const withoutBytes = {
       curves: `import { registerModule } from "./wasm-module.js"; import { initSync } from "../glue/casteljau.js";
         export const curvesModule = /* @__PURE__ */ registerModule(initSync, null);`,
       surfaces: `export { curvesModule as surfacesModule } from "./curves-module.js";`,
+      regions: `export { curvesModule as regionsModule } from "./curves-module.js";`,
     };
-    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces)-module\.js$/ }, ({ path }) => ({
+    build.onLoad({ filter: /[\\/]js[\\/]wasm[\\/](curves|surfaces|regions)-module\.js$/ }, ({ path }) => ({
       contents: contents[path.match(/(\w+)-module\.js$/)[1]],
       resolveDir: resolve(sources, "wasm"),
     }));

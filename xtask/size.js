@@ -6,15 +6,16 @@ import { gzipSync } from "node:zlib";
 /**
  * The maximum gzip sizes in kB. A change that raises one gives the reason. The targets are 3 for { easing }, 138 for
  * { Curve }, 250 for { Surface } and everything, 45 for { Curve, Spline } of core, and 135 for { Surface } of surfaces.
+ * Everything includes the module of regions, 62 kB, which came after its target was set.
  */
 const LIMITS_KB = {
   "{ easing }": 5,
-  "{ Curve }": 156,
-  "{ Surface }": 266,
-  everything: 276,
-  "{ Curve, Spline } of core": 51,
-  "{ Surface } of surfaces": 125,
-  "index.js + applet.js": 288,
+  "{ Curve }": 148,
+  "{ Surface }": 255,
+  everything: 331,
+  "{ Curve, Spline } of core": 46.5,
+  "{ Surface } of surfaces": 120,
+  "index.js + applet.js": 343,
   "elements, loaded at once": 31,
   "elements, when needed": 64,
   "bezier-app.js": 43,

@@ -186,12 +186,14 @@ function completeStops(stops) {
   stops[stops.length - 1][0] ??= 100;
   let known = 0;
   let from = stops[0][0];
+  let before = from;
   stops.forEach(([percentage], k) => {
     if (percentage === null) return;
     const to = Math.max(from, percentage);
     for (let i = known + 1; i <= k; i++) {
       const share = (i - known) / (k - known);
-      stops[i][0] = Math.min(Math.max(from * (1 - share) + to * share, from), to); // rounding may leave the range
+      before = Math.min(Math.max(from * (1 - share) + to * share, before), to); // rounding may descend
+      stops[i][0] = before;
     }
     [known, from] = [k, to];
   });

@@ -156,6 +156,7 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
     let mut stops: Vec<Stop> = given.iter().map(|&(_, y)| [0.0, y]).collect();
     let mut known = 0;
     let mut from = given[0].0.unwrap_or(0.0);
+    let mut before = from;
     stops[0][0] = from;
     for (k, &(percentage, _)) in given.iter().enumerate().skip(1) {
         let Some(percentage) = percentage.or((k == last).then_some(100.0)) else {
@@ -164,7 +165,8 @@ fn complete_stops(given: &[(Option<f64>, f64)]) -> Vec<Stop> {
         let to = from.max(percentage);
         for (i, stop) in stops[known + 1..=k].iter_mut().enumerate() {
             let share = (i + 1) as f64 / (k - known) as f64;
-            stop[0] = (from * (1.0 - share) + to * share).max(from).min(to); // rounding may leave the range
+            before = (from * (1.0 - share) + to * share).max(before).min(to); // rounding may descend
+            stop[0] = before;
         }
         (known, from) = (k, to);
     }

@@ -8,6 +8,7 @@ use super::smoothing::smoothed;
 use crate::geometry::check::{check_finite, check_tolerance, max_abs};
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::numeric::float::unit_scale;
 use std::f64::consts::PI;
 
 /// The default of the corner angle: 36°.
@@ -213,7 +214,7 @@ pub(crate) fn scale_of<P: Point>(points: &[P]) -> f64 {
     let reach = points
         .iter()
         .fold(0.0, |m: f64, &p| m.max((p * 0.5 - half).max_abs()));
-    (-reach.log2().round()).clamp(-1000.0, 1000.0).exp2()
+    unit_scale(reach)
 }
 
 /// The points translated so that the first one is the origin, and scaled.

@@ -60,16 +60,6 @@ pub fn spline_length(dimension: usize, tolerance: f64) -> isize {
     number(|a| spline(a, dimension).0.length(optional(tolerance)))
 }
 
-/// Writes the arc lengths from the start to the ends of the segments: 0, then one number per segment. With them,
-/// `curve_time_at_length` of one segment answers for the whole spline.
-#[wasm_bindgen]
-pub fn spline_cumulative_lengths(dimension: usize) {
-    arena::with(|a| {
-        let lengths = spline(a, dimension).0.cumulative_lengths();
-        a.write_numbers(0, &lengths);
-    });
-}
-
 /// Writes the parameter at an arc length.
 #[wasm_bindgen]
 pub fn spline_time_at_length(dimension: usize, s: f64, tolerance: f64) -> isize {

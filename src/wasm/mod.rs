@@ -28,6 +28,7 @@ mod nearest;
 mod offset;
 mod patch;
 mod path;
+mod region;
 mod single_thread_cell;
 mod spline;
 mod surface;

@@ -32,7 +32,7 @@ fn path(a: &Arena) -> (Path, usize) {
 }
 
 /// The path at index `start` of the arena, and the index where it ends.
-fn path_at(a: &Arena, start: usize) -> (Path, usize) {
+pub(super) fn path_at(a: &Arena, start: usize) -> (Path, usize) {
     let mut path = Path::default();
     let mut at = start + 1;
     for _ in 0..a.count(start) {

@@ -250,3 +250,18 @@ fn a_segment_answers_for_the_spline() {
     let point = Spline::new(&[DVec2::ONE; 7], 3, false).expect("a point");
     assert_eq!(point.cumulative_lengths(), [0.0; 3]);
 }
+
+/// The curve nearly stops at t = 0.58 and t = 0.77, where two levels of the integration agree by chance. The length was
+/// integrated with 40 digits between the minima of the speed.
+#[test]
+fn near_cusps() {
+    let points = [
+        (-0.6701735937274308, -0.3743531619204457),
+        (-0.1988385135896993, 0.153512660274498),
+        (0.25213331090990504, 0.6588637712424616),
+        (-0.34352965965721705, -0.008339286447687966),
+        (0.06153840932269821, 0.4454515716325279),
+    ];
+    let curve = Curve::new(&points.map(DVec2::from)).expect("a curve");
+    agree(length(&curve), 1.1397560972614685, 1e-13, "two near-cusps");
+}

@@ -77,7 +77,34 @@ impl Along<'_> {
         if depth >= 3 && (unseen && self.straight_enough(lo, hi) || depth >= 50) {
             return left + right;
         }
-        self.halved(lo, middle, left, depth + 1) + self.halved(middle, hi, right, depth + 1)
+        let near_cusp = (depth >= 3).then(|| self.near_cusp(lo, hi)).flatten();
+        let (cut, left, right) = near_cusp.map_or((middle, left, right), |cut| {
+            (cut, self.once(lo, cut), self.once(cut, hi))
+        });
+        self.halved(lo, cut, left, depth + 1) + self.halved(cut, hi, right, depth + 1)
+    }
+
+    /// The parameter of the smallest of 16 speeds inside, improved by golden sections, if the speed is much larger at both
+    /// ends: no rule converges quickly across a near-cusp.
+    fn near_cusp(&self, lo: f64, hi: f64) -> Option<f64> {
+        let at = |i: usize| lo + (hi - lo) * super::real(i) / 16.0;
+        let speeds: Vec<f64> = (0..=16).map(|i| self.speed(at(i))).collect();
+        let min = (1..16).min_by(|&i, &k| speeds[i].total_cmp(&speeds[k]))?;
+        let slow = speeds[min] < 0.1 * speeds[0].min(speeds[16]);
+        slow.then(|| self.minimum(at(min - 1), at(min + 1)))
+    }
+
+    /// The parameter of the minimum of the speed, by golden sections.
+    fn minimum(&self, mut lo: f64, mut hi: f64) -> f64 {
+        for _ in 0..90 {
+            let (left, right) = (hi - 0.618 * (hi - lo), lo + 0.618 * (hi - lo));
+            if self.speed(left) < self.speed(right) {
+                hi = right;
+            } else {
+                lo = left;
+            }
+        }
+        0.5 * (lo + hi)
     }
 
     /// Whether no cusp is inside: successive directions differ by less than a right angle. Near the ends the samples

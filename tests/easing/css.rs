@@ -114,3 +114,22 @@ fn refused_tolerances_and_steps() {
         })
     );
 }
+
+/// The range is a few ulps wide, so that rounding could descend within it.
+#[test]
+fn percentages_that_are_filled_in_ascend() {
+    let text = "linear(0 79.87344453458203%, 1, 2, 3, 4, 5, 6, 7 79.87344453458206%)";
+    let css = text.parse::<Easing>().unwrap().to_string();
+    let percentages: Vec<f64> = css
+        .split(['(', ',', ')'])
+        .filter_map(|stop| {
+            stop.split_whitespace()
+                .nth(1)?
+                .trim_end_matches('%')
+                .parse()
+                .ok()
+        })
+        .collect();
+    assert_eq!(percentages.len(), 8, "{css}");
+    assert!(percentages.is_sorted(), "{css}");
+}

@@ -3,13 +3,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
 import { posterOf } from "../../www/build/posters.js";
-import { bothWays, matrixOf } from "../../www/curves/affine.js";
-import { along, jumps } from "../../www/curves/along.js";
-import { hermiteWords } from "../../www/curves/hermite.js";
-import { apart, polylineError } from "../../www/curves/judge.js";
-import { numberIn, tell, written } from "../../www/curves/matrix.js";
-import { treeWords } from "../../www/curves/tree.js";
-import { viewAt } from "../../www/curves/zoom.js";
+import { bothWays, matrixOf } from "../../www/figures/lib/affine.js";
+import { along, jumps } from "../../www/figures/lib/along.js";
+import { apart, polylineError } from "../../www/tasks/utils/curves.js";
+import { formatNumber, matrixSummary, parseNumber } from "../../www/figures/lib/matrix.js";
+import { hermiteSummary, treeSummary } from "../../www/figures/lib/summaries.js";
+import { viewAt } from "../../www/figures/lib/zoom.js";
 
 test("speed and curvature along a chain jump where the joint says so", () => {
   const chain = new Spline([
@@ -59,10 +58,10 @@ test("an affine map does the same to the control points and to the curve", () =>
 });
 
 test("numbers of the matrix are read and written as people do", () => {
-  assert.deepEqual(["1", "−1/6", " 2 / 3 ", "-0.5", "1e3"].map(numberIn), [1, -1 / 6, 2 / 3, -0.5, 1000]);
+  assert.deepEqual(["1", "−1/6", " 2 / 3 ", "-0.5", "1e3"].map(parseNumber), [1, -1 / 6, 2 / 3, -0.5, 1000]);
   for (const wrong of ["", "x", "1/2/3", "NaN", "1/0", "/2", "Infinity"])
-    assert.ok(!Number.isFinite(numberIn(wrong)), wrong);
-  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(written), [
+    assert.ok(!Number.isFinite(parseNumber(wrong)), wrong);
+  assert.deepEqual([-1, 0, 0.5, 1 / 6, -2 / 3, 4 / 6, 0.1].map(formatNumber), [
     "−1",
     "0",
     "0.5",
@@ -72,15 +71,16 @@ test("numbers of the matrix are read and written as people do", () => {
     "0.1",
   ]);
   for (const name of /** @type {const} */ (["bezier", "hermite", "b-spline", "catmull-rom"])) {
-    for (const x of Curve.basisMatrix(name)) assert.ok(Math.abs(numberIn(written(x)) - x) < 1e-15, `${name}: ${x}`);
+    for (const x of Curve.basisMatrix(name))
+      assert.ok(Math.abs(parseNumber(formatNumber(x)) - x) < 1e-15, `${name}: ${x}`);
   }
-  assert.match(tell([...Curve.basisMatrix("b-spline")]), /add up to 1/);
-  assert.match(tell([...Curve.basisMatrix("hermite")]), /do not add up/); // in its own data: ends and velocities
+  assert.match(matrixSummary([...Curve.basisMatrix("b-spline")]), /add up to 1/);
+  assert.match(matrixSummary([...Curve.basisMatrix("hermite")]), /do not add up/); // in its own data: ends and velocities
 });
 
 test("words and views", () => {
   assert.equal(
-    hermiteWords([
+    hermiteSummary([
       [90, 370],
       [180, 120],
       [440, 80],
@@ -89,15 +89,15 @@ test("words and views", () => {
     "From (90, 370) with the velocity (270, −750), to (590, 330) with (450, 750).",
   );
   assert.equal(
-    hermiteWords([
+    hermiteSummary([
       [0, 0],
       [1, 1],
     ]),
     "",
   );
-  assert.equal(treeWords({ segments: 1, error: 26.456 }), "1 piece, measured error 26.46 px.");
-  assert.equal(treeWords({ segments: 64, error: 0.0012 }), "64 pieces, measured error 1.2e-3 px.");
-  assert.equal(treeWords(null), "");
+  assert.equal(treeSummary({ segments: 1, error: 26.456 }), "1 piece, measured error 26.46 px.");
+  assert.equal(treeSummary({ segments: 64, error: 0.0012 }), "64 pieces, measured error 1.2e-3 px.");
+  assert.equal(treeSummary(null), "");
   assert.equal(viewAt(1, { x: 5, y: 5 }), "0 0 670 480");
   assert.equal(viewAt(10, { x: 100, y: 50 }), "66.5 26 67 48");
 });

@@ -122,7 +122,7 @@ const TASKS = {
     ],
     right: (e) => (e.matrix = "0 0 0 0 0 0 0 0 -1 0 0 1 1 0 0 0"),
   },
-  "level-scaffold": {
+  "level-tangent": {
     start: () => applet({ points: HILL, t: 0.75 }),
     vain: [(e) => (e.t = 0.5), (e) => (e.t = 1)],
     right: (e) => (e.t = Math.round(100 * new Curve(e.points).extrema().y[0]) / 100),

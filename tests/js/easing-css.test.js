@@ -124,6 +124,21 @@ test("toLinear writes the same text as Rust: tests/easing/css.rs has the same su
   assert.equal(sum.toString(16), "990a60f034ae026e");
 });
 
+test("percentages that are filled in ascend, though the range is a few ulps wide", () => {
+  /** @type {[string, string, number][]} */
+  const ranges = [
+    ["79.87344453458203%", "79.87344453458206%", 7],
+    ["13.569893703974877%", "13.569893703974884%", 10],
+  ];
+  for (const [from, to, count] of ranges) {
+    const between = Array.from({ length: count - 1 }, (_, k) => k + 1);
+    const { css } = easing(`linear(0 ${from}, ${between.join(", ")}, ${count} ${to})`);
+    const percentages = [...css.matchAll(/([\d.]+)%/g)].map((match) => Number(match[1]));
+    assert.equal(percentages.length, count + 1);
+    percentages.slice(1).forEach((value, k) => assert.ok(value >= percentages[k], css));
+  }
+});
+
 test("never NaN, at the largest numbers either", () => {
   const texts = table.filter((row) => row.css).map((row) => row.text);
   const extreme = [

@@ -312,11 +312,11 @@ test("names on the scaffold, as the texts write them", () => {
   assert.equal(nameAt("P1", 1, 0, false), "P12");
   assert.equal(nameAt("P1", 2, 0, false), "P1223");
   assert.equal(nameAt("P1", 2, 1, false), "P2334");
-  assert.equal(nameAt("P1", 3, 0, true), "P");
+  assert.equal(nameAt("P1", 3, 0, true), "B(t)");
   assert.equal(nameAt("b0", 1, 0, false), "b₀¹");
   assert.equal(nameAt("b0", 3, 10, true), "b₁₀³");
   assert.equal(nameAt("p0", 2, 0, false), "p01-12");
-  assert.equal(nameAt("p0", 3, 0, true), "P(t)");
+  assert.equal(nameAt("p0", 3, 0, true), "B(t)");
   assert.equal(nameAt("P0", 1, 9, false), "P9,10");
 });
 
@@ -337,4 +337,18 @@ test("with the halves their points are called q and r, and the one at t both", (
     ],
   );
   assert.deepEqual(namesOf(figure, { ...state, labels: "none" }), []);
+});
+
+test("the names of both points at the cut stand on the side of their half", () => {
+  const state = stateWith({ layers: ["halves", "names"], labels: "p0", t: 0.5 });
+  const names = namesOf(figureOf(state), state);
+  const named = (text) => /** @type {(typeof names)[number]} */ (names.find((name) => name.text === text));
+  for (const [cut, neighbour] of [
+    ["q3", "q2"],
+    ["r0", "r1"],
+  ]) {
+    const { at, away } = named(cut);
+    const [dx, dy] = [named(neighbour).at[0] - at[0], named(neighbour).at[1] - at[1]];
+    assert.ok(away[0] * dx + away[1] * dy > 0, `${cut} is on the side of ${neighbour}`);
+  }
 });

@@ -103,7 +103,7 @@ test("a curve through points", () => {
 
 test("a spline along a stroke, and with fewer segments", () => {
   const points = Array.from({ length: 500 }, (_, k) => [k / 50, Math.sin(k / 50)]);
-  const fitted = Spline.fit(points, 1e-3);
+  const fitted = Spline.fit(points, { tolerance: 1e-3 });
   assert.ok(fitted.segmentCount < 12);
   const line = fitted.flatten(1e-4).points;
   for (const [x, y] of points) {
@@ -120,7 +120,7 @@ test("a spline along a stroke, and with fewer segments", () => {
       [2, 1],
       [2, 2],
     ],
-    0.01,
+    { tolerance: 0.01 },
   );
   assert.equal(corner.segmentCount, 2);
   assert.ok(
@@ -130,14 +130,13 @@ test("a spline along a stroke, and with fewer segments", () => {
         [1, 0],
         [1, 1],
       ],
-      0.01,
-      { closed: true },
+      { tolerance: 0.01, closed: true },
     ).closed,
   );
-  assert.equal(Spline.fit([0, 0, 0, 1, 1, 1], 0.1, { dimension: 3 }).dimension, 3);
+  assert.equal(Spline.fit([0, 0, 0, 1, 1, 1], { tolerance: 0.1, dimension: 3 }).dimension, 3);
   const cut = fitted.insert(0.3).insert(0.5).insert(2.5);
   assert.ok(cut.simplify(1e-3).segmentCount < cut.segmentCount);
-  assert.throws(() => Spline.fit([[0, 0]], 1), { name: "RangeError", message: /^points: / });
+  assert.throws(() => Spline.fit([[0, 0]], { tolerance: 1 }), { name: "RangeError", message: /^points: / });
   assert.throws(
     () =>
       Spline.fit(
@@ -145,7 +144,7 @@ test("a spline along a stroke, and with fewer segments", () => {
           [0, 0],
           [1, 1],
         ],
-        0,
+        { tolerance: 0 },
       ),
     { name: "RangeError", message: /^tolerance: / },
   );

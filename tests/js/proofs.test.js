@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { proofs } from "../../www/errata/proofs.js";
 
-const page = readFileSync(new URL("../../www/errata/index.html", import.meta.url), "utf8");
+const page = readFileSync(new URL("../../www/errata/index.md", import.meta.url), "utf8");
 const asked = [...page.matchAll(/data-proof="([\w-]+)"/g)].map(([, name]) => name);
 
 for (const [name, prove] of Object.entries(proofs)) {

@@ -2,9 +2,10 @@
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
-import { highlight } from "../../www/build/highlight.js";
+import { codeHighlighter } from "../../www/build/highlight.js";
 import { unwrap } from "../../www/build/samples.js";
 
+const highlight = await codeHighlighter();
 const folder = new URL("../../www/samples/", import.meta.url);
 const read = (name) => readFileSync(new URL(name, folder), "utf8");
 const files = readdirSync(folder);

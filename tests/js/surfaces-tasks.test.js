@@ -8,7 +8,7 @@ import { figureOf } from "../../js/elements/surface/figure.js";
 import { Geometry } from "../../js/elements/surface/geometry.js";
 import { surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
-import { SURFACES } from "../../www/surfaces/figures/surfaces.js";
+import { SURFACES } from "../../www/figures/lib/surfaces.js";
 
 const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
 
@@ -188,15 +188,15 @@ for (const [name, { start, vain, right }] of Object.entries(TASKS)) {
   });
 }
 
-const html = readFileSync(new URL("../../www/surfaces/index.html", import.meta.url), "utf8");
-const used = [...html.matchAll(/<lesson-task name="([\w-]+)"(?: for="([\w-]+)")?/g)];
+const chapter = readFileSync(new URL("../../www/surfaces/index.md", import.meta.url), "utf8");
+const used = [...chapter.matchAll(/^::: task ([\w-]+)(?: for=([\w-]+))?$/gm)];
 
 test("every task of the chapter is tested or only predicted, and is about a figure that is there", async () => {
   assert.ok(used.length >= 16);
   for (const [, name, about] of used) {
     const task = await load(name);
     assert.equal(Boolean(task.check), name in TASKS, name);
-    if (task.check) assert.match(html, new RegExp(` id="${about}"`));
+    if (task.check) assert.match(chapter, new RegExp(` id="${about}"`));
     if (!task.predict) continue;
     const { options, answer, because } = task.predict;
     assert.ok(answer in options && because.length > 20, name);
@@ -209,14 +209,10 @@ test("every task of the chapter is tested or only predicted, and is about a figu
 });
 
 test("each section ends with a task and a sample", () => {
-  const sections = html.split("<section ").slice(1);
+  const sections = chapter.split(/^## /m).slice(1);
   assert.ok(sections.length >= 13);
   for (const section of sections)
-    assert.match(
-      section,
-      /<lesson-task [\s\S]*<lesson-sample name="[\w-]+"><\/lesson-sample>\s*<\/section>/,
-      section.slice(0, 40),
-    );
+    assert.match(section, /^::: task [\s\S]*^::: sample [\w-]+\n:::\s*(\[|$(?![\s\S]))/m, section.slice(0, 40));
 });
 
 test("what the text says of the predictions and of the data is so", async () => {

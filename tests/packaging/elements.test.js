@@ -137,12 +137,9 @@ element.addEventListener("update", () => {
 
 /** The pieces of code that a section of the site's guide shows. */
 async function documented(section) {
-  const guide = await readFile(`${root}www/elements/index.html`, "utf8");
-  const part = guide.match(new RegExp(`<section id="${section}">([\\s\\S]*?)</section>`))?.[1] ?? "";
-  const plain = (text) => text.replaceAll("&lt;", "<").replaceAll("&gt;", ">").replaceAll("&amp;", "&");
-  return [...part.matchAll(/<pre><code data-code="(?:html|js)">([\s\S]*?)<\/code><\/pre>/g)].map(([, code]) =>
-    plain(code),
-  );
+  const guide = await readFile(`${root}www/elements/index.md`, "utf8");
+  const part = guide.split(/^## /m).find((text) => text.includes(`{#${section}}`)) ?? "";
+  return [...part.matchAll(/^```(?:html|js)\n([\s\S]*?)^```/gm)].map(([, code]) => code);
 }
 
 test("the lines of the guide, from a copied folder and from npm", async (t) => {

@@ -24,7 +24,8 @@ for (const path of Object.keys(TAGS)) {
 }
 
 test("applications and figures work under a strict policy", async (t) => {
-  const policy = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data:";
+  const policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data:; font-src 'self'";
   const site = await serve({ "/": `${root}site` }, { "Content-Security-Policy": policy });
   t.after(site.close);
   for (const [path, tag] of [...Object.entries(TAGS), ["/figures/", "fig-compare"]]) {

@@ -88,7 +88,7 @@ test("the sections, and every place that the list of the texts links to, are the
       all.filter((s) => !s.querySelector("lesson-task") || !s.querySelector("lesson-sample")).map(({ id }) => id),
     );
   assert.deepEqual(bare, [], "each has a task and a sample");
-  const listed = (await readFile(`${root}www/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
+  const listed = (await readFile(`${root}site/texts/index.html`, "utf8")).matchAll(/curves\/#([\w-]+)"/g);
   const missing = await page.evaluate(
     (ids) => ids.filter((id) => !document.getElementById(id)),
     Array.from(listed, ([, id]) => id),
@@ -167,10 +167,10 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
   const middle = () =>
     elevation.evaluate((/** @type {any} */ element) => Object.values(element.figure.pieces[0].curve.eval(0.5)));
   const before = await middle();
-  await page.getByRole("button", { name: "One degree more" }).click();
+  await page.getByRole("button", { name: "Raise the degree" }).click();
   assert.equal((await elevation.evaluate((/** @type {any} */ element) => element.points)).length, 4);
   assert.ok((await middle()).every((x, i) => Math.abs(x - before[i]) < 1e-9));
-  assert.match(await page.locator("#elevated").innerText(), /Degree 3/);
+  assert.match(await page.locator("degree-buttons [role=status]").innerText(), /Degree 3/);
 });
 
 test("the matrix: a basis by its name, then numbers typed, NaN refused", async (t) => {
@@ -185,7 +185,7 @@ test("the matrix: a basis by its name, then numbers typed, NaN refused", async (
     await fields.nth(i).fill(String(value));
   await done(page, "straight-matrix");
   await fields.nth(0).fill("NaN");
-  assert.match(await page.locator("#matrix .words").innerText(), /NaN is no number/);
+  assert.match(await page.locator("#matrix .note").innerText(), /expected a number, got “NaN”/);
   const kept = await applet.evaluate((/** @type {any} */ element) => element.figure.pieces[0].curve.eval(0.5));
   assert.deepEqual(kept, { x: 335, y: 360 });
 });
@@ -215,7 +215,7 @@ test("figures that share their points move together, and a dashed curve lies whe
   assert.match(await page.locator('lesson-task[name="match-shape"] .words').innerText(), /Within 0\.00 px/);
   const [picture, dashed] = await Promise.all([
     boxOf(match.locator("canvas")),
-    boxOf(page.locator("#figure-match .target > svg")),
+    boxOf(page.locator("#figure-match curve-target > svg")),
   ]);
   for (const side of /** @type {const} */ (["x", "y", "width", "height"]))
     assert.ok(Math.abs(picture[side] - dashed[side]) < 2.5, `${side}: ${picture[side]} and ${dashed[side]}`);

@@ -78,7 +78,7 @@ test("glyph: points are added without changing the outline, and healed away agai
   assert.ok(healed.equals(before, 1e-6));
   const { x, y } = await page.evaluate(() => {
     const editor = document.querySelector("glyph-editor");
-    const rect = editor.shadowRoot.querySelector(".sheet").getBoundingClientRect();
+    const rect = editor.shadowRoot.querySelector(".outline-view").getBoundingClientRect();
     const [px, py] = editor.scales().place([620, 600]);
     return { x: rect.x + (px * rect.width) / editor.wide, y: rect.y + (py * rect.width) / editor.wide };
   });
@@ -144,7 +144,7 @@ test("glyph: any closeness, by buttons and keys, and back", async (t) => {
   const page = await open(t, "/glyph/");
   await page.getByRole("slider", { name: "Contour 1, point 5, x" }).focus();
   for (let i = 0; i < 4; i++) await page.getByRole("button", { name: "Close-up" }).click();
-  await page.locator(".sheet").focus();
+  await page.locator(".outline-view").focus();
   await page.keyboard.press("+");
   const units = () => page.evaluate(() => document.querySelector("glyph-editor").seen.units);
   assert.ok((await units()) < 1, String(await units()));
@@ -178,12 +178,12 @@ test("glyph: where boxes for fingers overlap, the nearest handle is taken", asyn
 
 test("glyph: two fingers zoom", async (t) => {
   const page = await open(t, "/glyph/", PHONE);
-  const sheet = page.locator(".sheet");
+  const picture = page.locator(".outline-view");
   for (let i = 0; i < 2; i++) await page.getByRole("button", { name: "Zoom out" }).click(); // room beside the handles
-  await sheet.scrollIntoViewIfNeeded();
+  await picture.scrollIntoViewIfNeeded();
   const units = () => page.evaluate(() => document.querySelector("glyph-editor").seen.units);
   const before = await units();
-  const { x, y, width } = await boxOf(sheet);
+  const { x, y, width } = await boxOf(picture);
   const cdp = await page.context().newCDPSession(page);
   const touch = (type, apart) =>
     cdp.send("Input.dispatchTouchEvent", {

@@ -112,3 +112,19 @@ test("a task that is revealed says so, and does not count as done", async (t) =>
   assert.match(await said.innerText(), /one answer.*You predicted it/);
   await page.waitForFunction(() => document.querySelector('lesson-task[name="make-c1"]').state === "revealed");
 });
+
+test("a question with a wrong answer is not done, and says which answer is right", async (t) => {
+  const page = await open(t, "/surfaces/");
+  for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
+    [0, "wrong", /Your guess was another; the answer is: two/],
+    [1, "done", /You predicted it/],
+  ])) {
+    await page.reload();
+    const task = page.locator('lesson-task[name="rows-on-surface"]');
+    await task.scrollIntoViewIfNeeded();
+    await task.getByRole("radio").nth(guess).check();
+    await task.getByRole("button", { name: "guess" }).click();
+    assert.equal(await task.getAttribute("data-state"), state);
+    assert.match(await task.getByRole("status").innerText(), words);
+  }
+});

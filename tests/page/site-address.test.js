@@ -40,7 +40,7 @@ test("a drag is in the address when it is done, undone it is gone, and the addre
     `${await pointOf(other, 1)} and ${moved}`,
   );
   assert.equal(await message(other).count(), 0);
-  await hero(page).getByRole("button", { name: "Undo" }).click();
+  await page.keyboard.press("Control+z");
   await page.waitForFunction(() => location.hash === "#hero");
 });
 
@@ -131,6 +131,7 @@ for (const fragment of ["#hero?points=1,2,3&t=NaN", `#${"%".repeat(1_000_000)}`]
 const EMBEDDED = [
   ["", "bezier-applet", null],
   ["?points=60,360+160,60+500,60+600,360&t=0.3&controls=", "bezier-applet", null],
+  ["?label=My+curve:+100%25!", "bezier-applet", null],
   ["?element=bezier-surface&model=patch&show=surface+net&u=0.3", "bezier-surface", null],
   [
     "?element=script&src=x",

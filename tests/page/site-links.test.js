@@ -63,11 +63,13 @@ test("every anchor is there", () => {
 
 test("no id is given twice, and all pages have the same names of pages above", () => {
   const names = (html) =>
-    [...html.matchAll(/<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g)]
-      .slice(0, 8)
-      .map(([, path, name]) => `${path} ${name}`);
+    [
+      ...(html.match(/<header class="site">.*?<\/header>/s)?.[0] ?? "").matchAll(
+        /<li><a href="(?:\.\.\/)?([a-z]+\/)"[^>]*>(\w+)<\/a><\/li>/g,
+      ),
+    ].map(([, path, name]) => `${path} ${name}`);
   const expected = names(readFileSync(`${root}site/index.html`, "utf8"));
-  assert.equal(expected.length, 8);
+  assert.ok(expected.length >= 6, expected.join(", "));
   for (const path of PAGES) {
     const { text } = found.get(new URL(`.${path}`, server.url + FOLDER).href);
     const all = idsOf(text);

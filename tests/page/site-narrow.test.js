@@ -23,7 +23,9 @@ async function fits(page, { width }) {
   const wide = await page.evaluate(() =>
     [...document.querySelectorAll("body *")]
       .filter(
-        (element) => element.getBoundingClientRect().right > innerWidth + 1 && !element.closest("math, .scroll, .skip"),
+        (element) =>
+          element.getBoundingClientRect().right > innerWidth + 1 &&
+          !element.closest("math, .scroll, .skip, pre > code"),
       )
       .map((element) => element.outerHTML.slice(0, 80)),
   );

@@ -10,8 +10,8 @@ export const PAGES = readdirSync(`${root}site`, { recursive: true, encoding: "ut
   .map((name) => `/${name.replace(/\\/g, "/").replace(/index\.html$/, "")}`)
   .sort();
 
-/** These carry the tutorial's inline lines, to the letter. */
-const INLINE = ["/", "/applet/"];
+/** This one carries the tutorial's inline lines, to the letter. */
+const INLINE = ["/applet/"];
 const POLICY =
   "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:";
 

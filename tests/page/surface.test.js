@@ -128,6 +128,27 @@ test("cracks do not depend on where a patch begins: every other patch of the tea
   assert.deepEqual(counts((await facts(page)).text), counts(before));
 });
 
+test("a surface of another entry point, which has classes of its own", async (t) => {
+  const page = await openSurface(t, 'flatness="0.05"');
+  await page.evaluate(async () => {
+    const { Surface } = await import(new URL("./dist/surfaces.js", location.href).href);
+    const points = [0, 1, 2, 3].flatMap((y) => [0, 1, 2, 3].map((x) => [x, y, 0]));
+    const element = document.querySelector("bezier-surface");
+    element.surface = new Surface({ vertices: points, patches: [points.map((_, k) => k)] });
+  });
+  await set(page, {});
+  assert.match((await facts(page)).text, /1\s+pieces, 0\s+deep\s+0\s+cracks/);
+  const refusal = await page.evaluate(() => {
+    try {
+      document.querySelector("bezier-surface").surface = { casteljauType: "mesh" };
+    } catch (error) {
+      return String(error);
+    }
+    return "";
+  });
+  assert.equal(refusal, "TypeError: surface: expected a Surface or null, got object");
+});
+
 test("curves as tubes: bodies without their surface", async (t) => {
   const page = await openSurface(t, 'show="tubes" lines="2"');
   const few = await facts(page);

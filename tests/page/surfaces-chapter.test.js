@@ -48,11 +48,11 @@ test("the sections, the figures' own places, and all that other pages link to ar
   const page = await open(t);
   assert.deepEqual(await page.locator("main > section").evaluateAll((all) => all.map(({ id }) => id)), SECTIONS);
   assert.deepEqual(await page.locator("main figure:not([id])").count(), 0);
-  const pages = readdirSync(`${root}www`, { recursive: true, encoding: "utf8" }).filter((name) =>
+  const pages = readdirSync(`${root}site`, { recursive: true, encoding: "utf8" }).filter((name) =>
     name.endsWith(".html"),
   );
   const wanted = pages.flatMap((name) =>
-    [...readFileSync(`${root}www/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id),
+    [...readFileSync(`${root}site/${name}`, "utf8").matchAll(/surfaces\/#([\w-]+)"/g)].map(([, id]) => id),
   );
   assert.ok(wanted.length > 15);
   assert.deepEqual(await page.evaluate((ids) => ids.filter((id) => !document.getElementById(id)), wanted), []);

@@ -14,7 +14,9 @@ export async function open(t, options = {}) {
   );
   await page.waitForFunction(
     () =>
-      customElements.get("bezier-surface") && customElements.get("lesson-task") && customElements.get("surface-knobs"),
+      customElements.get("bezier-surface") &&
+      customElements.get("lesson-task") &&
+      customElements.get("surface-controls"),
   );
   return page;
 }
@@ -51,5 +53,5 @@ export async function done(page, name) {
   return page.locator(`lesson-task[name="${name}"] .words`).innerText();
 }
 
-/** The knobs of a figure. */
-export const knobs = (page, id) => page.locator(`surface-knobs[for="${id}"]`);
+/** The controls of a figure. */
+export const controls = (page, id) => page.locator(`surface-controls[for="${id}"]`);

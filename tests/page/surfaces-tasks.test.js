@@ -1,7 +1,7 @@
 // The tasks and figures of the chapter on surfaces, by hand: sliders, keys, pointer, text.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { done, knobs, near, open, task } from "./surfaces-page.js";
+import { done, controls, near, open, task } from "./surfaces-page.js";
 import { boxOf } from "./browser.js";
 
 test("a corner, by the sliders' keys, after a guess", async (t) => {
@@ -10,8 +10,8 @@ test("a corner, by the sliders' keys, after a guess", async (t) => {
   const found = await task(page, "corner-10", 2);
   await found.getByRole("button", { name: "Check" }).click();
   assert.match(await found.locator(".words").innerText(), /u = 0\.30/);
-  await knobs(page, "map-surface").getByRole("slider", { name: "u" }).press("End");
-  await knobs(page, "map-surface").getByRole("slider", { name: "v" }).press("Home");
+  await controls(page, "map-surface").getByRole("slider", { name: "u" }).press("End");
+  await controls(page, "map-surface").getByRole("slider", { name: "v" }).press("Home");
   assert.match(await done(page, "corner-10"), /Your guess was another; the answer is: P03/);
   assert.match(await page.locator("unit-square .note").innerText(), /S\(1, 0\) = \(3\.00, −3\.00, 0\.50\)/);
 });
@@ -49,7 +49,7 @@ test("a point of the net is pulled down until the patch is flat", async (t) => {
 test("steps, and the surface that grows", async (t) => {
   const page = await open(t);
   await near(page, "evaluation-surface");
-  const steps = knobs(page, "evaluation-surface");
+  const steps = controls(page, "evaluation-surface");
   for (const words of [/2 of 4/, /3 of 4/, /4 of 4/]) {
     await steps.getByRole("button", { name: "Next step" }).click();
     await steps.getByText(words).waitFor();
@@ -58,7 +58,7 @@ test("steps, and the surface that grows", async (t) => {
   await near(page, "curves-surface");
   const u = () => page.evaluate(() => document.querySelector("#curves-surface").u);
   const before = await u();
-  await page.getByRole("button", { name: "Let it grow" }).click();
+  await page.locator("surface-player").getByRole("button", { name: "Play" }).click();
   await page.waitForFunction((before) => document.querySelector("#curves-surface").u > before + 0.02, before);
   await page.getByRole("button", { name: "Stop" }).click();
   const held = await u();
@@ -70,8 +70,8 @@ test("the table gets round, and the crack closes", async (t) => {
   const page = await open(t);
   await near(page, "disc-surface");
   await task(page, "round-disc");
-  await knobs(page, "disc-surface").getByRole("button", { name: "by tolerance" }).click();
-  await knobs(page, "disc-surface").getByRole("slider", { name: "Tolerance" }).fill("-2.1");
+  await controls(page, "disc-surface").getByRole("button", { name: "by tolerance" }).click();
+  await controls(page, "disc-surface").getByRole("slider", { name: "Tolerance" }).fill("-2.1");
   assert.match(await done(page, "round-disc"), /Round/);
   await task(page, "close-crack", 1);
   await page.locator("crack-strip").getByRole("slider", { name: "Right patch" }).press("ArrowRight");
@@ -129,12 +129,12 @@ test("a patch file is written and shown; what is none is refused in words", asyn
 test("a point is moved, and the nearest place of the pot follows", async (t) => {
   const page = await open(t);
   await near(page, "nearest-surface");
-  const words = () => knobs(page, "nearest-surface").locator(".note").innerText();
+  const words = () => controls(page, "nearest-surface").locator(".note").innerText();
   const before = await words();
   assert.match(before, /away: patch \d+, u = 0\.\d\d, v = [01]\.\d\d/);
-  await knobs(page, "nearest-surface").getByRole("slider", { name: "z" }).fill("4");
+  await controls(page, "nearest-surface").getByRole("slider", { name: "z" }).fill("4");
   await page.waitForFunction(
-    (before) => document.querySelector('surface-knobs[for="nearest-surface"] .note').textContent !== before,
+    (before) => document.querySelector('surface-controls[for="nearest-surface"] .note').textContent !== before,
     before,
   );
   const { distance, expected } = await page.evaluate(() => {

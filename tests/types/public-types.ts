@@ -132,7 +132,7 @@ export function draw(
   teapot: TeapotOptions,
   point: PointLike,
 ): Mesh[] {
-  path.contains(point, rule);
+  path.contains(point, { fillRule: rule });
   path.transform(matrix).toSVG(svg);
   spline.setJoint(1, mode);
   new Patch(net).equals(Patch.fromBasis(basis, net));

@@ -1,37 +1,53 @@
-// Colours for code: enough to tell words, strings, numbers and comments apart. Runs while the site is built.
+// Code in colours, by Shiki while the site is built: classes, whose colours site.css gives for light and dark.
+import { createCssVariablesTheme, createHighlighter } from "shiki";
 
-const KEYWORDS = {
-  js: "await break case class const continue default delete else export extends false for from function if import in instanceof let new null of return static super switch this throw true try typeof undefined while yield",
-  rs: "as bool break const continue crate else enum f32 f64 false fn for if impl in let loop match mod move mut pub ref return self Self struct super trait true type use usize where while",
-  html: "",
-  css: "",
+const LANGUAGES = ["js", "rust", "html", "css", "sh"];
+/** Names of languages as pages write them. @type {Record<string, string>} */
+const ALIASES = { rs: "rust", "": "text", javascript: "js" };
+/**
+ * Class names by Shiki's kinds of tokens, and which tokens of a kind have it. All others have the colour of the text: it keeps
+ * the pages small.
+ *
+ * @type {Record<string, { name: string, pattern: RegExp }>}
+ */
+const CLASSES = {
+  "token-comment": { name: "comment", pattern: /\S/ },
+  "token-keyword": { name: "keyword", pattern: /^\s*[a-z]/ }, // not operators
+  "token-string": { name: "string", pattern: /\S/ },
+  "token-string-expression": { name: "string", pattern: /\S/ },
+  "token-constant": { name: "number", pattern: /^\s*\d/ },
 };
-
-/** Order matters: what begins a comment or a string is neither a word nor a number. A Rust lifetime is no string. */
-const TOKENS =
-  /(?<comment>\/\/[^\n]*|\/\*[\s\S]*?\*\/|<!--[\s\S]*?-->)|(?<string>"(?:\\.|[^"\\])*"|`(?:\\.|[^`\\])*`|'(?:\\.|[^'\\\n])')|(?<number>\b\d[\d_]*(?:\.\d+)?(?:e[+-]?\d+)?(?:f64|f32|u32|usize|_f64)?\b)|(?<word>[A-Za-z_$][\w$]*)/g;
 
 /** @param {string} text */
 export const escapeHtml = (text) =>
   text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] ?? c);
 
-/**
- * The code as HTML, with `<span class="comment|string|number|keyword">` around what is one.
- *
- * @param {string} code
- * @param {keyof typeof KEYWORDS} language
- * @returns {string}
- */
-export function highlight(code, language) {
-  const keywords = new Set(KEYWORDS[language].split(" "));
-  let html = "";
-  let end = 0;
-  for (const match of code.matchAll(TOKENS)) {
-    const kind = Object.entries(match.groups ?? {}).find(([, text]) => text !== undefined)?.[0];
-    const name = kind !== "word" ? kind : keywords.has(match[0]) ? "keyword" : "";
-    html += escapeHtml(code.slice(end, match.index));
-    html += name ? `<span class="${name}">${escapeHtml(match[0])}</span>` : escapeHtml(match[0]);
-    end = match.index + match[0].length;
-  }
-  return html + escapeHtml(code.slice(end));
+/** @returns {Promise<(code: string, language: string) => string>} code as HTML, with `<span class="comment">` … */
+export async function codeHighlighter() {
+  const theme = createCssVariablesTheme({ name: "site", variablePrefix: "--" });
+  const highlighter = await createHighlighter({ themes: [theme], langs: LANGUAGES });
+  return (code, language) => {
+    const lang = ALIASES[language] ?? language;
+    const { tokens } = highlighter.codeToTokens(code, { lang: /** @type {any} */ (lang), theme: "site" });
+    return tokens.map((line) => joined(line).map(spanOf).join("")).join("\n");
+  };
 }
+
+/** @typedef {{ kind: string, content: string }} Word */
+
+/** Neighbours of one kind in one. @param {readonly { content: string, color?: string }[]} line */
+function joined(line) {
+  const words = /** @type {Word[]} */ ([]);
+  for (const { content, color } of line) {
+    const known = CLASSES[color?.match(/var\(--([\w-]+)\)/)?.[1] ?? ""];
+    const kind = known?.pattern.test(content) ? known.name : "";
+    const last = words.at(-1);
+    if (last && (last.kind === kind || content.trim() === "")) last.content += content;
+    else words.push({ kind, content });
+  }
+  return words;
+}
+
+/** @param {Word} word */
+const spanOf = ({ kind, content }) =>
+  kind ? `<span class="${kind}">${escapeHtml(content)}</span>` : escapeHtml(content);

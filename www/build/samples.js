@@ -1,8 +1,7 @@
-// Colours code, and writes that of every <lesson-sample name="…"> into the page while the site is built, so that it can be read, found
-// and printed without JavaScript. What is shown is what the tests run, without its wrapper.
+// The code of the samples, written into the pages while the site is built, so that it can be read, found and printed without
+// JavaScript. It is the code that the tests run, without its wrapper.
 import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { highlight } from "./highlight.js";
 
 const folder = fileURLToPath(new URL("../samples/", import.meta.url));
 
@@ -41,31 +40,16 @@ export function unwrap(source, language) {
   return `${before.trim()}\n\n${shown.trim()}`.trim();
 }
 
-/** @param {string} name */
-function written(name) {
+/**
+ * A sample's code in both languages, as HTML.
+ *
+ * @param {string} name
+ * @param {(code: string, language: string) => string} highlight
+ */
+export function sampleCode(name, highlight) {
+  if (!existsSync(`${folder}${name}.js`)) throw new Error(`expected the sample www/samples/${name}.js`);
   const read = (/** @type {string} */ ending) => readFileSync(`${folder}${name}.${ending}`, "utf8");
   const code = (/** @type {"js" | "rs"} */ language) =>
-    `<pre data-language="${language}"><code>${highlight(unwrap(read(language), language), language)}</code></pre>`;
+    `<pre tabindex="0" data-language="${language}"><code>${highlight(unwrap(read(language), language), language)}</code></pre>`;
   return code("js") + code("rs");
 }
-
-/** What `<code data-code="js">` holds, before it is coloured. @param {string} html */
-const plain = (html) => html.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&amp;/g, "&");
-
-/** Vite's plugin. A sample that is not there fails the build; while working on a page it only says so. */
-export const lessonSamples = {
-  name: "lesson-samples",
-  transformIndexHtml: {
-    order: /** @type {const} */ ("pre"),
-    handler: (/** @type {string} */ html) =>
-      html
-        .replace(/(<lesson-sample\b[^>]*\bname="([\w-]+)"[^>]*>)\s*(?=<\/lesson-sample>)/g, (_, tag, name) => {
-          if (!existsSync(`${folder}${name}.js`)) throw new Error(`there is no sample www/samples/${name}.js`);
-          return tag + written(name);
-        })
-        .replace(
-          /(<code data-code="(\w+)">)([^<]*)(?=<\/code>)/g,
-          (_, tag, language, code) => tag + highlight(plain(code), language),
-        ),
-  },
-};

@@ -3,7 +3,7 @@
 import { frameOf, HOME, moved, placeOf, sightOf } from "../../js/elements/surface/camera.js";
 import { framingPoints, surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
-import { SURFACES } from "../surfaces/figures/surfaces.js";
+import { SURFACES } from "../figures/lib/surfaces.js";
 
 const [WIDTH, HEIGHT] = [600, 400];
 /** Curves that divide each patch into so many strips: one patch can have more than thirty-two. */
@@ -58,15 +58,9 @@ function pathOf(curve, sight) {
   return `M${first}${rest.length === 3 ? "C" : rest.length === 2 ? "Q" : "L"}${rest.join(" ")}`;
 }
 
-/** Vite's plugin: it takes the place of the words that stand in the element. */
-export const surfacePosters = {
-  name: "surface-posters",
-  transformIndexHtml: {
-    order: /** @type {const} */ ("pre"),
-    handler: (/** @type {string} */ html) =>
-      html.replace(
-        /(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g,
-        (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes)),
-      ),
-  },
-};
+/** Draws the picture into every `<bezier-surface>` of a page that holds no elements. @param {string} html */
+export const addSurfacePosters = (html) =>
+  html.replace(
+    /(<bezier-surface\b((?:[^>"']|"[^"]*"|'[^']*')*)>)[^<]*(?=<\/bezier-surface>)/g,
+    (_, tag, attributes) => tag + surfacePoster(attributesOf(attributes)),
+  );

@@ -1,9 +1,9 @@
 // A camera on its way: what it sees, where it is, and what even speed and calm frames are worth.
 import { css, html, svg } from "lit";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { check, choice, handle, list, pathOf, slider } from "../figures/parts.js";
-import { decimal, short } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { check, choice, handle, list, pathOf, slider } from "../figures/lib/parts.js";
+import { decimal, short } from "../figures/lib/numbers.js";
 import { cameraCode } from "./code.js";
 import { equalSteps, framesOf, lookingAt, pathThrough, timeAt } from "./path.js";
 import { rolls, strip } from "./plots.js";
@@ -44,7 +44,10 @@ export class CameraPath extends Figure {
     this.state = FIRST;
     this.path = pathThrough(FIRST.points, FIRST);
     this.length = 0;
-    this.line = this.stops = new Float64Array();
+    /** @type {Float64Array} */
+    this.line = new Float64Array();
+    /** @type {Float64Array} */
+    this.stops = this.line;
     /** @type {import("./path.js").Frame[]} */
     this.frames = [];
     this.progress = 0;
@@ -123,27 +126,27 @@ export class CameraPath extends Figure {
   /** @param {import("./state.js").State} state */
   change(state) {
     this.state = state;
-    this.tell();
+    this.notifyChange();
   }
 
   updated() {
     const style = getComputedStyle(this);
     const colours = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
     const { camera, frame } = this.here;
-    this.paint("eye", camera, (sheet) => {
-      drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.handle, 1.5, () => line(sheet, this.line));
+    this.paint("eye", camera, (drawContext) => {
+      drawScene(drawContext, /** @type {any} */ (colours));
+      stroke(drawContext, colours.handle, 1.5, () => line(drawContext, this.line));
     });
-    this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (sheet) => {
-      drawScene(sheet, /** @type {any} */ (colours));
-      stroke(sheet, colours.quiet, 1.5, () => line(sheet, this.line));
-      drawFrames(sheet, this.frames, 0.9, /** @type {any} */ (colours));
-      drawFrames(sheet, [frame], 1.6, /** @type {any} */ (colours));
-      drawCamera(sheet, { ...camera, angle: 0.5 }, 1.3, colours.ink);
+    this.paint("outside", orbiting(this.orbit.turn, this.orbit.tilt, 38), (drawContext) => {
+      drawScene(drawContext, /** @type {any} */ (colours));
+      stroke(drawContext, colours.quiet, 1.5, () => line(drawContext, this.line));
+      drawFrames(drawContext, this.frames, 0.9, /** @type {any} */ (colours));
+      drawFrames(drawContext, [frame], 1.6, /** @type {any} */ (colours));
+      drawCamera(drawContext, { ...camera, angle: 0.5 }, 1.3, colours.ink);
     });
   }
 
-  /** @param {string} name @param {import("./scene.js").Camera} camera @param {(sheet: import("./scene.js").Sheet) => void} draw */
+  /** @param {string} name @param {import("./scene.js").Camera} camera @param {(drawContext: import("./scene.js").DrawContext) => void} draw */
   paint(name, camera, draw) {
     const canvas = /** @type {HTMLCanvasElement} */ (this.renderRoot.querySelector(`#${name}`));
     const width = canvas.clientWidth;
@@ -228,7 +231,7 @@ export class CameraPath extends Figure {
           step: 0.1,
           say: (value) => short(value, 2),
           move: ([x, y]) => (this.state = moved(this.state, k, [x, y, point[2]])),
-          done: () => this.tell(),
+          done: () => this.notifyChange(),
           focus: () => (this.chosen = k),
         }),
       )}
@@ -270,7 +273,7 @@ export class CameraPath extends Figure {
             ["upright", "upright"],
           ],
           value: state.frames,
-          change: (frames) => set({ frames }),
+          change: (frames) => set({ frames: /** @type {import("./path.js").FrameKind} */ (frames) }),
         })}
         ${choice({
           name: "Look",
@@ -279,7 +282,7 @@ export class CameraPath extends Figure {
             ["teapot", "at the teapot"],
           ],
           value: state.look,
-          change: (look) => set({ look }),
+          change: (look) => set({ look: /** @type {"ahead" | "teapot"} */ (look) }),
         })}
       </div>
       <div class="controls">

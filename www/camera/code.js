@@ -1,5 +1,5 @@
 // The page's path as a program.
-import { tuple } from "../figures/words.js";
+import { tuple } from "../figures/lib/numbers.js";
 
 /**
  * @param {import("./state.js").State} state

@@ -1,6 +1,6 @@
 // The page is the camera; this starts it and keeps the path in the address.
 import "../parts/page.js";
-import { keepInAddress } from "../figures/address.js";
+import { keepInAddress } from "../figures/lib/address.js";
 import { CameraPath } from "./camera-path.js";
 import { checked } from "./state.js";
 

@@ -1,7 +1,7 @@
 // Two plots along the path: ways in equal times, and how frames turn about it.
 import { html, svg } from "lit";
 import { guard } from "lit/directives/guard.js";
-import { decimal } from "../figures/words.js";
+import { decimal } from "../figures/lib/numbers.js";
 import { equalSteps, framesOf, minimising, roll } from "./path.js";
 
 /** @typedef {import("./camera-path.js").CameraPath} CameraPath */

@@ -5,7 +5,7 @@ import { cross, dot, minus, plus, times, unit } from "./path.js";
 /** @typedef {import("./path.js").Vector} Vector */
 /** @typedef {import("./path.js").Frame} Frame */
 /** @typedef {{ eye: Vector, right: Vector, up: Vector, forward: Vector, angle: number }} Camera `angle`: half of what it sees across, in radians */
-/** @typedef {{ ctx: CanvasRenderingContext2D, width: number, height: number, camera: Camera }} Sheet */
+/** @typedef {{ ctx: CanvasRenderingContext2D, width: number, height: number, camera: Camera }} DrawContext */
 
 /** Nothing nearer to the eye is drawn. */
 const NEAR = 0.05;
@@ -71,45 +71,45 @@ const seen = ({ eye, right, up, forward }, point) => {
   return [dot(from, right), dot(from, up), dot(from, forward)];
 };
 
-/** @param {Sheet} sheet @param {Vector} p in the camera's axes @returns {[number, number]} */
-function onSheet({ width, height, camera }, [x, y, z]) {
+/** @param {DrawContext} drawContext @param {Vector} p in the camera's axes @returns {[number, number]} */
+function toPixels({ width, height, camera }, [x, y, z]) {
   const scale = width / 2 / Math.tan(camera.angle) / z;
   return [width / 2 + x * scale, height / 2 - y * scale];
 }
 
-/** The place on the sheet; null behind the eye. @param {Sheet} sheet @param {Vector} point */
-export function project(sheet, point) {
-  const p = seen(sheet.camera, point);
-  return p[2] > NEAR ? onSheet(sheet, p) : null;
+/** The place on the canvas; null behind the eye. @param {DrawContext} drawContext @param {Vector} point */
+export function project(drawContext, point) {
+  const p = seen(drawContext.camera, point);
+  return p[2] > NEAR ? toPixels(drawContext, p) : null;
 }
 
 /**
  * Adds a polyline to the canvas's path, cut where it comes too near to the eye.
  *
- * @param {Sheet} sheet
+ * @param {DrawContext} drawContext
  * @param {ArrayLike<number>} flat
  */
-export function line(sheet, flat) {
-  let before = seen(sheet.camera, [flat[0], flat[1], flat[2]]);
+export function line(drawContext, flat) {
+  let before = seen(drawContext.camera, [flat[0], flat[1], flat[2]]);
   for (let i = 3; i < flat.length; i += 3) {
-    const next = seen(sheet.camera, [flat[i], flat[i + 1], flat[i + 2]]);
-    segment(sheet, before, next, i === 3);
+    const next = seen(drawContext.camera, [flat[i], flat[i + 1], flat[i + 2]]);
+    segment(drawContext, before, next, i === 3);
     before = next;
   }
 }
 
-/** @param {Sheet} sheet @param {Vector} a @param {Vector} b @param {boolean} first */
-function segment(sheet, a, b, first) {
+/** @param {DrawContext} drawContext @param {Vector} a @param {Vector} b @param {boolean} first */
+function segment(drawContext, a, b, first) {
   if (a[2] <= NEAR && b[2] <= NEAR) return;
   const cut = (/** @type {Vector} */ hidden, /** @type {Vector} */ shown) =>
     plus(hidden, times(minus(shown, hidden), (NEAR - hidden[2]) / (shown[2] - hidden[2])));
   const from = a[2] <= NEAR ? cut(a, b) : a;
   const to = b[2] <= NEAR ? cut(b, a) : b;
-  if (first || from !== a) sheet.ctx.moveTo(...onSheet(sheet, from));
-  sheet.ctx.lineTo(...onSheet(sheet, to));
+  if (first || from !== a) drawContext.ctx.moveTo(...toPixels(drawContext, from));
+  drawContext.ctx.lineTo(...toPixels(drawContext, to));
 }
 
-/** Strokes what `add` adds. @param {Sheet} sheet @param {string} colour @param {number} width @param {() => void} add */
+/** Strokes what `add` adds. @param {DrawContext} drawContext @param {string} colour @param {number} width @param {() => void} add */
 export function stroke({ ctx }, colour, width, add) {
   ctx.beginPath();
   add();
@@ -121,24 +121,24 @@ export function stroke({ ctx }, colour, width, add) {
 /**
  * The floor and the teapot.
  *
- * @param {Sheet} sheet
+ * @param {DrawContext} drawContext
  * @param {{ grid: string, curve: string }} colours
  */
-export function drawScene(sheet, colours) {
-  sheet.ctx.lineJoin = sheet.ctx.lineCap = "round";
-  stroke(sheet, colours.grid, 1, () => floor.forEach((flat) => line(sheet, flat)));
-  stroke(sheet, colours.curve, 1.25, () => teapot.forEach((flat) => line(sheet, flat)));
+export function drawScene(drawContext, colours) {
+  drawContext.ctx.lineJoin = drawContext.ctx.lineCap = "round";
+  stroke(drawContext, colours.grid, 1, () => floor.forEach((flat) => line(drawContext, flat)));
+  stroke(drawContext, colours.curve, 1.25, () => teapot.forEach((flat) => line(drawContext, flat)));
 }
 
 /**
  * Little axes of frames: ahead, up and right.
  *
- * @param {Sheet} sheet
+ * @param {DrawContext} drawContext
  * @param {Frame[]} frames
  * @param {number} size
  * @param {{ handle: string, level1: string, level2: string }} colours
  */
-export function drawFrames(sheet, frames, size, colours) {
+export function drawFrames(drawContext, frames, size, colours) {
   const axes = /** @type {const} */ ([
     ["binormal", colours.level2],
     ["normal", colours.level1],
@@ -146,21 +146,21 @@ export function drawFrames(sheet, frames, size, colours) {
   ]);
   for (const [axis, colour] of axes) {
     const length = axis === "tangent" ? size / 2 : size;
-    stroke(sheet, colour, 2, () =>
-      frames.forEach((frame) => line(sheet, [...frame.point, ...plus(frame.point, times(frame[axis], length))])),
+    stroke(drawContext, colour, 2, () =>
+      frames.forEach((frame) => line(drawContext, [...frame.point, ...plus(frame.point, times(frame[axis], length))])),
     );
   }
 }
 
-/** A pyramid of sight. @param {Sheet} sheet @param {Camera} body @param {number} size @param {string} colour */
-export function drawCamera(sheet, body, size, colour) {
+/** A pyramid of sight. @param {DrawContext} drawContext @param {Camera} body @param {number} size @param {string} colour */
+export function drawCamera(drawContext, body, size, colour) {
   const half = Math.tan(body.angle) * size;
   const corner = (/** @type {number} */ x, /** @type {number} */ y) =>
     plus(plus(body.eye, times(body.forward, size)), plus(times(body.right, x * half), times(body.up, y * half * 0.66)));
   const corners = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
-  stroke(sheet, colour, 2, () => {
-    line(sheet, [...corners, corners[0]].flat());
-    for (const c of corners) line(sheet, [...body.eye, ...c]);
-    line(sheet, [...corner(-0.5, 1), ...corner(0, 1.5), ...corner(0.5, 1)]); // which side is up
+  stroke(drawContext, colour, 2, () => {
+    line(drawContext, [...corners, corners[0]].flat());
+    for (const c of corners) line(drawContext, [...body.eye, ...c]);
+    line(drawContext, [...corner(-0.5, 1), ...corner(0, 1.5), ...corner(0.5, 1)]); // which side is up
   });
 }

@@ -1,10 +1,10 @@
 // The page's laboratory: presets, previews beside another timing function, the curve with t and x told apart, code.
 import { css as styles, html, svg } from "lit";
 import { Curve, easing } from "casteljau";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { diamond, disc, list, polyline, ring, slider, square } from "../figures/parts.js";
-import { decimal } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { diamond, disc, list, polyline, ring, slider, square } from "../figures/lib/parts.js";
+import { decimal } from "../figures/lib/numbers.js";
 import { css, parse, PRESETS, same } from "./value.js";
 
 /** Marks of equal steps. */
@@ -104,7 +104,7 @@ export class EasingLab extends Figure {
       this.problem = `Not taken: ${/** @type {Error} */ (error).message}. The last good curve is kept.`;
       return;
     }
-    if (done) this.tell();
+    if (done) this.notifyChange();
   }
 
   /** The editor's own events are not the lab's. @param {Event} event */
@@ -190,7 +190,7 @@ export class EasingLab extends Figure {
             text: `${(this.duration / 1000).toFixed(1)} s`,
             change: (ms) => {
               this.duration = ms;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${list({
@@ -199,7 +199,7 @@ export class EasingLab extends Figure {
             value: this.against,
             change: (name) => {
               this.against = name;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>

@@ -1,6 +1,6 @@
 // The page is the laboratory with the editor inside; this starts them and keeps the curve in the address.
 import "../parts/page.js";
-import { keepInAddress } from "../figures/address.js";
+import { keepInAddress } from "../figures/lib/address.js";
 import { EasingLab } from "./easing-lab.js";
 import { parse, rounded } from "./value.js";
 

@@ -1,6 +1,5 @@
 // Computes the proofs, a few at a time so that the page can be scrolled meanwhile.
 import "../parts/contents.js";
-import "../parts/permalinks.js";
 import { proofs } from "./proofs.js";
 
 /** Shorter than a frame. */

@@ -1,9 +1,9 @@
 // ((1 − t) + t)ⁿ = 1, multiplied out: each term is a Bernstein polynomial, the whole numbers are a row of Pascal's triangle.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./figure.js";
-import { choice, slider } from "./parts.js";
-import { decimal, superscript } from "./words.js";
+import { Figure, numeric } from "./lib/figure.js";
+import { choice, slider } from "./lib/parts.js";
+import { decimal, superscript } from "./lib/numbers.js";
 
 const DEGREES = /** @type {const} */ ([1, 2, 3, 4, 5, 6, 7, 8]);
 const LINE = 30;
@@ -115,7 +115,7 @@ export class FigBinomial extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -124,7 +124,7 @@ export class FigBinomial extends Figure {
             value: this.degree,
             change: (n) => {
               this.degree = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>
@@ -132,3 +132,5 @@ export class FigBinomial extends Figure {
     `;
   }
 }
+
+customElements.define("fig-binomial", FigBinomial);

@@ -1,9 +1,9 @@
 // How little control points weigh: bytes of a curve and of the teapot, as points and as pieces.
 import { html, svg } from "lit";
 import { Curve, Surface } from "casteljau";
-import { Figure, numeric, oneOf } from "./figure.js";
-import { choice, slider } from "./parts.js";
-import { grouped } from "./words.js";
+import { Figure, numeric, oneOf } from "./lib/figure.js";
+import { choice, slider } from "./lib/parts.js";
+import { grouped } from "./lib/numbers.js";
 
 const BYTES_PER_NUMBER = 4; // 32-bit floats on both sides
 const BYTES_PER_INDEX = 2;
@@ -104,7 +104,7 @@ export class FigBytes extends Figure {
             text: String(this.segments),
             change: (n) => {
               this.segments = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -116,7 +116,7 @@ export class FigBytes extends Figure {
             value: this.model,
             change: (model) => {
               this.model = model;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>
@@ -124,3 +124,5 @@ export class FigBytes extends Figure {
     `;
   }
 }
+
+customElements.define("fig-bytes", FigBytes);

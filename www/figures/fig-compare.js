@@ -1,9 +1,9 @@
 // Quadratic and cubic, side by side: one handle against two, and the shape that one handle cannot make.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure } from "./figure.js";
-import { check, disc, handle, polyline, ring, square } from "./parts.js";
-import { decimal, short } from "./words.js";
+import { Figure } from "./lib/figure.js";
+import { check, disc, handle, polyline, ring, square } from "./lib/parts.js";
+import { decimal, short } from "./lib/numbers.js";
 
 const [WIDTH, HEIGHT] = [100, 76];
 const BOX = /** @type {const} */ ({ min: [1, -3], max: [99, 79] });
@@ -101,7 +101,7 @@ export class FigCompare extends Figure {
       },
       this.fit,
     );
-    this.tell();
+    this.notifyChange();
   }
 
   /** @returns {{ wide: number, height: number, scale: number, place: (p: readonly [number, number]) => Place, unplace: (p: readonly [number, number]) => Place }} */
@@ -145,7 +145,7 @@ export class FigCompare extends Figure {
           <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
           ${parts.map(({ at, kind: mark }) => (mark === "on" ? disc : square)(...place(at)))}
         </svg>
-        ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.tell() }))}
+        ${parts.map(({ part, at, name, kind: mark }) => handle({ name: `${kind} ${name}`, kind: mark, at, place, unplace, size: [wide, height], box: BOX, step: 1, say: (v) => short(v, 1), move: move(part), done: () => this.notifyChange() }))}
       </div>
     `;
   }
@@ -199,11 +199,11 @@ export class FigCompare extends Figure {
           <div class="row">
             <button @click=${() => {
               this.show(ARCH, false);
-              this.tell();
+              this.notifyChange();
             }}>Arch</button>
             <button @click=${() => {
               this.show(S, this.fit);
-              this.tell();
+              this.notifyChange();
             }}>S-shape</button>
             <button @click=${this.elevate}>Make the cubic the quadratic</button>
           </div>
@@ -212,7 +212,7 @@ export class FigCompare extends Figure {
             value: this.fit,
             change: (fit) => {
               this.fit = fit;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>
@@ -220,3 +220,5 @@ export class FigCompare extends Figure {
     `;
   }
 }
+
+customElements.define("fig-compare", FigCompare);

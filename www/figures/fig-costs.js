@@ -1,11 +1,11 @@
 // What a point of a cubic in space costs: operations as counted by arithmetic that counts, time as measured here and now.
 import { html } from "lit";
 import { Curve } from "casteljau";
-import { counting } from "./evaluators.js";
-import { Figure } from "./figure.js";
-import { decimal } from "./words.js";
+import { counting } from "./lib/evaluators.js";
+import { Figure } from "./lib/figure.js";
+import { decimal } from "./lib/numbers.js";
 
-/** @typedef {import("./evaluators.js").Arithmetic} Arithmetic */
+/** @typedef {import("./lib/evaluators.js").Arithmetic} Arithmetic */
 /** @typedef {readonly [number, number, number]} Point */
 /** @typedef {(o: Arithmetic, points: readonly Point[], t: number) => readonly number[]} Way */
 
@@ -178,13 +178,16 @@ export function contestants() {
   const rising = [0, 1, 2, 3]
     .map((j) => curve.derivativeAt(0, j))
     .flatMap(({ x, y, z }, j) => [x, y, z].map((value) => value / [1, 1, 2, 6][j]));
+  /** @type {Record<keyof typeof HAND, Float64Array>} */
   const given = {
-    ...Object.fromEntries(Object.keys(HAND).map((key) => [key, flat])),
+    .../** @type {Record<keyof typeof HAND, Float64Array>} */ (
+      Object.fromEntries(Object.keys(HAND).map((key) => [key, flat]))
+    ),
     horner: Float64Array.from([...Object.values(curve.eval(0)), ...rising.slice(3)]),
   };
   const out = new Float64Array(3 * (SEGMENTS + 1));
   const byHand = (/** @type {keyof typeof HAND} */ key) => () => {
-    for (let i = 0; i <= SEGMENTS; i++) HAND[key](/** @type {Float64Array} */ (given[key]), i / SEGMENTS, out, 3 * i);
+    for (let i = 0; i <= SEGMENTS; i++) HAND[key](given[key], i / SEGMENTS, out, 3 * i);
     return out;
   };
   const ways = Object.fromEntries(
@@ -242,7 +245,7 @@ export class FigCosts extends Figure {
     this.running = true;
     this.times = await race();
     this.running = false;
-    this.tell();
+    this.notifyChange();
   }
 
   /** @param {string} key */
@@ -282,3 +285,5 @@ export class FigCosts extends Figure {
     `;
   }
 }
+
+customElements.define("fig-costs", FigCosts);

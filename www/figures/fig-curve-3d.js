@@ -1,9 +1,9 @@
 // The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's scaffold and its box.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./figure.js";
-import { check, diamond, disc, polyline, ring, slider, square } from "./parts.js";
-import { decimal, short, subscript, tuple } from "./words.js";
+import { Figure, numeric } from "./lib/figure.js";
+import { check, diamond, disc, polyline, ring, slider, square } from "./lib/parts.js";
+import { decimal, short, subscript, tuple } from "./lib/numbers.js";
 
 const POINTS = /** @type {const} */ ([
   [0, 2, 3],
@@ -207,7 +207,7 @@ export class FigCurve3d extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
@@ -220,3 +220,5 @@ export class FigCurve3d extends Figure {
     `;
   }
 }
+
+customElements.define("fig-curve-3d", FigCurve3d);

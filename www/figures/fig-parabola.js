@@ -1,9 +1,9 @@
 // y = t²: a graph, a moving point, and a quadratic Bézier curve with three control points.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./figure.js";
-import { check, diamond, disc, pathOf, polyline, slider, square } from "./parts.js";
-import { decimal, short, tuple } from "./words.js";
+import { Figure, numeric } from "./lib/figure.js";
+import { check, diamond, disc, pathOf, polyline, slider, square } from "./lib/parts.js";
+import { decimal, short, tuple } from "./lib/numbers.js";
 
 /** The parabola for t from 0 to 1: (t, t²) in Bernstein form. Beyond, it goes on by itself. */
 const PARABOLA = new Curve([
@@ -83,7 +83,7 @@ export class FigParabola extends Figure {
     const at = PARABOLA.eval(this.t);
     const set = (/** @type {"t" | "from" | "to"} */ name) => (/** @type {number} */ value) => {
       this[name] = value;
-      this.tell();
+      this.notifyChange();
     };
     const range = { min: -1.5, max: 1.5, step: 0.05 };
     return html`
@@ -109,3 +109,5 @@ export class FigParabola extends Figure {
     `;
   }
 }
+
+customElements.define("fig-parabola", FigParabola);

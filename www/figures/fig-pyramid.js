@@ -1,9 +1,9 @@
 // The pyramid of coefficients: every step to the left multiplies by 1 − t, every step to the right by t.
 import { html, mathml, svg } from "lit";
 import { Curve } from "casteljau";
-import { Figure, numeric } from "./figure.js";
-import { choice, slider } from "./parts.js";
-import { decimal, subscript, superscript } from "./words.js";
+import { Figure, numeric } from "./lib/figure.js";
+import { choice, slider } from "./lib/parts.js";
+import { decimal, subscript, superscript } from "./lib/numbers.js";
 
 const DEGREES = /** @type {const} */ ([1, 2, 3, 4, 5, 6]);
 const ROW = 62;
@@ -33,7 +33,7 @@ export function waysTo(level, index) {
  * @param {Steps} way
  * @param {number} t
  */
-export const product = (way, t) => way.reduce((value, step) => value * (step ? t : 1 - t), 1);
+export const product = (way, t) => way.reduce((/** @type {number} */ value, step) => value * (step ? t : 1 - t), 1);
 
 /** `<fig-pyramid degree="3" t="0.5">` */
 export class FigPyramid extends Figure {
@@ -100,7 +100,7 @@ export class FigPyramid extends Figure {
     /** @type {Steps[]} */ ways,
   ) {
     const shown = this.way === null ? ways : [ways[this.way]];
-    const at = (/** @type {Steps} */ way) => way.slice(0, level).reduce((sum, s) => sum + s, 0);
+    const at = (/** @type {Steps} */ way) => way.slice(0, level).reduce((/** @type {number} */ sum, s) => sum + s, 0);
     return shown.some((way) => way.length > level && at(way) === index && way[level] === step);
   }
 
@@ -203,7 +203,7 @@ export class FigPyramid extends Figure {
             text: decimal(this.t),
             change: (t) => {
               this.t = t;
-              this.tell();
+              this.notifyChange();
             },
           })}
           ${choice({
@@ -212,7 +212,7 @@ export class FigPyramid extends Figure {
             value: this.degree,
             change: (n) => {
               this.degree = n;
-              this.tell();
+              this.notifyChange();
             },
           })}
         </div>
@@ -220,3 +220,5 @@ export class FigPyramid extends Figure {
     `;
   }
 }
+
+customElements.define("fig-pyramid", FigPyramid);

@@ -2,9 +2,9 @@
 import { html, svg } from "lit";
 import { live } from "lit/directives/live.js";
 import { Curve } from "casteljau";
-import { Figure } from "./figure.js";
-import { disc, handle, polyline, square } from "./parts.js";
-import { short } from "./words.js";
+import { Figure } from "./lib/figure.js";
+import { disc, handle, polyline, square } from "./lib/parts.js";
+import { short } from "./lib/numbers.js";
 
 /** The places of the figure, in a box of 100 × 80. @type {[number, number][]} */
 const PLACES = [
@@ -23,7 +23,8 @@ const [WIDTH, HEIGHT] = [100, 80];
  * @returns {number[][]}
  */
 export function orders(n) {
-  const insert = (/** @type {number[]} */ used) =>
+  /** @type {(used: number[]) => number[][]} */
+  const insert = (used) =>
     used.length === n
       ? [used]
       : Array.from({ length: n }, (_, k) => k)
@@ -72,7 +73,7 @@ export class FigReorder extends Figure {
           return svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="strong haloed middle" x=${x} y=${y + (below ? 24 : -14)}>${"ABCD"[k]} · ${i + 1}</text>`;
         })}
       </svg>
-      ${this.places.map((at, k) => handle({ name: `Point ${"ABCD"[k]}`, at, place, unplace, size: [this.wide, height], box: BOX, step: 1, say: (v) => short(v, 1), kind: order.indexOf(k) % 3 === 0 ? "on" : "off", move: move(k), done: () => this.tell() }))}
+      ${this.places.map((at, k) => handle({ name: `Point ${"ABCD"[k]}`, at, place, unplace, size: [this.wide, height], box: BOX, step: 1, say: (v) => short(v, 1), kind: order.indexOf(k) % 3 === 0 ? "on" : "off", move: move(k), done: () => this.notifyChange() }))}
     `;
   }
 
@@ -89,7 +90,7 @@ export class FigReorder extends Figure {
       <label class="thumb" data-twin=${twin} title=${this.name(k)}>
         <input type="radio" name="order" .checked=${live(k === this.chosen)} @change=${() => {
           this.chosen = k;
-          this.tell();
+          this.notifyChange();
         }} />
         <span class="away">${this.name(k)}</span>
         <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" aria-hidden="true">
@@ -118,3 +119,5 @@ export class FigReorder extends Figure {
 
 /** @param {Curve} curve */
 const polylineOf = (curve) => `M${Array.from(curve.controlPoints(), (value) => value.toFixed(1)).join(" ")}`;
+
+customElements.define("fig-reorder", FigReorder);

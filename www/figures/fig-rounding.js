@@ -1,10 +1,10 @@
 // What 32 bits leave of a curve: four ways to the same point, and how far each of them lands from it.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
-import { bernstein, casteljau, horner, powers, SINGLE } from "./evaluators.js";
-import { Figure, oneOf } from "./figure.js";
-import { check, list, pathOf } from "./parts.js";
-import { decimal, scientific, superscript } from "./words.js";
+import { bernstein, casteljau, horner, powers, SINGLE } from "./lib/evaluators.js";
+import { Figure, oneOf } from "./lib/figure.js";
+import { check, list, pathOf } from "./lib/parts.js";
+import { decimal, scientific, superscript } from "./lib/numbers.js";
 
 /** Each place of the plot shows the greatest error at so many neighbouring values of t. */
 const PER_PLACE = 24;
@@ -152,7 +152,7 @@ export class FigRounding extends Figure {
           value: this.case,
           change: (name) => {
             this.case = name;
-            this.tell();
+            this.notifyChange();
           },
         })}</div>
         <div class="stage">${this.picture()}</div>
@@ -165,3 +165,5 @@ export class FigRounding extends Figure {
     `;
   }
 }
+
+customElements.define("fig-rounding", FigRounding);

@@ -1,8 +1,8 @@
 // The editor of a letter: outline, points, joints; what it looks like in small and in large; in and out as SVG.
 import { css, html } from "lit";
-import { codeBox } from "../figures/code-box.js";
-import { Figure } from "../figures/figure.js";
-import { short } from "../figures/words.js";
+import { codeBox } from "../figures/lib/code-box.js";
+import { Figure } from "../figures/lib/figure.js";
+import { short } from "../figures/lib/numbers.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { History } from "./history.js";
 import {
@@ -18,7 +18,7 @@ import {
   toQuadratics,
 } from "./outline.js";
 import { conversion, joint, proof, tools } from "./panels.js";
-import { sheet } from "./sheet.js";
+import { outlineView } from "./outline-view.js";
 import { fitted, panned, zoomed } from "./view.js";
 
 const ZOOM_STEP = 1.5;
@@ -51,9 +51,9 @@ export class GlyphEditor extends Figure {
     .rod { fill: none; stroke: var(--handle); stroke-width: 1.25; }
     .way { fill: var(--ink); stroke: var(--paper); stroke-width: 1; }
     .picked { fill: none; stroke: var(--accent); stroke-width: 2.5; }
-    .sheet { cursor: grab; touch-action: pan-y; }
-    .sheet:active { cursor: grabbing; }
-    .sheet:focus-visible { outline-offset: -3px; }
+    .outline-view { cursor: grab; touch-action: pan-y; }
+    .outline-view:active { cursor: grabbing; }
+    .outline-view:focus-visible { outline-offset: -3px; }
     textarea { font: 0.8125rem/1.5 ui-monospace, Menlo, Consolas, monospace; inline-size: 100%; min-block-size: 7.5rem; color: inherit; background: var(--paper); border: 1px solid var(--field); border-radius: 7px; padding: 0.5rem 0.6rem; resize: vertical; }
     .in { display: block; padding: 0.7rem 0.9rem; }
     .in > span { display: block; font-weight: 600; }
@@ -115,7 +115,7 @@ export class GlyphEditor extends Figure {
     }
     this.problem = "";
     this.outline = outline;
-    if (this.history.push(outline)) this.tell();
+    if (this.history.push(outline)) this.notifyChange();
     this.requestUpdate();
   }
 
@@ -132,12 +132,12 @@ export class GlyphEditor extends Figure {
 
   undo() {
     this.outline = this.history.undo();
-    this.tell();
+    this.notifyChange();
   }
 
   redo() {
     this.outline = this.history.redo();
-    this.tell();
+    this.notifyChange();
   }
 
   get selected() {
@@ -178,7 +178,7 @@ export class GlyphEditor extends Figure {
 
   /** Where an event is, in units. @param {MouseEvent} event @returns {Place} */
   locate(event) {
-    const rect = /** @type {Element} */ (this.renderRoot.querySelector(".sheet")).getBoundingClientRect();
+    const rect = /** @type {Element} */ (this.renderRoot.querySelector(".outline-view")).getBoundingClientRect();
     return this.scales().unplace([
       ((event.clientX - rect.left) * this.wide) / rect.width,
       ((event.clientY - rect.top) * this.wide) / rect.width,
@@ -226,7 +226,7 @@ export class GlyphEditor extends Figure {
   }
 
   /** @param {KeyboardEvent} event */
-  sheetKey(event) {
+  onKey(event) {
     /** @type {Record<string, () => void>} */
     const keys = {
       "+": () => this.zoom(ZOOM_STEP),
@@ -318,7 +318,7 @@ export class GlyphEditor extends Figure {
       <div @keydown=${this.key}>
         <div class="frame">
           ${tools(this)}
-          <div class="stage">${sheet(this)}</div>
+          <div class="stage">${outlineView(this)}</div>
           <p class="problem" role="alert">${this.problem}</p>
           ${joint(this)}
           <details class="keys">

@@ -1,6 +1,6 @@
 // The page is the editor; this starts it and keeps the outline in the address.
 import "../parts/page.js";
-import { keepInAddress } from "../figures/address.js";
+import { keepInAddress } from "../figures/lib/address.js";
 import { GlyphEditor } from "./glyph-editor.js";
 import { fromSvg, MODES, pathOf } from "./outline.js";
 

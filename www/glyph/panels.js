@@ -1,7 +1,7 @@
 // What stands around the picture: tools, the chosen point, running sizes, quadratics.
 import { html, svg } from "lit";
-import { check, list, slider } from "../figures/parts.js";
-import { decimal, short } from "../figures/words.js";
+import { check, list, slider } from "../figures/lib/parts.js";
+import { decimal, short } from "../figures/lib/numbers.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { bendOrStraighten, countPoints, MODES, reverse, setMode, toCubics } from "./outline.js";
 

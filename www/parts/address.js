@@ -10,7 +10,7 @@ const NUMBER = "number";
 const NUMBERS = "numbers";
 const WORDS = "words";
 
-/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS} Form */
+/** @typedef {typeof POINTS | typeof NUMBER | typeof NUMBERS | typeof WORDS | "text"} Form */
 
 /** @type {Record<string, Record<string, Form>>} by the element's name, then the attribute's */
 export const SHARED = {
@@ -67,6 +67,7 @@ const FORMS = {
   number: { is: isNumber, expected: "a number" },
   numbers: { is: (text) => parts(text, /[\s,]+/).every(isNumber), expected: "numbers" },
   words: { is: (text) => /^[\w\s,-]*$/.test(text), expected: "words" },
+  text: { is: () => true, expected: "text" },
 };
 
 /** A value as it can be told: foreign and perhaps long. @param {string} text */

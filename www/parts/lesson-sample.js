@@ -3,7 +3,7 @@
 import { button, uniqueId } from "./dom.js";
 
 /** Each sample's module, fetched when it is run. @type {Record<string, () => Promise<{ sample(print: (...values: unknown[]) => void): unknown }>>} */
-const MODULES = import.meta.glob("../samples/*.js");
+const MODULES = /** @type {any} */ (import.meta.glob("../samples/*.js"));
 
 const TITLES = { js: "JavaScript", rs: "Rust" };
 

@@ -11,7 +11,7 @@ import { button, element, uniqueId } from "./dom.js";
 /** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, predict?: Prediction }} Task */
 
 /** @type {Record<string, () => Promise<Task>>} */
-const TASKS = import.meta.glob("../tasks/*.js");
+const TASKS = /** @type {any} */ (import.meta.glob("../tasks/*.js"));
 
 /** What a target says when its reader moved something, or its page did. */
 const EVENTS = ["input", "change", "update"];
@@ -40,7 +40,7 @@ export class LessonTask extends HTMLElement {
     this.#target = null;
   }
 
-  /** "open" until the task is "done", or its answer "revealed". */
+  /** "open" until the task is "done", or its answer "revealed", or the answer to a question "wrong". */
   get state() {
     return this.dataset.state ?? "open";
   }
@@ -81,14 +81,21 @@ export class LessonTask extends HTMLElement {
       const chosen = /** @type {HTMLInputElement | null} */ (field.querySelector("input:checked"));
       if (!chosen) return this.#say("Choose one first.");
       this.#guess = Number(chosen.value);
-      /** @type {HTMLFieldSetElement} */ (field).disabled = true;
+      /** @type {any} */ (field).disabled = true;
       if (this.#task.check) this.#say("Noted. Now find out.");
       this.#open();
       /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
-      if (!this.#task.check) this.#finish("");
+      if (!this.#task.check) this.#finishQuiz();
     });
     this.#steps.append(field);
     this.#buttons.replaceChildren(guess);
+  }
+
+  /** Without anything to try, the guess is the answer. */
+  #finishQuiz() {
+    const isRight = this.#guess === this.#task.predict?.answer;
+    this.dataset.state = isRight ? "done" : "wrong";
+    this.#say(this.#judged());
   }
 
   /** Now it can be tried. */

@@ -25,7 +25,7 @@ function elementOf(id) {
 }
 
 /** Says it above the text; an empty text takes it away. @param {string} words @param {Element | null} [near] */
-function tell(words, near) {
+function showMessage(words, near) {
   const line =
     document.querySelector(".address-message") ??
     Object.assign(document.createElement("p"), { className: "address-message" });
@@ -49,21 +49,24 @@ function decoded(text) {
 /** Brings a figure into the state that the address asks for, as far as it can be used. */
 function load() {
   const { hash } = location;
-  if (hash.length < 2 || hash.startsWith(OTHERS)) return tell("");
+  if (hash.length < 2 || hash.startsWith(OTHERS)) return showMessage("");
   if (hash.length > LONGEST_ADDRESS)
-    return tell(
+    return showMessage(
       `The part of the address after # is ${hash.length} characters long; at most ${LONGEST_ADDRESS} are read. The page is as it was.`,
     );
   const [name, query] = hash.slice(1).split(/\?(.*)/s);
   const id = decoded(name);
-  if (!document.getElementById(id)) return tell("The address asks for a place that is not on this page.");
-  if (query === undefined) return tell("");
+  if (!document.getElementById(id)) return showMessage("The address asks for a place that is not on this page.");
+  if (query === undefined) {
+    if (!moved) document.getElementById(id)?.scrollIntoView(); // browsers without scroll anchoring have lost it meanwhile
+    return showMessage("");
+  }
   const element = elementOf(id);
-  if (!element) return tell("The address sets values where there is no figure to take them.");
+  if (!element) return showMessage("The address sets values where there is no figure to take them.");
   const { values, problems } = read(query, SHARED[element.localName]);
   apply(element, values);
   element.scrollIntoView({ block: "center" });
-  tell(problems.length ? `Not everything in the address could be used. ${problems.join("; ")}.` : "", element);
+  showMessage(problems.length ? `Not everything in the address could be used. ${problems.join("; ")}.` : "", element);
 }
 
 /** @param {Event} event */
@@ -77,6 +80,11 @@ function save({ target }) {
     // Browsers allow only so many a minute; the next change will do.
   }
 }
+
+/** Whether the reader has moved the page since it was opened. */
+let moved = false;
+for (const type of ["wheel", "touchmove", "keydown", "pointerdown"])
+  addEventListener(type, () => (moved = true), { once: true, passive: true });
 
 async function start() {
   const elements = [...document.querySelectorAll(ELEMENTS)];

@@ -2,7 +2,8 @@ import { Curve, Spline } from "casteljau";
 
 const show = (curve) => {
   const c = curve.controlPoints();
-  return [0, 2, 4, 6].map((k) => `(${c[k]}, ${c[k + 1]})`).join(" ");
+  const round = (x) => Number(x.toFixed(6));
+  return [0, 2, 4, 6].map((k) => `(${round(c[k])}, ${round(c[k + 1])})`).join(" ");
 };
 
 export function sample(print) {

@@ -1,10 +1,11 @@
 use casteljau::{Curve, Spline, glam::DVec2};
 
 fn show(curve: &Curve<DVec2>) -> String {
+    let round = |x: f64| (x * 1e6).round() / 1e6;
     let pairs: Vec<String> = curve
         .control_points()
         .iter()
-        .map(|p| format!("({}, {})", p.x, p.y))
+        .map(|p| format!("({}, {})", round(p.x), round(p.y)))
         .collect();
     pairs.join(" ")
 }

@@ -1,9 +1,11 @@
-import { HAND, distance, verdict } from "../curves/judge.js";
+import { PRECISION_PX, distance, verdict } from "./utils/curves.js";
 
 /** Clearly unequal lengths: one handle at least half as long again as the other. */
 const UNEQUAL = 1.5;
 /** Nobody sees a corner of two degrees. */
 const STRAIGHT_DEGREES = 2;
+/** As the figure's badge has it: rounding is no turn. */
+const EXACT_DEGREES = 1e-6;
 
 /** The angle by which the line turns at P3, in degrees. @param {[number, number][]} points */
 function turn([, , p2, p3, p4]) {
@@ -15,12 +17,14 @@ function turn([, , p2, p3, p4]) {
 export function check({ points }) {
   if (points.length < 7) return verdict(false, "Show all seven points first (m).");
   const [before, after] = [distance(points[2], points[3]), distance(points[3], points[4])];
-  if (Math.min(before, after) < HAND) return verdict(false, "Both handles need a length.");
+  if (Math.min(before, after) < PRECISION_PX) return verdict(false, "Both handles need a length.");
   const degrees = turn(points);
   const ratio = Math.max(before, after) / Math.min(before, after);
   const words = `The line turns by ${degrees.toFixed(1)}° at P3; one handle is ${ratio.toFixed(2)} times as long as the other.`;
   const done = degrees < STRAIGHT_DEGREES && ratio > UNEQUAL;
-  return verdict(done, done ? `${words} Smooth to the eye (G1), a jolt to a traveller (not C1).` : words);
+  if (!done) return verdict(false, words);
+  const aligned = degrees < EXACT_DEGREES ? "This is G1" : "At exactly 0° this is G1";
+  return verdict(true, `${words} ${aligned}: smooth to the eye, but a jolt to a traveller (not C1).`);
 }
 
 /** @param {{ points: [number, number][] }} element */

@@ -1,4 +1,4 @@
-import { verdict } from "../curves/judge.js";
+import { verdict } from "./utils/curves.js";
 
 const WORDS = {
   bezier: "Bézier: it touches P0 and P3 only.",

@@ -1,4 +1,4 @@
-import { verdict } from "../surfaces/judge.js";
+import { verdict } from "./utils/surfaces.js";
 
 const LEFT = 4;
 const NOTHING = 1e-9;

@@ -1,4 +1,4 @@
-import { shown, verdict } from "../surfaces/judge.js";
+import { formatNumber, verdict } from "./utils/surfaces.js";
 
 export const predict = {
   options: ["P00, where row 0 begins", "P03, where row 0 ends", "P30, where row 3 begins", "P33, where row 3 ends"],
@@ -9,7 +9,7 @@ export const predict = {
 /** @param {{ u: number, v: number }} figure */
 export function check({ u, v }) {
   const done = u === 1 && v === 0;
-  return verdict(done, done ? "That is the place." : `You are at u = ${shown(u)}, v = ${shown(v)}.`);
+  return verdict(done, done ? "That is the place." : `You are at u = ${formatNumber(u)}, v = ${formatNumber(v)}.`);
 }
 
 /** @param {any} element */

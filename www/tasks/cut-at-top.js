@@ -1,4 +1,4 @@
-import { firstCurve, verdict } from "../curves/judge.js";
+import { firstCurve, verdict } from "./utils/curves.js";
 
 /** A hundredth: the steps of the slider. */
 const LEVEL = 0.04;

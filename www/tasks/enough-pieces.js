@@ -1,4 +1,4 @@
-import { px, verdict } from "../curves/judge.js";
+import { px, verdict } from "./utils/curves.js";
 
 /** The error that is allowed, and the pieces that are enough for it. */
 const ALLOWED = 0.5;

@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { verdict } from "../curves/judge.js";
+import { verdict } from "./utils/curves.js";
 
 export const predict = {
   options: ["at t = ¼", "at t = ⅓", "at t = ½"],

@@ -1,4 +1,4 @@
-import { many, shown, verdict } from "../surfaces/judge.js";
+import { formatCount, formatNumber, verdict } from "./utils/surfaces.js";
 
 const [WANTED, MOST] = [0.01, 10000];
 
@@ -6,11 +6,11 @@ const [WANTED, MOST] = [0.01, 10000];
 export function check({ mesh: { error, unit, triangles } }) {
   if (error === null) return verdict(false, "“Flat enough” promises no distance from the surface.");
   if (unit !== "") return verdict(false, "Pixels depend on where you look from. Choose a distance.");
-  if (error > WANTED) return verdict(false, `The error may be ${shown(error, 3)}: too much.`);
+  if (error > WANTED) return verdict(false, `The error may be ${formatNumber(error, 3)}: too much.`);
   const done = triangles < MOST;
   return verdict(
     done,
-    `${many(triangles)} triangles${done ? ": where the pot is nearly flat they are large." : ", but they need not be as many."}`,
+    `${formatCount(triangles)} triangles${done ? ": where the pot is nearly flat they are large." : ", but they need not be as many."}`,
   );
 }
 

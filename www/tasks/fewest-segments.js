@@ -1,4 +1,4 @@
-import { shown, verdict } from "../surfaces/judge.js";
+import { formatNumber, verdict } from "./utils/surfaces.js";
 
 const WANTED = 0.1;
 
@@ -9,12 +9,12 @@ const oneFewer = (error, n) => (error * n * n) / (n - 1) ** 2;
 export function check({ segments, mesh: { error } }) {
   if (segments === null || error === null) return verdict(false, "Cut evenly, by segments.");
   if (error >= WANTED)
-    return verdict(false, `With ${segments} segments the error is ${shown(error, 3)} at most: too much.`);
+    return verdict(false, `With ${segments} segments the error is ${formatNumber(error, 3)} at most: too much.`);
   const spared = segments > 1 && oneFewer(error, segments) < WANTED;
-  if (spared) return verdict(false, `${shown(error, 3)} is fine enough, but fewer segments would do.`);
+  if (spared) return verdict(false, `${formatNumber(error, 3)} is fine enough, but fewer segments would do.`);
   return verdict(
     true,
-    `${segments} segments: ${shown(error, 3)}; with one fewer it would be ${shown(oneFewer(error, segments), 3)}.`,
+    `${segments} segments: ${formatNumber(error, 3)}; with one fewer it would be ${formatNumber(oneFewer(error, segments), 3)}.`,
   );
 }
 

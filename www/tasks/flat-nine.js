@@ -1,18 +1,18 @@
-import { shown, verdict } from "../surfaces/judge.js";
-import { SURFACES } from "../surfaces/figures/surfaces.js";
+import { formatNumber, verdict } from "./utils/surfaces.js";
+import { SURFACES } from "../figures/lib/surfaces.js";
 
 /** What a hand can do: a few pixels of the picture. */
-const HAND = 0.12;
+const PRECISION = 0.12;
 
 /** @param {{ points: [number, number, number][] }} figure */
 export function check({ points }) {
   const most = Math.max(...points.map(([, , z]) => Math.abs(z)));
-  const done = most <= HAND;
+  const done = most <= PRECISION;
   return verdict(
     done,
     done
       ? "Flat: all nine points lie in one plane, and the patch within their hull."
-      : `A point is still ${shown(most)} away from the plane of the corners.`,
+      : `A point is still ${formatNumber(most)} away from the plane of the corners.`,
   );
 }
 

@@ -1,4 +1,4 @@
-import { verdict } from "../curves/judge.js";
+import { verdict } from "./utils/curves.js";
 
 export const predict = {
   options: ["at t = 0.5", "at t ≈ 0.71", "at t = 0.25"],

@@ -1,4 +1,4 @@
-import { firstCurve, polylineError, px, verdict } from "../curves/judge.js";
+import { firstCurve, polylineError, px, verdict } from "./utils/curves.js";
 
 /** What eyes forgive: half a pixel. */
 const FORGIVEN = 0.5;

@@ -1,4 +1,4 @@
-import { shown, verdict } from "../surfaces/judge.js";
+import { formatNumber, verdict } from "./utils/surfaces.js";
 
 const NEAR = 0.01;
 
@@ -30,8 +30,8 @@ export function check({ surface, place }) {
   const height = place?.point[2] ?? -Infinity;
   const done = highest - height <= NEAR;
   const words = done
-    ? `The top is ${shown(highest, 3)} high; you are at ${shown(height, 3)}.`
-    : `You are ${shown(height, 3)} high, and there is a place ${shown(highest - height, 3)} above you.`;
+    ? `The top is ${formatNumber(highest, 3)} high; you are at ${formatNumber(height, 3)}.`
+    : `You are ${formatNumber(height, 3)} high, and there is a place ${formatNumber(highest - height, 3)} above you.`;
   return verdict(done, words);
 }
 

@@ -1,5 +1,5 @@
 import { Surface } from "casteljau";
-import { verdict } from "../surfaces/judge.js";
+import { verdict } from "./utils/surfaces.js";
 
 const WANTED = 100;
 /** Bytes of a number and of an index. */

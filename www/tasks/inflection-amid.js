@@ -1,4 +1,4 @@
-import { firstCurve, verdict } from "../curves/judge.js";
+import { firstCurve, verdict } from "./utils/curves.js";
 
 /** @param {{ pieces: { curve: any }[] }} figure */
 export function check(figure) {

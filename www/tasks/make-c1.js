@@ -1,4 +1,4 @@
-import { HAND, distance, px, verdict } from "../curves/judge.js";
+import { PRECISION_PX, distance, px, verdict } from "./utils/curves.js";
 
 /** Where P4 must be: P3 amid P2 and P4. @param {[number, number][]} points */
 const mirrored = (points) =>
@@ -14,12 +14,14 @@ export const predict = {
 /** @param {{ points: [number, number][] }} figure */
 export function check({ points }) {
   if (points.length < 7) return verdict(false, "Show all seven points first (m).");
-  if (distance(points[2], points[3]) < 2 * HAND)
+  if (distance(points[2], points[3]) < 2 * PRECISION_PX)
     return verdict(false, "Not with a handle of no length: move P2 away from P3.");
   const off = distance(points[4], mirrored(points));
   return verdict(
-    off <= HAND,
-    off <= HAND ? "C1: the point runs through P3 without a jolt." : `P4 is ${px(off)} from where P3 would be amid.`,
+    off <= PRECISION_PX,
+    off <= PRECISION_PX
+      ? "C1: the point runs through P3 without a jolt."
+      : `P4 is ${px(off)} from where P3 would be amid.`,
   );
 }
 

@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { HAND, apart, firstCurve, px, verdict } from "../curves/judge.js";
+import { PRECISION_PX, apart, firstCurve, px, verdict } from "./utils/curves.js";
 
 /** The curve to be found; the page shows it dashed. */
 export const TARGET = /** @type {[number, number][]} */ ([
@@ -12,7 +12,10 @@ export const TARGET = /** @type {[number, number][]} */ ([
 /** @param {{ pieces: { curve: any }[] }} figure */
 export function check(figure) {
   const gap = apart(firstCurve(figure), new Curve(TARGET));
-  return verdict(gap <= HAND, gap <= HAND ? `Within ${px(gap)} all along.` : `Still up to ${px(gap)} apart.`);
+  return verdict(
+    gap <= PRECISION_PX,
+    gap <= PRECISION_PX ? `Within ${px(gap)} all along.` : `Still up to ${px(gap)} apart.`,
+  );
 }
 
 /** @param {{ points: [number, number][] }} element */

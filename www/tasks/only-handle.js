@@ -1,4 +1,4 @@
-import { verdict } from "../surfaces/judge.js";
+import { verdict } from "./utils/surfaces.js";
 
 export const predict = {
   options: ["two", "four", "eight"],

@@ -1,4 +1,4 @@
-import { verdict } from "../curves/judge.js";
+import { verdict } from "./utils/curves.js";
 
 export const predict = {
   options: ["none", "two", "six"],

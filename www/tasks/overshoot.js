@@ -1,5 +1,5 @@
 import { easing } from "casteljau";
-import { verdict } from "../curves/judge.js";
+import { verdict } from "./utils/curves.js";
 
 /** The four numbers of a cubic-bezier(). @param {string} value */
 const numbersOf = (value) => [...value.matchAll(/-?\d*\.?\d+(?:e[-+]?\d+)?/gi)].map(Number).slice(0, 4);

@@ -1,5 +1,5 @@
 import { Surface } from "casteljau";
-import { verdict } from "../surfaces/judge.js";
+import { verdict } from "./utils/surfaces.js";
 
 /** @param {{ surface: any, degreeU: number, degreeV: number }} figure */
 export function check({ surface, degreeU, degreeV }) {

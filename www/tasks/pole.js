@@ -1,4 +1,4 @@
-import { lengthOf, shown, verdict } from "../surfaces/judge.js";
+import { lengthOf, formatNumber, verdict } from "./utils/surfaces.js";
 
 export const predict = {
   options: ["No: where a derivative vanishes, there is no normal", "Yes: the limit from inside the patch"],
@@ -14,10 +14,10 @@ export function check({ surface, patch, u, v, place }) {
   if (patch === null || !place) return verdict(false, "Click a patch of the lid first.");
   const partials = surface.patch(patch).partials(u, v);
   const [along, across] = [lengthOf(partials.u), lengthOf(partials.v)];
-  if (along > NOTHING * across) return verdict(false, `Here the derivative along u is ${shown(along)} long.`);
+  if (along > NOTHING * across) return verdict(false, `Here the derivative along u is ${formatNumber(along)} long.`);
   return verdict(
     true,
-    `Here it has no length, and the normal is (${place.normal.map((x) => shown(x + 0)).join(", ")}).`,
+    `Here it has no length, and the normal is (${place.normal.map((x) => formatNumber(x + 0)).join(", ")}).`,
   );
 }
 

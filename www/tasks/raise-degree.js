@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { HAND, apart, firstCurve, px, verdict } from "../curves/judge.js";
+import { PRECISION_PX, apart, firstCurve, px, verdict } from "./utils/curves.js";
 
 /** The quadratic that the cubic must become; the page shows it dashed. */
 export const QUADRATIC = /** @type {[number, number][]} */ ([
@@ -19,8 +19,8 @@ export const predict = {
 export function check(figure) {
   const gap = apart(firstCurve(figure), new Curve(QUADRATIC));
   return verdict(
-    gap <= HAND / 2,
-    gap <= HAND / 2
+    gap <= PRECISION_PX / 2,
+    gap <= PRECISION_PX / 2
       ? "The cubic runs like the quadratic, at the same speed."
       : `Still up to ${px(gap)} apart at the same t.`,
   );

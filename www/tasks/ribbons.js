@@ -1,4 +1,4 @@
-import { many, verdict } from "../surfaces/judge.js";
+import { formatCount, verdict } from "./utils/surfaces.js";
 
 const [MOST, LEAST_STRIPS] = [5000, 4];
 
@@ -7,7 +7,7 @@ export function check({ layers, lines, mesh: { triangles } }) {
   if (layers.join(" ") !== "ribbons") return verdict(false, "Show ribbons, and nothing else.");
   if (lines < LEAST_STRIPS) return verdict(false, `${lines === 1 ? "One strip is" : `${lines} strips are`} too few.`);
   const done = triangles < MOST;
-  return verdict(done, `${many(triangles)} triangles${done ? "." : ": too many."}`);
+  return verdict(done, `${formatCount(triangles)} triangles${done ? "." : ": too many."}`);
 }
 
 /** @param {any} element */

@@ -1,4 +1,4 @@
-import { verdict } from "../surfaces/judge.js";
+import { verdict } from "./utils/surfaces.js";
 
 const [FIRST, LAST] = [16, 19];
 

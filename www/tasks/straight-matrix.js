@@ -1,5 +1,5 @@
 import { Curve } from "casteljau";
-import { apart, firstCurve, px, verdict } from "../curves/judge.js";
+import { apart, firstCurve, px, verdict } from "./utils/curves.js";
 
 /** [t³ t² t 1]·M·P = P0 + t (P3 − P0) */
 const STRAIGHT = [0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0];

@@ -1,4 +1,4 @@
-import { HAND, px, verdict } from "../curves/judge.js";
+import { PRECISION_PX, px, verdict } from "./utils/curves.js";
 
 /** How high the curve is to be, in px above the line from P0 to P2. */
 const WANTED = 180;
@@ -11,10 +11,11 @@ export const predict = {
 
 /** @param {{ points: [number, number][] }} figure */
 export function check({ points: [p0, p1, p2] }) {
-  if (Math.abs(p0[1] - p2[1]) > HAND) return verdict(false, "Leave P0 and P2 level with each other: move P1 only.");
+  if (Math.abs(p0[1] - p2[1]) > PRECISION_PX)
+    return verdict(false, "Leave P0 and P2 level with each other: move P1 only.");
   const high = (p0[1] + p2[1]) / 2 - p1[1];
   return verdict(
-    Math.abs(high / 2 - WANTED) <= HAND / 2,
+    Math.abs(high / 2 - WANTED) <= PRECISION_PX / 2,
     `P1 is ${px(high)} above the line, the curve reaches ${px(Math.max(0, high / 2))}.`,
   );
 }

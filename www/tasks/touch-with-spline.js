@@ -1,4 +1,4 @@
-import { HAND, px, verdict } from "../curves/judge.js";
+import { PRECISION_PX, px, verdict } from "./utils/curves.js";
 
 /** How far the spline passes P2: the joint there is (P1 + 4 P2 + P3) / 6. @param {[number, number][]} points */
 const missed = ([, p1, p2, p3]) => Math.hypot(p1[0] + p3[0] - 2 * p2[0], p1[1] + p3[1] - 2 * p2[1]) / 6;
@@ -8,8 +8,8 @@ export function check({ points, basis }) {
   if (basis !== "b-spline") return verdict(false, "Keep the B-spline: the others go through their points anyway.");
   const off = missed(points);
   return verdict(
-    off <= HAND / 2,
-    off <= HAND / 2
+    off <= PRECISION_PX / 2,
+    off <= PRECISION_PX / 2
       ? "It runs through P2: P1 and P3 lie on opposite sides of it, equally far."
       : `It misses P2 by ${px(off)}.`,
   );

@@ -10,10 +10,11 @@ const MOST_TILT = 90;
 /** A frame after a pause (a hidden tab) does not make the teapot jump. */
 const LONGEST_FRAME_MS = 100;
 
-const canvas = document.getElementById("teapot");
-const context = canvas.getContext("2d");
-const [button, turnSlider, tiltSlider, lineSlider] = ["rotate", "turn", "tilt", "lines"].map((id) =>
-  document.getElementById(id),
+const canvas = /** @type {HTMLCanvasElement} */ (document.getElementById("teapot"));
+const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+const button = /** @type {HTMLButtonElement} */ (document.getElementById("rotate"));
+const [turnSlider, tiltSlider, lineSlider] = ["turn", "tilt", "lines"].map(
+  (id) => /** @type {HTMLInputElement} */ (document.getElementById(id)),
 );
 
 const teapot = Surface.teapot({ up: "z" });
@@ -35,6 +36,7 @@ function draw() {
   context.stroke();
 }
 
+/** @param {number} now */
 function step(now) {
   frame = 0;
   const passed = Math.min(now - before, LONGEST_FRAME_MS);
@@ -47,14 +49,16 @@ function schedule() {
   if (frame === 0) frame = requestAnimationFrame(step);
 }
 
+/** @param {number} turn in degrees @param {number} tilt */
 function turnTo(turn, tilt) {
   view.turn = ((((turn + 180) % 360) + 360) % 360) - 180; // −180 … 180
   view.tilt = Math.min(Math.max(tilt, -MOST_TILT), MOST_TILT);
-  turnSlider.value = view.turn;
-  tiltSlider.value = view.tilt;
+  turnSlider.value = String(view.turn);
+  tiltSlider.value = String(view.tilt);
   schedule();
 }
 
+/** @param {boolean} rotating */
 function setRotating(rotating) {
   view.rotating = rotating;
   button.textContent = rotating ? "Pause" : "Rotate";
@@ -86,6 +90,7 @@ canvas.addEventListener("pointermove", (event) => {
   );
 });
 
+/** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 canvas.addEventListener("keydown", (event) => {
   const arrow = ARROWS[event.key];

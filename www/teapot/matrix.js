@@ -40,7 +40,13 @@ export function pixelsFromSurface({ centre, radius }, { turn, tilt }, width, hei
   return multiply(projection(radius, width, height), looked);
 }
 
-/** y down, as on a canvas; w grows with the distance from the eye, and is the eye's distance in the middle. */
+/**
+ * y down, as on a canvas; w grows with the distance from the eye, and is the eye's distance in the middle.
+ *
+ * @param {number} radius
+ * @param {number} width
+ * @param {number} height
+ */
 function projection(radius, width, height) {
   const eye = EYE_RADII * radius;
   const scale = ((ENLARGEMENT * Math.min(width, height)) / 2 / radius) * eye;
@@ -48,17 +54,19 @@ function projection(radius, width, height) {
   return [scale, 0, 0, 0, 0, -scale, 0, 0, -cx, -cy, 1, -1, cx * eye, cy * eye, 0, eye];
 }
 
+/** @param {number} degrees */
 function aboutX(degrees) {
   const [c, s] = [Math.cos(degrees * RADIANS_PER_DEGREE), Math.sin(degrees * RADIANS_PER_DEGREE)];
   return [1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1];
 }
 
+/** @param {number} degrees */
 function aboutZ(degrees) {
   const [c, s] = [Math.cos(degrees * RADIANS_PER_DEGREE), Math.sin(degrees * RADIANS_PER_DEGREE)];
   return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 }
 
-/** First b, then a. */
+/** First b, then a. @param {number[]} a @param {number[]} b */
 function multiply(a, b) {
   return Array.from({ length: 16 }, (_, i) => {
     const [row, column] = [i % 4, 4 * Math.floor(i / 4)];

@@ -46,7 +46,7 @@ pub(crate) struct Part {
     own: &'static [&'static [&'static str]],
 }
 
-pub(crate) const PARTS: [Part; 5] = [
+pub(crate) const PARTS: [Part; 6] = [
     Part {
         name: "curves",
         own: &[&[
@@ -61,6 +61,10 @@ pub(crate) const PARTS: [Part; 5] = [
     Part {
         name: "surfaces",
         own: &[SURFACES],
+    },
+    Part {
+        name: "regions",
+        own: &[&["region_"]],
     },
     // For casteljau/core.
     Part {

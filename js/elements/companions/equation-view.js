@@ -186,16 +186,20 @@ function editableForm(subject) {
   return subject.basis === "hermite" ? inPoints(subject, matrixOf("hermite", MATRIX_DEGREE, null) ?? []) : subject;
 }
 
+/** Of the weights in a sum. */
+const MAX_WEIGHT_DECIMALS = 6;
+
 /** @param {Subject} subject */
 function sumForm(subject) {
   const { t, points, names } = subject;
   const weights = weightsAt(subject, t);
   const at = numbersAt(points, weights);
   const formula = symbolic(subject);
+  const decimals = Math.min(Math.max(2 * subject.degree, 3), MAX_WEIGHT_DECIMALS); // t has two: the products add up
   const plus = (/** @type {number} */ i, minus = false) =>
     mathml`<mtd class="sign">${sign(i === 0 ? "=" : minus ? "−" : "+")}</mtd>`;
   const numeric = (/** @type {number} */ i, /** @type {0 | 1} */ axis) => mathml`${plus(i, weights[i] < 0)}
-      <mtd>${number(i ? Math.abs(weights[i]) : weights[i])}${sign("·")}${factor(points[i][axis])}</mtd>`;
+      <mtd>${number(i ? Math.abs(weights[i]) : weights[i], decimals)}${sign("·")}${factor(points[i][axis])}</mtd>`;
   const head = (/** @type {string} */ letter) =>
     mathml`<mrow><mi>${letter}</mi><mo>(</mo>${number(t)}<mo>)</mo></mrow>`;
   return html`<math class="lines" aria-label=${`${spoken(t, at)}, from ${weights.map((w, i) => `${shown(w)} ${names[i]}`).join(" plus ")}`}><mtable>

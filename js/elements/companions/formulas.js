@@ -7,7 +7,7 @@ import { binomial } from "./weights.js";
 const MOST_WRITTEN = 12;
 
 /** @param {number} x */
-export const number = (x) => mathml`<mn>${shown(x)}</mn>`;
+export const number = (x, decimals = 3) => mathml`<mn>${shown(x, decimals)}</mn>`;
 /** A factor: in brackets where it is negative. @param {number} x */
 export const factor = (x) => (x < 0 ? mathml`<mrow><mo>(</mo>${number(x)}<mo>)</mo></mrow>` : number(x));
 /** @param {string} sign */

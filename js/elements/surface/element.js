@@ -29,6 +29,18 @@ const MOST_TRIANGLES = 1e6;
 /** Where the sliders begin: in radii of the surface, and in pixels. */
 const [FIRST_TOLERANCE, FIRST_PIXELS] = [0.005, 1];
 
+/**
+ * A surface of another entry point ("casteljau/surfaces", "casteljau/slim"), which has a class of its own.
+ *
+ * @param {Surface} value
+ * @returns {Surface}
+ */
+function surfaceOfOtherBundle(value) {
+  if (value?.casteljauType !== "surface")
+    throw new TypeError(`surface: expected a Surface or null, got ${typeof value}`);
+  return Surface.fromJSON(value.toJSON());
+}
+
 /** `<bezier-surface>`; what can be set from outside is documented in ../types.js. */
 export class BezierSurface extends SurfaceAttributes {
   static styles = style;
@@ -69,9 +81,7 @@ export class BezierSurface extends SurfaceAttributes {
 
   /** @param {Surface | null} surface */
   set surface(surface) {
-    if (surface !== null && !(surface instanceof Surface))
-      throw new TypeError(`surface: expected a Surface or null, got ${typeof surface}`);
-    this.#subject.given = surface;
+    this.#subject.given = surface === null || surface instanceof Surface ? surface : surfaceOfOtherBundle(surface);
     this.patch = null;
     this.requestUpdate();
   }

@@ -41,12 +41,24 @@ export function figureOf({ surface, picked, settings }, facts) {
   };
 }
 
+/** The last answer for each point: a figure is read several times in a frame. @type {WeakMap<number[], { surface: Scene["surface"], nearest: SurfaceFigure["nearest"] }>} */
+const answers = new WeakMap();
+
 /** @param {Scene["surface"]} surface @param {number[] | null} probe */
 function nearestOf(surface, probe) {
-  const found = probe && surface.nearest(probe);
-  if (!found) return null;
-  const { patch, u, v, distance, point } = found;
-  return { patch, u, v, distance, point: triple(point) };
+  if (!probe) return null;
+  const known = answers.get(probe);
+  if (known?.surface === surface) return known.nearest;
+  const found = surface.nearest(probe);
+  const nearest = found && {
+    patch: found.patch,
+    u: found.u,
+    v: found.v,
+    distance: found.distance,
+    point: triple(found.point),
+  };
+  answers.set(probe, { surface, nearest });
+  return nearest;
 }
 
 /** @param {{ x: number, y: number, z?: number }} point @returns {[number, number, number]} */

@@ -45,6 +45,8 @@ export class Geometry {
   #seen = [];
   /** @type {{ viewProjection: number[], viewport: number[] } | null} */
   #sight = null;
+  /** Whether the camera has moved since the view that tolerances in pixels refer to. */
+  outdated = false;
 
   /**
    * Tells how the surface is seen, which counts where the tolerance is in pixels.
@@ -52,10 +54,13 @@ export class Geometry {
    * @param {Sight} sight
    * @param {number} width in CSS pixels
    * @param {number} height
+   * @param {boolean} [moving] the camera moves: the mesh of the last view stays until it rests, which keeps frames short
    */
-  seen({ viewProjection }, width, height) {
+  seen({ viewProjection }, width, height, moving = false) {
     const numbers = [...viewProjection, width, height];
-    if (numbers.every((x, i) => x === this.#seen[i])) return;
+    this.outdated = !numbers.every((x, i) => x === this.#seen[i]);
+    if (!this.outdated || (moving && this.#sight)) return;
+    this.outdated = false;
     this.#seen = numbers;
     this.#sight = { viewProjection, viewport: [width, height] };
   }

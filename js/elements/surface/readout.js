@@ -1,5 +1,5 @@
 import { html, nothing } from "lit";
-import { figures } from "./words.js";
+import { figures, upperBound } from "./words.js";
 
 /**
  * @import { Facts, Recursion } from "./geometry.js"
@@ -20,7 +20,7 @@ export function readout(facts) {
   return html`<p class="facts" part="facts">
     <span><b>${many(facts.triangles)}</b> triangles</span>
     <span><b>${many(facts.vertices)}</b> vertices</span>
-    ${facts.error === null ? nothing : html`<span>error ≤ <b>${figures(facts.error)}</b> ${facts.unit}</span>`}
+    ${facts.error === null ? nothing : html`<span>error ≤ <b>${upperBound(facts.error)}</b> ${facts.unit}</span>`}
     <span>${facts.ms === null ? "by the graphics card" : html`<b>${facts.ms.toFixed(1)}</b> ms`}</span>
     ${facts.recursion ? recursionWords(facts.recursion) : nothing}
   </p>`;

@@ -24,6 +24,8 @@ import { readTheme } from "./theme.js";
  */
 
 const TURN_DEGREES_PER_SECOND = 24;
+/** After so many frames without a movement the camera rests. */
+const REST_FRAMES = 3;
 /** A frame after a pause (a hidden tab) does not make the picture jump. */
 const LONGEST_FRAME_MS = 100;
 
@@ -42,6 +44,7 @@ export class Stage {
   #camera;
   #frame = 0;
   #before = 0;
+  #framesAtRest = REST_FRAMES;
   #lost = false;
   #lease;
   /** @type {(() => void)[]} */
@@ -98,6 +101,7 @@ export class Stage {
   /** @param {Partial<View>} changes */
   move(changes) {
     this.#camera = moved(this.#camera, changes);
+    this.#framesAtRest = 0;
     this.schedule();
   }
 
@@ -151,18 +155,19 @@ export class Stage {
     this.#before = now;
     if (this.#port.turning() && this.#scene && !this.#lost)
       this.move({ turn: this.#camera.turn + (TURN_DEGREES_PER_SECOND * passed) / 1000 });
-    this.draw();
+    this.draw(this.#framesAtRest++ < REST_FRAMES);
+    if (this.geometry.outdated) this.schedule();
   }
 
-  /** Draws now. */
-  draw() {
+  /** Draws now. @param {boolean} [moving] whether the camera moves */
+  draw(moving = false) {
     const [canvas, scene, seen] = [this.#canvas, this.#scene, this.sight()];
     if (!scene || !seen || this.#lost || seen.width === 0) return;
     this.#theme ??= readTheme(this.#probe);
     const theme = this.#theme;
     const { width, height } = canvas;
     const ratio = width / seen.width;
-    this.geometry.seen(seen.sight, seen.width, seen.height);
+    this.geometry.seen(seen.sight, seen.width, seen.height, moving);
     const facts = this.factsOf(scene);
     if (!facts) return;
     this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });

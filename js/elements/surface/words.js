@@ -59,3 +59,14 @@ export const INSTRUCTIONS =
 export function figures(x) {
   return x === 0 ? "0" : x < 1e-4 || x >= 1e6 ? x.toExponential(1) : String(Number(x.toPrecision(2)));
 }
+
+/**
+ * An upper bound with two figures: rounded up, so that it is still one.
+ *
+ * @param {number} x
+ */
+export function upperBound(x) {
+  const unit = 10 ** (Math.floor(Math.log10(x)) - 1);
+  const rounded = Number(x.toPrecision(2));
+  return figures(x === 0 || rounded >= x ? rounded : rounded + unit);
+}

@@ -16,7 +16,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
  * S(u, v) = Σ Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with the net index j·(degreeU + 1) + i: u runs along the fast index. The corners are
  * returned exactly. Patches are immutable: every change returns a new one.
  *
- * @extends {CorePatch<Curve>}
+ * @extends {CorePatch<Curve<3>>}
  */
 export class Patch extends CorePatch {
   /**
@@ -46,10 +46,10 @@ export class Patch extends CorePatch {
    * @internal
    * @override
    * @param {Float64Array} flat
-   * @returns {Curve}
+   * @returns {Curve<3>}
    */
   _curveOf(flat) {
-    return curveOf(new CheckedPoints(flat, 3));
+    return /** @type {Curve<3>} */ (curveOf(new CheckedPoints(flat, 3)));
   }
 
   /**

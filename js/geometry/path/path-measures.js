@@ -24,8 +24,25 @@ import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.j
  * @typedef {{ area: number, x: number, y: number, xx: number, xy: number, yy: number }} Moments
  */
 
+/**
+ * @typedef {object} RegionOptions
+ * @property {FillRule} [fillRule] which points a path contains: those with a winding number other than 0 ("nonzero", the
+ *   default), or with an odd one ("evenodd")
+ */
+
 /** @type {readonly FillRule[]} */
 const FILL_RULES = ["nonzero", "evenodd"];
+
+/**
+ * @internal
+ * @param {RegionOptions | undefined} options
+ * @returns {boolean} whether the rule is "evenodd"
+ */
+export function isEvenOdd(options) {
+  const { fillRule = "nonzero" } = check.options(options, ["fillRule"]);
+  check.oneOf(fillRule, "fillRule", FILL_RULES);
+  return fillRule === "evenodd";
+}
 
 /** Boxes, lengths, areas, winding numbers and nearest points of a path. */
 export class PathMeasures extends PathEvaluation {
@@ -152,13 +169,13 @@ export class PathMeasures extends PathEvaluation {
    * Whether the path, filled by the rule, contains a point.
    *
    * @param {PointLike} point
-   * @param {FillRule} [rule]
+   * @param {RegionOptions} [options]
    * @returns {boolean}
    */
-  contains(point, rule = "nonzero") {
-    check.oneOf(rule, "rule", FILL_RULES);
+  contains(point, options) {
+    const evenOdd = isEvenOdd(options);
     const winding = this.windingNumber(point);
-    return rule === "nonzero" ? winding !== 0 : winding % 2 !== 0;
+    return evenOdd ? winding % 2 !== 0 : winding !== 0;
   }
 
   /**

@@ -1,6 +1,7 @@
 import * as check from "../check.js";
-import { PathMeasures } from "./path-measures.js";
+import { PathRegions } from "./path-regions.js";
 import { intersectPathWith, selfIntersectPath } from "../intersections.js";
+import * as regions from "./path-boolean.js";
 import * as shapes from "./path-shapes.js";
 import { packedShape, require2D } from "./packed-shape.js";
 import { CheckedPath } from "./path-value.js";
@@ -12,6 +13,8 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
 /**
  * @import { PointLike, PointsLike } from "../check.js"
  * @import { CoreCurve } from "../curve/core-curve.js"
+ * @import { BooleanOperation } from "./path-boolean.js"
+ * @import { RegionOptions } from "./path-measures.js"
  * @import { ArcOptions, RectOptions } from "./path-shapes.js"
  * @import { PathTime } from "./path-queries.js"
  * @import { Intersection, PathIntersection } from "../intersections.js"
@@ -34,6 +37,12 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
+ * A face of `Path.faces`: an outer contour with its holes, and for each path whether it contains the face.
+ *
+ * @typedef {{ path: Path, inside: boolean[] }} Face
+ */
+
+/**
  * A list of 2D splines, open or closed: outlines with holes, icons, anything that SVG path data can describe. It may be
  * empty.
  *
@@ -41,7 +50,7 @@ import { packedPaths, packedSplines } from "../../wasm/packed-path.js";
  *     ring.contains([0.5, 2]); // true
  *     ring.contains([2, 2]); // false
  */
-export class Path extends PathMeasures {
+export class Path extends PathRegions {
   /**
    * Parses the `d` attribute of an SVG `<path>` with all its commands, in time proportional to the length of the text.
    *
@@ -161,6 +170,34 @@ export class Path extends PathMeasures {
    */
   static polygon(points, options) {
     return pathOf(shapes.polygon(points, options));
+  }
+
+  /**
+   * Combines the regions that any number of paths fill, see `union`. Without paths the result is empty.
+   *
+   * @param {Path[]} paths
+   * @param {BooleanOperation} operation
+   * @param {RegionOptions} [options]
+   * @returns {Path}
+   */
+  static combine(paths, operation, options) {
+    return pathOf(regions.combine(paths, operation, options));
+  }
+
+  /**
+   * The bounded faces into which the outlines of paths divide the plane, and which paths contain each: what a shape
+   * builder shows under the pointer. Faces that no path contains (the hole of a ring) are in the list as well. Open
+   * subpaths are closed by lines; see `union` for the contours.
+   *
+   *     const parts = Path.faces([Path.circle([0, 0], 1), Path.circle([1, 0], 1)]);
+   *     parts.map(({ inside }) => inside); // [true, false], [true, true] and [false, true] in some order
+   *
+   * @param {Path[]} paths
+   * @param {RegionOptions} [options]
+   * @returns {Face[]}
+   */
+  static faces(paths, options) {
+    return regions.faces(paths, options).map(({ packed, inside }) => ({ path: pathOf(packed), inside }));
   }
 
   /**

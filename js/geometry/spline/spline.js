@@ -25,6 +25,13 @@ import { CheckedPoints, writeArguments, releaseMemory } from "../../wasm/transfe
  * @import { SplineJSON } from "./spline-value.js"
  */
 
+/**
+ * @typedef {object} FitOptions
+ * @property {number} tolerance the greatest distance of a point from the spline
+ * @property {boolean} [closed] whether to continue from the last point to the first
+ * @property {number} [cornerAngle] the smallest turn, in radians, that is a corner: π/5 by default, at most π
+ */
+
 /** @type {readonly ("round" | "miter" | "bevel")[]} in the order of the core */
 const JOINS = ["round", "miter", "bevel"];
 
@@ -102,26 +109,25 @@ export class Spline extends SplineMeasures {
   /**
    * A spline with few cubic segments through a sequence of points (a stroke drawn by hand, a dense polyline): the
    * distance of every point from the spline is at most the tolerance. Turns by more than `cornerAngle` stay corners, the
-   * other joints are smooth; consecutive equal points count once.
+   * other joints are smooth; consecutive equal points count once. The tolerance must be at least the noise of the points
+   * (about 1 for positions of a mouse in pixels): otherwise the spline follows the noise with many short segments.
    *
    * @template {2 | 3} [D=2 | 3]
    * @param {PointArrays<D> | PointsLike} points at least 2
-   * @param {number} tolerance
-   * @param {{ closed?: boolean, cornerAngle?: number, dimension?: D }} [options] `closed`: whether to continue from the
-   *   last point to the first; `cornerAngle`: the smallest turn, in radians, that is a corner (π/5 by default, at most π)
+   * @param {FitOptions & { dimension?: D }} options
    * @returns {Spline<D>}
    */
-  static fit(points, tolerance, options) {
-    const checked = check.options(options, ["closed", "cornerAngle", "dimension"]);
-    const { cornerAngle, dimension: requested } = checked;
+  static fit(points, options) {
+    const checked = check.options(options, ["tolerance", "closed", "cornerAngle", "dimension"]);
+    const { tolerance, cornerAngle, dimension: requested } = checked;
     const closed = check.optionalBoolean(checked.closed, "closed");
     const { flat, dimension } = flatten(points, requested, 2);
     const count = flat.length / dimension;
     if (count < 2) throw new RangeError(`points: expected at least 2 points, got ${count}`);
-    check.positive(tolerance, "tolerance");
+    const distance = check.positive(tolerance, "tolerance");
     if (cornerAngle !== undefined) check.positive(cornerAngle, "cornerAngle");
     writeArguments(flat);
-    const spline = readSpline(core().spline_fit(dimension, count, tolerance, cornerAngle ?? 0, closed), dimension);
+    const spline = readSpline(core().spline_fit(dimension, count, distance, cornerAngle ?? 0, closed), dimension);
     releaseMemory();
     return /** @type {Spline<D>} */ (spline);
   }

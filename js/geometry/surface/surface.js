@@ -18,7 +18,7 @@ import { CheckedPoints } from "../../wasm/transfer.js";
  *
  *     const mesh = Surface.teapot().grid({ segments: 16 });
  *
- * @extends {CoreSurface<Patch, Curve>}
+ * @extends {CoreSurface<Patch, Curve<3>>}
  */
 export class Surface extends CoreSurface {
   /**
@@ -98,10 +98,10 @@ export class Surface extends CoreSurface {
    * @internal
    * @override
    * @param {Float64Array} flat
-   * @returns {Curve}
+   * @returns {Curve<3>}
    */
   _curveOf(flat) {
-    return curveOf(new CheckedPoints(flat, 3));
+    return /** @type {Curve<3>} */ (curveOf(new CheckedPoints(flat, 3)));
   }
 
   /**

@@ -95,7 +95,7 @@ impl SourceSegment {
     }
 
     fn length(&self) -> f64 {
-        (-f64::from(self.halvings)).exp2()
+        1.0 / (1_u64 << self.halvings) as f64
     }
 
     /// A bound on the distance between the segment and its cubic at equal parameters.

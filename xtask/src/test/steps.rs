@@ -76,7 +76,7 @@ pub(crate) const STEPS: [Step; 17] = [
     },
     Step {
         name: "types",
-        title: "JSDoc types of the package, its tests and benchmarks, and of a program that uses the package",
+        title: "JSDoc types of the package, the site, tests and benchmarks, and of a program that uses the package",
         needs: &["build"],
         act: types,
         ..PLAIN
@@ -233,7 +233,7 @@ fn size(_: &Context) -> Result<Done> {
     Ok(Done::Passed)
 }
 
-/// Checks the types of the package, the tests, the benchmarks, and a program that uses the package's declarations. The
+/// Checks the types of the package, the site, the tests, the benchmarks, and a program that uses the package's declarations. The
 /// build checks those of the package only if something changed; this step always does.
 fn types(_: &Context) -> Result<Done> {
     build::build()?;
@@ -250,6 +250,7 @@ fn types(_: &Context) -> Result<Done> {
     let project = |folder| shell::node(&[tsc, "--project", folder]);
     run_all([
         package,
+        project("www"),
         project("tests"),
         project("benches"),
         project("tests/types"),

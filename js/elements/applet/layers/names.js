@@ -62,11 +62,25 @@ function halfNames(halves) {
     return Array.from({ length: flat.length / 2 }, (_, i) => {
       const place = (/** @type {number} */ k) =>
         /** @type {[number, number] | undefined} */ (k in flat ? [flat[k], flat[k + 1]] : undefined);
-      const neighbours = [place(2 * i - 2), place(2 * i + 2)];
+      const atCut = side === 0 ? 2 * i + 2 === flat.length : i === 0;
+      const neighbours = atCut ? [acrossCut(halves, side)] : [place(2 * i - 2), place(2 * i + 2)];
       const away = pen.awayFrom([flat[2 * i], flat[2 * i + 1]], neighbours);
       return { text: `${"qr"[side]}${i}`, at: flat.subarray(2 * i, 2 * i + 2), away };
     });
   });
+}
+
+/**
+ * The point next to the cut in the other half: the names of the two points at the cut keep away from it, each on its own side.
+ *
+ * @param {import("../../../index.js").Curve[]} halves
+ * @param {number} side
+ * @returns {[number, number]}
+ */
+function acrossCut(halves, side) {
+  const other = halves[1 - side].controlPoints();
+  const k = side === 0 ? 2 : other.length - 4;
+  return [other[k], other[k + 1]];
 }
 
 /**
@@ -113,8 +127,9 @@ function awayFrom(below, flat, i) {
  */
 export function nameAt(labels, level, index, last) {
   if (labels === "b0") return `b${digits(index, SUBSCRIPTS)}${digits(level, SUPERSCRIPTS)}`;
-  if (labels === "p0") return last ? "P(t)" : `p${chained(level, index, "-")}`;
-  return last ? "P" : `P${chained(level, index + (labels === "P1" ? 1 : 0), "")}`;
+  if (last) return "B(t)";
+  if (labels === "p0") return `p${chained(level, index, "-")}`;
+  return `P${chained(level, index + (labels === "P1" ? 1 : 0), "")}`;
 }
 
 /**

@@ -1,0 +1,75 @@
+// The Markdown of the site's pages: sections, numbers, figures, tasks, formulas, code, and the font for the formulas.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { codeHighlighter } from "../../www/build/highlight.js";
+import { contentsOf, pathToRoot } from "../../www/build/layout.js";
+import { charactersOf } from "../../www/build/math-font.js";
+import { markdown } from "../../www/build/markdown.js";
+
+const md = markdown(await codeHighlighter());
+const render = (text, chapter) => md.render(text, { chapter });
+
+test("headings of the second level make sections with numbers, and the table of contents", () => {
+  const html = render("## Splitting {#cut}\n\nText.\n\n### Two halves\n\n## Properties: hull, affine maps\n\nMore.", 3);
+  assert.match(
+    html,
+    /^<section id="cut">\s*<h2><span class="nr">3\.1<\/span> Splitting <a class="permalink" href="#cut"/,
+  );
+  assert.match(html, /<h3 id="two-halves"/);
+  assert.match(html, /<\/section>\s*<section id="properties-hull-affine-maps">[\s\S]*<\/section>\s*$/);
+  assert.deepEqual(
+    contentsOf(html).map(({ id, title }) => [id, title.replace(/<[^>]*>/g, "")]),
+    [
+      ["cut", "3.1 Splitting"],
+      ["properties-hull-affine-maps", "3.2 Properties: hull, affine maps"],
+    ],
+  );
+  assert.doesNotMatch(render("## Splitting"), /class="nr"/, "without a chapter there are no numbers");
+});
+
+test("a figure has an id, a number and its last paragraph as caption; an element in it is no paragraph", () => {
+  const html = render(
+    '::: figure hull\n<bezier-applet id="a"></bezier-applet>\n\nThe **hull** of $P_0$.\n:::\n\n::: figure ends\n<p>x</p>\n:::',
+    1,
+  );
+  assert.match(html, /<figure id="figure-hull">\s*<bezier-applet id="a"><\/bezier-applet>\s*<figcaption>/);
+  assert.match(html, /<figcaption><span class="nr">Figure 1\.1<\/span> The <strong>hull<\/strong> of <math>/);
+  assert.match(html, /href="#figure-hull" aria-label="Link to this figure">#<\/a><\/figcaption>\s*<\/figure>/);
+  assert.equal(html.match(/figcaption>/g)?.length, 2, "a figure may have no caption");
+});
+
+test("tasks and samples; what is missing is named", () => {
+  assert.match(
+    render("::: task half-height for=parabola\nHow high?\n:::", 2),
+    /<lesson-task name="half-height" for="parabola" data-number="2\.1">\s*<p>How high\?<\/p>\s*<\/lesson-task>/,
+  );
+  assert.match(render("::: sample grid\n:::"), /<pre tabindex="0" data-language="js"><code>.*class="keyword"/s);
+  assert.throws(() => render("::: sample nowhere\n:::"), /expected the sample www\/samples\/nowhere\.js/);
+  assert.throws(() => render("::: figure\nx\n:::"), /expected a name after/);
+});
+
+test("formulas become MathML, and a wrong one fails the build", () => {
+  assert.match(render("A $t^2$ here."), /A <math><msup><mi>t<\/mi><mn[^>]*>2<\/mn><\/msup><\/math> here\./);
+  assert.match(render("$$\n\\sum_{i=0}^n B_i\n$$"), /<math display="block"[^>]*>[\s\S]*<munderover>/);
+  assert.throws(() => render("$\\nonsense{x}$"), /nonsense/);
+});
+
+test("code is coloured by words only, and nothing of it is lost", () => {
+  const html = render('```js\nconst a = f("x<y", 12); // why\n```');
+  assert.match(html, /<span class="keyword">const <\/span>a = f\(/);
+  assert.match(html, /<span class="string">&quot;x&lt;y&quot;<\/span>/);
+  assert.match(html, /<span class="number">12<\/span>/);
+  assert.match(html, /<span class="comment">\/\/ why<\/span>/);
+  assert.doesNotMatch(html, /<span class="keyword">\s*=/);
+});
+
+test("the font has the characters of all formulas, letters in italics too", () => {
+  const characters = charactersOf([render("$\\frac{h}{x} \\times \\Delta P$"), "outside: Ж"]);
+  for (const character of "hxP×Δ") assert.ok(characters.includes(character), character);
+  for (const italic of ["ℎ", "𝑥", "𝑃"]) assert.ok(characters.includes(italic), italic);
+  assert.ok(!characters.includes("Ж"));
+});
+
+test("the way to the first page", () => {
+  assert.deepEqual(["/", "/curves/", "/api/curve/", "/embed.html"].map(pathToRoot), ["", "../", "../../", ""]);
+});

@@ -1,0 +1,40 @@
+// Opens pages at an anchor and says where it lands.
+import assert from "node:assert/strict";
+import { intersectionsReported, openPage } from "./browser.js";
+
+/** So far from its place, 16 px below the upper edge of the window, an anchor may land. */
+const TOLERANCE_PX = 40;
+const MARGIN_PX = 16;
+
+/** All ids of a page's content, without JavaScript. @param {import("node:test").TestContext} t @param {string} path */
+export async function anchorsOf(t, path) {
+  const page = await openPage(t, path, { javaScriptEnabled: false });
+  return page.locator("main [id]:not(svg *)").evaluateAll((all) => all.map(({ id }) => id));
+}
+
+/**
+ * Fails unless a page that is opened at an anchor shows it at its place, or has been scrolled to its end.
+ *
+ * @param {import("node:test").TestContext} t
+ * @param {string} path
+ * @param {readonly string[]} ids
+ * @param {import("playwright-core").BrowserContextOptions} [options]
+ */
+export async function assertAnchorsLand(t, path, ids, options = {}) {
+  const page = await openPage(t, "about:blank", { viewport: { width: 1280, height: 800 }, ...options });
+  for (const id of ids) {
+    await page.goto("about:blank"); // a new document: otherwise only the fragment changes
+    await page.goto(`${path}#${id}`);
+    await page.waitForSelector("html[data-address]");
+    for (let i = 0; i < 2; i++) await intersectionsReported(page); // what is near has been drawn, and moved what is below
+    const { top, rest } = await page.evaluate(
+      (id) => ({
+        top: document.getElementById(id).getBoundingClientRect().top,
+        rest: document.documentElement.scrollHeight - innerHeight - scrollY,
+      }),
+      id,
+    );
+    const atEnd = rest < 2 && top > 0;
+    assert.ok(atEnd || Math.abs(top - MARGIN_PX) <= TOLERANCE_PX, `${path}#${id} is at ${top} px`);
+  }
+}

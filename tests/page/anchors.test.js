@@ -1,0 +1,10 @@
+// Links to a place on a page: it is at the upper edge of the window when the page has been drawn, and the scroll is not animated.
+import { test } from "node:test";
+import { assertAnchorsLand } from "./anchors-page.js";
+
+for (const [path, ids] of /** @type {const} */ ([
+  ["/curves/", ["quadratic", "figure-hull", "joining", "figure-zoom"]],
+  ["/surfaces/", ["cracks", "figure-gpu", "history", "files"]],
+])) {
+  test(`${path} opened at some of its anchors`, (t) => assertAnchorsLand(t, path, ids));
+}

@@ -1,3 +1,0 @@
-// All figures on one page.
-import "../parts/page.js";
-import "./index.js";
