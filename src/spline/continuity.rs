@@ -11,8 +11,8 @@ const DEFAULT_RATIO: f64 = 1e-9;
 /// The continuity at a joint.
 ///
 /// Cⁿ is parametric continuity (equal derivatives: the point moves smoothly along t), Gⁿ geometric continuity (the
-/// drawn curve is smooth). The tutorial text calls aligned handles C1; alignment alone is G1. For equal degrees it is
-/// C1 if the handles have equal length too.
+/// drawn curve is smooth). Aligned handles alone give G1. For
+/// equal degrees, aligned handles of equal length give C1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -73,7 +73,7 @@ impl<P: Point> Spline<P> {
         ))
     }
 
-    /// Returns an error unless `joint` is a joint; the ends of an open spline are none.
+    /// Returns an error unless `joint` is a joint; the ends of an open spline are not joints.
     pub(crate) fn check_joint(&self, joint: usize) -> Result<(), Error> {
         let (first, last) = (usize::from(!self.closed), self.segment_count() - 1);
         if joint < first || joint > last {

@@ -25,7 +25,7 @@ impl FrameSequence for Spline<DVec3> {
                 let whole = self.curve(k).split(t.clamp(0.0, 1.0)).0;
                 let length = ends[k] + whole.arc_length(f64::INFINITY);
                 let part = if t < 1.0 { length } else { ends[k + 1] } / ends[count];
-                // A length beyond the range of f64 does not tell the parts.
+                // If the length overflows f64, use the parameter instead.
                 if part.is_finite() {
                     part.min(1.0)
                 } else {

@@ -27,7 +27,7 @@ type Net = [[[f64x2; 3]; 3]; 6];
 /// that `Lanes` expects; then the length of its longest vector, or an upper bound of it.
 type Row = [f32x4; 5];
 
-/// The index of that length.
+/// The index of this length in a [`Row`].
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
@@ -66,7 +66,7 @@ pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> b
     missing
 }
 
-/// Fills one line; normals that are not accurate enough are set to zero. Returns true if there are none of these.
+/// Fills one line; normals that are not accurate enough are set to zero. Returns true if all normals are accurate enough.
 #[inline(always)]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let numbers: [f32; 20] = bytemuck::cast(curve);
