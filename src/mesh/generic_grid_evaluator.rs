@@ -119,7 +119,7 @@ impl GenericGridEvaluator {
     }
 }
 
-/// Normalises the vectors ∂u × ∂v. Returns `true` if one of them is not regular; it becomes zero.
+/// Normalizes the vectors ∂u × ∂v. Returns `true` if one of them is not regular; it becomes zero.
 fn make_unit(facings: &mut [[f32; 3]]) -> bool {
     let mut missing = false;
     for cross_product in facings {
