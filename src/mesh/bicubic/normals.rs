@@ -50,7 +50,7 @@ pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> b
     let mut missing = false;
     for (iv, (line, weights)) in out
         .chunks_exact_mut(columns)
-        .zip(&grid.facings_v)
+        .zip(&grid.normal_weights_v)
         .enumerate()
     {
         let complete = fill_line(
@@ -101,7 +101,7 @@ fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 
     let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
     let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
     for (k, lanes) in lanes.iter().enumerate() {
-        let [w, skew] = lanes.facings;
+        let [w, skew] = lanes.normals;
         let even = |axis: usize| w[0] * c[axis] + w[1] * c[3 + axis] + w[2] * c[6 + axis];
         let odd =
             |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
@@ -206,7 +206,7 @@ impl BicubicNormalNet {
                 } else {
                     quintic(iu, grid.segments_u)
                 };
-                *normal = self.exactly(u, v);
+                *normal = self.normal_in_f64(u, v);
                 missing |= *normal == [0.0; 3];
             }
         }
@@ -214,7 +214,7 @@ impl BicubicNormalNet {
     }
 
     /// The direction of N in f64; zero where N vanishes.
-    fn exactly(&self, u: [f64; 6], v: [f64; 6]) -> [f32; 3] {
+    fn normal_in_f64(&self, u: [f64; 6], v: [f64; 6]) -> [f32; 3] {
         let mut sums = [f64x2::ZERO; 3];
         for (row, v) in self.net.iter().zip(v) {
             for (k, vector) in row.iter().enumerate() {
