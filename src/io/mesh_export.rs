@@ -11,6 +11,7 @@ use crate::numeric::order::to_u32;
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 
+/// The header of a binary STL file, without the number of triangles.
 const STL_HEADER_BYTES: usize = 80;
 /// A normal and three corners of three f32 each, and two unused bytes.
 const STL_TRIANGLE_BYTES: usize = 50;

@@ -247,7 +247,8 @@ fn used(squares: [f64; 6]) -> [usize; 2] {
 /// The second half of each pair is computed with u reversed, which gives N_(5−k)l.
 fn normal_net(points: &[[f64; 3]; 16]) -> Net {
     let (du, dv) = differences(points);
-    const SHARE: [f64; 6] = [1.0, 1.0 / 5.0, 1.0 / 10.0, 1.0 / 10.0, 1.0 / 5.0, 1.0];
+    // The reciprocals of the binomial coefficients C(5, k).
+    const RECIPROCAL_BINOMIALS: [f64; 6] = [1.0, 1.0 / 5.0, 1.0 / 10.0, 1.0 / 10.0, 1.0 / 5.0, 1.0];
     let mut net: Net = [[[f64x2::ZERO; 3]; 3]; 6];
     for (j, u) in du.iter().enumerate() {
         for (row, v) in net[j..].iter_mut().zip(&dv) {
@@ -260,8 +261,8 @@ fn normal_net(points: &[[f64; 3]; 16]) -> Net {
             add_cross(c2, u[2], v[0]);
         }
     }
-    for (row, share) in net.iter_mut().zip(SHARE) {
-        for (vector, other) in row.iter_mut().zip(SHARE) {
+    for (row, share) in net.iter_mut().zip(RECIPROCAL_BINOMIALS) {
+        for (vector, other) in row.iter_mut().zip(RECIPROCAL_BINOMIALS) {
             *vector = vector.map(|axis| axis * f64x2::splat(share * other));
         }
     }
@@ -296,18 +297,19 @@ fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 
         })
     });
     let (size_u, size_v) = (reciprocal_size(&du), reciprocal_size(&dv));
-    const OF_TWO: [f64; 3] = [1.0, 2.0, 1.0];
-    const OF_THREE: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
+    // The binomial coefficients C(2, i) and C(3, i).
+    const BINOMIALS_2: [f64; 3] = [1.0, 2.0, 1.0];
+    const BINOMIALS_3: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
     for j in 0..4 {
         for i in 0..3 {
             // With u reversed, differences along u change their signs.
-            let scale = size_u * (OF_THREE[j] * OF_TWO[i]);
+            let scale = size_u * (BINOMIALS_3[j] * BINOMIALS_2[i]);
             du[j][i] = du[j][i].map(|axis| axis * f64x2::new([scale, -scale]));
         }
     }
     for j in 0..3 {
         for i in 0..3 {
-            let scale = f64x2::splat(size_v * (OF_TWO[j] * OF_THREE[i]));
+            let scale = f64x2::splat(size_v * (BINOMIALS_2[j] * BINOMIALS_3[i]));
             dv[j][i] = dv[j][i].map(|axis| axis * scale);
         }
     }
