@@ -33,6 +33,7 @@ pub enum Basis {
 impl Basis {
     /// The basis matrix, row-major: the rows belong to t³, t², t and 1, the columns to the four geometry points.
     pub fn matrix(&self) -> [f64; 16] {
+        // The common factor of the matrix of the uniform cubic B-spline.
         const S: f64 = 1.0 / 6.0;
         match *self {
             Self::Bezier => [

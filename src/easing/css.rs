@@ -1,4 +1,5 @@
-//! Timing functions as CSS text. `js/geometry/easing-css.js` reads and writes the same, message for message.
+//! Timing functions as CSS text. `js/geometry/easing-css.js` reads and writes the same text, with the same error
+//! messages.
 
 use super::piecewise::{Linear, StepPosition, Steps, Stop};
 use super::scanner::Scanner;

@@ -4,7 +4,7 @@
 
 use crate::geometry::error::Error;
 
-/// Where a step function jumps besides between its intervals.
+/// At which ends of the range of x a step function jumps, in addition to the jumps between its intervals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepPosition {
     Start,

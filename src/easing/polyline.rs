@@ -12,7 +12,8 @@ use super::piecewise::Stop;
 
 /// Halvings of the tolerance in the search for the smallest error.
 const ROUNDS: usize = 12;
-/// The lower boundary limits slopes from below, the upper boundary from above.
+/// The sign of each boundary: index 0 is the lower one, which sets a minimum slope; index 1 is the upper one, which sets a
+/// maximum slope.
 const SIGNS: [f64; 2] = [1.0, -1.0];
 
 /// The line of a link. The next link begins on it, between the point `from` and x = `to`.
@@ -23,7 +24,7 @@ struct Line {
     to: f64,
 }
 
-/// What a line has to pass, for one boundary of the tolerance.
+/// The constraint that one boundary of the tolerance sets for a line.
 struct Boundary {
     /// The points on the boundary.
     points: Vec<Stop>,
@@ -100,7 +101,8 @@ fn new_link() -> [Boundary; 2] {
     })
 }
 
-/// The limit that a point of one boundary, right of all others, sets to the slopes of lines which pass the other one.
+/// The limit of the slope that a new point of one boundary sets, together with the points of the other boundary to its
+/// left.
 fn slope_to(link: &[Boundary; 2], side: usize, [x, y]: Stop) -> f64 {
     let sign = SIGNS[side];
     let left = link[1 - side].points.iter().filter(|[a, _]| *a < x);
@@ -117,7 +119,7 @@ fn add_point(link: &mut [Boundary; 2], side: usize, point: Stop) {
     own.points.push(point);
 }
 
-/// The line that comes closest to a point out of its reach, up to where it leaves the boundary of this point, or up to
+/// The line that comes closest to a point that no line reaches. It ends where it leaves the boundary of this point, or at
 /// the end of the run.
 fn longest_line(link: &[Boundary; 2], side: usize, point: Stop, is_end: bool) -> Line {
     let other = &link[1 - side];

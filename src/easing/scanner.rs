@@ -100,7 +100,7 @@ impl<'a> Scanner<'a> {
         is_whole && !self.has_percentage()
     }
 
-    /// Reads a number that is no percentage.
+    /// Reads a number that is not a percentage.
     pub(crate) fn number(&mut self) -> Result<f64, EasingError> {
         if self.has_percentage() {
             return Err(self.refusal("a number"));

@@ -5,7 +5,7 @@
 use super::piecewise::{Linear, Stop};
 use super::polyline::approximate;
 
-/// The part of the tolerance that is left to the distance between the function and its polyline.
+/// The part of the tolerance that is reserved for the distance between the function and its polyline.
 const POLYLINE_SHARE: f64 = 1.0 / 64.0;
 /// The largest number of halvings of the parameter range.
 const MAX_DEPTH: usize = 20;
@@ -62,7 +62,7 @@ fn rounded(run: Vec<Stop>, stops: &[Stop], tolerance: f64, scale: f64) -> Vec<St
         let rounded: Vec<Stop> = rounded.collect();
         let relative = rounded.iter().map(|[x, y]| [*x, y / scale]).collect();
         let candidate = Linear { stops: relative };
-        // Both are straight in between: the distance is greatest at a vertex or at a stop.
+        // Both functions are linear between vertices and stops, so the distance is greatest at one of these.
         if is_within(&run.stops, &candidate, tolerance)
             && is_within(&candidate.stops, &run, tolerance)
         {

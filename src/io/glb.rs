@@ -6,6 +6,7 @@ use crate::geometry::error::Error;
 use crate::mesh::Indices;
 use crate::numeric::order::to_u32;
 
+/// The version of glTF, and the sizes of the file header and of the header of a chunk.
 const VERSION: u32 = 2;
 const HEADER_BYTES: usize = 12;
 const CHUNK_HEADER_BYTES: usize = 8;

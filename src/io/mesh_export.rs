@@ -11,6 +11,7 @@ use crate::numeric::order::to_u32;
 use glam::DVec3;
 use std::fmt::{Display, LowerExp};
 
+/// The header of a binary STL file, without the number of triangles.
 const STL_HEADER_BYTES: usize = 80;
 /// A normal and three corners of three f32 each, and two unused bytes.
 const STL_TRIANGLE_BYTES: usize = 50;
@@ -62,7 +63,7 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
     /// f32.
     pub fn to_stl(&self) -> Result<Vec<u8>, Error> {
         self.check(self.indices.iter(), self.indices.len(), 3)?;
-        let positions = in_floats("positions", &self.positions)?;
+        let positions = rounded_to_f32("positions", &self.positions)?;
         let triangles = self.triangle_count();
         let length = STL_HEADER_BYTES + 4 + triangles * STL_TRIANGLE_BYTES;
         let mut bytes = Vec::with_capacity(checked_length(length)?);
@@ -93,8 +94,8 @@ impl<T: Copy + Into<f64> + Display + LowerExp> Mesh<T> {
     /// As [`to_stl`](Self::to_stl).
     pub fn to_glb(&self) -> Result<Vec<u8>, Error> {
         self.check(self.indices.iter(), self.indices.len(), 3)?;
-        let positions = in_floats("positions", &self.positions)?;
-        let normals = in_floats("normals", &self.normals)?;
+        let positions = rounded_to_f32("positions", &self.positions)?;
+        let normals = rounded_to_f32("normals", &self.normals)?;
         glb(&positions, normals, &self.uvs, &self.indices)
     }
 
@@ -160,7 +161,10 @@ fn check_finite<T: Copy + Into<f64>>(what: &'static str, numbers: &[T]) -> Resul
 }
 
 /// Rounds finite numbers to f32.
-fn in_floats<T: Copy + Into<f64>>(what: &'static str, numbers: &[T]) -> Result<Vec<f32>, Error> {
+fn rounded_to_f32<T: Copy + Into<f64>>(
+    what: &'static str,
+    numbers: &[T],
+) -> Result<Vec<f32>, Error> {
     let round = |&x: &T| {
         let float = to_f32(x.into());
         let refusal = || Error::Range {

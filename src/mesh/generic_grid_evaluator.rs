@@ -91,11 +91,11 @@ impl GenericGridEvaluator {
     }
 
     /// One line of positions and of ∂u × ∂v.
-    fn evaluate_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
+    fn evaluate_along(&self, positions: &mut [[f32; 3]], cross_products: &mut [[f32; 3]]) {
         let row = &self.row;
         let weights = self.u[0].values.chunks_exact(row.points.len());
         let weights = weights.zip(self.u[1].values.chunks_exact(row.along_u.len()));
-        let samples = positions.iter_mut().zip(facings);
+        let samples = positions.iter_mut().zip(cross_products);
         for ((values, slopes), (position, cross_product)) in weights.zip(samples) {
             let along_u = blend(slopes, &row.along_u);
             *position = round(blend(values, &row.points));
@@ -104,12 +104,12 @@ impl GenericGridEvaluator {
     }
 
     /// As `evaluate_along`, by forward differences; the last sample is the end point of the line.
-    fn step_along(&self, positions: &mut [[f32; 3]], facings: &mut [[f32; 3]]) {
+    fn step_along(&self, positions: &mut [[f32; 3]], cross_products: &mut [[f32; 3]]) {
         let curves = [&self.row.points, &self.row.along_u, &self.row.along_v];
         let mut steppers = curves.map(|points| Stepper::new(points, self.grid.segments_u));
         let mut write = |at: usize, [point, along_u, along_v]: [DVec3; 3]| {
             positions[at] = round(point);
-            facings[at] = round(along_u.cross(along_v));
+            cross_products[at] = round(along_u.cross(along_v));
         };
         for at in 0..self.grid.segments_u {
             write(at, steppers.each_mut().map(Stepper::next));
@@ -119,10 +119,10 @@ impl GenericGridEvaluator {
     }
 }
 
-/// Normalises the vectors ∂u × ∂v. Returns `true` if one of them is not regular; it becomes zero.
-fn make_unit(facings: &mut [[f32; 3]]) -> bool {
+/// Normalizes the vectors ∂u × ∂v. Returns `true` if one of them is not regular; it becomes zero.
+fn make_unit(cross_products: &mut [[f32; 3]]) -> bool {
     let mut missing = false;
-    for cross_product in facings {
+    for cross_product in cross_products {
         let normal = unit(*cross_product);
         missing |= normal.is_none();
         *cross_product = normal.unwrap_or_default();

@@ -19,7 +19,7 @@ impl Surface {
     /// sides)), and with at most 2π / sides of turning between two samples. (A ribbon follows it as closely as a tube
     /// with eight sides and a radius of half the ribbon's width.) Where a line turns back within that distance, at a
     /// cusp, it ends and starts again. Tubes are closed bodies with hemispherical ends, so that they join where lines
-    /// cross and patches end; their cross-sections do not twist about the line (rotation-minimising frames by double
+    /// cross and patches end; their cross-sections do not twist about the line (rotation-minimizing frames by double
     /// reflection). Ribbons have the surface's normals and are one-sided, on the side of ∂u × ∂v. A line that is a
     /// point is omitted. `uvs` and `patch_ids` are empty; `patch_ranges` contains the range of each patch.
     ///

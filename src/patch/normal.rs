@@ -3,7 +3,7 @@
 //! N(u, v) = ∂S/∂u × ∂S/∂v is itself a polynomial with vector coefficients, of degrees 2m − 1 and 2n − 1. Its
 //! coefficients are the normal net: 6 × 6 vectors for a bicubic patch. Where an edge is collapsed to a point, the rows
 //! of this net along the edge are exactly zero, and the first nonzero row gives the limit of the normal's direction. So
-//! no step length has to be chosen, and no noise is normalised. Source: Yamaguchi, "Normal vectors of Bézier patches";
+//! no step length has to be chosen, and no noise is normalized. Source: Yamaguchi, "Normal vectors of Bézier patches";
 //! the formula is derived by multiplying the two derivatives in Bernstein form (Farin, *Curves and Surfaces for CAGD*,
 //! §6.9 for products).
 

@@ -11,8 +11,8 @@ const DEFAULT_RATIO: f64 = 1e-9;
 /// The continuity at a joint.
 ///
 /// Cⁿ is parametric continuity (equal derivatives: the point moves smoothly along t), Gⁿ geometric continuity (the
-/// drawn curve is smooth). The tutorial text calls aligned handles C1; alignment alone is G1. For equal degrees it is
-/// C1 if the handles have equal length too.
+/// drawn curve is smooth). Aligned handles alone give G1. For
+/// equal degrees, aligned handles of equal length give C1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -66,14 +66,14 @@ impl<P: Point> Spline<P> {
             .control_bounds()
             .union(right.control_bounds())
             .diagonal();
-        Ok(judge(
+        Ok(continuity_between(
             &left,
             &right,
             tolerance.unwrap_or(DEFAULT_RATIO * size),
         ))
     }
 
-    /// Returns an error unless `joint` is a joint; the ends of an open spline are none.
+    /// Returns an error unless `joint` is a joint; the ends of an open spline are not joints.
     pub(crate) fn check_joint(&self, joint: usize) -> Result<(), Error> {
         let (first, last) = (usize::from(!self.closed), self.segment_count() - 1);
         if joint < first || joint > last {
@@ -88,16 +88,16 @@ impl<P: Point> Spline<P> {
     }
 }
 
-fn judge<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continuity {
+fn continuity_between<P: Point>(left: &Curve<P>, right: &Curve<P>, tolerance: f64) -> Continuity {
     let near =
         |k: usize| (left.derivative_at(1.0, k) - right.derivative_at(0.0, k)).length() <= tolerance;
     let (before, after) = (left.tangent(1.0), right.tangent(0.0));
     let (along, across) = (before.dot(after), before.cross(after).size());
-    let reach = handle(left, true).min(handle(right, false));
-    let g1 = along > 0.0 && across * reach <= tolerance;
+    let handle_length = handle(left, true).min(handle(right, false));
+    let g1 = along > 0.0 && across * handle_length <= tolerance;
     // Two parabolas with these curvatures differ by Δκ/2 · reach² at the tip of the handle.
-    let bend = bend_of(left, 1.0) - bend_of(right, 0.0);
-    let g2 = g1 && bend.length() * 0.5 * reach * reach <= tolerance;
+    let bend = curvature_vector(left, 1.0) - curvature_vector(right, 0.0);
+    let g2 = g1 && bend.length() * 0.5 * handle_length * handle_length <= tolerance;
     let c1 = near(1);
     Continuity {
         c0: true,
@@ -123,6 +123,6 @@ fn handle<P: Point>(curve: &Curve<P>, at_end: bool) -> f64 {
 }
 
 /// The curvature vector; its length is at most `f64::MAX` where the curvature is infinite.
-fn bend_of<P: Point>(curve: &Curve<P>, t: f64) -> P {
+fn curvature_vector<P: Point>(curve: &Curve<P>, t: f64) -> P {
     curve.normal(t) * curve.curvature(t).clamp(-f64::MAX, f64::MAX)
 }

@@ -1,11 +1,11 @@
 //! Detection of corners in a sequence of points with noise.
 //!
-//! A turn that is measured between neighbouring points says nothing where the points are as close together as their
-//! noise. Therefore the points are merged to clusters of the size of the tolerance, and two models of the points around
+//! The angle between neighbouring chords is meaningless where the points are as close together as their noise is large.
+//! Therefore the points are merged into clusters of the size of the tolerance, and two models of the points around
 //! a cluster are compared: two straight lines that meet there, and a parabola. Both have three vectors as parameters.
 //! A corner is where the lines turn by more than the corner angle, fit within the tolerance, and leave at most half of
-//! the parabola's sum of squares. Noise and smooth bends do not favour the lines: over an arm length L, a corner of angle
-//! θ leaves the parabola a root mean square of 0.072 L sin(θ/2), a smooth bend one of the order L³.
+//! the parabola's sum of squares. Noise and smooth bends do not favour the lines: over an arm length L, the root
+//! mean square residual of the parabola is 0.072 L sin(θ/2) at a corner of angle θ, and of the order L³ at a smooth bend.
 //!
 //! The comparison is made at several arm lengths, the shortest first: a short one separates close corners, a long one
 //! recognises a flat corner in noise. Where the points are farther apart than the shortest arm, the turns of the
@@ -97,7 +97,7 @@ struct Corner<P> {
 
 impl<P: Point> CornerDetector<P> {
     /// Adds the corners that are detected with an arm length. Within an arm of a corner no other one is added; shorter
-    /// arms and better fits come first. `taken` marks the clusters with a corner, counted from the first own one.
+    /// arms and better fits come first. `taken` marks the clusters with a corner, counted from the start of `own`.
     fn add_corners(&self, arm: f64, taken: &mut [bool], found: &mut Vec<Corner<P>>) {
         let mut candidates: Vec<Corner<P>> = self
             .own

@@ -38,7 +38,7 @@ const MAX_ROUNDS: usize = 6;
 const FOOT_ROUNDS: usize = 2;
 
 /// If the error exceeds this many tolerances after the first two iterations, the fit is given up.
-const HOPELESS: f64 = 50.0;
+const MAX_INITIAL_ERROR: f64 = 50.0;
 
 /// Bisection steps for the longest run, which is found to 1/64.
 const BISECTIONS: usize = 6;
@@ -155,7 +155,7 @@ impl<P: Point> FitSamples<P> {
             if worst <= self.criteria.tolerance && self.keeps(&cubic, from, to, &samples) {
                 return Some([cubic[1], cubic[2]]);
             }
-            let limit = HOPELESS * self.criteria.tolerance;
+            let limit = MAX_INITIAL_ERROR * self.criteria.tolerance;
             if round > 1 && !(worst < 0.8 * previous && worst < limit) {
                 return None;
             }

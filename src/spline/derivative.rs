@@ -45,7 +45,7 @@ impl<P: Point> Spline<P> {
     /// The curvature at t in 1 / unit of length; see [`Curve::curvature`](crate::Curve::curvature). Signed in the
     /// plane, nonnegative in space.
     ///
-    /// It does not depend on the parametrisation. At a joint the segment that starts there counts.
+    /// It does not depend on the parametrization. At a joint the segment that starts there counts.
     pub fn curvature(&self, t: f64) -> f64 {
         let (segment, rest) = self.locate(t);
         self.curve(segment).curvature(rest)

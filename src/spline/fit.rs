@@ -21,15 +21,15 @@ const MAX_SHIFT: f64 = 0.9;
 impl<P: Point> Spline<P> {
     /// A spline of few cubics fitted to points in order, for example a freehand stroke or a dense polyline.
     ///
-    /// Every point lies within `tolerance` of the spline. Points follow each other in order but for noise: none lies
-    /// more than three tolerances from the part of the spline after its predecessors. The distance between the points is
-    /// not bounded, but the handles are at most 1.5 times as long as the chord length of their points. An open spline
-    /// starts at the first point and ends at the last. The other joints are input points, or lie within the tolerance of
-    /// one where the points have noise.
+    /// Every point lies within `tolerance` of the spline. The spline passes the points in order, except for noise: each
+    /// point lies at most three tolerances from the part of the spline that follows the previous points. The distance
+    /// between the points is not bounded, but the handles are at most 1.5 times as long as the chord length of their
+    /// points. An open spline starts at the first point and ends at the last. The other joints are input points, or lie
+    /// within the tolerance of one where the points have noise.
     ///
     /// `corner_angle`, in radians, above 0 and at most π, is the smallest turn that is kept as a corner; the default is
     /// π/5 (36°). Turns are measured over arms of 8, 16 and 32 tolerances, so noise within the tolerance adds no
-    /// corners, and a bend that a smooth curve follows within the tolerance is no corner. Where neighbouring points are
+    /// corners, and a bend that a smooth curve follows within the tolerance is not a corner. Where neighbouring points are
     /// more than 8 tolerances apart, a turn counts if it is more than twice the turns next to it or above 75°. The other
     /// joints are smooth. Tangents come from parabolas fitted to neighbouring points.
     ///

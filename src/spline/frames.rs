@@ -1,4 +1,4 @@
-//! Rotation-minimising frames along splines in space.
+//! Rotation-minimizing frames along splines in space.
 
 use super::Spline;
 use crate::curve::Curve;
@@ -25,7 +25,7 @@ impl FrameSequence for Spline<DVec3> {
                 let whole = self.curve(k).split(t.clamp(0.0, 1.0)).0;
                 let length = ends[k] + whole.arc_length(f64::INFINITY);
                 let part = if t < 1.0 { length } else { ends[k + 1] } / ends[count];
-                // A length beyond the range of f64 does not tell the parts.
+                // If the length overflows f64, use the parameter instead.
                 if part.is_finite() {
                     part.min(1.0)
                 } else {
@@ -38,7 +38,7 @@ impl FrameSequence for Spline<DVec3> {
 }
 
 impl Spline<DVec3> {
-    /// Rotation-minimising frames at even steps of t, `per_curve` steps per segment, both ends included.
+    /// Rotation-minimizing frames at even steps of t, `per_curve` steps per segment, both ends included.
     ///
     /// As [`frames_at`](Self::frames_at) without a requested first normal.
     ///
@@ -52,10 +52,10 @@ impl Spline<DVec3> {
         self.frames_at(&ts, None)
     }
 
-    /// Rotation-minimising frames at the given parameters, continued from t = 0; see [`Curve::frames_at`].
+    /// Rotation-minimizing frames at the given parameters, continued from t = 0; see [`Curve::frames_at`].
     ///
     /// At a corner the frame turns with the tangent by the smaller angle; where the tangent reverses exactly, the
-    /// normal is kept. A rotation-minimising frame that is carried around a closed spline returns rotated by an angle φ,
+    /// normal is kept. A rotation-minimizing frame that is carried around a closed spline returns rotated by an angle φ,
     /// −π to π. Frames of a closed spline are therefore rotated back by φ s/L at arc length s of the total length L, so
     /// that the last frame is the first one; they rotate about the tangent at the constant rate −φ/L. Of all frames
     /// that close, these have the smallest integral of the squared rate. Source: Wang, Jüttler, Zheng and Liu,

@@ -109,7 +109,7 @@ impl<P: Point> Parabola<P> {
     }
 }
 
-/// Below this ratio to Σ y⁴ the quadratic basis polynomial vanishes at all samples but for rounding.
+/// Below this ratio to Σ y⁴, the values of the quadratic basis polynomial at all samples are rounding errors.
 const MIN_NORM: f64 = 1e-9;
 
 fn squares<P: Point>(samples: &[(P, f64)], at: impl Fn(f64) -> P) -> f64 {

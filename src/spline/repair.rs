@@ -251,7 +251,7 @@ impl<'a, P: Point, M: Fn(usize) -> JointMode> JointRepair<'a, P, M> {
         self.spline.closed.then(|| all.end - 1)
     }
 
-    /// Whether a control point has changed on which the near side of a joint depends.
+    /// Whether a control point that determines the near side of a joint has changed.
     fn is_touched(&self, joint: usize, forward: bool) -> bool {
         let around = self.around(joint, forward);
         let changed = |index: usize| self.states[index] == State::Changed;

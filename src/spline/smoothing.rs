@@ -2,7 +2,7 @@
 //!
 //! A parabola is fitted to the points around each cluster. Its range starts with a few tolerances, so that the direction
 //! does not follow the noise, and is doubled while the residual does not grow: noise leaves the same residual over
-//! any range, but where the curve is no parabola the residual grows with the third power of the range. Source:
+//! any range, but where the curve is not a parabola the residual grows with the third power of the range. Source:
 //! Lepskii, "On a problem of adaptive estimation in Gaussian white noise", Theory of Probability and its Applications
 //! 35 (1991).
 

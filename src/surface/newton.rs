@@ -7,6 +7,7 @@ use crate::numeric::work_limit::WorkLimit;
 /// rounding hides.
 pub(crate) const SAME: f64 = 1.0 / 8_388_608.0;
 
+/// The maximum number of steps of Newton's method from one start.
 const MAX_STEPS: usize = 16;
 
 /// A step below this is the last: the remaining error is of the order of its square.

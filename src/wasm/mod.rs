@@ -3,7 +3,8 @@
 //! Each function decodes its arguments, calls the core and encodes the result. The JavaScript classes in `js/` have
 //! checked every argument; an error that only the core can detect is returned as an [`Error`](crate::Error) and becomes
 //! a `RangeError`. Only numbers and the targets of drawing cross the FFI boundary: code for strings and objects would
-//! be a third of the module. `dimension` is 2 or 3; a result that is a number of f64 is the used length of the arena.
+//! be a third of the module. `dimension` is 2 or 3; a function that "returns the number of f64" returns the length of
+//! its result in the arena.
 
 #![allow(
     unsafe_code,

@@ -373,7 +373,7 @@ fn frames_of_closed_splines_close() {
     }
 }
 
-/// Where the start is a corner, the last frame is the first one but for the smallest rotation between the tangents.
+/// Where the start is a corner, the last frame is the first one after the smallest rotation between the tangents.
 #[test]
 fn frames_of_closed_polygons_close() {
     let mut rng = Rng(2025);

@@ -3,7 +3,7 @@
 //! Flattening replaces a curve by chords. The tolerance is the maximum distance of any point of the curve from the
 //! polyline; the number of chords is about √(size / tolerance). The algorithm takes, from each vertex, a chord that is
 //! nearly as long as the tolerance allows. The maximum distance of the curve segment from its chord is known in closed
-//! form up to degree 3 (see `deviation`) and has a close bound above (see `high_degree`), so a guessed step is
+//! form up to degree 3 (see `cubic_deviation`) and has a close bound above (see `high_degree`), so a guessed step is
 //! corrected once or twice and then accepted. Uneven curvature, inflections, cusps and reversals need no special cases.
 
 mod as_cubics;
@@ -40,7 +40,7 @@ const MAX_CORRECTIONS: usize = 8;
 const MIN_GROWTH: f64 = 0.6;
 const MAX_GROWTH: f64 = 1.6;
 
-/// A correction makes a step at most this many times longer: the steps of the cubic near an inflection.
+/// A correction makes a step at most this many times longer, as [`fourth_root`] also limits it.
 const MAX_LENGTHENING: f64 = 4.0;
 
 /// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate. A curve that deviates by

@@ -10,7 +10,7 @@ use crate::numeric::float::ratio;
 use crate::numeric::list::Points;
 use glam::DVec2;
 
-/// At a contact of higher order each step of Newton's method halves the error, or does slightly better.
+/// At a contact of higher order each step of Newton's method at least about halves the error.
 const TANGENCY_STEPS: usize = 60;
 
 /// From a good starting point, Newton's method for crossings ends much sooner.

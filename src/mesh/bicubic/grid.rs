@@ -17,7 +17,7 @@ pub struct BicubicGrid {
     pub u: Vec<[f64; 4]>,
     pub v: Vec<[f64; 4]>,
     /// The weights of degree 5 along v.
-    pub facings_v: Vec<[f32; 6]>,
+    pub normal_weights_v: Vec<[f32; 6]>,
     /// Groups of four samples along u, from the second to the middle. The samples after the middle are mirror images,
     /// and the first and the last sample come from control points.
     pub lanes: Vec<Lanes>,
@@ -33,7 +33,7 @@ pub struct Lanes {
     /// ½(wᵢ ± wₘ₋ᵢ) for degree 3.
     pub points: [[f32x4; 2]; 2],
     /// ½(wᵢ ± wₘ₋ᵢ) for degree 5.
-    pub facings: [[f32x4; 3]; 2],
+    pub normals: [[f32x4; 3]; 2],
 }
 
 impl BicubicGrid {
@@ -49,7 +49,7 @@ impl BicubicGrid {
                 .map(|k| weights::cubic(k, segments_v))
                 .collect()
         };
-        let facings_v = (0..=segments_v)
+        let normal_weights_v = (0..=segments_v)
             .map(|k| weights::quintic(k, segments_v).map(round))
             .collect();
         let lanes = (1..=segments_u / 2)
@@ -61,7 +61,7 @@ impl BicubicGrid {
             segments_v,
             u,
             v,
-            facings_v,
+            normal_weights_v,
             lanes,
         }
     }
@@ -73,7 +73,7 @@ impl Lanes {
         let at: [usize; LANES] = std::array::from_fn(|lane| (first + lane).min(segments));
         Self {
             points: halves(at.map(|k| weights::cubic(k, segments))),
-            facings: halves(at.map(|k| weights::quintic(k, segments))),
+            normals: halves(at.map(|k| weights::quintic(k, segments))),
         }
     }
 }

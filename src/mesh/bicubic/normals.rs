@@ -27,7 +27,7 @@ type Net = [[[f64x2; 3]; 3]; 6];
 /// that `Lanes` expects; then the length of its longest vector, or an upper bound of it.
 type Row = [f32x4; 5];
 
-/// The index of that length.
+/// The index of this length in a [`Row`].
 const LONGEST: usize = 18;
 
 /// The normal net, prepared for evaluation.
@@ -50,7 +50,7 @@ pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> b
     let mut missing = false;
     for (iv, (line, weights)) in out
         .chunks_exact_mut(columns)
-        .zip(&grid.facings_v)
+        .zip(&grid.normal_weights_v)
         .enumerate()
     {
         let complete = fill_line(
@@ -66,7 +66,7 @@ pub fn fill(grid: &BicubicGrid, net: &[[f64; 3]; 16], out: &mut [[f32; 3]]) -> b
     missing
 }
 
-/// Fills one line; normals that are not accurate enough are set to zero. Returns true if there are none of these.
+/// Fills one line; normals that are not accurate enough are set to zero. Returns true if all normals are accurate enough.
 #[inline(always)]
 fn fill_line(lanes: &[Lanes], curve: Row, used: [usize; 2], line: &mut [[f32; 3]]) -> bool {
     let numbers: [f32; 20] = bytemuck::cast(curve);
@@ -101,7 +101,7 @@ fn fill_lanes(lanes: &[Lanes], numbers: &[f32; 20], min: f32, line: &mut [[f32; 
     let c: [f32x4; LONGEST] = std::array::from_fn(|i| f32x4::splat(numbers[i]));
     let mut known = f32x4::splat(1.0).simd_gt(f32x4::ZERO);
     for (k, lanes) in lanes.iter().enumerate() {
-        let [w, skew] = lanes.facings;
+        let [w, skew] = lanes.normals;
         let even = |axis: usize| w[0] * c[axis] + w[1] * c[3 + axis] + w[2] * c[6 + axis];
         let odd =
             |axis: usize| skew[0] * c[9 + axis] + skew[1] * c[12 + axis] + skew[2] * c[15 + axis];
@@ -206,7 +206,7 @@ impl BicubicNormalNet {
                 } else {
                     quintic(iu, grid.segments_u)
                 };
-                *normal = self.exactly(u, v);
+                *normal = self.normal_in_f64(u, v);
                 missing |= *normal == [0.0; 3];
             }
         }
@@ -214,7 +214,7 @@ impl BicubicNormalNet {
     }
 
     /// The direction of N in f64; zero where N vanishes.
-    fn exactly(&self, u: [f64; 6], v: [f64; 6]) -> [f32; 3] {
+    fn normal_in_f64(&self, u: [f64; 6], v: [f64; 6]) -> [f32; 3] {
         let mut sums = [f64x2::ZERO; 3];
         for (row, v) in self.net.iter().zip(v) {
             for (k, vector) in row.iter().enumerate() {
@@ -247,7 +247,8 @@ fn used(squares: [f64; 6]) -> [usize; 2] {
 /// The second half of each pair is computed with u reversed, which gives N_(5−k)l.
 fn normal_net(points: &[[f64; 3]; 16]) -> Net {
     let (du, dv) = differences(points);
-    const SHARE: [f64; 6] = [1.0, 1.0 / 5.0, 1.0 / 10.0, 1.0 / 10.0, 1.0 / 5.0, 1.0];
+    // The reciprocals of the binomial coefficients C(5, k).
+    const RECIPROCAL_BINOMIALS: [f64; 6] = [1.0, 1.0 / 5.0, 1.0 / 10.0, 1.0 / 10.0, 1.0 / 5.0, 1.0];
     let mut net: Net = [[[f64x2::ZERO; 3]; 3]; 6];
     for (j, u) in du.iter().enumerate() {
         for (row, v) in net[j..].iter_mut().zip(&dv) {
@@ -260,8 +261,8 @@ fn normal_net(points: &[[f64; 3]; 16]) -> Net {
             add_cross(c2, u[2], v[0]);
         }
     }
-    for (row, share) in net.iter_mut().zip(SHARE) {
-        for (vector, other) in row.iter_mut().zip(SHARE) {
+    for (row, share) in net.iter_mut().zip(RECIPROCAL_BINOMIALS) {
+        for (vector, other) in row.iter_mut().zip(RECIPROCAL_BINOMIALS) {
             *vector = vector.map(|axis| axis * f64x2::splat(share * other));
         }
     }
@@ -296,18 +297,19 @@ fn differences(points: &[[f64; 3]; 16]) -> ([[[f64x2; 3]; 3]; 4], [[[f64x2; 3]; 
         })
     });
     let (size_u, size_v) = (reciprocal_size(&du), reciprocal_size(&dv));
-    const OF_TWO: [f64; 3] = [1.0, 2.0, 1.0];
-    const OF_THREE: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
+    // The binomial coefficients C(2, i) and C(3, i).
+    const BINOMIALS_2: [f64; 3] = [1.0, 2.0, 1.0];
+    const BINOMIALS_3: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
     for j in 0..4 {
         for i in 0..3 {
             // With u reversed, differences along u change their signs.
-            let scale = size_u * (OF_THREE[j] * OF_TWO[i]);
+            let scale = size_u * (BINOMIALS_3[j] * BINOMIALS_2[i]);
             du[j][i] = du[j][i].map(|axis| axis * f64x2::new([scale, -scale]));
         }
     }
     for j in 0..3 {
         for i in 0..3 {
-            let scale = f64x2::splat(size_v * (OF_TWO[j] * OF_THREE[i]));
+            let scale = f64x2::splat(size_v * (BINOMIALS_2[j] * BINOMIALS_3[i]));
             dv[j][i] = dv[j][i].map(|axis| axis * scale);
         }
     }

@@ -4,7 +4,7 @@ use crate::mutations::{TOKENS, mutated};
 use crate::random::Rng;
 use std::fmt::Write;
 
-/// A text of a kind; `None` for a kind that is no text.
+/// A text of a kind; `None` for a kind that is not a text.
 pub(crate) fn text(rng: &mut Rng, kind: &str) -> Option<String> {
     let valid = match kind {
         "svg" => svg(rng),

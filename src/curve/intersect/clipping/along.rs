@@ -32,12 +32,12 @@ impl<C: Coefficients> ClippingSolver<C> {
         }
         let to = to.max(from);
         let common = |p: &Piece<C>| p.between(time_at(p.x.get(), from), time_at(p.x.get(), to));
-        self.matched(&common(&a), &common(&b));
+        self.compare(&common(&a), &common(&b));
         true
     }
 
     /// Finds the contacts of two segments that span the same x.
-    fn matched(&mut self, a: &Piece<C>, b: &Piece<C>) {
+    fn compare(&mut self, a: &Piece<C>, b: &Piece<C>) {
         if !self.work.spend(1) {
             return self.note(a, b);
         }
@@ -58,8 +58,8 @@ impl<C: Coefficients> ClippingSolver<C> {
         let (before_a, after_a) = a.split(SPLIT);
         let x = after_a.x.get()[0];
         let (before_b, after_b) = b.split(time_at(b.x.get(), x));
-        self.matched(&before_a, &before_b);
-        self.matched(&after_a, &after_b);
+        self.compare(&before_a, &before_b);
+        self.compare(&after_a, &after_b);
     }
 
     /// Handles two segments whose height difference is monotone; returns false if the result is unclear.

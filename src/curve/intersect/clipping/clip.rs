@@ -47,7 +47,7 @@ fn inside(row: &[f64], low: f64, high: f64) -> Option<(f64, f64)> {
     }
     let n = row.len() - 1;
     let (mut lo, mut hi) = (0.0, 1.0);
-    // The sign that maps an end outside to one below the height to be reached, and this height.
+    // For an end outside the strip: the boundary to reach and a sign. Multiplied by the sign, the end lies below it.
     let below = |end: f64| {
         if end < low {
             Some((1.0, low))

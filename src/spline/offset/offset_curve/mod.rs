@@ -269,7 +269,7 @@ impl<'a> OffsetCurve<'a> {
 const MIN_TURN: f64 = 0.05;
 
 /// A cut this close to an end, as a part of the piece, is replaced by one in the middle: a cut must shorten a piece. Ten
-/// halvings also reach a place at this distance.
+/// halvings reach a point this close to an end too.
 const MIN_PART: f64 = 1e-3;
 
 /// A root is accurate enough when the width of its interval is this part of it.
