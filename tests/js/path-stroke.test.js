@@ -30,7 +30,7 @@ for (const [name, path] of /** @type {[string, Path][]} */ ([
       const options = /** @type {const} */ ({ join: "round", cap: "round" });
       const stroke = path.stroke(width, { ...options, tolerance: 1e-4 });
       for (const point of grid(path, width)) {
-        const { distance } = path.nearest(point);
+        const distance = path.nearest(point)?.distance ?? Infinity;
         if (Math.abs(distance - width / 2) < 2e-4) continue;
         assert.equal(stroke.windingNumber(point), distance < width / 2 ? 1 : 0, `${point}`);
         assert.equal(path.strokeContains(point, width, options), distance < width / 2, `${point}`);

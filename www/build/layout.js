@@ -10,7 +10,7 @@ export const pathToRoot = (url) => "../".repeat(url.split("/").length - 2);
  * @returns {{ id: string, title: string }[]} title as HTML
  */
 export const contentsOf = (html) =>
-  Array.from(html.matchAll(/<section id="([^"]+)">\s*<h2[^>]*>(.*?)<\/h2>/gs), ([, id, title]) => ({
+  Array.from(html.matchAll(/<section id="([^"]+)"[^>]*>\s*<h2[^>]*>(.*?)<\/h2>/gs), ([, id, title]) => ({
     id,
     title: title.replace(/ <a class="permalink".*<\/a>/, ""),
   }));

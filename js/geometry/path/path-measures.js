@@ -25,6 +25,8 @@ import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.j
  */
 
 /**
+ * How a path is filled.
+ *
  * @typedef {object} RegionOptions
  * @property {FillRule} [fillRule] which points a path contains: those with a winding number other than 0 ("nonzero", the
  *   default), or with an odd one ("evenodd")
