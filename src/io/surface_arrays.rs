@@ -6,9 +6,6 @@ use glam::DVec3;
 
 const VERTEX_ROW: usize = 3;
 const PATCH_ROW: usize = 16;
-/// Larger numbers are replaced by this one: it is out of range, too.
-const MAX_INDEX: usize = u32::MAX as usize;
-
 /// A word or a brace, and its line.
 #[derive(Clone, Copy)]
 struct Token<'a> {
@@ -130,7 +127,7 @@ impl<'a> Parser<'a> {
             let index = Some(digits)
                 .filter(|digits| !digits.is_empty())
                 .and_then(whole)
-                .map(|index| index.min(MAX_INDEX))
+                .map(|index| u32::try_from(index).unwrap_or(u32::MAX) as usize) // out of range, too
                 .ok_or_else(|| self.refuse("a vertex number", Some(token)))?;
             self.min = self.min.min(index);
             if self.largest.is_none_or(|(largest, _)| index > largest) {

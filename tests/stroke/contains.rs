@@ -63,7 +63,7 @@ fn outlines_agree_with_distances_for_all_joins_and_caps() {
                         path.stroke_contains(p, width, &options).expect("finite")
                     });
                     let around = (0..12).any(|k| {
-                        let q = p + DVec2::from_angle(f64::from(k) * 0.5236)
+                        let q = p + DVec2::from_angle(f64::from(k) * std::f64::consts::FRAC_PI_6)
                             * (1.05 * tolerance + 1e-8 * size(&path));
                         path.stroke_contains(q, width, &options).expect("finite") != expected
                     });
