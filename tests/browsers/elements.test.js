@@ -117,8 +117,6 @@ inEach((test) => {
     async (session) => {
       await ready(session);
       const before = await points(session);
-      await session.press("m");
-      assert.equal(await handles(session), 7, "without the focus keys are the page's");
       await focus(session, 1);
       await session.press("ArrowRight", "ArrowRight", "ArrowDown", "Shift+ArrowUp", "Alt+ArrowRight");
       assertNear((await points(session))[1], [before[1][0] + 2.1, before[1][1] - 9], 1e-9);

@@ -380,15 +380,20 @@ test("destroy leaves the page as it was, and a new applet can follow", async (t)
   await handle(page, 6).waitFor();
 });
 
-test("two applets on a page: letters typed inside one are for that one, others for both", async (t) => {
+test("two applets on a page: letters are for the one with the focus, else for the one under the pointer", async (t) => {
   const page = await openTutorial(t, { more: '<canvas id="other" width="670" height="480"></canvas>' });
+  await page.setViewportSize({ width: 1280, height: 1600 });
   await page.evaluate(() => bezierApp("other"));
   const modes = () => page.evaluate(() => [bezierApp().mode, bezierApp("other").mode]);
+  await page.mouse.move(1, 1);
   await page.keyboard.press("m");
-  assert.deepEqual(await modes(), [4, 4]);
-  await page.getByLabel("P0 x").last().focus();
+  assert.deepEqual(await modes(), [7, 7], "two are in view");
+  await page.locator("#beziercanvas").hover();
   await page.keyboard.press("m");
   assert.deepEqual(await modes(), [4, 7]);
+  await page.getByLabel("P0 x").last().focus();
+  await page.keyboard.press("m");
+  assert.deepEqual(await modes(), [4, 4]);
 });
 
 test("a strict content security policy is enough for the applet from npm", async (t) => {
