@@ -388,7 +388,8 @@ test("two applets on a page: letters are for the one with the focus, else for th
   await page.mouse.move(1, 1);
   await page.keyboard.press("m");
   assert.deepEqual(await modes(), [7, 7], "two are in view");
-  await page.locator("#beziercanvas").hover();
+  const { x, y } = await boxOf(page.locator("#beziercanvas"));
+  await page.mouse.move(x + 20, y + 20);
   await page.keyboard.press("m");
   assert.deepEqual(await modes(), [4, 7]);
   await page.getByLabel("P0 x").last().focus();
