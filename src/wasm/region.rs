@@ -182,3 +182,9 @@ pub fn region_offset(distance: f64, join: u32, miter_limit: f64, tolerance: f64)
         path_at(a, 0).0.offset(distance, &options)
     })
 }
+
+/// Writes a path with its corners rounded.
+#[wasm_bindgen]
+pub fn region_round_corners(radius: f64) -> isize {
+    answer_path(|a| path_at(a, 0).0.round_corners(radius))
+}

@@ -1,4 +1,4 @@
-//! Checks of strokes, dashes and offsets of paths.
+//! Checks of strokes, dashes, offsets and rounded corners of paths.
 
 use crate::arguments::*;
 use crate::check::*;
@@ -14,12 +14,14 @@ pub(crate) const ROWS: &[Row] = &[
     ("Path::stroke_contains", stroke_contains),
     ("Path::dash", dash),
     ("Path::offset", offset),
+    ("Path::round_corners", round_corners),
 ];
 
 /// What may be refused: negative widths, and results that are too large or cannot be resolved.
-const REFUSALS: [&str; 9] = [
+const REFUSALS: [&str; 10] = [
     "width",
     "distance",
+    "radius",
     "tolerance",
     "steps of an offset",
     "segments",
@@ -112,4 +114,25 @@ fn offset(case: &Case) -> Checked {
     };
     let region = answer!(case, path.offset(distance, &options), &REFUSALS);
     is_region(&region)
+}
+
+/// The points are finite and in the box of the path's control points; the ends of open subpaths stay.
+fn round_corners(case: &Case) -> Checked {
+    let (path, radius) = (path(case, "path"), number(case, "radius"));
+    let rounded = answer!(case, path.round_corners(radius), &REFUSALS);
+    ensure!(
+        rounded.subpath_count() == path.subpath_count(),
+        "{} subpaths",
+        rounded.subpath_count()
+    );
+    let slack = slack(case.size(), crate::path::DEGREE);
+    let (Some(own), Some(bounds)) = (rounded.control_bounds(), path.control_bounds()) else {
+        return Ok(());
+    };
+    ensure!(
+        (bounds.min - own.min).max_element() <= slack
+            && (own.max - bounds.max).max_element() <= slack,
+        "{own:?} is not in {bounds:?}"
+    );
+    Ok(())
 }

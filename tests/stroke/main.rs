@@ -8,4 +8,5 @@ mod cases;
 mod contains;
 mod dashes;
 mod round;
+mod round_corners;
 mod shapes;

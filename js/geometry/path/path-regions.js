@@ -165,6 +165,25 @@ export class PathRegions extends PathMeasures {
   }
 
   /**
+   * The path with its corners replaced by arcs of a radius that are tangent to both segments at the corner.
+   *
+   *     Path.rect([0, 0], 10, 10).roundCorners(2).area(); // 96.56637061…
+   *
+   * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
+   * subpaths. Arcs are cubics within 1e-9 of their radius; segments without a corner are returned bit for bit. An arc
+   * replaces at most the two segments at its corner: where these are too short, or bend more tightly, its radius is the
+   * largest one that fits. Where the arcs at both ends of a segment overlap, each ends in the middle of the segment
+   * (t = ½) at the latest.
+   *
+   * @param {number} radius 0 gives the path
+   * @returns {this}
+   * @throws {RangeError} for a negative radius
+   */
+  roundCorners(radius) {
+    return this._pathOf(strokes.roundCorners(this._packed, radius));
+  }
+
+  /**
    * The signed area inside, positive for counter-clockwise subpaths (x right, y up), ½∮ x dy − y dx: each point counts
    * with its winding number. With a fill rule, the area of the region that the path fills, which is never negative. Open
    * subpaths are closed by a line.

@@ -1,4 +1,4 @@
-// Strokes, dashes and offsets of regions: the arguments of the methods of Path, and the calls of the core.
+// Strokes, dashes, offsets of regions and rounded corners: the arguments of the methods of Path, and the calls of the core.
 import * as check from "../check.js";
 import { coordinatesOf } from "./path-value.js";
 import { core } from "../../wasm/init.js";
@@ -146,4 +146,16 @@ export function offset(path, distance, options) {
   const maxError = check.optionalTolerance(tolerance);
   writePaths([path]);
   return readPath(core(regionsModule).region_offset(distance, JOINS.indexOf(join), miterLimit, maxError));
+}
+
+/**
+ * @internal
+ * @param {Float64Array} path
+ * @param {number} radius
+ * @returns {Float64Array} a packed path
+ */
+export function roundCorners(path, radius) {
+  check.finite(radius, "radius");
+  writePaths([path]);
+  return readPath(core(regionsModule).region_round_corners(radius));
 }

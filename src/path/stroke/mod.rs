@@ -15,6 +15,8 @@ mod folds;
 mod grow;
 mod options;
 mod outline;
+mod round_corners;
+mod tangent_circle;
 
 pub use grow::OffsetOptions;
 pub use options::{StrokeCap, StrokeOptions};

@@ -166,6 +166,7 @@ pub const FUNCTIONS: &[&str] = &[
     "Path::stroke_contains(path, p: point, width: length, join)",
     "Path::dash(path, s: length, width: length, offset: coordinate)",
     "Path::offset(path, distance: length, join, tolerance: optional tolerance)",
+    "Path::round_corners(path, radius: length)",
     "Path::self_intersections(path)",
     "Path::transform(path, map)",
     "Path::reverse(path)",

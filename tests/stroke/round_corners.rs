@@ -1,0 +1,246 @@
+//! Rounded corners: closed forms, tangency, the distance of arcs from their centres, and degenerate input.
+
+use crate::common::Rng;
+use casteljau::glam::DVec2;
+use casteljau::{Curve, Error, Path};
+use std::f64::consts::PI;
+
+fn path(d: &str) -> Path {
+    d.parse().expect("path data")
+}
+
+fn rounded(d: &str, radius: f64) -> Path {
+    path(d).round_corners(radius).expect("a radius")
+}
+
+/// The sines of the turns at the joints of a path, without the ends of open subpaths.
+fn turns(path: &Path) -> Vec<f64> {
+    let mut turns = Vec::new();
+    for spline in path.subpaths() {
+        let curves: Vec<Curve<DVec2>> = spline.segments().collect();
+        for (k, curve) in curves.iter().enumerate() {
+            if k + 1 < curves.len() || spline.is_closed() {
+                let next = &curves[(k + 1) % curves.len()];
+                turns.push(curve.tangent(1.0).perp_dot(next.tangent(0.0)));
+            }
+        }
+    }
+    turns
+}
+
+fn assert_smooth(path: &Path, what: &str) {
+    for turn in turns(path) {
+        assert!(turn.abs() < 1e-7, "{what}: a turn of {turn:e} in {path}");
+    }
+}
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance, "{a} is not {b}");
+}
+
+#[test]
+fn a_square_has_the_area_and_length_of_the_closed_form() {
+    for (s, r) in [(10.0, 2.0), (10.0, 0.01), (1e-6, 3e-7), (1e6, 4e5)] {
+        let square = format!("M0 0H{s}V{s}H0Z");
+        for d in [square.clone(), format!("{square} M0 0V{s}H{s}V0Z")] {
+            let result = rounded(&d, r);
+            let count = result.subpath_count() as f64;
+            assert_smooth(&result, &d);
+            let first = Path::new(&[result.subpath(0).expect("a subpath")]);
+            close(first.area(), s * s - (4.0 - PI) * r * r, 2e-9 * r * s);
+            let length = result.length(None).expect("a length");
+            close(length, count * (4.0 * s - (8.0 - 2.0 * PI) * r), 1e-8 * s);
+        }
+    }
+}
+
+#[test]
+fn tangent_points_of_straight_segments_are_exact() {
+    let result = rounded("M0 0H10V10H0Z", 2.0);
+    let starts: Vec<DVec2> = result.segments().map(|curve| curve.start()).collect();
+    for p in [(2.0, 0.0), (8.0, 0.0), (10.0, 2.0), (8.0, 10.0), (0.0, 2.0)] {
+        assert!(starts.contains(&DVec2::from(p)), "{p:?} in {result}");
+    }
+    assert_eq!(starts[0], DVec2::new(2.0, 0.0));
+}
+
+/// The arc at an angle of 2α is r cot α away from the corner, and each point of it r from the centre.
+#[test]
+fn arcs_of_any_angle_have_the_radius() {
+    for degrees in [1.0, 30.0, 60.0, 90.0, 120.0, 170.0, 179.0_f64] {
+        for sign in [1.0, -1.0] {
+            let turn = degrees.to_radians();
+            let end = DVec2::new(turn.cos(), sign * turn.sin()) * 100.0;
+            let r = 10.0 / (0.5 * turn).tan();
+            let result = rounded(&format!("M-100 0L0 0L{} {}", end.x, end.y), r);
+            let centre = DVec2::new(-10.0, sign * r);
+            assert_smooth(&result, "an angle");
+            let curves: Vec<Curve<DVec2>> = result.segments().collect();
+            assert!(curves.len() >= 3, "{degrees}°: {result}");
+            for curve in &curves[1..curves.len() - 1] {
+                for k in 0..=8 {
+                    let distance = curve.eval(f64::from(k) / 8.0).distance(centre);
+                    close(distance, r, 2e-9 * r);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn arcs_that_would_overlap_are_reduced() {
+    // A circle of the square, and no line of length 0 between its arcs.
+    for r in [5.0, 7.0, 1e300] {
+        let circle = rounded("M0 0H10V10H0Z", r);
+        close(circle.area(), 25.0 * PI, 1e-6);
+        assert!(
+            circle.segments().all(|curve| curve.degree() == 3),
+            "{circle}"
+        );
+        assert_smooth(&circle, "a circle");
+    }
+    // Only the arcs at the short side are reduced, to a half of it.
+    let slot = rounded("M0 0H10V2H0", 3.0);
+    close(
+        slot.subpath(0)
+            .expect("a subpath")
+            .length(None)
+            .expect("a length"),
+        18.0 + PI,
+        1e-7,
+    );
+    // A long arc and a short one share a side without a reduction.
+    let shared = rounded("M0 0H10L-10 9", 2.0);
+    assert_smooth(&shared, "an acute angle");
+}
+
+/// The centre of the arc is as far from both curves as the radius.
+#[test]
+fn the_circle_is_tangent_to_curves() {
+    for (first, second) in [
+        ("M0 0Q10 0 12 8", "M12 8Q4 9 0 20"),
+        ("M0 0Q10 0 12 8", "M12 8L0 20"),
+        ("M0 0L12 8", "M12 8C2 8 9 12 0 20"),
+        ("M0 0C5 5 10 -5 12 8", "M12 8C12 8 9 12 0 20"),
+        ("M0 0C5 5 12 8 12 8", "M12 8Q4 9 0 20"),
+    ] {
+        let (_, rest) = second.split_at(5);
+        for radius in [0.01, 0.5, 1.0] {
+            let result = rounded(&format!("{first}{rest}"), radius);
+            assert_smooth(&result, first);
+            let curves: Vec<Curve<DVec2>> = result.segments().collect();
+            assert!(curves.len() > 3, "{first}{rest}: {result}");
+            for arc in &curves[1..curves.len() - 1] {
+                let towards = arc.normal(0.5) * arc.curvature(0.5).signum();
+                let centre = arc.eval(0.5) + towards * radius;
+                for side in [first, second] {
+                    let nearest = path(side)
+                        .nearest(centre)
+                        .expect("finite")
+                        .expect("a point");
+                    close(nearest.distance, radius, 3e-9 * radius + 1e-12);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_corner_is_kept_bit_for_bit() {
+    for d in [
+        "M0 0C1 2 3 2 4 0C5 -2 7 -2 8 0", // a smooth joint
+        "M0 0L1 1L2 2.0001",              // a turn by less than the limit
+        "M0 0H10H2V5",                    // a turn-back, and a corner
+        "M0 0L0 0L0 0",
+        "M3 3Z",
+        "",
+    ] {
+        let given = path(d);
+        assert_eq!(given.round_corners(0.0).expect("a radius"), given);
+        let expected = if d.contains('V') { None } else { Some(&given) };
+        let result = given.round_corners(1.0).expect("a radius");
+        assert!(expected.is_none_or(|path| *path == result), "{d}: {result}");
+        assert_eq!(result.segments().next(), given.segments().next());
+    }
+    let far = rounded("M0 0C1 2 3 2 4 0C5 -2 7 -2 8 0L8 5L4 5", 0.5);
+    let first: Vec<_> = far.segments().take(1).collect();
+    assert_eq!(
+        first,
+        path("M0 0C1 2 3 2 4 0").segments().collect::<Vec<_>>()
+    );
+}
+
+#[test]
+fn segments_of_length_0_at_a_corner_are_omitted() {
+    let with = rounded("M0 0H10L10 0L10 0V10", 2.0);
+    assert_eq!(with, rounded("M0 0H10V10", 2.0));
+    let closed = rounded("M0 0L0 0H10V10H0Z", 2.0);
+    assert_eq!(closed, rounded("M0 0H10V10H0Z", 2.0));
+}
+
+#[test]
+fn a_radius_must_be_finite_and_not_negative() {
+    for radius in [-1.0, f64::NAN, f64::INFINITY] {
+        let error = path("M0 0H1V1").round_corners(radius);
+        assert!(matches!(error, Err(Error::Range { what: "radius", .. })));
+    }
+}
+
+/// Polygons, whose angles are known: at each corner there is an arc of the radius, or one that reaches the middle of a
+/// side or the whole of it.
+#[test]
+fn corners_of_random_polygons_are_rounded() {
+    let mut random = Rng(7);
+    for case in 0..500 {
+        let count = 3 + case % 5;
+        let points: Vec<String> = (0..count)
+            .map(|_| format!("{} {}", random.signed(), random.signed()))
+            .collect();
+        let d = format!("M{}Z", points.join("L"));
+        for radius in [1e-3, 0.1, 10.0] {
+            let result = rounded(&d, radius);
+            for turn in turns(&result) {
+                // Turns of less than 0.06°, and turn-backs, stay.
+                assert!(turn.abs() < 1e-3, "{d}: a turn of {turn:e}");
+            }
+            for curve in result.segments().filter(|curve| curve.degree() == 3) {
+                let curvature = curve.curvature(0.5).abs();
+                assert!(
+                    curvature * radius > 1.0 - 1e-5,
+                    "{d}: a radius of {}",
+                    1.0 / curvature
+                );
+            }
+        }
+    }
+}
+
+/// Random cubics: no joint turns, unless no arc fits at all, and small radii are kept.
+#[test]
+fn corners_of_random_cubics_are_rounded() {
+    let mut random = Rng(8);
+    let (mut rounded_corners, mut kept) = (0, 0);
+    for _ in 0..500 {
+        let mut p = || format!("{} {}", random.signed(), random.signed());
+        let d = format!("M{}C{} {} {}C{} {} {}Z", p(), p(), p(), p(), p(), p(), p());
+        let given = path(&d);
+        for radius in [1e-4, 0.05, 2.0] {
+            let result = given.round_corners(radius).expect("a radius");
+            let corners = turns(&result)
+                .iter()
+                .filter(|turn| turn.abs() > 1e-6)
+                .count();
+            rounded_corners += 3 - corners.min(3);
+            kept += corners;
+            if radius < 1e-3 {
+                let area = (result.area() - given.area()).abs();
+                // The arc starts at most 2,000 radii before the corner.
+                assert!(area < 1e-4, "{d}: the area changes by {area:e}");
+            }
+        }
+    }
+    assert!(
+        kept * 500 <= rounded_corners,
+        "{kept} kept, {rounded_corners} rounded"
+    );
+}
