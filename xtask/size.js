@@ -6,16 +6,16 @@ import { gzipSync } from "node:zlib";
 /**
  * The maximum gzip sizes in kB. A change that raises one gives the reason. The targets are 3 for { easing }, 138 for
  * { Curve }, 250 for { Surface } and everything, 45 for { Curve, Spline } of core, and 135 for { Surface } of surfaces.
- * Everything includes the module of regions and strokes, 105 kB, which came after its target was set.
+ * Everything includes the module of regions, strokes and rounded corners, 109 kB, which came after its target was set.
  */
 const LIMITS_KB = {
   "{ easing }": 5,
   "{ Curve }": 148,
   "{ Surface }": 255,
-  everything: 372,
+  everything: 376,
   "{ Curve, Spline } of core": 46.5,
   "{ Surface } of surfaces": 120,
-  "index.js + applet.js": 385,
+  "index.js + applet.js": 388,
   "elements, loaded at once": 31,
   "elements, when needed": 64,
   "bezier-app.js": 43,

@@ -1,4 +1,4 @@
-// Strokes, dashes and offsets of regions, against distances and closed forms.
+// Strokes, dashes, offsets of regions and rounded corners, against distances and closed forms.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Path } from "../../js/index.js";
@@ -82,5 +82,18 @@ test("wrong arguments", () => {
   assert.throws(() => path.dash(3), { name: "TypeError", message: /^pattern: expected an array/ });
   assert.throws(() => path.dash([NaN]), { name: "RangeError", message: /^pattern\[0\]: / });
   assert.throws(() => path.offset(Infinity), { name: "RangeError", message: /^distance: / });
+  assert.throws(() => path.roundCorners(-1), { name: "RangeError", message: /^radius: .*-1$/ });
+  assert.throws(() => path.roundCorners(NaN), { name: "RangeError", message: /^radius: / });
+  assert.throws(() => path.roundCorners(untyped("1")), { name: "TypeError", message: /^radius: / });
   assert.throws(() => path.strokeContains([0, 0], 1, { simple: false }), { name: "TypeError", message: /^simple: / });
+});
+
+test("rounded corners: the closed form of a square, a slot, and what stays", () => {
+  const rounded = SQUARE.roundCorners(0.5);
+  assert.ok(Math.abs(rounded.area() - (16 - (4 - Math.PI) * 0.25)) < 1e-8);
+  assert.ok(Math.abs(rounded.length() - (16 - (8 - 2 * Math.PI) * 0.5)) < 1e-7);
+  // Both ends become half circles.
+  assert.ok(Math.abs(Path.rect([0, 0], 4, 2).roundCorners(9).area() - (4 + Math.PI)) < 1e-7);
+  assert.ok(SQUARE.roundCorners(0).equals(SQUARE));
+  assert.ok(CUSP.roundCorners(1).equals(CUSP));
 });

@@ -213,3 +213,42 @@ test("glyph: Enter goes through the kinds of joint", async (t) => {
   }
   assert.deepEqual(modes, ["c1", "g2", "c2", "auto", "free", "g1"]);
 });
+
+test("glyph: union, overlaps, stroke and offset of the filled region, each undone in one step", async (t) => {
+  const page = await open(t, "/glyph/");
+  await data(page).fill("M0 0H400V400H0Z M200 200H600V600H200Z M100 100V150H150V100Z");
+  await data(page).blur();
+  await page.waitForFunction(() => document.querySelector("glyph-editor").outline.length === 3);
+  const given = await data(page).inputValue();
+  await slide(page, "Stroke width", 20);
+  await slide(page, "Distance", -10);
+  const squares = 2 * 400 ** 2 - 200 ** 2;
+  for (const [name, contours, area] of /** @type {[string, number, number][]} */ ([
+    ["Union of contours", 1, squares],
+    ["Remove overlaps", 2, squares - 50 ** 2],
+    ["Offset", 2, 2 * 380 ** 2 - 180 ** 2 - 70 ** 2],
+  ])) {
+    await page.getByRole("button", { name, exact: true }).click();
+    const path = await outline(page);
+    assert.equal(path.subpaths.length, contours, name);
+    close(path.area(), area, 1e-6 * squares);
+    await page.getByRole("button", { name: "Undo" }).click();
+    assert.equal(await data(page).inputValue(), given);
+  }
+  await page.getByRole("button", { name: "Outline stroke" }).click();
+  const stroke = await outline(page);
+  for (const [point, winding] of /** @type {[number[], number][]} */ ([
+    [[300, 409], 1],
+    [[300, 389], 0],
+    [[-9, -9], 1],
+    [[-11, -11], 0],
+    [[125, 125], 0],
+    [[125, 141], 1],
+  ]))
+    assert.equal(stroke.windingNumber(point), winding, `${point}`);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await data(page).inputValue(), given);
+  await slide(page, "Distance", -60);
+  for (let i = 0; i < 4; i++) await page.getByRole("button", { name: "Offset", exact: true }).click();
+  assert.match(await page.locator(".problem").innerText(), /^Nothing would be left/);
+});

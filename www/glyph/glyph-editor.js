@@ -17,7 +17,7 @@ import {
   setMode,
   toQuadratics,
 } from "./outline.js";
-import { conversion, joint, proof, tools } from "./panels.js";
+import { conversion, joint, proof, regionTools, tools } from "./panels.js";
 import { outlineView } from "./outline-view.js";
 import { fitted, panned, zoomed } from "./view.js";
 
@@ -37,6 +37,8 @@ export class GlyphEditor extends Figure {
     chosen: { state: true },
     view: { state: true },
     tolerance: { state: true },
+    strokeWidth: { state: true },
+    offsetDistance: { state: true },
     filled: { state: true },
     ghost: { state: true },
     problem: { state: true },
@@ -58,6 +60,7 @@ export class GlyphEditor extends Figure {
     .in { display: block; padding: 0.7rem 0.9rem; }
     .in > span { display: block; font-weight: 600; }
     .proof { padding: 0.3rem 0.9rem 0.7rem; }
+    .operation { display: flex; flex-wrap: wrap; align-items: center; gap: 0.4rem 0.8rem; }
     .keys { padding: 0.4rem 0.9rem 0.6rem; border-block-start: 1px solid var(--rim); }
     .keys summary { cursor: pointer; min-block-size: 24px; }
     .keys p { margin: 0.3rem 0 0; text-wrap: pretty; }
@@ -81,6 +84,8 @@ export class GlyphEditor extends Figure {
     /** @type {import("./view.js").View | null} null: all of it */
     this.view = null;
     this.tolerance = 1;
+    this.strokeWidth = 24;
+    this.offsetDistance = 12;
     this.filled = false;
     this.ghost = false;
     this.problem = "";
@@ -117,6 +122,17 @@ export class GlyphEditor extends Figure {
     this.outline = outline;
     if (this.history.push(outline)) this.notifyChange();
     this.requestUpdate();
+  }
+
+  /** Replaces the outline by what an operation makes of it: one step of undo. @param {(outline: Outline) => Outline} operation */
+  change(operation) {
+    try {
+      const outline = operation(this.outline);
+      if (outline.length === 0) this.problem = "Nothing would be left of the outline, so it is kept.";
+      else this.take(outline);
+    } catch (error) {
+      this.problem = `The outline is kept: ${/** @type {Error} */ (error).message}.`;
+    }
   }
 
   /** @param {string} d @param {boolean} [fit] */
@@ -321,6 +337,7 @@ export class GlyphEditor extends Figure {
           <div class="stage">${outlineView(this)}</div>
           <p class="problem" role="alert">${this.problem}</p>
           ${joint(this)}
+          ${regionTools(this)}
           <details class="keys">
             <summary>Keys</summary>
             <p>

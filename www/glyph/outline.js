@@ -9,7 +9,7 @@ import { Curve, Path, Spline } from "casteljau";
 
 export const MODES = /** @type {const} */ (["free", "g1", "c1", "g2", "c2", "auto"]);
 /** More points than this nobody edits by hand. */
-const MOST_POINTS = 2000;
+export const MAX_POINTS = 2000;
 
 /** @param {Outline} outline */
 export const pathOf = (outline) => new Path(outline.map(({ spline }) => spline));
@@ -48,7 +48,7 @@ export function fromSvg(d) {
   const path = Path.fromSVG(d);
   const points = path.subpaths.reduce((sum, spline) => sum + spline.controlPoints().length / 2, 0);
   if (points === 0) throw new RangeError("expected at least one line or curve");
-  if (points > MOST_POINTS) throw new RangeError(`expected at most ${MOST_POINTS} points, got ${points}`);
+  if (points > MAX_POINTS) throw new RangeError(`expected at most ${MAX_POINTS} points, got ${points}`);
   return path.subpaths.map(contourOf);
 }
 

@@ -4,6 +4,7 @@ import { check, list, slider } from "../figures/lib/parts.js";
 import { decimal, short } from "../figures/lib/numbers.js";
 import { EM, GLYPHS } from "./glyphs.js";
 import { bendOrStraighten, countPoints, MODES, reverse, setMode, toCubics } from "./outline.js";
+import { offset, outlineStroke, removeOverlaps, unionOfContours } from "./regions.js";
 
 /** @typedef {import("./glyph-editor.js").GlyphEditor} GlyphEditor */
 
@@ -59,6 +60,27 @@ export function joint(editor) {
         <button @click=${() => editor.take(reverse(editor.outline, c))}>Turn contour round</button>
         <button ?disabled=${editor.outline.length < 2} @click=${() => editor.take(editor.outline.filter((_, k) => k !== c))}>Delete contour</button>
         <button @click=${() => editor.addContour()}>Add contour</button>
+      </div>
+    </div>
+  `;
+}
+
+/** Operations on the filled region. @param {GlyphEditor} editor */
+export function regionTools(editor) {
+  const { strokeWidth, offsetDistance } = editor;
+  return html`
+    <div class="controls regions" role="group" aria-label="Filled region">
+      <div class="row">
+        <button @click=${() => editor.change(unionOfContours)}>Union of contours</button>
+        <button @click=${() => editor.change(removeOverlaps)}>Remove overlaps</button>
+      </div>
+      <div class="operation">
+        ${slider({ name: "Stroke width", value: strokeWidth, min: 2, max: 120, step: 1, text: short(strokeWidth, 0), change: (width) => (editor.strokeWidth = width) })}
+        <button @click=${() => editor.change((outline) => outlineStroke(outline, strokeWidth))}>Outline stroke</button>
+      </div>
+      <div class="operation">
+        ${slider({ name: "Distance", value: offsetDistance, min: -60, max: 60, step: 1, text: short(offsetDistance, 0), change: (distance) => (editor.offsetDistance = distance) })}
+        <button ?disabled=${offsetDistance === 0} @click=${() => editor.change((outline) => offset(outline, offsetDistance))}>Offset</button>
       </div>
     </div>
   `;
