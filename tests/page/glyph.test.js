@@ -221,7 +221,7 @@ test("glyph: union, overlaps, stroke and offset of the filled region, each undon
   await page.waitForFunction(() => document.querySelector("glyph-editor").outline.length === 3);
   const given = await data(page).inputValue();
   await slide(page, "Stroke width", 20);
-  await slide(page, "Distance", -10);
+  await slide(page, "Offset distance", -10);
   const squares = 2 * 400 ** 2 - 200 ** 2;
   for (const [name, contours, area] of /** @type {[string, number, number][]} */ ([
     ["Union of contours", 1, squares],
@@ -248,7 +248,7 @@ test("glyph: union, overlaps, stroke and offset of the filled region, each undon
     assert.equal(stroke.windingNumber(point), winding, `${point}`);
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await data(page).inputValue(), given);
-  await slide(page, "Distance", -60);
+  await slide(page, "Offset distance", -60);
   for (let i = 0; i < 4; i++) await page.getByRole("button", { name: "Offset", exact: true }).click();
   assert.match(await page.locator(".problem").innerText(), /^Nothing would be left/);
 });

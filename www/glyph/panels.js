@@ -79,7 +79,7 @@ export function regionTools(editor) {
         <button @click=${() => editor.change((outline) => outlineStroke(outline, strokeWidth))}>Outline stroke</button>
       </div>
       <div class="operation">
-        ${slider({ name: "Distance", value: offsetDistance, min: -60, max: 60, step: 1, text: short(offsetDistance, 0), change: (distance) => (editor.offsetDistance = distance) })}
+        ${slider({ name: "Offset distance", value: offsetDistance, min: -60, max: 60, step: 1, text: short(offsetDistance, 0), change: (distance) => (editor.offsetDistance = distance) })}
         <button ?disabled=${offsetDistance === 0} @click=${() => editor.change((outline) => offset(outline, offsetDistance))}>Offset</button>
       </div>
     </div>
