@@ -145,6 +145,28 @@ fn the_circle_is_tangent_to_curves() {
     }
 }
 
+/// A quarter circle consists of nine cubics, and a line of ten pieces: the arc replaces several of them.
+#[test]
+fn arcs_reach_across_smooth_joints() {
+    let quarter = "M0 8A4 4 0 0 0 4 4";
+    let pieces: String = (1..=10).map(|k| format!("H{}", 4 - 2 * k)).collect();
+    for d in [
+        format!("{quarter}H-16"),
+        format!("{quarter}{pieces}"),
+        format!("M4 4{pieces}V8H0A4 4 0 0 0 4 4Z"),
+    ] {
+        let result = rounded(&d, 1.0);
+        // The centre is 1 above the line, and 3 from the centre of the quarter circle.
+        let centre = DVec2::new(8.0_f64.sqrt(), 5.0);
+        let on_arc = |curve: &Curve<DVec2>| (curve.eval(0.5).distance(centre) - 1.0).abs() < 1e-8;
+        let arcs: Vec<Curve<DVec2>> = result.segments().filter(on_arc).collect();
+        assert!(arcs.len() >= 4, "{} cubics in {result}", arcs.len());
+        let end = arcs[arcs.len() - 1].end();
+        assert!(end.distance(DVec2::new(centre.x, 4.0)) < 1e-9, "{end}");
+        assert_smooth(&result, &d);
+    }
+}
+
 #[test]
 fn what_is_no_corner_is_kept_bit_for_bit() {
     for d in [

@@ -170,10 +170,10 @@ export class PathRegions extends PathMeasures {
    *     Path.rect([0, 0], 10, 10).roundCorners(2).area(); // 96.56637061…
    *
    * A corner is a joint where the tangent turns by 0.06° to 179.94°; other joints stay, and so do the ends of open
-   * subpaths. Arcs are cubics within 1e-9 of their radius; segments without a corner are returned bit for bit. An arc
-   * replaces at most the two segments at its corner: where these are too short, or bend more tightly, its radius is the
-   * largest one that fits. Where the arcs at both ends of a segment overlap, each ends in the middle of the segment
-   * (t = ½) at the latest.
+   * subpaths. Arcs are cubics within 1e-9 of their radius; segments that no arc replaces are returned bit for bit. An arc
+   * replaces at most the 64 segments on each side that follow each other without a corner: where these are too short, or
+   * bend more tightly, its radius is the largest one that fits. Where arcs at two corners overlap, each ends in the
+   * middle between them (in the parameter) at the latest.
    *
    * @param {number} radius 0 gives the path
    * @returns {this}

@@ -1,11 +1,12 @@
 //! Corners of a path replaced by arcs.
 
 use super::has_size;
-use super::tangent_circle::{CornerArc, corner_arc};
+use super::tangent_circle::{CornerArc, corner_arc, is_corner};
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::path::{Path, Subpath};
 use crate::spline::offset::offset_curve::add_arc;
+use crate::spline::offset::{end_tangent, start_tangent};
 use glam::DVec2;
 
 /// The largest distance of the cubics from an arc, as a part of its radius.
@@ -14,6 +15,9 @@ const ARC_TOLERANCE: f64 = 1e-9;
 /// Two arcs meet if at most this part of the parameters of a segment is between them.
 const MEETS: f64 = 1e-12;
 
+/// The largest number of segments on each side of a corner that an arc can replace.
+const MAX_RUN: usize = 64;
+
 impl Path {
     /// The path with its corners replaced by arcs of a radius that are tangent to both segments at the corner.
     ///
@@ -21,12 +25,14 @@ impl Path {
     /// subpaths. A closed subpath is rounded at its start, too, and then starts at the end of that arc. At straight
     /// segments that turn by θ the arc starts r tan(θ/2) before the corner. At curves its centre is the intersection of
     /// their offset curves at the distance r that is reached from the corner as the radius grows from 0. Arcs are cubics
-    /// within 10⁻⁹ of their radius. Segments without a corner are returned bit for bit.
+    /// within 10⁻⁹ of their radius. Segments that no arc replaces are returned bit for
+    /// bit.
     ///
-    /// An arc replaces at most the two segments at its corner. Where these are too short, or bend more tightly than the
-    /// arc, the radius at this corner is the largest one that fits. Where the arcs at both ends of a segment overlap,
-    /// each ends in the middle of the segment (t = ½) at the latest. Segments of length 0 at a rounded corner are
-    /// omitted. A corner stays if its radius is below 10⁻⁹ of the size of its segments. A radius of 0 returns the path.
+    /// An arc replaces at most the 64 segments on each side that follow each other without a corner. Where these are too
+    /// short, or bend more tightly than the arc, the radius at this corner is the largest one that fits. Where arcs at
+    /// two corners overlap, each ends in the middle between them (in the parameter) at the latest. Segments of length 0
+    /// in the place of an arc are omitted. A corner stays if its radius is below 10⁻⁹ of the size of its segments. A
+    /// radius of 0 returns the path.
     ///
     /// ```
     /// use casteljau::Path;
@@ -63,35 +69,60 @@ struct RoundedSubpath<'a> {
     part: Subpath<'a>,
     /// The segments that are not points.
     curves: Vec<Curve<DVec2>>,
-    /// The arc at the end of each of these segments.
+    /// Whether there is a corner at the end of each of these segments.
+    corners: Vec<bool>,
     arcs: Vec<Option<CornerArc>>,
+    /// The arcs that replace the start and the end of each of these segments.
+    cuts: Vec<[Option<Cut>; 2]>,
+}
+
+/// The part of a segment, as an interval of its parameter at one of its ends, that an arc replaces.
+#[derive(Clone, Copy)]
+struct Cut {
+    corner: usize,
+    part: f64,
 }
 
 impl<'a> RoundedSubpath<'a> {
     fn new(part: Subpath<'a>, radius: f64) -> Self {
         let segments = part.segments().map(Curve::from_slice);
         let curves: Vec<Curve<DVec2>> = segments.filter(has_size).collect();
+        let count = curves.len();
+        let is_corner_after = |k: usize| {
+            let next = &curves[(k + 1) % count];
+            (part.closed || k + 1 < count)
+                && is_corner([end_tangent(&curves[k]), start_tangent(next)])
+        };
         let mut rounded = Self {
             part,
-            arcs: vec![None; curves.len()],
+            corners: (0..count).map(is_corner_after).collect(),
+            arcs: vec![None; count],
+            cuts: vec![[None; 2]; count],
             curves,
         };
-        let mut limits = vec![[1.0; 2]; rounded.curves.len()];
-        for k in 0..rounded.curves.len() {
+        let lengths: Vec<[usize; 2]> = (0..count)
+            .map(|k| [rounded.run(k, 0), rounded.run(k, 1)])
+            .collect();
+        let whole = |n: usize| n.min(MAX_RUN) as f64;
+        let mut limits: Vec<[f64; 2]> = lengths.iter().map(|n| n.map(whole)).collect();
+        for k in 0..count {
             rounded.arcs[k] = rounded.arc(k, radius, limits[k]);
         }
-        let overlapping: Vec<usize> = (0..rounded.curves.len())
-            .filter(|&k| rounded.used(k) > 1.0 + MEETS)
-            .collect();
-        for &k in &overlapping {
-            limits[k][0] = 0.5;
-            limits[rounded.before(k)][1] = 0.5;
+        rounded.cut();
+        let mut overlap = Vec::new();
+        for k in (0..count).filter(|&k| rounded.used(k) > 1.0 + MEETS) {
+            let [Some(start), Some(end)] = rounded.cuts[k] else {
+                continue;
+            };
+            limits[start.corner][1] = 0.5 * lengths[start.corner][1] as f64;
+            limits[end.corner][0] = 0.5 * lengths[end.corner][0] as f64;
+            overlap.extend([start.corner, end.corner]);
         }
-        for (k, &limit) in limits.iter().enumerate() {
-            if limit != [1.0; 2] {
-                rounded.arcs[k] = rounded.arc(k, radius, limit);
-            }
+        overlap.dedup();
+        for &k in &overlap {
+            rounded.arcs[k] = rounded.arc(k, radius, limits[k]);
         }
+        rounded.cut();
         rounded
     }
 
@@ -100,49 +131,113 @@ impl<'a> RoundedSubpath<'a> {
         k.checked_sub(1).unwrap_or(self.curves.len() - 1)
     }
 
+    /// Segment k of those that lead away from the corner at the end of a segment, backwards (0) or forwards (1).
+    fn leading(&self, corner: usize, side: usize, k: usize) -> usize {
+        let count = self.curves.len();
+        if side == 0 {
+            (corner + count - k) % count
+        } else {
+            (corner + 1 + k) % count
+        }
+    }
+
+    /// The number of segments that lead smoothly away from a corner, up to twice the largest number of a side.
+    fn run(&self, corner: usize, side: usize) -> usize {
+        if !self.corners[corner] {
+            return 0;
+        }
+        let count = self.curves.len();
+        let ends = |k: usize| {
+            let segment = self.leading(corner, side, k);
+            let joint = if side == 0 {
+                self.before(segment)
+            } else {
+                segment
+            };
+            self.corners[joint] || !self.part.closed && joint == count - 1
+        };
+        let limit = count.min(2 * MAX_RUN);
+        1 + (0..limit - 1).take_while(|&k| !ends(k)).count()
+    }
+
     /// The arc at the end of segment k.
     fn arc(&self, k: usize, radius: f64, limits: [f64; 2]) -> Option<CornerArc> {
-        let next = match self.curves.get(k + 1) {
-            Some(next) => next,
-            None if self.part.closed => &self.curves[0],
-            None => return None,
+        if !self.corners[k] {
+            return None;
+        }
+        let side = |side: usize| -> Vec<Curve<DVec2>> {
+            let count = self.run(k, side).min(MAX_RUN);
+            let curves = (0..count).map(|i| &self.curves[self.leading(k, side, i)]);
+            curves
+                .map(|curve| {
+                    if side == 0 {
+                        curve.reverse()
+                    } else {
+                        curve.clone()
+                    }
+                })
+                .collect()
         };
-        corner_arc([&self.curves[k], next], radius, limits)
+        corner_arc(&[side(0), side(1)], radius, limits)
     }
 
-    /// The lengths of the intervals at both ends of segment k that arcs replace.
-    fn cuts(&self, k: usize) -> [f64; 2] {
-        let start = self.arcs[self.before(k)].map_or(0.0, |arc| arc.from_corner[1]);
-        [start, self.arcs[k].map_or(0.0, |arc| arc.from_corner[0])]
+    /// Finds the segments that the arcs replace.
+    fn cut(&mut self) {
+        self.cuts.fill([None; 2]);
+        for corner in 0..self.curves.len() {
+            let Some(arc) = self.arcs[corner] else {
+                continue;
+            };
+            for (side, &from_corner) in arc.from_corner.iter().enumerate() {
+                let (mut rest, mut k) = (from_corner, 0);
+                while rest > 0.0 {
+                    let segment = self.leading(corner, side, k);
+                    let part = rest.min(1.0);
+                    self.cuts[segment][1 - side] = Some(Cut { corner, part });
+                    (rest, k) = (rest - 1.0, k + 1);
+                }
+            }
+        }
     }
 
+    /// The part of segment k that arcs replace.
     fn used(&self, k: usize) -> f64 {
-        let [start, end] = self.cuts(k);
-        start + end
+        self.cuts[k].iter().flatten().map(|cut| cut.part).sum()
+    }
+
+    /// An end of an arc.
+    fn end(&self, cut: Cut, side: usize) -> Option<DVec2> {
+        self.arcs[cut.corner].map(|arc| arc.ends[side])
+    }
+
+    /// The start of the subpath.
+    fn start(&self) -> DVec2 {
+        let moved = match self.cuts[0] {
+            [Some(start), _] => self.end(start, 1),
+            [None, Some(end)] if end.part >= 1.0 => self.end(end, 0),
+            _ => None,
+        };
+        moved.unwrap_or(self.part.points[0])
     }
 
     fn push_to(&self, path: &mut Path) {
-        let Some(last) = self.arcs.last() else {
+        if self.arcs.iter().all(Option::is_none) {
             let count = self.part.points.len() - usize::from(self.part.closed);
             let points = &self.part.points[..count];
             return path.push(points, self.part.degrees, self.part.closed);
-        };
-        let start = last.map_or(self.part.points[0], |arc| arc.ends[1]);
+        }
         let mut out = Pieces {
-            points: vec![start],
+            points: vec![self.start()],
             degrees: Vec::new(),
         };
         let mut k = 0;
         for points in self.part.segments() {
-            if points.iter().all(|&p| p == points[0]) {
-                let at_arc = self.arcs[self.before(k)].is_some();
-                if !at_arc {
-                    out.add(points);
-                }
-                continue;
+            if points.iter().any(|&p| p != points[0]) {
+                self.push_segment(k, &mut out);
+                k += 1;
+            } else if self.keeps_point(k) {
+                out.add(points);
             }
-            self.push_segment(k, &mut out);
-            k += 1;
         }
         if self.part.closed {
             out.points.pop();
@@ -150,29 +245,40 @@ impl<'a> RoundedSubpath<'a> {
         path.push(&out.points, &out.degrees, self.part.closed);
     }
 
+    /// Whether no arc replaces the joint before segment k.
+    fn keeps_point(&self, k: usize) -> bool {
+        let before = self.cuts[self.before(k)][1];
+        let after = self.cuts[k % self.curves.len()][0];
+        before.is_none() && after.is_none()
+    }
+
     /// Appends what is left of segment k, and the arc after it.
     fn push_segment(&self, k: usize, out: &mut Pieces) {
-        let curve = &self.curves[k];
-        let [start, end] = self.cuts(k);
-        let arcs = [self.arcs[self.before(k)], self.arcs[k]];
-        if start + end < 1.0 - MEETS {
-            let mut rest = if start == 0.0 && end == 0.0 {
-                curve.control_points().to_vec()
-            } else {
-                curve.subsegment(start, 1.0 - end).control_points().to_vec()
-            };
-            let last = rest.len() - 1;
-            if let Some(arc) = arcs[0] {
-                rest[0] = arc.ends[1];
-            }
-            if let Some(arc) = arcs[1] {
-                rest[last] = arc.ends[0];
-            }
-            out.add(&rest);
+        if self.used(k) < 1.0 - MEETS {
+            out.add(&self.rest(k));
         }
-        if let Some(arc) = arcs[1] {
+        if let Some(arc) = self.arcs[k] {
             out.add_arc(&arc);
         }
+    }
+
+    /// The control points of what is left of segment k.
+    fn rest(&self, k: usize) -> Vec<DVec2> {
+        let curve = &self.curves[k];
+        let [start, end] = self.cuts[k];
+        if start.is_none() && end.is_none() {
+            return curve.control_points().to_vec();
+        }
+        let [from, to] = [start, end].map(|cut| cut.map_or(0.0, |cut| cut.part));
+        let mut rest = curve.subsegment(from, 1.0 - to).control_points().to_vec();
+        let last = rest.len() - 1;
+        if let Some(p) = start.and_then(|cut| self.end(cut, 1)) {
+            rest[0] = p;
+        }
+        if let Some(p) = end.and_then(|cut| self.end(cut, 0)) {
+            rest[last] = p;
+        }
+        rest
     }
 }
 

@@ -11,7 +11,7 @@ use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
 use crate::numeric::float::unit_scale;
 use crate::numeric::work_limit::WorkLimit;
-use crate::spline::offset::{end_tangent, start_tangent};
+use crate::spline::offset::start_tangent;
 use glam::DVec2;
 
 /// A joint is a corner if the sine of its turn is larger. This holds for turns of 0.06° to 179.94°.
@@ -67,8 +67,11 @@ struct Corner<'a> {
     sign: f64,
 }
 
+/// Segments that follow each other smoothly; parameters are those of a spline.
 struct Side<'a> {
-    curve: CurveWithDerivatives<'a, DVec2>,
+    pieces: Vec<CurveWithDerivatives<'a, DVec2>>,
+    /// The index of the segment with the point of tangency.
+    current: usize,
     /// The normal towards the circle is this multiple of the left one.
     sign: f64,
     /// The largest parameter.
@@ -94,81 +97,89 @@ pub(super) fn is_corner([before, after]: [DVec2; 2]) -> bool {
     before.perp_dot(after).abs() > MIN_CORNER_SINE
 }
 
-/// The arc of a radius above 0 at the corner between two segments that are not points. Its points of tangency are at
-/// most at the given parameters, counted from the corner; the radius is reduced where it must be. `None` for a joint
-/// that is no corner, and if only a negligible arc is possible.
+/// The arc of a radius above 0 at a corner. Both sides are lists of segments that are not points, start at the corner,
+/// and lead away from it. The points of tangency are at most at the given parameters; the radius is reduced where it
+/// must be. `None` if only a negligible arc is possible.
 pub(super) fn corner_arc(
-    segments: [&Curve<DVec2>; 2],
+    sides: &[Vec<Curve<DVec2>>; 2],
     radius: f64,
     limits: [f64; 2],
 ) -> Option<CornerArc> {
-    let tangents = [end_tangent(segments[0]), start_tangent(segments[1])];
-    if !is_corner(tangents) {
-        return None;
-    }
-    let corner = segments[1].start();
-    let away = [segments[0].reverse(), segments[1].clone()];
-    let mut points = away.each_ref().map(|curve| -> Vec<DVec2> {
-        curve
-            .control_points()
-            .iter()
-            .map(|&p| p * 0.5 - corner * 0.5)
-            .collect()
+    let corner = sides[1][0].start();
+    let tangents = [-start_tangent(&sides[0][0]), start_tangent(&sides[1][0])];
+    let halves = sides.each_ref().map(|side| {
+        let half = |curve: &Curve<DVec2>| -> Vec<DVec2> {
+            let points = curve.control_points();
+            points.iter().map(|&p| p * 0.5 - corner * 0.5).collect()
+        };
+        side.iter().map(half).collect::<Vec<_>>()
     });
-    let scale = unit_scale(max_abs(&points[0]).max(max_abs(&points[1])));
-    for p in points.iter_mut().flatten() {
-        *p *= scale;
-    }
+    let size = halves.iter().flatten().map(|points| max_abs(points));
+    let scale = unit_scale(size.fold(0.0, f64::max));
+    let scaled = halves.map(|mut side| {
+        side.iter_mut().flatten().for_each(|p| *p *= scale);
+        side
+    });
     let unit = 2.0 / scale;
-    let goal = (radius / unit).min(MAX_RADIUS);
     let sign = 1.0_f64.copysign(tangents[0].perp_dot(tangents[1]));
     let side = |k: usize, sign: f64| Side {
-        curve: CurveWithDerivatives::new(&points[k]),
+        pieces: scaled[k]
+            .iter()
+            .map(|points| CurveWithDerivatives::new(points))
+            .collect(),
+        current: 0,
         sign,
         limit: limits[k],
     };
-    let fitted = Corner {
+    let mut fitted = Corner {
         sides: [side(0, -sign), side(1, sign)],
         tangents,
         sign,
     };
-    let are_lines = segments.iter().all(|curve| curve.degree() == 1);
-    let contact = if are_lines {
-        fitted.between_lines(goal)
-    } else {
-        fitted.follow(goal)
-    };
+    let contact = fitted.fit((radius / unit).min(MAX_RADIUS));
     if contact[RADIUS] < MIN_RADIUS {
         return None;
     }
-    let arc = fitted.arc(contact, unit)?;
-    let own = |k: usize, x: f64| away[k].eval(x);
-    let ends = if are_lines {
-        let distance = contact[RADIUS] * fitted.tangent_of_half_turn() * unit;
-        [0, 1].map(|k| {
-            let outward = if k == 0 { -tangents[0] } else { tangents[1] };
-            let at_limit = arc.from_corner[k] == limits[k];
-            if at_limit {
-                own(k, limits[k])
-            } else {
-                corner + outward * distance
-            }
-        })
-    } else {
-        [0, 1].map(|k| own(k, arc.from_corner[k]))
+    let between_lines = fitted.starts_with_lines() && contact[0].max(contact[1]) <= 1.0;
+    let distance = contact[RADIUS] * fitted.tangent_of_half_turn() * unit;
+    let end = |k: usize, outward: DVec2| {
+        if between_lines && contact[k] < 1.0 && contact[k] != limits[k] {
+            corner + outward * distance
+        } else {
+            eval(&sides[k], contact[k])
+        }
     };
-    Some(CornerArc { ends, ..arc })
+    Some(CornerArc {
+        from_corner: [contact[0], contact[1]],
+        ends: [end(0, -tangents[0]), end(1, tangents[1])],
+        tangents: [-fitted.outward(&contact, 0)?, fitted.outward(&contact, 1)?],
+        radius: sign * contact[RADIUS],
+        unit,
+    })
+}
+
+/// The point of a list of curves at a parameter.
+fn eval(curves: &[Curve<DVec2>], x: f64) -> DVec2 {
+    let mut rest = x;
+    for curve in &curves[..curves.len() - 1] {
+        if rest < 1.0 {
+            return curve.eval(rest);
+        }
+        rest -= 1.0;
+    }
+    curves[curves.len() - 1].eval(rest)
 }
 
 impl Side<'_> {
     /// `None` where the derivative vanishes.
     fn at(&self, x: f64) -> Option<Local> {
-        let [velocity, second] = self.curve.derivatives(x);
+        let (curve, x) = (&self.pieces[self.current], x - self.current as f64);
+        let [velocity, second] = curve.derivatives(x);
         let speed = Point::length(velocity);
         let tangent = velocity / speed;
         let curvature = self.sign * tangent.perp_dot(second) / (speed * speed);
         (speed > 0.0 && curvature.is_finite()).then(|| Local {
-            point: self.curve.at(x),
+            point: curve.at(x),
             velocity,
             tangent,
             normal: tangent.perp() * self.sign,
@@ -176,18 +187,23 @@ impl Side<'_> {
         })
     }
 
-    /// The largest distance of a control point from the corner.
+    /// The largest parameter in the current segment.
+    fn end(&self) -> f64 {
+        self.limit.min((self.current + 1) as f64)
+    }
+
+    /// The largest distance of a control point of the first segment from the corner.
     fn reach(&self) -> f64 {
-        let distances = self.curve.points.iter().map(|&p| Point::length(p));
+        let distances = self.pieces[0].points.iter().map(|&p| Point::length(p));
         distances.fold(0.0, f64::max)
     }
 
     /// A parameter at about a distance from the corner.
     fn at_distance(&self, distance: f64) -> f64 {
-        let (mut low, mut high) = (0.0, self.limit);
+        let (mut low, mut high) = (0.0, self.end());
         for _ in 0..24 {
             let middle = 0.5 * (low + high);
-            if Point::length(self.curve.at(middle)) < distance {
+            if Point::length(self.pieces[0].at(middle)) < distance {
                 low = middle;
             } else {
                 high = middle;
@@ -207,7 +223,7 @@ impl Corner<'_> {
     fn between_lines(&self, goal: f64) -> Contact {
         let tangent = self.tangent_of_half_turn();
         let lengths = self.sides.each_ref().map(|side| side.reach());
-        let room = (self.sides[0].limit * lengths[0]).min(self.sides[1].limit * lengths[1]);
+        let room = (self.sides[0].end() * lengths[0]).min(self.sides[1].end() * lengths[1]);
         let distance = (goal * tangent).min(room);
         let radius = if distance < room {
             goal
@@ -217,13 +233,22 @@ impl Corner<'_> {
         [distance / lengths[0], distance / lengths[1], radius]
     }
 
-    /// Increases the radius up to a goal, as far as it goes.
-    fn follow(&self, goal: f64) -> Contact {
+    fn starts_with_lines(&self) -> bool {
+        self.sides
+            .iter()
+            .all(|side| side.pieces[0].points.len() == 2)
+    }
+
+    /// The contact of the largest radius up to a goal.
+    fn fit(&mut self, goal: f64) -> Contact {
+        let mut contact = [0.0; 3];
+        if self.starts_with_lines() {
+            contact = self.between_lines(goal);
+        }
         let mut work = WorkLimit::new(MAX_WORK);
         let reach = self.sides[0].reach().min(self.sides[1].reach());
         let mut step = FIRST_STEP * reach / self.tangent_of_half_turn();
-        let mut contact = [0.0; 3];
-        while contact[RADIUS] < goal && !work.is_exceeded() && !self.is_at_limit(&contact) {
+        while self.enter_segments(&mut contact) && contact[RADIUS] < goal && !work.is_exceeded() {
             let radius = (contact[RADIUS] + step).min(goal);
             if let Some(next) = self.next(&contact, radius, &mut work) {
                 contact = next;
@@ -237,8 +262,21 @@ impl Corner<'_> {
         contact
     }
 
-    fn is_at_limit(&self, contact: &Contact) -> bool {
-        (0..2).any(|k| contact[k] >= self.sides[k].limit * (1.0 - AT_LIMIT))
+    /// Moves points of tangency at the end of a segment to the next one; false at the limit of a side.
+    fn enter_segments(&mut self, contact: &mut Contact) -> bool {
+        let mut is_free = true;
+        for (x, side) in contact.iter_mut().zip(&mut self.sides) {
+            let end = side.end();
+            if *x >= end * (1.0 - AT_LIMIT) {
+                *x = end;
+                if end < side.limit {
+                    side.current += 1;
+                } else {
+                    is_free = false;
+                }
+            }
+        }
+        is_free
     }
 
     /// The contact for a larger radius, or where a side reaches its limit before.
@@ -251,16 +289,15 @@ impl Corner<'_> {
             }
         }
         if let Some(found) = self.solve(start, RADIUS, work) {
-            let within = (0..2).all(|k| found[k] <= self.sides[k].limit);
+            let within = (0..2).all(|k| found[k] <= self.sides[k].end());
             if within {
                 return self.follows(from, &found).then_some(found);
             }
             start = found;
         }
         (0..2).find_map(|k| {
-            let limit = self.sides[k].limit;
-            let mut clamped = [0, 1].map(|k| start[k].clamp(from[k], self.sides[k].limit));
-            clamped[k] = limit;
+            let mut clamped = [0, 1].map(|k| start[k].clamp(from[k], self.sides[k].end()));
+            clamped[k] = self.sides[k].end();
             let found = self.solve([clamped[0], clamped[1], radius], k, work)?;
             (found[RADIUS] <= radius && self.follows(from, &found)).then_some(found)
         })
@@ -305,7 +342,7 @@ impl Corner<'_> {
             let (Some(local), Some(old)) = (side.at(to[k]), self.outward(from, k)) else {
                 return false;
             };
-            (from[k]..=side.limit).contains(&to[k])
+            (from[k]..=side.end()).contains(&to[k])
                 && to[RADIUS] * local.curvature < 1.0
                 && local.tangent.dot(old) >= MAX_TURN_COSINE
         };
@@ -330,21 +367,5 @@ impl Corner<'_> {
             [Some(before), Some(after)] => self.sign * after.perp_dot(before) > 0.0,
             _ => false,
         }
-    }
-
-    fn arc(&self, mut contact: Contact, unit: f64) -> Option<CornerArc> {
-        let tangents = [-self.outward(&contact, 0)?, self.outward(&contact, 1)?];
-        for (x, side) in contact.iter_mut().zip(&self.sides) {
-            if *x >= side.limit * (1.0 - AT_LIMIT) {
-                *x = side.limit;
-            }
-        }
-        Some(CornerArc {
-            from_corner: [contact[0], contact[1]],
-            ends: [DVec2::ZERO; 2],
-            tangents,
-            radius: self.sign * contact[RADIUS],
-            unit,
-        })
     }
 }
