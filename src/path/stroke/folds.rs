@@ -40,6 +40,9 @@ const MAX_COMPARED_ENDS: usize = 64;
 /// Maximum depth of halvings of an evolute.
 const MAX_HALVINGS: usize = 12;
 
+/// An evolute of more segments is not divided further: its normals are rounding errors, and the union refuses so many.
+const MAX_FOLD_SEGMENTS: usize = 1 << 10;
+
 /// Appends the parts that are swept backwards and may lie ahead of a blunt end, as contours of the winding number 1.
 pub(super) fn push_folds(
     path: &mut Path,
@@ -264,7 +267,8 @@ fn push_evolute(
     let parts = [1.0 / 6.0, 0.5, 5.0 / 6.0];
     let midway = parts.map(|part| curve(from + (to - from) * part));
     let is_close = |k: usize| Point::length(cubic.eval(parts[k]) - midway[k]) <= tolerance;
-    if halvings == 0 || (0..3).all(is_close) {
+    let is_last = halvings == 0 || out.degrees.len() >= MAX_FOLD_SEGMENTS;
+    if is_last || (0..3).all(is_close) {
         out.points.extend([b, c, d]);
         out.degrees.push(3);
         return;
