@@ -105,8 +105,8 @@ impl<'a> RoundedSubpath<'a> {
             .collect();
         let whole = |n: usize| n.min(MAX_RUN) as f64;
         let mut limits: Vec<[f64; 2]> = lengths.iter().map(|n| n.map(whole)).collect();
-        for k in 0..count {
-            rounded.arcs[k] = rounded.arc(k, radius, limits[k]);
+        for (k, &limit) in limits.iter().enumerate() {
+            rounded.arcs[k] = rounded.arc(k, radius, limit);
         }
         rounded.cut();
         let mut overlap = Vec::new();
