@@ -51,9 +51,11 @@ export class PathMeasures extends PathEvaluation {
   /**
    * The smallest box that contains the path; null for an empty one.
    *
+   * @param {never[]} surplus
    * @returns {{ min: Point, max: Point } | null}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0);
     return this._box(true);
   }
 

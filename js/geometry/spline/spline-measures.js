@@ -159,9 +159,11 @@ export class SplineMeasures extends CoreSpline {
    * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
    * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
    *
+   * @param {never[]} surplus
    * @returns {Extrema}
    */
-  extrema() {
+  extrema(...surplus) {
+    check.noSurplus(surplus, "extrema", 0);
     return splineExtrema(this._index, this.segments());
   }
 

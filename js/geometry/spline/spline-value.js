@@ -1,7 +1,7 @@
 import { onlySplineData } from "../brand.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
-import { flatten, nested, pointAt, samePoints, writePoint } from "../points.js";
+import { flatten, nested, pointAt, samePoints, writePoint, requireList } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
 
@@ -277,6 +277,7 @@ export class CheckedSplineData {
  * @returns {SplineData}
  */
 function checkedData(points, options) {
+  requireList(points);
   const { degree = 3, closed, dimension: requested } = check.options(options, ["degree", "closed", "dimension"]);
   const isClosed = check.optionalBoolean(closed, "closed");
   check.whole(degree, "degree", 1, 64);
