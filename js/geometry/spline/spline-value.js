@@ -18,7 +18,10 @@ let isShown = false;
 /**
  * Options of the constructor of `Spline`.
  *
- * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
+ * @typedef {object} SplineOptions
+ * @property {number} [degree] of all segments, 3 by default
+ * @property {boolean} [closed] whether the spline is closed, so that its end is its start; false by default
+ * @property {2 | 3} [dimension] how a flat array of coordinates is read, 2 by default
  */
 
 /**
