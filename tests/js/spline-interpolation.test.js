@@ -98,7 +98,11 @@ test("interpolate: refusals", () => {
     TypeError,
     /^alpha: expected a number, got "1"$/,
   );
-  refused(() => Spline.interpolate(untyped(5)), TypeError, /^points: expected an array of points, got 5; did you mean \[\[x, y\], …\]\?$/);
+  refused(
+    () => Spline.interpolate(untyped(5)),
+    TypeError,
+    /^points: expected an array of points, got 5; did you mean \[\[x, y\], …\]\?$/,
+  );
 });
 
 test("fromBSpline: uniform, with knots, closed", () => {
