@@ -38,6 +38,7 @@ export {};
 /** @typedef {import("./geometry/path/path-queries.js").PathPointAtLength} PathPointAtLength */
 /** @typedef {import("./geometry/path/path-coordinates.js").PathExtrema} PathExtrema */
 /** @typedef {import("./geometry/path/path-shapes.js").ArcOptions} ArcOptions */
+/** @typedef {import("./geometry/path/path-shapes.js").CornerOptions} CornerOptions */
 /** @typedef {import("./geometry/path/path-shapes.js").RectOptions} RectOptions */
 /** @typedef {import("./geometry/path/path.js").Shape} Shape */
 /** @typedef {import("./geometry/intersections.js").PathIntersection} PathIntersection */
@@ -53,7 +54,13 @@ export {};
 /** @typedef {import("./geometry/topology.js").EdgeUse} EdgeUse */
 /** @typedef {import("./geometry/topology.js").Topology} Topology */
 /** @typedef {import("./geometry/tessellation.js").Detail} Detail */
+/** @typedef {import("./geometry/tessellation.js").SegmentDetail} SegmentDetail */
+/** @typedef {import("./geometry/tessellation.js").ToleranceDetail} ToleranceDetail */
+/** @typedef {import("./geometry/tessellation.js").PixelDetail} PixelDetail */
+/** @typedef {import("./geometry/tessellation.js").MeshOptions} MeshOptions */
 /** @typedef {import("./geometry/tessellation.js").TessellationOptions} TessellationOptions */
+/** @typedef {import("./geometry/wireframe.js").TubeOptions} TubeOptions */
+/** @typedef {import("./geometry/wireframe.js").RibbonOptions} RibbonOptions */
 /** @typedef {import("./geometry/wireframe.js").WireframeOptions} WireframeOptions */
 /** @typedef {import("./geometry/flat-pieces.js").FlatPiece} FlatPiece */
 /** @typedef {import("./geometry/mesh.js").GridOptions} GridOptions */

@@ -75,6 +75,9 @@ const indexExternal = (...folders) => ({
 /** The files that went into the bundles. */
 const inputs = new Set();
 
+/** Options of scripts that run without a module: they are ASCII, since a page may not declare its encoding. */
+const CLASSIC = { format: "iife", charset: "ascii" };
+
 /** Runs esbuild with the options that all bundles share; the results are in memory. */
 async function bundleAs(options) {
   const { outputFiles, metafile } = await build({
@@ -199,11 +202,11 @@ await Promise.all([
   bundle("core.js", "core.js", { plugins: [useModules({ curves: "core" })] }),
   bundle("surfaces.js", "surfaces.js", { plugins: [coreSurfaces] }),
   bundle("slim.js", "slim.js", { plugins: [withoutBytes] }),
-  bundle("index.js", "casteljau.global.js", { format: "iife", globalName: "casteljau" }),
+  bundle("index.js", "casteljau.global.js", { ...CLASSIC, globalName: "casteljau" }),
   bundle("applet/index.js", "applet.js", { plugins: [indexExternal("applet")] }),
   elements(),
   bundle("applet/classic.js", "bezier-app.js", {
-    format: "iife",
+    ...CLASSIC,
     plugins: [useModules({ curves: "applet" })],
   }),
 ]);

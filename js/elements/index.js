@@ -11,6 +11,17 @@ import { BezierSurface as Surface } from "./surface/element.js";
  * @import { BezierAppletConstructor, BezierSurfaceConstructor } from "./types.js"
  */
 
+/** @typedef {import("./tag-names.js").BezierElementTagNameMap} BezierElementTagNameMap */
+/** @typedef {import("./types.js").BezierAppletElement} BezierAppletElement */
+/** @typedef {import("./types.js").BezierSurfaceElement} BezierSurfaceElement */
+/** @typedef {import("./types.js").AppletFigure} AppletFigure */
+/** @typedef {import("./types.js").SurfaceFigure} SurfaceFigure */
+/** @typedef {import("./types.js").SurfaceView} SurfaceView */
+/** @typedef {import("./companions/types.js").BezierBernsteinElement} BezierBernsteinElement */
+/** @typedef {import("./companions/types.js").BezierEquationElement} BezierEquationElement */
+/** @typedef {import("./companions/types.js").BezierCoordinatesElement} BezierCoordinatesElement */
+/** @typedef {import("./companions/types.js").BezierEasingElement} BezierEasingElement */
+
 const registry = globalThis.customElements;
 
 /**

@@ -113,7 +113,8 @@ export function readEasing(text) {
   /** @type {Record<string, (scanner: Scanner) => Timing>} */
   const readers = { "cubic-bezier(": readCubic, "steps(": readSteps, "linear(": readLinear };
   const isKeyword = Object.hasOwn(KEYWORDS, word);
-  if (!isKeyword && !Object.hasOwn(readers, word)) scanner.refuse("a keyword, cubic-bezier(…), steps(…) or linear(…)");
+  if (!isKeyword && !Object.hasOwn(readers, word))
+    scanner.refuse(`${Object.keys(KEYWORDS).join(", ")}, cubic-bezier(…), steps(…) or linear(…)`);
   scanner.skip(word);
   const timing = isKeyword ? readEasing(KEYWORDS[word]) : readers[word](scanner);
   if (!isKeyword) scanner.expect(")");

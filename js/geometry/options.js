@@ -14,7 +14,7 @@ import { describe, shorten } from "./describe.js";
 export function options(value, known) {
   if (value === undefined || value === null) return {};
   if (typeof value !== "object" || Array.isArray(value) || ArrayBuffer.isView(value)) {
-    throw new TypeError(`options: expected an object, got ${describe(value)}`);
+    throw new TypeError(`options: expected an object, got ${describe(value)}${optionForNumber(value, known)}`);
   }
   const names = /** @type {readonly string[]} */ (known);
   for (const key of Object.keys(value)) {
@@ -22,6 +22,19 @@ export function options(value, known) {
     throw new TypeError(`${shorten(key)}: unknown option; ${suggestion(shorten(key), names)}`);
   }
   return value;
+}
+
+/**
+ * The option that a number in the place of the options was probably meant for, as the end of a message.
+ *
+ * @param {unknown} value
+ * @param {readonly PropertyKey[]} known
+ * @returns {string}
+ */
+function optionForNumber(value, known) {
+  const names = Number.isInteger(value) ? ["segments", "precision", "tolerance"] : ["tolerance"];
+  const name = names.find((option) => known.includes(option));
+  return typeof value === "number" && name ? `; did you mean { ${name}: ${value} }?` : "";
 }
 
 /**

@@ -33,6 +33,19 @@ import { finite, isList, optionalDimension, describe } from "./check.js";
  */
 
 /**
+ * Refuses what is no list of points. Functions call it before they check options, which `new Curve(0, 0, 100, 100)` seems to have.
+ *
+ * @internal
+ * @param {unknown} points
+ * @param {string} [name]
+ */
+export function requireList(points, name = "points") {
+  if (isList(points)) return;
+  const hint = typeof points === "number" ? "; did you mean [[x, y], …]?" : "";
+  throw new TypeError(`${name}: expected an array of points, got ${describe(points)}${hint}`);
+}
+
+/**
  * Converts points of any form to one flat array, copied and checked.
  *
  * @internal
@@ -44,7 +57,7 @@ import { finite, isList, optionalDimension, describe } from "./check.js";
  */
 export function flatten(points, dimension, flatDimension, name = "points") {
   const requested = optionalDimension(dimension);
-  if (!isList(points)) throw new TypeError(`${name}: expected an array of points, got ${describe(points)}`);
+  requireList(points, name);
   if (ArrayBuffer.isView(points) || typeof points[0] === "number") {
     return fromNumbers(/** @type {ArrayLike<unknown>} */ (points), requested ?? flatDimension, name);
   }

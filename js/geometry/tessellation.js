@@ -7,22 +7,49 @@ import { meshInto, segmentsOf } from "./mesh.js";
  */
 
 /**
- * The level of detail of a mesh: `segments` along u and v of every patch; `tolerance`, the largest distance from the
- * surface to the mesh, in the surface's unit; or `pixels`, the largest distance on the screen (parts outside the
- * viewport may be coarser). `viewProjection` maps (x, y, z, 1) to clip space, 16 numbers column-major; `viewport` is
- * the width and height in pixels.
+ * The level of detail by a number of segments.
  *
- * @typedef {{ segments: number | { u: number, v: number } } | { tolerance: number }
- *   | { pixels: number, viewProjection: MatrixLike, viewport: ArrayLike<number> }} Detail
+ * @typedef {object} SegmentDetail
+ * @property {number | { u: number, v: number }} segments cells of every patch along u and v; one number for both directions
  */
 
 /**
- * The options of a tessellation: the level of detail; `weld`, which corners become one vertex ("position": one vertex
- * per point; "normal", the default: separate vertices where normals differ by more than 0.1°; "none": separate vertices
- * for each patch, so that uvs and patch indices are defined); `precision`, the type of positions and normals ("f32" by
- * default); `into`, an earlier mesh whose arrays are reused if they are large enough.
+ * The level of detail by a distance.
  *
- * @typedef {Detail & { weld?: "position" | "normal" | "none", precision?: "f32" | "f64", into?: Mesh }} TessellationOptions
+ * @typedef {object} ToleranceDetail
+ * @property {number} tolerance the largest distance from the surface to the mesh, in the surface's unit
+ */
+
+/**
+ * The level of detail by a distance on the screen; parts outside the viewport may be coarser.
+ *
+ * @typedef {object} PixelDetail
+ * @property {number} pixels the largest distance from the surface to the mesh on the screen
+ * @property {MatrixLike} viewProjection maps (x, y, z, 1) to clip space: 16 numbers column-major, or an object with `elements`
+ * @property {ArrayLike<number>} viewport width and height in pixels
+ */
+
+/**
+ * The level of detail of a mesh, in one of three ways.
+ *
+ * @typedef {SegmentDetail | ToleranceDetail | PixelDetail} Detail
+ */
+
+/**
+ * The options of a tessellation besides the level of detail.
+ *
+ * @typedef {object} MeshOptions
+ * @property {"position" | "normal" | "none"} [weld] which corners become one vertex: "position", one vertex per point; "normal", the
+ *   default of surfaces, separate vertices where normals differ by more than 0.1°; "none", the default of patches, separate vertices
+ *   for each patch, so that uvs and patch indices are defined
+ * @property {"f32" | "f64"} [precision] the type of positions and normals, "f32" by default
+ * @property {Mesh} [into] an earlier mesh, whose arrays are reused if they are large enough
+ */
+
+/**
+ * The options of a tessellation: the level of detail and what mesh is made.
+ *
+ * @typedef {Detail & MeshOptions} TessellationOptions
  */
 
 /** The names of the options; exactly one of `DETAILS` is given. */

@@ -1,16 +1,21 @@
 /**
- * An edge of a patch, named by the parameter that is constant along it. `reversed` says that it runs against the
- * direction of the first edge in its group of shared edges.
+ * An edge of a patch.
  *
- * @typedef {{ patch: number, edge: "u0" | "u1" | "v0" | "v1", reversed: boolean }} EdgeUse
+ * @typedef {object} EdgeUse
+ * @property {number} patch the number of the patch
+ * @property {"u0" | "u1" | "v0" | "v1"} edge the parameter that is constant along the edge, and its value
+ * @property {boolean} reversed whether the edge runs against the direction of the first edge in its group of shared edges
  */
 
 /**
- * How the patches of a surface are joined. Every edge is in exactly one list: `shared` (pairs of edges that are the
- * same line), `nonManifold` (groups of three or more), `open` (the boundary) or `collapsed` (the edge is a point).
- * `components` lists the patches of each connected component.
+ * How the patches of a surface are joined. Every edge is in exactly one of `shared`, `nonManifold`, `open` and `collapsed`.
  *
- * @typedef {{ shared: EdgeUse[][], nonManifold: EdgeUse[][], open: EdgeUse[], collapsed: EdgeUse[], components: number[][] }} Topology
+ * @typedef {object} Topology
+ * @property {EdgeUse[][]} shared pairs of edges that are the same line
+ * @property {EdgeUse[][]} nonManifold groups of three or more edges that are the same line
+ * @property {EdgeUse[]} open edges on the boundary
+ * @property {EdgeUse[]} collapsed edges that are a point
+ * @property {number[][]} components the patches of each connected component
  */
 
 const EDGE_NAMES = /** @type {const} */ (["u0", "u1", "v0", "v1"]);

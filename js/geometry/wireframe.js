@@ -4,12 +4,28 @@ import { Mesh, readMesh } from "./mesh.js";
 import { core, unwrapCount, readResult, releaseMemory } from "../wasm/surfaces-transfer.js";
 
 /**
- * The shape of the lines: tubes with a radius and a number of sides (8 by default, at least 3), or ribbons with a width
- * that lie in the surface. `lines`: the number of strips per patch in each direction, 4 by default; `into`: an earlier
- * mesh whose arrays are reused if they are large enough.
+ * Lines as tubes.
  *
- * @typedef {{ lines?: number, radius: number, sides?: number, into?: Mesh }
- *   | { lines?: number, width: number, into?: Mesh }} WireframeOptions
+ * @typedef {object} TubeOptions
+ * @property {number} radius of the tubes, in the surface's unit
+ * @property {number} [sides] of the cross-section, at least 3; 8 by default
+ * @property {number} [lines] strips per patch in each direction, 4 by default
+ * @property {Mesh} [into] an earlier mesh, whose arrays are reused if they are large enough
+ */
+
+/**
+ * Lines as ribbons that lie in the surface.
+ *
+ * @typedef {object} RibbonOptions
+ * @property {number} width of the ribbons, in the surface's unit
+ * @property {number} [lines] strips per patch in each direction, 4 by default
+ * @property {Mesh} [into] an earlier mesh, whose arrays are reused if they are large enough
+ */
+
+/**
+ * The shape of the lines of a wireframe.
+ *
+ * @typedef {TubeOptions | RibbonOptions} WireframeOptions
  */
 
 /** The default number of strips per patch in each direction. */

@@ -47,7 +47,7 @@ impl FromStr for Easing {
                 "steps(" => read_steps,
                 "linear(" => read_linear,
                 _ => {
-                    let expected = "a keyword, cubic-bezier(…), steps(…) or linear(…)";
+                    let expected = "linear, ease, ease-in, ease-out, ease-in-out, step-start, step-end, cubic-bezier(…), steps(…) or linear(…)";
                     return Err(scanner.refusal(expected));
                 }
             };

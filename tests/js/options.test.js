@@ -11,6 +11,7 @@ const seven = new Spline(SEVEN);
 const path = new Path([seven]);
 const patch = new Patch(Array.from({ length: 16 }, (_, k) => [k % 4, k >> 2, 0]));
 const surface = Surface.fromPatches([patch]);
+const START = { subpath: 0, t: 0 };
 const mesh = surface.grid({ segments: 1 });
 const target = { moveTo() {}, lineTo() {}, quadraticCurveTo() {}, bezierCurveTo() {}, closePath() {} };
 
@@ -75,8 +76,19 @@ test("unknown options: the nearest known one is suggested", () => {
 test("options: not an object of options", () => {
   refuses(() => cubic.sample(2, new Float64Array(6)), /^options: expected an object, got an object \(Float64Array\)$/);
   refuses(() => new Curve(CUBIC, [2]), /^options: expected an object, got an array of 1$/);
-  refuses(() => cubic.toSVG(2), /^options: expected an object, got 2$/);
+  refuses(() => cubic.toSVG(2), "options: expected an object, got 2; did you mean { precision: 2 }?");
+  refuses(() => cubic.offset(1, 2), "options: expected an object, got 2; did you mean { tolerance: 2 }?");
+  refuses(() => surface.grid(8), "options: expected an object, got 8; did you mean { segments: 8 }?");
+  refuses(() => surface.tessellate(0.1), "options: expected an object, got 0.1; did you mean { tolerance: 0.1 }?");
+  refuses(() => new Curve(CUBIC, 2), "options: expected an object, got 2");
   cubic.toSVG(/** @type {any} */ (null));
+});
+
+test("coordinates instead of points", () => {
+  for (const make of [(...a) => new Curve(...a), (...a) => new Spline(...a), (...a) => Path.polygon(...a)]) {
+    refuses(() => make(0, 0, 100, 100), "points: expected an array of points, got 0; did you mean [[x, y], …]?");
+    refuses(() => make("0 0"), 'points: expected an array of points, got "0 0"');
+  }
 });
 
 test("options that are true or false", () => {
@@ -115,6 +127,19 @@ test("surplus arguments", () => {
     [() => seven.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
     [() => seven.length(0.1, 0.5), "length: expected 1 argument, got 2"],
     [() => path.flatten(0.1, 5), "flatten: expected 1 argument, got 2"],
+    [() => cubic.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
+    [() => seven.bounds(0, 0.5), "bounds: expected no arguments, got 2; did you mean subsegment(t0, t1).bounds()?"],
+    [() => path.bounds(0.5), "bounds: expected no arguments, got 1"],
+    [() => cubic.extrema("x"), "extrema: expected no arguments, got 1"],
+    [() => seven.extrema("x"), "extrema: expected no arguments, got 1"],
+    [() => path.extrema("x"), "extrema: expected no arguments, got 1"],
+    [() => cubic.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
+    [() => seven.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
+    [() => path.selfIntersections(0.1), "selfIntersections: expected no arguments, got 1"],
+    [() => path.intersections(path, { tolerance: 1 }), "intersections: expected 1 argument, got 2"],
+    [() => path.split(START, START), "split: expected 1 argument, got 2; did you mean subsegment(from, to)?"],
+    [() => path.subsegment(START, START, 1), "subsegment: expected 2 arguments, got 3"],
+    [() => Path.from(cubic, seven), "from: expected 1 argument, got 2; did you mean from([a, b])?"],
     [() => path.length(0.1, 0.5), "length: expected 1 argument, got 2"],
     [() => patch.splitU(0.5, 0.5), "splitU: expected 1 argument, got 2; did you mean split(u, v)?"],
     [() => patch.splitV(0.5, 0.5), "splitV: expected 1 argument, got 2; did you mean split(u, v)?"],
@@ -122,6 +147,7 @@ test("surplus arguments", () => {
   ];
   for (const [act, message] of calls) refuses(act, message);
   cubic.split(0.5, undefined);
+  assert.equal([cubic, seven].map(Path.from).length, 2);
   assert.deepEqual([cubic.toJSON()].map(Curve.fromJSON)[0].toJSON(), cubic.toJSON()); // other functions can be callbacks
 });
 

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { inspect } from "node:util";
 import { Curve, Path, Spline } from "casteljau";
-import { hash, pathText, Rng } from "./path-texts.js";
+import { hash, pathText, Rng } from "./random-path-data.js";
 import { near, recorder, refused, SEVEN, SPACE, untyped } from "./reference.js";
 
 const table = JSON.parse(readFileSync(new URL("../texts/svg.json", import.meta.url), "utf8"));

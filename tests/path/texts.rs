@@ -1,4 +1,4 @@
-//! Valid and invalid path data from a small random number generator. tests/js/path-texts.js generates the same texts,
+//! Valid and invalid path data from a small random number generator. tests/js/random-path-data.js generates the same texts,
 //! so that both APIs can be compared.
 
 /// Mulberry32 (Tommy Ettinger, 2017): 32 bits, so that JavaScript can compute it too.

@@ -1,4 +1,4 @@
-//! Surfaces as text. The table of valid and invalid texts is also read by tests/js/text.test.js.
+//! Surfaces as text. The table of valid and invalid texts is also read by tests/js/surface-text.test.js.
 
 use crate::nets::Random;
 use casteljau::glam::DVec3;

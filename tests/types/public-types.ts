@@ -22,6 +22,7 @@ import type {
   Intersection,
   JointMode,
   MatrixLike,
+  MeshOptions,
   Moments,
   Nearest,
   NetLike,
@@ -34,11 +35,13 @@ import type {
   PathIntersection,
   PathPoint,
   PathTime,
+  PixelDetail,
   Point,
   PointIntersection,
   PointLike,
   PointsLike,
   Reduced,
+  SegmentDetail,
   SelfIntersection,
   SplineJSON,
   SplineOptions,
@@ -50,6 +53,7 @@ import type {
   TeapotOptions,
   TessellationOptions,
   Three,
+  ToleranceDetail,
   Topology,
   WasmSource,
   WireframeOptions,
@@ -149,6 +153,12 @@ export const copies: [CurveJSON, SplineJSON, PatchJSON, SurfaceJSON] = [
   surface.toJSON(),
 ];
 export const options: [SplineOptions, BSplineOptions, BasisName] = [{ closed: true }, { degree: 2 }, "bezier"];
+export const details: [SegmentDetail, ToleranceDetail, PixelDetail, MeshOptions] = [
+  { segments: { u: 2, v: 3 } },
+  { tolerance: 0.1 },
+  { pixels: 1, viewProjection: new THREE.Matrix4(), viewport: [800, 600] },
+  { weld: "none", precision: "f64" },
+];
 export type Sources = WasmSource | SvgError["offset"];
 export type Kinds = PointIntersection["kind"] | OverlapIntersection["kind"];
 

@@ -1,5 +1,6 @@
 // The element's attributes: those that are parts of the state, read as any text, and those that are about the element.
 import { LitElement } from "lit";
+import { acceptAttributeText } from "../attribute-text.js";
 import { withJoints } from "./edits.js";
 import { FIELDS } from "./fields.js";
 import { firstState } from "./state.js";
@@ -30,6 +31,16 @@ export class AppletAttributes extends LitElement {
     theme: text("auto"),
     label: text(""),
   };
+
+  /**
+   * @param {PropertyKey} name
+   * @param {string | symbol} key
+   * @param {import("lit").PropertyDeclaration} options
+   */
+  static getPropertyDescriptor(name, key, options) {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+    return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
+  }
 
   static get observedAttributes() {
     // biome-ignore lint/complexity/noThisInStatic: Lit's getter reads the properties of the class it is called on

@@ -1,10 +1,11 @@
 // Everything that changes the state, by the page or by the user; undo and redo; the events that tell.
+import { writeAttribute } from "../attribute-text.js";
 import { AppletAttributes } from "./attributes.js";
 import * as edits from "./edits.js";
 import { FIELDS, jsonOf, stateOf } from "./fields.js";
 import { figureOf } from "./figure.js";
 import { History } from "./history.js";
-import { BASIS_NAMES, toggled } from "./state.js";
+import { BASIS_NAMES, firstState, toggled } from "./state.js";
 
 /** @typedef {import("./state.js").State} State */
 /** @typedef {import("./state.js").Place} Place */
@@ -33,6 +34,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set points(points) {
+    if (writeAttribute(this, "points", points)) return;
     this.#assign((state) => FIELDS.points.put(state, points));
   }
 
@@ -42,6 +44,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set joints(joints) {
+    if (writeAttribute(this, "joints", joints)) return;
     this.#assign((state) => edits.withJoints(state, /** @type {State} */ (FIELDS.joints.put(state, joints)).joints));
   }
 
@@ -50,7 +53,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set t(t) {
-    this.display(FIELDS.t.put(this.now(), t));
+    if (!writeAttribute(this, "t", t)) this.display(FIELDS.t.put(this.now(), t));
   }
 
   /** Everything that is shown, as plain data. @returns {Record<string, unknown>} */
@@ -59,7 +62,7 @@ export class AppletEditing extends AppletAttributes {
   }
 
   set state(json) {
-    const state = stateOf(json);
+    const state = json === undefined ? firstState() : stateOf(json);
     this.#assign(() => state);
   }
 

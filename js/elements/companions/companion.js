@@ -1,5 +1,6 @@
 // What all companions have in common: they wait until they are near, tell what the user does, and say what is wrong.
 import { adoptStyles, css, html, LitElement, nothing } from "lit";
+import { acceptAttributeText } from "../attribute-text.js";
 import { MISSING } from "../loading.js";
 import { loadViews } from "./loading.js";
 
@@ -37,6 +38,16 @@ export class Companion extends LitElement {
   static styles = css`:host { display: block; min-block-size: 3rem; } :host([hidden]) { display: none; }`;
   /** The class of its view. @type {keyof Views} */
   static view = "BernsteinView";
+
+  /**
+   * @param {PropertyKey} name
+   * @param {string | symbol} key
+   * @param {import("lit").PropertyDeclaration} options
+   */
+  static getPropertyDescriptor(name, key, options) {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+    return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
+  }
 
   /** What is to be undone when the element leaves the page. @type {(() => void)[]} */
   #endings = [];

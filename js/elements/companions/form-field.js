@@ -1,5 +1,6 @@
 // A companion that is a field of a form.
 import { LitElement } from "lit";
+import { writeAttribute } from "../attribute-text.js";
 import { Companion } from "./companion.js";
 
 /** What forms need besides the value. */
@@ -31,6 +32,11 @@ export class FormField extends Companion {
 
   get form() {
     return this.internals.form;
+  }
+
+  /** The attribute `form`; frameworks write it to the property. */
+  set form(id) {
+    writeAttribute(this, "form", id ?? undefined);
   }
 
   get labels() {

@@ -1,5 +1,6 @@
 // The attributes of the element and their properties.
 import { LitElement } from "lit";
+import { acceptAttributeText } from "../attribute-text.js";
 import { Memo } from "./memo.js";
 import { settingsOf } from "./settings.js";
 
@@ -32,6 +33,16 @@ export class SurfaceAttributes extends LitElement {
     turn: flag,
     swept: flag,
   };
+
+  /**
+   * @param {PropertyKey} name
+   * @param {string | symbol} key
+   * @param {import("lit").PropertyDeclaration} options
+   */
+  static getPropertyDescriptor(name, key, options) {
+    // biome-ignore lint/complexity/noThisInStatic: Lit's method reads the prototype of the class it is called on
+    return acceptAttributeText(super.getPropertyDescriptor(name, key, options), name, options);
+  }
 
   #memo = new Memo();
 

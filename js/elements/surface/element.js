@@ -79,9 +79,14 @@ export class BezierSurface extends SurfaceAttributes {
     return this.#subject.surface(this.settings());
   }
 
-  /** @param {Surface | null} surface */
+  /** @param {Surface | null | undefined} surface */
   set surface(surface) {
-    this.#subject.given = surface === null || surface instanceof Surface ? surface : surfaceOfOtherBundle(surface);
+    this.#subject.given =
+      surface === undefined || surface === null
+        ? null
+        : surface instanceof Surface
+          ? surface
+          : surfaceOfOtherBundle(surface);
     this.patch = null;
     this.requestUpdate();
   }
@@ -92,7 +97,7 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   set view(view) {
-    this.#move(view);
+    this.#move(view ?? HOME);
   }
 
   /** What is shown, as plain values; see SurfaceFigure in ../types.js. */

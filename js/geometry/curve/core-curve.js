@@ -166,9 +166,11 @@ export class CoreCurve extends CurveEvaluation {
   /**
    * The smallest box that contains the curve.
    *
+   * @param {never[]} surplus
    * @returns {Box<D>}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
     return this._box(true);
   }
 

@@ -123,9 +123,11 @@ export class CurveMeasures extends CoreCurve {
   /**
    * The parameters inside (0, 1) where a coordinate has a local extremum (its derivative changes sign), sorted.
    *
+   * @param {never[]} surplus
    * @returns {Extrema}
    */
-  extrema() {
+  extrema(...surplus) {
+    check.noSurplus(surplus, "extrema", 0);
     return queries.extrema(this._flat, this.dimension);
   }
 

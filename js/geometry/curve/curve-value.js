@@ -1,7 +1,7 @@
 import { curveData } from "../brand.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
-import { flatten, nested, pointAt, samePoints } from "../points.js";
+import { flatten, nested, pointAt, samePoints, requireList } from "../points.js";
 import { CheckedPoints, writeArguments, readResult } from "../../wasm/transfer.js";
 
 /**
@@ -179,6 +179,7 @@ export class CurveValue {
  * @returns {CheckedPoints}
  */
 function checkedPoints(points, options) {
+  requireList(points);
   const { flat, dimension } = flatten(points, check.options(options, ["dimension"]).dimension, 2);
   const count = flat.length / dimension;
   if (count >= 2 && count <= 65) return new CheckedPoints(flat, dimension);

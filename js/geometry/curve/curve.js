@@ -181,9 +181,11 @@ export class Curve extends CurveMeasures {
    * The points that the curve passes twice, sorted by t; t < u. If the end equals the start, that point is one of them.
    * Parts that the curve retraces (a straight curve that turns back) are not reported. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {SelfIntersection[]}
    */
-  selfIntersections() {
+  selfIntersections(...surplus) {
+    check.noSurplus(surplus, "selfIntersections", 0);
     this._require2D("selfIntersections");
     return readSelfIntersections(core().curve_self_intersections(this._write()));
   }

@@ -117,9 +117,11 @@ export class PathEvaluation extends PathValue {
    *     after.toSVG(); // "M2,1 L4,1"
    *
    * @param {PathTime} location a subpath and a parameter on it
+   * @param {never[]} surplus
    * @returns {[this, this]}
    */
-  split(location) {
+  split(location, ...surplus) {
+    check.noSurplus(surplus, "split", 1, "subsegment(from, to)");
     const at = checkedLocation(this, location);
     const last = this.subpathCount - 1;
     const end = { subpath: last, t: this._segments(last).length };
@@ -136,9 +138,11 @@ export class PathEvaluation extends PathValue {
    *
    * @param {PathTime} from the location of the start
    * @param {PathTime} to the location of the end
+   * @param {never[]} surplus
    * @returns {this}
    */
-  subsegment(from, to) {
+  subsegment(from, to, ...surplus) {
+    check.noSurplus(surplus, "subsegment", 2);
     const [a, b] = [checkedLocation(this, from, "from"), checkedLocation(this, to, "to")];
     if (isAfter(a, b)) return this._pathOf(packedSplines(partsBetween(this, b, a).reverse())).reverse();
     const isPoint = a.subpath === b.subpath && a.t === b.t;
@@ -150,9 +154,11 @@ export class PathEvaluation extends PathValue {
    * in the order of the path. The ends of open subpaths do not count. Where the coordinate is constant between
    * increasing and decreasing (the sides of a rectangle), it is the start of the constant part.
    *
+   * @param {never[]} surplus
    * @returns {PathExtrema}
    */
-  extrema() {
+  extrema(...surplus) {
+    check.noSurplus(surplus, "extrema", 0);
     return extremaOfPath(this);
   }
 

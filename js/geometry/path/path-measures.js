@@ -21,7 +21,13 @@ import { writeArguments, readResult, releaseMemory } from "../../wasm/transfer.j
 /**
  * The integrals of 1, x, y, x², xy and y² over the inside; each region is weighted with its winding number.
  *
- * @typedef {{ area: number, x: number, y: number, xx: number, xy: number, yy: number }} Moments
+ * @typedef {object} Moments
+ * @property {number} area the integral of 1
+ * @property {number} x the integral of x; x / area is the x coordinate of the centroid
+ * @property {number} y the integral of y; y / area is the y coordinate of the centroid
+ * @property {number} xx the integral of x²
+ * @property {number} xy the integral of xy
+ * @property {number} yy the integral of y²
  */
 
 /**
@@ -51,9 +57,11 @@ export class PathMeasures extends PathEvaluation {
   /**
    * The smallest box that contains the path; null for an empty one.
    *
+   * @param {never[]} surplus
    * @returns {{ min: Point, max: Point } | null}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0);
     return this._box(true);
   }
 

@@ -11,18 +11,23 @@ import { PackedPathBuilder, packedSplines } from "../../wasm/packed-path.js";
  */
 
 /**
- * `tolerance`: the largest distance of the cubics from the arcs, by default 1e-9 of the larger radius. No cubic covers
- * more than a quarter turn, whatever the tolerance.
+ * How arcs are approximated.
  *
- * @typedef {{ tolerance?: number }} ArcOptions
+ * @typedef {object} ArcOptions
+ * @property {number} [tolerance] the largest distance of the cubics from the arcs, by default 1e-9 of the larger radius. No cubic
+ *   covers more than a quarter turn, whatever the tolerance
  */
 
 /**
- * `radii`: the radius of all corners, or the four radii in the order of the corners on the path: (x, y), (x + width, y),
- * (x + width, y + height), (x, y + height). As in CSS, all are reduced by one factor if two do not fit on a side.
+ * The corners of a rectangle.
  *
- * @typedef {ArcOptions & { radii?: number | ArrayLike<number> }} RectOptions
+ * @typedef {object} CornerOptions
+ * @property {number | ArrayLike<number>} [radii] the radius of all corners, or the four radii in the order of the corners on the
+ *   path: (x, y), (x + width, y), (x + width, y + height), (x, y + height). As in CSS, all are reduced by one factor if two do
+ *   not fit on a side
  */
+
+/** @typedef {ArcOptions & CornerOptions} RectOptions */
 
 /**
  * @internal

@@ -1,4 +1,5 @@
 import * as check from "../check.js";
+import { requireList } from "../points.js";
 import { PathRegions } from "./path-regions.js";
 import { intersectPathWith, selfIntersectPath } from "../intersections.js";
 import * as regions from "./path-boolean.js";
@@ -92,10 +93,14 @@ export class Path extends PathRegions {
    * The path of a curve, a spline, a path, or an array of these; the subpaths of paths are copied.
    *
    * @param {Shape | ArrayLike<Shape>} shapes curves, splines and paths in the plane
+   * @param {never[]} surplus
    * @returns {Path}
    * @throws {TypeError} for other values, and for 3D ones
    */
-  static from(shapes) {
+  static from(shapes, ...surplus) {
+    if (typeof surplus[0] !== "number")
+      // as map passes
+      check.noSurplus(surplus, "from", 1, "from([a, b])");
     if (!Array.isArray(shapes)) return pathOf(packedShape(shapes, "shapes"));
     return pathOf(packedPaths(Array.from(shapes, (shape, k) => packedShape(shape, `shapes[${k}]`))));
   }
@@ -171,6 +176,7 @@ export class Path extends PathRegions {
    * @returns {Path}
    */
   static polygon(points, options) {
+    requireList(points);
     return pathOf(shapes.polygon(points, options));
   }
 
@@ -216,9 +222,11 @@ export class Path extends PathRegions {
    *
    * @template {Shape} S
    * @param {S} other a curve, a spline or a path
+   * @param {never[]} surplus
    * @returns {Intersection<PathTime, S extends PathValue ? PathTime : number>[]}
    */
-  intersections(other) {
+  intersections(other, ...surplus) {
+    check.noSurplus(surplus, "intersections", 1);
     return /** @type {any} */ (intersectPathWith(this._packed, other));
   }
 
@@ -226,9 +234,11 @@ export class Path extends PathRegions {
    * The points that the path passes twice, on one subpath or on two: at the location `t` and at the later location `u`.
    * Each pair is reported once.
    *
+   * @param {never[]} surplus
    * @returns {PathIntersection[]}
    */
-  selfIntersections() {
+  selfIntersections(...surplus) {
+    check.noSurplus(surplus, "selfIntersections", 0);
     return selfIntersectPath(this._packed);
   }
 

@@ -131,9 +131,11 @@ export class SplineEvaluation extends SplineValue {
   /**
    * The smallest box that contains the spline.
    *
+   * @param {never[]} surplus
    * @returns {Box<D>}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0, "subsegment(t0, t1).bounds()");
     core().spline_bounds(this._write(), true);
     return boxAt(readResult(0, 6), this.dimension);
   }

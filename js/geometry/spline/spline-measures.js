@@ -47,7 +47,7 @@ export class SplineMeasures extends CoreSpline {
 
   /**
    * Rotation-minimising frames, see `Curve.frames`. At a corner they turn with the tangent, by the smaller angle. On a
-   * closed spline, the last frame may differ from the first. 3D only.
+   * closed spline the last frame equals the first: the difference is spread over the length. 3D only.
    *
    * @param {number | ArrayLike<number>} where the number of segments per curve, as for `sample`, or values of t
    * @param {FrameOptions} [options]
@@ -159,9 +159,11 @@ export class SplineMeasures extends CoreSpline {
    * the coordinate changes between rising and falling are included, also the start of a closed spline, as t = 0. Where
    * the coordinate is constant between a rise and a fall, the joints of that part are extrema.
    *
+   * @param {never[]} surplus
    * @returns {Extrema}
    */
-  extrema() {
+  extrema(...surplus) {
+    check.noSurplus(surplus, "extrema", 0);
     return splineExtrema(this._index, this.segments());
   }
 

@@ -1,7 +1,7 @@
 import { onlySplineData } from "../brand.js";
 import * as check from "../check.js";
 import { showInNode } from "../inspected.js";
-import { flatten, nested, pointAt, samePoints, writePoint } from "../points.js";
+import { flatten, nested, pointAt, samePoints, writePoint, requireList } from "../points.js";
 import { SegmentIndex } from "./segment-index.js";
 import { writeArguments, readResult } from "../../wasm/transfer.js";
 
@@ -18,7 +18,10 @@ let isShown = false;
 /**
  * Options of the constructor of `Spline`.
  *
- * @typedef {{ degree?: number, closed?: boolean, dimension?: 2 | 3 }} SplineOptions
+ * @typedef {object} SplineOptions
+ * @property {number} [degree] of all segments, 3 by default
+ * @property {boolean} [closed] whether the spline is closed, so that its end is its start; false by default
+ * @property {2 | 3} [dimension] how a flat array of coordinates is read, 2 by default
  */
 
 /**
@@ -277,6 +280,7 @@ export class CheckedSplineData {
  * @returns {SplineData}
  */
 function checkedData(points, options) {
+  requireList(points);
   const { degree = 3, closed, dimension: requested } = check.options(options, ["degree", "closed", "dimension"]);
   const isClosed = check.optionalBoolean(closed, "closed");
   check.whole(degree, "degree", 1, 64);

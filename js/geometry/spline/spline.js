@@ -158,9 +158,11 @@ export class Spline extends SplineMeasures {
    * The points that the spline passes twice, sorted by t; t < u. Joints and the start of a closed spline do not count
    * as passed twice; the end point of an open spline that ends at its start does. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {SelfIntersection[]}
    */
-  selfIntersections() {
+  selfIntersections(...surplus) {
+    check.noSurplus(surplus, "selfIntersections", 0);
     this._require2D("selfIntersections");
     return selfIntersectSpline(this.casteljauData());
   }

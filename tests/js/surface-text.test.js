@@ -84,7 +84,7 @@ test("large texts: time once, or a quick refusal", () => {
   assert.equal(Surface.teapot().patchCount, 32);
 });
 
-test("what is no text", () => {
+test("invalid texts", () => {
   for (const bad of [undefined, null, 5, {}, [], new Uint8Array(3)])
     refused(() => Surface.parse(untyped(bad)), TypeError, /^text: expected a string, got /);
 });

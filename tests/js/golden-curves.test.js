@@ -1,4 +1,4 @@
-// Facts about curves through the package: from closed forms (tests/data/curve-facts.json) and from other libraries, which only ../shared/data holds.
+// Curves compared with golden values: closed forms (tests/data/curve-facts.json), and other libraries (only in ../shared/data).
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
@@ -221,6 +221,6 @@ for (const fact of [...facts, ...(others ?? [])]) {
     check(fact);
   });
 }
-test("the facts are there", () => assert.equal(facts.length, 116));
+test("the golden values are complete", () => assert.equal(facts.length, 116));
 const absent = !others && "../shared/data/curve-facts.json is absent";
-test("the facts of other libraries are there", { skip: absent }, () => assert.equal(others.length, 5));
+test("the golden values of other libraries are complete", { skip: absent }, () => assert.equal(others.length, 5));

@@ -1,4 +1,4 @@
-// Isocurves, bodies of lines and flat pieces through the package's door.
+// Isocurves, wireframes and flat pieces.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Mesh, Surface } from "casteljau";

@@ -1,4 +1,4 @@
-// Places on curves: nearest, extrema, timesAtCoordinate … by closed forms; the search itself is tested in Rust.
+// Queries of curves and splines (nearest, extrema, timesAtCoordinate …) by closed forms; the search itself is tested in Rust.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";

@@ -1,4 +1,4 @@
-// Splines through points, B-splines: through the package's door.
+// Splines through points, and B-splines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
@@ -20,7 +20,7 @@ const SPACE = [
 const joints = (spline) =>
   Array.from({ length: spline.segmentCount + (spline.closed ? 0 : 1) }, (_, k) => coordinates(spline.eval(k)));
 
-test("through: natural by default, C2 at the joints, which are the points", () => {
+test("interpolate: natural by default, C2 at the joints, which are the points", () => {
   for (const closed of [false, true]) {
     for (const points of [FOUR, SPACE, SPACE.slice(0, 3)]) {
       const spline = Spline.interpolate(points, { closed });
@@ -39,7 +39,7 @@ test("through: natural by default, C2 at the joints, which are the points", () =
   assert.equal(Spline.interpolate([0, 0, 0, 1, 1, 1], { dimension: 3 }).dimension, 3);
 });
 
-test("through: Catmull-Rom with classical handles", () => {
+test("interpolate: Catmull-Rom with classical handles", () => {
   const uniform = Spline.interpolate(FOUR, { kind: "catmull-rom", alpha: 0 });
   near(uniform.segments()[1].controlPoints(), Curve.fromBasis("catmull-rom", FOUR).controlPoints());
   for (const alpha of [0.5, 1, 0.3]) {
@@ -71,7 +71,7 @@ test("through: Catmull-Rom with classical handles", () => {
   );
 });
 
-test("through: refusals", () => {
+test("interpolate: refusals", () => {
   refused(() => Spline.interpolate([[0, 0]]), RangeError, /^points: expected at least 2 points, got 1$/);
   refused(() => Spline.interpolate([]), RangeError, /^points: expected at least 2 points, got 0$/);
   refused(
@@ -98,7 +98,11 @@ test("through: refusals", () => {
     TypeError,
     /^alpha: expected a number, got "1"$/,
   );
-  refused(() => Spline.interpolate(untyped(5)), TypeError, /^points: expected an array of points, got 5$/);
+  refused(
+    () => Spline.interpolate(untyped(5)),
+    TypeError,
+    /^points: expected an array of points, got 5; did you mean \[\[x, y\], …\]\?$/,
+  );
 });
 
 test("fromBSpline: uniform, with knots, closed", () => {

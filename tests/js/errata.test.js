@@ -22,7 +22,7 @@ for (const [name, prove] of Object.entries(proofs)) {
   });
 }
 
-test("every proof is on the page, and the page asks for no other", () => {
+test("every computation is on the page, and the page needs no other", () => {
   assert.deepEqual(used.sort(), Object.keys(proofs).sort());
 });
 

@@ -1,4 +1,4 @@
-// Questions to patches and surfaces through the package's door: closed forms, and the figures of the design notes.
+// Queries of patches and surfaces: closed forms, and golden values.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-// Where curves meet, through the package.
+// Intersections of curves and splines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Curve, Spline } from "casteljau";
@@ -8,7 +8,7 @@ const line = new Curve([
   [4, 0],
 ]);
 
-test("places are sorted and say how the curves meet", () => {
+test("intersections are sorted and have a kind", () => {
   const wave = new Curve([
     [0, -1],
     [0, 3],
@@ -33,7 +33,7 @@ test("a shared piece is one overlap with both ends", () => {
   ]);
 });
 
-test("splines: t and u count segments, a joint is one place, a shared piece across joints is one", () => {
+test("splines: t and u count segments, a joint is one intersection, a shared piece across joints is one", () => {
   const square = new Spline(
     [
       [0, 0],
