@@ -28,8 +28,7 @@ function draw() {
   const result = letterO[operation.value](moved);
   lineT.setAttribute("d", moved.toSVG());
   area.setAttribute("d", result.toSVG());
-  const area2 = Math.round(Math.abs(result.area()));
-  form.nextElementSibling.textContent = `${result.subpaths.length} contours, area ${area2}`;
+  form.nextElementSibling.textContent = `Contours: ${result.subpaths.length}, area: ${Math.round(Math.abs(result.area()))}`;
 }
 
 const points = draggablePoints(svg, draw);

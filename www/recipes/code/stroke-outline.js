@@ -22,7 +22,7 @@ function draw() {
   const outline = drawn.stroke(Number(width.value), { join: join.value, cap: cap.value, tolerance: 0.05 });
   area.setAttribute("d", outline.toSVG({ precision: 2 }));
   line.setAttribute("d", drawn.toSVG());
-  form.nextElementSibling.textContent = `${outline.subpaths.length} contours, area ${Math.round(Math.abs(outline.area()))}`;
+  form.nextElementSibling.textContent = `Contours: ${outline.subpaths.length}, area: ${Math.round(Math.abs(outline.area()))}`;
 }
 
 const points = draggablePoints(svg, draw);

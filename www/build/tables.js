@@ -1,0 +1,25 @@
+// Tables of the generated pages.
+import { escapeHtml } from "./highlight.js";
+
+/** Makes wide tables of rendered Markdown scroll sideways. @param {string} html @param {string} label */
+export const scrollable = (html, label) =>
+  html
+    .replaceAll("<table>", `<div class="scroll" tabindex="0" role="region" aria-label="${label}"><table>`)
+    .replaceAll("</table>", "</table></div>");
+
+/**
+ * A table whose first column is text and whose other columns are numbers or texts.
+ *
+ * @param {string} label for screen readers
+ * @param {readonly string[]} head
+ * @param {readonly (readonly string[])[]} rows
+ */
+export function tableHtml(label, head, rows) {
+  const cells = (/** @type {readonly string[]} */ row) =>
+    row
+      .map((cell, k) => (k === 0 ? `<th scope="row">${escapeHtml(cell)}</th>` : `<td>${escapeHtml(cell)}</td>`))
+      .join("");
+  const names = head.map((name) => `<th scope="col">${escapeHtml(name)}</th>`).join("");
+  const body = rows.map((row) => `<tr>${cells(row)}</tr>`).join("\n");
+  return scrollable(`<table><thead><tr>${names}</tr></thead><tbody>\n${body}\n</tbody></table>`, label);
+}
