@@ -23,6 +23,7 @@ export const data = {
     "Times of casteljau compared with bezier-js, paper.js, three.js, verb, kurbo and lyon, measured in one run, and the sizes of its entry points.",
   heading: "Benchmarks and sizes",
   lead: "casteljau compared with other libraries, measured in one run on one machine after checking that both sides give the same answer.",
+  bodyClass: "wide",
   script: "main.js",
 };
 
@@ -65,7 +66,7 @@ const alone = (rows) =>
   tableHtml(
     "Times",
     ["Work", "Time"],
-    rows.map(({ work, unit, ours }) => [work.replace(/^ +/, "– "), quantity(ours, unit)]),
+    rows.map(({ work, unit, ours }) => [nameOf(work.replace(NATIVE, "Rust: ")), quantity(ours, unit)]),
   );
 
 /** @param {Growth[]} growth */

@@ -1,10 +1,13 @@
 // Tables of the generated pages.
 import { escapeHtml } from "./highlight.js";
 
-/** Makes wide tables of rendered Markdown scroll sideways. @param {string} html @param {string} label */
+/** Makes wide tables scroll sideways. @param {string} html @param {string} label */
 export const scrollable = (html, label) =>
   html
-    .replaceAll("<table>", `<div class="scroll" tabindex="0" role="region" aria-label="${label}"><table>`)
+    .replace(
+      /<table( class="\w+")?>/g,
+      (table) => `<div class="scroll" tabindex="0" role="region" aria-label="${label}">${table}`,
+    )
     .replaceAll("</table>", "</table></div>");
 
 /**
@@ -21,5 +24,5 @@ export function tableHtml(label, head, rows) {
       .join("");
   const names = head.map((name) => `<th scope="col">${escapeHtml(name)}</th>`).join("");
   const body = rows.map((row) => `<tr>${cells(row)}</tr>`).join("\n");
-  return scrollable(`<table><thead><tr>${names}</tr></thead><tbody>\n${body}\n</tbody></table>`, label);
+  return scrollable(`<table class="numbers"><thead><tr>${names}</tr></thead><tbody>\n${body}\n</tbody></table>`, label);
 }

@@ -18,5 +18,6 @@ export const data = {
 /** The file below its title. */
 export async function render() {
   const md = markdown(await codeHighlighter());
-  return scrollable(md.render(readFileSync(file, "utf8").replace(/^# .*\n/, "")), "Names there and here");
+  const html = md.render(readFileSync(file, "utf8").replace(/^# .*\n/, ""));
+  return scrollable(html.replaceAll("<table>", '<table class="names">'), "Names there and here");
 }
