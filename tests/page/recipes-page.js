@@ -18,14 +18,15 @@ export const pictureOf = (figure) =>
     return canvas ? canvas.toDataURL() : figure.querySelector("svg").outerHTML;
   });
 
-/** How many pixels of a canvas have been drawn on. @param {Uint8ClampedArray | number[]} data */
-export const INKED = (canvas) => {
+/** Draws again and counts the pixels that are drawn on: WebGL keeps its picture only until the frame is shown. @param {HTMLCanvasElement} canvas */
+export function inkedAfterInput(canvas) {
+  canvas.parentElement?.querySelector("form")?.dispatchEvent(new Event("input"));
   const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-  const context = copy.getContext("2d", { willReadFrequently: true });
+  const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext("2d", { willReadFrequently: true }));
   context.drawImage(canvas, 0, 0);
   const { data } = context.getImageData(0, 0, copy.width, copy.height);
   return data.filter((value, i) => i % 4 === 3 && value > 100).length;
-};
+}
 
 /** The centre of a point to drag, in the window. */
 export async function centreOf(handle) {
