@@ -33,8 +33,22 @@ export async function render() {
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return `
 <p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. The ratio is the time of the other library divided by ours: above 1, casteljau is faster.</p>
-${section("javascript", "JavaScript", comparison(compared.filter(({ work }) => !work.startsWith(NATIVE))))}
-${section("rust", "Rust", comparison(compared.filter(({ work }) => work.startsWith(NATIVE))))}
+${section(
+  "javascript",
+  "JavaScript",
+  comparison(
+    "JavaScript",
+    compared.filter(({ work }) => !work.startsWith(NATIVE)),
+  ),
+)}
+${section(
+  "rust",
+  "Rust",
+  comparison(
+    "Rust",
+    compared.filter(({ work }) => work.startsWith(NATIVE)),
+  ),
+)}
 ${section("alone", "Without a comparison", alone(rows.filter(({ peer, unit }) => !peer && unit !== "bytes")))}
 ${section("growth", "Time per item as the input grows", growthTable(growth))}
 ${section("sizes", "Sizes", await sizes())}
@@ -47,10 +61,10 @@ const section = (id, title, content) => `<section id="${id}">\n<h2>${title}</h2>
 /** @param {string} work rows that belong to the one above are indented */
 const nameOf = (work) => work.replace(NATIVE, "").replace(/^ +/, "– ");
 
-/** @param {Row[]} rows */
-const comparison = (rows) =>
+/** @param {string} language @param {Row[]} rows */
+const comparison = (language, rows) =>
   tableHtml(
-    "Times compared",
+    `Times compared, ${language}`,
     ["Work", "Other library", "Its time", "casteljau", "Ratio"],
     rows.map(({ work, peer, unit, theirs, ours, ratio }) => [
       nameOf(work),

@@ -1,14 +1,9 @@
 // Tables of the generated pages.
 import { escapeHtml } from "./highlight.js";
 
-/** Makes wide tables scroll sideways. @param {string} html @param {string} label */
-export const scrollable = (html, label) =>
-  html
-    .replace(
-      /<table( class="\w+")?>/g,
-      (table) => `<div class="scroll" tabindex="0" role="region" aria-label="${label}">${table}`,
-    )
-    .replaceAll("</table>", "</table></div>");
+/** A table that scrolls sideways where it is too wide. @param {string} table HTML @param {string} label for screen readers */
+export const scrollable = (table, label) =>
+  `<div class="scroll" tabindex="0" role="region" aria-label="${label}">${table}</div>`;
 
 /**
  * A table whose first column is text and whose other columns are numbers or texts.

@@ -19,5 +19,7 @@ export const data = {
 export async function render() {
   const md = markdown(await codeHighlighter());
   const html = md.render(readFileSync(file, "utf8").replace(/^# .*\n/, ""));
-  return scrollable(html.replaceAll("<table>", '<table class="names">'), "Names there and here");
+  return html.replace(/<table>.*?<th>(.*?)<\/th>.*?<\/table>/gs, (table, name) =>
+    scrollable(table.replace("<table>", '<table class="names">'), `Names in ${name} and here`),
+  );
 }

@@ -23,7 +23,7 @@ function makeDraggable(svg, handle, name, onMove) {
   };
   const attributes = { tabindex: 0, role: "button", "aria-roledescription": "draggable point" };
   for (const [key, value] of Object.entries(attributes)) handle.setAttribute(key, value);
-  if (!handle.hasAttribute("aria-label")) handle.setAttribute("aria-label", name);
+  if (!handle.querySelector("title")) handle.setAttribute("aria-label", name);
   handle.addEventListener("pointerdown", (event) => handle.setPointerCapture(event.pointerId));
   handle.addEventListener("pointermove", (event) => {
     if (!handle.hasPointerCapture(event.pointerId)) return;
