@@ -10,6 +10,7 @@ use crate::geometry::point::Point;
 use crate::numeric::float::ratio;
 use crate::numeric::list::{Points, points_of};
 use crate::numeric::sort::sort_by;
+use crate::numeric::zero::regula_falsi;
 use glam::DVec2;
 
 /// An arc's direction is taken where it is this many times farther from the vertex than arcs end from each other.
@@ -106,42 +107,39 @@ impl Spoke {
         }
     }
 
-    /// The distance from the vertex up to which the arc leads away from it without turning far.
-    fn reach(&self) -> f64 {
+    /// The distances from the vertex after each step along the arc, as long as it leads away without turning far.
+    fn walk(&self) -> Vec<f64> {
         let mut reach = 0.0;
-        for k in 1..=WALK_STEPS {
+        let step = |k| {
             let p = evaluate(&self.points, walk_parameter(k));
             let distance = Point::length(p);
             if distance < reach || p.dot(self.direction) < 0.5 * distance {
-                break;
+                return None;
             }
             reach = distance;
-        }
-        reach
+            Some(distance)
+        };
+        (1..=WALK_STEPS).map_while(step).collect()
     }
 
-    /// The point of the arc at a distance from the vertex of at most its reach.
-    fn at_distance(&self, r: f64) -> DVec2 {
-        let (mut lo, mut hi) = (0.0, 1.0);
-        for k in 1..=WALK_STEPS {
-            hi = walk_parameter(k);
-            if Point::length(evaluate(&self.points, hi)) >= r {
-                break;
-            }
-            lo = hi;
-        }
-        while hi - lo > f64::EPSILON * hi {
-            let middle = 0.5 * (lo + hi);
-            if middle <= lo || middle >= hi {
-                break;
-            }
-            if Point::length(evaluate(&self.points, middle)) < r {
-                lo = middle;
-            } else {
-                hi = middle;
-            }
-        }
-        evaluate(&self.points, hi)
+    /// The point of the arc at a distance from the vertex of at most the last one of its walk.
+    fn at_distance(&self, r: f64, walk: &[f64]) -> DVec2 {
+        let k = walk.partition_point(|&distance| distance < r);
+        let (from, nearer) = match k.checked_sub(1) {
+            Some(last) => (walk_parameter(k), walk[last]),
+            None => (0.0, 0.0),
+        };
+        let Some(&farther) = walk.get(k) else {
+            return evaluate(&self.points, from);
+        };
+        let missing = |t: f64| r - Point::length(evaluate(&self.points, t));
+        let t = regula_falsi(
+            [from, walk_parameter(k + 1)],
+            [r - nearer, r - farther],
+            f64::EPSILON,
+            missing,
+        );
+        evaluate(&self.points, t)
     }
 }
 
@@ -201,12 +199,19 @@ fn exchange_neighbours(spokes: &mut [Spoke], order: &mut [usize]) {
 }
 
 /// Positive if arc `b` is counter-clockwise of arc `a`, negative if it is clockwise: where they are farthest apart.
+///
+/// Arcs start within the spread of the vertex, not at it; if one does not lead away from it, their starts are compared.
 fn turn(a: &Spoke, b: &Spoke) -> f64 {
-    let reach = a.reach().min(b.reach());
+    let walks = [a.walk(), b.walk()];
+    let reaches = walks.each_ref().map(|walk| walk.last().copied());
+    let [Some(reach_a), Some(reach_b)] = reaches else {
+        return a.points[0].perp_dot(b.points[0]);
+    };
     let mut largest = 0.0_f64;
-    let mut r = reach;
+    let mut r = reach_a.min(reach_b);
     for _ in 0..COMPARISONS {
-        let side = a.at_distance(r).perp_dot(b.at_distance(r)) / r;
+        let points = [a.at_distance(r, &walks[0]), b.at_distance(r, &walks[1])];
+        let side = points[0].perp_dot(points[1]) / r;
         if side.abs() > largest.abs() {
             largest = side;
         }

@@ -40,6 +40,9 @@ const MAX_COMPARED_ENDS: usize = 64;
 /// Maximum depth of halvings of an evolute.
 const MAX_HALVINGS: usize = 12;
 
+/// An evolute of more segments is not divided further: its normals are rounding errors, and the union refuses so many.
+const MAX_FOLD_SEGMENTS: usize = 1 << 10;
+
 /// Appends the parts that are swept backwards and may lie ahead of a blunt end, as contours of the winding number 1.
 pub(super) fn push_folds(
     path: &mut Path,
@@ -214,11 +217,15 @@ impl<'a> Side<'a> {
         contour.add_offset(&piece, self.distance, pen.tolerance)?;
         let with = CurveWithDerivatives::new(&self.points);
         let start = contour.points[0];
-        contour.line_to(self.ends_at(&with, run[1])[0]);
         let evolute = |t: f64| self.ends_at(&with, t)[0];
+        let [from, to] = [run[1], run[0]];
+        contour.line_to(evolute(from));
+        let thirds =
+            [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|part| evolute(from + (to - from) * part));
         push_evolute(
             &evolute,
-            [run[1], run[0]],
+            [from, to],
+            thirds,
             0.5 * pen.tolerance,
             MAX_HALVINGS,
             &mut contour,
@@ -241,30 +248,37 @@ fn distance_to_line(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     Point::length(p - nearest)
 }
 
-/// Appends cubics that interpolate a curve.
+/// Appends cubics that interpolate a curve; `thirds` are its points at the ends and at the thirds of the interval.
 ///
 /// Both what is swept forwards and what is swept backwards cover the convex side of the evolute, so an error moves the
 /// boundary of the stroke by no more than itself.
 fn push_evolute(
     curve: &impl Fn(f64) -> DVec2,
     [from, to]: [f64; 2],
+    [a, p, q, d]: [DVec2; 4],
     tolerance: f64,
     halvings: usize,
     out: &mut SplineBuilder,
 ) {
-    let at = |part: f64| curve(from + (to - from) * part);
-    let (a, d) = (at(0.0), at(1.0));
-    let (p, q) = (at(1.0 / 3.0), at(2.0 / 3.0));
     let b = (p * 18.0 - a * 5.0 - q * 9.0 + d * 2.0) / 6.0;
     let c = (a * 2.0 - p * 9.0 + q * 18.0 - d * 5.0) / 6.0;
     let cubic = Curve::from_slice(&[a, b, c, d]);
-    let is_close = |&s: &f64| Point::length(cubic.eval(s) - at(s)) <= tolerance;
-    if halvings == 0 || [1.0 / 6.0, 0.5, 5.0 / 6.0].iter().all(is_close) {
+    // Midway between the interpolated points; with these they are the thirds of both halves.
+    let parts = [1.0 / 6.0, 0.5, 5.0 / 6.0];
+    let midway = parts.map(|part| curve(from + (to - from) * part));
+    let is_close = |k: usize| Point::length(cubic.eval(parts[k]) - midway[k]) <= tolerance;
+    let is_last = halvings == 0 || out.degrees.len() >= MAX_FOLD_SEGMENTS;
+    if is_last || (0..3).all(is_close) {
         out.points.extend([b, c, d]);
         out.degrees.push(3);
         return;
     }
     let middle = 0.5 * (from + to);
-    push_evolute(curve, [from, middle], tolerance, halvings - 1, out);
-    push_evolute(curve, [middle, to], tolerance, halvings - 1, out);
+    let halves = [
+        ([from, middle], [a, midway[0], p, midway[1]]),
+        ([middle, to], [midway[1], q, midway[2], d]),
+    ];
+    for (interval, thirds) in halves {
+        push_evolute(curve, interval, thirds, tolerance, halvings - 1, out);
+    }
 }

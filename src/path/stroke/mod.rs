@@ -58,7 +58,7 @@ impl Path {
     /// [`Error::Range`] for a width that is negative or not finite or makes coordinates infinite, for a miter limit
     /// below 1, and for a tolerance that is not above 0; [`Error::Tolerance`] for a tolerance below 4 ulps of the
     /// largest coordinate plus half the width; for dashes as [`dash`](Self::dash); [`Error::TooMany`] for
-    /// outlines of more than 2,048 segments and 64 for each curve of the path, unless `simple` is false, and otherwise
+    /// outlines of more than 512 segments and 64 for each curve of the path, unless `simple` is false, and otherwise
     /// as [`Curve::offset`] and [`union`](Self::union).
     pub fn stroke(&self, width: f64, options: &StrokeOptions) -> Result<Self, Error> {
         let Some(pen) = self.pen(width, options)? else {
@@ -121,7 +121,7 @@ impl Path {
 /// The largest number of segments of outlines whose union a stroke computes: for each curve that is stroked, and in
 /// addition for any number of them. More mean that the tolerance is tiny compared with the turns of the outline.
 const SEGMENTS_PER_CURVE: usize = 64;
-const FURTHER_SEGMENTS: usize = 1 << 11;
+const FURTHER_SEGMENTS: usize = 1 << 9;
 
 /// The parts of a stroke.
 #[derive(Default)]
