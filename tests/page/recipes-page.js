@@ -1,4 +1,5 @@
 // What the tests of /recipes/ share.
+import { boxOf } from "./browser.js";
 import { openStrict } from "./site-pages.js";
 
 /** Opens the page and brings a recipe into view; waits until its script has drawn. @param {string} name */
@@ -30,7 +31,7 @@ export function inkedAfterInput(canvas) {
 
 /** The centre of a point to drag, in the window. */
 export async function centreOf(handle) {
-  const { x, y, width, height } = await handle.boundingBox();
+  const { x, y, width, height } = await boxOf(handle);
   return [x + width / 2, y + height / 2];
 }
 
