@@ -7,85 +7,33 @@
 //! corrected once or twice and then accepted. Uneven curvature, inflections, cusps and reversals need no special cases.
 
 mod as_cubics;
+mod chords;
 mod cubic_deviation;
 mod deviation;
 mod high_degree;
+mod vertex_limit;
 
 use super::Curve;
 use crate::geometry::check::check_tolerance;
 use crate::geometry::error::Error;
 use crate::geometry::point::{CrossProduct, Point};
-use crate::numeric::float::{ratio, ulp};
-use crate::numeric::work_limit::WorkLimit;
+use crate::numeric::float::ulp;
+use crate::numeric::list::Points;
 use as_cubics::as_cubics;
+use chords::walk_chords;
 use cubic_deviation::CubicDeviation;
-use deviation::{Deviation, Fraction, fourth_root};
 use glam::DVec3;
 use high_degree::PieceDeviation;
-
-/// Maximum number of vertices that flattening returns.
-pub(crate) const MAX_VERTICES: usize = 1 << 24;
-
-/// A chord is accepted if its squared deviation, as a part of the squared tolerance, is at least this. Chords grow with
-/// the square root of the deviation, so there are at most 0.72^-¼ = 1.086 times as many as necessary. A correction aims
-/// slightly below the tolerance.
-const KEPT_FROM: f64 = 0.72;
-const AIMED_AT: f64 = 0.92;
-
-/// Maximum number of corrections of one chord; after them the longest safe step is taken.
-const MAX_CORRECTIONS: usize = 8;
-
-/// The extrapolated ratio of two steps is limited to this range. It only affects the first try of a step: next to a cusp
-/// the ratio of two steps says nothing about the third.
-const MIN_GROWTH: f64 = 0.6;
-const MAX_GROWTH: f64 = 1.6;
-
-/// A correction makes a step at most this many times longer, as [`fourth_root`] also limits it.
-const MAX_LENGTHENING: f64 = 4.0;
+use vertex_limit::check_vertices_within;
+pub(crate) use vertex_limit::{MAX_VERTICES, VertexLimit, check_vertices};
 
 /// Rounding of points on a line, and of the test for it, in ulps of the largest coordinate. A curve that deviates by
 /// twice as much is certainly not straight.
 const STRAIGHT_ULPS: f64 = 8.0;
 
-/// Steps of the midpoint rule that estimates the number of chords.
-const FORECAST_STEPS: usize = 1024;
-
 /// Outside this range of coordinates, squares of products leave the range of f64, and a scaled copy of the curve is
 /// used.
 const PLAIN_RANGE: std::ops::Range<f64> = 1e-20..1e20;
-
-/// The number of vertices that flattening may still make; each of them counts as a step.
-pub(crate) struct VertexLimit {
-    limit: usize,
-    work: WorkLimit,
-}
-
-impl VertexLimit {
-    pub(crate) fn new(limit: usize) -> Self {
-        Self {
-            limit,
-            work: WorkLimit::new(limit),
-        }
-    }
-
-    /// Counts a vertex; returns an error beyond the limit.
-    #[inline]
-    fn spend(&mut self) -> Result<(), Error> {
-        if self.work.spend(1) {
-            Ok(())
-        } else {
-            Err(too_many(self.limit))
-        }
-    }
-}
-
-fn too_many(limit: usize) -> Error {
-    Error::TooMany {
-        what: "vertices",
-        limit,
-        needed: limit.saturating_add(1),
-    }
-}
 
 /// A polyline that approximates a curve.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -109,13 +57,13 @@ impl<P: Point> Polyline<P> {
         curve: &Curve<P>,
         from: f64,
         tolerance: f64,
-        left: &mut VertexLimit,
+        limit: &mut VertexLimit,
     ) -> Result<(), Error> {
         let joined = !self.ts.is_empty();
         if !joined {
-            left.spend()?;
+            limit.spend()?;
         }
-        curve.walk(tolerance, left, |t, point| {
+        curve.walk(tolerance, limit, |t, point| {
             if !(joined && t == 0.0) {
                 self.ts.push(from + t);
                 self.points.push(point);
@@ -153,9 +101,9 @@ impl<P: Point> Curve<P> {
     /// Same as `flatten`, all before the first vertex.
     pub fn flatten_with(&self, tolerance: f64, vertex: impl FnMut(f64, P)) -> Result<(), Error> {
         self.check_flatten(tolerance)?;
-        let mut left = VertexLimit::new(MAX_VERTICES);
-        left.spend()?;
-        self.walk(tolerance, &mut left, vertex)
+        let mut limit = VertexLimit::new(MAX_VERTICES);
+        limit.spend()?;
+        self.walk(tolerance, &mut limit, vertex)
     }
 
     /// Returns an error before anything is allocated.
@@ -169,43 +117,19 @@ impl<P: Point> Curve<P> {
     pub(crate) fn flatten_within(
         &self,
         tolerance: f64,
-        left: &mut VertexLimit,
+        limit: &mut VertexLimit,
     ) -> Result<Polyline<P>, Error> {
-        check_vertices_within(|| std::iter::once(self.clone()), tolerance, left.limit)?;
+        check_vertices_within(|| std::iter::once(self.clone()), tolerance, limit.max)?;
         let mut line = Polyline::default();
-        line.append(self, 0.0, tolerance, left)?;
+        line.append(self, 0.0, tolerance, limit)?;
         Ok(line)
-    }
-
-    /// Estimate of the number of chords at a fine tolerance: ∫ √(|B′ × B″| / |B′|) dt / √(8 tolerance), by the midpoint
-    /// rule; accurate to some per cent.
-    fn expected_chords(&self, tolerance: f64) -> f64 {
-        let size = self.max_abs();
-        let scaled: crate::numeric::list::Points<P> =
-            self.points.iter().map(|&p| p / size).collect();
-        let first = Self { points: scaled }.derivative();
-        let second = first.derivative();
-        let density = |k: usize| {
-            let t = (k as f64 + 0.5) / FORECAST_STEPS as f64;
-            let (v, a) = (first.eval(t), second.eval(t));
-            let speed = v.length();
-            if speed > 0.0 {
-                (v.cross(a).size_squared().sqrt() / speed).sqrt()
-            } else {
-                0.0
-            }
-        };
-        let mut work = WorkLimit::new(FORECAST_STEPS);
-        let _counted = work.spend(FORECAST_STEPS);
-        let mean = (0..FORECAST_STEPS).map(density).sum::<f64>() / FORECAST_STEPS as f64;
-        mean / (8.0 * AIMED_AT.sqrt() * (tolerance / size)).sqrt()
     }
 
     /// Passes on the vertices; the start, which a joined curve has already, is not counted.
     fn walk(
         &self,
         tolerance: f64,
-        left: &mut VertexLimit,
+        limit: &mut VertexLimit,
         mut vertex: impl FnMut(f64, P),
     ) -> Result<(), Error> {
         let size = self.max_abs();
@@ -215,10 +139,10 @@ impl<P: Point> Curve<P> {
             && let Some(ts) = self.turns_of_straight(tolerance)
         {
             for t in ts {
-                left.spend()?;
+                limit.spend()?;
                 vertex(t, self.eval(t));
             }
-            left.spend()?;
+            limit.spend()?;
             vertex(1.0, self.end());
             return Ok(());
         }
@@ -226,11 +150,10 @@ impl<P: Point> Curve<P> {
         // Reserve a part of the tolerance for the rounding of vertices.
         let budget = tolerance - 2.0 * ulp(size);
         if plain {
-            walk_points(&self.points, budget, left, &mut inside)
+            walk_points(&self.points, budget, limit, &mut inside)
         } else {
-            let scaled: crate::numeric::list::Points<P> =
-                self.points.iter().map(|&p| p / size).collect();
-            walk_points(&scaled, budget / size, left, &mut inside)
+            let scaled: Points<P> = self.points.iter().map(|&p| p / size).collect();
+            walk_points(&scaled, budget / size, limit, &mut inside)
         }
     }
 
@@ -289,45 +212,20 @@ impl<P: Point> Curve<P> {
     }
 }
 
-/// Returns an error if flattening all curves is expected to give more vertices than the limit.
-pub(crate) fn check_vertices<P: Point, I: Iterator<Item = Curve<P>>>(
-    curves: impl Fn() -> I,
-    tolerance: f64,
-) -> Result<(), Error> {
-    check_vertices_within(curves, tolerance, MAX_VERTICES)
-}
-
-fn check_vertices_within<P: Point, I: Iterator<Item = Curve<P>>>(
-    curves: impl Fn() -> I,
-    tolerance: f64,
-    limit: usize,
-) -> Result<(), Error> {
-    // √(n(n−1)/8 · |Δ²P| / tolerance) equal steps are sufficient (Wang, 1984), and |Δ²P| ≤ 4√3 size; this is often a
-    // large overestimate.
-    let enough = |c: Curve<P>| ratio(c.degree(), 1) * (c.max_abs() / tolerance).sqrt();
-    let max = limit as f64;
-    if curves().map(enough).sum::<f64>() <= max
-        || curves().map(|c| c.expected_chords(tolerance)).sum::<f64>() < max
-    {
-        return Ok(());
-    }
-    Err(too_many(limit))
-}
-
 fn walk_points<P: Point>(
     points: &[P],
     tolerance: f64,
-    left: &mut VertexLimit,
+    limit: &mut VertexLimit,
     vertex: &mut impl FnMut(f64),
 ) -> Result<(), Error> {
     if points.len() <= 4 {
-        return walk_chords(&mut CubicDeviation::new(points, tolerance), left, vertex);
+        return walk_chords(&mut CubicDeviation::new(points, tolerance), limit, vertex);
     }
     // Relative to the start, the deviations of a curve that is far smaller than its coordinates keep their digits.
     let relative = |&p: &P| (p - points[0]).to_3d();
-    let points: crate::numeric::list::Points<DVec3> = points.iter().map(relative).collect();
+    let points: Points<DVec3> = points.iter().map(relative).collect();
     let Some((cubics, tolerance)) = as_cubics(&points, tolerance)? else {
-        return walk_chords(&mut PieceDeviation::new(points, tolerance), left, vertex);
+        return walk_chords(&mut PieceDeviation::new(points, tolerance), limit, vertex);
     };
     for cubic in cubics {
         let (from, length) = (cubic.from, cubic.to - cubic.from);
@@ -339,78 +237,7 @@ fn walk_points<P: Point>(
             })
         };
         let mut deviation = CubicDeviation::new(&cubic.points, tolerance);
-        walk_chords(&mut deviation, left, &mut inside)?;
+        walk_chords(&mut deviation, limit, &mut inside)?;
     }
     Ok(())
-}
-
-/// Advances from vertex to vertex until t = 1.
-fn walk_chords(
-    deviation: &mut impl Deviation,
-    left: &mut VertexLimit,
-    vertex: &mut impl FnMut(f64),
-) -> Result<(), Error> {
-    let mut t = 0.0;
-    deviation.start_at(t);
-    let (mut previous, mut step): (f64, f64) = (f64::INFINITY, 0.0);
-    loop {
-        left.spend()?;
-        let rest = 1.0 - t;
-        // Extrapolate the ratio of the last two steps, within limits.
-        let expected = step * (step / previous).clamp(MIN_GROWTH, MAX_GROWTH);
-        previous = step;
-        step = longest_step(deviation, deviation.guess(expected), rest);
-        if step >= rest {
-            vertex(1.0);
-            return Ok(());
-        }
-        let next = t + step;
-        t = if next > t { next } else { t.next_up() };
-        vertex(t);
-        deviation.start_at(t);
-    }
-}
-
-/// A step that respects the tolerance and uses most of it, or the whole rest.
-#[inline]
-fn longest_step(deviation: &mut impl Deviation, guess: f64, rest: f64) -> f64 {
-    let h = deviation.first_try(guess, rest);
-    let squared = deviation.squared(h);
-    if squared.bounded_by(1.0) && (h >= rest || !squared.bounded_by(KEPT_FROM)) {
-        return h;
-    }
-    corrected_step(deviation, h, squared, rest)
-}
-
-/// [`longest_step`] after a first step `h` that was too long or too short.
-fn corrected_step(
-    deviation: &mut impl Deviation,
-    mut h: f64,
-    mut squared: Fraction,
-    rest: f64,
-) -> f64 {
-    let (mut safe, mut unsafe_from) = (0.0, f64::INFINITY);
-    for correction in 0.. {
-        if squared.bounded_by(1.0) {
-            if h >= rest || !squared.bounded_by(KEPT_FROM) {
-                return h;
-            }
-            safe = h;
-        } else {
-            unsafe_from = h;
-        }
-        if (correction >= MAX_CORRECTIONS && safe > 0.0) || h < f64::EPSILON * f64::EPSILON {
-            break;
-        }
-        let next = h * fourth_root(AIMED_AT * squared.under, squared.over);
-        let between = next > safe && next < unsafe_from;
-        h = if between {
-            next
-        } else {
-            0.5 * (safe + unsafe_from.min(MAX_LENGTHENING * h))
-        }
-        .min(rest);
-        squared = deviation.squared(h);
-    }
-    safe
 }
