@@ -12,7 +12,7 @@ const www = fileURLToPath(new URL(".", import.meta.url));
 const dist = (/** @type {string} */ name) => fileURLToPath(new URL(`../dist/${name}`, import.meta.url));
 
 const plainPages = readdirSync(www, { recursive: true, encoding: "utf8" })
-  .filter((name) => name.endsWith(".html"))
+  .filter((name) => name.endsWith(".html") && !name.startsWith("recipes")) // those are parts of a page
   .map((name) => www + name);
 
 /** Serves the classic script as /bezier-app.js; Vite itself leaves scripts without type="module" alone. @type {import("vite").Plugin} */

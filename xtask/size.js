@@ -1,7 +1,7 @@
 // Prints the sizes of the parts of dist/, minified and with gzip -9. Called by `cargo xtask size`; fails above a limit.
 import { build, transform } from "esbuild";
 import { readFile, readdir } from "node:fs/promises";
-import { gzipSync } from "node:zlib";
+import { gzip, IMPORTS, sizeOfImport } from "./sizes.js";
 
 /**
  * The maximum gzip sizes in kB. A change that raises one gives the reason. The targets are 3 for { easing }, 138 for
@@ -22,32 +22,11 @@ const LIMITS_KB = {
 };
 const KB = 1000;
 
-const gzip = (bytes) => gzipSync(bytes, { level: 9 }).length;
-
 async function sizeOf(name) {
   const bytes = await readFile(`dist/${name}`);
   if (name.endsWith(".wasm")) return { name, raw: bytes.length, gzip: gzip(bytes) };
   const { code } = await transform(bytes.toString(), { minify: true, charset: "utf8", legalComments: "none" });
   return { name, raw: Buffer.byteLength(code), gzip: gzip(code) };
-}
-
-/** The imports that are measured: the name of the row, what is imported, and the entry point. */
-const IMPORTS = [
-  ["{ easing }", "easing", "index"],
-  ["{ Curve }", "Curve", "index"],
-  ["{ Surface }", "Surface", "index"],
-  ["everything", "Curve, Spline, Path, Patch, Surface, Mesh, easing, init", "index"],
-  ["{ Curve, Spline } of core", "Curve, Spline", "core"],
-  ["{ Surface } of surfaces", "Surface", "surfaces"],
-];
-
-/** The size of a bundle that imports some of the classes of an entry point. */
-async function sizeOfImport([name, names, entry]) {
-  const contents = `import { ${names} } from "./dist/${entry}.js"; globalThis.used = [${names}];`;
-  const options = { bundle: true, minify: true, format: "esm", charset: "utf8", legalComments: "none", write: false };
-  const { outputFiles } = await build({ stdin: { contents, resolveDir: process.cwd() }, ...options });
-  const bytes = outputFiles[0].contents;
-  return { name, raw: bytes.length, gzip: gzip(bytes) };
 }
 
 const kB = (bytes) => `${(bytes / KB).toFixed(1)} kB`.padStart(9);

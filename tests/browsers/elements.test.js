@@ -28,8 +28,6 @@ const middle = (session, host, selector) =>
     host,
     selector,
   );
-const handles = (session) =>
-  session.evaluate(() => document.querySelector("bezier-applet").shadowRoot.querySelectorAll("[part=handle]").length);
 const handle = (index) => `[part="handle"][data-index="${index}"]`;
 
 async function drag(session, index, dx, dy) {

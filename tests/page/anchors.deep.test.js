@@ -2,10 +2,13 @@
 import { test } from "node:test";
 import { anchorsOf, assertAnchorsLand } from "./anchors-page.js";
 
-for (const path of ["/curves/", "/surfaces/"]) {
+for (const path of ["/curves/", "/surfaces/", "/recipes/"]) {
   for (const width of [1280, 360]) {
     test(`${path} opened at each of its anchors, ${width} px wide`, async (t) => {
-      await assertAnchorsLand(t, path, await anchorsOf(t, path), { viewport: { width, height: 800 } });
+      await assertAnchorsLand(t, path, await anchorsOf(t, path), {
+        viewport: { width, height: 800 },
+        readsAddress: path !== "/recipes/",
+      });
     });
   }
 }

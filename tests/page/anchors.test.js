@@ -8,3 +8,12 @@ for (const [path, ids] of /** @type {const} */ ([
 ])) {
   test(`${path} opened at some of its anchors`, (t) => assertAnchorsLand(t, path, ids));
 }
+
+for (const [path, ids] of /** @type {const} */ ([
+  ["/recipes/", ["icon-intersections", "teapot-three", "easing-to-linear", "style"]],
+  ["/install/", ["slim", "vue"]],
+  ["/migration/", ["paper-js", "curves-of-three-js"]],
+  ["/benchmarks/", ["rust", "sizes"]],
+])) {
+  test(`${path} opened at some of its anchors`, (t) => assertAnchorsLand(t, path, ids, { readsAddress: false }));
+}

@@ -33,6 +33,11 @@ const TERMS = [
   ["STL", /^api\/mesh\/#toSTL$/],
   ["flatten", /^api\/\w+\/#flatten$/],
   ["PointLike", /^api\/types\/#PointLike$/],
+  ["text along a path", /^recipes\/#text-along-path$/],
+  ["shape builder", /^recipes\/#shape-builder$/],
+  ["Content-Security-Policy", /^install\/#csp$/],
+  ["paper.js", /^migration\/#paper-js$/],
+  ["benchmarks", /^benchmarks\//],
   ["bezier-surface", /^(api\/elements\/#bezier-surface|elements\/)/],
 ];
 

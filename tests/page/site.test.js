@@ -35,6 +35,10 @@ test("the first page says how to install the package, and leads to all parts of 
   const page = await openPage(t, "/", { viewport: { width: 1280, height: 800 } });
   const first = await boxOf(page.getByText("npm install casteljau"));
   assert.ok(first.y + first.height < 800, "in the first view");
+  for (const name of ["Learn", "API", "Recipes", "Applications"]) {
+    const { y, height } = await boxOf(page.locator(".ways-in").getByRole("link", { name, exact: true }));
+    assert.ok(y + height < 800, `${name} is in the first view`);
+  }
   for (const [name, title] of /** @type {[string, RegExp][]} */ ([
     ["Bézier curves", /curves/],
     ["The applet on a plain page", /applet/],

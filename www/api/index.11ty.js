@@ -9,7 +9,7 @@ export const data = {
     "Every class, function, option and type of casteljau, with samples in JavaScript and Rust and live figures.",
   heading: "API reference",
   lead: "Every class, function, option and type of the npm package, with samples in JavaScript and Rust. The figures can be dragged; the code below them follows.",
-  navigation: { name: "API", order: 5 },
+  navigation: { name: "API", order: 3 },
   styles: ["api.css"],
 };
 

@@ -3,9 +3,11 @@
 //     ::: figure curve              a figure with the id figure-curve; its last paragraph is the caption
 //     ::: task half-height for=ID   a task (www/tasks/half-height.js) about the element with that id
 //     ::: sample polyline           the sample www/samples/polyline.js and .rs, with the id sample-polyline
+//     ::: recipe NAME               the picture, the script and the HTML of www/recipes/code/NAME.js and .html
 //     ::: article                   an `<article>`
 import container from "markdown-it-container";
 import { permalink } from "./markdown.js";
+import { codeHtml, recipeHtml } from "./recipes.js";
 import { sampleCode } from "./samples.js";
 
 /** @typedef {import("markdown-it").default} MarkdownIt */
@@ -26,6 +28,8 @@ export function containers(md, { highlight }) {
         `<lesson-sample id="sample-${meta.name}" name="${meta.name}">${sampleCode(meta.name, highlight)}`,
       close: "</lesson-sample>\n",
     },
+    recipe: { open: ({ meta }) => recipeHtml(meta.name, highlight), close: "" },
+    "recipe-file": { open: ({ meta }) => codeHtml(meta.name, highlight), close: "" },
     article: { open: () => "<article>\n", close: "</article>\n" },
   };
   for (const [kind, { open, close }] of Object.entries(kinds)) {
@@ -35,7 +39,7 @@ export function containers(md, { highlight }) {
     });
   }
   md.core.ruler.push("containers", ({ tokens }) => {
-    for (const token of tokens) if (/^container_\w+_open$/.test(token.type)) token.meta = parametersOf(token.info);
+    for (const token of tokens) if (/^container_[\w-]+_open$/.test(token.type)) token.meta = parametersOf(token.info);
   });
   md.core.ruler.push("captions", captions);
 }

@@ -1,0 +1,108 @@
+// /benchmarks/: the latest results of `npm run bench` (benches/results.json) and the sizes of the package that this build contains.
+import { readFileSync } from "node:fs";
+import { quantity } from "../../benches/js/table.js";
+import { IMPORTS, sizeOfImport } from "../../xtask/sizes.js";
+import { tableHtml } from "../build/tables.js";
+
+/**
+ * @typedef {{ work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null }} Row
+ * @typedef {{ work: string, costs: { size: number, ns: number }[], ours: number }} Growth
+ * @typedef {{ machine: { cpu: string, cores: number, platform: string }, date: string, versions: Record<string, string>, rows: Row[], growth: Growth[] }} Results
+ */
+
+const KB = 1000;
+const NATIVE = "native: ";
+
+/** @returns {Results} */
+const results = () => JSON.parse(readFileSync(new URL("../../benches/results.json", import.meta.url), "utf8"));
+
+export const data = {
+  permalink: "/benchmarks/index.html",
+  title: "Benchmarks and sizes: casteljau compared with other libraries",
+  description:
+    "Times of casteljau compared with bezier-js, paper.js, three.js, verb, kurbo and lyon, measured in one run, and the sizes of its entry points.",
+  heading: "Benchmarks and sizes",
+  lead: "casteljau compared with other libraries, measured in one run on one machine after checking that both sides give the same answer.",
+  bodyClass: "wide",
+  script: "main.js",
+};
+
+export async function render() {
+  const { machine, date, versions, rows, growth } = results();
+  const compared = rows.filter(({ peer }) => peer);
+  const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
+  return `
+<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. The ratio is the time of the other library divided by ours: above 1, casteljau is faster.</p>
+${section(
+  "javascript",
+  "JavaScript",
+  comparison(
+    "JavaScript",
+    compared.filter(({ work }) => !work.startsWith(NATIVE)),
+  ),
+)}
+${section(
+  "rust",
+  "Rust",
+  comparison(
+    "Rust",
+    compared.filter(({ work }) => work.startsWith(NATIVE)),
+  ),
+)}
+${section("alone", "Without a comparison", alone(rows.filter(({ peer, unit }) => !peer && unit !== "bytes")))}
+${section("growth", "Time per item as the input grows", growthTable(growth))}
+${section("sizes", "Sizes", await sizes())}
+${section("conditions", "Machine and versions", `<p>${date}, ${machine.cpu}, ${machine.cores} cores, ${machine.platform}. ${versionList.join(", ")}. To repeat the measurements, run <code>npm run bench</code> in a clone of the repository; all figures are in <code>benches/results.json</code>.</p>`)}`;
+}
+
+/** @param {string} id @param {string} title @param {string} content */
+const section = (id, title, content) => `<section id="${id}">\n<h2>${title}</h2>\n${content}\n</section>`;
+
+/** @param {string} work rows that belong to the one above are indented */
+const nameOf = (work) => work.replace(NATIVE, "").replace(/^ +/, "– ");
+
+/** @param {string} language @param {Row[]} rows */
+const comparison = (language, rows) =>
+  tableHtml(
+    `Times compared, ${language}`,
+    ["Work", "Other library", "Its time", "casteljau", "Ratio"],
+    rows.map(({ work, peer, unit, theirs, ours, ratio }) => [
+      nameOf(work),
+      peer ?? "",
+      quantity(theirs, unit),
+      quantity(ours, unit),
+      ratio === null ? "" : `${Number(ratio.toPrecision(2))}×`,
+    ]),
+  );
+
+/** @param {Row[]} rows */
+const alone = (rows) =>
+  tableHtml(
+    "Times",
+    ["Work", "Time"],
+    rows.map(({ work, unit, ours }) => [nameOf(work.replace(NATIVE, "Rust: ")), quantity(ours, unit)]),
+  );
+
+/** @param {Growth[]} growth */
+const growthTable = (growth) =>
+  tableHtml(
+    "Time per item",
+    ["Work", "Smallest size", "Largest size"],
+    growth.map(({ work, costs }) => [work, ...[costs[0], costs.at(-1)].map((cost) => costText(cost))]),
+  );
+
+/** @param {Growth["costs"][number] | undefined} cost */
+const costText = (cost) => (cost ? `${cost.size.toLocaleString("en-US")}: ${quantity(cost.ns, "ns")}` : "");
+
+/** Bundles of one import each, made while the site is built. */
+async function sizes() {
+  const { version } = JSON.parse(readFileSync(new URL("../../package.json", import.meta.url), "utf8"));
+  const rows = await Promise.all(IMPORTS.map(sizeOfImport));
+  const kB = (/** @type {number} */ bytes) => `${(bytes / KB).toFixed(1)} kB`;
+  const table = tableHtml(
+    "Sizes of bundles",
+    ["Import", "Minified", "gzip −9"],
+    rows.map(({ name, raw, gzip }) => [name, kB(raw), kB(gzip)]),
+  );
+  return `<p>What an import of casteljau ${version} adds to a bundle by esbuild, WebAssembly included; 1 kB is 1,000 bytes.</p>\n${table}`;
+}

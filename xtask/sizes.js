@@ -1,0 +1,35 @@
+// The sizes of bundles that import parts of dist/: for `cargo xtask size` and the site's page of benchmarks.
+import { build } from "esbuild";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const root = fileURLToPath(new URL("..", import.meta.url));
+
+/** The size after gzip -9. @param {Uint8Array | string} bytes */
+export const gzip = (bytes) => gzipSync(bytes, { level: 9 }).length;
+
+/** The imports that are measured: the name of the row, what is imported, and the entry point. */
+export const IMPORTS = [
+  ["{ easing }", "easing", "index"],
+  ["{ Curve }", "Curve", "index"],
+  ["{ Surface }", "Surface", "index"],
+  ["everything", "Curve, Spline, Path, Patch, Surface, Mesh, easing, init", "index"],
+  ["{ Curve, Spline } of core", "Curve, Spline", "core"],
+  ["{ Surface } of surfaces", "Surface", "surfaces"],
+];
+
+/** The size in bytes of a bundle that imports some of the classes of an entry point. @param {string[]} row of IMPORTS */
+export async function sizeOfImport([name, names, entry]) {
+  const contents = `import { ${names} } from "./dist/${entry}.js"; globalThis.used = [${names}];`;
+  const { outputFiles } = await build({
+    stdin: { contents, resolveDir: root },
+    bundle: true,
+    minify: true,
+    format: "esm",
+    charset: "utf8",
+    legalComments: "none",
+    write: false,
+  });
+  const bytes = outputFiles[0].contents;
+  return { name, raw: bytes.length, gzip: gzip(bytes) };
+}
