@@ -45,7 +45,13 @@ async function given(t, name, attributes) {
 }
 
 test("<bezier-applet> takes attributes' texts as properties, and undefined for their removal", async (t) => {
-  const attributes = { points: "70,330 200,40 400,40 600,40 650,400", joints: "c1", t: "0.25", readonly: "", controls: "" };
+  const attributes = {
+    points: "70,330 200,40 400,40 600,40 650,400",
+    joints: "c1",
+    t: "0.25",
+    readonly: "",
+    controls: "",
+  };
   const more = { degree: "2", show: "polygon hull", hotkeys: "off", label: "Curve" };
   const { before, after, removed } = await given(t, "bezier-applet", { ...attributes, ...more });
   const points = [
