@@ -184,7 +184,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
         }
         let (changes, sign) = sign_changes(piece);
         // On a monotone interval, rounding can falsify the sign only at the root itself.
-        let plain = changes == 0 || changes == 1 && monotone(piece);
+        let plain = changes == 0 || changes == 1 && is_monotone(piece);
         if !work.spend(1) || plain || hi - lo <= SMALLEST_INTERVAL {
             if changes == 1 {
                 push_inside(roots, polynomial.close_in(lo, hi, sign));
@@ -202,7 +202,7 @@ fn isolate(coefficients: &[f64], roots: &mut Scalars) {
     }
 }
 
-fn monotone(coefficients: &[f64]) -> bool {
+fn is_monotone(coefficients: &[f64]) -> bool {
     let mut pairs = coefficients.windows(2);
     pairs.clone().all(|p| p[0] <= p[1]) || pairs.all(|p| p[0] >= p[1])
 }

@@ -19,7 +19,7 @@ impl<P: Point> Curve<P> {
         }
         .including(self.end());
         for axis in 0..P::DIMENSION {
-            if self.monotone(axis) {
+            if self.is_monotone(axis) {
                 continue;
             }
             for t in self.extrema_on(axis) {
@@ -53,7 +53,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// Whether the control points are monotone along an axis, so that the curve has no extremum inside.
-    fn monotone(&self, axis: usize) -> bool {
+    fn is_monotone(&self, axis: usize) -> bool {
         let mut pairs = self
             .points
             .windows(2)

@@ -13,8 +13,8 @@ const MAX_STEPS: usize = 16;
 /// A step below this is the last: the remaining error is of the order of its square.
 const LAST_STEP: f64 = 1e-9;
 
-/// The absolute value of the pair.
-pub(crate) fn off(whole: &PolynomialPiece, at: [f64; 2]) -> f64 {
+/// √(f² + g²), the distance of both values from zero.
+pub(crate) fn distance_from_zero(whole: &PolynomialPiece, at: [f64; 2]) -> f64 {
     whole.jet(0, at).f.hypot(whole.jet(1, at).f)
 }
 

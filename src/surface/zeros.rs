@@ -4,7 +4,7 @@
 //! on which the pair is one-to-one contains at most one zero, and Newton's method finds it. The remaining zeros are
 //! those where the pair only touches zero: pieces so small that rounding decides.
 
-use super::newton::{SAME, greater, off, onto_square, slid, touch, zero_near};
+use super::newton::{SAME, distance_from_zero, greater, onto_square, slid, touch, zero_near};
 use super::piece::{PolynomialPiece, search};
 use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
@@ -196,7 +196,7 @@ impl Zero {
             u,
             v,
             at,
-            off: off(whole, at),
+            off: distance_from_zero(whole, at),
         }
     }
 

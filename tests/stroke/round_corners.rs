@@ -201,6 +201,12 @@ fn segments_of_length_0_at_a_corner_are_omitted() {
 }
 
 #[test]
+fn a_corner_between_segments_of_very_different_size_stays() {
+    let corner = "M1e-300 0L0 0L0 1e300";
+    assert_eq!(rounded(corner, 1e299), path(corner));
+}
+
+#[test]
 fn a_radius_must_be_finite_and_not_negative() {
     for radius in [-1.0, f64::NAN, f64::INFINITY] {
         let error = path("M0 0H1V1").round_corners(radius);

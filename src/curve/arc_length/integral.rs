@@ -24,7 +24,8 @@ const MAX_MIN_DEPTH: usize = 6;
 /// intervals are accepted without a check.
 const MAX_INTERVALS: usize = 1 << 12;
 
-/// An interval is cut at its minimum speed if that is at least this part of the interval away from both ends.
+/// An interval is cut at its minimum speed if that is at least this part of the interval away from both ends. A minimum
+/// closer to an end is separated by the halvings.
 const OFF_THE_ENDS: f64 = 0.03;
 
 /// The precision of that minimum, as a part of the interval: at a cusp the rules on both sides err by its square.

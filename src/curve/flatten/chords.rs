@@ -10,7 +10,7 @@ use crate::geometry::error::Error;
 const LEAST_USE: f64 = 0.72;
 pub(super) const TARGET_USE: f64 = 0.92;
 
-/// Maximum number of corrections of one chord; after them the longest safe step is taken.
+/// Maximum number of corrections of one chord, of which one or two are usual; after them the longest safe step is taken.
 const MAX_CORRECTIONS: usize = 8;
 
 /// The extrapolated ratio of two steps is limited to this range. It only affects the first try of a step: next to a cusp

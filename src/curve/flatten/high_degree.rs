@@ -18,7 +18,8 @@ use glam::DVec3;
 /// After four halvings the bound of a parabola is 0.4 % above its height.
 const MAX_HALVINGS: usize = 4;
 
-/// Long chords are tried only to points of the curve at multiples of 1/64 in t.
+/// Long chords are tried only to points of the curve at multiples of 1/64 in t, one for each control point at the highest
+/// degree.
 const SAMPLE_STEPS: usize = 64;
 
 /// Maximum number of long chords that are measured for one vertex.

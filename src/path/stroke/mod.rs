@@ -10,6 +10,7 @@
 
 mod contains;
 mod contours;
+mod corner_arc;
 mod dash;
 mod folds;
 mod grow;

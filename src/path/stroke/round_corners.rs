@@ -1,7 +1,7 @@
 //! Corners of a path replaced by arcs.
 
+use super::corner_arc::{CornerArc, corner_arc, is_corner};
 use super::has_size;
-use super::tangent_circle::{CornerArc, corner_arc, is_corner};
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::path::{Path, Subpath};
@@ -100,30 +100,37 @@ impl<'a> RoundedSubpath<'a> {
             cuts: vec![[None; 2]; count],
             curves,
         };
-        let lengths: Vec<[usize; 2]> = (0..count)
-            .map(|k| [rounded.run(k, 0), rounded.run(k, 1)])
-            .collect();
-        let whole = |n: usize| n.min(MAX_RUN) as f64;
-        let mut limits: Vec<[f64; 2]> = lengths.iter().map(|n| n.map(whole)).collect();
-        for (k, &limit) in limits.iter().enumerate() {
-            rounded.arcs[k] = rounded.arc(k, radius, limit);
-        }
-        rounded.cut();
-        let mut overlap = Vec::new();
-        for k in (0..count).filter(|&k| rounded.used(k) > 1.0 + MEETS) {
-            let [Some(start), Some(end)] = rounded.cuts[k] else {
-                continue;
-            };
-            limits[start.corner][1] = 0.5 * lengths[start.corner][1] as f64;
-            limits[end.corner][0] = 0.5 * lengths[end.corner][0] as f64;
-            overlap.extend([start.corner, end.corner]);
-        }
-        overlap.dedup();
-        for &k in &overlap {
-            rounded.arcs[k] = rounded.arc(k, radius, limits[k]);
-        }
-        rounded.cut();
+        rounded.fit_arcs(radius);
         rounded
+    }
+
+    /// Finds the arcs; where two overlap, both end in the middle between their corners at the latest.
+    fn fit_arcs(&mut self, radius: f64) {
+        let count = self.curves.len();
+        let runs: Vec<[usize; 2]> = (0..count)
+            .map(|k| [0, 1].map(|side| self.run(k, side)))
+            .collect();
+        let mut limits: Vec<[f64; 2]> = runs
+            .iter()
+            .map(|run| run.map(|n| n.min(MAX_RUN) as f64))
+            .collect();
+        for (k, &limit) in limits.iter().enumerate() {
+            self.arcs[k] = self.arc(k, radius, limit);
+        }
+        self.cut();
+        let mut overlapping = Vec::new();
+        for k in (0..count).filter(|&k| self.used(k) > 1.0 + MEETS) {
+            if let [Some(start), Some(end)] = self.cuts[k] {
+                limits[start.corner][1] = 0.5 * runs[start.corner][1] as f64;
+                limits[end.corner][0] = 0.5 * runs[end.corner][0] as f64;
+                overlapping.extend([start.corner, end.corner]);
+            }
+        }
+        overlapping.dedup();
+        for &k in &overlapping {
+            self.arcs[k] = self.arc(k, radius, limits[k]);
+        }
+        self.cut();
     }
 
     /// The index of the segment before segment k.

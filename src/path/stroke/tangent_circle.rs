@@ -5,23 +5,13 @@
 //! follows the two points of tangency away from the corner, as long as the segments bend towards the circle less than
 //! the circle itself.
 
-use crate::curve::Curve;
 use crate::curve::with_derivatives::CurveWithDerivatives;
-use crate::geometry::check::max_abs;
 use crate::geometry::point::Point;
-use crate::numeric::float::unit_scale;
 use crate::numeric::work_limit::WorkLimit;
-use crate::spline::offset::start_tangent;
 use glam::DVec2;
 
-/// A joint is a corner if the sine of its turn is larger. This holds for turns of 0.06° to 179.94°.
-const MIN_CORNER_SINE: f64 = 1e-3;
-
 /// Radii below this part of the size of both segments leave the corner.
-const MIN_RADIUS: f64 = 1e-9;
-
-/// Larger radii, as a multiple of the size, are limited by the segments.
-const MAX_RADIUS: f64 = 1e9;
+pub(super) const MIN_RADIUS: f64 = 1e-9;
 
 /// The first step moves the points of tangency by this part of the shorter segment.
 const FIRST_STEP: f64 = 0.25;
@@ -43,39 +33,24 @@ const MAX_TURN_COSINE: f64 = 0.8;
 /// Parameters this close to a limit, relative to it, are at the limit.
 const AT_LIMIT: f64 = 1e-12;
 
-/// An arc that replaces a corner.
-#[derive(Clone, Copy)]
-pub(super) struct CornerArc {
-    /// The parameters of the points of tangency, on the segment before the corner and on the one after it, both counted
-    /// from the corner.
-    pub(super) from_corner: [f64; 2],
-    /// The points of tangency.
-    pub(super) ends: [DVec2; 2],
-    /// The unit tangents of the path there.
-    pub(super) tangents: [DVec2; 2],
-    /// The radius in units of `unit`, negative for a right turn.
-    pub(super) radius: f64,
-    pub(super) unit: f64,
-}
-
 /// A corner with its two segments, which are scaled to a size of about 1, start at the corner, and lead away from it.
-struct Corner<'a> {
-    sides: [Side<'a>; 2],
+pub(super) struct Corner<'a> {
+    pub(super) sides: [Side<'a>; 2],
     /// The tangents at the corner, along the path.
-    tangents: [DVec2; 2],
+    pub(super) tangents: [DVec2; 2],
     /// 1 for a left turn, −1 for a right turn.
-    sign: f64,
+    pub(super) sign: f64,
 }
 
 /// Segments that follow each other smoothly; parameters are those of a spline.
-struct Side<'a> {
-    pieces: Vec<CurveWithDerivatives<'a, DVec2>>,
+pub(super) struct Side<'a> {
+    pub(super) pieces: Vec<CurveWithDerivatives<'a, DVec2>>,
     /// The index of the segment with the point of tangency.
-    current: usize,
+    pub(super) current: usize,
     /// The normal towards the circle is this multiple of the left one.
-    sign: f64,
+    pub(super) sign: f64,
     /// The largest parameter.
-    limit: f64,
+    pub(super) limit: f64,
 }
 
 /// What a side is like at a parameter.
@@ -90,85 +65,7 @@ struct Local {
 
 /// The parameters of both points of tangency, and the radius.
 type Contact = [f64; 3];
-const RADIUS: usize = 2;
-
-/// Whether a joint with these unit tangents is a corner that an arc can replace.
-pub(super) fn is_corner([before, after]: [DVec2; 2]) -> bool {
-    before.perp_dot(after).abs() > MIN_CORNER_SINE
-}
-
-/// The arc of a radius above 0 at a corner. Both sides are lists of segments that are not points, start at the corner,
-/// and lead away from it. The points of tangency are at most at the given parameters; the radius is reduced where it
-/// must be. `None` if only a negligible arc is possible.
-pub(super) fn corner_arc(
-    sides: &[Vec<Curve<DVec2>>; 2],
-    radius: f64,
-    limits: [f64; 2],
-) -> Option<CornerArc> {
-    let corner = sides[1][0].start();
-    let tangents = [-start_tangent(&sides[0][0]), start_tangent(&sides[1][0])];
-    let halves = sides.each_ref().map(|side| {
-        let half = |curve: &Curve<DVec2>| -> Vec<DVec2> {
-            let points = curve.control_points();
-            points.iter().map(|&p| p * 0.5 - corner * 0.5).collect()
-        };
-        side.iter().map(half).collect::<Vec<_>>()
-    });
-    let size = halves.iter().flatten().map(|points| max_abs(points));
-    let scale = unit_scale(size.fold(0.0, f64::max));
-    let scaled = halves.map(|mut side| {
-        side.iter_mut().flatten().for_each(|p| *p *= scale);
-        side
-    });
-    let unit = 2.0 / scale;
-    let sign = 1.0_f64.copysign(tangents[0].perp_dot(tangents[1]));
-    let side = |k: usize, sign: f64| Side {
-        pieces: scaled[k]
-            .iter()
-            .map(|points| CurveWithDerivatives::new(points))
-            .collect(),
-        current: 0,
-        sign,
-        limit: limits[k],
-    };
-    let mut fitted = Corner {
-        sides: [side(0, -sign), side(1, sign)],
-        tangents,
-        sign,
-    };
-    let contact = fitted.fit((radius / unit).min(MAX_RADIUS));
-    if contact[RADIUS] < MIN_RADIUS {
-        return None;
-    }
-    let between_lines = fitted.starts_with_lines() && contact[0].max(contact[1]) <= 1.0;
-    let distance = contact[RADIUS] * fitted.tangent_of_half_turn() * unit;
-    let end = |k: usize, outward: DVec2| {
-        if between_lines && contact[k] < 1.0 && contact[k] != limits[k] {
-            corner + outward * distance
-        } else {
-            eval(&sides[k], contact[k])
-        }
-    };
-    Some(CornerArc {
-        from_corner: [contact[0], contact[1]],
-        ends: [end(0, -tangents[0]), end(1, tangents[1])],
-        tangents: [-fitted.outward(&contact, 0)?, fitted.outward(&contact, 1)?],
-        radius: sign * contact[RADIUS],
-        unit,
-    })
-}
-
-/// The point of a list of curves at a parameter.
-fn eval(curves: &[Curve<DVec2>], x: f64) -> DVec2 {
-    let mut rest = x;
-    for curve in &curves[..curves.len() - 1] {
-        if rest < 1.0 {
-            return curve.eval(rest);
-        }
-        rest -= 1.0;
-    }
-    curves[curves.len() - 1].eval(rest)
-}
+pub(super) const RADIUS: usize = 2;
 
 impl Side<'_> {
     /// `None` where the derivative vanishes.
@@ -215,7 +112,7 @@ impl Side<'_> {
 
 impl Corner<'_> {
     /// The distance of the points of tangency of straight segments, as a multiple of the radius.
-    fn tangent_of_half_turn(&self) -> f64 {
+    pub(super) fn tangent_of_half_turn(&self) -> f64 {
         let [before, after] = self.tangents;
         before.perp_dot(after).abs() / (1.0 + before.dot(after))
     }
@@ -233,20 +130,23 @@ impl Corner<'_> {
         [distance / lengths[0], distance / lengths[1], radius]
     }
 
-    fn starts_with_lines(&self) -> bool {
+    pub(super) fn starts_with_lines(&self) -> bool {
         self.sides
             .iter()
             .all(|side| side.pieces[0].points.len() == 2)
     }
 
     /// The contact of the largest radius up to a goal.
-    fn fit(&mut self, goal: f64) -> Contact {
+    pub(super) fn fit(&mut self, goal: f64) -> Contact {
         let mut contact = [0.0; 3];
+        let reach = self.sides[0].reach().min(self.sides[1].reach());
+        if reach == 0.0 {
+            return contact; // One side is so much smaller than the other that it vanishes in the scaled coordinates.
+        }
         if self.starts_with_lines() {
             contact = self.between_lines(goal);
         }
         let mut work = WorkLimit::new(MAX_WORK);
-        let reach = self.sides[0].reach().min(self.sides[1].reach());
         let mut step = FIRST_STEP * reach / self.tangent_of_half_turn();
         while self.enter_segments(&mut contact) && contact[RADIUS] < goal && !work.is_exceeded() {
             let radius = (contact[RADIUS] + step).min(goal);
@@ -350,7 +250,7 @@ impl Corner<'_> {
     }
 
     /// The direction away from the corner at a contact.
-    fn outward(&self, contact: &Contact, k: usize) -> Option<DVec2> {
+    pub(super) fn outward(&self, contact: &Contact, k: usize) -> Option<DVec2> {
         if contact[RADIUS] == 0.0 {
             return Some(if k == 0 {
                 -self.tangents[0]

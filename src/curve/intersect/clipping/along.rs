@@ -39,7 +39,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     /// Finds the contacts of two segments that span the same x.
     fn compare(&mut self, a: &Piece<C>, b: &Piece<C>) {
         if !self.work.spend(1) {
-            return self.note(a, b);
+            return self.record_contact(a, b);
         }
         let (slopes_a, slopes_b) = (slopes(a), slopes(b));
         let heights = heights(a, b, slopes_a, slopes_b);
@@ -49,10 +49,10 @@ impl<C: Coefficients> ClippingSolver<C> {
         }
         let contact = CONTACT * self.slack;
         if max <= contact && min >= -contact {
-            return self.note(a, b);
+            return self.record_contact(a, b);
         }
         let one_crossing = slopes_a.0 > slopes_b.1 || slopes_a.1 < slopes_b.0;
-        if one_crossing && self.monotone(a, b, &heights) {
+        if one_crossing && self.meet_once(a, b, &heights) {
             return;
         }
         let (before_a, after_a) = a.split(SPLIT);
@@ -63,7 +63,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     }
 
     /// Handles two segments whose height difference is monotone; returns false if the result is unclear.
-    fn monotone(&mut self, a: &Piece<C>, b: &Piece<C>, heights: &Heights) -> bool {
+    fn meet_once(&mut self, a: &Piece<C>, b: &Piece<C>, heights: &Heights) -> bool {
         let (start, end) = (heights.start, heights.end);
         if start * end < 0.0 {
             let s = start / (start - end);

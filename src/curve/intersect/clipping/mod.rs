@@ -35,13 +35,13 @@ impl<C: Coefficients> ClippingSolver<C> {
     pub fn run(&mut self, ts: [f64; 2], us: [f64; 2]) {
         let [a, b] = &self.whole;
         let (a, b) = (a.between(ts[0], ts[1]), b.between(us[0], us[1]));
-        self.pair(a, b);
+        self.clip_pair(a, b);
     }
 
-    fn pair(&mut self, mut a: Piece<C>, mut b: Piece<C>) {
+    fn clip_pair(&mut self, mut a: Piece<C>, mut b: Piece<C>) {
         loop {
             if !self.work.spend(1) {
-                return self.note(&a, &b);
+                return self.record_contact(&a, &b);
             }
             let Some(remaining_b) = clip(&a, &mut b, self.slack) else {
                 return;
@@ -69,15 +69,15 @@ impl<C: Coefficients> ClippingSolver<C> {
             return;
         }
         if size_a <= self.slack && size_b <= self.slack {
-            self.note(a, b);
+            self.record_contact(a, b);
         } else if size_a > size_b {
             let (before, after) = a.split(SPLIT);
-            self.pair(before, b.clone());
-            self.pair(after, b.clone());
+            self.clip_pair(before, b.clone());
+            self.clip_pair(after, b.clone());
         } else {
             let (before, after) = b.split(SPLIT);
-            self.pair(a.clone(), before);
-            self.pair(a.clone(), after);
+            self.clip_pair(a.clone(), before);
+            self.clip_pair(a.clone(), after);
         }
     }
 }

@@ -44,7 +44,7 @@ impl<C: Coefficients> ClippingSolver<C> {
     }
 
     /// Records that two whole segments are in contact.
-    pub fn note(&mut self, a: &Piece<C>, b: &Piece<C>) {
+    pub fn record_contact(&mut self, a: &Piece<C>, b: &Piece<C>) {
         let (mut t, mut u) = ([a.from, a.to], [b.from, b.to]);
         if t[0] > t[1] {
             t.swap(0, 1);
