@@ -20,15 +20,20 @@ async function drag(session, index, dx, dy) {
   await session.frame();
 }
 
-/** Where something with such words in its label can be clicked. */
-const label = (session, words) =>
-  session.evaluate((words) => {
+/** Where something with such words in its label can be clicked, once it is there. */
+async function label(session, words) {
+  await session.waitFor((words) => {
+    const root = document.querySelector("canvas").parentNode.shadowRoot;
+    return [...root.querySelectorAll("label, button")].some((each) => each.textContent.trim().startsWith(words));
+  }, words);
+  return session.evaluate((words) => {
     const root = document.querySelector("canvas").parentNode.shadowRoot;
     const found = [...root.querySelectorAll("label, button")].find((each) => each.textContent.trim().startsWith(words));
     found.scrollIntoView({ block: "nearest" });
     const box = found.getBoundingClientRect();
     return [box.x + box.width / 2, box.y + box.height / 2];
   }, words);
+}
 const click = async (session, words) => {
   await session.drag(await label(session, words));
   await session.frame();

@@ -45,6 +45,7 @@ export const ready = (page) =>
 export async function set(page, properties) {
   await page.evaluate((given) => Object.assign(document.querySelector("bezier-surface"), given), properties);
   await settled(page);
+  if ("view" in properties) await settled(page); // a mesh by pixels follows after three frames without a movement
 }
 
 /** Waits until what was changed has been drawn and told. */
