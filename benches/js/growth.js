@@ -187,7 +187,7 @@ function nearestSteps() {
   });
 }
 
-const ROWS = [
+export const rows = [
   { id: "growth-segments", work: "teapot, 4 … 256 segments, reused: per vertex", steps: segmentSteps },
   { id: "growth-patches", work: "32 … 32,000 patches, 4 segments, reused: per patch", steps: patchSteps },
   { id: "growth-sample", work: "10 … 100,000 points of a cubic, reused: per point", steps: sampleSteps },
@@ -199,21 +199,14 @@ const ROWS = [
 ];
 
 /**
- * @param {import("./harness.js").Effort} effort
- * @param {(id: string) => boolean} isSelected
- */
-export function results(effort, isSelected) {
-  return ROWS.filter(({ id }) => isSelected(id)).map(({ id, work, steps }) => growthRow(id, work, steps(), effort));
-}
-
-/**
- * @param {string} id
- * @param {string} work
- * @param {Step[]} steps
+ * The costs of a row at all its sizes, and the largest growth.
+ *
+ * @param {{ id: string, work: string, steps: () => Step[] }} row
  * @param {import("./harness.js").Effort} effort
  */
-function growthRow(id, work, steps, effort) {
-  steps.forEach(({ check }) => check());
+export function growthRow({ id, work, steps: makeSteps }, effort) {
+  const steps = makeSteps();
+  for (const { check } of steps) check();
   const times = timesInTurn(
     steps.map(({ ours }) => ours),
     effort,

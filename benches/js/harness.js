@@ -8,6 +8,7 @@
  * @property {string} work
  * @property {string} peer
  * @property {number} items how many times one call does the work
+ * @property {number} [rounds] fewer rounds than usual, for calls that take seconds
  * @property {() => void} check throws if the two sides give different results
  * @property {() => number} theirs
  * @property {() => number} ours
@@ -33,9 +34,10 @@ let sink = 0;
  * @param {Row} row
  * @param {Effort} effort
  */
-export function compare({ id, work, peer, items, check, theirs, ours }, effort) {
+export function compare({ id, work, peer, items, check, theirs, ours, rounds = Infinity }, effort) {
   check();
-  const [their, our] = timesInTurn([theirs, ours], effort).map((times) => times.map((t) => t / items));
+  const limited = { ...effort, rounds: Math.min(rounds, effort.rounds) };
+  const [their, our] = timesInTurn([theirs, ours], limited).map((times) => times.map((t) => t / items));
   // Both times of a round are measured one after the other, so their ratio is least affected by other load.
   const ratio = median(their.map((t, round) => t / our[round]));
   return {

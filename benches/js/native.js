@@ -26,6 +26,9 @@ const GROUPS = [
   { group: "nearest", work: "native: nearest point of a cubic", items: 1000, peers: ["kurbo"] },
   { group: "intersect", work: "native: curve × curve, random pairs", items: 500, peers: ["lyon_geom"] },
   { group: "intersect-9", work: "native: curve × curve, 9 intersections", items: 1, peers: ["lyon_geom"] },
+  { group: "union", work: "native: union of 2 × 6,400 cubics", items: 1, peers: ["linesweeper", "i_curve"] },
+  { group: "stroke", work: "native: stroke of a cubic, tolerance 0.1, overlapping", items: 1000, peers: ["kurbo"] },
+  { group: "stroke-simple", work: "native: stroke of a cubic, without overlaps", items: 1000, peers: [] },
   { group: "teapot-16", work: "native: teapot, 16 segments, reused", items: 1, peers: [] },
   { group: "teapot-64", work: "native: teapot, 64 segments, reused", items: 1, peers: [] },
 ];

@@ -5,27 +5,22 @@
 //   node benches/js/run.js teapot     only rows whose id contains "teapot"; writes nothing
 //   node benches/js/run.js --quick    runs each row once to check that both sides agree; writes nothing
 //
-// targets.js has the targets, harness.js measures times, table.js prints. The rows are in curve.js, easing.js,
-// intersect.js, length.js, nearest.js, offset.js, path.js, teapot.js (with baseline.js), adaptive.js, start.js,
-// frame.js and growth.js; native.js reads the results of `cargo bench`.
+// targets.js has the targets, rows.js measures one row in a process of its own with harness.js, table.js prints. The rows
+// are in the files that FILES names, in adaptive.js, start.js, frame.js and growth.js; native.js reads the results of
+// `cargo bench`.
+import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus } from "node:os";
-import * as adaptive from "./adaptive.js";
-import * as curve from "./curve.js";
-import * as easing from "./easing.js";
+import { fileURLToPath } from "node:url";
 import * as frame from "./frame.js";
-import * as growth from "./growth.js";
-import { compare, FULL, QUICK } from "./harness.js";
-import * as intersect from "./intersect.js";
-import * as length from "./length.js";
+import { FULL, QUICK } from "./harness.js";
 import * as native from "./native.js";
-import * as offset from "./offset.js";
-import * as path from "./path.js";
-import * as nearest from "./nearest.js";
 import * as start from "./start.js";
 import { comparisons, growths } from "./table.js";
 import { withVerdict } from "./targets.js";
-import * as teapot from "./teapot.js";
+
+/** The files whose rows compare this package with a peer. */
+const FILES = ["curve", "easing", "intersect", "length", "nearest", "offset", "path", "regions", "teapot"];
 
 const args = process.argv.slice(2);
 const quick = args.includes("--quick");
@@ -58,32 +53,48 @@ function conditions() {
       [name]: version,
       node: process.versions.node,
       ...Object.fromEntries(
-        ["bezier-easing", "bezier-js", "paper", "svg-path-properties", "three", "verb-nurbs"].map((peer) => [
-          peer,
-          npm(peer),
-        ]),
+        ["bezier-easing", "bezier-js", "paper", "pathkit-wasm", "svg-path-properties", "three", "verb-nurbs"].map(
+          (peer) => [peer, npm(peer)],
+        ),
       ),
-      ...Object.fromEntries(["kurbo", "lyon_geom"].map((peer) => [peer, crate(peer)])),
+      ...Object.fromEntries(["kurbo", "lyon_geom", "linesweeper", "i_curve"].map((peer) => [peer, crate(peer)])),
     },
   };
 }
 
-const compared = [
-  ...curve.rows,
-  ...easing.rows,
-  ...intersect.rows,
-  ...length.rows,
-  ...nearest.rows,
-  ...offset.rows,
-  ...path.rows,
-  ...teapot.rows,
-]
-  .filter(({ id }) => isSelected(id))
-  .map((row) => compare(row, effort));
-const adaptiveRows = isSelected("adaptive-verb") ? adaptive.results(effort) : [];
+/**
+ * The results of chosen rows of a file: each row in a process of its own, or all together in a quick run.
+ *
+ * @param {string} file
+ */
+function resultsOf(file) {
+  const ids = rowsIn(file, "--list").filter(isSelected);
+  if (quick)
+    return ids.length ? rowsIn(file, "--quick", ...ids.flatMap((/** @type {string} */ id) => ["--id", id])) : [];
+  return ids.flatMap((/** @type {string} */ id) => rowsIn(file, "--id", id));
+}
+
+/**
+ * What rows.js prints.
+ *
+ * @param {...string} args
+ * @returns {any[]}
+ */
+function rowsIn(...args) {
+  const script = fileURLToPath(new URL("rows.js", import.meta.url));
+  const { status, stdout } = spawnSync(process.execPath, [script, ...args], {
+    encoding: "utf8",
+    stdio: ["ignore", "pipe", "inherit"],
+  });
+  if (status !== 0) throw new Error(`rows.js ${args.join(" ")} failed`);
+  return JSON.parse(stdout);
+}
+
+const compared = FILES.flatMap(resultsOf);
+const adaptiveRows = isSelected("adaptive-verb") ? rowsIn("adaptive", ...(quick ? ["--quick"] : [])) : [];
 const startRows = filters.length ? [] : start.results(effort);
 const frameRows = quick || !isSelected("frame") ? [] : await frame.results(effort);
-const growthRows = growth.results(effort, isSelected).map((result) => judge(result));
+const growthRows = resultsOf("growth").map((result) => judge(result));
 const nativeRows = quick ? [] : native.results().filter(({ id }) => isSelected(id));
 const rows = [...compared, ...adaptiveRows, ...startRows, ...frameRows, ...nativeRows].map((result) => judge(result));
 const run = conditions();

@@ -10,6 +10,7 @@ mod length;
 mod nearest;
 mod offset;
 mod regions;
+mod stroke;
 mod teapot;
 
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -21,6 +22,6 @@ criterion_group! {
         .sample_size(30)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500));
-    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, regions::bench, teapot::bench
+    targets = flatten::bench, curves::bench, intersect::bench, length::bench, nearest::bench, offset::bench, regions::bench, stroke::bench, teapot::bench
 }
 criterion_main!(all);

@@ -37,13 +37,13 @@ test("a part of a name chooses rows", () => {
 
 test("each target belongs to a row", async () => {
   const modules = await Promise.all(
-    ["curve", "easing", "intersect", "length", "nearest", "offset", "path", "teapot"].map(
+    ["curve", "easing", "intersect", "length", "nearest", "offset", "path", "regions", "teapot"].map(
       (name) => import(`../../benches/js/${name}.js`),
     ),
   );
   const ids = modules.flatMap(({ rows }) => rows).map(({ id }) => id);
   assert.equal(new Set(ids).size, ids.length);
   const other =
-    /^(adaptive-(verb|triangles?)|growth-\w+|(flatten|intersect|length|nearest|offset)(-[\d.]+)?-(kurbo|lyon_geom)(-segments)?|first-call|frame|size(-elements)?)$/;
+    /^(adaptive-(verb|triangles?)|growth-\w+|(eval|flatten|halve|intersect|length|nearest|offset|split|stroke|union)(-[\d.]+)?-(kurbo|lyon_geom|linesweeper|i_curve)(-segments)?|first-call|frame|size(-elements)?)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
 });
