@@ -33,6 +33,10 @@ declare module "paper/dist/paper-core.js" {
     constructor(pathData: string);
     readonly bounds: { left: number; top: number; right: number; bottom: number };
     readonly length: number;
+    readonly area: number;
+    readonly children?: unknown[];
+    fillRule: "nonzero" | "evenodd";
+    unite(path: CompoundPath, options: { insert: boolean }): CompoundPath;
     remove(): boolean;
   }
   const paper: {
