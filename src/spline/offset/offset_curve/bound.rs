@@ -14,7 +14,7 @@
 //! the offset curve is as near to the cubic. Parts for which these bounds are too large are halved, which reduces δ by
 //! a factor of four.
 
-use super::fit::FootPair;
+use super::fit::{FOOT_STEPS, FootPair};
 use super::{OffsetCurve, VANISHING_SPEED};
 use crate::numeric::order::range;
 use crate::numeric::work_limit::WorkLimit;
@@ -60,7 +60,7 @@ impl OffsetCurve<'_> {
             ..FootPair::default()
         };
         middle.foot.t = 0.5 * (from.foot.t + to.foot.t);
-        self.find_foot(cubic, &mut middle, (from.foot.t, to.foot.t), 2);
+        self.find_foot(cubic, &mut middle, (from.foot.t, to.foot.t), FOOT_STEPS);
         self.error(&middle).abs() <= self.tolerance
             && self.holds_between(cubic, from, &middle, last, work)
             && self.holds_between(cubic, &middle, to, last, work)
@@ -69,8 +69,11 @@ impl OffsetCurve<'_> {
     /// Whether the cubic and the offset curve between two pairs are so short that their distance cannot exceed the
     /// tolerance.
     fn near(&self, from: &FootPair, to: &FootPair) -> bool {
-        let there = (to.point - from.point).length()
-            + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
+        let chord = (to.point - from.point).length();
+        if chord > self.tolerance {
+            return false;
+        }
+        let there = chord + (to.s - from.s) * (from.derivative.length() + to.derivative.length());
         let (a, b) = (&from.foot, &to.foot);
         let back = self.length_bound(a, b);
         let apart =

@@ -8,6 +8,9 @@ use glam::DVec2;
 /// The parameters at which distances are measured.
 const SAMPLES: [f64; 3] = [0.25, 0.5, 0.75];
 
+/// Maximum number of Newton steps for the foot of a perpendicular; the least-squares rounds use one or two.
+pub(super) const FOOT_STEPS: u8 = 4;
+
 /// Maximum number of least-squares rounds; the last ones gain digits if the tolerance is far below the first error.
 const MAX_ROUNDS: usize = 5;
 
@@ -63,6 +66,10 @@ impl OffsetCurve<'_> {
             }
             if worst <= self.tolerance {
                 self.evaluate_ends(&cubic, &mut pairs);
+                let between = (from.sample.t, to.sample.t);
+                for pair in &mut pairs[1..4] {
+                    self.find_foot(&cubic, pair, between, FOOT_STEPS);
+                }
                 if self.holds(&cubic, &pairs, work) {
                     return Some(cubic);
                 }
@@ -114,27 +121,27 @@ impl OffsetCurve<'_> {
         pairs
     }
 
-    /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies.
+    /// Evaluates the cubic, and finds the point of the source on whose normal the point of the cubic lies, by at most some
+    /// Newton steps.
     pub(super) fn find_foot(
         &self,
         cubic: &[DVec2; 4],
         pair: &mut FootPair,
-        (t0, t1): (f64, f64),
+        between: (f64, f64),
         steps: u8,
     ) {
         (pair.point, pair.derivative) = at(cubic, pair.s);
+        if pair.normal == DVec2::default() {
+            pair.foot = self.source.at(pair.foot.t);
+        }
         for _ in 0..steps {
-            let sample = if pair.normal == DVec2::default() {
-                self.source.at(pair.foot.t)
-            } else {
-                pair.foot
-            };
-            let gap = pair.point - sample.point;
-            let t = sample.t
-                + gap.dot(sample.first) / (sample.first.length_squared() - gap.dot(sample.second));
-            let t = if t > t0 && t < t1 { t } else { sample.t };
-            pair.foot = self.source.at(t);
-            pair.normal = DVec2 { x: 1.0, y: 0.0 };
+            let gap = pair.point - pair.foot.point;
+            let (along, square) = (gap.dot(pair.foot.first), pair.foot.first.length_squared());
+            if along * along <= self.foot_square * square {
+                break;
+            }
+            let t = pair.foot.t + along / (square - gap.dot(pair.foot.second));
+            pair.foot = self.source.at(inside(between, pair.foot.t, t));
         }
         pair.normal = pair.foot.first.normalize_or_zero().perp();
     }
@@ -148,6 +155,20 @@ impl OffsetCurve<'_> {
         let [p0, p1, p2, p3] = *cubic;
         (pairs[0].point, pairs[0].derivative) = (p0, (p1 - p0) * 3.0);
         (pairs[4].point, pairs[4].derivative) = (p3, (p3 - p2) * 3.0);
+    }
+}
+
+/// The next parameter of a Newton iteration: where it would leave the interval, half the way to that end.
+#[inline]
+fn inside((t0, t1): (f64, f64), last: f64, next: f64) -> f64 {
+    if next <= t0 {
+        0.5 * (t0 + last)
+    } else if next >= t1 {
+        0.5 * (last + t1)
+    } else if next.is_nan() {
+        last
+    } else {
+        next
     }
 }
 

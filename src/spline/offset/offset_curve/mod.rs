@@ -34,6 +34,10 @@ const MAX_CUTS: usize = 48;
 /// A piece whose length is at most this part of the tolerance needs no bound.
 const TINY_PART: f64 = 0.25;
 
+/// The foot of a perpendicular is found to this part of the tolerance: a larger error would make the bounds fail next to
+/// it on intervals of any length.
+const FOOT_PART: f64 = 0.1;
+
 /// A piece this short, in t, is a point up to rounding.
 const SHORTEST: f64 = 1e-12;
 
@@ -62,6 +66,8 @@ pub struct OffsetCurve<'a> {
     source: &'a Source,
     distance: f64,
     tolerance: f64,
+    /// The square of the distance along the source by which the foot of a perpendicular may be wrong.
+    foot_square: f64,
     /// Bounds on the lengths of the third and fourth derivative of the source.
     third: f64,
     fourth: f64,
@@ -74,6 +80,7 @@ impl<'a> OffsetCurve<'a> {
             source,
             distance,
             tolerance,
+            foot_square: (FOOT_PART * tolerance).powi(2),
             third: source.third(),
             fourth: source.fourth(),
         }
