@@ -1,0 +1,28 @@
+import { firstCurve, verdict } from "./utils/curves.js";
+
+export const live = true;
+
+const ALLOWED_PERCENT = 1;
+
+export const predict = {
+  options: ["at t < 0.5", "at t = 0.5", "at t > 0.5"],
+  answer: 2,
+  because:
+    "The point is slow at first, because the first legs are short. At t = 0.5 most of the length is still ahead.",
+};
+
+/** @param {{ t: number, pieces: { curve: any }[] }} figure */
+export function check(figure) {
+  const curve = firstCurve(figure);
+  const share = (100 * curve.subsegment(0, figure.t).length()) / curve.length();
+  return verdict(
+    Math.abs(share - 50) <= ALLOWED_PERCENT,
+    `From P0 to t = ${figure.t.toFixed(2)}: ${share.toFixed(1)} % of the length.`,
+  );
+}
+
+/** @param {{ t: number, figure: any }} element */
+export function reveal(element) {
+  const curve = firstCurve(element.figure);
+  element.t = Math.round(100 * curve.timeAtLength(curve.length() / 2)) / 100;
+}
