@@ -17,7 +17,7 @@ const TOLERANCE = 0.01;
 const CENTERS = [
   [45, 32],
   [74, 32],
-  [60, 54],
+  [60, 57],
 ];
 
 /** Around the origin: a disc, a rounded square, a drop. */

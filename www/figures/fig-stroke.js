@@ -45,7 +45,7 @@ export class FigStroke extends Figure {
               ["bevel", "bevel"],
             ],
             value: join,
-            change: (to) => (this.join = to),
+            change: (to) => (this.join = /** @type {typeof this.join} */ (to)),
           })}
           ${choice({
             name: "Cap",
@@ -55,7 +55,7 @@ export class FigStroke extends Figure {
               ["square", "square"],
             ],
             value: cap,
-            change: (to) => (this.cap = to),
+            change: (to) => (this.cap = /** @type {typeof this.cap} */ (to)),
           })}
         </div>
       </div>

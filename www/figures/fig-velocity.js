@@ -11,13 +11,13 @@ import { arrow, drawn, handles, marks, pairs, planeOf, pointName } from "./lib/p
 const SIZE = { width: 120, height: 84 };
 /** @type {Point[]} */
 const POINTS = [
-  [14, 66],
-  [26, 38],
-  [58, 24],
-  [80, 54],
+  [12, 67],
+  [29, 64],
+  [53, 54],
+  [43, 44],
 ];
 /** The derivative is drawn in a box of its own, in this scale and around this origin. */
-const DERIVATIVE = { scale: 0.42, origin: /** @type {Point} */ ([32, 52]) };
+const DERIVATIVE = { scale: 0.8, origin: /** @type {Point} */ ([44, 56]) };
 /** Two stages side by side need this width, in CSS pixels. */
 const MIN_BOTH = 562;
 /** Larger circles are nearly lines. */

@@ -5,7 +5,7 @@ import { exportText, forgetPage } from "./progress-store.js";
 const FILE_NAME = "casteljau-progress.json";
 
 class LessonProgress extends HTMLElement {
-  #bar = /** @type {HTMLProgressElement} */ (element("progress", {}));
+  #bar = document.createElement("progress");
   #words = element("span", { role: "status" });
   #isBuilt = false;
 
@@ -34,7 +34,7 @@ class LessonProgress extends HTMLElement {
 
   /** @returns {import("./lesson-task.js").LessonTask[]} */
   get #tasks() {
-    return [...document.querySelectorAll("lesson-task")];
+    return /** @type {any[]} */ ([...document.querySelectorAll("lesson-task")]);
   }
 
   /** Counts again. */
@@ -56,7 +56,7 @@ class LessonProgress extends HTMLElement {
 /** @param {string} text */
 function download(text) {
   const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-  /** @type {HTMLAnchorElement} */ (element("a", { href: url, download: FILE_NAME })).click();
+  element("a", { href: url, download: FILE_NAME }).click();
   setTimeout(() => URL.revokeObjectURL(url));
 }
 

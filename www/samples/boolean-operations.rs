@@ -13,7 +13,7 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "exclusive or {:.1}", exclusive.area());
 
     // The faces into which both outlines divide the plane.
-    let faces = Path::faces(&[&a, &b], NonZero).unwrap();
+    let faces = Path::faces([&a, &b], NonZero).unwrap();
     let mut texts: Vec<String> = faces
         .iter()
         .map(|face| {

@@ -1,4 +1,4 @@
-import { firstCurve, verdict } from "./utils/curves.js";
+import { verdict } from "./utils/curves.js";
 
 export const live = true;
 
@@ -11,18 +11,17 @@ export const predict = {
     "The point is slow at first, because the first legs are short. At t = 0.5 most of the length is still ahead.",
 };
 
-/** @param {{ t: number, pieces: { curve: any }[] }} figure */
-export function check(figure) {
-  const curve = firstCurve(figure);
-  const share = (100 * curve.subsegment(0, figure.t).length()) / curve.length();
+/** @param {unknown} _figure @param {{ t: number, curve: any }} element the site's figure of the arc length */
+export function check(_figure, { t, curve }) {
+  const share = (100 * curve.subsegment(0, t).length()) / curve.length();
   return verdict(
     Math.abs(share - 50) <= ALLOWED_PERCENT,
-    `From P0 to t = ${figure.t.toFixed(2)}: ${share.toFixed(1)} % of the length.`,
+    `From P0 to t = ${t.toFixed(2)}: ${share.toFixed(1)} % of the length.`,
   );
 }
 
-/** @param {{ t: number, figure: any }} element */
+/** @param {{ t: number, curve: any }} element */
 export function reveal(element) {
-  const curve = firstCurve(element.figure);
+  const { curve } = element;
   element.t = Math.round(100 * curve.timeAtLength(curve.length() / 2)) / 100;
 }

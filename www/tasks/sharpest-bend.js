@@ -17,10 +17,9 @@ const sharpest = (curve) =>
 const radiusOf = (curvature) => (curvature === 0 ? Infinity : 1 / Math.abs(curvature));
 
 export const predict = {
-  options: ["Where the point is slowest", "Exactly in the middle, at t = 0.5", "Nearest to the control point P2"],
+  options: ["At the start", "In the middle, at t = 0.5", "Near P2, between t = 0.5 and t = 1"],
   answer: 2,
-  because:
-    "This curve turns mostly near P2, where two legs of the polygon form a sharp corner. Being slow alone does not make a bend.",
+  because: "The control polygon has its sharpest corner at P2, and the curve follows the polygon.",
 };
 
 /** @param {unknown} _figure @param {{ t: number, curve: any }} element */

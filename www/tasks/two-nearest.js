@@ -23,17 +23,14 @@ export function check(_figure, { q, curve }) {
   );
 }
 
-/** Bisects the line from Q to the second minimum. @param {{ q: [number, number], curve: any }} element */
+/** Bisects the line from a point near P0 to one near P3, to where the nearest point changes its half of the curve. @param {{ q: [number, number], curve: any }} element */
 export function reveal(element) {
   const { curve } = element;
-  let [left, right] = [
-    [20, 40],
-    [115, 40],
-  ];
-  for (let k = 0; k < 60; k++) {
+  let [left, right] = [0.1, 0.9].map((t) => curve.eval(t)).map(({ x, y }) => /** @type {[number, number]} */ ([x, y]));
+  for (let k = 0; k < 50; k++) {
     const middle = /** @type {[number, number]} */ ([(left[0] + right[0]) / 2, (left[1] + right[1]) / 2]);
     if (feet(curve, middle)[0].t < 0.5) left = middle;
     else right = middle;
   }
-  element.q = /** @type {[number, number]} */ (left);
+  element.q = left;
 }
