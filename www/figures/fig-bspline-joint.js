@@ -53,7 +53,7 @@ export class FigBsplineJoint extends Figure {
             <path class="curve" d=${drawn(plane, pieces[0])} /><path class="curve" stroke-dasharray="9 6" d=${drawn(plane, pieces[1])} />
             ${[h1, h2].map(([x, y], k) => svg`${square(x, y, 4)}<text class="haloed middle" x=${x} y=${y - 11}>h${k + 1}</text>`)}
             <circle class="at" cx=${joint[0]} cy=${joint[1]} r="6" /><text class="strong haloed middle" x=${joint[0]} y=${joint[1] + 24}>joint</text>
-            ${marks(plane, this.points, pointName, () => "off")}
+            ${marks(plane, this.points, pointName, { kind: () => "off" })}
           </svg>
           ${handles(this, plane, this.points, { name: pointName, kind: () => "off", move: (points) => (this.points = points) })}
         </div>

@@ -55,7 +55,7 @@ export class FigIntersections extends Figure {
               (k) => svg`${polyline("polygon", this.points.slice(4 * k, 4 * k + 4).flatMap(plane.place))}
                 <path class="curve" stroke-dasharray=${k === 1 ? "9 5" : ""} d=${drawn(plane, curves[k])} />`,
             )}
-            ${marks(plane, this.points, nameOf, kindOf)}
+            ${marks(plane, this.points, nameOf, { kind: kindOf, count: 4 })}
             ${found.map(({ point }) => {
               const [x, y] = plane.place([point.x, point.y]);
               return svg`<circle class="hollow" cx=${x} cy=${y} r="7" stroke="var(--ink)" stroke-width="2.5" />`;

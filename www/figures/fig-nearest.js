@@ -57,7 +57,7 @@ export class FigNearest extends Figure {
           const [x, y] = plane.place([point.x, point.y]);
           return svg`<path class=${k === 0 ? "level1" : "dropped"} d="M${qx} ${qy}L${x} ${y}" />${k === 0 ? svg`<circle class="at" cx=${x} cy=${y} r="6" />` : ring(x, y, "var(--quiet)", 5)}`;
         })}
-        ${marks(plane, this.points, nameOf, kindOf)}
+        ${marks(plane, this.points, nameOf, { kind: kindOf, count: 4 })}
       </svg>
       ${handles(this, plane, this.points, { name: nameOf, kind: kindOf, move: (points) => (this.points = points) })}
     `;

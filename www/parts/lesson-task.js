@@ -80,7 +80,7 @@ export class LessonTask extends HTMLElement {
   #start() {
     const { predict } = this.#task;
     if (isSolved(this.getAttribute("name") ?? "")) {
-      this.dataset.state = "done";
+      this.state = "done";
       this.#open();
       this.#say(["You have solved this task before.", predict?.because].filter(Boolean).join(" "));
     } else {

@@ -45,22 +45,41 @@ export const pairs = (flat) =>
 /** The points of a curve, of which the first and the last lie on it. @param {number} i @param {number} count */
 const kindOf = (i, count) => (i === 0 || i === count - 1 ? "on" : "off");
 
+/** Names are so far away from their points, in CSS pixels. */
+const NAME_DISTANCE = 19;
+/** Names keep so much of the stage's border free. */
+const NAME_MARGIN = 14;
+
 /**
- * Marks and names of the control points of one curve.
+ * Marks and names of the points of control polygons.
  *
  * @param {Plane} plane
  * @param {readonly Point[]} points
  * @param {(i: number) => string} name
- * @param {(i: number) => "on" | "off"} [kind]
+ * @param {{ kind?: (i: number) => "on" | "off", count?: number }} [options] `count`: the points of one polygon
  */
-export const marks = (plane, points, name, kind = (i) => kindOf(i, points.length)) =>
-  points.map((point, i) => {
-    const [x, y] = plane.place(point);
-    const below = y > plane.size[1] - 40 || (y > plane.size[1] / 2 && y < plane.size[1] - 30);
-    const up = y > plane.size[1] - 30 || !below;
-    const [dx, anchor] = x > plane.size[0] - 34 ? [6, "end"] : [0, "middle"];
-    return svg`${(kind(i) === "on" ? disc : square)(x, y)}<text class="strong haloed ${anchor}" x=${x + dx} y=${up && y > 26 ? y - 12 : y + 23}>${name(i)}</text>`;
+export const marks = (plane, points, name, { kind, count = points.length } = {}) => {
+  const places = points.map(plane.place);
+  return places.map(([x, y], i) => {
+    const neighbours = [i - 1, i + 1].filter((k) => places[k] && Math.floor(k / count) === Math.floor(i / count));
+    const [dx, dy] = awayFrom(
+      [x, y],
+      neighbours.map((k) => places[k]),
+    );
+    const [nx, ny] = [dx, dy].map((d, axis) =>
+      Math.min(Math.max([x, y][axis] + NAME_DISTANCE * d, NAME_MARGIN), plane.size[axis] - NAME_MARGIN),
+    );
+    const mark = (kind?.(i) ?? kindOf(i, points.length)) === "on" ? disc : square;
+    return svg`${mark(x, y)}<text class="strong haloed middle" x=${nx} y=${ny + 4.5}>${name(i)}</text>`;
   });
+};
+
+/** The direction from the mean of other places to this one; up if there is none. @param {Point} place @param {Point[]} others @returns {Point} */
+function awayFrom([x, y], others) {
+  const [mx, my] = [0, 1].map((axis) => others.reduce((sum, other) => sum + other[axis], 0) / others.length);
+  const length = Math.hypot(x - mx, y - my);
+  return length > 1 ? [(x - mx) / length, (y - my) / length] : [0, -1];
+}
 
 /**
  * Handles that move the points of a figure.
