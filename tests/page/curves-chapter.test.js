@@ -135,7 +135,7 @@ test("a handle dragged: the arch reaches its height", async (t) => {
   await page.mouse.down();
   await page.mouse.move(x, y - (180 * canvas.height) / 480, { steps: 4 });
   await page.mouse.up();
-  assert.match(await done(page, "top-180"), /Your guess was right/);
+  assert.match(await done(page, "top-180"), /You predicted it/);
 });
 
 test("arrow keys: P4 where equal velocities need it, with the distance shown meanwhile", async (t) => {

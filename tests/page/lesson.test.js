@@ -109,7 +109,7 @@ test("a task that is revealed says so, and does not count as done", async (t) =>
   await press("guess");
   await press("Reveal");
   assert.equal(await task.getAttribute("data-state"), "revealed");
-  assert.match(await said.innerText(), /one answer.*Your guess was right/);
+  assert.match(await said.innerText(), /one answer.*You predicted it/);
   await page.waitForFunction(() => document.querySelector('lesson-task[name="time-ratio"]').state === "revealed");
 });
 
@@ -117,7 +117,7 @@ test("a question with a wrong answer is not done, and says which answer is right
   const page = await open(t, "/surfaces/");
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
     [0, "wrong", /Not quite\. The answer is: two/],
-    [1, "done", /Your guess was right/],
+    [1, "done", /You predicted it/],
   ])) {
     await page.reload();
     const task = page.locator('lesson-task[name="rows-on-surface"]');

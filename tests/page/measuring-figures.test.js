@@ -12,6 +12,9 @@ async function open(t, name) {
   return { page, figure, facts: () => figure.locator(".facts").first().innerText() };
 }
 
+/** The numbers in a text. @param {string} text @param {RegExp} pattern */
+const numbers = (text, pattern) => (pattern.exec(text) ?? []).slice(1).map(Number);
+
 /** Drags a handle of a figure by so many CSS pixels. */
 async function drag(page, handle, dx, dy) {
   const { x, y, width, height } = await boxOf(handle);
@@ -23,13 +26,8 @@ async function drag(page, handle, dx, dy) {
 
 test("the velocity at t = 0 is three legs long, and follows a drag", async (t) => {
   const { page, figure, facts } = await open(t, "fig-velocity");
-  const leg = () => figure.evaluate(({ points: [p, q] }) => [q[0] - p[0], p[1] - q[1]]);
-  const shown = async () =>
-    (await facts())
-      .replaceAll("−", "-")
-      .match(/\((-?[\d.]+), (-?[\d.]+)\)/)
-      .slice(1)
-      .map(Number);
+  const leg = () => figure.evaluate((/** @type {any} */ { points: [p, q] }) => [q[0] - p[0], p[1] - q[1]]);
+  const shown = async () => numbers((await facts()).replaceAll("−", "-"), /\((-?[\d.]+), (-?[\d.]+)\)/);
   const expected = async () => (await leg()).map((x) => Math.round(30 * x) / 10);
   assert.deepEqual(await shown(), await expected());
   await drag(page, figure.locator(".handle").nth(1), 10, -30);
@@ -41,11 +39,7 @@ test("the velocity at t = 0 is three legs long, and follows a drag", async (t) =
 
 test("arc length: the part before t grows to the whole", async (t) => {
   const { figure, facts } = await open(t, "fig-arc-length");
-  const lengths = async () =>
-    (await facts())
-      .match(/Length ([\d.]+)\..*: ([\d.]+)\./s)
-      .slice(1)
-      .map(Number);
+  const lengths = async () => numbers(await facts(), /Length ([\d.]+)\..*: ([\d.]+)\./s);
   const [whole, half] = await lengths();
   assert.ok(half < 0.4 * whole, `${half} of ${whole} at t = 0.5`);
   await figure.getByRole("slider", { name: "t", exact: true }).fill("1");
@@ -55,7 +49,7 @@ test("arc length: the part before t grows to the whole", async (t) => {
 test("nearest point: Q on the curve is at distance 0", async (t) => {
   const { figure, facts } = await open(t, "fig-nearest");
   assert.match(await facts(), /distance 32\.6/);
-  await figure.evaluate((element) => {
+  await figure.evaluate((/** @type {any} */ element) => {
     const { x, y } = element.curve.eval(0.25);
     element.q = [x, y];
   });
@@ -99,7 +93,8 @@ test("faces: the one under the pointer is named; click and keys select; operatio
   const { page, figure, facts } = await open(t, "fig-faces");
   const stage = await boxOf(figure.locator("svg"));
   const unit = stage.height / 84;
-  const at = (x, y) => [stage.x + stage.width / 2 + (x - 60) * unit, stage.y + y * unit];
+  const at = (/** @type {number} */ x, /** @type {number} */ y) =>
+    /** @type {[number, number]} */ ([stage.x + stage.width / 2 + (x - 60) * unit, stage.y + y * unit]);
   await page.mouse.move(...at(30, 28));
   assert.match(await facts(), /inside A, outside B and C/);
   await page.mouse.move(...at(60, 40));
@@ -112,16 +107,12 @@ test("faces: the one under the pointer is named; click and keys select; operatio
   assert.equal(await face.getAttribute("aria-checked"), "true");
   assert.match(await facts(), /2 of 7 selected/);
   await figure.getByRole("button", { name: "A ∩ B" }).click();
-  assert.deepEqual(await figure.evaluate(({ chosen }) => [...chosen].sort()), ["110", "111"]);
+  assert.deepEqual(await figure.evaluate((/** @type {any} */ { chosen }) => [...chosen].sort()), ["110", "111"]);
 });
 
 test("halving: the difference of the lengths shrinks faster than the distance", async (t) => {
   const { figure } = await open(t, "fig-lengths");
-  const read = async () =>
-    (await figure.locator(".facts").innerText())
-      .match(/D1 − D2 = ([\d.]+)\..*: ([\d.]+)\./s)
-      .slice(1)
-      .map(Number);
+  const read = async () => numbers(await figure.locator(".facts").innerText(), /D1 − D2 = ([\d.]+)\..*: ([\d.]+)\./s);
   const press = () => figure.getByRole("button", { name: "Halve" }).click();
   await press();
   const [difference, distance] = await read();

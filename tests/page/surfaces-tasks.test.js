@@ -75,7 +75,7 @@ test("the table gets round, and the crack closes", async (t) => {
   assert.match(await done(page, "round-disc"), /Round/);
   await task(page, "close-crack", 1);
   await page.locator("crack-strip").getByRole("slider", { name: "Right patch" }).press("ArrowRight");
-  assert.match(await done(page, "close-crack"), /Closed.*Your guess was right/);
+  assert.match(await done(page, "close-crack"), /Closed.*You predicted it/);
 });
 
 test("the winding is turned round: the front becomes the back", async (t) => {
@@ -104,7 +104,7 @@ test("the spout is clicked, the handle left alone, a patch chosen in the table",
   const pot = await near(page, "teapot-surface");
   await task(page, "only-handle", 1);
   for (const part of ["lid", "rim", "body", "spout", "bottom"]) await pot.getByLabel(part, { exact: true }).uncheck();
-  assert.match(await done(page, "only-handle"), /4 patches.*Your guess was right/);
+  assert.match(await done(page, "only-handle"), /4 patches.*You predicted it/);
   await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("20");
   await page.getByText(/Patch 20: \d+ different vertices/).waitFor();
   await page.locator("teapot-data").getByRole("slider", { name: "Patch" }).fill("31");

@@ -194,7 +194,7 @@ export class LessonTask extends HTMLElement {
     if (!predict || this.#guess === null) return "";
     const right =
       this.#guess === predict.answer
-        ? "Your guess was right."
+        ? "You predicted it."
         : `Not quite. The answer is: ${predict.options[predict.answer]}.`;
     return `${right} ${predict.because}`;
   }

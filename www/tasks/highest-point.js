@@ -1,5 +1,7 @@
 import { formatNumber, verdict } from "./utils/surfaces.js";
 
+export const live = true;
+
 const NEAR = 0.01;
 
 /** The highest place by halving steps around the best one known: for a hill with one top. @param {any} patch */
