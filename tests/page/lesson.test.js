@@ -144,9 +144,13 @@ test("a solved task is solved on the next visit, too, until it is reset; progres
   await solved(1);
   assert.equal(await task.getAttribute("data-state"), "done");
   assert.match(await task.getByRole("status").innerText(), /solved this task before/);
-  const download = page.waitForEvent("download");
+  const saving = page.waitForEvent("download");
   await progress.getByRole("button", { name: "Export" }).click();
-  const { format, solved: days } = JSON.parse(readFileSync(await (await download).path(), "utf8"));
+  const download = await saving;
+  assert.equal(download.suggestedFilename(), "casteljau-progress.json");
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  const { format, solved: days } = JSON.parse(Buffer.concat(chunks).toString());
   assert.equal(format, "casteljau-progress");
   assert.deepEqual(Object.keys(days), ["curves/safe-powers"]);
 
