@@ -8,7 +8,7 @@ import { drawn, pairs, planeOf } from "./lib/plane.js";
 
 const SIZE = { width: 110, height: 84 };
 const [CENTER, RADIUS] = [[55, 42], 34];
-const PLOT = { height: 150, left: 62, right: 12, top: 16, bottom: 26 };
+const PLOT = { height: 150, left: 72, right: 12, top: 16, bottom: 26 };
 /** The plot shows at least this range, as a share of the radius. */
 const MIN_RANGE = 0.0005;
 /** Handles between these shares of the standard length. */

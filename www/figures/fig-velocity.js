@@ -8,16 +8,16 @@ import { arrow, drawn, handles, marks, pairs, planeOf, pointName } from "./lib/p
 
 /** @typedef {import("./lib/plane.js").Point} Point */
 
-const SIZE = { width: 120, height: 84 };
+const SIZE = { width: 100, height: 72 };
 /** @type {Point[]} */
 const POINTS = [
-  [12, 67],
-  [29, 64],
-  [53, 54],
-  [43, 44],
+  [12, 61],
+  [29, 58],
+  [53, 48],
+  [43, 38],
 ];
 /** The derivative is drawn in a box of its own, in this scale and around this origin. */
-const DERIVATIVE = { scale: 0.8, origin: /** @type {Point} */ ([44, 56]) };
+const DERIVATIVE = { scale: 0.75, origin: /** @type {Point} */ ([36, 52]) };
 /** Two stages side by side need this width, in CSS pixels. */
 const MIN_BOTH = 562;
 /** Larger circles are nearly lines. */
@@ -98,7 +98,7 @@ export class FigVelocity extends Figure {
           ${polyline("polygon", control.flatMap(place))}<path class="curve" d=${drawn(plane, path)} />
           ${control.map((point, i) => {
             const [x, y] = place(point);
-            return svg`${square(x, y, 4)}<text class="haloed middle" x=${Math.min(Math.max(x, 40), plane.size[0] - 40)} y=${y - 10}>3(P${i + 1}−P${i})</text>`;
+            return svg`${square(x, y, 4)}<text class="haloed middle" x=${Math.min(Math.max(x, 40), plane.size[0] - 40)} y=${i === 0 ? y + 20 : y - 10}>3(P${i + 1}−P${i})</text>`;
           })}
           ${arrow([ox, oy], place([tip.x, tip.y]), "var(--handle)")}
         </svg>
