@@ -12,11 +12,11 @@ import { drawn, handles, marks, planeOf } from "./lib/plane.js";
 const SIZE = { width: 134, height: 84 };
 /** P0 … P3 and Q. @type {Point[]} */
 const POINTS = [
-  [16, 62],
-  [24, 2],
-  [112, 4],
-  [118, 66],
-  [50, 60],
+  [36, 72],
+  [24, 6],
+  [112, 6],
+  [98, 74],
+  [54, 60],
 ];
 const NAMES = ["P0", "P1", "P2", "P3", "Q"];
 const PLOT = { height: 150, left: 44, right: 12, top: 14, bottom: 26 };

@@ -9,12 +9,12 @@ export function check(figure) {
   return verdict(false, bends.length === 0 ? "There is no inflection." : "There are two inflections.");
 }
 
-/** @param {{ points: [number, number][] }} element */
+/** Its inflection is not at t = ½, which the next task asks for. @param {{ points: [number, number][] }} element */
 export const reveal = (element) => {
   element.points = [
     [90, 390],
-    [560, 470],
+    [430, 470],
     [110, 10],
-    [580, 90],
+    [580, 250],
   ];
 };

@@ -23,10 +23,10 @@ export function check(_figure, { q, curve }) {
   );
 }
 
-/** Bisects the line from a point near P0 to one near P3, to where the nearest point changes its half of the curve. @param {{ q: [number, number], curve: any }} element */
+/** Bisects the line from P0 to P3, to where the nearest point changes its half of the curve. @param {{ q: [number, number], curve: any }} element */
 export function reveal(element) {
   const { curve } = element;
-  let [left, right] = [0.1, 0.9].map((t) => curve.eval(t)).map(({ x, y }) => /** @type {[number, number]} */ ([x, y]));
+  let [left, right] = [0, 1].map((t) => curve.eval(t)).map(({ x, y }) => /** @type {[number, number]} */ ([x, y]));
   for (let k = 0; k < 50; k++) {
     const middle = /** @type {[number, number]} */ ([(left[0] + right[0]) / 2, (left[1] + right[1]) / 2]);
     if (feet(curve, middle)[0].t < 0.5) left = middle;
