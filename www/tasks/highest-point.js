@@ -1,7 +1,5 @@
 import { formatNumber, verdict } from "./utils/surfaces.js";
 
-export const live = true;
-
 const NEAR = 0.01;
 
 /** The highest place by halving steps around the best one known: for a hill with one top. @param {any} patch */
@@ -25,6 +23,8 @@ function top(patch) {
   }
   return best;
 }
+
+export const live = true;
 
 /** @param {{ surface: any, place: { point: number[] } | null }} figure */
 export function check({ surface, place }) {
