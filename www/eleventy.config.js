@@ -1,17 +1,24 @@
 // The pages of the site: Markdown and Nunjucks below www/. Vite takes the HTML from memory (build/pages.js).
-import { contentsOf, pathToRoot } from "./build/layout.js";
+import { includeFiles } from "./build/include.js";
+import { contentsOf, nextChapter, pathToRoot, readingMinutes } from "./build/layout.js";
 import { addAppletPosters } from "./build/posters.js";
 import { sampleCode } from "./build/samples.js";
 import { addSurfacePosters } from "./build/surface-posters.js";
 import { codeHighlighter } from "./build/highlight.js";
 import { markdown } from "./build/markdown.js";
 
-/** @typedef {{ data: { navigation?: { name: string, order: number } } }} Page */
+/** @typedef {{ data: { chapter?: number, navigation?: { name: string, order: number } } }} Page */
 
 /** The pages that every page links to, in order. @param {Page[]} pages */
 function navigation(pages) {
   const order = (/** @type {Page} */ { data }) => data.navigation?.order ?? 0;
   return pages.filter(order).sort((a, b) => order(a) - order(b));
+}
+
+/** The chapters in order. @param {Page[]} pages */
+function chapters(pages) {
+  const number = (/** @type {Page} */ { data }) => data.chapter ?? 0;
+  return pages.filter(number).sort((a, b) => number(a) - number(b));
 }
 
 /** @param {any} eleventy */
@@ -31,14 +38,21 @@ export default async function configure(eleventy) {
     (/** @type {string} */ code, /** @type {string} */ language) =>
       `<pre tabindex="0"><code>${highlight(code, language)}</code></pre>`,
   );
+  eleventy.addPreprocessor("include", "md", includeFiles);
   eleventy.addFilter("pathToRoot", pathToRoot);
+  eleventy.addFilter("readingMinutes", readingMinutes);
+  eleventy.addFilter("nextChapter", nextChapter);
   eleventy.addFilter("contentsOf", contentsOf);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));
   eleventy.addCollection("navigation", (/** @type {{ getAll(): Page[] }} */ collections) =>
     navigation(collections.getAll()),
   );
+  eleventy.addCollection("chapters", (/** @type {{ getAll(): Page[] }} */ collections) =>
+    chapters(collections.getAll()),
+  );
   eleventy.setTemplateFormats(["md", "njk", "11ty.js"]);
   eleventy.ignores.add("**/api/entries/**"); // read by api/build/entries.js
+  eleventy.ignores.add("**/sections/**"); // included in their chapter
   return {
     dir: { includes: "_layouts", layouts: "_layouts", data: "_data" },
     markdownTemplateEngine: false, // braces belong to formulas

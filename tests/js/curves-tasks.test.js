@@ -1,34 +1,8 @@
 // The tasks of the chapter on curves: not done at the start, done when it is done, and their own answers count.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Curve, Spline } from "casteljau";
-
-const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
-
-/** What a task sees of <bezier-applet>: one curve of all points, or cubics that share their ends. */
-function applet({ points, whole = false, ...rest }) {
-  const pieces = () => {
-    if (element.basis === "matrix")
-      return [{ curve: Curve.fromBasis(element.matrix.split(" ").map(Number), element.points) }];
-    if (whole || element.points.length < 7) return [{ curve: new Curve(element.points) }];
-    return new Spline(element.points).segments().map((curve) => ({ curve }));
-  };
-  const element = {
-    points,
-    basis: "bezier",
-    t: 0.5,
-    ...rest,
-    insert(t) {
-      const flat = new Spline(element.points).insert(t).controlPoints();
-      element.points = Array.from({ length: flat.length / 2 }, (_, i) => [flat[2 * i], flat[2 * i + 1]]);
-    },
-    get figure() {
-      const { basis, matrix, t, tree = null } = element;
-      return { points: element.points, shown: element.points.length, basis, matrix, t, tree, pieces: pieces() };
-    },
-  };
-  return element;
-}
+import { Curve } from "casteljau";
+import { applet, load, testTasks } from "./task-cases.js";
 
 const ARCH = [
   [60, 400],
@@ -108,11 +82,6 @@ const TASKS = {
     start: () => applet({ points: ARCH }),
     vain: [(e) => (e.t = 0.33), (e) => (e.t = 0.24 - 0.02)],
     right: (e) => (e.t = 0.25),
-  },
-  "basis-through": {
-    start: () => applet({ points: ARCH }),
-    vain: [(e) => (e.basis = "hermite"), (e) => (e.basis = "natural")],
-    right: (e) => (e.basis = "catmull-rom"),
   },
   "straight-matrix": {
     start: () => applet({ points: ARCH }),
@@ -203,14 +172,16 @@ const TASKS = {
       e.insert(new Curve(HILL).extrema().y[0] + 0.003);
     },
   },
-  "make-c1": {
+  "time-ratio": {
     start: () => applet({ points: SEVEN }),
     vain: [
-      (e) => (e.points = SEVEN.with(4, [370, 245])),
+      (e) => (e.points = SEVEN.with(4, [410, 290])), // C1 at equal durations
+      (e) => (e.points = SEVEN.with(4, [370, 245])), // half as long instead of twice
+      (e) => (e.points = SEVEN.with(4, [490, 385])), // 5 px away
       (e) => (e.points = SEVEN.slice(0, 4)),
       (e) => (e.points = SEVEN.with(2, [330, 200]).with(4, [330, 200])),
     ],
-    right: (e) => (e.points = SEVEN.with(4, [411, 288])),
+    right: (e) => (e.points = SEVEN.with(4, [492, 383])),
   },
   "aligned-only": {
     start: () => applet({ points: SEVEN }),
@@ -272,32 +243,7 @@ const TASKS = {
   },
 };
 
-for (const [name, { start, vain, right }] of Object.entries(TASKS)) {
-  test(`task ${name}`, async () => {
-    const { check, reveal, predict } = await load(name);
-    const judged = (element) => {
-      const verdict = check(element.figure, element);
-      assert.equal(typeof verdict.words, "string");
-      assert.ok(verdict.words.length > 0);
-      return verdict.done;
-    };
-    const element = start();
-    assert.equal(judged(element), false, "at the start");
-    for (const attempt of vain) {
-      attempt(element);
-      assert.equal(judged(element), false, `${attempt}`);
-    }
-    right(element);
-    assert.equal(judged(element), true, `${right}: ${check(element.figure, element).words}`);
-    const other = start();
-    reveal(other);
-    assert.equal(judged(other), true, `revealed: ${check(other.figure, other).words}`);
-    if (predict) {
-      assert.ok(predict.options.length > 1 && predict.answer in predict.options && predict.because.length > 20);
-      assert.equal(new Set(predict.options).size, predict.options.length);
-    }
-  });
-}
+testTasks(TASKS);
 
 test("task enough-pieces", async () => {
   const { check, reveal } = await load("enough-pieces");

@@ -2,7 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { codeHighlighter } from "../../www/build/highlight.js";
-import { contentsOf, pathToRoot } from "../../www/build/layout.js";
+import { fileURLToPath } from "node:url";
+import { includeFiles } from "../../www/build/include.js";
+import { contentsOf, nextChapter, pathToRoot, readingMinutes } from "../../www/build/layout.js";
 import { charactersOf } from "../../www/build/math-font.js";
 import { markdown } from "../../www/build/markdown.js";
 
@@ -72,4 +74,23 @@ test("the font has the characters of all formulas, letters in italics too", () =
 
 test("the way to the first page", () => {
   assert.deepEqual(["/", "/curves/", "/api/curve/", "/embed.html"].map(pathToRoot), ["", "../", "../../", ""]);
+});
+
+test("a line with an include is replaced by the file, relative to the page", () => {
+  const page = { inputPath: fileURLToPath(new URL("../../www/curves/index.md", import.meta.url)) };
+  const text = includeFiles({ page }, "Before.\n<!-- include sections/splines.md -->\n<!-- a comment -->");
+  assert.match(text, /^Before\.\n## Splines: .*\{#splines\}\n/);
+  assert.match(text, /<!-- a comment -->$/);
+  assert.throws(() => includeFiles({ page }, "<!-- include sections/none.md -->"), /ENOENT/);
+});
+
+test("reading time counts words and tasks, not code and formulas; chapters follow each other", () => {
+  const words = "word ".repeat(1800);
+  assert.equal(readingMinutes(words), 10);
+  assert.equal(readingMinutes(`<p>${words}</p><pre>${words}</pre><math>${words}</math><svg>${words}</svg>`), 10);
+  assert.equal(readingMinutes(`${words}${'<lesson-task name="a"></lesson-task>'.repeat(10)}`), 20);
+  assert.equal(readingMinutes(""), 5);
+  const chapters = [{ data: { chapter: 1 } }, { data: { chapter: 2 } }];
+  assert.equal(nextChapter(chapters, 1), chapters[1]);
+  assert.equal(nextChapter(chapters, 2), undefined);
 });

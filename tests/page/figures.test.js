@@ -21,7 +21,7 @@ const close = (a, b, tolerance = 1e-12) => assert.ok(Math.abs(a - b) <= toleranc
 const choose = (n, k) => (k === 0 ? 1 : (choose(n, k - 1) * (n - k + 1)) / k);
 const bernstein = (n, i, t) => choose(n, i) * t ** i * (1 - t) ** (n - i);
 
-test("the pyramid counts its ways, and their sum is the Bernstein polynomial", async (t) => {
+test("the pyramid counts its paths, and their sum is the Bernstein polynomial", async (t) => {
   const page = await open(t);
   const figure = page.locator("fig-pyramid");
   await figure.getByRole("radio", { name: "5" }).check();
@@ -39,7 +39,7 @@ test("the pyramid counts its ways, and their sum is the Bernstein polynomial", a
   assert.equal(await lit(), 7, "the arrows between the top and the node: 2 × 1 + 1 … of a parallelogram 2 × 1");
   await figure.locator(".ways button").first().hover();
   await figure.locator(".ways button[aria-pressed=true]").waitFor();
-  assert.equal(await lit(), 3, "one way has three steps");
+  assert.equal(await lit(), 3, "one path has three steps");
 });
 
 test("the pyramid is walked with arrow keys, with one stop for Tab", async (t) => {
@@ -159,7 +159,7 @@ test("four points in 24 orders are 12 curves", async (t) => {
   const read = (order) => figure.locator(".thumb", { has: page.getByRole("radio", { name: order }) });
   assert.equal(shapes.length, 24);
   await read("B D A C").locator("input").check();
-  assert.match(await figure.locator(".facts").innerText(), /B D A C.*Backwards it is C A D B: the same curve/s);
+  assert.match(await figure.locator(".facts").innerText(), /B D A C.*The reverse order is C A D B: the same curve/s);
   assert.equal(await figure.locator(".thumb[data-twin=true] .order").innerText(), "C A D B");
   const before = await read("A B C D").locator(".curve").getAttribute("d");
   await figure.locator(".handle input").first().focus();
@@ -174,7 +174,7 @@ test("the cubic in space: points, planes, orbit by keys and by hand", async (t) 
   assert.equal(await figure.locator(".point").innerText(), "(3.375, 4.5, 6.25)"); // (P0 + 3 P1 + 3 P2 + P3) / 8
   await slide(page, "fig-curve-3d", "t", 1);
   assert.equal(await figure.locator(".point").innerText(), "(3, 4, 5)");
-  const turn = async () => Number(await figure.getByRole("slider", { name: "Turn" }).inputValue());
+  const turn = async () => Number(await figure.getByRole("slider", { name: "Rotation" }).inputValue());
   const before = await turn();
   await figure.locator("svg").focus();
   await page.keyboard.press("ArrowRight");
@@ -222,10 +222,10 @@ test("quadratic and cubic follow one drag; no quadratic is an S", async (t) => {
     moved[0] > 5 && Math.abs(moved[0] - moved[1]) < 1e-9 && Math.abs(moved[0] - moved[2]) < 1e-9,
     String(moved),
   );
-  await figure.getByRole("button", { name: "Make the cubic the quadratic" }).click();
+  await figure.getByRole("button", { name: "Make the cubic equal" }).click();
   close(await at("cubic P1, x"), (await at("cubic P0, x")) / 3 + (2 * after[0]) / 3, 1e-9);
   await figure.getByRole("button", { name: "S-shape" }).click();
-  assert.equal(await figure.locator(".turns").innerText(), "once");
+  assert.equal(await figure.locator(".turns").innerText(), "one");
   await figure.getByRole("checkbox").check();
   // For a cubic of third difference D the best quadratic with the same ends is off by |D| · max |t (1 − t) (1 − 2t)| / 2.
   const d = Math.hypot(90 - 3 * 56 + 3 * 44 - 10, 16 - 3 * 76 + 3 * 0 - 60);

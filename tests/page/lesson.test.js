@@ -58,8 +58,8 @@ test("without scripts both languages can be read, and tasks are prompts", async 
   assert.ok((await page.locator("lesson-task").first().innerText()).length > 20);
 });
 
-/** A task with a prediction, about an applet with a joint that is not C1 yet. */
-const TASK = "make-c1";
+/** A task with a prediction, about an applet with two pieces. */
+const TASK = "time-ratio";
 async function openTask(t) {
   const page = await open(t, "/curves/");
   const task = page.locator(`lesson-task[name="${TASK}"]`);
@@ -91,13 +91,13 @@ test("a task is predicted, checked, and done as soon as the reader has it right"
   const toSolution = (by) =>
     applet.evaluate((/** @type {any} */ element, by) => {
       const [, , p2, p3] = element.points;
-      element.steer({ index: 4, point: [2 * p3[0] - p2[0] + by, 2 * p3[1] - p2[1]] }, true);
+      element.steer({ index: 4, point: [3 * p3[0] - 2 * p2[0] + by, 3 * p3[1] - 2 * p2[1]] }, true);
     }, by);
   await toSolution(60);
   assert.equal(await task.getAttribute("data-state"), "open");
   await toSolution(0);
   await page.locator(`lesson-task[name="${TASK}"][data-state="done"]`).waitFor();
-  assert.match(await said.innerText(), /Your guess was another/);
+  assert.match(await said.innerText(), /Not quite/);
   await toSolution(60);
   await press("Check");
   assert.equal(await task.getAttribute("data-state"), "done", "done stays done");
@@ -110,13 +110,13 @@ test("a task that is revealed says so, and does not count as done", async (t) =>
   await press("Reveal");
   assert.equal(await task.getAttribute("data-state"), "revealed");
   assert.match(await said.innerText(), /one answer.*You predicted it/);
-  await page.waitForFunction(() => document.querySelector('lesson-task[name="make-c1"]').state === "revealed");
+  await page.waitForFunction(() => document.querySelector('lesson-task[name="time-ratio"]').state === "revealed");
 });
 
 test("a question with a wrong answer is not done, and says which answer is right", async (t) => {
   const page = await open(t, "/surfaces/");
   for (const [guess, state, words] of /** @type {[number, string, RegExp][]} */ ([
-    [0, "wrong", /Your guess was another; the answer is: two/],
+    [0, "wrong", /Not quite\. The answer is: two/],
     [1, "done", /You predicted it/],
   ])) {
     await page.reload();
@@ -127,4 +127,65 @@ test("a question with a wrong answer is not done, and says which answer is right
     assert.equal(await task.getAttribute("data-state"), state);
     assert.match(await task.getByRole("status").innerText(), words);
   }
+});
+
+test("a solved task is solved on the next visit, too, until it is reset; progress can be exported", async (t) => {
+  const page = await open(t, "/curves/");
+  const [task, progress] = [page.locator('lesson-task[name="safe-powers"]'), page.locator("lesson-progress")];
+  const solved = (count) => progress.getByText(`${count} of`, { exact: false }).waitFor();
+  await solved(0);
+  assert.match(await progress.innerText(), /^About \d+ minutes/);
+  await task.scrollIntoViewIfNeeded();
+  await task.getByRole("radio").nth(1).check();
+  await task.getByRole("button", { name: "guess" }).click();
+  await solved(1);
+
+  await page.reload();
+  await solved(1);
+  assert.equal(await task.getAttribute("data-state"), "done");
+  assert.match(await task.getByRole("status").innerText(), /solved this task before/);
+  const saving = page.waitForEvent("download");
+  await progress.getByRole("button", { name: "Export" }).click();
+  const download = await saving;
+  assert.equal(download.suggestedFilename(), "casteljau-progress.json");
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  const { format, solved: days } = JSON.parse(Buffer.concat(chunks).toString());
+  assert.equal(format, "casteljau-progress");
+  assert.deepEqual(Object.keys(days), ["curves/safe-powers"]);
+
+  page.once("dialog", (dialog) => dialog.dismiss());
+  await progress.getByRole("button", { name: "Reset" }).click();
+  await solved(1);
+  page.once("dialog", (dialog) => dialog.accept());
+  await progress.getByRole("button", { name: "Reset" }).click();
+  await solved(0);
+  assert.equal(await task.getByRole("button", { name: "guess" }).count(), 1, "the question is asked again");
+  await page.reload();
+  await solved(0);
+});
+
+test("without storage tasks work, and progress lasts as long as the page", async (t) => {
+  const page = await open(t, "/curves/");
+  await page.addInitScript(() =>
+    Object.defineProperty(window, "localStorage", {
+      get() {
+        throw new DOMException("denied", "SecurityError");
+      },
+    }),
+  );
+  await page.reload();
+  const task = page.locator('lesson-task[name="safe-powers"]');
+  await task.scrollIntoViewIfNeeded();
+  await task.getByRole("radio").nth(1).check();
+  await task.getByRole("button", { name: "guess" }).click();
+  await page.locator("lesson-progress").getByText("1 of", { exact: false }).waitFor();
+});
+
+test("a chapter ends with a card for the next one", async (t) => {
+  const page = await open(t, "/curves/");
+  const card = page.locator("nav.next a");
+  assert.match(await card.innerText(), /Next chapter: Bézier surfaces/);
+  await card.click();
+  await page.waitForURL(/\/surfaces\/$/);
 });

@@ -12,7 +12,7 @@ test("a corner, by the sliders' keys, after a guess", async (t) => {
   assert.match(await found.locator(".words").innerText(), /u = 0\.30/);
   await controls(page, "map-surface").getByRole("slider", { name: "u" }).press("End");
   await controls(page, "map-surface").getByRole("slider", { name: "v" }).press("Home");
-  assert.match(await done(page, "corner-10"), /Your guess was another; the answer is: P03/);
+  assert.match(await done(page, "corner-10"), /Not quite\. The answer is: P03/);
   assert.match(await page.locator("unit-square .note").innerText(), /S\(1, 0\) = \(3\.00, −3\.00, 0\.50\)/);
 });
 

@@ -8,16 +8,26 @@ macro_rules! writeln {
     ($out:expr, $($line:tt)*) => { $out.push_str(&(format!($($line)*) + "\n")) };
 }
 
+#[path = "../../www/samples/arc-length.rs"]
+mod arc_length;
 #[path = "../../www/samples/basis.rs"]
 mod basis;
 #[path = "../../www/samples/bernstein.rs"]
 mod bernstein;
+#[path = "../../www/samples/boolean-operations.rs"]
+mod boolean_operations;
+#[path = "../../www/samples/bounding-boxes.rs"]
+mod bounding_boxes;
 #[path = "../../www/samples/bytes.rs"]
 mod bytes;
 #[path = "../../www/samples/casteljau.rs"]
 mod casteljau;
+#[path = "../../www/samples/circles.rs"]
+mod circles;
 #[path = "../../www/samples/degrees.rs"]
 mod degrees;
+#[path = "../../www/samples/derivatives.rs"]
+mod derivatives;
 #[path = "../../www/samples/differences.rs"]
 mod differences;
 #[path = "../../www/samples/eval.rs"]
@@ -28,12 +38,18 @@ mod files;
 mod grid;
 #[path = "../../www/samples/home.rs"]
 mod home;
+#[path = "../../www/samples/intersections.rs"]
+mod intersections;
 #[path = "../../www/samples/isocurves.rs"]
 mod isocurves;
 #[path = "../../www/samples/joints.rs"]
 mod joints;
+#[path = "../../www/samples/nearest-point.rs"]
+mod nearest_point;
 #[path = "../../www/samples/no-cracks.rs"]
 mod no_cracks;
+#[path = "../../www/samples/offsets.rs"]
+mod offsets;
 #[path = "../../www/samples/patch.rs"]
 mod patch;
 #[path = "../../www/samples/patch-normals.rs"]
@@ -48,6 +64,8 @@ mod quadratic;
 mod rays;
 #[path = "../../www/samples/recursion.rs"]
 mod recursion;
+#[path = "../../www/samples/rounding.rs"]
+mod rounding;
 #[path = "../../www/samples/rows-then-curve.rs"]
 mod rows_then_curve;
 #[path = "../../www/samples/splines.rs"]
@@ -66,19 +84,27 @@ mod wires;
 type Sample = fn(&mut String);
 
 const SAMPLES: &[(&str, Sample)] = &[
+    ("arc-length", arc_length::sample),
     ("basis", basis::sample),
     ("bernstein", bernstein::sample),
+    ("boolean-operations", boolean_operations::sample),
+    ("bounding-boxes", bounding_boxes::sample),
     ("bytes", bytes::sample),
     ("casteljau", casteljau::sample),
+    ("circles", circles::sample),
     ("degrees", degrees::sample),
+    ("derivatives", derivatives::sample),
     ("differences", differences::sample),
     ("eval", eval::sample),
     ("files", files::sample),
     ("grid", grid::sample),
     ("home", home::sample),
+    ("intersections", intersections::sample),
     ("isocurves", isocurves::sample),
     ("joints", joints::sample),
+    ("nearest-point", nearest_point::sample),
     ("no-cracks", no_cracks::sample),
+    ("offsets", offsets::sample),
     ("patch", patch::sample),
     ("patch-normals", patch_normals::sample),
     ("polyline", polyline::sample),
@@ -86,6 +112,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("quadratic", quadratic::sample),
     ("rays", rays::sample),
     ("recursion", recursion::sample),
+    ("rounding", rounding::sample),
     ("rows-then-curve", rows_then_curve::sample),
     ("splines", splines::sample),
     ("split", split::sample),

@@ -7,7 +7,7 @@ import subsetFont from "subset-font";
 const FONT = "@fontsource/noto-sans-math/files/noto-sans-math-latin-400-normal.woff2";
 const TARGET = new URL("../../target/site/math.woff2", import.meta.url); // site.css refers to it
 /** Figures with formulas of their own (bezier-equation) use these. */
-const ALWAYS = "0123456789.()+-−=·BPtij";
+const ALWAYS = "0123456789.()+-−=·BPtij√"; // and roots, which are elements
 
 /** @param {Iterable<string>} pages HTML */
 export async function makeMathFont(pages) {

@@ -46,11 +46,11 @@ export class FigAffine extends Figure {
       <div class="frame">
         <div class="stage">${this.picture(ways)}</div>
         <div class="controls">
-          ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${this.turn}°`, change: set("turn") })}
+          ${slider({ name: "Rotation", value: this.turn, min: -180, max: 180, step: 1, text: `${this.turn}°`, change: set("turn") })}
           ${slider({ name: "Shear", value: this.shear, min: -1, max: 1, text: this.shear.toFixed(2), change: set("shear") })}
           ${slider({ name: "Width", value: this.stretch, min: 0.3, max: 1.4, text: `${this.stretch.toFixed(2)} ×`, change: set("stretch") })}
         </div>
-        <p class="facts">Greatest distance between both ways: <b data-gap=${ways.gap}>${ways.gap < 1e-9 ? "0, but for rounding" : ways.gap.toFixed(3)}</b>.</p>
+        <p class="facts">Greatest distance between the dots and the line at equal <i>t</i>: <b data-gap=${ways.gap}>${ways.gap < 1e-9 ? "0 up to rounding" : ways.gap.toFixed(3)}</b>.</p>
       </div>
     `;
   }

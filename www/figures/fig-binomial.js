@@ -102,8 +102,8 @@ export class FigBinomial extends Figure {
       <div class="frame">
         <div class="stage">${this.triangle()}</div>
         <p class="facts">
-          <span class="math">((1−t) + t)${superscript(this.degree)}</span> = 1${superscript(this.degree)} = 1, whatever <i>t</i> is. Multiplied out, it falls into
-          ${this.degree + 1} terms, whose whole numbers are the last row above:
+          <span class="math">((1−t) + t)${superscript(this.degree)}</span> = 1${superscript(this.degree)} = 1, for every <i>t</i>. Multiplied out it has ${this.degree + 1} terms.
+          Their whole numbers are the last row above:
         </p>
         <div class="stage">${this.bars()}</div>
         <div class="controls">

@@ -186,14 +186,14 @@ export class FigCompare extends Figure {
         <p class="facts">
           ${
             this.fit
-              ? html`On the left the quadratic that comes nearest to the cubic: at best it stays within <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide), at equal <i>t</i>.`
+              ? html`On the left is the quadratic that is nearest to the cubic. At equal <i>t</i>, its greatest distance is <b class="error" data-error=${best.error}>${decimal(best.error)}</b> (the picture is ${WIDTH} wide).`
               : same
-                ? html`Both are the same curve: every quadratic is a cubic too, with its two handles two thirds of the way to P1 (the rings).`
-                : html`The two curves differ by <b>${decimal(raised.hausdorff(cubic))}</b>. The rings show where the cubic's handles would have to be to draw the quadratic.`
+                ? html`Both are the same curve. Every quadratic is also a cubic: its handles are two thirds of the way to P1 (the rings).`
+                : html`The two curves differ by <b>${decimal(raised.hausdorff(cubic))}</b>. The rings show the handles with which the cubic is equal to the quadratic.`
           }
         </p>
         <p class="facts">
-          The cubic changes the side to which it bends <b class="turns">${turns === 0 ? "nowhere" : turns === 1 ? "once" : "twice"}</b>. A quadratic never does: it is a piece of a parabola.
+          Inflections of the cubic: <b class="turns">${turns === 0 ? "none" : turns === 1 ? "one" : "two"}</b>. A quadratic has none, because it is part of a parabola.
         </p>
         <div class="controls">
           <div class="row">
@@ -205,7 +205,7 @@ export class FigCompare extends Figure {
               this.show(S, this.fit);
               this.notifyChange();
             }}>S-shape</button>
-            <button @click=${this.elevate}>Make the cubic the quadratic</button>
+            <button @click=${this.elevate}>Make the cubic equal</button>
           </div>
           ${check({
             name: "best quadratic for the cubic",

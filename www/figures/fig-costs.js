@@ -145,7 +145,7 @@ export const WAYS = [
   { key: "shared", name: "Bernstein, 1 − t once", way: shared },
   { key: "casteljau", name: "De Casteljau, written out", way: casteljauWritten, text: [6, 18, 36] },
   { key: "lerp", name: "De Casteljau, a + t (b − a)", way: casteljauLerp },
-  { key: "horner", name: "Horner, coefficients at hand", way: horner },
+  { key: "horner", name: "Horner, coefficients known", way: horner },
 ];
 
 const POINTS = /** @type {const} */ ([
@@ -263,7 +263,7 @@ export class FigCosts extends Figure {
         <div class="table first" tabindex="0" role="region" aria-label="Operations and time">
           <table>
             <caption>One point of a cubic in space</caption>
-            <thead><tr><th>Method</th><th>Said in the lesson</th><th>Counted here</th><th>Time a point</th><th>against the first</th></tr></thead>
+            <thead><tr><th>Method</th><th>Stated in the lesson</th><th>Counted here</th><th>Time per point</th><th>relative to the first</th></tr></thead>
             <tbody>
               ${WAYS.map(
                 ({ key, name, way, text }) => html`
@@ -278,8 +278,8 @@ export class FigCosts extends Figure {
           <span role="status">${this.times && !this.running ? `Median of ${TURNS} turns, ${SEGMENTS + 1} points each time.` : ""}</span>
         </div>
         <p class="facts">
-          Counts are taken by numbers that count their own operations while the method runs. Compilers share what a listing repeats, and processors do several
-          operations at once: therefore the clock, not the count, has the last word.
+          The operations are counted while the method runs. The number of operations alone does not give the time: compilers compute repeated terms only once,
+          and processors do several operations at the same time.
         </p>
       </div>
     `;

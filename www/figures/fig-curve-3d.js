@@ -178,7 +178,7 @@ export class FigCurve3d extends Figure {
         ${polyline("polygon", drawn.controlPoints())}
         <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
         ${this.scaffold ? levels.slice(1, -1).map((level, k) => [polyline(`level${k + 1}`, level.flat()), level.map(([x, y]) => ring(x, y, `var(--level${k + 1})`))]) : ""}
-        ${control.map(([x, y], i) => svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="haloed middle math strong" x=${x} y=${y - 12}>b${subscript(i)}</text>`)}
+        ${control.map(([x, y], i) => svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="haloed middle math strong" x=${x} y=${y - 12}>P${subscript(i)}</text>`)}
         ${diamond(...place([at.x, at.y, at.z]))}
       </svg>
     `;
@@ -194,10 +194,10 @@ export class FigCurve3d extends Figure {
       <div class="frame">
         <div class="stage">${this.picture()}</div>
         <p class="facts">
-          <span class="math">b</span><sup>3</sup>(${decimal(this.t)}) = <b class="point">${tuple([at.x, at.y, at.z], 4)}</b> of the control points
-          ${POINTS.map((p, i) => html`${i ? ", " : ""}<span class="math">b${subscript(i)}</span> ${tuple(p)}`)}.
+          <span class="math">B</span>(${decimal(this.t)}) = <b class="point">${tuple([at.x, at.y, at.z], 4)}</b> of the control points
+          ${POINTS.map((p, i) => html`${i ? ", " : ""}<span class="math">P${subscript(i)}</span> ${tuple(p)}`)}.
         </p>
-        <p class="facts">The curve's box: ${range("x")}, ${range("y")}, ${range("z")}. Length ${decimal(this.curve.length(), 4)}.</p>
+        <p class="facts">Bounding box of the curve: ${range("x")}, ${range("y")}, ${range("z")}. Length ${decimal(this.curve.length(), 4)}.</p>
         <div class="controls">
           ${slider({
             name: html`<i>t</i>`,
@@ -210,11 +210,11 @@ export class FigCurve3d extends Figure {
               this.notifyChange();
             },
           })}
-          ${slider({ name: "Turn", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
+          ${slider({ name: "Rotation", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
           ${slider({ name: "Tilt", value: this.tilt, min: -90, max: 90, step: 1, text: `${decimal(this.tilt, 0)}°`, change: (tilt) => this.orbit(this.turn, tilt) })}
-          ${check({ name: "scaffold", value: this.scaffold, change: (on) => (this.scaffold = on) })}
+          ${check({ name: "construction", value: this.scaffold, change: (on) => (this.scaffold = on) })}
           ${check({ name: "shadows on the planes", value: this.shadows, change: (on) => (this.shadows = on) })}
-          ${check({ name: "box of the curve", value: this.box, change: (on) => (this.box = on) })}
+          ${check({ name: "bounding box", value: this.box, change: (on) => (this.box = on) })}
         </div>
       </div>
     `;

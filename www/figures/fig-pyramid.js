@@ -138,7 +138,7 @@ export class FigPyramid extends Figure {
       <rect x=${x - width / 2} y=${y - NODE_HEIGHT / 2} width=${width} height=${NODE_HEIGHT} rx="6" />
       <text class="middle" x=${x} y=${y + 4.5}>${shown}</text>
     </g>
-    ${level === this.degree ? svg`<text class="middle math" x=${x} y=${y + NODE_HEIGHT / 2 + 17} aria-hidden="true">b${subscript(index)}</text>` : ""}`;
+    ${level === this.degree ? svg`<text class="middle math" x=${x} y=${y + NODE_HEIGHT / 2 + 17} aria-hidden="true">P${subscript(index)}</text>` : ""}`;
   }
 
   picture(/** @type {Steps[]} */ ways) {
@@ -169,7 +169,7 @@ export class FigPyramid extends Figure {
     return html`
       <p class="facts" data-sum=${value}>
         <math>${mathml`<msubsup><mi>B</mi><mn>${index}</mn><mn>${level}</mn></msubsup><mo>(</mo><mi>t</mi><mo>)</mo>`}</math>
-        = ${ways.length} ${ways.length === 1 ? "way" : "ways"} × <span class="math">${formula}</span> = ${ways.length} × ${decimal(each, 4)} = <b>${decimal(value, 4)}</b>
+        = ${ways.length} ${ways.length === 1 ? "path" : "paths"} × <span class="math">${formula}</span> = ${ways.length} × ${decimal(each, 4)} = <b>${decimal(value, 4)}</b>
       </p>
     `;
   }
@@ -178,7 +178,7 @@ export class FigPyramid extends Figure {
     const show = (/** @type {number | null} */ k) => () => (this.way = k);
     const words = (/** @type {Steps} */ way) => way.map((step) => (step ? "t" : "(1−t)")).join(" · ") || "1";
     return html`
-      <div class="ways" role="group" aria-label="The ways to this coefficient" @pointerleave=${show(null)} @focusout=${show(null)}>
+      <div class="ways" role="group" aria-label="The paths to this coefficient" @pointerleave=${show(null)} @focusout=${show(null)}>
         ${ways.map(
           (way, k) => html`
           <button aria-pressed=${this.way === k} @pointerenter=${show(k)} @focus=${show(k)} @click=${show(k)}><span class="math">${words(way)}</span> = ${decimal(product(way, this.t), 3)}</button>

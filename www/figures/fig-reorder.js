@@ -108,7 +108,7 @@ export class FigReorder extends Figure {
       <div class="frame">
         <div class="stage">${this.big()}</div>
         <p class="facts">
-          The order <b class="line">${this.name(this.chosen)}</b>, as numbered in the picture. Backwards it is <b class="line">${this.name(twin)}</b>: ${same ? "the same curve, run through from the other end" : "another curve"}.
+          The order <b class="line">${this.name(this.chosen)}</b>, as numbered in the picture. The reverse order is <b class="line">${this.name(twin)}</b>: ${same ? "the same curve in the opposite direction" : "another curve"}.
           So 24 orders make 12 curves.
         </p>
         <div class="thumbs" role="radiogroup" aria-label="Order of the points">${ORDERS.map((_, k) => this.thumb(k))}</div>

@@ -124,7 +124,7 @@ export class FigRounding extends Figure {
     return html`
       <div class="table" tabindex="0" role="region" aria-label="Greatest errors">
         <table>
-          <thead><tr><th>Method</th><th>Greatest error</th><th>in last places</th><th>against the best</th></tr></thead>
+          <thead><tr><th>Method</th><th>Greatest error</th><th>in units of the last place</th><th>relative to the best</th></tr></thead>
           <tbody>
             ${METHODS.map(
               ({ key, name, mark, dash }, k) => html`
@@ -158,8 +158,8 @@ export class FigRounding extends Figure {
         <div class="stage">${this.picture()}</div>
         ${this.table()}
         <p class="facts">
-          Shown: ${CASES[this.case].words}. Every operation was rounded to 32 bits and compared with 64; each place of the plot is the worst of ${PER_PLACE} neighbouring <i>t</i>. The coefficients of the basis matrix were
-          rounded too.
+          Shown: ${CASES[this.case].words}. Every operation is rounded to 32 bits. The result is compared with 64-bit numbers. Each place of the plot shows the greatest error of ${PER_PLACE} neighbouring
+          <i>t</i>. The coefficients of the basis matrix are rounded as well.
         </p>
       </div>
     `;

@@ -1,19 +1,23 @@
-// <lesson-task name="make-c1" for="figure-id">what to do</lesson-task>: a task that checks itself.
+// <lesson-task name="half-height" for="figure-id">what to do</lesson-task>: a task that checks itself.
 //
-// www/tasks/<name>.js exports what it knows; all of it is optional except that there must be `check` or `predict`:
+// www/tasks/<name>.js has these exports. All are optional, but there must be `check` or `predict`:
 //   check(figure, element) → { done, words }    pure; `element` is the one that `for` names, `figure` its property
 //   reveal(element)                             shows the answer in that element
+//   live = true                                 shows the words of `check` while the reader moves something
 //   predict = { options: [string, …], answer: index, because: string }    asked first
+//
+// Tasks that are done are stored (progress-store.js) and are still done on the next visit.
 import { button, element, uniqueId } from "./dom.js";
+import { isSolved, markSolved } from "./progress-store.js";
 
 /** @typedef {{ done: boolean, words: string }} Verdict */
 /** @typedef {{ options: string[], answer: number, because: string }} Prediction */
-/** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, predict?: Prediction }} Task */
+/** @typedef {{ check?(figure: any, element: any): Verdict, reveal?(element: any): void, live?: boolean, predict?: Prediction }} Task */
 
 /** @type {Record<string, () => Promise<Task>>} */
 const TASKS = /** @type {any} */ (import.meta.glob("../tasks/*.js"));
 
-/** What a target says when its reader moved something, or its page did. */
+/** Events of a target: the reader moved something, or the page did. */
 const EVENTS = ["input", "change", "update"];
 
 export class LessonTask extends HTMLElement {
@@ -45,6 +49,12 @@ export class LessonTask extends HTMLElement {
     return this.dataset.state ?? "open";
   }
 
+  set state(to) {
+    this.dataset.state = to;
+    if (to === "done") markSolved(this.getAttribute("name") ?? "");
+    this.dispatchEvent(new Event("task-state", { bubbles: true }));
+  }
+
   /** The element that the task is about, or null. */
   get target() {
     const id = this.getAttribute("for");
@@ -53,7 +63,6 @@ export class LessonTask extends HTMLElement {
 
   async #build() {
     this.#built = true;
-    this.dataset.state = "open";
     const prompt = element("div", { className: "prompt" }, ...this.childNodes);
     this.#words.setAttribute("role", "status");
     this.append(prompt, this.#steps, this.#buttons, this.#words);
@@ -65,8 +74,31 @@ export class LessonTask extends HTMLElement {
     } catch (error) {
       return this.#say(String(error));
     }
-    if (this.#task.predict) this.#askFirst(this.#task.predict);
-    else this.#open();
+    this.#start();
+  }
+
+  #start() {
+    const { predict } = this.#task;
+    if (isSolved(this.getAttribute("name") ?? "")) {
+      this.state = "done";
+      this.#open();
+      this.#say(["You have solved this task before.", predict?.because].filter(Boolean).join(" "));
+    } else {
+      this.dataset.state = "open";
+      if (predict) this.#askFirst(predict);
+      else this.#open();
+    }
+  }
+
+  /** Starts again, with the question first. */
+  reset() {
+    this.disconnectedCallback();
+    this.#guess = null;
+    this.#touched = this.#opened = false;
+    this.#steps.replaceChildren();
+    this.#say("");
+    this.#start();
+    this.dispatchEvent(new Event("task-state", { bubbles: true }));
   }
 
   /** The prediction: one of several, before anything can be tried. @param {Prediction} predict */
@@ -82,7 +114,7 @@ export class LessonTask extends HTMLElement {
       if (!chosen) return this.#say("Choose one first.");
       this.#guess = Number(chosen.value);
       /** @type {any} */ (field).disabled = true;
-      if (this.#task.check) this.#say("Noted. Now find out.");
+      if (this.#task.check) this.#say("Now try it.");
       this.#open();
       /** @type {HTMLElement | null} */ (this.#buttons.querySelector("button"))?.focus();
       if (!this.#task.check) this.#finishQuiz();
@@ -94,11 +126,11 @@ export class LessonTask extends HTMLElement {
   /** Without anything to try, the guess is the answer. */
   #finishQuiz() {
     const isRight = this.#guess === this.#task.predict?.answer;
-    this.dataset.state = isRight ? "done" : "wrong";
+    this.state = isRight ? "done" : "wrong";
     this.#say(this.#judged());
   }
 
-  /** Now it can be tried. */
+  /** Lets the reader try. */
   #open() {
     this.#opened = true;
     const buttons = [];
@@ -121,10 +153,11 @@ export class LessonTask extends HTMLElement {
       this.#frame = 0;
       const verdict = this.#verdict();
       if (verdict.done) this.#finish(verdict.words);
+      else if (this.#task.live) this.#say(verdict.words);
     });
   }
 
-  /** Judges now, and says what is missing. */
+  /** Checks now, and shows what is missing. */
   check() {
     const { done, words } = this.#verdict();
     if (done) this.#finish(words);
@@ -137,32 +170,32 @@ export class LessonTask extends HTMLElement {
     try {
       return this.#task.check?.(/** @type {any} */ (target)?.figure, target) ?? { done: false, words: "" };
     } catch (error) {
-      return { done: false, words: `This cannot be judged: ${error}` };
+      return { done: false, words: `This cannot be checked: ${error}` };
     }
   }
 
   /** Shows the answer. What was done already stays done. */
   reveal() {
     const done = this.state === "done";
-    if (!done) this.dataset.state = "revealed";
+    if (!done) this.state = "revealed";
     this.#task.reveal?.(this.target);
     if (!done) this.#say(["This is one answer.", this.#verdict().words, this.#judged()].filter(Boolean).join(" "));
   }
 
   /** @param {string} words */
   #finish(words) {
-    this.dataset.state = "done";
+    this.state = "done";
     this.#say([words, this.#judged()].filter(Boolean).join(" "));
   }
 
-  /** What became of the guess. */
+  /** Whether the guess was right, and why. */
   #judged() {
     const { predict } = this.#task;
-    if (!predict) return "";
+    if (!predict || this.#guess === null) return "";
     const right =
       this.#guess === predict.answer
         ? "You predicted it."
-        : `Your guess was another; the answer is: ${predict.options[predict.answer]}.`;
+        : `Not quite. The answer is: ${predict.options[predict.answer]}.`;
     return `${right} ${predict.because}`;
   }
 

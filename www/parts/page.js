@@ -1,7 +1,8 @@
-// What every lesson's main.js imports: the elements, the parts, the list of sections, and the address.
+// The scripts of a chapter: the elements, the parts, the list of sections, and the address.
 import "casteljau/elements";
 import "./contents.js";
 import "./figures.js";
+import "./lesson-progress.js";
 import "./lesson-sample.js";
 import "./lesson-task.js";
 import "./url-state.js";

@@ -10,14 +10,14 @@ export function sample(print) {
     [550, 360],
   ];
 
-  // Four points, four readings of them. Where does each curve begin and end?
+  // The same four points in three bases. Where does each curve start and end?
   for (const basis of ["bezier", "b-spline", "catmull-rom"]) {
     const curve = Curve.fromBasis(basis, points);
     const [from, to] = [curve.eval(0), curve.eval(1)].map(show);
     print(`${basis}: ${from} to ${to}`);
   }
 
-  // Hermite takes two ends and the velocities there, three handles long.
+  // The Hermite form has two ends and the velocities there: three times the legs.
   const bezier = new Curve(points);
   const data = [
     [120, 360],
@@ -28,7 +28,7 @@ export function sample(print) {
   const hermite = Curve.fromBasis("hermite", data);
   print(`the same curve: ${hermite.equals(bezier, 1e-9)}`);
 
-  // A matrix of your own: the straight line from the first point to the last.
+  // Any other matrix: this one gives the line from the first point to the last.
   const matrix = [0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0];
-  print(`amid the line: ${show(Curve.fromBasis(matrix, points).eval(0.5))}`);
+  print(`middle of the line: ${show(Curve.fromBasis(matrix, points).eval(0.5))}`);
 }

@@ -9,7 +9,7 @@ pub(crate) fn sample(out: &mut String) {
     ]
     .map(DVec2::from);
 
-    // Four points, four readings of them. Where does each curve begin and end?
+    // The same four points in three bases. Where does each curve start and end?
     for (name, basis) in [
         ("bezier", Basis::Bezier),
         ("b-spline", Basis::BSpline),
@@ -20,7 +20,7 @@ pub(crate) fn sample(out: &mut String) {
         writeln!(out, "{name}: {a:.1} to {b:.1}");
     }
 
-    // Hermite takes two ends and the velocities there, three handles long.
+    // The Hermite form has two ends and the velocities there: three times the legs.
     let bezier = Curve::new(&points).unwrap();
     let ends_and_speeds = [
         (120.0, 360.0),
@@ -32,7 +32,7 @@ pub(crate) fn sample(out: &mut String) {
     let hermite = Curve::from_basis(Basis::Hermite, ends_and_speeds).unwrap();
     writeln!(out, "the same curve: {}", hermite.approx_eq(&bezier, 1e-9));
 
-    // A matrix of your own: the straight line from the first point to the last.
+    // Any other matrix: this one gives the line from the first point to the last.
     #[rustfmt::skip]
     let matrix = [
         0.0, 0.0, 0.0, 0.0,
@@ -43,5 +43,5 @@ pub(crate) fn sample(out: &mut String) {
     let middle = Curve::from_basis(Basis::Matrix(matrix), points)
         .unwrap()
         .eval(0.5);
-    writeln!(out, "amid the line: {middle:.1}");
+    writeln!(out, "middle of the line: {middle:.1}");
 }

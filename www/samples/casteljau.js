@@ -1,6 +1,6 @@
 import { Curve } from "casteljau";
 
-// The whole algorithm, for any degree: divide every leg, drop one point, repeat.
+// De Casteljau's algorithm for any degree: interpolate on every leg until one point is left.
 function casteljau(points, t) {
   if (points.length === 1) return points[0];
   const divide = (a, b) => a.map((x, k) => (1 - t) * x + t * b[k]);
@@ -17,7 +17,7 @@ export function sample(print) {
   ];
   print(`by hand: (${casteljau(points, 0.25).join(", ")})`);
 
-  // The library keeps all levels: four points, three, two, one.
+  // The library returns the points of all rounds: four, three, two, one.
   for (const level of new Curve(points).deCasteljau(0.25)) {
     const text = [];
     for (let k = 0; k < level.length; k += 2) {

@@ -1,6 +1,6 @@
 use casteljau::{Curve, glam::DVec2};
 
-/// The whole algorithm, for any degree: divide every leg, drop one point, repeat.
+/// De Casteljau's algorithm for any degree: interpolate on every leg until one point is left.
 fn casteljau(points: &[DVec2], t: f64) -> DVec2 {
     if let [only] = points {
         return *only;
@@ -17,7 +17,7 @@ pub(crate) fn sample(out: &mut String) {
     let p = casteljau(&points, 0.25);
     writeln!(out, "by hand: ({}, {})", p.x, p.y);
 
-    // The library keeps all levels: four points, three, two, one.
+    // The library returns the points of all rounds: four, three, two, one.
     for level in Curve::new(&points).unwrap().de_casteljau(0.25) {
         let pairs: Vec<String> = level
             .iter()

@@ -10,7 +10,7 @@ const show = (curve) => {
 };
 
 export function sample(print) {
-  // The same curve with more and more points: the polygon closes in on it.
+  // The same curve with more and more points.
   let curve = new Curve([
     [0, 0],
     [3, 6],
@@ -21,7 +21,7 @@ export function sample(print) {
     curve = curve.elevate();
   }
 
-  // And back. A curve that needs its degree leaves an error.
+  // Reducing the degree. If a curve needs its degree, there is an error.
   const { curve: lower, error } = curve.reduce();
   const exact = error < 1e-12;
   print(`${curve.degree} to ${lower.degree}: error below 1e-12: ${exact}`);

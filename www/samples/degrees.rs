@@ -10,14 +10,14 @@ fn show(curve: &Curve<DVec2>) -> String {
 }
 
 pub(crate) fn sample(out: &mut String) {
-    // The same curve with more and more points: the polygon closes in on it.
+    // The same curve with more and more points.
     let mut curve = Curve::new(&[(0.0, 0.0), (3.0, 6.0), (6.0, 0.0)].map(DVec2::from)).unwrap();
     for _ in 2..=5 {
         writeln!(out, "degree {}: {}", curve.degree(), show(&curve));
         curve = curve.elevate().unwrap();
     }
 
-    // And back. A curve that needs its degree leaves an error.
+    // Reducing the degree. If a curve needs its degree, there is an error.
     let lower = curve.reduce();
     let (from, to) = (curve.degree(), lower.curve.degree());
     let exact = lower.error < 1e-12;

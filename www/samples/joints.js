@@ -1,12 +1,12 @@
 import { Spline } from "casteljau";
 
-const tell = (of) => {
+const names = (of) => {
   const held = ["c0", "g1", "c1", "g2", "c2"].filter((name) => of[name]);
   return held.join(" ").toUpperCase();
 };
 
 export function sample(print) {
-  // P2, P3, P4 on one line, but P3 not amid them: smooth only to the eye.
+  // P2, P3, P4 lie on one line, but P3 is not the midpoint: G1, not C1.
   const first = [
     [70, 330],
     [90, 120],
@@ -19,7 +19,7 @@ export function sample(print) {
     [600, 160],
   ];
   const spline = new Spline([...first, ...second]);
-  print(`aligned: ${tell(spline.continuity(1))}`);
+  print(`aligned: ${names(spline.continuity(1))}`);
 
   const [before, after] = spline.segments();
   const speed = (v) => Math.hypot(v.x, v.y).toFixed(1);
@@ -28,10 +28,10 @@ export function sample(print) {
 
   for (const mode of ["c1", "g2", "c2"]) {
     const set = spline.setJoint(1, mode);
-    print(`set to ${mode.toUpperCase()}: ${tell(set.continuity(1))}`);
+    print(`set to ${mode.toUpperCase()}: ${names(set.continuity(1))}`);
   }
 
-  // Move P2 and hold the joint: P4 swings round on the other side.
+  // Move P2 and keep the joint C1: P4 moves as well.
   const held = spline.setJoint(1, "c1");
   const moved = held.movePoint(2, [230, 60], { joints: ["free", "c1"] });
   const [x, y] = moved.controlPoints().subarray(8, 10);

@@ -1,7 +1,7 @@
 use casteljau::spline::{Continuity, JointMode};
 use casteljau::{Spline, glam::DVec2};
 
-fn tell(of: Continuity) -> String {
+fn names(of: Continuity) -> String {
     let all = [
         ("C0", of.c0),
         ("G1", of.g1),
@@ -18,7 +18,7 @@ fn tell(of: Continuity) -> String {
 }
 
 pub(crate) fn sample(out: &mut String) {
-    // P2, P3, P4 on one line, but P3 not amid them: smooth only to the eye.
+    // P2, P3, P4 lie on one line, but P3 is not the midpoint: G1, not C1.
     let points = [
         (70.0, 330.0),
         (90.0, 120.0),
@@ -29,7 +29,7 @@ pub(crate) fn sample(out: &mut String) {
         (600.0, 160.0),
     ];
     let spline = Spline::new(&points.map(DVec2::from), 3, false).unwrap();
-    let aligned = tell(spline.continuity(1, None).unwrap());
+    let aligned = names(spline.continuity(1, None).unwrap());
     writeln!(out, "aligned: {aligned}");
 
     let (before, after) = (spline.segment(0).unwrap(), spline.segment(1).unwrap());
@@ -45,11 +45,11 @@ pub(crate) fn sample(out: &mut String) {
         ("C2", JointMode::C2),
     ] {
         let set = spline.set_joint(1, mode).unwrap();
-        let told = tell(set.continuity(1, None).unwrap());
-        writeln!(out, "set to {name}: {told}");
+        let text = names(set.continuity(1, None).unwrap());
+        writeln!(out, "set to {name}: {text}");
     }
 
-    // Move P2 and hold the joint: P4 swings round on the other side.
+    // Move P2 and keep the joint C1: P4 moves as well.
     let held = spline.set_joint(1, JointMode::C1).unwrap();
     let moved = held
         .move_point(2, DVec2::new(230.0, 60.0), |_| JointMode::C1)

@@ -17,7 +17,7 @@ export function sample(print) {
   }
   print(`sum of ten tenths is 1: ${sum === 1}`);
 
-  // Twice the segments, about a quarter of what the polyline is too short.
+  // With twice as many segments, the missing length is about a quarter.
   for (const segments of [4, 8, 16, 32]) {
     const points = curve.sample(segments);
     let length = 0;

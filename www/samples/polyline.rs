@@ -16,7 +16,7 @@ pub(crate) fn sample(out: &mut String) {
     }
     writeln!(out, "sum of ten tenths is 1: {}", sum == 1.0);
 
-    // Twice the segments, about a quarter of what the polyline is too short.
+    // With twice as many segments, the missing length is about a quarter.
     for segments in [4, 8, 16, 32] {
         let points = curve.sample(segments).unwrap();
         let length: f64 = points

@@ -9,11 +9,11 @@ export function sample(print) {
     [3, 4, 5],
   ]);
   const show = ({ x, y, z }) => `(${x}, ${y}, ${z})`;
-  print(`amid: ${show(curve.eval(0.5))}`);
-  print(`sets off with ${show(curve.derivativeAt(0))}`);
-  print(`arrives with ${show(curve.derivativeAt(1))}`);
+  print(`middle: ${show(curve.eval(0.5))}`);
+  print(`velocity at the start ${show(curve.derivativeAt(0))}`);
+  print(`velocity at the end ${show(curve.derivativeAt(1))}`);
 
-  // Map the points, then draw; or draw, then map: the same. (Half as large, turned.)
+  // Map the points, then draw; or draw, then map: the same. (Half the size, rotated.)
   const matrix = [0, 0.5, -0.5, 0, 300, 20];
   const flat = new Curve([
     [60, 400],
@@ -26,12 +26,12 @@ export function sample(print) {
   const other = flat.transform(matrix).eval(0.3);
   print(`affine: ${Math.hypot(other.x - moved.x, other.y - moved.y) < 1e-12}`);
 
-  // Inside the hull, and only part of the way to P1 and P2.
+  // The curve lies inside the hull and does not reach P1 and P2.
   const { min, max } = flat.bounds();
   const [low, high] = [min.y.toFixed(1), max.y.toFixed(1)];
   print(`y from ${low} to ${high}, points from 40 to 400`);
 
-  // What no quadratic does: an S. It turns the other way at an inflection.
+  // An S has an inflection. A quadratic has none.
   const s = new Curve([
     [60, 400],
     [600, 400],

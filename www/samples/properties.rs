@@ -11,12 +11,12 @@ pub(crate) fn sample(out: &mut String) {
     ];
     let curve = Curve::new(&points.map(DVec3::from)).unwrap();
     let show = |p: DVec3| format!("({}, {}, {})", p.x, p.y, p.z);
-    writeln!(out, "amid: {}", show(curve.eval(0.5)));
+    writeln!(out, "middle: {}", show(curve.eval(0.5)));
     let (first, last) = (curve.derivative_at(0.0, 1), curve.derivative_at(1.0, 1));
-    writeln!(out, "sets off with {}", show(first));
-    writeln!(out, "arrives with {}", show(last));
+    writeln!(out, "velocity at the start {}", show(first));
+    writeln!(out, "velocity at the end {}", show(last));
 
-    // Map the points, then draw; or draw, then map: the same. (Half as large, turned.)
+    // Map the points, then draw; or draw, then map: the same. (Half the size, rotated.)
     let map = DAffine2::from_cols_array(&[0.0, 0.5, -0.5, 0.0, 300.0, 20.0]);
     let points = [(60.0, 400.0), (160.0, 40.0), (480.0, 40.0), (600.0, 400.0)];
     let flat = Curve::new(&points.map(DVec2::from)).unwrap();
@@ -24,11 +24,11 @@ pub(crate) fn sample(out: &mut String) {
     let other = flat.transform(&map).eval(0.3);
     writeln!(out, "affine: {}", other.distance(moved) < 1e-12);
 
-    // Inside the hull, and only part of the way to P1 and P2.
+    // The curve lies inside the hull and does not reach P1 and P2.
     let (low, high) = (flat.bounds().min.y, flat.bounds().max.y);
     writeln!(out, "y from {low:.1} to {high:.1}, points from 40 to 400");
 
-    // What no quadratic does: an S. It turns the other way at an inflection.
+    // An S has an inflection. A quadratic has none.
     let points = [(60.0, 400.0), (600.0, 400.0), (60.0, 60.0), (600.0, 60.0)];
     let s = Curve::new(&points.map(DVec2::from)).unwrap();
     let class = format!("{:?}", s.classify()).to_lowercase();

@@ -1,6 +1,6 @@
 import { Curve } from "casteljau";
 
-/** Draws by halving: `line` gets the pieces that count as straight. */
+/** Draws by halving: `line` receives the pieces that are straight enough. */
 function draw(curve, tolerance, line) {
   const c = curve.controlPoints();
   const leg = (a, b) => {
@@ -22,7 +22,7 @@ export function sample(print) {
     [600, 400],
   ]);
 
-  // D1 − D2 is no distance. How far is the curve from what is drawn for it?
+  // D1 − D2 is not a distance. How far is the curve from the lines?
   for (const tolerance of [64, 8, 1, 0.125]) {
     let pieces = 0;
     let error = 0;
@@ -33,6 +33,6 @@ export function sample(print) {
     });
     const needed = curve.flatten(error).ts.length - 1;
     print(`tolerance ${tolerance}: ${pieces} pieces`);
-    print(`  error ${error.toFixed(3)}; as good with ${needed}`);
+    print(`  error ${error.toFixed(3)}; flatten() needs ${needed}`);
   }
 }

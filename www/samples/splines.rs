@@ -25,7 +25,7 @@ pub(crate) fn sample(out: &mut String) {
         ),
     ];
 
-    // How smooth is the first joint, and how near does the spline come to P1?
+    // How smooth is the first joint, and how far is the spline from P1?
     for (name, spline) in &kinds {
         let joint = spline.continuity(1, None).unwrap();
         let smooth = if joint.c2 {
@@ -39,7 +39,7 @@ pub(crate) fn sample(out: &mut String) {
         writeln!(out, "{name}: {smooth}, {off:.1} from P1");
     }
 
-    // Move the first point by 50 and look at the far end.
+    // Move the first point by 50. How far does the other end move?
     let mut shifted = points;
     shifted[0].y -= 50.0;
     for (name, kind) in [
@@ -51,6 +51,6 @@ pub(crate) fn sample(out: &mut String) {
             .unwrap()
             .eval(3.5);
         let moved = before.distance(after);
-        writeln!(out, "{name}: the far end moves by {moved:.3}");
+        writeln!(out, "{name}: the other end moves by {moved:.3}");
     }
 }

@@ -19,11 +19,11 @@ export function sample(print) {
   print(`q: ${show(q)}`);
   print(`r: ${show(r)}`);
 
-  // The piece between two parameters: two cuts. Backwards when they are swapped.
+  // The part between two parameters. If they are swapped, it runs backwards.
   print(`third quarter: ${show(curve.subsegment(0.5, 0.75))}`);
   print(`reversed: ${show(curve.subsegment(1, 0))}`);
 
-  // A joint more, the same line: what drawing programs do on a click.
+  // Insert a point: two pieces, the same shape.
   const spline = new Spline(points).insert(0.5);
   const [a, b] = [spline.eval(1.5), curve.eval(0.75)];
   const moved = Math.hypot(a.x - b.x, a.y - b.y);

@@ -18,11 +18,11 @@ pub(crate) fn sample(out: &mut String) {
     writeln!(out, "q: {}", show(&q));
     writeln!(out, "r: {}", show(&r));
 
-    // The piece between two parameters: two cuts. Backwards when they are swapped.
+    // The part between two parameters. If they are swapped, it runs backwards.
     writeln!(out, "third quarter: {}", show(&curve.subsegment(0.5, 0.75)));
     writeln!(out, "reversed: {}", show(&curve.subsegment(1.0, 0.0)));
 
-    // A joint more, the same line: what drawing programs do on a click.
+    // Insert a point: two pieces, the same shape.
     let spline = Spline::new(&points, 3, false).unwrap().insert(0.5).unwrap();
     let moved = spline.eval(1.5).distance(curve.eval(0.75));
     writeln!(out, "{} segments, moved by {moved}", spline.segment_count());

@@ -1,10 +1,10 @@
 import { PRECISION_PX, distance, verdict } from "./utils/curves.js";
 
-/** Clearly unequal lengths: one handle at least half as long again as the other. */
+/** One handle must be more than this many times as long as the other. */
 const UNEQUAL = 1.5;
-/** Nobody sees a corner of two degrees. */
+/** A corner of less than two degrees cannot be seen. */
 const STRAIGHT_DEGREES = 2;
-/** As the figure's badge has it: rounding is no turn. */
+/** Rounding errors do not count as a corner. */
 const EXACT_DEGREES = 1e-6;
 
 /** The angle by which the line turns at P3, in degrees. @param {[number, number][]} points */
@@ -15,16 +15,16 @@ function turn([, , p2, p3, p4]) {
 
 /** @param {{ points: [number, number][] }} figure */
 export function check({ points }) {
-  if (points.length < 7) return verdict(false, "Show all seven points first (m).");
+  if (points.length < 7) return verdict(false, "Show all seven points first (press m).");
   const [before, after] = [distance(points[2], points[3]), distance(points[3], points[4])];
-  if (Math.min(before, after) < PRECISION_PX) return verdict(false, "Both handles need a length.");
+  if (Math.min(before, after) < PRECISION_PX) return verdict(false, "Both handles need a length greater than 0.");
   const degrees = turn(points);
   const ratio = Math.max(before, after) / Math.min(before, after);
-  const words = `The line turns by ${degrees.toFixed(1)}° at P3; one handle is ${ratio.toFixed(2)} times as long as the other.`;
+  const words = `The curve turns by ${degrees.toFixed(1)}° at P3; one handle is ${ratio.toFixed(2)} times as long as the other.`;
   const done = degrees < STRAIGHT_DEGREES && ratio > UNEQUAL;
   if (!done) return verdict(false, words);
-  const aligned = degrees < EXACT_DEGREES ? "This is G1" : "At exactly 0° this is G1";
-  return verdict(true, `${words} ${aligned}: smooth to the eye, but a jolt to a traveller (not C1).`);
+  const aligned = degrees < EXACT_DEGREES ? "The joint is G1" : "At exactly 0° the joint is G1";
+  return verdict(true, `${words} ${aligned}: it looks smooth, but the speed jumps (not C1).`);
 }
 
 /** @param {{ points: [number, number][] }} element */

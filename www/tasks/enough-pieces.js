@@ -4,21 +4,23 @@ import { px, verdict } from "./utils/curves.js";
 const ALLOWED = 0.5;
 const ENOUGH = 32;
 
+export const live = true;
+
 export const predict = {
-  options: ["The tolerance itself", "Less than the tolerance", "More than the tolerance"],
+  options: ["It equals the tolerance", "It is less than the tolerance", "It is greater than the tolerance"],
   answer: 2,
   because:
-    "For small pieces the length that is missing is far smaller than the distance: D1 − D2 is no bound for what the eye sees.",
+    "For short pieces D1 − D2 is much smaller than the distance between the curve and the line. D1 − D2 is no bound for that distance.",
 };
 
 /** @param {{ tree: { segments: number, error: number } | null }} figure */
 export function check({ tree }) {
   if (!tree) return verdict(false, "Show the tree first.");
   const words = `${tree.segments} pieces, measured error ${px(tree.error)}.`;
-  if (tree.error >= ALLOWED) return verdict(false, `${words} Not close enough.`);
+  if (tree.error >= ALLOWED) return verdict(false, `${words} The error is too large.`);
   return verdict(
     tree.segments <= ENOUGH,
-    tree.segments <= ENOUGH ? words : `${words} Too many: a larger tolerance will do.`,
+    tree.segments <= ENOUGH ? words : `${words} Too many pieces: use a larger tolerance.`,
   );
 }
 

@@ -1,12 +1,14 @@
 import { firstCurve, polylineError, px, verdict } from "./utils/curves.js";
 
-/** What eyes forgive: half a pixel. */
-const FORGIVEN = 0.5;
+/** In pixels. */
+const ALLOWED = 0.5;
+
+export const live = true;
 
 export const predict = {
   options: ["about 8", "about 25", "about 60", "about 200"],
   answer: 1,
-  because: "The error falls with the square of the number of segments: twice as many are four times as close.",
+  because: "With twice as many segments the error is four times smaller: it decreases with the square of their number.",
 };
 
 /** @param {{ pieces: { curve: any }[] }} figure @param {{ segments: string | number }} element its attribute, as a property */
@@ -14,15 +16,18 @@ export function check(figure, element) {
   const segments = Number(element.segments);
   const curve = firstCurve(figure);
   const error = polylineError(curve, segments);
-  if (error >= FORGIVEN) return verdict(false, `${segments} segments: the curve strays by ${px(error)}.`);
-  const spare = segments > 1 && polylineError(curve, segments - 1) < FORGIVEN;
-  return verdict(!spare, `${segments} segments: ${px(error)}. ${spare ? "Fewer will do." : "One less would not do."}`);
+  if (error >= ALLOWED) return verdict(false, `${segments} segments: the error is ${px(error)}. Too large.`);
+  const spare = segments > 1 && polylineError(curve, segments - 1) < ALLOWED;
+  return verdict(
+    !spare,
+    `${segments} segments: the error is ${px(error)}. ${spare ? "Fewer segments are enough." : "With one less it would be 0.5 px or more."}`,
+  );
 }
 
 /** @param {{ figure: any, segments: string | number }} element */
 export function reveal(element) {
   const curve = firstCurve(element.figure);
   let segments = 1;
-  while (polylineError(curve, segments) >= FORGIVEN) segments += 1;
+  while (polylineError(curve, segments) >= ALLOWED) segments += 1;
   element.segments = String(segments);
 }

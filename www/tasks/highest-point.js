@@ -24,6 +24,8 @@ function top(patch) {
   return best;
 }
 
+export const live = true;
+
 /** @param {{ surface: any, place: { point: number[] } | null }} figure */
 export function check({ surface, place }) {
   const highest = surface.bounds().max.z;

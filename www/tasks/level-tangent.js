@@ -1,12 +1,12 @@
 import { firstCurve, verdict } from "./utils/curves.js";
 
-/** Half a degree: what a slider in steps of a hundredth can reach. */
+/** The sine of about 1°: what a slider in steps of a hundredth can reach. */
 const LEVEL = 0.02;
 
 export const predict = {
-  options: ["It bends the most there", "It is highest or lowest there", "It is half-way there"],
+  options: ["It bends most sharply there", "It is highest or lowest there", "It is the middle of the curve"],
   answer: 1,
-  because: "The last leg is the tangent: where it lies level, the curve neither climbs nor falls.",
+  because: "The last leg is the tangent. Where the tangent is horizontal, the curve goes neither up nor down.",
 };
 
 /** @param {{ t: number, pieces: { curve: any }[] }} figure */
@@ -17,7 +17,7 @@ export function check(figure) {
   const inside = figure.t > 0 && figure.t < 1;
   return verdict(
     inside && Math.abs(y) < LEVEL,
-    `At t = ${figure.t.toFixed(2)} the last leg slopes by ${slope.toFixed(1)}°.`,
+    `At t = ${figure.t.toFixed(2)} the slope of the last leg is ${slope.toFixed(1)}°.`,
   );
 }
 

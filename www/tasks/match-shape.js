@@ -14,7 +14,7 @@ export function check(figure) {
   const gap = apart(firstCurve(figure), new Curve(TARGET));
   return verdict(
     gap <= PRECISION_PX,
-    gap <= PRECISION_PX ? `Within ${px(gap)} all along.` : `Still up to ${px(gap)} apart.`,
+    gap <= PRECISION_PX ? `The greatest distance is ${px(gap)}.` : `The greatest distance is still ${px(gap)}.`,
   );
 }
 

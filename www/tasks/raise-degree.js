@@ -9,10 +9,10 @@ export const QUADRATIC = /** @type {[number, number][]} */ ([
 ]);
 
 export const predict = {
-  options: ["half-way to the corner of the old polygon", "two thirds of the way to the corner", "all the way"],
+  options: ["half of the way", "two thirds of the way", "all the way"],
   answer: 1,
   because:
-    "A cubic leaves P0 with 3(P1 − P0), a quadratic with 2(Q1 − P0): equal when P1 is two thirds of the way to Q1.",
+    "Let Q1 be the middle point of the quadratic. The velocity of a cubic at P0 is 3(P1 − P0), that of a quadratic is 2(Q1 − P0). They are equal if P1 is two thirds of the way to Q1.",
 };
 
 /** @param {{ pieces: { curve: any }[] }} figure */
@@ -21,8 +21,8 @@ export function check(figure) {
   return verdict(
     gap <= PRECISION_PX / 2,
     gap <= PRECISION_PX / 2
-      ? "The cubic runs like the quadratic, at the same speed."
-      : `Still up to ${px(gap)} apart at the same t.`,
+      ? "Both curves are equal at each t."
+      : `At equal t the greatest distance is still ${px(gap)}.`,
   );
 }
 

@@ -8,13 +8,13 @@ const STRAIGHT = [0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 1, 0, 0, 0];
 export function check(figure) {
   if (figure.basis !== "matrix") return verdict(false, "Change a number of the matrix.");
   const curve = firstCurve(figure);
-  if (!curve) return verdict(false, "This matrix makes no curve.");
+  if (!curve) return verdict(false, "This matrix does not give a curve.");
   const gap = apart(curve, new Curve([figure.points[0], figure.points[3]]));
   return verdict(
     gap < 0.5,
     gap < 0.5
-      ? "The straight line from P0 to P3, evenly run through."
-      : `The curve is up to ${px(gap)} from where the line would be at the same t.`,
+      ? "This is the line from P0 to P3 at constant speed."
+      : `At equal t the greatest distance from the line is ${px(gap)}.`,
   );
 }
 

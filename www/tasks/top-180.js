@@ -1,22 +1,24 @@
 import { PRECISION_PX, px, verdict } from "./utils/curves.js";
 
-/** How high the curve is to be, in px above the line from P0 to P2. */
+/** The height of the curve in px above the line from P0 to P2. */
 const WANTED = 180;
+
+export const live = true;
 
 export const predict = {
   options: ["180 px above it", "270 px above it", "360 px above it"],
   answer: 2,
-  because: "At t = ½ the weights are ¼, ½, ¼: the curve goes half as far as P1 does.",
+  because: "At t = ½ the weights are ¼, ½, ¼. P0 and P2 have the height 0, so the curve is half as high as P1.",
 };
 
 /** @param {{ points: [number, number][] }} figure */
 export function check({ points: [p0, p1, p2] }) {
   if (Math.abs(p0[1] - p2[1]) > PRECISION_PX)
-    return verdict(false, "Leave P0 and P2 level with each other: move P1 only.");
+    return verdict(false, "P0 and P2 must have the same height. Move P1 only.");
   const high = (p0[1] + p2[1]) / 2 - p1[1];
   return verdict(
     Math.abs(high / 2 - WANTED) <= PRECISION_PX / 2,
-    `P1 is ${px(high)} above the line, the curve reaches ${px(Math.max(0, high / 2))}.`,
+    `P1 is ${px(high)} above the line, the arch is ${px(Math.max(0, high / 2))} high.`,
   );
 }
 

@@ -1,17 +1,18 @@
 import { PRECISION_PX, px, verdict } from "./utils/curves.js";
 
-/** How far the spline passes P2: the joint there is (P1 + 4 P2 + P3) / 6. @param {[number, number][]} points */
+/** The distance of the spline from P2: the joint there is (P1 + 4 P2 + P3) / 6. @param {[number, number][]} points */
 const missed = ([, p1, p2, p3]) => Math.hypot(p1[0] + p3[0] - 2 * p2[0], p1[1] + p3[1] - 2 * p2[1]) / 6;
 
 /** @param {{ points: [number, number][], basis: string }} figure */
 export function check({ points, basis }) {
-  if (basis !== "b-spline") return verdict(false, "Keep the B-spline: the others go through their points anyway.");
+  if (basis !== "b-spline")
+    return verdict(false, "Keep the B-spline. The other splines pass through their points anyway.");
   const off = missed(points);
   return verdict(
     off <= PRECISION_PX / 2,
     off <= PRECISION_PX / 2
-      ? "It runs through P2: P1 and P3 lie on opposite sides of it, equally far."
-      : `It misses P2 by ${px(off)}.`,
+      ? "It passes through P2: P2 is the midpoint of P1 and P3."
+      : `Its distance from P2 is ${px(off)}.`,
   );
 }
 

@@ -39,6 +39,11 @@ export class Figure extends LitElement {
     this.#observer = null;
   }
 
+  /** Tells the page that the user is moving something. */
+  notifyInput() {
+    this.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+  }
+
   /** Tells the page that the user has changed something. */
   notifyChange() {
     this.dispatchEvent(new Event("change", { bubbles: true, composed: true }));

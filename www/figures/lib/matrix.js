@@ -8,8 +8,8 @@ export function matrixSummary(matrix) {
   const near = (/** @type {number} */ a, /** @type {number} */ b) => Math.abs(a - b) < 1e-6;
   const mixture = near(sums[3], 1) && sums.slice(0, 3).every((sum) => near(sum, 0));
   return mixture
-    ? "At every t the weights add up to 1: a mixture of the points."
-    : "The weights do not add up to 1: move the whole figure, and the curve does not move along.";
+    ? "At every t the weights add up to 1."
+    : "The weights do not add up to 1. If all points move by the same vector, the curve does not move by that vector.";
 }
 
 /** "−1/6" or "0.5" as a number. @param {string} text */

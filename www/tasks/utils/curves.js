@@ -1,6 +1,6 @@
-// What the tasks of this chapter measure. Pure: figures in, numbers and words out.
+// Measurements that the tasks of the chapter on curves share.
 
-/** By hand nobody hits a point better than this, in the units of the picture. */
+/** How exactly a point can be placed by hand, in the units of the picture. */
 export const PRECISION_PX = 4;
 
 /** @typedef {readonly [number, number]} Pair */
@@ -22,8 +22,8 @@ export const firstCurve = ({ pieces }) => pieces[0]?.curve ?? null;
 export const asText = (points) => [...points].map(([x, y]) => `${x},${y}`).join(" ");
 
 /**
- * How far a curve strays from a polyline of `segments` equal steps of t: the greatest distance of the curve from the chord of
- * its step, looked for at SAMPLES_PER_STEP places a step.
+ * The greatest distance of a curve from the polyline of `segments` equal steps of t, measured at SAMPLES_PER_STEP places of each
+ * step.
  *
  * @param {Evaluated} curve
  * @param {number} segments

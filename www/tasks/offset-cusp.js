@@ -1,0 +1,52 @@
+import { distance, firstCurve, verdict } from "./utils/curves.js";
+
+export const live = true;
+
+/** The distance may be too small by this. */
+const ALLOWED_PX = 3;
+const STEPS = 2000;
+
+/** The control points as the page places them. @type {[number, number][]} */
+export const POINTS = [
+  [80, 400],
+  [250, 20],
+  [420, 20],
+  [590, 400],
+];
+
+export const predict = {
+  options: ["the height of the curve", "the smallest radius of curvature", "half the distance between the ends"],
+  answer: 1,
+  because:
+    "At this distance a point of the offset curve reaches the centre of the circle of curvature, stops, and turns back.",
+};
+
+/** The curvature where it is greatest, with its sign. @param {{ curvature(t: number): number }} curve */
+const sharpest = (curve) =>
+  Array.from({ length: STEPS + 1 }, (_, i) => curve.curvature(i / STEPS)).reduce((best, k) =>
+    Math.abs(k) > Math.abs(best) ? k : best,
+  );
+
+/** @param {{ points: [number, number][], pieces: { curve: any }[] }} figure @param {{ offset: number | string }} element */
+export function check(figure, element) {
+  if (figure.points.length !== 4 || figure.points.some((point, i) => distance(point, POINTS[i]) > 1))
+    return verdict(false, "The control points have moved. Undo this first (Ctrl+Z).");
+  const offset = Number(element.offset);
+  const radius = 1 / sharpest(firstCurve(figure));
+  const inner = offset * Math.sign(radius);
+  if (inner <= 0) return verdict(false, `${offset} px is on the outer side.`);
+  const spare = Math.abs(radius) - inner;
+  if (spare < 0) return verdict(false, `At ${offset} px there are cusps.`);
+  return verdict(
+    spare <= ALLOWED_PX,
+    spare <= ALLOWED_PX
+      ? `${offset} px: the smallest radius of curvature is ${Math.abs(radius).toFixed(1)} px.`
+      : `At ${offset} px there are no cusps yet.`,
+  );
+}
+
+/** @param {{ figure: any, offset: number | string }} element */
+export function reveal(element) {
+  const radius = 1 / sharpest(firstCurve(element.figure));
+  element.offset = String(Math.trunc(radius));
+}
