@@ -32,6 +32,7 @@ export const LAYER_NAMES = {
   casteljau: "de Casteljau",
   place: "place",
   derivatives: "derivatives",
+  names: "names",
 };
 /** What there is to say of the picture. */
 export const STATES = {
@@ -41,12 +42,12 @@ export const STATES = {
   flat: "This browser offers no WebGL2: the surface is drawn as lines.",
   lost: "The graphics card was taken away; the picture comes back with it.",
 };
-/** What each step of de Casteljau's grid shows. */
+/** What each step of de Casteljau's algorithm shows. */
 export const STEP_WORDS = [
-  "Each row of the net is a curve. Dividing lines find its point at u.",
-  "These row points are control points again,",
-  "of the curve of constant u,",
-  "and on it lies the point of the surface, at v.",
+  "The curve of row 0 is evaluated at u.",
+  "The curves of the other rows are evaluated at the same u.",
+  "The four points are the control points of one more curve.",
+  "This curve is evaluated at v: the result is S(u, v).",
 ];
 export const INSTRUCTIONS =
   "Drag to turn, with Shift to shift; two fingers zoom. Keys: arrows turn, with Shift they shift, plus and minus zoom, 0 goes back.";
