@@ -63,6 +63,26 @@ const strip = () => ({
   },
 });
 
+/** What it sees of <reyes-dicing>. */
+const diced = (size) => ({
+  size,
+  get figure() {
+    return { size: this.size, micropolygons: 1000 };
+  },
+});
+
+/** What it sees of <ray-tracing>. */
+const traced = (state, segments) => ({
+  state,
+  target: { segments },
+  start() {
+    this.state = "done";
+  },
+  get figure() {
+    return { state: this.state, segments: this.target.segments };
+  },
+});
+
 const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
 /** Each task: its start as the page has it, what one may try in vain, and what does it. */
@@ -129,6 +149,20 @@ const TASKS = {
     start: () => figure({ patch: 4 }),
     vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20), (e) => (e.patch = 18)],
     right: (e) => (e.patch = 19),
+  },
+  micropolygons: {
+    start: () => diced(12),
+    vain: [(e) => (e.size = 32), (e) => (e.size = 9)],
+    right: (e) => (e.size = 8),
+  },
+  "outline-edges": {
+    start: () => traced("idle", 3),
+    vain: [
+      (e) => (e.state = "running"),
+      (e) => (e.state = "cancelled"),
+      (e) => Object.assign(e, { state: "done", target: { segments: 5 } }),
+    ],
+    right: (e) => (e.target.segments = 4),
   },
   "own-square": {
     start: () => figure({}),

@@ -13,12 +13,15 @@ const SECTIONS = [
   "tessellation",
   "cracks",
   "adaptive",
+  "reyes",
   "forward-differencing",
   "gpu",
   "teapot",
   "wireframe",
   "rays",
+  "ray-tracing",
   "files",
+  "other-representations",
 ];
 /** Browsers lend about sixteen. */
 const MOST_CONTEXTS = 10;

@@ -16,8 +16,12 @@ mod bernstein;
 mod bytes;
 #[path = "../../www/samples/casteljau.rs"]
 mod casteljau;
+#[path = "../../www/samples/circle-error.rs"]
+mod circle_error;
 #[path = "../../www/samples/degrees.rs"]
 mod degrees;
+#[path = "../../www/samples/dicing.rs"]
+mod dicing;
 #[path = "../../www/samples/differences.rs"]
 mod differences;
 #[path = "../../www/samples/eval.rs"]
@@ -56,6 +60,8 @@ mod splines;
 mod split;
 #[path = "../../www/samples/teapot.rs"]
 mod teapot;
+#[path = "../../www/samples/text-rays.rs"]
+mod text_rays;
 #[path = "../../www/samples/tolerance.rs"]
 mod tolerance;
 #[path = "../../www/samples/uses.rs"]
@@ -70,8 +76,10 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("bernstein", bernstein::sample),
     ("bytes", bytes::sample),
     ("casteljau", casteljau::sample),
+    ("circle-error", circle_error::sample),
     ("degrees", degrees::sample),
     ("differences", differences::sample),
+    ("dicing", dicing::sample),
     ("eval", eval::sample),
     ("files", files::sample),
     ("grid", grid::sample),
@@ -90,6 +98,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("splines", splines::sample),
     ("split", split::sample),
     ("teapot", teapot::sample),
+    ("text-rays", text_rays::sample),
     ("tolerance", tolerance::sample),
     ("uses", uses::sample),
     ("wires", wires::sample),
