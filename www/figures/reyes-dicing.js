@@ -108,58 +108,6 @@ export class ReyesDicing extends Figure {
           : hue(this.step === "split" ? each.partIndex : each.patchIndex),
       );
     if (this.step === "bound") drawBounds(context, this.#patches, project, ink);
-    this.counts = { parts: 0, micropolygons: 0 };
-  }
-
-  /** What the figure shows, for tasks. */
-  get figure() {
-    return { step: this.step, size: this.size, zoom: this.zoom, ...this.counts };
-  }
-
-  connectedCallback() {
-    super.connectedCallback();
-    this.#watch = new IntersectionObserver((entries) => (this.isNear ||= entries.some((each) => each.isIntersecting)), {
-      rootMargin: "200px",
-    });
-    this.#watch.observe(this);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", this.#redraw);
-  }
-
-  disconnectedCallback() {
-    super.disconnectedCallback();
-    this.#watch?.disconnect();
-    matchMedia("(prefers-color-scheme: dark)").removeEventListener("change", this.#redraw);
-  }
-
-  #redraw = () => this.requestUpdate();
-
-  /** @param {Map<string, unknown>} changed */
-  updated(changed) {
-    if (this.isNear && !(changed.size === 1 && changed.has("counts"))) this.#draw();
-  }
-
-  #build() {
-    const teapot = Surface.teapot();
-    this.#patches = teapot.patches.map((_, k) => teapot.patch(k));
-    this.#frame = frameOf(teapot.vertices, "z");
-  }
-
-  #draw() {
-    if (!this.#frame) this.#build();
-    const canvas = /** @type {HTMLCanvasElement} */ (this.renderRoot.querySelector("canvas"));
-    const [width, height] = [this.wide, Math.round(ASPECT * this.wide)];
-    [canvas.width, canvas.height] = [width * devicePixelRatio, height * devicePixelRatio];
-    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    context.scale(devicePixelRatio, devicePixelRatio);
-    const { project, toEye } = this.#camera(width, height);
-    const parts = this.#patches.flatMap((patch) => splitPatch(patch, project, this.size));
-    const micropolygons = parts.flatMap((part) => dice(part, project, this.size)).sort((a, b) => b.depth - a.depth);
-    const colours = getComputedStyle(this);
-    const [ink, paper] = ["--ink", "--paper"].map((name) => colours.getPropertyValue(name));
-    if (this.step === "bound") drawBounds(context, this.#patches, project, ink);
-    else if (this.step === "split") drawParts(context, parts, project, ink);
-    else if (this.step === "dice") drawGrid(context, micropolygons, paper, ink);
-    else drawShaded(context, micropolygons, toEye);
     this.counts = { parts: parts.length, micropolygons: micropolygons.length };
   }
 
