@@ -43,7 +43,7 @@ export class ReyesDicing extends Figure {
   constructor() {
     super();
     this.step = /** @type {Step} */ ("split");
-    this.size = 12;
+    this.size = 16;
     this.zoom = 1;
     this.isNear = false;
     this.counts = { parts: 0, micropolygons: 0 };

@@ -7,6 +7,7 @@ import { acceptDrops } from "./files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { loadDrawing } from "./loading.js";
+import { startTurn } from "./start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { Turning } from "./turning.js";
@@ -180,6 +181,7 @@ export class BezierSurface extends SurfaceAttributes {
   async #start() {
     const watches = this.#watches;
     const drawing = await loadDrawing().catch(() => null);
+    await startTurn();
     if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
     if (!this.#kept) return; // it was scrolled past

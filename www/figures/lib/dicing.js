@@ -59,9 +59,7 @@ export function splitPatch(patch, project, maxEdge, depth = 0) {
  */
 export function dice(patch, project, maxEdge) {
   const [countU, countV] = gridSize(patch, project, maxEdge).map((count) => Math.min(count, MAX_GRID));
-  const rows = Array.from({ length: countV + 1 }, (_, j) =>
-    Array.from({ length: countU + 1 }, (_, i) => vertex(patch, i / countU, j / countV, project)),
-  );
+  const rows = Array.from({ length: countV + 1 }, (_, j) => rowOfVertices(patch, j / countV, countU, project));
   return Array.from({ length: countU * countV }, (_, k) => {
     const [i, j] = [k % countU, Math.floor(k / countU)];
     return micropolygon([rows[j][i], rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i]]);
@@ -70,10 +68,13 @@ export function dice(patch, project, maxEdge) {
 
 /** @typedef {{ point: number[], screen: ScreenPoint }} Vertex */
 
-/** @param {Patch} patch @param {number} u @param {number} v @param {Projection} project @returns {Vertex} */
-function vertex(patch, u, v, project) {
-  const { x, y, z = 0 } = patch.eval(u, v);
-  return { point: [x, y, z], screen: project([x, y, z]) };
+/** @param {Patch} patch @param {number} v @param {number} count of micropolygons @param {Projection} project @returns {Vertex[]} */
+function rowOfVertices(patch, v, count, project) {
+  const flat = patch.isocurveAtV(v).sample(count);
+  return Array.from({ length: count + 1 }, (_, i) => {
+    const point = [flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]];
+    return { point, screen: project(point) };
+  });
 }
 
 /** @param {Vertex[]} vertices @returns {Micropolygon} */
