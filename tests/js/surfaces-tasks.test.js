@@ -64,10 +64,10 @@ const strip = () => ({
 });
 
 /** What it sees of <reyes-dicing>. */
-const diced = (size) => ({
-  size,
+const diced = (zoom) => ({
+  zoom,
   get figure() {
-    return { size: this.size, micropolygons: 1000 };
+    return { zoom: this.zoom, micropolygons: 1000 };
   },
 });
 
@@ -151,9 +151,9 @@ const TASKS = {
     right: (e) => (e.patch = 19),
   },
   micropolygons: {
-    start: () => diced(12),
-    vain: [(e) => (e.size = 32), (e) => (e.size = 9)],
-    right: (e) => (e.size = 8),
+    start: () => diced(1),
+    vain: [(e) => (e.zoom = 0.45), (e) => (e.zoom = 0.55)],
+    right: (e) => (e.zoom = 0.3 + 4 * 0.05),
   },
   "outline-edges": {
     start: () => traced("idle", 3),

@@ -59,19 +59,20 @@ test("the worker starts in any folder of a plain file server", async (t) => {
   await page.waitForFunction(() => document.querySelector("ray-tracing").figure.progress > 0);
 });
 
-test("smaller micropolygons are more, and the task counts them", async (t) => {
+test("a smaller picture and larger micropolygons are fewer micropolygons, and the task counts them", async (t) => {
   const page = await open(t);
   const figure = page.locator("reyes-dicing");
   await figure.scrollIntoViewIfNeeded();
-  await task(page, "micropolygons", 1);
+  await task(page, "micropolygons", 0);
   const count = async () => Number(await figure.locator("[data-micropolygons]").getAttribute("data-micropolygons"));
-  const size = figure.getByRole("slider", { name: "Micropolygon size" });
   await page.waitForFunction(() => document.querySelector("reyes-dicing").figure.micropolygons > 0);
-  const coarse = await count();
-  await size.fill("8");
-  assert.match(await done(page, "micropolygons"), /With 8 px there are .* You predicted it/);
-  const ratio = (await count()) / coarse;
-  assert.ok(ratio > 2.8 && ratio < 4.5, `${ratio} times as many`);
+  const first = await count();
+  await figure.getByRole("slider", { name: "Zoom" }).fill("0.5");
+  assert.match(await done(page, "micropolygons"), /At this zoom there are .* You predicted it/);
+  const small = await count();
+  assert.ok(small < first / 2 && small > first / 8, `${small} of ${first}`);
+  await figure.getByRole("slider", { name: "Micropolygon size" }).fill("32");
+  await page.waitForFunction((small) => document.querySelector("reyes-dicing").figure.micropolygons < small, small);
   const pixels = () =>
     figure.locator("canvas").evaluate((/** @type {HTMLCanvasElement} */ canvas) => canvas.toDataURL());
   const pictures = new Set();

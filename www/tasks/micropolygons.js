@@ -1,19 +1,20 @@
 import { formatCount, verdict } from "./utils/surfaces.js";
 
-/** The size that the task asks for, in pixels. */
-const SIZE_PX = 8;
+/** The zoom that the task asks for, and what the slider allows. */
+const [ZOOM, TOLERANCE] = [0.5, 1e-9];
 
 export const predict = {
-  options: ["It is about twice as large", "It is about four times as large", "It is about eight times as large"],
-  answer: 1,
-  because: "Edges half as long give twice as many micropolygons in each of the two directions.",
+  options: ["It falls", "It stays the same", "It rises"],
+  answer: 0,
+  because: "Their size is measured in pixels. A pot that looks smaller covers fewer pixels and needs fewer micropolygons.",
 };
 
-/** @param {{ size: number, micropolygons: number }} figure */
-export function check({ size, micropolygons }) {
-  const count = `With ${size} px there are ${formatCount(micropolygons)} micropolygons.`;
-  return verdict(size === SIZE_PX, size === SIZE_PX ? count : `${count} Set the size to ${SIZE_PX} px.`);
+/** @param {{ zoom: number, micropolygons: number }} figure */
+export function check({ zoom, micropolygons }) {
+  const done = Math.abs(zoom - ZOOM) < TOLERANCE;
+  const count = `At this zoom there are ${formatCount(micropolygons)} micropolygons.`;
+  return verdict(done, done ? count : `${count} Set the zoom to ${ZOOM.toFixed(2)}.`);
 }
 
 /** @param {any} element */
-export const reveal = (element) => void Object.assign(element, { size: SIZE_PX });
+export const reveal = (element) => void Object.assign(element, { zoom: ZOOM });
