@@ -15,6 +15,8 @@ import { patchesOf } from "./patches.js";
 const MAX_NAMED_POINTS = 25;
 /** Where a name stands beside its point, in pixels. */
 const [OFFSET_X_PX, OFFSET_Y_PX] = [9, -9];
+/** The room that a name needs to the right of its point. */
+const NAME_WIDTH_PX = 34;
 /** The arrows of u and v stand beside the net, at this part of the distance between its first two rows. */
 const AXIS_DISTANCE = 0.45;
 /** How much of a row an axis is long, and how far beyond its tip the letter stands. */
@@ -78,7 +80,9 @@ export class Labels {
       const text = this.#texts[k];
       text.setAttribute("visibility", end ? "visible" : "hidden");
       if (!end) return "";
-      const [dx, dy] = role === "axis" ? [-4, 5] : [OFFSET_X_PX, OFFSET_Y_PX];
+      const isLeft = role === "point" && end[0] > width - NAME_WIDTH_PX; // otherwise the edge would cut it off
+      const [dx, dy] = role === "axis" ? [-4, 5] : [isLeft ? -OFFSET_X_PX : OFFSET_X_PX, OFFSET_Y_PX];
+      text.setAttribute("text-anchor", isLeft ? "end" : "start");
       text.setAttribute("x", (end[0] + dx).toFixed(1));
       text.setAttribute("y", (end[1] + dy).toFixed(1));
       const start = from && placeOf(sight, from, 0, width, height);
