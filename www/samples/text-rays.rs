@@ -21,6 +21,6 @@ pub(crate) fn sample(out: &mut String) {
 /// A character for the angle between the normal and the light.
 fn shade(n: DVec3) -> char {
     let cosine = n.dot(DVec3::new(-0.48, -0.6, 0.64)).max(0.0);
-    let level = ((9.0 * cosine) as usize).min(8);
+    let level = (1..9).filter(|&k| 9.0 * cosine >= f64::from(k)).count();
     char::from(b".:-=+*#%@"[level])
 }
