@@ -6,7 +6,8 @@ const [ZOOM, TOLERANCE] = [0.5, 1e-9];
 export const predict = {
   options: ["It falls", "It stays the same", "It rises"],
   answer: 0,
-  because: "Their size is measured in pixels. A pot that looks smaller covers fewer pixels and needs fewer micropolygons.",
+  because:
+    "Their size is measured in pixels. A pot that looks smaller covers fewer pixels and needs fewer micropolygons.",
 };
 
 /** @param {{ zoom: number, micropolygons: number }} figure */
