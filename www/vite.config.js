@@ -44,10 +44,11 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: /^casteljau$/, replacement: dist("index.js") },
-      { find: /^casteljau\/(slim|applet|elements)$/, replacement: dist("$1.js") },
+      { find: /^casteljau\/(slim|surfaces|applet|elements)$/, replacement: dist("$1.js") },
     ],
   },
   plugins: [eleventyPages(plainPages), referenceSamples, mathFontLicense, classicScript, pageSideEffects],
+  worker: { format: "es" }, // the core is awaited when it is imported
   server: { fs: { allow: [fileURLToPath(new URL("..", import.meta.url))] } },
   build: {
     outDir: "../site",

@@ -76,12 +76,12 @@
  *   do it; the cracks are shown
  * @property {number} lines strips of a patch that curves and tubes divide it into each way, 1 to 12
  * @property {string} shading "smooth", "flat", "normals", "gaussian" (also "curvature"), "mean" or "patches"
- * @property {string} show words of "surface mesh isocurves tubes ribbons net casteljau place derivatives" (the last two: the curves through u, v;
- *   ∂u, ∂v and the normal there)
+ * @property {string} show words of "surface mesh isocurves tubes ribbons net casteljau place derivatives names" (place: the curves
+ *   through u, v; derivatives: Su, Sv and the normal there; names: of the points, directions and derivatives shown)
  * @property {string} evaluation "cpu": by the package; "forward": by it, with forward differences; "gpu": by the vertex shader
  * @property {number} u where de Casteljau's grid is shown
  * @property {number} v where de Casteljau's grid is shown
- * @property {number} step how much of it: 1 the rows, 2 their points, 3 the curve, 4 its point
+ * @property {number} step how much of it: 1 the first row, 2 all rows, 3 the curve across them, 4 its point
  * @property {boolean} swept whether only what the curve of constant u has swept on its way from 0 is drawn
  * @property {string | null} probe "x y z": a point whose nearest one of the surface is shown
  * @property {number | null} patch whose control points have handles; null for none

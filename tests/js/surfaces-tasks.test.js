@@ -63,6 +63,26 @@ const strip = () => ({
   },
 });
 
+/** What it sees of <reyes-dicing>. */
+const diced = (zoom) => ({
+  zoom,
+  get figure() {
+    return { zoom: this.zoom, micropolygons: 1000 };
+  },
+});
+
+/** What it sees of <ray-tracing>. */
+const traced = (state, segments) => ({
+  state,
+  target: { segments },
+  start() {
+    this.state = "done";
+  },
+  get figure() {
+    return { state: this.state, segments: this.target.segments };
+  },
+});
+
 const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
 /** Each task: its start as the page has it, what one may try in vain, and what does it. */
@@ -71,9 +91,10 @@ const TASKS = {
     start: () => figure({ given: SURFACES.nine() }),
     vain: [
       (e) => (e.surface = e.surface.movePoint(4, [0, 0, 2])),
+      (e) => (e.surface = SURFACES.nine().movePoint(4, [0, 0, 0.13])),
       (e) => (e.surface = e.surface.movePoint(0, [-3, -3, -1]).movePoint(4, [0, 0, 0])),
     ],
-    right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 0.05])),
+    right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 0.12])),
   },
   "corner-10": {
     start: () => figure({ model: "patch", u: 0.3, v: 0.7 }),
@@ -100,11 +121,6 @@ const TASKS = {
     vain: [(e) => (e.right = 8), (e) => Object.assign(e, { left: 3, right: 3 })],
     right: (e) => Object.assign(e, { left: 4, right: 4 }),
   },
-  "round-disc": {
-    start: () => figure({ given: SURFACES.disc(), flatness: 0.01 }),
-    vain: [(e) => (e.flatness = 0.001), (e) => Object.assign(e, { flatness: null, tolerance: 0.1 })],
-    right: (e) => (e.tolerance = 0.008),
-  },
   "few-triangles": {
     start: () => figure({ segments: 8 }),
     vain: [
@@ -119,28 +135,34 @@ const TASKS = {
     vain: [(e) => (e.segments = 40), (e) => (e.segments = 12)],
     right: (e) => (e.segments = firstOver(100)),
   },
-  "only-handle": {
+  "collapsed-patch": {
     start: () => figure({}),
     vain: [
-      (e) => (e.parts = "handle spout"),
-      (e) => (e.parts = ""),
-      (e) => Object.assign(e, { parts: "handle", model: "teacup" }),
+      (e) => (e.patch = 4),
+      (e) => (e.patch = 19),
+      (e) => (e.patch = 27),
+      (e) => Object.assign(e, { patch: 20, model: "teacup" }),
     ],
-    right: (e) => (e.model = "teapot"),
-  },
-  ribbons: {
-    start: () => figure({ show: "tubes", lines: 3 }),
-    vain: [
-      (e) => (e.show = "surface ribbons"),
-      (e) => Object.assign(e, { show: "ribbons", lines: 12 }),
-      (e) => (e.lines = 3),
-    ],
-    right: (e) => (e.lines = 4),
+    right: (e) => Object.assign(e, { patch: 31, model: "teapot" }),
   },
   "spout-hit": {
     start: () => figure({ patch: 4 }),
-    vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20)],
+    vain: [(e) => (e.patch = 12), (e) => (e.patch = null), (e) => (e.patch = 20), (e) => (e.patch = 18)],
     right: (e) => (e.patch = 19),
+  },
+  micropolygons: {
+    start: () => diced(1),
+    vain: [(e) => (e.zoom = 0.45), (e) => (e.zoom = 0.55)],
+    right: (e) => (e.zoom = 0.3 + 4 * 0.05),
+  },
+  "outline-edges": {
+    start: () => traced("idle", 3),
+    vain: [
+      (e) => (e.state = "running"),
+      (e) => (e.state = "cancelled"),
+      (e) => Object.assign(e, { state: "done", target: { segments: 5 } }),
+    ],
+    right: (e) => (e.target.segments = 4),
   },
   "own-square": {
     start: () => figure({}),
@@ -163,6 +185,14 @@ function firstOver(times) {
   let n = 1;
   while (mesh(n) <= times * patches) n++;
   return n;
+}
+
+/** The next values of a cubic from one value and its differences. */
+function byAdditions([f, d1, d2, d3], count) {
+  return Array.from({ length: count }, () => {
+    [f, d1, d2] = [f + d1, d1 + d2, d2 + d3];
+    return f;
+  });
 }
 
 for (const [name, { start, vain, right }] of Object.entries(TASKS)) {
@@ -230,7 +260,11 @@ test("what the text says of the predictions and of the data is so", async () => 
   assert.equal(Surface.teapot({ rim: false, body: false, spout: false, lid: false, bottom: false }).patchCount, 4);
   const patch = surfaceNamed(settingsOf(/** @type {any} */ ({ model: "patch" }))).patch(0);
   const { x, y, z } = patch.eval(1, 0);
-  assert.deepEqual([x, y, z], [...patch.controlPoints().slice(9, 12)], "S(1, 0) is P03");
+  assert.deepEqual([x, y, z], [...patch.controlPoints().slice(9, 12)], "S(1, 0) is P30, the last point of row 0");
+  assert.equal(teapot.isocurves({ lines: 1 }).length, 68, "the wires on the sides of the patches");
+  assert.equal(teapot.patches.filter((net) => new Set(Array.from(net)).size < 16).length, 8);
+  assert.equal((1 + 1 + 1 - 1) / Math.hypot(1, 1, 1), 2 / Math.sqrt(3));
+  assert.deepEqual(byAdditions([1, 3, 4, 6], 3), [4, 11, 28]);
   const weight = (t) => 3 * t * (1 - t) ** 2;
   assert.ok(Math.abs(weight(1 / 3) - 4 / 9) < 1e-15);
 });

@@ -77,7 +77,7 @@ test("camera: points are moved by hand and keys, added, deleted; the address has
   close((await points())[3][0], after[3][0] + 0.1, 1e-9);
   await slide(page, "Height of point 4", 6);
   assert.equal((await points())[3][2], 6);
-  await page.getByRole("button", { name: "Add a point behind 4" }).click();
+  await page.getByRole("button", { name: "Add a point after 4" }).click();
   assert.equal((await points()).length, before.length + 1);
   await page.getByRole("button", { name: "Delete point 4" }).click();
   assert.equal((await points()).length, before.length);

@@ -25,7 +25,7 @@ test("glyph: letters are inked where their contours wind, holes are holes", asyn
   await page.getByRole("button", { name: "a", exact: true }).click();
   await page.getByRole("slider", { name: /^Contour 2, point 0, x/ }).focus();
   assert.match(await page.locator(".direction").innerText(), /^counter-clockwise/);
-  await page.getByRole("button", { name: "Turn contour round" }).click();
+  await page.getByRole("button", { name: "Reverse contour" }).click();
   assert.match(await page.locator(".direction").innerText(), /^clockwise/);
   assert.equal((await outline(page)).windingNumber([400, 650]), 2);
   await page.keyboard.press("Control+z");
@@ -125,7 +125,7 @@ test("glyph: quadratics within the tolerance, measured", async (t) => {
     await slide(page, "Tolerance", power);
     const error = Number(await page.locator("td.error").getAttribute("data-error"));
     assert.ok(error > 0 && error <= 10 ** power * 1.01, `${error}`);
-    await page.getByRole("button", { name: "Make it quadratic" }).click();
+    await page.getByRole("button", { name: "Convert to quadratic" }).click();
     const quadratic = await outline(page);
     assert.ok(quadratic.subpaths.every((spline) => spline.degrees.every((degree) => degree <= 2)));
     assert.equal(

@@ -53,10 +53,10 @@ test("a lost context comes back with its picture", async (t) => {
     globalThis.loss = gl.getExtension("WEBGL_lose_context");
     loss.loseContext();
   });
-  await page.getByText("graphics card was taken away").waitFor();
+  await page.getByText("WebGL context was lost").waitFor();
   await set(page, { segments: 12, shading: "smooth" });
   await page.evaluate(() => loss.restoreContext());
-  await page.getByText("graphics card was taken away").waitFor({ state: "detached" });
+  await page.getByText("WebGL context was lost").waitFor({ state: "detached" });
   await settled(page);
   assert.equal(await difference(page, before, await look(page)), 0);
 });

@@ -9,16 +9,19 @@ const SECTIONS = [
   "patches",
   "evaluation",
   "curves",
-  "tessellation",
   "normals",
+  "tessellation",
   "cracks",
   "adaptive",
+  "reyes",
   "forward-differencing",
   "gpu",
   "teapot",
   "wireframe",
   "rays",
+  "ray-tracing",
   "files",
+  "other-representations",
 ];
 /** Browsers lend about sixteen. */
 const MOST_CONTEXTS = 10;

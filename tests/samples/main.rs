@@ -22,12 +22,16 @@ mod bounding_boxes;
 mod bytes;
 #[path = "../../www/samples/casteljau.rs"]
 mod casteljau;
+#[path = "../../www/samples/circle-error.rs"]
+mod circle_error;
 #[path = "../../www/samples/circles.rs"]
 mod circles;
 #[path = "../../www/samples/degrees.rs"]
 mod degrees;
 #[path = "../../www/samples/derivatives.rs"]
 mod derivatives;
+#[path = "../../www/samples/dicing.rs"]
+mod dicing;
 #[path = "../../www/samples/differences.rs"]
 mod differences;
 #[path = "../../www/samples/eval.rs"]
@@ -74,6 +78,8 @@ mod splines;
 mod split;
 #[path = "../../www/samples/teapot.rs"]
 mod teapot;
+#[path = "../../www/samples/text-rays.rs"]
+mod text_rays;
 #[path = "../../www/samples/tolerance.rs"]
 mod tolerance;
 #[path = "../../www/samples/uses.rs"]
@@ -91,10 +97,12 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("bounding-boxes", bounding_boxes::sample),
     ("bytes", bytes::sample),
     ("casteljau", casteljau::sample),
+    ("circle-error", circle_error::sample),
     ("circles", circles::sample),
     ("degrees", degrees::sample),
     ("derivatives", derivatives::sample),
     ("differences", differences::sample),
+    ("dicing", dicing::sample),
     ("eval", eval::sample),
     ("files", files::sample),
     ("grid", grid::sample),
@@ -117,6 +125,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("splines", splines::sample),
     ("split", split::sample),
     ("teapot", teapot::sample),
+    ("text-rays", text_rays::sample),
     ("tolerance", tolerance::sample),
     ("uses", uses::sample),
     ("wires", wires::sample),

@@ -1,4 +1,4 @@
-// A camera on its way: what it sees, where it is, and what even speed and calm frames are worth.
+// <camera-path>: what a camera on a path sees, where it is, its speed and its frames.
 import { css, html, svg } from "lit";
 import { codeBox } from "../figures/lib/code-box.js";
 import { Figure } from "../figures/lib/figure.js";
@@ -268,7 +268,7 @@ export class CameraPath extends Figure {
         ${choice({
           name: "Frame",
           options: [
-            ["minimising", "rotation-minimising"],
+            ["minimising", "rotation-minimizing"],
             ["frenet", "Frenet"],
             ["upright", "upright"],
           ],
@@ -303,7 +303,7 @@ export class CameraPath extends Figure {
                 const { x, y, z } = /** @type {any} */ (this.path.eval(t));
                 return [x, y, z];
               }),
-            )}>Add a point behind ${this.chosen + 1}</button>
+            )}>Add a point after ${this.chosen + 1}</button>
           <button ?disabled=${state.points.length <= FEWEST_POINTS} @click=${() => this.change(removed(state, this.chosen))}>Delete point ${this.chosen + 1}</button>
           <button @click=${() => this.change(FIRST)}>Reset</button>
         </div>
@@ -334,19 +334,19 @@ export class CameraPath extends Figure {
         <p class="facts">At <i>t</i> = <b class="t">${decimal(t, 3)}</b> of ${this.path.segmentCount}, the camera is at (${where}); the path is ${decimal(this.length, 2)} long.</p>
         ${this.controls()}
       </div>
-      <h2>Equal times, equal ways</h2>
+      <h2>Constant speed</h2>
       <p class="say">
-        A spline's <i>t</i> runs through every piece between two points in one unit, however long it is. A camera that follows <i>t</i> creeps where points are close and rushes where they are not. Measuring the way, and asking
-        for the <i>t</i> that belongs to it, makes the speed even.
+        The parameter <i>t</i> of a spline increases by 1 between two neighbouring points, whatever their distance. A camera that follows <i>t</i> is slow where points are close and fast where they are far apart. For constant speed,
+        compute the length that the camera has to have travelled, and ask for the <i>t</i> at that arc length.
       </p>
       <div class="frame"><div class="stage">${strip(this)}</div></div>
       <h2>Which way is up?</h2>
       <p class="say">
-        The path says where ahead is, but not where up is. Frenet takes the inside of the bend for it: the camera tips over where the bend changes sides. A rotation-minimising frame is carried along
-        without any turn about the path. Of all frames along this path it turns the least.
+        The path determines the direction of view, but not which way is up. The Frenet frame uses the direction in which the path bends: where the bend changes sides, the camera turns over. A rotation-minimizing frame does not
+        rotate about the path at all.
       </p>
       <div class="frame"><div class="stage">${rolls(this)}</div></div>
-      <h2>Take it along</h2>
+      <h2>Code</h2>
       <div class="frame">${codeBox({ name: "JavaScript", text: cameraCode(this.state, this.progress, frame.point) })}</div>
     `;
   }

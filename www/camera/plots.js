@@ -43,7 +43,7 @@ function rollPlot(camera) {
   const ts = camera.path.equidistantTimes(ROLL_STEPS);
   const carried = minimising(camera.path, ts);
   const kinds = /** @type {const} */ ([
-    ["minimising", "level1", "", "rotation-minimising"],
+    ["minimising", "level1", "", "rotation-minimizing"],
     ["frenet", "handle", "2 4", "Frenet"],
     ["upright", "curve", "8 4", "upright"],
   ]);
@@ -62,14 +62,14 @@ function rollPlot(camera) {
   const leap = (/** @type {number[]} */ list) =>
     Math.max(...list.slice(1).map((value, i) => Math.abs(((value - list[i] + 540) % 360) - 180)));
   return html`
-    <svg viewBox="0 0 ${camera.wide} ${height}" role="img" aria-label="How far frames are turned about the path, in degrees, along the way">
+    <svg viewBox="0 0 ${camera.wide} ${height}" role="img" aria-label="The rotation of the frames about the path, in degrees, along the path">
       ${[-180, 0, 180].map((degrees) => svg`<path class="gridline" d="M${left} ${y(degrees)}H${camera.wide - right}" /><text class="quiet end" x=${left - 10} y=${y(degrees) + 4}>${decimal(degrees, 0)}°</text>`)}
       ${kinds.map(([kind, colour, dash], k) => svg`<path d=${trace(lists[k])} fill="none" stroke="var(--${colour})" stroke-width=${kind === camera.state.frames ? 3 : 1.75} stroke-dasharray=${dash} stroke-linejoin="round" />`)}
       <text class="quiet" x=${left} y=${height - 5}>start</text><text class="quiet end" x=${camera.wide - right} y=${height - 5}>end</text>
     </svg>
     <p class="facts">
       ${kinds.map(([, colour, dash, words]) => html`<span class="key-line" .style=${`border-color: var(--${colour}); border-block-start-style: ${dash ? (dash === "2 4" ? "dotted" : "dashed") : "solid"}`}></span>${words}`)}.
-      In one of ${ROLL_STEPS} equal steps Frenet's frame turns by up to <b class="leap">${decimal(leap(lists[1]), 0)}°</b> about the path, the rotation-minimising one by ${decimal(leap(lists[0]), 0)}°.
+      In one of ${ROLL_STEPS} equal steps the Frenet frame turns by up to <b class="leap">${decimal(leap(lists[1]), 0)}°</b> about the path, the rotation-minimizing frame by ${decimal(leap(lists[0]), 0)}°.
     </p>
   `;
 }

@@ -293,17 +293,17 @@ export class EasingLab extends Figure {
   render() {
     return html`
       ${this.presets()}
-      <h2>See it move</h2>
-      <p class="say">The same second, twice: on the left with your curve, on the right with another. Slide the time by hand to see where both are at one moment.</p>
+      <h2>Animation</h2>
+      <p class="say">The left animation uses your curve, the right one another curve, over the same time. Drag the time slider to compare them at one moment.</p>
       ${this.previews()}
       <h2>The time is x, not t</h2>
       <p class="say">
-        A timing function is a Bézier curve from (0, 0) to (1, 1). Its parameter <i>t</i> is neither the time nor the progress: the browser knows the time <i>x</i>, has to find the
-        <i>t</i> at which the curve has that <i>x</i>, and answers with its <i>y</i>. The handles keep to 0 ≤ <i>x</i> ≤ 1, so there is one such <i>t</i>, never two.
-        <i>y</i> may leave the square: then things overshoot.
+        A timing function is a Bézier curve from (0, 0) to (1, 1). The time is <i>x</i> and the progress is <i>y</i>; the parameter <i>t</i> is neither. For a time <i>x</i>, the browser finds the
+        <i>t</i> at which the curve has this <i>x</i>, and returns the <i>y</i> of that point. Because the handles stay within 0 ≤ <i>x</i> ≤ 1, there is exactly one such <i>t</i>.
+        If <i>y</i> leaves the range from 0 to 1, the animation overshoots.
       </p>
       ${this.time()}
-      <h2>Take it along</h2>
+      <h2>Code</h2>
       ${this.code()}
     `;
   }

@@ -1,4 +1,4 @@
-// <crack-strip>: the side that two patches share, cut once from the left and once from the right.
+// <crack-strip>: the side that two patches share, divided by each of them.
 import { Curve } from "casteljau";
 import { element } from "../parts/dom.js";
 import { chain, slider, svg } from "./lib/svg.js";
@@ -130,8 +130,8 @@ class CrackStrip extends LinkedFigure {
     }
     this.#words.textContent =
       gap < 1e-9
-        ? "The same cuts: the same vertices, and no crack."
-        : `The meshes part by up to ${gap.toFixed(1)} units, ${left % right === 0 || right % left === 0 ? "although every vertex of the coarser one is a vertex of the finer one" : "and most vertices have no partner"}.`;
+        ? "Both meshes have the same vertices along the side. There is no crack."
+        : `The crack is up to ${gap.toFixed(1)} units wide. ${left % right === 0 || right % left === 0 ? "Every vertex of the coarser mesh is also a vertex of the finer one." : "Most vertices of one mesh are not vertices of the other."}`;
   }
 }
 

@@ -1,4 +1,4 @@
-// <difference-table>: a cubic by additions alone, and how far rounding carries it away.
+// <difference-table>: a cubic evaluated by additions, and the rounding error.
 import { element } from "../parts/dom.js";
 import { chain, slider, svg } from "./lib/svg.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
@@ -57,7 +57,7 @@ class DifferenceTable extends LinkedFigure {
     const caption = element(
       "p",
       { className: "note" },
-      "Each number is the sum of its upper neighbour and the one to the right of that.",
+      "Each number is the sum of the number above it and the one to the right of that.",
     );
     const control = slider("Steps", { min: 2, max: 16, step: 1, value: this.#steps, name: "steps" }, (n, type) => {
       this.#steps = n;
@@ -86,7 +86,7 @@ class DifferenceTable extends LinkedFigure {
         element("tr", {}, element("td", { textContent: String(i) }), ...row.map(cell), cell(cubic(i / steps))),
       ),
     );
-    this.#words.textContent = `${3 * steps} additions for ${steps} points. In numbers of 32 bits the way ends up to ${drift.toExponential(1)} off.`;
+    this.#words.textContent = `${steps} steps take ${3 * steps} additions. With 32-bit numbers the largest error is ${drift.toExponential(1)}.`;
   }
 }
 

@@ -89,10 +89,10 @@ export class FigBytes extends Figure {
         <p class="facts">
           ${
             this.model === "teapot"
-              ? html`${teapot().vertices.length / 3} points and ${teapot().patchCount} lists of 16 numbers against a mesh with ${this.segments} ${this.segments === 1 ? "segment" : "segments"} each way per patch:`
-              : html`4 points against the ${this.segments + 1} of a polyline:`
+              ? html`The teapot has ${teapot().vertices.length / 3} control points and ${teapot().patchCount} lists of 16 indices. With ${this.segments} ${this.segments === 1 ? "segment" : "segments"} in each direction of a patch, its mesh takes`
+              : html`The curve has 4 control points. Its polyline with ${this.segments + 1} points takes`
           }
-          <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> the bytes${ratio < 1 ? ", yes, fewer" : ""}, and still not round when you come closer.
+          <b>${ratio >= 10 ? Math.round(ratio) : ratio.toFixed(1)} times</b> as many bytes${ratio < 1 ? ", which is fewer" : ""}.
         </p>
         <div class="controls">
           ${slider({

@@ -5,7 +5,7 @@ import { LinkedFigure } from "./lib/linked-figure.js";
 const decimals = (/** @type {number} */ x) => x.toFixed(2);
 const figures = (/** @type {number} */ x) => (x < 1e-4 ? x.toExponential(1) : String(Number(x.toPrecision(2))));
 
-/** Sliders; those with `log` go by ratios: their positions are the decimal logarithms. */
+/** Sliders. The positions of those with `log` are decimal logarithms. */
 const SLIDERS = {
   segments: { label: "Segments", min: 1, max: 32, step: 1, shown: String },
   lines: { label: "Strips", min: 1, max: 12, step: 1, shown: String },
@@ -13,10 +13,10 @@ const SLIDERS = {
   v: { label: "v", min: 0, max: 1, step: 0.01, shown: decimals },
   tolerance: { label: "Tolerance", min: -3, max: 0, step: 0.05, shown: figures, log: true },
   pixels: { label: "Pixels", min: -1, max: 1.5, step: 0.05, shown: figures, log: true },
-  flatness: { label: "Flat within", min: -3, max: 0.3, step: 0.05, shown: figures, log: true },
+  flatness: { label: "Flatness limit", min: -3, max: 0.3, step: 0.05, shown: figures, log: true },
 };
 
-/** What takes the place of segments. */
+/** Each of these takes the place of the segments. */
 const LENGTHS = ["tolerance", "pixels", "flatness"];
 
 /** Choices: each button sets some properties. */
@@ -26,26 +26,26 @@ const CHOICES = {
     options: { Smooth: { shading: "smooth" }, Flat: { shading: "flat" }, Normals: { shading: "normals" } },
   },
   evaluation: {
-    label: "Computed by",
+    label: "Evaluated by",
     options: {
-      "the core": { evaluation: "cpu" },
-      differences: { evaluation: "forward" },
+      "the processor": { evaluation: "cpu" },
+      "forward differences": { evaluation: "forward" },
       "the graphics card": { evaluation: "gpu" },
     },
   },
   fineness: {
-    label: "Cut",
+    label: "Subdivision",
     options: {
       uniformly: { segments: 8, tolerance: null, pixels: null, flatness: null },
       "by tolerance": { tolerance: 0.03, pixels: null, flatness: null },
       "by pixels": { tolerance: null, pixels: 1, flatness: null },
-      "until flat enough": { tolerance: null, pixels: null, flatness: 0.03 },
+      "until flat": { tolerance: null, pixels: null, flatness: 0.03 },
     },
   },
   recipe: {
-    label: "Cut",
+    label: "Subdivision",
     options: {
-      "until flat enough": { tolerance: null, flatness: 0.05 },
+      "until flat": { tolerance: null, flatness: 0.05 },
       "by tolerance": { tolerance: 0.05, flatness: null },
     },
   },
@@ -53,10 +53,10 @@ const CHOICES = {
     label: "Model",
     options: { Teapot: { model: "teapot" }, Teacup: { model: "teacup" }, Teaspoon: { model: "teaspoon" } },
   },
-  up: { label: "Upright", options: { z: { up: "z" }, y: { up: "y" } } },
-  height: { label: "Height", options: { "as usual": { height: "squashed" }, "Newell’s": { height: "original" } } },
+  up: { label: "Vertical axis", options: { z: { up: "z" }, y: { up: "y" } } },
+  height: { label: "Height", options: { usual: { height: "squashed" }, "Newell’s": { height: "original" } } },
   body: {
-    label: "Bodies",
+    label: "Draw",
     options: {
       tubes: { show: "tubes" },
       ribbons: { show: "ribbons" },
@@ -64,6 +64,28 @@ const CHOICES = {
       "ribbons on the pot": { show: "surface ribbons" },
     },
   },
+};
+
+/** The parts of the teapot by the number of their first patch. @type {[number, string][]} */
+const TEAPOT_PARTS = [
+  [28, "bottom"],
+  [20, "lid"],
+  [16, "spout"],
+  [12, "handle"],
+  [4, "body"],
+  [0, "rim"],
+];
+
+/** Lines that say what a figure shows. */
+const READINGS = {
+  point: (/** @type {any} */ figure) =>
+    figure?.place
+      ? `S(${decimals(figure.u)}, ${decimals(figure.v)}) = (${figure.place.point.map((/** @type {number} */ x) => x.toFixed(3).replace("-", "−")).join(", ")})`
+      : "",
+  hit: (/** @type {any} */ figure) =>
+    figure && figure.patch === null
+      ? "The click missed the pot."
+      : `Patch ${figure?.patch} (${TEAPOT_PARTS.find(([first]) => figure?.patch >= first)?.[1]}), u = ${decimals(figure?.u ?? 0)}, v = ${decimals(figure?.v ?? 0)}.`,
 };
 
 /** Check boxes for the words of a list. */
@@ -77,6 +99,7 @@ const LISTS = {
       net: "net",
       casteljau: "de Casteljau",
       derivatives: "derivatives",
+      names: "names",
     },
   },
   parts: {
@@ -86,10 +109,10 @@ const LISTS = {
 };
 
 const STEPS = [
-  "1 of 4: each row of the net is a curve, and dividing lines look for its point at u.",
-  "2 of 4: there are the four points, one on each row.",
-  "3 of 4: they are the control points of one more curve.",
-  "4 of 4: and on that curve, at v, lies the point of the surface.",
+  "Step 1 of 4: evaluate the curve of row 0 at u.",
+  "Step 2 of 4: evaluate the curves of the other rows at the same u.",
+  "Step 3 of 4: the four points are the control points of one more curve.",
+  "Step 4 of 4: evaluate this curve at v. The result is S(u, v).",
 ];
 
 class SurfaceControls extends LinkedFigure {
@@ -104,6 +127,7 @@ class SurfaceControls extends LinkedFigure {
     for (const name of (this.getAttribute("controls") ?? "").split(" ")) {
       if (name === "step") this.append(this.#stepper());
       else if (name === "probe") this.append(...this.#probe());
+      else if (name in READINGS) this.append(this.#reading(/** @type {keyof typeof READINGS} */ (name)));
       else if (name in SLIDERS) this.append(this.#slider(/** @type {keyof typeof SLIDERS} */ (name)));
       else if (name in CHOICES) this.append(this.#choice(/** @type {keyof typeof CHOICES} */ (name)));
       else this.append(this.#list(/** @type {keyof typeof LISTS} */ (name), allowed));
@@ -182,6 +206,14 @@ class SurfaceControls extends LinkedFigure {
     return group;
   }
 
+  /** A line that says what the figure shows. @param {keyof typeof READINGS} name */
+  #reading(name) {
+    const words = element("p", { className: "note" });
+    words.setAttribute("role", "status");
+    this.#followers.push(() => (words.textContent = READINGS[name](this.target?.figure)));
+    return words;
+  }
+
   /** Three sliders for a point in space, and what is nearest to it. */
   #probe() {
     const now = () => this.target?.figure?.probe ?? [0, 0, 0];
@@ -210,7 +242,7 @@ class SurfaceControls extends LinkedFigure {
     this.#followers.push(() => {
       const found = this.target?.figure?.nearest;
       words.textContent = found
-        ? `${found.distance.toFixed(3)} away: patch ${found.patch}, u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.`
+        ? `The distance is ${found.distance.toFixed(3)}. The nearest point is on patch ${found.patch}, at u = ${found.u.toFixed(2)}, v = ${found.v.toFixed(2)}.`
         : "";
     });
     return [...lines, words];

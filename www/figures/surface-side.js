@@ -1,14 +1,14 @@
-// <surface-side for="id">: the same patch with its triangles wound the other way.
+// <surface-side for="id">: the same patch with u and v exchanged: its triangles run the other way round.
 import { exchanged } from "./lib/surfaces.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
 
 class SurfaceSide extends LinkedFigure {
   build() {
     this.setAttribute("role", "group");
-    this.setAttribute("aria-label", "Winding");
+    this.setAttribute("aria-label", "Order of u and v");
     const buttons = [
-      ["with ∂u × ∂v", false],
-      ["against it", true],
+      ["Original", false],
+      ["u and v exchanged", true],
     ].map(([title, against]) => {
       const made = Object.assign(document.createElement("button"), {
         type: "button",

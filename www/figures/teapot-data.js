@@ -12,13 +12,18 @@ class TeapotData extends LinkedFigure {
   #words = element("p", { className: "note" });
 
   build() {
-    const control = slider("Patch", { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" }, (k) =>
-      this.#fill(k, true),
+    const control = slider(
+      "Patch",
+      { min: 0, max: this.#nets.length - 1, step: 1, value: 4, name: "patch" },
+      (k, type) => {
+        this.#fill(k);
+        this.setTarget({ patch: k }, type);
+      },
     );
     const caption = element(
       "p",
       { className: "note" },
-      `The sixteen vertex numbers of a patch, from 1 to ${listing.vertices.length} as published, and the vertex below each. Bold: other patches use it, too.`,
+      `The sixteen point numbers of a patch, from 1 to ${listing.vertices.length} as published, and the coordinates of each point. Numbers in bold are used by other patches, too.`,
     );
     const scroll = element(
       "div",
@@ -27,11 +32,11 @@ class TeapotData extends LinkedFigure {
     );
     this.#words.setAttribute("role", "status");
     this.append(control.line, caption, scroll, this.#words);
-    this.#fill(4, false);
+    this.#fill(4);
   }
 
-  /** @param {number} k @param {boolean} pick whether the figure beside picks the patch, too */
-  #fill(k, pick) {
+  /** @param {number} k */
+  #fill(k) {
     const net = this.#nets[k];
     const cell = (/** @type {number} */ vertex) => {
       const at = listing.vertices[vertex].map((x) => String(Number(x.toFixed(5))).replace("-", "−")).join(", ");
@@ -44,8 +49,7 @@ class TeapotData extends LinkedFigure {
     };
     this.#body.replaceChildren(...[0, 1, 2, 3].map((j) => element("tr", {}, ...net.slice(4 * j, 4 * j + 4).map(cell))));
     const shared = new Set(net.filter((vertex) => this.#uses[vertex] > 1)).size;
-    this.#words.textContent = `Patch ${k}: ${new Set(net).size} different vertices, ${shared} of them shared.`;
-    if (pick && this.target) this.target.patch = k;
+    this.#words.textContent = `Patch ${k}: ${new Set(net).size} different control points, ${shared} of them shared with other patches.`;
   }
 }
 

@@ -114,7 +114,7 @@ export class GlyphEditor extends Figure {
   /** Takes an outline for good: one step of undo. @param {Outline} outline */
   take(outline) {
     if (outline.length === 0) {
-      this.problem = "The last contour stays: a letter needs one.";
+      this.problem = "The last contour cannot be deleted.";
       this.outline = this.history.now;
       return;
     }
@@ -346,16 +346,16 @@ export class GlyphEditor extends Figure {
             </p>
           </details>
         </div>
-        <h2>In small and in large</h2>
-        <p class="say">One outline serves all sizes. Zoom in above as far as you like: an outline has no pixels and no facets.</p>
+        <h2>Sizes</h2>
+        <p class="say">One outline is used for all sizes. It consists of curves, so it stays smooth however far you zoom in.</p>
         <div class="frame"><div class="stage proof">${proof(this)}</div></div>
         <h2>Quadratic or cubic?</h2>
         <p class="say">
-          Fonts of the TrueType kind know lines and quadratic curves only; those of the PostScript kind have cubics. A quadratic is always a cubic too. The other way, a cubic becomes as many quadratics as it takes to
-          keep within a tolerance. The em of these letters has ${EM} units. The distance in the table is measured.
+          TrueType fonts contain only lines and quadratic curves; PostScript fonts contain cubics. Every quadratic curve can be written as a cubic exactly. A cubic is approximated by as many quadratic curves as the
+          tolerance requires. The em of these letters has ${EM} units. The distance in the table is measured.
         </p>
         ${conversion(this)}
-        <h2>In and out</h2>
+        <h2>Import and export</h2>
         <div class="frame">
           <label class="in"><span>SVG path data: change it, or paste your own</span>
             <textarea spellcheck="false" .value=${d} @change=${(/** @type {Event} */ event) => this.import(/** @type {HTMLTextAreaElement} */ (event.target).value)}></textarea></label>

@@ -49,15 +49,15 @@ export function joint(editor) {
     <p class="facts chosen">
       ${node.on ? html`Point ${node.index} of contour ${c + 1}: <b class="truth">${truth(contour, node.joint)}</b>.` : html`Handle ${node.index} of contour ${c + 1}.`}
       It is at (${node.at.map((value) => short(value, 1)).join(", ")}). The contour runs <b class="direction">${clockwise ? "clockwise ↻" : "counter-clockwise ↺"}</b>.
-      ${editor.pointer ? html`<span class="winding">Around the pointer the outline winds ${decimal(editor.path.windingNumber(editor.pointer), 0)} times.</span>` : ""}
+      ${editor.pointer ? html`<span class="winding">The winding number at the pointer is ${decimal(editor.path.windingNumber(editor.pointer), 0)}.</span>` : ""}
     </p>
     <div class="controls">
       ${node.on ? list({ name: "Joint", options: MODES.map((mode) => [mode, mode === "free" ? "free" : mode.toUpperCase().replace("AUTO", "auto")]), value: contour.modes[node.joint], change: (mode) => editor.take(setMode(editor.outline, c, node.joint, /** @type {"free"} */ (mode))) }) : ""}
       <div class="row">
-        <button @click=${() => editor.insertAfter()}>Add a point behind</button>
+        <button @click=${() => editor.insertAfter()}>Add a point after it</button>
         <button @click=${() => editor.deleteChosen()}>${node.on ? "Delete the point" : "Straighten"}</button>
         ${node.on ? html`<button @click=${() => editor.take(bendOrStraighten(editor.outline, c, Math.min(node.joint, contour.spline.segmentCount - 1)))}>${segment.degree === 1 ? "Line to curve" : "Curve to line"}</button>` : ""}
-        <button @click=${() => editor.take(reverse(editor.outline, c))}>Turn contour round</button>
+        <button @click=${() => editor.take(reverse(editor.outline, c))}>Reverse contour</button>
         <button ?disabled=${editor.outline.length < 2} @click=${() => editor.take(editor.outline.filter((_, k) => k !== c))}>Delete contour</button>
         <button @click=${() => editor.addContour()}>Add contour</button>
       </div>
@@ -116,19 +116,19 @@ export function conversion(editor) {
     <div class="frame">
       <div class="table first" tabindex="0" role="region" aria-label="Points of both outlines">
         <table>
-          <thead><tr><th>Outline</th><th>points on it</th><th>beside it</th><th>together</th><th>distance</th></tr></thead>
+          <thead><tr><th>Outline</th><th>points on the curve</th><th>control points off it</th><th>total</th><th>distance</th></tr></thead>
           <tbody>
-            <tr><th scope="row">As it is</th><td>${mine.on}</td><td>${mine.off}</td><td class="mine">${mine.all}</td><td>0</td></tr>
-            <tr><th scope="row">As quadratics</th><td>${theirs.on}</td><td>${theirs.off}</td><td class="theirs">${theirs.all}</td><td class="error" data-error=${error}>${decimal(error, 3)}</td></tr>
+            <tr><th scope="row">Current</th><td>${mine.on}</td><td>${mine.off}</td><td class="mine">${mine.all}</td><td>0</td></tr>
+            <tr><th scope="row">Quadratic</th><td>${theirs.on}</td><td>${theirs.off}</td><td class="theirs">${theirs.all}</td><td class="error" data-error=${error}>${decimal(error, 3)}</td></tr>
           </tbody>
         </table>
       </div>
       <div class="controls">
         ${slider({ name: "Tolerance", value: Math.log10(editor.tolerance), min: -2, max: 1.5, step: 0.05, text: `${short(editor.tolerance, 3)} units`, change: (power) => (editor.tolerance = Number((10 ** power).toPrecision(3))) })}
-        ${check({ name: "show the quadratics", value: editor.ghost, change: (on) => (editor.ghost = on) })}
+        ${check({ name: "show the quadratic curves", value: editor.ghost, change: (on) => (editor.ghost = on) })}
         <div class="row">
-          <button @click=${() => editor.take(outline)}>Make it quadratic</button>
-          <button @click=${() => editor.take(toCubics(editor.outline))}>Make it cubic</button>
+          <button @click=${() => editor.take(outline)}>Convert to quadratic</button>
+          <button @click=${() => editor.take(toCubics(editor.outline))}>Convert to cubic</button>
         </div>
       </div>
     </div>

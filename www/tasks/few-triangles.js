@@ -1,18 +1,20 @@
 import { formatCount, formatNumber, verdict } from "./utils/surfaces.js";
 
-const [WANTED, MOST] = [0.01, 10000];
+/** The limits that the task states. */
+const [MAX_ERROR, MAX_TRIANGLES] = [0.01, 10000];
 
 /** @param {{ mesh: { error: number | null, unit: string, triangles: number } }} figure */
 export function check({ mesh: { error, unit, triangles } }) {
-  if (error === null) return verdict(false, "“Flat enough” promises no distance from the surface.");
-  if (unit !== "") return verdict(false, "Pixels depend on where you look from. Choose a distance.");
-  if (error > WANTED) return verdict(false, `The error may be ${formatNumber(error, 3)}: too much.`);
-  const done = triangles < MOST;
+  if (error === null)
+    return verdict(false, "“Until flat” does not bound the distance from the surface. Choose another way.");
+  if (unit !== "") return verdict(false, "An error in pixels depends on the view. Choose “by tolerance”.");
+  if (error > MAX_ERROR) return verdict(false, `The error can be ${formatNumber(error, 3)}, which is more than 0.01.`);
+  const done = triangles < MAX_TRIANGLES;
   return verdict(
     done,
-    `${formatCount(triangles)} triangles${done ? ": where the pot is nearly flat they are large." : ", but they need not be as many."}`,
+    `${formatCount(triangles)} triangles${done ? ". They are large where the pot is almost flat." : ", but fewer than 10 000 are enough."}`,
   );
 }
 
 /** @param {any} element */
-export const reveal = (element) => void Object.assign(element, { flatness: null, pixels: null, tolerance: WANTED });
+export const reveal = (element) => void Object.assign(element, { flatness: null, pixels: null, tolerance: MAX_ERROR });

@@ -2,19 +2,23 @@ import { formatNumber, verdict } from "./utils/surfaces.js";
 
 const WANTED = 0.1;
 
-/** The error goes with the square of the steps. @param {number} error @param {number} n */
+/** The error is proportional to the square of the step. @param {number} error @param {number} n */
 const oneFewer = (error, n) => (error * n * n) / (n - 1) ** 2;
 
 /** @param {{ segments: number | null, mesh: { error: number | null } }} figure */
 export function check({ segments, mesh: { error } }) {
-  if (segments === null || error === null) return verdict(false, "Cut evenly, by segments.");
+  if (segments === null || error === null) return verdict(false, "Use a uniform mesh, by segments.");
   if (error >= WANTED)
-    return verdict(false, `With ${segments} segments the error is ${formatNumber(error, 3)} at most: too much.`);
+    return verdict(
+      false,
+      `With ${segments} segments the error can be ${formatNumber(error, 3)}, which is not below 0.1.`,
+    );
   const spared = segments > 1 && oneFewer(error, segments) < WANTED;
-  if (spared) return verdict(false, `${formatNumber(error, 3)} is fine enough, but fewer segments would do.`);
+  if (spared)
+    return verdict(false, `The error is below 0.1 (${formatNumber(error, 3)}), but fewer segments are enough.`);
   return verdict(
     true,
-    `${segments} segments: ${formatNumber(error, 3)}; with one fewer it would be ${formatNumber(oneFewer(error, segments), 3)}.`,
+    `With ${segments} segments the error is ${formatNumber(error, 3)}, with one fewer ${formatNumber(oneFewer(error, segments), 3)}.`,
   );
 }
 

@@ -1,18 +1,18 @@
 import { formatNumber, verdict } from "./utils/surfaces.js";
 import { SURFACES } from "../figures/lib/surfaces.js";
 
-/** What a hand can do: a few pixels of the picture. */
-const PRECISION = 0.12;
+/** The limit that the task states: a few pixels of the picture. */
+const MAX_DISTANCE = 0.12;
 
 /** @param {{ points: [number, number, number][] }} figure */
 export function check({ points }) {
-  const most = Math.max(...points.map(([, , z]) => Math.abs(z)));
-  const done = most <= PRECISION;
+  const distance = Math.max(...points.map(([, , z]) => Math.abs(z)));
+  const done = distance <= MAX_DISTANCE;
   return verdict(
     done,
     done
-      ? "Flat: all nine points lie in one plane, and the patch within their hull."
-      : `A point is still ${formatNumber(most)} away from the plane of the corners.`,
+      ? `The largest distance is ${formatNumber(distance)}. If all control points lie in one plane, so does the patch.`
+      : `One point is still ${formatNumber(distance)} away from the plane; at most ${MAX_DISTANCE} is allowed.`,
   );
 }
 

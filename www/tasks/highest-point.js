@@ -1,8 +1,9 @@
 import { formatNumber, verdict } from "./utils/surfaces.js";
 
-const NEAR = 0.01;
+/** The limit that the task states. */
+const MAX_DISTANCE = 0.01;
 
-/** The highest place by halving steps around the best one known: for a hill with one top. @param {any} patch */
+/** The highest point of a patch with one maximum, by steps that are halved. @param {any} patch */
 function top(patch) {
   let best = { u: 0.5, v: 0.5 };
   for (let step = 0.25; step > 0.002; step /= 2) {
@@ -30,10 +31,10 @@ export const live = true;
 export function check({ surface, place }) {
   const highest = surface.bounds().max.z;
   const height = place?.point[2] ?? -Infinity;
-  const done = highest - height <= NEAR;
+  const done = highest - height <= MAX_DISTANCE;
   const words = done
-    ? `The top is ${formatNumber(highest, 3)} high; you are at ${formatNumber(height, 3)}.`
-    : `You are ${formatNumber(height, 3)} high, and there is a place ${formatNumber(highest - height, 3)} above you.`;
+    ? `The maximum is ${formatNumber(highest, 3)}; your point has the height ${formatNumber(height, 3)}.`
+    : `Your point has the height ${formatNumber(height, 3)}. The maximum is ${formatNumber(highest - height, 3)} higher.`;
   return verdict(done, words);
 }
 

@@ -1,33 +1,37 @@
 import { Surface } from "casteljau";
 import { verdict } from "./utils/surfaces.js";
 
-const WANTED = 100;
-/** Bytes of a number and of an index. */
-const [NUMBER, INDEX] = [4, 2];
+const MIN_RATIO = 100;
+const [NUMBER_BYTES, INDEX_BYTES] = [4, 2];
 
-/** What the mesh with its normals takes, in what the patches take. @param {number} segments */
+/** Bytes of the mesh with normals divided by those of the control points. @param {number} segments */
 function ratioAt(segments) {
   const teapot = Surface.teapot();
   const { positions, normals, indices } = teapot.tessellate({ segments, weld: "position" });
   const numbers = teapot.patches.reduce((sum, net) => sum + net.length, 0);
   return (
     (positions.byteLength + normals.byteLength + indices.byteLength) /
-    (teapot.vertices.length * NUMBER + numbers * INDEX)
+    (teapot.vertices.length * NUMBER_BYTES + numbers * INDEX_BYTES)
   );
 }
 
 /** @param {unknown} _figure @param {{ segments: number }} element */
 export function check(_figure, { segments }) {
   const ratio = ratioAt(segments);
-  if (ratio <= WANTED) return verdict(false, `At ${segments} segments it is ${ratio.toFixed(1)} times as much.`);
+  if (ratio <= MIN_RATIO)
+    return verdict(false, `With ${segments} segments the mesh takes ${ratio.toFixed(1)} times as many bytes.`);
   const before = ratioAt(segments - 1);
-  if (before > WANTED) return verdict(false, `${ratio.toFixed(1)} times: enough, but not the first.`);
-  return verdict(true, `At ${segments} segments: ${ratio.toFixed(1)} times; one fewer makes ${before.toFixed(1)}.`);
+  if (before > MIN_RATIO)
+    return verdict(false, `${ratio.toFixed(1)} times as many bytes, but a smaller number of segments is enough.`);
+  return verdict(
+    true,
+    `With ${segments} segments it is ${ratio.toFixed(1)} times as many, with one fewer ${before.toFixed(1)} times.`,
+  );
 }
 
 /** @param {{ segments: number }} element */
 export function reveal(element) {
   let segments = 1;
-  while (ratioAt(segments) <= WANTED) segments++;
+  while (ratioAt(segments) <= MIN_RATIO) segments++;
   element.segments = segments;
 }

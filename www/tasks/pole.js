@@ -1,23 +1,23 @@
 import { lengthOf, formatNumber, verdict } from "./utils/surfaces.js";
 
 export const predict = {
-  options: ["No: where a derivative vanishes, there is no normal", "Yes: the limit from inside the patch"],
+  options: ["No: the cross product is zero", "Yes: the limit from inside the patch"],
   answer: 1,
-  because: "The surface is smooth there, only the parameters are not: all u lead to the same point.",
+  because: "The surface is smooth there. Only the parametrization is degenerate: every u gives the same point.",
 };
 
-/** Of the longer derivative: less is no length. */
-const NOTHING = 1e-6;
+/** The limit that the task states, relative to the length of S_v. */
+const MAX_RATIO = 1e-6;
 
 /** @param {{ surface: any, patch: number | null, u: number, v: number, place: { normal: number[] } | null }} figure */
 export function check({ surface, patch, u, v, place }) {
   if (patch === null || !place) return verdict(false, "Click a patch of the lid first.");
   const partials = surface.patch(patch).partials(u, v);
   const [along, across] = [lengthOf(partials.u), lengthOf(partials.v)];
-  if (along > NOTHING * across) return verdict(false, `Here the derivative along u is ${formatNumber(along)} long.`);
+  if (along > MAX_RATIO * across) return verdict(false, `Here the length of Sᵤ is ${formatNumber(along)}.`);
   return verdict(
     true,
-    `Here it has no length, and the normal is (${place.normal.map((x) => formatNumber(x + 0)).join(", ")}).`,
+    `Here the length of Sᵤ is zero, and the normal is (${place.normal.map((x) => formatNumber(x + 0)).join(", ")}).`,
   );
 }
 

@@ -1,6 +1,6 @@
 export const predict = {
-  options: ["32 · 16² = 8192", "32 · 17² = 9248", "8257, since sides are shared"],
+  options: ["32 · 16² = 8192", "32 · 17² = 9248", "8257, because sides are shared"],
   answer: 1,
   because:
-    "Sixteen cells in a row have seventeen corners. Were the vertices of shared sides joined, and the points at the poles, 8257 would be left: 32 · 16² + 4 · 16 + 1.",
+    "A row of sixteen cells has seventeen vertices. If patches shared the vertices of common sides, there would be 8257: 32 · 16² + 4 · 16 + 1.",
 };

@@ -7,6 +7,7 @@ import { acceptDrops } from "./files.js";
 import { figureOf } from "./figure.js";
 import { frame } from "./frame.js";
 import { loadDrawing } from "./loading.js";
+import { startTurn } from "./start-queue.js";
 import { style } from "./style.js";
 import { Subject } from "./subject.js";
 import { Turning } from "./turning.js";
@@ -16,6 +17,7 @@ import { MODEL_NAMES, STATES } from "./words.js";
  * @import { View } from "./camera.js"
  * @import { Facts } from "./geometry.js"
  * @import { Handles } from "./handles.js"
+ * @import { Labels } from "./labels.js"
  * @import { Drawing } from "./loading.js"
  * @import { Stage } from "./stage.js"
  */
@@ -49,6 +51,8 @@ export class BezierSurface extends SurfaceAttributes {
   #stage = null;
   /** @type {Handles | null} */
   #handles = null;
+  /** @type {Labels | null} */
+  #labels = null;
   /** @type {IntersectionObserver[]} */
   #watches = [];
   /** @type {(() => void) | null} */
@@ -177,6 +181,7 @@ export class BezierSurface extends SurfaceAttributes {
   async #start() {
     const watches = this.#watches;
     const drawing = await loadDrawing().catch(() => null);
+    await startTurn();
     if (watches !== this.#watches || !this.isConnected) return;
     this.#coming = null;
     if (!this.#kept) return; // it was scrolled past
@@ -191,12 +196,13 @@ export class BezierSurface extends SurfaceAttributes {
   }
 
   /** @param {Drawing} drawing */
-  #build({ Gestures, Handles, Stage }) {
+  #build({ Gestures, Handles, Labels, Stage }) {
     const find = (/** @type {string} */ selector) => /** @type {any} */ (this.renderRoot.querySelector(selector));
     const canvas = find("canvas");
     this.#stage = new Stage(canvas, find(".probe"), this.#camera, {
       drawn: (facts, sight, width, height) => {
         this.#handles?.place(sight, width, height);
+        this.#labels?.place(sight, width, height);
         this.#setDrawn(true);
         this.#tell(facts);
       },
@@ -208,6 +214,7 @@ export class BezierSurface extends SurfaceAttributes {
       moved: (...args) => this.#pulled(...args),
       sight: () => this.#stage?.sight() ?? null,
     });
+    this.#labels ??= new Labels(find(".overlay"));
     const gestures = new Gestures(canvas, {
       view: () => this.view,
       move: (changes, done) => this.#moveByHand(changes, done),
@@ -238,6 +245,7 @@ export class BezierSurface extends SurfaceAttributes {
     if (this.#stage) {
       const scene = this.#scene();
       this.#handles?.update(scene);
+      this.#labels?.update(scene);
       this.#stage.show(scene);
     }
     this.dispatchEvent(new Event("update"));

@@ -96,7 +96,7 @@ export class Handles {
     const numbers = [...this.#points.subarray(3 * i, 3 * i + 3)].map((x) => Number(x.toPrecision(3)));
     button.dataset.index = String(i);
     button.dataset.kind = corner ? "on" : "off";
-    button.setAttribute("aria-label", `P${row}${column}: x ${numbers[0]}, y ${numbers[1]}, z ${numbers[2]}`);
+    button.setAttribute("aria-label", `P${column}${row}: x ${numbers[0]}, y ${numbers[1]}, z ${numbers[2]}`);
   }
 
   /**

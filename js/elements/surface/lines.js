@@ -132,7 +132,7 @@ function linesOf({ degreeU, degreeV }, points) {
  */
 
 /**
- * As much of the scaffold as the step shows: 1 the rows' lines, 2 their points, 3 the curve through them, 4 its point.
+ * As much as the step shows: 1 the first row, 2 all rows, 3 the curve that their points control, 4 its point.
  *
  * @param {Patch} patch
  * @param {number} u
@@ -146,10 +146,11 @@ export function casteljau(patch, u, v, step) {
   const from = (/** @type {number} */ least, /** @type {() => number[]} */ make) =>
     Float32Array.from(step >= least ? make() : []);
   const at = patch.eval(u, v);
+  const shownRows = step === 1 ? rows.slice(0, 1) : rows;
   return {
-    rowLines: from(1, () => rows.flatMap((row) => dividing(row, u))),
-    rowCurves: from(1, () => rows.flatMap((row) => chain(row.sample(PIECES)))),
-    rowPoints: from(2, () => [...column.controlPoints()]),
+    rowLines: from(1, () => shownRows.flatMap((row) => dividing(row, u))),
+    rowCurves: from(1, () => shownRows.flatMap((row) => chain(row.sample(PIECES)))),
+    rowPoints: from(1, () => [...column.controlPoints().subarray(0, 3 * shownRows.length)]),
     columnLines: from(3, () => [...chain(column.controlPoints()), ...(step > 3 ? dividing(column, v) : [])]),
     columnCurve: from(3, () => chain(column.sample(2 * PIECES))),
     point: from(4, () => [at.x, at.y, at.z ?? 0]),

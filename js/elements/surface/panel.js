@@ -200,7 +200,7 @@ function stepper({ settings: { step }, set }) {
       <button type="button" ?disabled=${step === 1} @click=${() => set("step", step - 1, "change")}>Step back</button>
       <button type="button" ?disabled=${step === STEPS} @click=${() => set("step", step + 1, "change")}>Next step</button>
     </div>
-    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS.slice(step < 2 ? 0 : 1, step).join(" ")}</p>`;
+    <p class="note" role="status">${step}/${STEPS}: ${STEP_WORDS[step - 1]}</p>`;
 }
 
 /** @param {PanelPort} port */

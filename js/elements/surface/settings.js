@@ -16,6 +16,7 @@ export const LAYERS = /** @type {const} */ ([
   "casteljau",
   "place",
   "derivatives",
+  "names",
 ]);
 
 /** Cells along each direction of a patch. */
@@ -24,7 +25,7 @@ export const MOST_SEGMENTS = 64;
 export const MOST_LINES = 12;
 /** A mesh finer than this on the screen shows nothing more. */
 const LEAST_PIXELS = 0.05;
-/** Rows, row points, the curve through them, its point. */
+/** Of de Casteljau's algorithm: the first row, all rows, the curve across them, its point. */
 export const STEPS = 4;
 
 /** @typedef {typeof MODELS[number]} Model */

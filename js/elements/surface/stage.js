@@ -38,6 +38,8 @@ export class Stage {
   #view = null;
   /** @type {Scene | null} */
   #scene = null;
+  /** What the canvas shows; null if it has to be drawn again. @type {Scene | null} */
+  #drawnScene = null;
   /** @type {Theme | null} */
   #theme = null;
   /** @type {View} */
@@ -73,6 +75,7 @@ export class Stage {
     const canvas = this.#canvas;
     const lost = () => {
       this.#lost = true;
+      this.#drawnScene = null;
       if (!this.#lease.ended) this.#port.stateChanged("lost");
     };
     const restored = () => {
@@ -108,7 +111,7 @@ export class Stage {
   /** @param {Scene} scene */
   show(scene) {
     this.#scene = scene;
-    this.schedule();
+    if (scene !== this.#drawnScene || this.#port.turning()) this.schedule();
   }
 
   /** The style sheet has other colours now. */
@@ -171,6 +174,7 @@ export class Stage {
     const facts = this.factsOf(scene);
     if (!facts) return;
     this.#view?.draw({ scene, geometry: this.geometry, sight: seen.sight, theme, width, height, ratio });
+    this.#drawnScene = scene;
     this.#port.drawn(facts, seen.sight, seen.width, seen.height);
   }
 

@@ -60,6 +60,11 @@ canvas:focus-visible { outline-offset: -3px; }
 .poster { position: absolute; inset: 0; overflow: clip; pointer-events: none; }
 .poster ::slotted(*) { inline-size: 100%; block-size: 100%; object-fit: contain; }
 .overlay { position: absolute; inset: 0; overflow: clip; pointer-events: none; user-select: none; -webkit-user-select: none; }
+.names { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; overflow: hidden; }
+.names text { fill: var(--bz-ink); font-size: 14px; font-style: italic; paint-order: stroke; stroke: var(--bz-paper); stroke-width: 3.5px; stroke-linejoin: round; }
+.names .index { font-size: 0.72em; font-style: normal; }
+.names :is(.axis, .u, .v, .normal) { font-size: 16px; font-weight: 600; }
+.names path { fill: none; stroke: var(--bz-ink); stroke-width: 1.75; stroke-linecap: round; }
 .handle {
   position: absolute; inset: 0 auto auto 0; inline-size: var(--bz-hit); block-size: var(--bz-hit); min-block-size: 0; margin: calc(var(--bz-hit) / -2) 0 0 calc(var(--bz-hit) / -2);
   padding: 0; border: 0; border-radius: 50%; background: none; pointer-events: auto; touch-action: none; cursor: grab;

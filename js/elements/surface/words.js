@@ -32,24 +32,25 @@ export const LAYER_NAMES = {
   casteljau: "de Casteljau",
   place: "place",
   derivatives: "derivatives",
+  names: "names",
 };
 /** What there is to say of the picture. */
 export const STATES = {
   coming: "",
   missing: MISSING,
   webgl: "",
-  flat: "This browser offers no WebGL2: the surface is drawn as lines.",
-  lost: "The graphics card was taken away; the picture comes back with it.",
+  flat: "This browser has no WebGL2, so the surface is drawn as lines.",
+  lost: "The WebGL context was lost. The picture returns when it is restored.",
 };
-/** What each step of de Casteljau's grid shows. */
+/** What each step of de Casteljau's algorithm shows. */
 export const STEP_WORDS = [
-  "Each row of the net is a curve. Dividing lines find its point at u.",
-  "These row points are control points again,",
-  "of the curve of constant u,",
-  "and on it lies the point of the surface, at v.",
+  "The curve of row 0 is evaluated at u.",
+  "The curves of the other rows are evaluated at the same u.",
+  "The four points are the control points of one more curve.",
+  "This curve is evaluated at v: the result is S(u, v).",
 ];
 export const INSTRUCTIONS =
-  "Drag to turn, with Shift to shift; two fingers zoom. Keys: arrows turn, with Shift they shift, plus and minus zoom, 0 goes back.";
+  "Drag to rotate, with Shift to move the picture; zoom with two fingers. Keys: the arrow keys rotate, with Shift they move the picture; plus and minus zoom; 0 restores the first view.";
 
 /**
  * Two figures that count.
