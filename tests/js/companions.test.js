@@ -247,7 +247,7 @@ test("timing functions: read, written, refused", () => {
     "cubic-bezier(1,2,3,4,5)",
     "cubic-bezier(0, NaN, 0, 0)",
     "cubic-bezier(0, 1e999, 0, 0)",
-    "go too far",
+    "overshoot",
     "steps(3)",
     "cubic-bezier(0,0,0,0",
     "<script>",

@@ -39,6 +39,7 @@ test("moved about they stay what they are", async (t) => {
     for (const place of [section, main]) for (const element of all) place.moveBefore?.(element, null);
   });
   await settled(page);
+  await begunAgain(page, before);
   assert.deepEqual({ ...(await page.evaluate(() => ledger.count())), frames: 0 }, { ...before, frames: 0 });
 });
 

@@ -58,7 +58,7 @@ export class EasingLab extends Figure {
     .text input { flex: 1; min-inline-size: 0; font-family: ui-monospace, Menlo, Consolas, monospace; }
     .editor { padding: 0.9rem; background: var(--paper); }
     @media (forced-colors: active) { .lane span { forced-color-adjust: none; background: CanvasText; } .lane .other { background: Canvas; } }
-    @media (max-width: 480px) { .lanes { grid-template-columns: 1fr 1fr; } .lanes > b.name { grid-column: 1 / -1; margin-block-start: 0.3rem; } .lanes > .corner { display: none; } }
+    @media (max-width: 480px) { .text { flex-wrap: wrap; } .text input { flex: 1 0 100%; font-size: 0.875rem; } .lanes { grid-template-columns: 1fr 1fr; } .lanes > b.name { grid-column: 1 / -1; margin-block-start: 0.3rem; } .lanes > .corner { display: none; } }
   `,
   ];
 

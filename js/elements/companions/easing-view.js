@@ -20,6 +20,7 @@ const COORDINATES = ["x1", "y1", "x2", "y2"];
  * @csspart stage - the picture with its handles
  * @csspart plot - the picture
  * @csspart handle - each handle: its hit box
+ * @csspart preset - the choice of a common curve
  * @csspart field - each of the four numbers
  * @csspart track - where the ball runs
  * @csspart ball - what moves as the easing has it
@@ -119,7 +120,7 @@ export class EasingView {
       <div class="stage" part="stage">${picture(handles, heights, `${name}: ${timingText(handles)}`)}
         ${off ? nothing : [0, 1].map((which) => handle(which, handles, heights, this.#drag))}</div>
       <div class="side">
-        <label class="preset">Preset <select ?disabled=${off} @change=${(/** @type {Event} */ event) => this.#preset(/** @type {HTMLSelectElement} */ (event.target).value)}>${this.#options()}</select></label>
+        <label class="preset" part="preset">Preset <select ?disabled=${off} @change=${(/** @type {Event} */ event) => this.#preset(/** @type {HTMLSelectElement} */ (event.target).value)}>${this.#options()}</select></label>
         <div class="numbers">${COORDINATES.map((each, k) => html`<label><i>${each[0]}<sub>${each[1]}</sub></i>${this.#fields.field(String(k), each, { step: "0.01", decimals: 4, disabled: off })}</label>`)}</div>
         <div class="play"><button type="button" @click=${() => this.#play()}>Play</button><div class="track" part="track" aria-hidden="true"><div class="ball" part="ball"></div></div></div>
         <output part="value" aria-live="off">${this.#host.value || "nothing chosen"}</output>

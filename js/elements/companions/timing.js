@@ -4,7 +4,7 @@ import { quoted, readNumber } from "./numbers.js";
 /** @typedef {[number, number, number, number]} Handles x1, y1, x2, y2 */
 
 /**
- * The keywords of CSS, and three that leave the unit square.
+ * The keywords of CSS, and common curves without one.
  *
  * @type {Record<string, Handles>}
  */
@@ -14,8 +14,9 @@ export const PRESETS = {
   "ease-in": [0.42, 0, 1, 1],
   "ease-out": [0, 0, 0.58, 1],
   "ease-in-out": [0.42, 0, 0.58, 1],
-  "step back first": [0.36, 0, 0.66, -0.56],
-  "go too far": [0.34, 1.56, 0.64, 1],
+  "gentle stop": [0.16, 1, 0.3, 1],
+  overshoot: [0.34, 1.56, 0.64, 1],
+  "wind up": [0.36, 0, 0.66, -0.56],
   both: [0.68, -0.6, 0.32, 1.6],
 };
 /** So many of them are words of CSS. */
