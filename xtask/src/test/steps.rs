@@ -221,8 +221,12 @@ fn doc(_: &Context) -> Result<Done> {
 }
 
 fn reference(_: &Context) -> Result<Done> {
-    let tests = ["test", "--quiet", "--package", "casteljau-reference"];
-    run_all([shell::cargo(&tests)])
+    // With the crate's own unit tests, and so with the features of its test dependencies: its compiled crates are reused.
+    let packages = ["--package", "casteljau-reference", "--package", "casteljau"];
+    let mut tests = shell::cargo(&["test", "--quiet", "--lib"]);
+    tests.args(packages);
+    tests.args(["--features", "casteljau/serde,casteljau/kurbo"]);
+    run_all([tests])
 }
 
 fn driver(_: &Context) -> Result<Done> {
