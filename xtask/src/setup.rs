@@ -41,6 +41,34 @@ pub(crate) fn components() -> Result<()> {
     Ok(())
 }
 
+/// The oldest version of Rust that the crate supports.
+pub(crate) fn oldest_rust() -> Result<String> {
+    let manifest = fs::read_to_string(shell::root().join("Cargo.toml"))?;
+    let mut lines = manifest.lines();
+    let version = lines.find_map(|line| line.strip_prefix("rust-version = \"")?.strip_suffix('"'));
+    Ok(version
+        .context("Cargo.toml has no rust-version")?
+        .to_owned())
+}
+
+/// Whether a version of Rust is there; installs it if it can.
+pub(crate) fn has_rust(version: &str) -> bool {
+    let mut rustc = shell::command("rustc", &["--version"]);
+    rustc.env("RUSTUP_TOOLCHAIN", version);
+    if shell::output_of(&mut rustc).is_some() {
+        return true;
+    }
+    let install = [
+        "toolchain",
+        "install",
+        version,
+        "--profile",
+        "minimal",
+        "--no-self-update",
+    ];
+    shell::run(&mut shell::command("rustup", &install)).is_ok()
+}
+
 /// Runs `npm ci` unless node_modules was installed from the present package-lock.json.
 pub(crate) fn node_modules() -> Result<()> {
     node_version()?;

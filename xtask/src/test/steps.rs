@@ -16,7 +16,7 @@ const PLAIN: Step = Step {
     act: |_| Ok(Done::Passed),
 };
 
-pub(crate) const STEPS: [Step; 18] = [
+pub(crate) const STEPS: [Step; 19] = [
     Step {
         name: "fmt",
         title: "Rust is formatted",
@@ -65,6 +65,12 @@ pub(crate) const STEPS: [Step; 18] = [
         title: "Tests of the driver",
         beside: Some("doc"),
         act: driver,
+        ..PLAIN
+    },
+    Step {
+        name: "msrv",
+        title: "The crate with the oldest version of Rust that it supports",
+        act: oldest_rust,
         ..PLAIN
     },
     Step {
@@ -227,6 +233,24 @@ fn reference(_: &Context) -> Result<Done> {
     tests.args(packages);
     tests.args(["--features", "casteljau/serde,casteljau/kurbo"]);
     run_all([tests])
+}
+
+/// Compiles the crate with the version that Cargo.toml names as `rust-version`.
+fn oldest_rust(_: &Context) -> Result<Done> {
+    let version = setup::oldest_rust()?;
+    if !setup::has_rust(&version) {
+        return Ok(Done::Skipped(format!(
+            "Rust {version} is absent and cannot be installed"
+        )));
+    }
+    let mut check = shell::cargo(&["check", "--quiet", "--package", "casteljau"]);
+    check.args(["--features", "serde,kurbo"]);
+    check.args([
+        "--target-dir".as_ref(),
+        shell::target_dir().join("msrv").as_os_str(),
+    ]);
+    check.env("RUSTUP_TOOLCHAIN", &version);
+    run_all([check])
 }
 
 fn driver(_: &Context) -> Result<Done> {
