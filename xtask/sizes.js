@@ -16,13 +16,15 @@ export const IMPORTS = [
   ["everything", "Curve, Spline, Path, Patch, Surface, Mesh, easing, init", "index"],
   ["{ Curve, Spline } of core", "Curve, Spline", "core"],
   ["{ Surface } of surfaces", "Surface", "surfaces"],
+  ["only types", "type Curve, type Mesh", "index"],
 ];
 
 /** The size in bytes of a bundle that imports some of the classes of an entry point. @param {string[]} row of IMPORTS */
 export async function sizeOfImport([name, names, entry]) {
-  const contents = `import { ${names} } from "./dist/${entry}.js"; globalThis.used = [${names}];`;
+  const use = names.startsWith("type ") ? "" : `globalThis.used = [${names}];`;
+  const contents = `import { ${names} } from "./dist/${entry}.js"; ${use}`;
   const { outputFiles } = await build({
-    stdin: { contents, resolveDir: root },
+    stdin: { contents, resolveDir: root, loader: "ts" },
     bundle: true,
     minify: true,
     format: "esm",
@@ -31,5 +33,5 @@ export async function sizeOfImport([name, names, entry]) {
     write: false,
   });
   const bytes = outputFiles[0].contents;
-  return { name, raw: bytes.length, gzip: gzip(bytes) };
+  return { name, raw: bytes.length, gzip: bytes.length && gzip(bytes) }; // gzip of nothing has 20 bytes
 }

@@ -120,10 +120,12 @@ export class Mesh {
    * The bytes of a binary STL file: 84, and 50 for each triangle. The normals are computed from the corners by the
    * right-hand rule; those of degenerate triangles are zero. Positions in f64 are rounded to f32.
    *
+   * @param {never[]} surplus
    * @returns {Uint8Array<ArrayBuffer>}
    * @throws {RangeError} above 1 GiB, for positions that overflow f32, and as `toOBJ`
    */
-  toSTL() {
+  toSTL(...surplus) {
+    check.noSurplus(surplus, "toSTL", 0);
     return meshToSTL(this);
   }
 
@@ -132,10 +134,12 @@ export class Mesh {
    * mesh has uvs, and indices. An empty mesh gives an empty scene. Numbers in f64 are rounded to f32; normals that are
    * zero become +z, because glTF does not allow them. In glTF, y points up: create the surface with `up: "y"`.
    *
+   * @param {never[]} surplus
    * @returns {Uint8Array<ArrayBuffer>}
    * @throws {RangeError} as `toSTL`
    */
-  toGLB() {
+  toGLB(...surplus) {
+    check.noSurplus(surplus, "toGLB", 0);
     return meshToGLB(this);
   }
 

@@ -155,9 +155,11 @@ export class CoreCurve extends CurveEvaluation {
    * length of the chord. For teaching: D1 − D2 is not a bound on the distance, but `deviationBound` is.
    *
    * @param {number} tolerance the largest distance, in the unit of the points
+   * @param {never[]} surplus
    * @returns {Subdivision<this>}
    */
-  subdivide(tolerance) {
+  subdivide(tolerance, ...surplus) {
+    check.noSurplus(surplus, "subdivide", 1);
     check.positive(tolerance, "tolerance");
     const used = core().curve_subdivide(this.dimension, this._write(), tolerance);
     return readTree(readResult(0, used), this._flat.length, (flat) => this._curveOf(flat));

@@ -89,10 +89,12 @@ export class CurveMeasures extends CoreCurve {
    * It costs as much as `timeAtLength`, `eval`, `tangent` and `normal` together.
    *
    * @param {number} s in the unit of the points
+   * @param {never[]} surplus
    * @returns {PointAtLength<D>}
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s) {
+  pointAtLength(s, ...surplus) {
+    check.noSurplus(surplus, "pointAtLength", 1);
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -113,9 +115,11 @@ export class CurveMeasures extends CoreCurve {
    * The signed area ½ ∫ (x dy − y dx) swept by the line from the origin to the point of the curve, positive while that
    * line turns counter-clockwise (x right, y up). The areas of the segments of an outline add up to its area. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {number}
    */
-  area() {
+  area(...surplus) {
+    check.noSurplus(surplus, "area", 0);
     this._require2D("area");
     return core().curve_area(this._write());
   }

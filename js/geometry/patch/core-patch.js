@@ -120,9 +120,11 @@ export class CorePatch extends PatchValue {
    * above degree 24), about one for each multiplication. If that is not enough, the face is at the best local extremum
    * found so far.
    *
+   * @param {never[]} surplus
    * @returns {{ min: Point, max: Point }}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0);
     return /** @type {{ min: Point, max: Point }} */ (queries.bounds(this.#surfaceWriter()));
   }
 
@@ -134,18 +136,22 @@ export class CorePatch extends PatchValue {
    * or has very different sizes along its axes, the result is the best estimate and its fifth digit may be wrong; where
    * coordinates differ by many powers of ten, the fourth.
    *
+   * @param {never[]} surplus
    * @returns {number}
    */
-  area() {
+  area(...surplus) {
+    check.noSurplus(surplus, "area", 0);
     return queries.area(this.#surfaceWriter());
   }
 
   /**
    * An upper bound on the distance of the patch from the two triangles that join its corners, for either diagonal.
    *
+   * @param {never[]} surplus
    * @returns {number}
    */
-  flatness() {
+  flatness(...surplus) {
+    check.noSurplus(surplus, "flatness", 0);
     writeArguments(this._flat);
     return core().patch_flatness(this.degreeU, this.degreeV);
   }

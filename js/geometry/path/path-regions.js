@@ -176,10 +176,12 @@ export class PathRegions extends PathMeasures {
    * middle between them (in the parameter) at the latest.
    *
    * @param {number} radius 0 gives the path
+   * @param {never[]} surplus
    * @returns {this}
    * @throws {RangeError} for a negative radius
    */
-  roundCorners(radius) {
+  roundCorners(radius, ...surplus) {
+    check.noSurplus(surplus, "roundCorners", 1);
     return this._pathOf(strokes.roundCorners(this._packed, radius));
   }
 

@@ -155,9 +155,11 @@ export class CoreSpline extends SplineEvaluation {
    * The same spline with an additional joint at t.
    *
    * @param {number} t 0 to the number of segments
+   * @param {never[]} surplus
    * @returns {this}
    */
-  insert(t) {
+  insert(t, ...surplus) {
+    check.noSurplus(surplus, "insert", 1);
     check.finite(t, "t");
     return this._read(core().spline_insert(this._write(), t));
   }

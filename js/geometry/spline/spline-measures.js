@@ -106,10 +106,12 @@ export class SplineMeasures extends CoreSpline {
    * The first call measures all segments; further ones cost as much as those of `Curve.pointAtLength`.
    *
    * @param {number} s in the unit of the points
+   * @param {never[]} surplus
    * @returns {PointAtLength<D>}
    * @throws {RangeError} for a NaN or an infinity
    */
-  pointAtLength(s) {
+  pointAtLength(s, ...surplus) {
+    check.noSurplus(surplus, "pointAtLength", 1);
     return pointAndDirections(this, this.timeAtLength(s));
   }
 
@@ -131,9 +133,11 @@ export class SplineMeasures extends CoreSpline {
    * The signed area swept by the line from the origin to the point of the spline, positive while that line turns
    * counter-clockwise (x right, y up). For a closed spline it is the enclosed area. 2D only.
    *
+   * @param {never[]} surplus
    * @returns {number}
    */
-  area() {
+  area(...surplus) {
+    check.noSurplus(surplus, "area", 0);
     this._require2D("area");
     this._write();
     return core().spline_area();

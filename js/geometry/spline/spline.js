@@ -177,9 +177,11 @@ export class Spline extends SplineMeasures {
    * segment (else a RangeError).
    *
    * @param {number} tolerance the largest distance, in the unit of the points
+   * @param {never[]} surplus
    * @returns {this}
    */
-  simplify(tolerance) {
+  simplify(tolerance, ...surplus) {
+    check.noSurplus(surplus, "simplify", 1);
     check.positive(tolerance, "tolerance");
     return this._read(core().spline_simplify(this._write(), tolerance));
   }

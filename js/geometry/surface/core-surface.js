@@ -45,18 +45,22 @@ export class CoreSurface extends SurfaceValue {
    * The smallest box that contains the surface, exact up to rounding; null without patches. The limit of steps of
    * `Patch.bounds` applies to each patch.
    *
+   * @param {never[]} surplus
    * @returns {{ min: Point, max: Point } | null}
    */
-  bounds() {
+  bounds(...surplus) {
+    check.noSurplus(surplus, "bounds", 0);
     return queries.bounds(this.#writer(false));
   }
 
   /**
    * The total area of all patches with a relative error below 1e-8; see `Patch.area`.
    *
+   * @param {never[]} surplus
    * @returns {number}
    */
-  area() {
+  area(...surplus) {
+    check.noSurplus(surplus, "area", 0);
     return queries.area(this.#writer(false));
   }
 
@@ -64,9 +68,11 @@ export class CoreSurface extends SurfaceValue {
    * The volume that a closed surface encloses; null if there is an open edge or an edge that three patches share. It is
    * positive if the normals point outwards; if neighbours disagree, the first patch of each component decides.
    *
+   * @param {never[]} surplus
    * @returns {number | null}
    */
-  volume() {
+  volume(...surplus) {
+    check.noSurplus(surplus, "volume", 0);
     return queries.volume(this.#writer(true));
   }
 
@@ -172,11 +178,13 @@ export class CoreSurface extends SurfaceValue {
    * its tolerance.
    *
    * @param {number} tolerance the largest distance, in the unit of the points
+   * @param {never[]} surplus
    * @returns {FlatPiece[]} patch by patch
    * @throws {RangeError} for a tolerance that the coordinates cannot resolve, above 2¹⁸ pieces, and if all pieces,
    *   including split ones, have more than 2²⁴ control points together (the lower limit for degrees above 5)
    */
-  subdivide(tolerance) {
+  subdivide(tolerance, ...surplus) {
+    check.noSurplus(surplus, "subdivide", 1);
     return subdivide(() => this._write(), tolerance);
   }
 

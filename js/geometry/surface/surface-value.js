@@ -44,9 +44,11 @@ export class SurfaceValue {
    * `patches` and their number, then for each a row with its degrees in u and v, followed by its net, for each j a row
    * with the vertex numbers, from 0, of the points Pᵢⱼ.
    *
+   * @param {never[]} surplus
    * @returns {string}
    */
-  toText() {
+  toText(...surplus) {
+    check.noSurplus(surplus, "toText", 0);
     return surfaceText(this.#network);
   }
 

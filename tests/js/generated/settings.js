@@ -12,6 +12,8 @@ const plain = (name) => name.replace(/[^a-z0-9]/gi, "").toLowerCase();
 export const seed = Number(CASTELJAU_SEED ?? 11);
 /** The first case and their number. */
 export const range =
-  number === undefined ? [FIRST, Number(CASTELJAU_CASES ?? (CASTELJAU_DEEP ? DEEP_CASES : CASES))] : [Number(number), 1];
+  number === undefined
+    ? [FIRST, Number(CASTELJAU_CASES ?? (CASTELJAU_DEEP ? DEEP_CASES : CASES))]
+    : [Number(number), 1];
 /** Whether a function is asked for. @param {string} row */
 export const isWanted = (row) => only === undefined || plain(only) === plain(row);

@@ -87,7 +87,7 @@ function drawRow(sheet, roots, depth, place) {
  */
 function level(node, depth) {
   if (depth === 0) return [node];
-  return node.halves ? node.halves.flatMap((half) => level(half, depth - 1)) : [];
+  return node.halves ? node.halves.flatMap((/** @type {Node} */ half) => level(half, depth - 1)) : [];
 }
 
 /**
