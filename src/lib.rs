@@ -30,6 +30,10 @@
 //!   checked as by the constructors.
 //! - `kurbo`: conversions from and to the curves and paths of the crate kurbo.
 //!
+//! - `rayon`: `grid`, `tessellate`, `area`, `volume` and `intersect_ray` of a surface use all cores, through the global
+//!   thread pool of the crate rayon or the pool in which they are called. The results are the same bit for bit. It pays
+//!   off for surfaces with many patches.
+//!
 //! - `count-work`: adds up the steps of all calls on a thread (`take_steps`), for tests of the work limits.
 //!
 //! # Example
@@ -58,6 +62,7 @@ mod io;
 pub mod mesh;
 pub mod models;
 mod numeric;
+mod parallel;
 pub mod patch;
 pub mod path;
 pub mod spline;

@@ -9,16 +9,28 @@ use crate::mesh::layout::{fill_indices_u16, fill_indices_u32, fill_patch_ids, fi
 use crate::numeric::order::to_u32;
 use glam::DVec3;
 use std::ops::Range;
+#[cfg(feature = "rayon")]
+use {crate::parallel::has_cores, rayon::prelude::*};
 
 /// The maximum number of bytes of a part of a mesh, unless a single patch takes more: a part should stay in the
 /// processor's cache until it is copied.
 #[cfg(feature = "wasm")]
 const PART_BYTES: usize = 5 << 17;
 
+/// The smallest number of samples that a core takes at once.
+#[cfg(feature = "rayon")]
+const MIN_SAMPLES: usize = 1 << 12;
+
+/// Writes the net of a patch and returns its degrees in u and v.
+pub(crate) trait NetOf: Fn(usize, &mut Vec<DVec3>) -> (usize, usize) + Sync {}
+impl<F: Fn(usize, &mut Vec<DVec3>) -> (usize, usize) + Sync> NetOf for F {}
+
 /// Fills meshes with one grid for each patch: all patches at once, or part by part.
 pub(crate) struct GridMeshBuilder {
     patches: usize,
     grid: Grid,
+    #[cfg(feature = "rayon")]
+    method: GridMethod,
     quads: bool,
     kernel: GridEvaluator,
     net: Vec<DVec3>,
@@ -35,6 +47,8 @@ impl GridMeshBuilder {
         Ok(Self {
             patches,
             grid,
+            #[cfg(feature = "rayon")]
+            method,
             quads,
             kernel: GridEvaluator::new(grid, method),
             net: Vec::new(),
@@ -60,15 +74,14 @@ impl GridMeshBuilder {
         self.patches * self.grid.vertex_count() > MAX_U16_VERTICES
     }
 
-    /// Fills the mesh with a part of the patches; `net_of` writes the net of a patch and returns its degrees in u and
-    /// v. With `has_layout` the mesh already holds a grid with the same counts, and everything that depends only on the
-    /// counts is kept.
+    /// Fills the mesh with a part of the patches. With `has_layout` the mesh already holds a grid with the same counts,
+    /// and everything that depends only on the counts is kept.
     ///
     /// Buffers that are large enough are reused; the others grow.
     pub(crate) fn fill(
         &mut self,
         part: Range<usize>,
-        net_of: impl Fn(usize, &mut Vec<DVec3>) -> (usize, usize),
+        net_of: impl NetOf,
         has_layout: bool,
         mesh: &mut Mesh,
     ) {
@@ -78,6 +91,15 @@ impl GridMeshBuilder {
         let numbers = 3 * self.grid.vertex_count();
         mesh.positions.resize(part.len() * numbers, 0.0);
         mesh.normals.resize(part.len() * numbers, 0.0);
+        self.fill_vertices(part, net_of, mesh);
+    }
+
+    fn fill_vertices(&mut self, part: Range<usize>, net_of: impl NetOf, mesh: &mut Mesh) {
+        #[cfg(feature = "rayon")]
+        if has_cores() {
+            return self.fill_on_all_cores(part, net_of, mesh);
+        }
+        let numbers = 3 * self.grid.vertex_count();
         let vertex_range = mesh
             .positions
             .chunks_exact_mut(numbers)
@@ -88,6 +110,25 @@ impl GridMeshBuilder {
             self.kernel
                 .fill(&self.net, degree_u, degree_v, positions, normals);
         }
+    }
+
+    #[cfg(feature = "rayon")]
+    fn fill_on_all_cores(&self, part: Range<usize>, net_of: impl NetOf, mesh: &mut Mesh) {
+        let count = self.grid.vertex_count();
+        let vertex_range = mesh
+            .positions
+            .par_chunks_exact_mut(3 * count)
+            .zip(mesh.normals.par_chunks_exact_mut(3 * count))
+            .with_min_len(MIN_SAMPLES.div_ceil(count));
+        let evaluator = || (GridEvaluator::new(self.grid, self.method), Vec::new());
+        vertex_range.enumerate().for_each_init(
+            evaluator,
+            |(kernel, net), (index, (positions, normals))| {
+                net.clear();
+                let (degree_u, degree_v) = net_of(part.start + index, net);
+                kernel.fill(net, degree_u, degree_v, positions, normals);
+            },
+        );
     }
 
     /// Fills everything that depends only on the counts.

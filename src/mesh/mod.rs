@@ -6,6 +6,8 @@
 
 pub(crate) mod adaptive;
 pub(crate) mod buffers;
+mod cut;
+mod edge_samples;
 mod flat_enough;
 mod forward;
 mod generic_grid_evaluator;

@@ -1,18 +1,20 @@
 //! Crack-free triangulation of the cells of all patches.
 //!
-//! Each line that patches share gets one list of samples: all samples that any of its patches needs. They are evaluated
-//! once, from the control points of the edge, and are used by all patches at this line. A point of the surface that
-//! several patches share is one *node*; a *corner* is a node as part of one patch, with its own u, v and normal.
+//! The samples of a line that patches share are evaluated once, from the control points of the edge, and are used by all
+//! patches at this line. A point of the surface that several patches share is one *node*; a *corner* is a node as part
+//! of one patch, with its own u, v and normal.
 
+use super::cut::SurfaceCells;
+use super::edge_samples::EdgeSamples;
 use super::sampler::Sampler;
-use crate::bernstein::evaluate::evaluate;
-use crate::mesh::cell_triangulator::{
-    Cell, CellTriangulator, index_of, lower_half, pack, sort_distinct, upper_half,
-};
-use crate::numeric::list::Points;
+use crate::mesh::cell_triangulator::{Cell, CellTriangulator};
 use crate::numeric::order::to_u32;
+#[cfg(feature = "rayon")]
+use crate::parallel::{PATCHES_AT_ONCE, has_cores, map_patches};
+#[cfg(feature = "rayon")]
+use crate::patch::Patch;
 use crate::surface::network::Surface;
-use crate::surface::topology::{SIDES, SideUse};
+use crate::surface::topology::SIDES;
 use glam::DVec3;
 
 /// Marks a vertex without a node.
@@ -50,35 +52,16 @@ pub(crate) struct StitchedMesh {
     pub(crate) ends: Vec<PatchEnd>,
 }
 
-/// The cells of all patches.
-pub(crate) struct SurfaceCells {
-    pub(crate) cells: Vec<Cell>,
-    /// The end of each patch's cells in `cells`.
-    pub(crate) ends: Vec<usize>,
-    /// The integer that represents the parameter 1.
-    pub(crate) full: u32,
-    /// Whether corners may be added inside cells to keep a tolerance.
-    pub(crate) has_tolerance: bool,
-}
-
 /// The state of the stitching.
 struct Stitcher<'a> {
     surface: &'a Surface,
     cut: &'a SurfaceCells,
     round: fn(DVec3) -> DVec3,
-    uses: Vec<SideUse>,
-    /// The samples inside shared lines, sorted: the number of the line's first edge, and the parameter along it.
-    samples: Vec<u64>,
-    /// The node of each vertex that is a corner of patches; the nodes of `samples` precede these nodes.
+    /// Their nodes come first, in the same order.
+    edges: EdgeSamples,
+    /// The node of each vertex that is a corner of patches.
     node_of_vertex: Vec<u32>,
     out: StitchedMesh,
-}
-
-impl SurfaceCells {
-    fn of_patch(&self, patch: usize) -> &[Cell] {
-        let from = if patch == 0 { 0 } else { self.ends[patch - 1] };
-        &self.cells[from..self.ends[patch]]
-    }
 }
 
 /// Triangulates the cells of all patches; `round` rounds a point to the mesh's number type.
@@ -91,119 +74,99 @@ pub(crate) fn stitch(
         surface,
         cut,
         round,
-        uses: surface.side_uses(),
-        samples: Vec::new(),
+        edges: EdgeSamples::new(surface, cut),
         node_of_vertex: vec![NONE; surface.vertices().len()],
         out: StitchedMesh::default(),
     };
-    stitcher.sample_sides();
-    let mut triangulator = CellTriangulator::default();
-    for (k, patch) in surface.patches().enumerate() {
-        let mut sampler = Sampler::new(&patch.points, patch.columns);
-        if sampler.has_area() {
-            triangulator.fill(cut.of_patch(k), cut.full, stitcher.side_vertices(k));
-            let base = stitcher.out.corners.len();
-            stitcher.add_corners(k, &triangulator, &mut sampler);
-            stitcher.add_triangles(k, &mut triangulator, &mut sampler, base);
-        }
-        let (corners, triangles) = (stitcher.out.corners.len(), stitcher.out.triangles.len());
-        stitcher.out.ends.push(PatchEnd { corners, triangles });
-    }
+    let points = stitcher.edges.points(surface);
+    stitcher.out.nodes.extend(points.map(round));
+    stitcher.add_patches();
     stitcher.out
 }
 
 impl Stitcher<'_> {
-    /// Adds one node for each sample inside a line.
-    fn sample_sides(&mut self) {
-        for patch in 0..self.surface.patch_count() {
-            for cell in self.cut.of_patch(patch) {
-                for (side, from, length) in self.sides_of(cell).into_iter().flatten() {
-                    for k in [from, from + length] {
-                        let sample = self.sample(SIDES * patch + side, k);
-                        self.samples.extend(sample);
+    fn add_patches(&mut self) {
+        #[cfg(feature = "rayon")]
+        if has_cores() {
+            return self.add_patches_on_all_cores();
+        }
+        let mut triangulator = CellTriangulator::default();
+        for (k, patch) in self.surface.patches().enumerate() {
+            let mut sampler = Sampler::new(&patch.points, patch.columns);
+            if sampler.has_area() {
+                self.fill(&mut triangulator, k);
+                let base = self.out.corners.len();
+                for (u, v) in triangulator.vertices() {
+                    let sample = sampler.point_and_normal(self.parameter(u), self.parameter(v));
+                    self.add_corner(k, (u, v), sample);
+                }
+                self.add_triangles(k, &mut triangulator, &mut sampler, base);
+            }
+            self.end_patch();
+        }
+    }
+
+    /// The vertices of some patches at a time are computed on all cores, and put together in order.
+    #[cfg(feature = "rayon")]
+    fn add_patches_on_all_cores(&mut self) {
+        let patches: Vec<Patch> = self.surface.patches().collect();
+        let first = (0..).step_by(PATCHES_AT_ONCE);
+        for (batch, first) in patches.chunks(PATCHES_AT_ONCE).zip(first) {
+            let this = &*self;
+            let filled = map_patches(batch.len(), |k| this.samples_of(first + k, &batch[k]));
+            for (k, parts) in (first..).zip(filled) {
+                if let Some((mut sampler, mut triangulator, samples)) = parts {
+                    let base = self.out.corners.len();
+                    for (vertex, sample) in triangulator.vertices().zip(samples) {
+                        self.add_corner(k, vertex, sample);
                     }
+                    self.add_triangles(k, &mut triangulator, &mut sampler, base);
                 }
+                self.end_patch();
             }
         }
-        sort_distinct(&mut self.samples);
-        let (mut side, mut line) = (NONE, Points::new());
-        for &sample in &self.samples {
-            if upper_half(sample) != side {
-                side = upper_half(sample);
-                let vertices = self.surface.side(side as usize);
-                line = vertices
-                    .map(|v| self.surface.vertices()[v as usize])
-                    .collect();
-            }
-            let point = evaluate(&line, self.parameter(lower_half(sample)));
-            self.out.nodes.push((self.round)(point));
-        }
     }
 
-    /// The patch edges on which a cell lies, and the interval of each that it covers.
-    fn sides_of(&self, cell: &Cell) -> [Option<(usize, u32, u32)>; SIDES] {
-        let Cell { u, v, du, dv } = *cell;
-        let full = self.cut.full;
-        [
-            (u == 0).then_some((0, v, dv)),
-            (u + du == full).then_some((1, v, dv)),
-            (v == 0).then_some((2, u, du)),
-            (v + dv == full).then_some((3, u, du)),
-        ]
-    }
-
-    /// The sample at k of an edge; `None` at its ends and on an edge that is a point.
-    fn sample(&self, side: usize, k: u32) -> Option<u64> {
-        let used = self.uses[side];
-        if used.collapsed || k == 0 || k == self.cut.full {
-            return None;
-        }
-        let along = if used.reversed { self.cut.full - k } else { k };
-        Some(pack(to_u32(used.first), along))
-    }
-
-    /// The (u, v) of all samples on the edges of a patch.
-    fn side_vertices(&self, patch: usize) -> impl Iterator<Item = (u32, u32)> {
-        let full = self.cut.full;
-        (0..SIDES).flat_map(move |side| {
-            let used = self.uses[SIDES * patch + side];
-            let line = to_u32(used.first);
-            let from = index_of(&self.samples, pack(line, 0));
-            let to = index_of(&self.samples, pack(line + 1, 0));
-            // The list of an edge that is a point is empty, since such an edge has no samples.
-            self.samples[from..to].iter().map(move |&sample| {
-                let along = lower_half(sample);
-                let k = if used.reversed { full - along } else { along };
-                match side {
-                    0 => (0, k),
-                    1 => (full, k),
-                    2 => (k, 0),
-                    _ => (k, full),
-                }
-            })
+    /// The point and the normal at each vertex of a patch; `None` for a patch that is a curve or a point.
+    #[cfg(feature = "rayon")]
+    fn samples_of(
+        &self,
+        number: usize,
+        patch: &Patch,
+    ) -> Option<(Sampler, CellTriangulator, Vec<(DVec3, DVec3)>)> {
+        let mut sampler = Sampler::new(&patch.points, patch.columns);
+        sampler.has_area().then(|| {
+            let mut triangulator = CellTriangulator::default();
+            self.fill(&mut triangulator, number);
+            let vertices = triangulator.vertices();
+            let samples = vertices
+                .map(|(u, v)| sampler.point_and_normal(self.parameter(u), self.parameter(v)))
+                .collect();
+            (sampler, triangulator, samples)
         })
     }
 
-    fn add_corners(
-        &mut self,
-        patch: usize,
-        triangulator: &CellTriangulator,
-        sampler: &mut Sampler,
-    ) {
-        for (u, v) in triangulator.vertices() {
-            let (at_u, at_v) = (self.parameter(u), self.parameter(v));
-            let (point, normal) = sampler.point_and_normal(at_u, at_v);
-            let node = match self.shared_node(patch, u, v) {
-                Some(node) => node,
-                None => self.add_node(point),
-            };
-            self.out.corners.push(Corner {
-                node,
-                u: at_u,
-                v: at_v,
-                normal,
-            });
-        }
+    fn fill(&self, triangulator: &mut CellTriangulator, patch: usize) {
+        let (cells, samples) = (self.cut.of_patch(patch), self.edges.of_patch(patch));
+        triangulator.fill(cells, self.cut.full, samples);
+    }
+
+    fn end_patch(&mut self) {
+        let (corners, triangles) = (self.out.corners.len(), self.out.triangles.len());
+        self.out.ends.push(PatchEnd { corners, triangles });
+    }
+
+    fn add_corner(&mut self, patch: usize, (u, v): (u32, u32), (point, normal): (DVec3, DVec3)) {
+        let node = match self.shared_node(patch, u, v) {
+            Some(node) => node,
+            None => self.add_node(point),
+        };
+        self.out.corners.push(Corner {
+            node,
+            u: self.parameter(u),
+            v: self.parameter(v),
+            normal,
+        });
     }
 
     fn add_node(&mut self, point: DVec3) -> u32 {
@@ -221,8 +184,8 @@ impl Stitcher<'_> {
             (true, false) => (2 + usize::from(v == full), u),
         };
         let side = SIDES * patch + side;
-        if let Some(sample) = self.sample(side, k) {
-            return Some(to_u32(index_of(&self.samples, sample)));
+        if let Some(index) = self.edges.index(side, k) {
+            return Some(to_u32(index));
         }
         let mut ends = self.surface.side(side);
         let vertex = if k == full {

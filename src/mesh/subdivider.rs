@@ -123,6 +123,16 @@ impl AdaptiveSubdivider<'_> {
         Ok(())
     }
 
+    /// A subdivider for other patches with the same settings.
+    #[cfg(feature = "rayon")]
+    pub(crate) fn without_cells(&self) -> Self {
+        Self {
+            cells: Vec::new(),
+            second_differences: SecondDifferences::default(),
+            ..*self
+        }
+    }
+
     /// Pushes the second derivatives of a patch, as Bézier nets, onto the empty stack.
     fn start(&mut self, net: &[DVec3], columns: usize) {
         self.size = max_abs(net).max(f64::MIN_POSITIVE);

@@ -5,6 +5,7 @@ use super::tile_area::TileArea;
 use crate::numeric::float::ratio;
 use crate::numeric::sort::sort_by;
 use crate::numeric::work_limit::WorkLimit;
+use crate::parallel::map_patches;
 use crate::surface::network::Surface;
 use crate::surface::scaling::Scaling;
 
@@ -62,8 +63,11 @@ impl Patch {
 impl Surface {
     /// The total area of all patches, with a relative error of at most 1e-8; 0 without patches. See [`Patch::area`].
     pub fn area(&self) -> f64 {
+        let area = |k| self.patch(k).map_or(0.0, |patch| patch.area());
         // `sum` would start with −0.
-        self.patches().fold(0.0, |sum, patch| sum + patch.area())
+        map_patches(self.patch_count(), area)
+            .into_iter()
+            .fold(0.0, |sum, area| sum + area)
     }
 }
 

@@ -5,6 +5,7 @@ use super::scaling::{Scaling, box_of};
 use super::topology::{EdgeUse, PatchEdge};
 use crate::bernstein::polynomials::bernstein_into;
 use crate::numeric::float::ratio;
+use crate::parallel::map_patches;
 use crate::patch::Patch;
 use crate::patch::net::differences_u;
 use glam::DVec3;
@@ -118,11 +119,10 @@ impl Surface {
         let patches: Vec<Patch> = self.patches().collect();
         let scaling = Scaling::around(box_of(&patches)?);
         let signs = self.orientation()?;
-        let cones: f64 = patches
-            .iter()
-            .zip(signs)
-            .map(|(patch, sign)| sign * scaling.image(patch).cone())
-            .sum();
+        let cones = map_patches(patches.len(), |k| {
+            signs[k] * scaling.image(&patches[k]).cone()
+        });
+        let cones: f64 = cones.into_iter().sum();
         Some(cones / 3.0 * scaling.size * scaling.size * scaling.size)
     }
 

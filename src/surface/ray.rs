@@ -14,6 +14,7 @@ use super::zeros::{MAX_RAY_STEPS, NEAR, common_zeros};
 use crate::geometry::check::check_finite;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
+use crate::parallel::map_patches;
 use crate::patch::Patch;
 use crate::patch::patch_point::PatchPoint;
 use glam::DVec3;
@@ -88,7 +89,10 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
             along,
             across: [e1, e2],
         };
-        for (k, patch) in patches.iter().enumerate() {
+        let all = map_patches(patches.len(), |k| {
+            hits_of(&patches[k], k, &ray, &scaling, origin)
+        });
+        for hits in all {
             let is_same = |a: &SurfacePoint, b: &SurfacePoint| {
                 let apart = Point::length(a.point * 0.5 - b.point * 0.5) * 2.0;
                 // `blur` computes a normal, so it is called only where the simpler limits do not decide.
@@ -99,7 +103,7 @@ fn hits(patches: &[Patch], origin: DVec3, direction: DVec3) -> Result<Vec<Surfac
                             .iter()
                             .any(|blur| apart <= *blur)
             };
-            for hit in hits_of(patch, k, &ray, &scaling, origin)? {
+            for hit in hits? {
                 if !found.iter().any(|other| is_same(other, &hit)) {
                     let location = found
                         .partition_point(|other: &SurfacePoint| other.distance <= hit.distance);

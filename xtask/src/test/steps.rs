@@ -244,7 +244,7 @@ fn oldest_rust(_: &Context) -> Result<Done> {
         )));
     }
     let mut check = shell::cargo(&["check", "--quiet", "--package", "casteljau"]);
-    check.args(["--features", "serde,kurbo"]);
+    check.args(["--features", "serde,kurbo,rayon"]);
     check.args([
         "--target-dir".as_ref(),
         shell::target_dir().join("msrv").as_os_str(),
