@@ -101,6 +101,7 @@ impl<P: Point> Curve<P> {
     }
 
     /// Makes a curve from points that are already checked, without a copy.
+    #[inline]
     pub(crate) fn from_points(points: Points<P>) -> Self {
         Self { points }
     }

@@ -24,3 +24,12 @@ pub(crate) fn points_of<P: Copy>(slice: &[P]) -> Points<P> {
     #[cfg(target_family = "wasm")]
     return slice.to_vec();
 }
+
+/// The four control points of a cubic, without a copy from a slice.
+#[inline]
+pub(crate) fn points_of_cubic<P: Copy>(points: [P; 4]) -> Points<P> {
+    #[cfg(not(target_family = "wasm"))]
+    return Points::from_buf(points);
+    #[cfg(target_family = "wasm")]
+    return points.to_vec();
+}
