@@ -12,6 +12,8 @@ use glam::DVec3;
 
 /// The samples inside all lines.
 pub(crate) struct EdgeSamples {
+    /// Their points, rounded.
+    pub(crate) points: Vec<DVec3>,
     uses: Vec<SideUse>,
     /// Sorted: the number of the line's first edge, and the parameter along it.
     samples: Vec<u64>,
@@ -20,8 +22,10 @@ pub(crate) struct EdgeSamples {
 }
 
 impl EdgeSamples {
-    pub(crate) fn new(surface: &Surface, cut: &SurfaceCells) -> Self {
+    /// `round` rounds a point to the mesh's number type.
+    pub(crate) fn new(surface: &Surface, cut: &SurfaceCells, round: fn(DVec3) -> DVec3) -> Self {
         let mut all = Self {
+            points: Vec::new(),
             uses: surface.side_uses(),
             samples: Vec::new(),
             full: cut.full,
@@ -37,20 +41,21 @@ impl EdgeSamples {
             }
         }
         sort_distinct(&mut all.samples);
+        all.evaluate(surface, round);
         all
     }
 
-    /// The points of all samples, in order.
-    pub(crate) fn points(&self, surface: &Surface) -> impl Iterator<Item = DVec3> {
+    fn evaluate(&mut self, surface: &Surface, round: fn(DVec3) -> DVec3) {
         let (mut side, mut line) = (u32::MAX, Points::new());
-        self.samples.iter().map(move |&sample| {
+        for &sample in &self.samples {
             if upper_half(sample) != side {
                 side = upper_half(sample);
                 let vertices = surface.side(side as usize);
                 line = vertices.map(|v| surface.vertices()[v as usize]).collect();
             }
-            evaluate(&line, f64::from(lower_half(sample)) / f64::from(self.full))
-        })
+            let t = f64::from(lower_half(sample)) / f64::from(self.full);
+            self.points.push(round(evaluate(&line, t)));
+        }
     }
 
     /// The place in the list of the sample at k of an edge; `None` at its ends and on an edge that is a point.

@@ -20,6 +20,8 @@ pub(crate) mod options;
 mod projected;
 mod sampler;
 mod stitched_mesh;
+#[cfg(feature = "rayon")]
+mod stitched_parts;
 mod subdivider;
 mod sweep;
 mod tracer;

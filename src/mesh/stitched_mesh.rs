@@ -9,16 +9,15 @@ use super::edge_samples::EdgeSamples;
 use super::sampler::Sampler;
 use crate::mesh::cell_triangulator::{Cell, CellTriangulator};
 use crate::numeric::order::to_u32;
-#[cfg(feature = "rayon")]
-use crate::parallel::{PATCHES_AT_ONCE, has_cores, map_patches};
-#[cfg(feature = "rayon")]
-use crate::patch::Patch;
 use crate::surface::network::Surface;
 use crate::surface::topology::SIDES;
 use glam::DVec3;
+use std::ops::Range;
+#[cfg(feature = "rayon")]
+use {super::stitched_parts::stitch_on_all_cores, crate::parallel::has_cores};
 
 /// Marks a vertex without a node.
-const NONE: u32 = u32::MAX;
+pub(super) const NONE: u32 = u32::MAX;
 
 /// Positions inside a folded cell at which a corner is added, in units of 1/`INNER_PARTS` of its lengths; the first
 /// position that works is used.
@@ -52,126 +51,110 @@ pub(crate) struct StitchedMesh {
     pub(crate) ends: Vec<PatchEnd>,
 }
 
-/// The state of the stitching.
-struct Stitcher<'a> {
-    surface: &'a Surface,
-    cut: &'a SurfaceCells,
-    round: fn(DVec3) -> DVec3,
-    /// Their nodes come first, in the same order.
-    edges: EdgeSamples,
-    /// The node of each vertex that is a corner of patches.
-    node_of_vertex: Vec<u32>,
-    out: StitchedMesh,
-}
-
 /// Triangulates the cells of all patches; `round` rounds a point to the mesh's number type.
 pub(crate) fn stitch(
     surface: &Surface,
     cut: &SurfaceCells,
     round: fn(DVec3) -> DVec3,
 ) -> StitchedMesh {
-    let mut stitcher = Stitcher {
-        surface,
-        cut,
-        round,
-        edges: EdgeSamples::new(surface, cut),
-        node_of_vertex: vec![NONE; surface.vertices().len()],
-        out: StitchedMesh::default(),
-    };
-    let points = stitcher.edges.points(surface);
-    stitcher.out.nodes.extend(points.map(round));
-    stitcher.add_patches();
-    stitcher.out
+    let edges = EdgeSamples::new(surface, cut, round);
+    #[cfg(feature = "rayon")]
+    if has_cores() {
+        return stitch_on_all_cores(&edges, surface.patch_count(), || {
+            Stitcher::new(surface, cut, round, &edges)
+        });
+    }
+    let mut stitcher = Stitcher::new(surface, cut, round, &edges);
+    stitcher.add_patches(0..surface.patch_count());
+    let mut out = stitcher.out;
+    let mut nodes = edges.points;
+    nodes.append(&mut out.nodes);
+    out.nodes = nodes;
+    out
 }
 
-impl Stitcher<'_> {
-    fn add_patches(&mut self) {
-        #[cfg(feature = "rayon")]
-        if has_cores() {
-            return self.add_patches_on_all_cores();
+/// The state of the stitching.
+pub(super) struct Stitcher<'a> {
+    surface: &'a Surface,
+    cut: &'a SurfaceCells,
+    round: fn(DVec3) -> DVec3,
+    edges: &'a EdgeSamples,
+    /// The node of each vertex that is a corner of patches.
+    pub(super) node_of_vertex: Vec<u32>,
+    /// Its nodes follow those of `edges`.
+    pub(super) out: StitchedMesh,
+}
+
+impl<'a> Stitcher<'a> {
+    fn new(
+        surface: &'a Surface,
+        cut: &'a SurfaceCells,
+        round: fn(DVec3) -> DVec3,
+        edges: &'a EdgeSamples,
+    ) -> Self {
+        Self {
+            surface,
+            cut,
+            round,
+            edges,
+            node_of_vertex: vec![NONE; surface.vertices().len()],
+            out: StitchedMesh::default(),
         }
+    }
+
+    pub(super) fn add_patches(&mut self, numbers: Range<usize>) {
         let mut triangulator = CellTriangulator::default();
-        for (k, patch) in self.surface.patches().enumerate() {
+        for k in numbers {
+            let Some(patch) = self.surface.patch(k) else {
+                return;
+            };
             let mut sampler = Sampler::new(&patch.points, patch.columns);
             if sampler.has_area() {
-                self.fill(&mut triangulator, k);
+                let (cells, samples) = (self.cut.of_patch(k), self.edges.of_patch(k));
+                triangulator.fill(cells, self.cut.full, samples);
                 let base = self.out.corners.len();
-                for (u, v) in triangulator.vertices() {
-                    let sample = sampler.point_and_normal(self.parameter(u), self.parameter(v));
-                    self.add_corner(k, (u, v), sample);
-                }
+                self.add_corners(k, &triangulator, &mut sampler);
                 self.add_triangles(k, &mut triangulator, &mut sampler, base);
             }
-            self.end_patch();
+            let (corners, triangles) = (self.out.corners.len(), self.out.triangles.len());
+            self.out.ends.push(PatchEnd { corners, triangles });
         }
     }
 
-    /// The vertices of some patches at a time are computed on all cores, and put together in order.
-    #[cfg(feature = "rayon")]
-    fn add_patches_on_all_cores(&mut self) {
-        let patches: Vec<Patch> = self.surface.patches().collect();
-        let first = (0..).step_by(PATCHES_AT_ONCE);
-        for (batch, first) in patches.chunks(PATCHES_AT_ONCE).zip(first) {
-            let this = &*self;
-            let filled = map_patches(batch.len(), |k| this.samples_of(first + k, &batch[k]));
-            for (k, parts) in (first..).zip(filled) {
-                if let Some((mut sampler, mut triangulator, samples)) = parts {
-                    let base = self.out.corners.len();
-                    for (vertex, sample) in triangulator.vertices().zip(samples) {
-                        self.add_corner(k, vertex, sample);
-                    }
-                    self.add_triangles(k, &mut triangulator, &mut sampler, base);
-                }
-                self.end_patch();
-            }
+    fn add_corners(
+        &mut self,
+        patch: usize,
+        triangulator: &CellTriangulator,
+        sampler: &mut Sampler,
+    ) {
+        for (u, v) in triangulator.vertices() {
+            let (at_u, at_v) = (self.parameter(u), self.parameter(v));
+            let (point, normal) = sampler.point_and_normal(at_u, at_v);
+            let node = match self.shared_node(patch, u, v) {
+                Some(node) => node,
+                None => self.add_node(point),
+            };
+            self.out.corners.push(Corner {
+                node,
+                u: at_u,
+                v: at_v,
+                normal,
+            });
         }
-    }
-
-    /// The point and the normal at each vertex of a patch; `None` for a patch that is a curve or a point.
-    #[cfg(feature = "rayon")]
-    fn samples_of(
-        &self,
-        number: usize,
-        patch: &Patch,
-    ) -> Option<(Sampler, CellTriangulator, Vec<(DVec3, DVec3)>)> {
-        let mut sampler = Sampler::new(&patch.points, patch.columns);
-        sampler.has_area().then(|| {
-            let mut triangulator = CellTriangulator::default();
-            self.fill(&mut triangulator, number);
-            let vertices = triangulator.vertices();
-            let samples = vertices
-                .map(|(u, v)| sampler.point_and_normal(self.parameter(u), self.parameter(v)))
-                .collect();
-            (sampler, triangulator, samples)
-        })
-    }
-
-    fn fill(&self, triangulator: &mut CellTriangulator, patch: usize) {
-        let (cells, samples) = (self.cut.of_patch(patch), self.edges.of_patch(patch));
-        triangulator.fill(cells, self.cut.full, samples);
-    }
-
-    fn end_patch(&mut self) {
-        let (corners, triangles) = (self.out.corners.len(), self.out.triangles.len());
-        self.out.ends.push(PatchEnd { corners, triangles });
-    }
-
-    fn add_corner(&mut self, patch: usize, (u, v): (u32, u32), (point, normal): (DVec3, DVec3)) {
-        let node = match self.shared_node(patch, u, v) {
-            Some(node) => node,
-            None => self.add_node(point),
-        };
-        self.out.corners.push(Corner {
-            node,
-            u: self.parameter(u),
-            v: self.parameter(v),
-            normal,
-        });
     }
 
     fn add_node(&mut self, point: DVec3) -> u32 {
         self.out.nodes.push((self.round)(point));
-        to_u32(self.out.nodes.len() - 1)
+        to_u32(self.edges.points.len() + self.out.nodes.len() - 1)
+    }
+
+    fn point(&self, node: u32) -> [f64; 3] {
+        let (node, shared) = (node as usize, &self.edges.points);
+        let point = match shared.get(node) {
+            Some(point) => point,
+            None => &self.out.nodes[node - shared.len()],
+        };
+        point.to_array()
     }
 
     /// The node of a vertex on an edge; `None` for an inner vertex.
@@ -210,9 +193,7 @@ impl Stitcher<'_> {
         base: usize,
     ) {
         let corners = self.out.corners[base..].iter();
-        let mut points: Vec<_> = corners
-            .map(|c| self.out.nodes[c.node as usize].to_array())
-            .collect();
+        let mut points: Vec<_> = corners.map(|c| self.point(c.node)).collect();
         for cell in self.cut.of_patch(patch) {
             let (from, base) = (self.out.triangles.len(), to_u32(base));
             let covers = triangulator.triangulate(cell, &points, base, &mut self.out.triangles);
@@ -221,7 +202,7 @@ impl Stitcher<'_> {
                 && let Some(corner) = self.inner_corner(cell, triangulator, sampler, &points)
             {
                 let center = to_u32(points.len());
-                points.push(self.out.nodes[corner.node as usize].to_array());
+                points.push(self.point(corner.node));
                 self.out.corners.push(corner);
                 self.out.triangles.truncate(from);
                 triangulator.fan(center, &points, base, &mut self.out.triangles);
