@@ -32,7 +32,7 @@ const SAME_NORMAL_SQUARED: f64 = 3.046_174e-6;
 /// point, comparing each with all others would take too long; some equal normals may then stay separate.
 const MAX_COMPARED: usize = 256;
 
-/// Marks a node without a vertex.
+/// Marks a node or a corner without a vertex.
 const NONE: u32 = u32::MAX;
 
 /// A vertex: a node and its normal.
@@ -49,6 +49,8 @@ struct Welder<'a> {
     vertices: Vec<Vertex>,
     /// The last vertex of each node.
     last: Vec<u32>,
+    /// The vertex of each corner.
+    of_corner: Vec<u32>,
 }
 
 impl StitchedMesh {
@@ -63,6 +65,7 @@ impl StitchedMesh {
             stitched_mesh: self,
             vertices: Vec::new(),
             last: vec![NONE; self.nodes.len()],
+            of_corner: vec![NONE; self.corners.len()],
         };
         let mut numbers = Vec::with_capacity(3 * self.triangles.len());
         for triangle in &self.triangles {
@@ -116,8 +119,18 @@ impl StitchedMesh {
 }
 
 impl Welder<'_> {
-    /// The vertex of a corner.
     fn vertex(&mut self, corner: u32, weld: Weld) -> u32 {
+        let known = self.of_corner[corner as usize];
+        if known != NONE {
+            return known;
+        }
+        let vertex = self.shared_vertex(corner, weld);
+        self.of_corner[corner as usize] = vertex;
+        vertex
+    }
+
+    /// The vertex of the corner's node that can be its vertex too, or a new one.
+    fn shared_vertex(&mut self, corner: u32, weld: Weld) -> u32 {
         let corner = &self.stitched_mesh.corners[corner as usize];
         let last = self.last[corner.node as usize];
         let mut found = last;
