@@ -9,7 +9,6 @@ use crate::numeric::order::to_u32;
 use crate::surface::network::Surface;
 use crate::surface::topology::{SIDES, SideUse};
 use glam::DVec3;
-use std::ops::Range;
 
 /// The samples inside all lines.
 pub(crate) struct EdgeSamples {
@@ -18,8 +17,6 @@ pub(crate) struct EdgeSamples {
     uses: Vec<SideUse>,
     /// Sorted: the number of the line's first edge, and the parameter along it.
     samples: Vec<u64>,
-    /// Where the samples of each line begin, by the number of its first edge.
-    starts: Vec<usize>,
     /// The integer that represents the parameter 1.
     full: u32,
 }
@@ -31,7 +28,6 @@ impl EdgeSamples {
             points: Vec::new(),
             uses: surface.side_uses(),
             samples: Vec::new(),
-            starts: Vec::new(),
             full: cut.full,
         };
         for patch in 0..surface.patch_count() {
@@ -45,8 +41,6 @@ impl EdgeSamples {
             }
         }
         sort_distinct(&mut all.samples);
-        let start = |line| index_of(&all.samples, pack(to_u32(line), 0));
-        all.starts = (0..=all.uses.len()).map(start).collect();
         all.evaluate(surface, round);
         all
     }
@@ -67,12 +61,7 @@ impl EdgeSamples {
     /// The place in the list of the sample at k of an edge; `None` at its ends and on an edge that is a point.
     pub(crate) fn index(&self, side: usize, k: u32) -> Option<usize> {
         let sample = self.sample(side, k)?;
-        let range = self.range(self.uses[side].first);
-        Some(range.start + index_of(&self.samples[range], sample))
-    }
-
-    fn range(&self, line: usize) -> Range<usize> {
-        self.starts[line]..self.starts[line + 1]
+        Some(index_of(&self.samples, sample))
     }
 
     /// The patch edges on which a cell lies, and the interval of each that it covers.
@@ -101,19 +90,20 @@ impl EdgeSamples {
         let full = self.full;
         (0..SIDES).flat_map(move |side| {
             let used = self.uses[SIDES * patch + side];
+            let line = to_u32(used.first);
+            let from = index_of(&self.samples, pack(line, 0));
+            let to = index_of(&self.samples, pack(line + 1, 0));
             // The list of an edge that is a point is empty, since such an edge has no samples.
-            self.samples[self.range(used.first)]
-                .iter()
-                .map(move |&sample| {
-                    let along = lower_half(sample);
-                    let k = if used.reversed { full - along } else { along };
-                    match side {
-                        0 => (0, k),
-                        1 => (full, k),
-                        2 => (k, 0),
-                        _ => (k, full),
-                    }
-                })
+            self.samples[from..to].iter().map(move |&sample| {
+                let along = lower_half(sample);
+                let k = if used.reversed { full - along } else { along };
+                match side {
+                    0 => (0, k),
+                    1 => (full, k),
+                    2 => (k, 0),
+                    _ => (k, full),
+                }
+            })
         })
     }
 }

@@ -28,10 +28,20 @@ pub(super) fn stitch_on_all_cores<'a>(
         .collect();
     let mut whole = start();
     whole.out.nodes.clone_from(&edges.points);
+    reserve(&mut whole.out, &parts);
     for part in parts {
         append(&mut whole, part, edges.points.len());
     }
     whole.out
+}
+
+/// Room for all parts at once, so that nothing is copied again when a list grows.
+fn reserve(out: &mut StitchedMesh, parts: &[Stitcher]) {
+    let total =
+        |length: fn(&StitchedMesh) -> usize| parts.iter().map(|part| length(&part.out)).sum();
+    out.nodes.reserve(total(|part| part.nodes.len()));
+    out.corners.reserve(total(|part| part.corners.len()));
+    out.triangles.reserve(total(|part| part.triangles.len()));
 }
 
 /// Appends a part whose own nodes begin at number `shared`. A vertex that an earlier part has as a node keeps it.
