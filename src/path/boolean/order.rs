@@ -153,15 +153,15 @@ fn walk_parameter(k: usize) -> f64 {
 
 /// Sorts the half-edges that start at a vertex counter-clockwise.
 fn sort_around(vertex: &Vertex, edges: &Edges, own: &mut [usize]) {
-    let mut spokes: Vec<Spoke> = own
+    let spokes: Vec<Spoke> = own
         .iter()
         .map(|&h| Spoke::new(vertex, h, half_edge_points(edges, h)))
         .collect();
+    let angles: Vec<f64> = spokes.iter().map(|s| pseudo_angle(s.direction)).collect();
     let mut order: Vec<usize> = (0..spokes.len()).collect();
-    sort_by(&mut order, |&a, &b| {
-        pseudo_angle(spokes[a].direction).total_cmp(&pseudo_angle(spokes[b].direction))
-    });
-    exchange_neighbours(&mut spokes, &mut order);
+    sort_by(&mut order, |&a, &b| angles[a].total_cmp(&angles[b]));
+    cut_at_largest_gap(&mut order, &angles);
+    exchange_neighbours(&spokes, &mut order);
     for (slot, &k) in own.iter_mut().zip(&order) {
         *slot = spokes[k].half_edge;
     }
@@ -177,18 +177,29 @@ fn pseudo_angle(d: DVec2) -> f64 {
     }
 }
 
+/// Rotates the order so that the largest angle without a half-edge is between the last and the first one. These two
+/// are then no neighbours, even if all half-edges have similar directions.
+fn cut_at_largest_gap(order: &mut [usize], angles: &[f64]) {
+    let mut largest = (0, 4.0 + angles[order[0]] - angles[order[order.len() - 1]]);
+    for k in 1..order.len() {
+        let gap = angles[order[k]] - angles[order[k - 1]];
+        if gap > largest.1 {
+            largest = (k, gap);
+        }
+    }
+    order.rotate_left(largest.0);
+}
+
 /// Exchanges neighbours with similar directions that are in the wrong order, until none is left.
-fn exchange_neighbours(spokes: &mut [Spoke], order: &mut [usize]) {
-    let count = order.len();
+fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
     for _ in 0..MAX_PASSES {
         let mut changed = false;
-        for k in 0..count {
-            let next = (k + 1) % count;
-            let (a, b) = (&spokes[order[k]], &spokes[order[next]]);
+        for k in 1..order.len() {
+            let (a, b) = (&spokes[order[k - 1]], &spokes[order[k]]);
             let similar = a.direction.dot(b.direction) > 0.0
                 && a.direction.perp_dot(b.direction).abs() <= SIMILAR + 2.0 * (a.error + b.error);
             if similar && turn(a, b) < 0.0 {
-                order.swap(k, next);
+                order.swap(k - 1, k);
                 changed = true;
             }
         }
