@@ -2,7 +2,7 @@
 
 use crate::check::valid;
 use casteljau::Path;
-use casteljau::glam::{DAffine2, DVec2};
+use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule};
 
 const RULE: FillRule = FillRule::NonZero;
@@ -162,34 +162,5 @@ fn circles_that_touch_keep_their_segments() {
     assert_eq!(
         union,
         [d(0.0), d(2.0)].iter().flat_map(Path::subpaths).collect()
-    );
-}
-
-#[test]
-fn loops_that_leave_a_corner_in_similar_directions() {
-    // The second loop is the first, scaled by 1/3 about the corner where both start, and so a region within it.
-    let corner = DVec2::new(8.221404925779842, -8.785055879304679);
-    let first = path(
-        "M8.221404925779842,-8.785055879304679 C-12.570536490619254,2.748715308359417 \
-         -18.63642500706652,6.079246895820287 8.221404925779842,-8.785055879304679 Z",
-    );
-    let second = first
-        .transform(&DAffine2::from_translation(-corner))
-        .transform(&DAffine2::from_scale(DVec2::splat(1.0 / 3.0)))
-        .transform(&DAffine2::from_translation(corner));
-    let both = valid(first.exclude(&second, RULE));
-    assert_close(both.area() / first.area(), 8.0 / 9.0);
-    let union = valid(first.union(&second, RULE));
-    assert_close(union.area() / first.area(), 1.0);
-    // A contour in the other direction is a hole.
-    let hole = path(&format!("{first} {}", second.reverse()));
-    let ring = valid(hole.remove_overlaps(RULE));
-    assert_close(ring.area() / first.area(), 8.0 / 9.0);
-}
-
-fn assert_close(actual: f64, expected: f64) {
-    assert!(
-        (actual - expected).abs() <= 1e-9,
-        "expected {expected}, got {actual}"
     );
 }

@@ -6,6 +6,7 @@ mod check;
 mod families;
 mod known;
 mod oracle;
+mod order;
 mod promises;
 mod random;
 mod suites;

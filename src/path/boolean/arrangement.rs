@@ -16,7 +16,7 @@ use crate::path::winding::FillRule;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
 /// other, because features are of about this size, the next is tried.
-const TOLERANCES: [f64; 5] = [0.25, 0.02, 0.1, 1e-3, 1e-5];
+const TOLERANCES: [f64; 5] = [0.2, 0.02, 0.1, 1e-3, 1e-5];
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {

@@ -85,7 +85,7 @@ struct Spoke {
     /// The control points relative to the vertex.
     points: Points<DVec2>,
     direction: DVec2,
-    /// The error of the direction.
+    /// The error of the direction: from the start of the arc, which need not be at the vertex, and from its bend.
     error: f64,
 }
 
@@ -99,10 +99,13 @@ impl Spoke {
             s *= 2.0;
         }
         let probe = evaluate(&points, s);
+        let direction = Point::normalize_or_zero(probe);
+        let half_way = Point::normalize_or_zero(evaluate(&points, 0.5 * s));
+        let uncertain = vertex.spread / Point::length(probe).max(f64::MIN_POSITIVE);
         Self {
             half_edge,
-            direction: Point::normalize_or_zero(probe),
-            error: vertex.spread / Point::length(probe).max(f64::MIN_POSITIVE),
+            direction,
+            error: uncertain + 2.0 * direction.perp_dot(half_way).abs(),
             points,
         }
     }
@@ -209,13 +212,17 @@ fn exchange_neighbours(spokes: &[Spoke], order: &mut [usize]) {
     }
 }
 
+/// The distance up to which an arc leads away from the vertex. In the last step of its walk it may have turned back.
+fn reach(walk: &[f64]) -> Option<f64> {
+    walk.get(walk.len().saturating_sub(2)).copied()
+}
+
 /// Positive if arc `b` is counter-clockwise of arc `a`, negative if it is clockwise: where they are farthest apart.
 ///
 /// Arcs start within the spread of the vertex, not at it; if one does not lead away from it, their starts are compared.
 fn turn(a: &Spoke, b: &Spoke) -> f64 {
     let walks = [a.walk(), b.walk()];
-    let reaches = walks.each_ref().map(|walk| walk.last().copied());
-    let [Some(reach_a), Some(reach_b)] = reaches else {
+    let [Some(reach_a), Some(reach_b)] = walks.each_ref().map(|walk| reach(walk)) else {
         return a.points[0].perp_dot(b.points[0]);
     };
     let mut largest = 0.0_f64;
