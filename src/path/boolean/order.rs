@@ -16,6 +16,9 @@ use glam::DVec2;
 /// An arc's direction is taken where it is this many times farther from the vertex than arcs end from each other.
 const CLEAR_OF_SPREAD: f64 = 64.0;
 
+/// The distance of the start of an arc from its vertex due to rounding; coordinates are up to 2.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The distance at which directions are taken is at least this part of the size of the arc.
 const MIN_PROBE: f64 = 1e-6;
 
@@ -93,7 +96,8 @@ impl Spoke {
     fn new(vertex: &Vertex, half_edge: usize, mut points: Points<DVec2>) -> Self {
         points.iter_mut().for_each(|p| *p -= vertex.point);
         let size = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
-        let clear = (CLEAR_OF_SPREAD * vertex.spread).max(MIN_PROBE * size);
+        let spread = vertex.spread.max(ROUNDING);
+        let clear = (CLEAR_OF_SPREAD * spread).max(MIN_PROBE * size);
         let mut s = MIN_PROBE;
         while s < 0.5 && Point::length(evaluate(&points, s)) < clear {
             s *= 2.0;
@@ -101,7 +105,7 @@ impl Spoke {
         let probe = evaluate(&points, s);
         let direction = Point::normalize_or_zero(probe);
         let half_way = Point::normalize_or_zero(evaluate(&points, 0.5 * s));
-        let uncertain = vertex.spread / Point::length(probe).max(f64::MIN_POSITIVE);
+        let uncertain = spread / Point::length(probe).max(f64::MIN_POSITIVE);
         Self {
             half_edge,
             direction,
