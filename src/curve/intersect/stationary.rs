@@ -14,7 +14,7 @@ const VANISHING_RATIO: f64 = 1e-12;
 /// A resultant above this part of its possible size is not 0: the limit is far above its rounding.
 const NEVER_RATIO: f64 = 1e-9;
 
-/// A curve is straight if its control points are within this part of its length of a line.
+/// A curve is straight if its control points are within this part of its largest coordinate of a line.
 const STRAIGHT: f64 = 4.0 * f64::EPSILON;
 
 /// Parameters closer than this are one: the accuracy of a double root.
@@ -80,7 +80,8 @@ pub(crate) fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
     let width = points
         .iter()
         .map(|&p| longest.perp_dot(p - points[0]).abs());
-    let limit = STRAIGHT * longest.length_squared();
+    let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
+    let limit = STRAIGHT * largest * longest.length();
     width.fold(0.0, f64::max).le(&limit).then(|| {
         let along: Scalars = points.iter().map(|p| longest.dot(*p - points[0])).collect();
         extrema_of(&along).into_iter().collect()
