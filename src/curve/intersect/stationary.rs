@@ -81,7 +81,7 @@ pub(crate) fn straight_turns(points: &[DVec2]) -> Option<Scalars> {
         .iter()
         .map(|&p| longest.perp_dot(p - points[0]).abs());
     let largest = points.iter().fold(0.0, |m: f64, p| m.max(p.max_abs()));
-    let limit = STRAIGHT * largest * longest.length();
+    let limit = STRAIGHT * largest * Point::length(longest);
     width.fold(0.0, f64::max).le(&limit).then(|| {
         let along: Scalars = points.iter().map(|p| longest.dot(*p - points[0])).collect();
         extrema_of(&along).into_iter().collect()

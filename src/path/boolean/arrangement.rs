@@ -15,8 +15,8 @@ use crate::path::Path;
 use crate::path::winding::FillRule;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
-/// other, because features are of about this size, the next is tried.
-const TOLERANCES: [f64; 5] = [0.2, 0.02, 0.1, 1e-3, 1e-5];
+/// other, because features are of about this size, the next is tried; the last one is taken as it is.
+const TOLERANCES: [f64; 6] = [0.2, 0.02, 0.1, 1e-3, 1e-5, 0.2];
 
 /// Edges, their order around vertices, and faces.
 pub(super) struct Arrangement {
@@ -40,16 +40,16 @@ impl Arrangement {
         let segments = Segments::new(paths)?;
         let tree = BoxTree::new(&segments, segments.epsilon);
         let contacts = contacts(&segments, &tree)?;
-        let mut first = None;
-        for part in TOLERANCES {
-            let attempt = Attempt::new(&segments, &tree, &contacts, part * segments.epsilon);
-            if attempt.is_consistent(&segments) {
-                return Ok(attempt.with(segments));
+        let mut k = 0;
+        let attempt = loop {
+            let tolerance = TOLERANCES[k] * segments.epsilon;
+            let attempt = Attempt::new(&segments, &tree, &contacts, tolerance);
+            k += 1;
+            if k == TOLERANCES.len() || attempt.is_consistent(&segments) {
+                break attempt;
             }
-            first.get_or_insert(attempt);
-        }
-        let first = first.unwrap_or_else(|| Attempt::new(&segments, &tree, &contacts, 0.0));
-        Ok(first.with(segments))
+        };
+        Ok(attempt.with(segments))
     }
 
     /// Calls `enter` for each face with its winding numbers.
