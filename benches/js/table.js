@@ -11,7 +11,7 @@ const round = (number, digits = 3) =>
  * @param {string} unit
  * @param {number} [spread]
  */
-function withUnit(value, unit, spread = 0) {
+export function withUnit(value, unit, spread = 0) {
   if (value === null) return "–";
   return `${quantity(value, unit)}${spread ? ` ±${Math.round(100 * spread)}%`.padStart(6) : ""}`;
 }
@@ -35,10 +35,12 @@ const times = (ratio) => (ratio === null ? "" : `${round(ratio)}×`);
 const verdict = (met) => (met === null ? "" : met ? "yes" : "NO");
 
 /**
+ * A target as a bound of the ratio or of the value.
+ *
  * @param {import("./targets.js").Target | null} target
  * @param {string} unit
  */
-function targetText(target, unit) {
+export function targetText(target, unit) {
   if (!target) return "";
   if (target.minRatio !== undefined) return `≥ ${target.minRatio}×`;
   return target.max === undefined ? "" : `≤ ${unit === "×" ? times(target.max) : quantity(target.max, unit)}`;
@@ -64,12 +66,25 @@ export function comparisons(results) {
 }
 
 /**
+ * The exponent p of the cost per item as a power of the size, c·sizeᵖ, by least squares of the logarithms: 0 means that
+ * the whole cost is in proportion to the number of items.
+ *
+ * @param {{ size: number, ns: number }[]} costs
+ */
+export function exponent(costs) {
+  const mean = (/** @type {number[]} */ all) => all.reduce((sum, x) => sum + x, 0) / all.length;
+  const [xs, ys] = [costs.map(({ size }) => Math.log(size)), costs.map(({ ns }) => Math.log(ns))];
+  const [x0, y0] = [mean(xs), mean(ys)];
+  return mean(xs.map((x, k) => (x - x0) * (ys[k] - y0))) / mean(xs.map((x) => (x - x0) ** 2));
+}
+
+/**
  * The table of costs per item at each size.
  *
  * @param {any[]} results
  */
 export function growths(results) {
-  const head = ["growth", "cost per item at each size", "growth", "target", "met?"];
+  const head = ["growth", "cost per item at each size", "exponent", "growth", "target", "met?"];
   const lines = results.map(({ work, costs, ours, target, met }) => [
     work,
     costs
@@ -78,11 +93,12 @@ export function growths(results) {
           `${size.toLocaleString("en-US")}: ${quantity(ns, "ns")}`,
       )
       .join(", "),
+    exponent(costs).toFixed(2),
     times(ours),
     targetText(target, "×"),
     verdict(met),
   ]);
-  return aligned([head, ...lines], [false, false, true, true, false]);
+  return aligned([head, ...lines], [false, false, true, true, true, false]);
 }
 
 /**

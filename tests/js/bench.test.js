@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { exponent } from "../../benches/js/table.js";
 import { TARGETS } from "../../benches/js/targets.js";
 
 const root = fileURLToPath(new URL("../../", import.meta.url));
@@ -46,4 +47,11 @@ test("each target belongs to a row", async () => {
   const other =
     /^(adaptive-(verb|triangles?)|growth-\w+|(eval|flatten|halve|intersect|length|nearest|offset|split|stroke|union)(-[\d.]+)?-(kurbo|lyon_geom|linesweeper|i_curve)(-segments)?|first-call|frame|size(-elements)?)$/;
   for (const id of Object.keys(TARGETS)) assert.ok(ids.includes(id) || other.test(id), id);
+});
+
+test("the exponent of costs per item that grow as a power of the size", () => {
+  for (const p of [-0.3, 0, 0.5]) {
+    const costs = [10, 100, 1000].map((size) => ({ size, ns: 7 * size ** p }));
+    assert.ok(Math.abs(exponent(costs) - p) < 1e-12);
+  }
 });

@@ -1,17 +1,21 @@
 // /benchmarks/: the latest results of `npm run bench` (benches/results.json) and the sizes of the package that this build contains.
 import { readFileSync } from "node:fs";
-import { quantity } from "../../benches/js/table.js";
+import { exponent, quantity, targetText, withUnit } from "../../benches/js/table.js";
 import { IMPORTS, sizeOfImport } from "../../xtask/sizes.js";
 import { tableHtml } from "../build/tables.js";
 
 /**
- * @typedef {{ work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null }} Row
- * @typedef {{ work: string, costs: { size: number, ns: number }[], ours: number }} Growth
+ * @import { Target } from "../../benches/js/targets.js"
+ * @typedef {{ target: Target | null, met: boolean | null }} Goal
+ * @typedef {Goal & { work: string, peer: string | null, unit: string, theirs: number, ours: number, ratio: number | null, spread: [number, number] }} Row
+ * @typedef {Goal & { work: string, costs: { size: number, ns: number }[], ours: number }} Growth
  * @typedef {{ machine: { cpu: string, cores: number, platform: string }, date: string, versions: Record<string, string>, rows: Row[], growth: Growth[] }} Results
  */
 
 const KB = 1000;
 const NATIVE = "native: ";
+const GROWTH_TEXT =
+  "<p>The exponent is that of the size in the time per item: 0 means that the whole time is in proportion to the number of items. The growth is the largest ratio of the time per item at one size to that at a smaller size.</p>";
 
 /** @returns {Results} */
 const results = () => JSON.parse(readFileSync(new URL("../../benches/results.json", import.meta.url), "utf8"));
@@ -32,7 +36,7 @@ export async function render() {
   const compared = rows.filter(({ peer }) => peer);
   const versionList = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
   return `
-<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. The ratio is the time of the other library divided by ours: above 1, casteljau is faster.</p>
+<p>Times are medians for one call; ns, µs and ms are 10⁻⁹, 10⁻⁶ and 10⁻³ seconds. ± is half the distance of the quartiles. The ratio is the time of the other library divided by ours: above 1, casteljau is faster. Targets are our own; ✗ marks those that are not reached.</p>
 ${section(
   "javascript",
   "JavaScript",
@@ -50,7 +54,7 @@ ${section(
   ),
 )}
 ${section("alone", "Without a comparison", alone(rows.filter(({ peer, unit }) => !peer && unit !== "bytes")))}
-${section("growth", "Time per item as the input grows", growthTable(growth))}
+${section("growth", "Time per item as the input grows", `${GROWTH_TEXT}\n${growthTable(growth)}`)}
 ${section("sizes", "Sizes", await sizes())}
 ${section("conditions", "Machine and versions", `<p>${date}, ${machine.cpu}, ${machine.cores} cores, ${machine.platform}. ${versionList.join(", ")}. To repeat the measurements, run <code>npm run bench</code> in a clone of the repository; all figures are in <code>benches/results.json</code>.</p>`)}`;
 }
@@ -65,30 +69,45 @@ const nameOf = (work) => work.replace(NATIVE, "").replace(/^ +/, "– ");
 const comparison = (language, rows) =>
   tableHtml(
     `Times compared, ${language}`,
-    ["Work", "Other library", "Its time", "casteljau", "Ratio"],
-    rows.map(({ work, peer, unit, theirs, ours, ratio }) => [
+    ["Work", "Other library", "Its time", "casteljau", "Ratio", "Target"],
+    rows.map(({ work, peer, unit, theirs, ours, ratio, spread, ...goal }) => [
       nameOf(work),
       peer ?? "",
-      quantity(theirs, unit),
-      quantity(ours, unit),
+      withUnit(theirs, unit, spread[0]),
+      withUnit(ours, unit, spread[1]),
       ratio === null ? "" : `${Number(ratio.toPrecision(2))}×`,
+      goalText(goal, unit),
     ]),
   );
+
+/** A target, with a cross if it is not reached. @param {Goal} goal @param {string} unit */
+const goalText = ({ target, met }, unit) => `${targetText(target, unit)}${met === false ? " ✗" : ""}`;
 
 /** @param {Row[]} rows */
 const alone = (rows) =>
   tableHtml(
     "Times",
-    ["Work", "Time"],
-    rows.map(({ work, unit, ours }) => [nameOf(work.replace(NATIVE, "Rust: ")), quantity(ours, unit)]),
+    ["Work", "Time", "Target"],
+    rows.map(({ work, unit, ours, spread, ...goal }) => [
+      nameOf(work.replace(NATIVE, "Rust: ")),
+      withUnit(ours, unit, spread[1]),
+      goalText(goal, unit),
+    ]),
   );
 
 /** @param {Growth[]} growth */
 const growthTable = (growth) =>
   tableHtml(
     "Time per item",
-    ["Work", "Smallest size", "Largest size"],
-    growth.map(({ work, costs }) => [work, ...[costs[0], costs.at(-1)].map((cost) => costText(cost))]),
+    ["Work", "Smallest size", "Largest size", "Exponent", "Growth", "Target"],
+    growth.map(({ work, costs, ours, ...goal }) => [
+      work,
+      costText(costs[0]),
+      costText(costs.at(-1)),
+      exponent(costs).toFixed(2).replace("-", "−"),
+      `${Number(ours.toPrecision(3))}×`,
+      goalText(goal, "×"),
+    ]),
   );
 
 /** @param {Growth["costs"][number] | undefined} cost */

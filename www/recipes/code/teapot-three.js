@@ -45,6 +45,7 @@ function draw() {
 }
 
 new ResizeObserver(() => {
+  if (!canvas.clientHeight) return; // not laid out yet
   renderer.setPixelRatio(devicePixelRatio);
   renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
   camera.aspect = canvas.clientWidth / canvas.clientHeight;
