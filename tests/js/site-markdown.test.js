@@ -35,7 +35,10 @@ test("a figure has an id, a number and its last paragraph as caption; an element
     1,
   );
   assert.match(html, /<figure id="figure-hull">\s*<bezier-applet id="a"><\/bezier-applet>\s*<figcaption>/);
-  assert.match(html, /<figcaption><span class="nr">Figure 1\.1<\/span> The <strong>hull<\/strong> of <math>/);
+  assert.match(
+    html,
+    /<figcaption><span class="nr">Figure 1\.1<\/span> The <strong>hull<\/strong> of <span class="unbroken"><math>/,
+  );
   assert.match(html, /href="#figure-hull" aria-label="Link to this figure">#<\/a><\/figcaption>\s*<\/figure>/);
   assert.equal(html.match(/figcaption>/g)?.length, 2, "a figure may have no caption");
 });
@@ -93,4 +96,9 @@ test("reading time counts words and tasks, not code and formulas; chapters follo
   const chapters = [{ data: { chapter: 1 } }, { data: { chapter: 2 } }];
   assert.equal(nextChapter(chapters, 1), chapters[1]);
   assert.equal(nextChapter(chapters, 2), undefined);
+});
+
+test("an inline formula stays on one line with its punctuation", () => {
+  const html = md.render("If $t$ is 1 ($n$ = 2), and $s$.").replaceAll(/<math.*?<\/math>/g, "M");
+  assert.equal(html, '<p>If M is 1 <span class="unbroken">(M</span> = 2), and <span class="unbroken">M.</span></p>\n');
 });

@@ -5,6 +5,7 @@ import anchor from "markdown-it-anchor";
 import attributes from "markdown-it-attrs";
 import temml from "temml";
 import { containers } from "./containers.js";
+import { unbrokenPunctuation } from "./punctuation.js";
 import { numbers, sections, standaloneElements } from "./sections.js";
 
 /** Typesets a formula as MathML. @param {string} formula @param {boolean} displayMode */
@@ -26,6 +27,7 @@ export function markdown(highlight) {
   md.use(standaloneElements);
   md.use(sections);
   md.use(numbers);
+  md.use(unbrokenPunctuation);
   return md;
 }
 
