@@ -64,10 +64,11 @@ impl Surface {
     /// The total area of all patches, with a relative error of at most 1e-8; 0 without patches. See [`Patch::area`].
     pub fn area(&self) -> f64 {
         let area = |k| self.patch(k).map_or(0.0, |patch| patch.area());
-        // `sum` would start with −0.
-        map_patches(self.patch_count(), area)
-            .into_iter()
-            .fold(0.0, |sum, area| sum + area)
+        let mut sum = 0.0; // `Iterator::sum` would start with −0
+        for area in map_patches(self.patch_count(), area) {
+            sum += area;
+        }
+        sum
     }
 }
 
