@@ -16,22 +16,22 @@ export const DARK = `
  * What everything of ours has in common: colours by role, size of a hit box, letters.
  *
  * @cssprop --bz-ink - text and marks
- * @cssprop --bz-quiet - text of less weight
- * @cssprop --bz-paper - the ground of pictures and fields
- * @cssprop --bz-panel - the ground of everything else
- * @cssprop --bz-rim - lines about panels
- * @cssprop --bz-field - lines about buttons and fields
+ * @cssprop --bz-quiet - secondary text
+ * @cssprop --bz-paper - the background of pictures and fields
+ * @cssprop --bz-panel - the background of everything else
+ * @cssprop --bz-rim - the borders of panels
+ * @cssprop --bz-field - the borders of buttons and fields
  * @cssprop --bz-curve - the curve
  * @cssprop --bz-handle - points off the curve, and tangents
- * @cssprop --bz-first - the first half of a curve that is split
+ * @cssprop --bz-first - the first part of a curve that is split
  * @cssprop --bz-second - the second half
- * @cssprop --bz-level1 - the first level of de Casteljau's scaffold, and every fourth after it
+ * @cssprop --bz-level1 - the first level of de Casteljau's algorithm, and every fourth after it
  * @cssprop --bz-level2 - the second level
- * @cssprop --bz-accent - the focus, and what is chosen
- * @cssprop --bz-on-accent - text on that
- * @cssprop --bz-broken - words about what does not hold
- * @cssprop --bz-smooth - words about what holds
- * @cssprop --bz-hit - the size of a handle's hit box
+ * @cssprop --bz-accent - the focus and selected items
+ * @cssprop --bz-on-accent - text on the accent colour
+ * @cssprop --bz-broken - messages about continuity that does not hold
+ * @cssprop --bz-smooth - messages about continuity that holds
+ * @cssprop --bz-hit - the size of the hit area of a handle
  */
 export const TOKENS = `
 :host {${LIGHT}

@@ -8,24 +8,24 @@ import { INSTRUCTIONS } from "./words.js";
  *
  * @slot label - a title above the picture
  * @slot caption - a text below it
- * @slot default - the poster, where none has the name
- * @slot poster - what is shown before the picture is there, without scripts and on paper: an SVG, say
+ * @slot default - the poster, if no element has `slot="poster"`
+ * @slot poster - shown before the picture is drawn, without scripts and in print: for example an SVG
  * @slot coordinates - the table of the panel
  * @csspart frame - picture, message and panel
  * @csspart stage - the picture with its handles
  * @csspart canvas - the picture
- * @csspart overlay - where the handles are
- * @csspart handle - each handle: its hit box
- * @csspart message - what could not be done
+ * @csspart overlay - the layer of the handles
+ * @csspart handle - each handle (its hit area)
+ * @csspart message - an error message
  * @csspart controls - the panel
- * @csspart joints - what holds at each joint
- * @fires input - while the user moves something
- * @fires change - when that is done
- * @fires update - after every change, whoever made it; does not bubble
+ * @csspart joints - the continuity at each joint
+ * @fires input - during a change by the user
+ * @fires change - at the end of a change by the user
+ * @fires update - after every change, by the user or the page; does not bubble
  *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
- * @param {string} parts.message what could not be done
+ * @param {string} parts.message an error message
  * @param {boolean} parts.good whether the message is good news
  * @param {string} parts.cursor how the picture can be used
  * @param {import("./panel.js").PanelPort | null} parts.panel null: none

@@ -32,7 +32,7 @@ const HERMITE_SLOTS = [0, 2, 3, 1];
  *
  * @csspart plot - the picture of the weights
  * @csspart values - the list of the weights at t
- * @csspart sum - what they add up to
+ * @csspart sum - the sum of the weights
  */
 export class BernsteinView {
   static styles = [

@@ -27,10 +27,10 @@ const MOST_QUOTED = 40;
 let loaded = null;
 
 /**
- * @fires input - while the user moves something
- * @fires change - when that is done
- * @csspart frame - all but the message
- * @csspart message - what is wrong
+ * @fires input - during a change by the user
+ * @fires change - at the end of a change by the user
+ * @csspart frame - everything except the message
+ * @csspart message - an error message
  */
 export class Companion extends LitElement {
   /** @type {import("lit").PropertyDeclarations} */

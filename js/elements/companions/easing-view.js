@@ -19,11 +19,11 @@ const COORDINATES = ["x1", "y1", "x2", "y2"];
  *
  * @csspart stage - the picture with its handles
  * @csspart plot - the picture
- * @csspart handle - each handle: its hit box
+ * @csspart handle - each handle (its hit area)
  * @csspart preset - the choice of a common curve
  * @csspart field - each of the four numbers
- * @csspart track - where the ball runs
- * @csspart ball - what moves as the easing has it
+ * @csspart track - the track of the ball
+ * @csspart ball - the ball, which moves by the timing function
  * @csspart value - the text of the value
  */
 export class EasingView {

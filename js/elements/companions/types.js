@@ -1,22 +1,22 @@
-// What pages see of the companions: types alone, which name nothing of the libraries inside.
+// The public types of the companions. They do not mention the libraries that the elements use.
 
 /**
- * What companions have in common. Every attribute is a property of the same name, `for` is `htmlFor`. What cannot be used
- * counts as the default, and the element says so. Events "input" (while something moves) and "change" (when it is done)
- * tell what the user does, and bubble; what the page writes fires none.
+ * What companions have in common. Every attribute is a property of the same name, `for` is `htmlFor`. An invalid value has
+ * the effect of the default, and the element shows a message. The events "input" (during a change by the user) and "change"
+ * (at its end) bubble; changes by the page do not fire them.
  *
  * @typedef {object} CompanionProperties
- * @property {string} label what screen readers call it
+ * @property {string} label the name for screen readers
  * @property {string} theme "light", "dark" or "auto"
  */
 
 /**
- * A companion that may be linked to a `<bezier-applet>`: it shows the piece that the applet looks at and its `t`, and what the
- * user does here the applet does. Its own attributes count while it is linked to none.
+ * A companion that can be linked to a `<bezier-applet>`: it shows the applet's selected segment and its `t`, and changes by
+ * the user change the applet. Without a link its own attributes are used.
  *
  * @typedef {object} LinkProperties
- * @property {string} htmlFor the applet's id; either of the two may be there first
- * @property {HTMLElement | null} target the applet; null while there is none
+ * @property {string} htmlFor the id of the applet; either of the two may be added first
+ * @property {HTMLElement | null} target the linked applet; null without one
  */
 
 /**
@@ -32,9 +32,9 @@
  * `<bezier-equation>`: the curve's equation in MathML, with numbers.
  *
  * @typedef {object} EquationProperties
- * @property {number[][]} points pairs; they can be written as text, too: "x,y x,y …"
+ * @property {number[][]} points pairs, or a text "x,y x,y …"
  * @property {number} t the parameter, from 0 to 1
- * @property {number | null} degree of the curve, by as many points as it needs; null: by all of them
+ * @property {number | null} degree the degree of the curve, which uses as many points as it needs; null uses all points
  * @property {string} basis as in `<bezier-bernstein>`, or "matrix"
  * @property {string} matrix 16 numbers, row by row: the curve is [t³ t² t 1] · M · P
  * @property {string} form "sum" (weights times points), "matrix" or "casteljau"
@@ -45,19 +45,19 @@
  * `<bezier-coordinates>`: the control points as a table of numbers. Pasted lines "x,y" fill it.
  *
  * @typedef {object} CoordinatesProperties
- * @property {number[][]} points pairs; they can be written as text, too: "x,y x,y …"
+ * @property {number[][]} points pairs, or a text "x,y x,y …"
  */
 
 /**
- * `<bezier-easing>`: an editor of CSS timing functions, and a field of a form. The attribute `value` is what it begins with
- * and goes back to when the form is reset: `cubic-bezier(x1, y1, x2, y2)`, or a keyword of CSS for one.
+ * `<bezier-easing>`: an editor of CSS timing functions, and a form field. The attribute `value` is the initial value, which
+ * a reset of the form restores: `cubic-bezier(x1, y1, x2, y2)` or a CSS keyword.
  *
  * @typedef {object} EasingProperties
- * @property {string} value `cubic-bezier(x1, y1, x2, y2)`; empty while it is required and nothing is chosen. What cannot be
- *   read changes nothing, and the element says so
+ * @property {string} value `cubic-bezier(x1, y1, x2, y2)`; empty if it is required and nothing is chosen. An invalid text
+ *   changes nothing, and the element shows a message
  * @property {string | null} defaultValue the attribute `value`
- * @property {string} name in the form
- * @property {boolean} required whether one must be chosen
+ * @property {string} name the name of the form field
+ * @property {boolean} required whether a value must be chosen
  * @property {boolean} disabled whether the field cannot be changed and is left out of the form
  * @property {string} type "bezier-easing"
  * @property {HTMLFormElement | null} form the form that the field belongs to

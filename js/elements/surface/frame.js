@@ -7,23 +7,23 @@ import { INSTRUCTIONS } from "./words.js";
 /**
  * Everything in the shadow root.
  *
- * @slot default - the poster, where none has the name
- * @slot poster - what is shown before the picture is there, without scripts and on paper: an SVG, say
+ * @slot default - the poster, if no element has `slot="poster"`
+ * @slot poster - shown before the picture is drawn, without scripts and in print: for example an SVG
  * @csspart frame - everything
  * @csspart stage - the picture with its handles and buttons
  * @csspart canvas - the picture
- * @csspart overlay - where the handles are
+ * @csspart overlay - the layer of the handles
  * @csspart tools - the buttons over the picture
- * @csspart facts - what the mesh is made of
+ * @csspart facts - triangles, vertices and error of the mesh
  * @csspart controls - the panel
- * @fires input - while the user moves something
- * @fires change - when that is done
- * @fires update - after every change, whoever made it; does not bubble
+ * @fires input - during a change by the user
+ * @fires change - at the end of a change by the user
+ * @fires update - after every change, by the user or the page; does not bubble
  *
  * @param {object} parts
  * @param {string} parts.name what the picture is called
  * @param {boolean} parts.blank the canvas holds no picture: what the page put into the element stands in for the picture
- * @param {string} parts.message what could not be done
+ * @param {string} parts.message an error message
  * @param {import("./geometry.js").Facts | null} parts.facts
  * @param {Parameters<typeof tools>[0]} parts.tools
  * @param {import("./panel.js").PanelPort | null} parts.panel null: none

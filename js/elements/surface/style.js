@@ -3,26 +3,26 @@ import { css } from "lit";
 
 /**
  * @cssprop --bz-ink - text
- * @cssprop --bz-quiet - text of less weight
- * @cssprop --bz-paper - the ground of the picture and of fields
- * @cssprop --bz-panel - the ground of everything else
- * @cssprop --bz-rim - lines about panels
- * @cssprop --bz-field - lines about buttons and fields
- * @cssprop --bz-front - the outside of the surface
- * @cssprop --bz-back - the inside
+ * @cssprop --bz-quiet - secondary text
+ * @cssprop --bz-paper - the background of the picture and of fields
+ * @cssprop --bz-panel - the background of everything else
+ * @cssprop --bz-rim - the borders of panels
+ * @cssprop --bz-field - the borders of buttons and fields
+ * @cssprop --bz-front - the front side of the surface
+ * @cssprop --bz-back - its back side
  * @cssprop --bz-line - mesh, curves and net
  * @cssprop --bz-handle - control points
  * @cssprop --bz-level1 - the rows of de Casteljau's grid
- * @cssprop --bz-level2 - its curve
- * @cssprop --bz-low - the least curvature
- * @cssprop --bz-middle - none
- * @cssprop --bz-high - the greatest
+ * @cssprop --bz-level2 - the curve across them
+ * @cssprop --bz-low - the smallest curvature
+ * @cssprop --bz-middle - zero curvature
+ * @cssprop --bz-high - the greatest curvature
  * @cssprop --bz-gap - cracks
  * @cssprop --bz-wire - tubes
- * @cssprop --bz-accent - the focus, and what is chosen
- * @cssprop --bz-on-accent - text on that
- * @cssprop --bz-hit - the size of a handle's hit box
- * @cssprop --bz-aspect - width by height of the picture
+ * @cssprop --bz-accent - the focus and selected items
+ * @cssprop --bz-on-accent - text on the accent colour
+ * @cssprop --bz-hit - the size of the hit area of a handle
+ * @cssprop --bz-aspect - the aspect ratio of the picture, width / height
  */
 export const style = css`
 :host {
