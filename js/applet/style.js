@@ -24,7 +24,7 @@ export const DARK = `
  * @cssprop --bz-curve - the curve
  * @cssprop --bz-handle - points off the curve, and tangents
  * @cssprop --bz-first - the first part of a curve that is split
- * @cssprop --bz-second - the second half
+ * @cssprop --bz-second - the second part
  * @cssprop --bz-level1 - the first level of de Casteljau's algorithm, and every fourth after it
  * @cssprop --bz-level2 - the second level
  * @cssprop --bz-accent - the focus and selected items

@@ -153,8 +153,8 @@
  * @property {(seed?: number) => void} randomize moves all points to random positions; equal seeds give equal points
  * @property {(t?: number) => [Curve, Curve]} split shows both parts at t, and returns those of the selected segment
  * @property {(t?: number) => void} insert splits the selected segment at t; the shape stays the same
- * @property {(index?: number) => void} remove removes a point; without an index the element itself, like `Element.remove`
- * @property {(...what: (Node | string | [number, number])[]) => void} append appends a point; nodes are appended like `Element.append` does
+ * @property {(index?: number) => void} remove removes a point; without an index removes the element, as `Element.remove`
+ * @property {(...what: (Node | string | [number, number])[]) => void} append appends a point; nodes are appended to the element, as by `Element.append`
  * @property {() => void} toggleMode switches between the points of one curve and all points
  * @property {() => Record<string, unknown>} toJSON the property `state`
  * @property {() => Promise<string>} toSVG the picture as an SVG document

@@ -35,6 +35,11 @@ pub(crate) const OPERATIONS: [(&str, Apply, Expected); 4] = [
     ),
 ];
 
+/// A path from SVG path data.
+pub(crate) fn path(d: &str) -> Path {
+    d.parse().expect("path data")
+}
+
 pub(crate) fn valid(result: Result<Path, casteljau::Error>) -> Path {
     result.expect("few segments")
 }

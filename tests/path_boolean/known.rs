@@ -1,15 +1,11 @@
 //! Results that are known exactly, and operations that cut.
 
-use crate::check::valid;
+use crate::check::{path, valid};
 use casteljau::Path;
 use casteljau::glam::DVec2;
 use casteljau::path::{BooleanOperation, FillRule};
 
 const RULE: FillRule = FillRule::NonZero;
-
-fn path(d: &str) -> Path {
-    d.parse().expect("path data")
-}
 
 #[test]
 fn squares_side_by_side_become_one_outline() {

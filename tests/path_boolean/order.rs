@@ -1,15 +1,11 @@
-//! Outlines for which the order of half-edges around a vertex is hard to find.
+//! Outlines with half-edges around a vertex whose order the directions at the vertex do not show.
 
-use crate::check::{identity_error, valid};
+use crate::check::{identity_error, path, valid};
 use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 use casteljau::{Curve, Path, Spline};
 
 const RULE: FillRule = FillRule::NonZero;
-
-fn path(d: &str) -> Path {
-    d.parse().expect("path data")
-}
 
 #[test]
 fn loops_that_leave_a_corner_in_similar_directions() {
@@ -31,13 +27,6 @@ fn loops_that_leave_a_corner_in_similar_directions() {
     let hole = path(&format!("{first} {}", second.reverse()));
     let ring = valid(hole.remove_overlaps(RULE));
     assert_close(ring.area() / first.area(), 8.0 / 9.0);
-}
-
-fn assert_close(actual: f64, expected: f64) {
-    assert!(
-        (actual - expected).abs() <= 1e-9,
-        "expected {expected}, got {actual}"
-    );
 }
 
 #[test]
@@ -89,4 +78,11 @@ fn arcs_that_turn_back_near_their_end() {
     let b = a.transform(&DAffine2::from_angle(9.948057441366842e-06));
     let error = identity_error(&a, &b, FillRule::EvenOdd);
     assert!(error < 1e-12, "areas differ by {error:e}");
+}
+
+fn assert_close(actual: f64, expected: f64) {
+    assert!(
+        (actual - expected).abs() <= 1e-9,
+        "expected {expected}, got {actual}"
+    );
 }

@@ -1,6 +1,6 @@
 //! What results promise: bits of what is not touched, starting points, scaling, symmetry, few segments.
 
-use crate::check::{OPERATIONS, valid};
+use crate::check::{OPERATIONS, path, valid};
 use crate::families::FAMILIES;
 use crate::random::Random;
 use casteljau::Path;
@@ -8,10 +8,6 @@ use casteljau::glam::{DAffine2, DVec2};
 use casteljau::path::FillRule;
 
 const RULE: FillRule = FillRule::NonZero;
-
-fn path(d: &str) -> Path {
-    d.parse().expect("path data")
-}
 
 fn bits(path: &Path) -> Vec<Vec<u64>> {
     let curve = |curve: casteljau::Curve<DVec2>| {

@@ -110,8 +110,9 @@ const growthTable = (growth) =>
     ]),
   );
 
-/** @param {Growth["costs"][number] | undefined} cost */
-const costText = (cost) => (cost ? `${cost.size.toLocaleString("en-US")}: ${quantity(cost.ns, "ns")}` : "");
+/** The time at one size, without a line break. @param {Growth["costs"][number] | undefined} cost */
+const costText = (cost) =>
+  cost ? `${cost.size.toLocaleString("en-US")}: ${quantity(cost.ns, "ns")}`.replaceAll(" ", "\u00a0") : "";
 
 /** Bundles of one import each, made while the site is built. */
 async function sizes() {

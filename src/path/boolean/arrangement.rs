@@ -15,7 +15,8 @@ use crate::path::Path;
 use crate::path::winding::FillRule;
 
 /// The parts of epsilon within which contacts count. Where one of them leads to winding numbers that contradict each
-/// other, because features are of about this size, the next is tried; the last one is taken as it is.
+/// other, because features are of about this size, the next is tried. If all of them do, the last is used, which is the
+/// first again.
 const TOLERANCES: [f64; 6] = [0.2, 0.02, 0.1, 1e-3, 1e-5, 0.2];
 
 /// Edges, their order around vertices, and faces.

@@ -88,7 +88,7 @@ struct Spoke {
     /// The control points relative to the vertex.
     points: Points<DVec2>,
     direction: DVec2,
-    /// The error of the direction: from the start of the arc, which need not be at the vertex, and from its bend.
+    /// The error of the direction: the start of the arc is not exactly at the vertex, and the arc bends.
     error: f64,
 }
 
@@ -185,7 +185,7 @@ fn pseudo_angle(d: DVec2) -> f64 {
 }
 
 /// Rotates the order so that the largest angle without a half-edge is between the last and the first one. These two
-/// are then no neighbours, even if all half-edges have similar directions.
+/// are then not compared as neighbours, even if all half-edges have similar directions.
 fn cut_at_largest_gap(order: &mut [usize], angles: &[f64]) {
     let mut largest = (0, 4.0 + angles[order[0]] - angles[order[order.len() - 1]]);
     for k in 1..order.len() {
