@@ -1,34 +1,45 @@
 //! The inputs of other libraries' tests, from tests/data/boolean; results are judged as those of the families.
 
-use crate::check::{faults, identity_error};
+use crate::check::{faults, identity_error, path};
 use crate::random::Random;
-use casteljau::Path;
 use casteljau::path::FillRule;
 
 /// The largest error of an identity of areas, relative to the square of the size. These drawings have outlines that
 /// nearly coincide.
 const NEARLY_COINCIDENT: f64 = 1e-9;
 
-fn check(suite: &str, fewest: u64) {
-    let mut count = 0;
-    for line in suite.lines().filter(|line| !line.starts_with("# ")) {
-        let fields: Vec<&str> = line.split('\t').collect();
-        let [name, a, b] = fields[..] else {
-            panic!("expected a name and two paths, got {line}");
-        };
-        let [a, b] = [a, b].map(|d| Path::from_svg(d).expect("path data"));
-        for rule in [FillRule::NonZero, FillRule::EvenOdd] {
-            let found = faults(&a, &b, rule, &mut Random::new(count));
-            assert!(found.is_empty(), "{name} {rule:?}: {found:#?}");
-            let error = identity_error(&a, &b, rule);
-            assert!(
-                error <= NEARLY_COINCIDENT,
-                "{name} {rule:?}: areas differ by {error:e}"
-            );
+fn check(suite: &str, fewest: usize) {
+    let cases: Vec<&str> = suite
+        .lines()
+        .filter(|line| !line.starts_with("# "))
+        .collect();
+    assert!(cases.len() >= fewest, "only {} cases", cases.len());
+    let wrong: Vec<String> = cases.iter().flat_map(|case| faults_of(case)).collect();
+    assert!(wrong.is_empty(), "{} wrong: {wrong:#?}", wrong.len());
+}
+
+/// What is wrong with the results of a case, with its name and fill rule.
+fn faults_of(case: &str) -> Vec<String> {
+    let fields: Vec<&str> = case.split('\t').collect();
+    let [name, a, b] = fields[..] else {
+        panic!("expected a name and two paths, got {case}");
+    };
+    let [a, b] = [a, b].map(path);
+    let mut wrong = Vec::new();
+    for rule in [FillRule::NonZero, FillRule::EvenOdd] {
+        let mut random = Random::new(case.len() as u64);
+        wrong.extend(faults(&a, &b, rule, &mut random));
+        let error = identity_error(&a, &b, rule);
+        if error > NEARLY_COINCIDENT {
+            wrong.push(format!("areas differ by {error:e}"));
         }
-        count += 1;
+        for fault in &mut wrong {
+            if !fault.starts_with(name) {
+                *fault = format!("{name} {rule:?}: {fault}");
+            }
+        }
     }
-    assert!(count >= fewest, "only {count} cases were read");
+    wrong
 }
 
 #[test]
@@ -44,4 +55,14 @@ fn path_bool() {
 #[test]
 fn linesweeper() {
     check(include_str!("../data/boolean/linesweeper.txt"), 8);
+}
+
+#[test]
+fn boolean_operations() {
+    check(include_str!("../data/boolean/booleanOperations.txt"), 16);
+}
+
+#[test]
+fn skia() {
+    check(include_str!("../data/boolean/skia.txt"), 1054);
 }
