@@ -109,6 +109,15 @@ pub(crate) fn path(points: &[(f64, f64)]) -> Path {
     Path::from(Curve::new(&points).expect("finite"))
 }
 
+/// All curves: those above and Skia's.
+pub(crate) fn curves() -> Vec<(&'static str, Path)> {
+    let skia = include_str!("../data/strokes/skia.txt").lines();
+    let skia = skia.filter(|line| !line.starts_with("# "));
+    let ours = HARD.iter().map(|&(name, points)| (name, path(&points)));
+    ours.chain(skia.map(|d| (d, d.parse().expect("path data"))))
+        .collect()
+}
+
 /// The diagonal of the control points' box; 1 for a point.
 pub(crate) fn size(path: &Path) -> f64 {
     let bounds = path.control_bounds().expect("not empty");

@@ -7,6 +7,7 @@ mod common;
 mod cases;
 mod contains;
 mod dashes;
+mod resvg;
 mod round;
 mod round_corners;
 mod shapes;

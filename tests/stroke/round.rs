@@ -1,6 +1,6 @@
 //! Strokes with round joins and caps: the points within half the width of the path.
 
-use crate::cases::{HARD, path, size};
+use crate::cases::{HARD, curves, path, size};
 use crate::common::Rng;
 use casteljau::Path;
 use casteljau::glam::DVec2;
@@ -75,8 +75,7 @@ fn wrong(
 fn sweep(tolerances: &[f64], simple: bool) {
     let mut rng = Rng(7);
     let mut faults = Vec::new();
-    for (name, points) in HARD {
-        let path = path(&points);
+    for (name, path) in curves() {
         for part in WIDTHS {
             for &tolerance in tolerances {
                 let width = part * size(&path);

@@ -17,6 +17,8 @@ mod grow;
 mod options;
 mod outline;
 mod round_corners;
+mod side;
+mod side_boundary;
 mod tangent_circle;
 
 pub use grow::OffsetOptions;

@@ -4,6 +4,7 @@
 //! passes through the corner, so that the outline is a sum of the outlines of the segments' strokes and of the joins.
 
 use super::options::{Pen, StrokeCap};
+use super::side_boundary::add_sides;
 use crate::curve::Curve;
 use crate::geometry::error::Error;
 use crate::geometry::point::Point;
@@ -38,8 +39,8 @@ impl Outline {
             if k > 0 {
                 outline.join(&curves[k - 1], curve, false, pen);
             }
-            outline.left.add_offset(curve, pen.radius, own)?;
-            outline.right.add_offset(curve, -pen.radius, own)?;
+            let sides = [&mut outline.left, &mut outline.right];
+            add_sides(sides, curve, pen.radius, own)?;
         }
         let (first, last) = (&curves[0], &curves[curves.len() - 1]);
         if closed {
