@@ -2,6 +2,9 @@
 
 use casteljau::glam::DVec3;
 
+/// Rounding of the derivative, relative to its largest control vector.
+const ROUNDING: f64 = 1e-14;
+
 /// ∫ f(t, |B′(t)|) dt over [lo, hi].
 pub(crate) struct Along<'a> {
     /// Pᵢ₊₁ − Pᵢ.
@@ -107,15 +110,31 @@ impl Along<'_> {
         0.5 * (lo + hi)
     }
 
-    /// Whether no cusp is inside: successive directions differ by less than a right angle. Near the ends the samples
-    /// are denser, since a quadrature rule has few nodes there.
+    /// The control vectors of the derivative between two parameters.
+    fn part(&self, lo: f64, hi: f64) -> Vec<DVec3> {
+        let mut row = self.slopes.clone();
+        let n = row.len();
+        for level in 1..n {
+            for k in (level..n).rev() {
+                row[k] = row[k - 1] * (1.0 - hi) + row[k] * hi;
+            }
+        }
+        let from = if hi > 0.0 { lo / hi } else { 0.0 };
+        for last in (1..n).rev() {
+            for i in 0..last {
+                row[i] = row[i] * (1.0 - from) + row[i + 1] * from;
+            }
+        }
+        row
+    }
+
+    /// Whether no cusp and no turn is inside: the derivative's control vectors are in one half-space, up to rounding.
     fn straight_enough(&self, lo: f64, hi: f64) -> bool {
-        let locations = [
-            0.0, 0.002, 0.01, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95, 0.99, 0.998, 1.0,
-        ];
-        let slopes = locations.map(|location| self.slope(lo + (hi - lo) * location));
-        let largest = slopes.iter().map(|s| s.length()).fold(0.0, f64::max);
-        largest * (hi - lo) <= self.min || slopes.windows(2).all(|pair| pair[0].dot(pair[1]) > 0.0)
+        let slopes = self.part(lo, hi);
+        let largest = super::largest(&slopes);
+        let sum: DVec3 = slopes.iter().sum();
+        let direction = sum.normalize_or_zero();
+        largest * (hi - lo) <= self.min || slopes.iter().all(|s| s.dot(direction) > -ROUNDING)
     }
 }
 

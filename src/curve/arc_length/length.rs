@@ -19,7 +19,7 @@ impl<P: Point> Curve<P> {
     /// ∫ |B′(t)| dt, by a closed form for lines and quadratics, otherwise by Gauss–Legendre rules on intervals that are
     /// cut at the minima of the speed. The relative error is at most 10⁻¹², also for curves with cusps and reversals.
     /// `tolerance` is the maximum error, in the unit of the points; it has an effect only if it is finer than the
-    /// default, and no accuracy is gained below some roundings of the length. At most 4096 intervals are integrated;
+    /// default, and no accuracy is gained below 10⁻¹⁴ of the length. At most 4096 intervals are integrated;
     /// curves with moderate numbers need less than a tenth of them. A curve that is a point has length exactly 0;
     /// beyond the range of f64 the length is infinite.
     ///
