@@ -5,13 +5,24 @@ import { entryFolders, readEntries } from "../../www/api/build/entries.js";
 import { inputsOf } from "../../www/api/build/sample.js";
 import { openPage } from "./browser.js";
 
-/** Keys that move a point or a slider; some figures need several for another result. */
+/** Where the pointer goes while it drags a point, in pixels from its start; some figures need several for another result. */
+const MOVES = [
+  [30, 10],
+  [-30, 25],
+  [10, -40],
+  [60, 40],
+  [-70, -30],
+  [90, -60],
+  [-20, 80],
+  [120, 10],
+  [-120, 40],
+  [0, -110],
+];
+
+/** Keys that move a slider or make another choice. */
 const KEYS = [..."uullddrrlluurrrrddddlllluuuu"].map(
   (letter) => ({ u: "ArrowUp", l: "ArrowLeft", d: "ArrowDown", r: "ArrowRight" })[letter] ?? "",
 );
-
-/** So many of them are tried on every control before the others. */
-const FIRST_KEYS = 6;
 
 /**
  * What a figure shows when the last change is drawn: its picture and the printed lines.
@@ -33,32 +44,63 @@ const shownBy = (section) =>
   });
 
 /**
+ * Drags a point with the pointer until the picture and the lines differ from the first ones.
+ *
+ * @param {import("playwright-core").Locator} section
+ * @param {import("playwright-core").Locator} handle
+ */
+async function followsPointer(section, handle) {
+  const { mouse } = section.page();
+  const before = await shownBy(section);
+  const box = await handle.boundingBox();
+  assert.ok(box, "expected a visible point");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await mouse.move(x, y);
+  await mouse.down();
+  try {
+    for (const [dx, dy] of MOVES) {
+      await mouse.move(x + dx, y + dy);
+      if (differ(before, await shownBy(section))) return true;
+    }
+    return false;
+  } finally {
+    await mouse.up();
+  }
+}
+
+/**
  * Presses keys on a control until the picture and the lines differ from the first ones.
  *
  * @param {import("playwright-core").Locator} section
  * @param {import("playwright-core").Locator} control
- * @param {readonly string[]} keys
  */
-async function changes(section, control, keys) {
+async function followsKeys(section, control) {
   const before = await shownBy(section);
   await control.focus();
-  for (const key of keys) {
+  for (const key of KEYS) {
     await section.page().keyboard.press(key);
-    const now = await shownBy(section);
-    if (now.picture !== before.picture && now.lines !== before.lines) return true;
+    if (differ(before, await shownBy(section))) return true;
   }
   return false;
 }
 
+/** @typedef {Awaited<ReturnType<typeof shownBy>>} Shown */
+
+/** @param {Shown} before @param {Shown} now */
+const differ = (before, now) => now.picture !== before.picture && now.lines !== before.lines;
+
 /**
- * Whether one of the controls changes both. A few keys on each come first: many controls change the picture alone.
+ * Whether one of the inputs changes both: a point by dragging it, or a slider or choice by keys.
  *
  * @param {import("playwright-core").Locator} section
- * @param {readonly import("playwright-core").Locator[]} controls
  */
-async function anyChanges(section, controls) {
-  for (const keys of [KEYS.slice(0, FIRST_KEYS), KEYS.slice(FIRST_KEYS)]) {
-    for (const control of controls) if (await changes(section, control, keys)) return true;
+async function anyChanges(section) {
+  await section.locator("live-figure").scrollIntoViewIfNeeded();
+  for (const handle of await section.locator("live-figure .handle").all()) {
+    if (await followsPointer(section, handle)) return true;
+  }
+  for (const control of await section.locator("live-figure :is(input:not([data-turn]), select)").all()) {
+    if (await followsKeys(section, control)) return true;
   }
   return false;
 }
@@ -80,15 +122,13 @@ for (const folder of entryFolders()) {
       const section = page.locator(`[id="${name}"]`);
       await showOnly(page, name);
       assert.ok(inputsOf(entry.js?.code ?? "").length > 0, `${entry.file}: expected an input`);
-      const controls = section.locator("live-figure :is(button, input:not([data-turn]), select)");
-      const followed = await anyChanges(section, await controls.all());
-      if (!followed) still.push(name);
+      if (!(await anyChanges(section))) still.push(name);
     }
     assert.deepEqual(still, [], "no input of these changes both the picture and the printed lines");
   });
 }
 
-test("a point follows the pointer, and the code shows where it is", async (t) => {
+test("a point follows the pointer and arrow keys, and the code shows where it is", async (t) => {
   const page = await openPage(t, "/api/curve/#nearest");
   const section = page.locator("#nearest");
   const handle = section.getByRole("button", { name: /^p \(/ });
@@ -104,6 +144,9 @@ test("a point follows the pointer, and the code shows where it is", async (t) =>
   assert.ok(x > 1.2 && y < 2.95, `${x}, ${y}`);
   const t0 = Number(await section.locator("[data-output]").first().textContent());
   assert.ok(t0 > 0.5 && t0 < 1, String(t0));
+  await page.keyboard.press("ArrowRight");
+  const [right] = JSON.parse((await section.locator('[data-input="p"]').textContent()) ?? "");
+  assert.ok(right > x, `${right} after ${x}`);
 });
 
 test("the pages of the reference are readable without JavaScript", async (t) => {
