@@ -35,7 +35,7 @@ export const POINTS_PER_SEGMENT = 3;
 /** The joint modes in the order of the switch. @type {readonly JointMode[]} */
 export const JOINT_MODES = ["free", "g1", "c1"];
 
-/** The tutorial's canvas; used where the canvas states no size of its own. @type {Box} */
+/** The canvas of the web lesson; used where the canvas states no size of its own. @type {Box} */
 export const DEFAULT_BOX = { width: 670, height: 480 };
 
 /** Two cubics. P2, P3 and P4 lie on one line, but P3 is not half-way: G1 and not C1. */

@@ -26,7 +26,7 @@ export function jointLabel({ continuity, points }) {
   if (continuity.g1) {
     return {
       verdict: "G1",
-      text: `P2, P3, P4 aligned (the tutorial’s C1): G1 at P3. C1 when |P2P3| = |P3P4|; now ${lengths}.`,
+      text: `P2, P3, P4 aligned: G1 at P3. C1 when |P2P3| = |P3P4|; now ${lengths}.`,
     };
   }
   const angle = degrees(continuity.angle);

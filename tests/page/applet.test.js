@@ -37,7 +37,7 @@ test("the tutorial's HTML, to the letter, shows seven points and two smooth cubi
   }
   const continuity = await page.evaluate(() => bezierApp().continuity);
   assert.deepEqual([continuity.g1, continuity.c1], [true, false]);
-  assert.match(await page.locator('[part="status"]').innerText(), /G1.*aligned \(the tutorial’s C1\)/s);
+  assert.match(await page.locator('[part="status"]').innerText(), /G1.*P2, P3, P4 aligned: G1 at P3/s);
 });
 
 test("a dragged point takes its handle, its coordinates and the curve along", async (t) => {

@@ -92,7 +92,7 @@ const WIDEST = 100;
 const BEZIER = [-1, 3, -3, 1, 3, -6, 3, 0, -3, 3, 0, 0, 1, 0, 0, 0];
 
 /**
- * The tutorial's two cubics.
+ * The two cubics of the web lesson.
  *
  * @returns {State}
  */

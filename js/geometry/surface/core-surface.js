@@ -101,7 +101,7 @@ export class CoreSurface extends SurfaceValue {
   }
 
   /**
-   * A mesh of one grid of samples per patch, as in the tutorial: each patch has its own vertices, also along shared
+   * A mesh of one grid of samples per patch, as in the web lesson: each patch has its own vertices, also along shared
    * edges.
    *
    * @param {GridOptions} options
@@ -171,7 +171,7 @@ export class CoreSurface extends SurfaceValue {
   }
 
   /**
-   * The recursive subdivision of the tutorials: every patch is split into four, and the parts again, until the control
+   * The recursive subdivision of the texts: every patch is split into four, and the parts again, until the control
    * points of a part are within the tolerance of the plane of three of its corners (those with the largest triangle; of
    * their line or point if they have no plane). For teaching: neighbours that were split differently leave cracks, and
    * the tolerance does not bound the distance from the two triangles of a part. `tessellate` has no cracks and keeps
