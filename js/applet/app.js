@@ -71,7 +71,7 @@ export class BezierApp extends EventTarget {
     this.#engine.command((state) => states.withJoint(state, mode));
   }
 
-  /** The parameter from 0 to 1, applied to every segment shown: each has its point, its scaffold and its halves at t. */
+  /** The parameter from 0 to 1, applied to every segment shown: each has its point, its construction and its halves at t. */
   get t() {
     return this.#engine.state.t;
   }
@@ -81,7 +81,7 @@ export class BezierApp extends EventTarget {
   }
 
   /**
-   * What is drawn besides curve and points: polygon, hull, scaffold, halves. Assigned is an object with those that
+   * What is drawn besides curve and points: polygon, hull, construction, halves. Assigned is an object with those that
    * change: `app.layers = { hull: true }`.
    *
    * @returns {Readonly<Layers>}

@@ -36,7 +36,7 @@ const JOINT_TITLES = {
 const LAYER_NAMES = {
   polygon: "control polygon",
   hull: "hull",
-  scaffold: "de Casteljau at t",
+  construction: "de Casteljau at t",
   halves: "two halves at t",
 };
 const T_STEP = 0.01;

@@ -12,7 +12,7 @@ import { cubics, FEWEST_POINTS, pairs } from "./state.js";
  * @property {Spline} curve the shown part of the spline
  * @property {[number, number][]} atT the point at t of each segment
  * @property {Float64Array[]} hulls of each segment, where shown
- * @property {Float64Array[][]} scaffolds of each segment, where shown: the levels from the points to the point at t
+ * @property {Float64Array[][]} constructions of each segment, where shown: the levels from the points to the point at t
  * @property {[Curve, Curve][]} halves of each segment, where shown
  * @property {Continuity | null} continuity at P3; null where P3 is an end
  */
@@ -31,7 +31,7 @@ export function derive(state) {
     curve,
     atT: segments.map((segment) => segment.eval(t)).map(({ x, y }) => [x, y]),
     hulls: layers.hull ? segments.map((segment) => segment.hull()) : [],
-    scaffolds: layers.scaffold ? segments.map((segment) => segment.deCasteljau(t)) : [],
+    constructions: layers.construction ? segments.map((segment) => segment.deCasteljau(t)) : [],
     halves: layers.halves ? segments.map((segment) => segment.split(t)) : [],
     continuity: continuityAtP3(state),
   };

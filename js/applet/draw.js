@@ -28,7 +28,7 @@ export function draw(paper, state, derived) {
   if (state.layers.polygon) drawPolygon(paper, derived.points);
   drawCurve(paper, derived);
   drawTangents(paper, derived.points);
-  for (const levels of derived.scaffolds) drawScaffold(paper, levels);
+  for (const levels of derived.constructions) drawConstruction(paper, levels);
   derived.points.forEach((point, i) => drawLabel(paper, state, point, i, derived.points));
   derived.points.forEach((point, i) => drawPoint(paper, state, point, isOnCurve(i)));
   for (const at of derived.atT) pen.diamond(paper, at);
@@ -92,7 +92,7 @@ function drawCurve(paper, { curve, halves }) {
  * @param {Paper} paper
  * @param {Float64Array[]} levels
  */
-function drawScaffold(paper, levels) {
+function drawConstruction(paper, levels) {
   const { ctx, theme } = paper;
   const hues = [theme.level1, theme.level2];
   levels.slice(1, -1).forEach((level, i) => {

@@ -13,7 +13,7 @@ import { finiteNumber, kindOf, pointsArray } from "./check.js";
  * @typedef {object} Layers
  * @property {boolean} polygon the control polygon
  * @property {boolean} hull the convex hull of each segment's control points
- * @property {boolean} scaffold de Casteljau's construction at t
+ * @property {boolean} construction de Casteljau's construction at t
  * @property {boolean} halves each segment's two halves, split at t, in two colours
  */
 
@@ -60,7 +60,7 @@ export function firstState(box) {
     shown: DEFAULT_POINTS.length,
     joint: "free",
     t: 0.5,
-    layers: Object.freeze({ polygon: true, hull: false, scaffold: false, halves: false }),
+    layers: Object.freeze({ polygon: true, hull: false, construction: false, halves: false }),
     box,
   };
 }

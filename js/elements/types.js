@@ -131,7 +131,7 @@
  * @property {JointMode[]} joints the continuity that is kept at each inner joint; as an attribute words, the last one for all further joints
  * @property {number} t from 0 to 1; from −0.5 to 1.5 if the extrapolation is shown
  * @property {string} segment the number of the segment to which t refers, from 0
- * @property {string} show some of the words "polygon hull scaffold halves weights tangents normals comb bounds extrema inflections tree segments
+ * @property {string} show some of the words "polygon hull construction halves weights tangents normals comb bounds extrema inflections tree segments
  *   nearest offset ticks envelope extrapolation names"
  * @property {string} labels the notation: "P0", "P1", "b0", "p0" or "none"
  * @property {string} tolerance the tolerance of the adaptive subdivision, in pixels

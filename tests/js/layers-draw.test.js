@@ -83,7 +83,7 @@ test("there is a layer for every name that can be switched, and each alone adds 
   const length = (layers) => drawn({ points: S, layers, pointer: [1, 1] }).ctx.calls.length;
   const bare = length([]);
   for (const name of LAYER_NAMES) {
-    if (name === "names") assert.ok(length(["scaffold", name]) > length(["scaffold"]), name);
+    if (name === "names") assert.ok(length(["construction", name]) > length(["construction"]), name);
     else assert.ok(length([name]) > bare, name);
   }
 });
@@ -215,7 +215,7 @@ test("a curve of degree 9 is drawn within a tenth of a pixel", () => {
 });
 
 test("words do not lie on each other or on points where there is room", () => {
-  const { ctx } = drawn({ layers: ["scaffold", "names", "weights"], labels: "P1" });
+  const { ctx } = drawn({ layers: ["construction", "names", "weights"], labels: "P1" });
   const boxes = ctx.of("fillText").map(([text, x, y]) => ({ text, x, y, half: 3.75 * [...text].length }));
   assert.ok(boxes.length >= 7 + 12 + 4, `${boxes.length} words`);
   boxes.forEach((a, i) => {

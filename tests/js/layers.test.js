@@ -6,7 +6,7 @@ import { figureOf } from "../../js/elements/applet/figure.js";
 
 import { nameAt, namesOf } from "../../js/elements/applet/layers/names.js";
 import { deviation, treeOf } from "../../js/elements/applet/layers/halving.js";
-import { stringsOf } from "../../js/elements/applet/layers/strings.js";
+import { envelopeLines } from "../../js/elements/applet/layers/envelope.js";
 import { combOf, ways } from "../../js/elements/applet/layers/ways.js";
 import { weightsAt } from "../../js/elements/applet/layers/weights.js";
 import { BASES } from "../../js/elements/applet/state.js";
@@ -87,7 +87,7 @@ test("every string touches the curve: the point at t divides it as t does, and i
     [325, 230],
     [400, 20],
   ]);
-  const strings = stringsOf(curve, 16);
+  const strings = envelopeLines(curve, 16);
   for (let k = 0; k <= 16; k++) {
     const [ax, ay, bx, by] = strings.subarray(4 * k, 4 * k + 4);
     const t = k / 16;
@@ -307,7 +307,7 @@ test("the hull of a B-spline is that of its own points, of other bases that of t
   assert.deepEqual([...form.data[0]], [...form.figure.pieces[0].curve.hull()]);
 });
 
-test("names on the scaffold, as the texts write them", () => {
+test("names on the construction, as the texts write them", () => {
   assert.equal(nameAt("P0", 1, 0, false), "P01");
   assert.equal(nameAt("P1", 1, 0, false), "P12");
   assert.equal(nameAt("P1", 2, 0, false), "P1223");

@@ -219,7 +219,11 @@ test("the handle: assigned values show, a seed repeats, layers are drawn", async
   ];
   await page.evaluate(
     (all) =>
-      Object.assign(bezierApp(), { points: all, t: 0.25, layers: { scaffold: true, halves: true, polygon: false } }),
+      Object.assign(bezierApp(), {
+        points: all,
+        t: 0.25,
+        layers: { construction: true, halves: true, polygon: false },
+      }),
     cubic,
   );
   await drawn(page);
@@ -231,7 +235,7 @@ test("the handle: assigned values show, a seed repeats, layers are drawn", async
     [100, 325],
     [200, 100],
   ]; // a quarter of the way on the first two sides
-  assert.ok((await countColour(page, [130, 257.5], GREEN)) >= 2, `the scaffold from ${level.join(" to ")}`);
+  assert.ok((await countColour(page, [130, 257.5], GREEN)) >= 2, `the construction from ${level.join(" to ")}`);
   assert.equal(await page.getByLabel("t", { exact: true }).inputValue(), "0.25");
   assert.equal(await page.getByLabel("two halves at t").isChecked(), true);
 });

@@ -218,7 +218,7 @@ test("dropped and pasted: points, an SVG path, a file, JSON; what is none of the
 });
 
 test("SVG, PNG and code come out, and the code draws the same curve", async (t) => {
-  const page = await openApplet(t, 'controls show="polygon hull scaffold names"');
+  const page = await openApplet(t, 'controls show="polygon hull construction names"');
   const svg = await ask(page, () => a.toSVG());
   const parsed = await page.evaluate((text) => {
     const root = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;

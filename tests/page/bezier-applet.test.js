@@ -213,7 +213,7 @@ test("keys are left alone in fields, and can be switched off", async (t) => {
 test("every key has a button", async (t) => {
   const page = await openApplet(t, "controls");
   for (const [name, key] of [
-    [/^Cut at t/, "i"],
+    [/^Split at t/, "i"],
     [/^Fewer points/, "m"],
     [/^Randomize/, "r"],
     [/^Keys/, "?"],
@@ -424,7 +424,7 @@ test("t plays only when it is asked to, pauses, and stops when the element is ta
 test("axe finds nothing, light and dark: panel, folded parts, dialog", async (t) => {
   const page = await openApplet(
     t,
-    'controls basis="matrix" show="polygon hull scaffold halves weights tree segments offset ticks nearest"',
+    'controls basis="matrix" show="polygon hull construction halves weights tree segments offset ticks nearest"',
   );
   await page
     .locator("bezier-applet summary")

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { boxOf, assertAccessibleInBothThemes } from "./browser.js";
 import { heard, on, openCompanions, paste, settled, text } from "./companions-page.js";
 
-const ALL = `<bezier-applet id="figure" t="0.25" show="polygon scaffold"></bezier-applet>
+const ALL = `<bezier-applet id="figure" t="0.25" show="polygon construction"></bezier-applet>
 <bezier-bernstein for="figure"></bezier-bernstein><bezier-equation for="figure"></bezier-equation>
 <bezier-equation form="matrix" editable for="figure"></bezier-equation><bezier-equation form="casteljau" for="figure"></bezier-equation>
 <bezier-coordinates for="figure"></bezier-coordinates>`;

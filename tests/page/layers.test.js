@@ -78,8 +78,8 @@ test("each layer puts its colour where it belongs", async (t) => {
   // the curve's point at ½ is (307.5, 155): half-way between its ends and handles weighed 1, 3, 3, 1
   /** @type {[string, any, [number, number], number?][]} */
   const places = [
-    ["scaffold", LIGHT.level1, [140, 230]], // half-way from P0 to P1
-    ["scaffold", LIGHT.level2, [220, 155]], // half-way between the two points of the first level
+    ["construction", LIGHT.level1, [140, 230]], // half-way from P0 to P1
+    ["construction", LIGHT.level2, [220, 155]], // half-way between the two points of the first level
     ["normals", LIGHT.level1, [307, 200]], // down from the point at t
     ["extrema", LIGHT.level1, [307, 155], 30],
     ["offset", LIGHT.level1, [307, 185]], // 30 px along the normal, which is down where x grows
@@ -107,20 +107,23 @@ test("weights grow with t: the disc on P3 is small at the start and large at the
 });
 
 test("dark: the same roles in the dark colours", async (t) => {
-  const page = await openApplet(t, `${POINTS} show="scaffold comb"`, { colorScheme: "dark" });
+  const page = await openApplet(t, `${POINTS} show="construction comb"`, { colorScheme: "dark" });
   for (const role of ["curve", "handle", "level1", "level2"]) assert.ok((await count(page, DARK[role])) > 30, role);
   assert.equal(await count(page, LIGHT.curve), 0);
 });
 
 test("forced colours: the picture takes the user's", async (t) => {
-  const page = await openApplet(t, `${POINTS} show="scaffold hull"`, { forcedColors: "active", colorScheme: "dark" });
+  const page = await openApplet(t, `${POINTS} show="construction hull"`, {
+    forcedColors: "active",
+    colorScheme: "dark",
+  });
   assert.equal(await count(page, LIGHT.curve), 0);
   assert.equal(await count(page, DARK.curve), 0);
   assert.ok((await count(page, [255, 255, 255])) > 500, "the curve is in the colour of text");
 });
 
 test("the exported SVG shows what the canvas shows", async (t) => {
-  const page = await openApplet(t, `${POINTS} show="polygon scaffold weights tree comb"`);
+  const page = await openApplet(t, `${POINTS} show="polygon construction weights tree comb"`);
   const differing = await page.evaluate(async () => {
     const element = document.querySelector("bezier-applet");
     const picture = new Image();

@@ -47,8 +47,8 @@ test("a drag is in the address when it is done, undone it is gone, and the addre
 test("another address while the page is open", async (t) => {
   const page = await openAt(t, "/", `${HERO}?t=0.25`);
   assert.equal(await attribute(page, "t"), "0.25");
-  await page.evaluate(() => (location.hash = "#hero?t=0.75&show=hull+scaffold"));
-  await hero(page).and(page.locator('[t="0.75"][show="hull scaffold"]')).waitFor();
+  await page.evaluate(() => (location.hash = "#hero?t=0.75&show=hull+construction"));
+  await hero(page).and(page.locator('[t="0.75"][show="hull construction"]')).waitFor();
 });
 
 test("whatever an address can set of an element, it can be read off it", async (t) => {

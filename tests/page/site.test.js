@@ -10,7 +10,7 @@ const PHONE = { viewport: { width: 360, height: 740 }, deviceScaleFactor: 2, has
 test("the applet with everything switched on is accessible, light and dark", async (t) => {
   const page = await openTutorial(t);
   await page.evaluate(() => {
-    Object.assign(bezierApp(), { joint: "g1", layers: { hull: true, scaffold: true, halves: true } });
+    Object.assign(bezierApp(), { joint: "g1", layers: { hull: true, construction: true, halves: true } });
     bezierApp().append([300, 40]);
   });
   await handle(page, 9).waitFor();

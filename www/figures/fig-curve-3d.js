@@ -1,4 +1,4 @@
-// The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's scaffold and its box.
+// The lecture's cubic in space, its shadows on the coordinate planes, de Casteljau's construction and its box.
 import { html, svg } from "lit";
 import { Curve } from "casteljau";
 import { Figure, numeric } from "./lib/figure.js";
@@ -40,7 +40,7 @@ export class FigCurve3d extends Figure {
     t: numeric({ least: 0, most: 1, otherwise: 0.5 }),
     turn: numeric({ least: -180, most: 180, otherwise: -42 }),
     tilt: numeric({ least: -90, most: 90, otherwise: 22 }),
-    scaffold: { state: true },
+    construction: { state: true },
     shadows: { state: true },
     box: { state: true },
   };
@@ -50,7 +50,7 @@ export class FigCurve3d extends Figure {
     this.t = 0.5;
     this.turn = -42;
     this.tilt = 22;
-    this.scaffold = true;
+    this.construction = true;
     this.shadows = true;
     this.box = false;
     this.curve = new Curve(POINTS);
@@ -177,7 +177,7 @@ export class FigCurve3d extends Figure {
         ${this.box ? this.bounds(place) : ""}
         ${polyline("polygon", drawn.controlPoints())}
         <path class="curve" d=${drawn.toSVG({ precision: 2 })} />
-        ${this.scaffold ? levels.slice(1, -1).map((level, k) => [polyline(`level${k + 1}`, level.flat()), level.map(([x, y]) => ring(x, y, `var(--level${k + 1})`))]) : ""}
+        ${this.construction ? levels.slice(1, -1).map((level, k) => [polyline(`level${k + 1}`, level.flat()), level.map(([x, y]) => ring(x, y, `var(--level${k + 1})`))]) : ""}
         ${control.map(([x, y], i) => svg`${i % 3 === 0 ? disc(x, y) : square(x, y)}<text class="haloed middle math strong" x=${x} y=${y - 12}>P${subscript(i)}</text>`)}
         ${diamond(...place([at.x, at.y, at.z]))}
       </svg>
@@ -212,7 +212,7 @@ export class FigCurve3d extends Figure {
           })}
           ${slider({ name: "Rotation", value: this.turn, min: -180, max: 180, step: 1, text: `${decimal(this.turn, 0)}°`, change: turnTo })}
           ${slider({ name: "Tilt", value: this.tilt, min: -90, max: 90, step: 1, text: `${decimal(this.tilt, 0)}°`, change: (tilt) => this.orbit(this.turn, tilt) })}
-          ${check({ name: "construction", value: this.scaffold, change: (on) => (this.scaffold = on) })}
+          ${check({ name: "construction", value: this.construction, change: (on) => (this.construction = on) })}
           ${check({ name: "shadows on the planes", value: this.shadows, change: (on) => (this.shadows = on) })}
           ${check({ name: "bounding box", value: this.box, change: (on) => (this.box = on) })}
         </div>

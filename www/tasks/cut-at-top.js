@@ -12,7 +12,7 @@ export const predict = {
 
 /** @param {{ pieces: { curve: any }[], continuity: { g1: boolean }[] }} figure */
 export function check(figure) {
-  if (figure.pieces.length < 2) return verdict(false, "The curve is still one piece. Move t and press Cut at t.");
+  if (figure.pieces.length < 2) return verdict(false, "The curve is still one piece. Move t and press Split at t.");
   const slopes = figure.pieces.slice(1).map(({ curve }) => Math.abs(curve.tangent(0).y));
   const level = slopes.some((slope) => slope < LEVEL);
   return verdict(

@@ -184,7 +184,7 @@ export class Acting {
         void this.do((state) => edits.randomized(state, Math.floor(Math.random() * 2 ** 32)), "Points randomized"),
       toggle: () => void (this.do(states.toggled, "") && this.speaker?.say(`${this.host.now().shown} points shown`)),
       append: () => this.appendAt(roomiestAmong(this.host.now().box, this.host.now().points)),
-      insert: () => void this.do((state) => edits.inserted(state), "Cut at t"),
+      insert: () => void this.do((state) => edits.inserted(state), "Split at t"),
       removeChosen: () => void this.removeAt(this.chosen),
       tapping: () => {
         this.tapping = !this.tapping;

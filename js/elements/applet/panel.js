@@ -82,7 +82,7 @@ function actions({ state, figure, act, can, chosen, tapping }) {
     ${button(icon("M4 9h11a5 5 0 0 1 0 10h-4M4 9l5-5M4 9l5 5"), act.undo, { name: "Undo", off: !can.undo })}
     ${button(icon("M20 9H9a5 5 0 0 0 0 10h4M20 9l-5-5M20 9l-5 5"), act.redo, { name: "Redo", off: !can.redo })}
     ${button("Add a point", act.append)} ${button(name ? `Remove ${name}` : "Remove", act.removeChosen, { off: !name })}
-    ${button(html`Cut at <i>t</i>`, act.insert, { key: "i", off: !can.insert })} ${button(all ? "Fewer points" : `All ${state.points.length} points`, act.toggle, { key: "m" })}
+    ${button(html`Split at <i>t</i>`, act.insert, { key: "i", off: !can.insert })} ${button(all ? "Fewer points" : `All ${state.points.length} points`, act.toggle, { key: "m" })}
     ${button("Randomize", act.randomize, { key: "r" })} ${button("Move by taps", act.tapping, { pressed: tapping })}
     ${button("Reset", act.reset)} ${button("Keys", act.help, { key: "?" })}
   </div>`;
@@ -120,7 +120,7 @@ function matrix({ matrix: numbers }, put) {
 const MEASURES = {
   tree: ["Tolerance, px", "tolerance", { min: 0.1, max: 20, step: 0.1 }],
   segments: ["Even steps", "segments", { min: 1, max: 50, step: 1 }],
-  offset: ["Parallel at", "offset", { min: -150, max: 150, step: 1 }],
+  offset: ["Offset curve at", "offset", { min: -150, max: 150, step: 1 }],
   ticks: ["Equal lengths", "ticks", { min: 1, max: 50, step: 1 }],
 };
 

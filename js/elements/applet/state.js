@@ -56,7 +56,7 @@ export const LABELS = /** @type {const} */ (["P0", "P1", "b0", "p0", "none"]);
 export const LAYER_NAMES = /** @type {const} */ ([
   "polygon",
   "hull",
-  "scaffold",
+  "construction",
   "halves",
   "weights",
   "tangents",

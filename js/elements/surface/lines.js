@@ -122,7 +122,7 @@ function linesOf({ degreeU, degreeV }, points) {
 /**
  * De Casteljau's way to a point of a patch: along u in every row of the net, and then along v through what came out.
  *
- * @typedef {object} Scaffold
+ * @typedef {object} Construction
  * @property {Float32Array} rowLines the dividing lines in the rows
  * @property {Float32Array} rowCurves
  * @property {Float32Array} rowPoints one on each
@@ -138,7 +138,7 @@ function linesOf({ degreeU, degreeV }, points) {
  * @param {number} u
  * @param {number} v
  * @param {number} step
- * @returns {Scaffold}
+ * @returns {Construction}
  */
 export function casteljau(patch, u, v, step) {
   const rows = linesOf(patch, patch.controlPoints())[0].map((row) => new Curve(row, { dimension: 3 }));
@@ -158,7 +158,7 @@ export function casteljau(patch, u, v, step) {
 }
 
 /**
- * The levels of a curve's scaffold above its control polygon.
+ * The levels of a curve's construction above its control polygon.
  *
  * @param {Curve} curve
  * @param {number} t

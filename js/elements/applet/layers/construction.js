@@ -1,4 +1,4 @@
-// How the curve comes from its points: polygon, hull, de Casteljau's scaffold, the halves.
+// How the curve comes from its points: polygon, hull, de Casteljau's construction, the halves.
 import * as pen from "../../../applet/pen.js";
 import { Curve } from "../../../index.js";
 import { along, faint, hollows, through } from "./sheet.js";
@@ -55,12 +55,12 @@ export const hull = {
   },
 };
 
-/** Above this degree the points of the scaffold would hide it. */
+/** Above this degree the points of the construction would hide it. */
 const MOST_HOLLOWS_DEGREE = 12;
 
 /** Every level between the control points and the point at t, each with its hue. */
-export const scaffold = {
-  name: "scaffold",
+export const construction = {
+  name: "construction",
   title: "De Casteljau at t",
   costly: /** @type {const} */ (true),
 
@@ -72,12 +72,12 @@ export const scaffold = {
 
   /**
    * @param {Sheet} sheet
-   * @param {Float64Array[][]} scaffolds
+   * @param {Float64Array[][]} constructions
    * @param {Figure} _
    * @param {State} state
    */
-  draw(sheet, scaffolds, _, { basis }) {
-    for (const levels of scaffolds) {
+  draw(sheet, constructions, _, { basis }) {
+    for (const levels of constructions) {
       if (basis !== "bezier") drawOwnPolygon(sheet, levels[0], sheet.theme.quiet);
       levels.slice(1, -1).forEach((level, i) => {
         const colour = hue(sheet.theme, i + 1);
@@ -130,7 +130,7 @@ export const halves = {
       pairs.map(([, second]) => second),
     );
     pen.stroke(sheet, theme.second, pen.HALF_WIDTH);
-    if (!layers.has("names") || labels === "none" || layers.has("scaffold")) return;
+    if (!layers.has("names") || labels === "none" || layers.has("construction")) return;
     const named = pairs[Math.min(segment, pairs.length - 1)] ?? [];
     named.forEach((half, side) => drawOwnPolygon(sheet, half.controlPoints(), side ? theme.second : theme.first));
   },

@@ -7,7 +7,7 @@ import { names } from "./names.js";
 import * as polylines from "./polylines.js";
 import { bounded } from "./bounded.js";
 import { sheetOn } from "./sheet.js";
-import * as strings from "./strings.js";
+import * as envelope from "./envelope.js";
 import { truth } from "./truth.js";
 import * as ways from "./ways.js";
 import { weights } from "./weights.js";
@@ -36,14 +36,14 @@ export { LEVELS, ROLES } from "./theme.js";
 /** From the back to the front. @type {readonly Layer[]} */
 const ALL = [
   construction.hull,
-  strings.envelope,
+  envelope.envelope,
   weights,
   features.bounds,
   construction.polygon,
   base.waiting,
   ways.comb,
   measures.offset,
-  strings.extrapolation,
+  envelope.extrapolation,
   base.curve,
   construction.halves,
   polylines.segments,
@@ -53,7 +53,7 @@ const ALL = [
   ways.normals,
   ways.tangents,
   base.handles,
-  construction.scaffold,
+  construction.construction,
   features.extrema,
   features.inflections,
   measures.nearest,

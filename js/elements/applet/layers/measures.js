@@ -64,7 +64,7 @@ const FINEST_OFFSET = 1e-6;
 
 export const offset = {
   name: "offset",
-  title: "Parallel curve",
+  title: "Offset curve",
   costly: /** @type {const} */ (true),
 
   /**
@@ -90,7 +90,7 @@ export const offset = {
 
   /** @param {{ curves: Curve[], distance: number }} data */
   tell: ({ curves, distance }) =>
-    `Parallel at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
+    `Offset curve at ${short(distance)} px: ${curves.length === 1 ? "one piece" : `${curves.length} pieces`}`,
 };
 
 const TICK_HALF = 7;

@@ -1,4 +1,4 @@
-// Names in the scaffold at t, in the notation of the labels.
+// Names in the construction at t, in the notation of the labels.
 import * as pen from "../../../applet/pen.js";
 import { isSeen } from "./sheet.js";
 import { selected } from "./weights.js";
@@ -15,7 +15,7 @@ const MOST_DEGREE = { P0: 4, P1: 4, b0: 8, p0: 3, none: 0 };
 
 export const names = {
   name: "names",
-  title: "Names in the scaffold",
+  title: "Names in the construction",
 
   /**
    * @param {Figure} figure
@@ -36,7 +36,7 @@ export const names = {
 };
 
 /**
- * With the halves shown, the points of both: q and r, of the selected piece. Else the points of the scaffold.
+ * With the halves shown, the points of both: q and r, of the selected piece. Else the points of the construction.
  *
  * @param {Figure} figure
  * @param {State} state
@@ -48,8 +48,8 @@ export function namesOf(figure, { layers, labels, basis, segment, t }) {
     const piece = selected(figure, segment);
     return piece && piece.curve.degree <= MOST_DEGREE.b0 ? halfNames(piece.curve.split(t)) : [];
   }
-  if (!layers.has("scaffold") || basis !== "bezier" || figure.degree > MOST_DEGREE[labels]) return [];
-  return figure.pieces.flatMap(({ curve, indices }) => scaffoldNames(curve.deCasteljau(t), labels, indices[0]));
+  if (!layers.has("construction") || basis !== "bezier" || figure.degree > MOST_DEGREE[labels]) return [];
+  return figure.pieces.flatMap(({ curve, indices }) => constructionNames(curve.deCasteljau(t), labels, indices[0]));
 }
 
 /**
@@ -89,7 +89,7 @@ function acrossCut(halves, side) {
  * @param {number} first the index of the piece's first point
  * @returns {Name[]}
  */
-function scaffoldNames(levels, labels, first) {
+function constructionNames(levels, labels, first) {
   return levels.slice(1).flatMap((flat, k) =>
     Array.from({ length: flat.length / 2 }, (_, i) => ({
       text: nameAt(labels, k + 1, first + i, k + 2 === levels.length),
@@ -117,7 +117,7 @@ function awayFrom(below, flat, i) {
 }
 
 /**
- * The name of a point of the scaffold: P12, P1223; b₁²; p12, p12-23. The last one is the curve's own.
+ * The name of a point of the construction: P12, P1223; b₁²; p12, p12-23. The last one is the curve's own.
  *
  * @param {Labels} labels
  * @param {number} level from 1

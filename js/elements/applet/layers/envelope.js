@@ -12,7 +12,7 @@ const STRINGS = 32;
 const MOST_STRINGS = 2000;
 const STRING_OPACITY = 0.7;
 
-/** The last line of the scaffold, at many t: the curve is what all of them touch. */
+/** The last line of the construction, at many t: the curve is what all of them touch. */
 export const envelope = {
   name: "envelope",
   title: "String art",
@@ -21,7 +21,7 @@ export const envelope = {
   /** @param {Figure} figure */
   derive({ pieces }) {
     const count = Math.max(4, Math.min(STRINGS, Math.floor(MOST_STRINGS / pieces.length)));
-    return pieces.map(({ curve }) => stringsOf(curve, count));
+    return pieces.map(({ curve }) => envelopeLines(curve, count));
   },
 
   /**
@@ -43,7 +43,7 @@ export const envelope = {
  * @param {number} count
  * @returns {Float64Array} four numbers for each string
  */
-export function stringsOf(curve, count) {
+export function envelopeLines(curve, count) {
   const points = curve.controlPoints();
   if (points.length === 4) return points;
   const from = new Curve(points.subarray(0, -2), { dimension: 2 }).sample(count);
