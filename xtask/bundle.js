@@ -86,6 +86,7 @@ async function bundleAs(options) {
     target: "es2022",
     charset: "utf8",
     minify: true,
+    lineLimit: 500, // Node prints the line of an error that nothing catches: without a limit, all of the script
     sourcemap: "linked",
     legalComments: "none", // THIRD-PARTY-NOTICES.txt has them
     logLevel: "warning",

@@ -39,7 +39,7 @@ const MAX_FRAMES = Math.floor(2 ** 27 / 13);
  * @returns {Float64Array}
  */
 export function frameTimes(where, curves) {
-  if (typeof where !== "number") return check.numbers(where, "ts");
+  if (typeof where !== "number") return check.numbers(where, "where");
   const segments = check.segmentCount(where) * curves;
   if (segments >= MAX_FRAMES) {
     throw new RangeError(`segments: expected at most ${MAX_FRAMES - 1}, this needs ${segments}`);

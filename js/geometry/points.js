@@ -143,7 +143,10 @@ export function writePoint(flat, at, point, dimension, name) {
  * @returns {TypeError}
  */
 function notAPoint(value, name) {
-  return new TypeError(`${name}: expected a point ([x, y], [x, y, z], {x, y} or {x, y, z}), got ${describe(value)}`);
+  const hint = typeof value === "number" && !name.endsWith("]") ? "; did you mean [x, y]?" : "";
+  return new TypeError(
+    `${name}: expected a point ([x, y], [x, y, z], {x, y} or {x, y, z}), got ${describe(value)}${hint}`,
+  );
 }
 
 /**

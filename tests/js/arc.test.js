@@ -341,8 +341,8 @@ test("frames: refusals", () => {
   for (const n of [0, 1.5, NaN])
     refused(() => curve.frames(n), RangeError, /^segments: expected a whole number from 1 to 4294967295, got /);
   refused(() => curve.frames(2 ** 31), RangeError, /^segments: expected at most \d+, this needs 2147483648$/);
-  refused(() => curve.frames(untyped("4")), TypeError, /^ts: expected an array of numbers, got "4"$/);
-  refused(() => curve.frames([0, NaN]), RangeError, /^ts\[1\]: expected a finite number, got NaN$/);
+  refused(() => curve.frames(untyped("4")), TypeError, /^where: expected an array of numbers, got "4"$/);
+  refused(() => curve.frames([0, NaN]), RangeError, /^where\[1\]: expected a finite number, got NaN$/);
   refused(() => curve.frames(4, { normal: [0, 1] }), RangeError, /^normal: expected 3 coordinates, got 2$/);
   refused(
     () => curve.frames(4, { normal: [0, 1, Infinity] }),

@@ -1,5 +1,6 @@
 // The entry points casteljau, casteljau/core, casteljau/surfaces and casteljau/slim together in one program.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { test } from "node:test";
@@ -200,4 +201,23 @@ async function exportedFunctions(name) {
 test("entries: the modules of casteljau/core and casteljau/surfaces export what their classes call, and no more", async () => {
   assert.deepEqual(await exportedFunctions("core"), await calledFunctions("js/core.js"));
   assert.deepEqual(await exportedFunctions("core-surfaces"), await calledFunctions("js/surfaces.js"));
+});
+
+/** Node prints the line of the script in which an error was thrown; with the text of a wasm module that would be 400 kB. */
+test("entries: an error that nothing catches prints little", () => {
+  const programs = {
+    casteljau: 'import { Path } from "casteljau"; Path.circle(0, 0, 10);',
+    "casteljau/core": 'import { Curve } from "casteljau/core"; new Curve(7);',
+    "casteljau/surfaces": 'import { Patch } from "casteljau/surfaces"; new Patch(7);',
+    "casteljau/easing": 'import { easing } from "casteljau/easing"; easing(7);',
+  };
+  for (const [name, program] of Object.entries(programs)) {
+    const { status, stderr } = spawnSync(process.execPath, ["--input-type=module", "--eval", program], {
+      cwd: root,
+      encoding: "utf8",
+    });
+    assert.equal(status, 1, name);
+    assert.match(stderr, /TypeError: .*: expected /, name);
+    assert.ok(stderr.length < 4000, `${name}: ${stderr.length} characters`);
+  }
 });

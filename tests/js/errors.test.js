@@ -96,6 +96,7 @@ test("points: values of the wrong kind", () => {
     refused(() => new Curve([point, [0, 0], [1, 1]]), TypeError, /^points\[0\]: expected a point .*got /);
   }
   refused(() => new Curve([[0, 0], 5, [1, 1]]), TypeError, /^points\[1\]: expected a point .*got 5$/);
+  refused(() => new Curve(CUBIC).nearest(80, 90), TypeError, /^p: expected a point .*got 80; did you mean \[x, y\]\?$/);
   for (const bad of NOT_NUMBERS) {
     refused(
       () =>

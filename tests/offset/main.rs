@@ -41,12 +41,14 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
             .map(apart)
             .fold(f64::INFINITY, f64::min)
     };
-    let coarse = measure(SAGS[0]);
-    if coarse <= 1.0 {
-        coarse
-    } else {
-        measure(SAGS[1])
+    let mut found = f64::INFINITY;
+    for sag in SAGS {
+        found = measure(sag);
+        if found <= 1.0 {
+            break;
+        }
     }
+    found
 }
 
 /// A few thousand, or a hundred thousand with CASTELJAU_DEEP.

@@ -54,7 +54,9 @@ struct Walker<'a> {
 
 impl Walker<'_> {
     fn tangent(&self, t: f64) -> DVec2 {
-        at(&self.hodograph, t).normalize_or_zero()
+        let velocity = at(&self.hodograph, t);
+        // The square of a tiny velocity would be 0.
+        (velocity / velocity.abs().max_element().max(f64::MIN_POSITIVE)).normalize_or_zero()
     }
 
     fn point(&self, t: f64, tangent: DVec2) -> DVec2 {
@@ -82,7 +84,7 @@ impl Walker<'_> {
     /// Adds an arc around a point by an angle; its first vertex is already in the list.
     fn turn(&self, t: f64, from: DVec2, angle: f64, out: &mut Vec<DVec2>) {
         let steps = (1.0 + angle.abs() * (self.distance.abs() / self.step).sqrt())
-            .min(4000.0)
+            .min(65_536.0)
             .floor();
         let mut k = 1.0;
         while k <= steps {
@@ -251,7 +253,7 @@ pub(crate) fn dense(spline: &casteljau::Spline<DVec2>, sag: f64) -> Vec<DVec2> {
         let steps = (n * (n - 1.0) * bend / (8.0 * sag))
             .sqrt()
             .ceil()
-            .clamp(4.0, 1000.0);
+            .clamp(4.0, 16_384.0);
         let mut k = 0.0;
         while k <= steps {
             points.push(curve.eval(k / steps));

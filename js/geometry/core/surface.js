@@ -55,19 +55,21 @@ export class Surface extends CoreSurface {
   }
 
   /**
-   * Parses the text of a surface. There are three formats, which differ in their first rows:
+   * Parses the text of a surface. There are four formats, which differ in their first rows:
    *
    * - the format of `toText`;
    * - .bpt: the number of patches; for each patch a row with its degrees, followed by its points, one per row, u along
    *   the fast index. Points with equal coordinates become one vertex;
    * - the listing in which the teapot was published: the number of patches, for each a row of 16 vertex numbers from 1;
-   *   the number of vertices, for each a row x y z. Bicubic.
+   *   the number of vertices, for each a row x y z. Bicubic;
+   * - arrays of C source code: rows of 3 coordinates in braces, and rows of 16 vertex numbers in braces, in either order.
+   *   The numbers are from 0 if 0 occurs, otherwise from 1. Bicubic; the vertices keep their order.
    *
-   * A row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
+   * In the other three formats a row is a line; spaces, tabs or commas separate its words. Empty lines and comments, from `#` to the end of the
    * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
    * first.
    *
-   * @param {string} text the text in one of the three formats
+   * @param {string} text the text in one of the four formats
    * @returns {Surface}
    * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
    */

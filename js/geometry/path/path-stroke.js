@@ -43,10 +43,10 @@ import { readPath, writePaths } from "./path-boolean.js";
  */
 
 /**
- * The options of a stroke.
+ * The options of a stroke. `tolerance` is the largest distance of the boundary from the exact one, by default 1e-4 of the
+ * diagonal of the control points' box plus the width. `simple` tells whether the result has no overlaps, true by default.
  *
- * @typedef {StrokeShape & { tolerance?: number, simple?: boolean }} StrokeOptions `tolerance`: the largest distance of the
- *   boundary from the exact one, by default 1e-4 of the size; `simple`: whether the result has no overlaps, true by default
+ * @typedef {StrokeShape & { tolerance?: number, simple?: boolean }} StrokeOptions
  */
 
 /** @type {readonly StrokeJoin[]} in the order of the core */
@@ -62,7 +62,10 @@ const SHAPE = /** @type {const} */ (["join", "cap", "miterLimit", "dash", "dashO
  */
 function lengthsOf(lengths, name) {
   const list = Array.isArray(lengths) || ArrayBuffer.isView(lengths);
-  if (!list) throw new TypeError(`${name}: expected an array of lengths, got ${check.describe(lengths)}`);
+  if (!list) {
+    const hint = typeof lengths === "number" ? `; did you mean [${lengths}]?` : "";
+    throw new TypeError(`${name}: expected an array of lengths, got ${check.describe(lengths)}${hint}`);
+  }
   return Float64Array.from(/** @type {ArrayLike<number>} */ (lengths), (length, k) =>
     check.finite(length, `${name}[${k}]`),
   );

@@ -71,7 +71,7 @@ export class Surface extends CoreSurface {
    * line, are ignored. The time is proportional to the length of the text; counts are checked against that length
    * first.
    *
-   * @param {string} text the text in one of the three formats
+   * @param {string} text the text in one of the four formats
    * @returns {Surface}
    * @throws {RangeError} for a syntax error, with the line number, what was expected and what the text contains
    */
