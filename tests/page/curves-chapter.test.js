@@ -161,7 +161,7 @@ test("sliders of the page steer their figures: segments, tolerance, zoom, degree
   await near(page, "polyline");
   await task(page, "half-pixel", 1);
   await page.getByRole("slider", { name: "Segments" }).first().fill("24");
-  assert.match(await done(page, "half-pixel"), /24 segments: the error is 0\.47 px\. With one less/);
+  assert.match(await done(page, "half-pixel"), /24 segments: the error is 0\.47 px\. With one segment fewer/);
 
   await near(page, "recursion");
   assert.match(await page.locator("#tree").innerText(), /6 pieces, measured error 14\.5\d px/);

@@ -20,7 +20,7 @@ export function check(figure, element) {
   const spare = segments > 1 && polylineError(curve, segments - 1) < ALLOWED;
   return verdict(
     !spare,
-    `${segments} segments: the error is ${px(error)}. ${spare ? "Fewer segments are enough." : "With one less it would be 0.5 px or more."}`,
+    `${segments} segments: the error is ${px(error)}. ${spare ? "Fewer segments are enough." : "With one segment fewer it would be 0.5 px or more."}`,
   );
 }
 
