@@ -32,6 +32,14 @@ test("speed and curvature along a chain jump where the joint says so", () => {
     [true, true, false, false],
   );
   assert.deepEqual([told("c1", "curvature"), told("c2", "curvature")], [true, false]);
+  const lasting = along(chain.segments(), "speed", [1, 2]);
+  assert.deepEqual(lasting.starts, [0, 1, 3]);
+  assert.equal(lasting.lines[1].at(-1)?.[0], 3);
+  // |3(P3 − P2)| / 1 and |3(P4 − P3)| / 2
+  assert.deepEqual(
+    [lasting.joints[0].at, lasting.joints[0].before, lasting.joints[0].after].map((value) => Number(value.toFixed(9))),
+    [1, 3 * Math.hypot(80, 90), (3 * Math.hypot(100, 100)) / 2].map((value) => Number(value.toFixed(9))),
+  );
   const [line] = along(
     [
       new Curve([

@@ -112,14 +112,14 @@ test("the sections, and every place that the list of the texts links to, are the
   assert.equal(await page.locator("#de-casteljau h2 .permalink").getAttribute("href"), "#de-casteljau");
 });
 
-test("a guess, then keys on the slider of t: the weights of P0 and P1", async (t) => {
+test("a guess, then keys on the slider of t: the weights of P2 and P3", async (t) => {
   const page = await open(t);
   await near(page, "weights");
   const found = await task(page, "equal-weights", 1);
-  await page.locator("#weights").getByRole("slider", { name: "t", exact: true }).fill("0.25");
+  await page.locator("#weights").getByRole("slider", { name: "t", exact: true }).fill("0.75");
   const words = await done(page, "equal-weights");
-  assert.match(words, /P0 has the weight 0\.42 and P1 has 0\.42/);
-  assert.match(words, /Not quite\. The answer is: at t = ¼/);
+  assert.match(words, /P2 has the weight 0\.42 and P3 has 0\.42/);
+  assert.match(words, /Not quite\. The answer is: at t = ¾/);
   assert.equal(await found.getAttribute("data-state"), "done");
 });
 
@@ -140,7 +140,7 @@ test("a handle dragged: the arch reaches its height", async (t) => {
 
 test("arrow keys: P4 where equal velocities need it, with the distance shown meanwhile", async (t) => {
   const page = await open(t);
-  const applet = await near(page, "joint");
+  const applet = await near(page, "durations");
   const found = await task(page, "time-ratio", 1);
   await applet.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [492, 366])));
   await applet.locator("[data-index='4'] input").first().focus();
@@ -149,10 +149,17 @@ test("arrow keys: P4 where equal velocities need it, with the distance shown mea
   await page.keyboard.press("Shift+ArrowDown");
   assert.match(await done(page, "time-ratio"), /^P4 is 3\.61 px from the exact place/);
   assert.deepEqual((await applet.evaluate((/** @type {any} */ element) => element.points))[4], [492, 377]);
+  // At exactly twice the handle the plot, which counts two seconds for the second piece, has no jump; at equal handles it has.
+  const lasting = page.locator('fig-speed[for="durations"]');
+  await applet.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [490, 380])));
+  await lasting.getByText("No jump at the joint.").waitFor();
+  await applet.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [410, 290])));
+  await lasting.getByText("It jumps from 361 to 181 at the joint.").waitFor();
+  const joint = await near(page, "joint");
   const plot = page.locator('fig-speed[for="joint"]');
   await page.locator('lesson-task[name="aligned-only"]').getByRole("button", { name: "Reveal" }).click();
   await plot.getByText("It jumps from 361 to 181 at the joint.").waitFor();
-  await applet.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [410, 290])));
+  await joint.evaluate((/** @type {any} */ element) => (element.points = element.points.with(4, [410, 290])));
   await plot.getByText("No jump at the joint.").waitFor();
 });
 

@@ -47,7 +47,7 @@ test("sliders solve the tasks about curvature, length, offset and circle, with t
   for (const [name, slider, wrong, words, right] of /** @type {[string, string, string, RegExp, string][]} */ ([
     [
       "sharpest-bend",
-      "#velocity input[type=range][aria-valuetext]:not(.handle *)",
+      "#bend input[type=range][aria-valuetext]:not(.handle *)",
       "0.5",
       /radius of curvature is \d/,
       "0.85",

@@ -9,15 +9,16 @@ const HEIGHT = 210;
 
 /** @typedef {import("./lib/along.js").Piece} Piece */
 
-/** `<fig-speed for="id of an applet">` */
+/** `<fig-speed for="id of an applet" durations="1 2">`: without `durations` each piece takes one second. */
 export class FigSpeed extends Figure {
-  static properties = { for: {}, what: {} };
+  static properties = { for: {}, what: {}, durations: {} };
 
   constructor() {
     super();
     this.for = "";
     /** @type {"speed" | "curvature"} */
     this.what = "speed";
+    this.durations = "";
     this.update_ = () => this.requestUpdate();
   }
 
@@ -39,14 +40,14 @@ export class FigSpeed extends Figure {
   }
 
   /** @param {ReturnType<typeof along>} plot */
-  picture({ lines, joints }) {
+  picture({ lines, joints, starts }) {
     const values = lines
       .flat()
       .map(([, y]) => y)
       .filter(Number.isFinite);
     const [low, high] = [Math.min(0, ...values), Math.max(0, ...values)];
     const range = high - low || 1;
-    const x = (/** @type {number} */ t) => LEFT + (t / lines.length) * (this.wide - LEFT - RIGHT);
+    const x = (/** @type {number} */ t) => LEFT + (t / starts[lines.length]) * (this.wide - LEFT - RIGHT);
     const y = (/** @type {number} */ value) => TOP + ((high - value) / range) * (HEIGHT - TOP - BOTTOM);
     const line = (/** @type {[number, number][]} */ places) =>
       polyline(
@@ -56,7 +57,7 @@ export class FigSpeed extends Figure {
     return html`
       <svg viewBox="0 0 ${this.wide} ${HEIGHT}" role="img" aria-label="${this.what === "speed" ? "Speed" : "Curvature"} over time. ${this.words(joints, range)}">
         <path class="axis" d="M${LEFT} ${TOP}V${HEIGHT - BOTTOM}M${LEFT} ${y(0)}H${this.wide - RIGHT}" />
-        ${lines.length > 0 ? Array.from({ length: lines.length + 1 }, (_, k) => svg`<text class="quiet middle" x=${x(k)} y=${HEIGHT - 10}>${k}</text>`) : ""}
+        ${lines.length > 0 ? starts.map((at) => svg`<text class="quiet middle" x=${x(at)} y=${HEIGHT - 10}>${at}</text>`) : ""}
         ${high > 0 ? svg`<text class="quiet end" x=${LEFT - 8} y=${TOP + 5}>${short(high)}</text>` : ""}
         ${low < 0 ? svg`<text class="quiet end" x=${LEFT - 8} y=${HEIGHT - BOTTOM + 2}>${short(low)}</text>` : ""}
         <text class="quiet end" x=${LEFT - 8} y=${y(0) + 4}>0</text>
@@ -77,7 +78,8 @@ export class FigSpeed extends Figure {
   }
 
   render() {
-    const plot = along(this.target?.figure?.pieces.map(({ curve }) => curve) ?? [], this.what);
+    const durations = this.durations.split(" ").map((part) => Number(part) || 1);
+    const plot = along(this.target?.figure?.pieces.map(({ curve }) => curve) ?? [], this.what, durations);
     const values = plot.lines
       .flat()
       .map(([, y]) => y)

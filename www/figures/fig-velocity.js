@@ -23,12 +23,12 @@ const MIN_BOTH = 562;
 /** Larger circles are nearly lines. */
 const MAX_RADIUS = 400;
 
-/** `<fig-velocity t="0">` */
+/** `<fig-velocity t="0">`, and `circle` for the circle of curvature */
 export class FigVelocity extends Figure {
   static properties = {
     t: numeric({ least: 0, most: 1, otherwise: 0 }),
     points: { state: true },
-    circle: { state: true },
+    circle: { type: Boolean },
   };
 
   constructor() {

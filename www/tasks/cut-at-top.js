@@ -4,10 +4,10 @@ import { firstCurve, verdict } from "./utils/curves.js";
 const LEVEL = 0.04;
 
 export const predict = {
-  options: ["Yes, a little", "No, it stays as it is", "Only between the new points"],
+  options: ["on a vertical line", "on a horizontal line", "on the line through P0 and P3"],
   answer: 1,
   because:
-    "The two halves consist of exactly the same points as the old curve. Only the control polygon is different: it is closer to the curve.",
+    "The handles of an inserted point lie on the last leg, and that is the tangent. At the highest point the tangent is horizontal.",
 };
 
 /** @param {{ pieces: { curve: any }[], continuity: { g1: boolean }[] }} figure */

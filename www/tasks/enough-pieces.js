@@ -2,7 +2,7 @@ import { px, verdict } from "./utils/curves.js";
 
 /** The error that is allowed, and the pieces that are enough for it. */
 const ALLOWED = 0.5;
-const ENOUGH = 32;
+const ENOUGH = 48;
 
 export const live = true;
 

@@ -2,21 +2,21 @@ import { Curve } from "casteljau";
 import { verdict } from "./utils/curves.js";
 
 export const predict = {
-  options: ["at t = ¼", "at t = ⅓", "at t = ½"],
-  answer: 0,
-  because: "Divide (1 − t)³ = 3(1 − t)²t by (1 − t)²: 1 − t = 3t, so t = ¼. At t = ⅓ the weight of P1 has its maximum.",
+  options: ["at t = ½", "at t = ⅔", "at t = ¾"],
+  answer: 2,
+  because: "Divide 3(1 − t)t² = t³ by t²: 3(1 − t) = t, so t = ¾. At t = ⅔ the weight of P2 has its maximum.",
 };
 
 /** @param {{ t: number }} figure */
 export function check({ t }) {
-  const [w0, w1] = Curve.bernstein(3, t);
+  const [, , w2, w3] = Curve.bernstein(3, t);
   return verdict(
-    Math.abs(w0 - w1) < 0.02,
-    `At t = ${t.toFixed(2)} P0 has the weight ${w0.toFixed(2)} and P1 has ${w1.toFixed(2)}.`,
+    t > 0.5 && Math.abs(w2 - w3) < 0.02,
+    `At t = ${t.toFixed(2)} P2 has the weight ${w2.toFixed(2)} and P3 has ${w3.toFixed(2)}.`,
   );
 }
 
 /** @param {{ t: number }} element */
 export const reveal = (element) => {
-  element.t = 0.25;
+  element.t = 0.75;
 };

@@ -5,10 +5,9 @@ export const live = true;
 const WANTED = 5;
 
 export const predict = {
-  options: ["3", "6", "9"],
-  answer: 2,
-  because:
-    "Both curves have the degree 3, and 3 · 3 = 9. Two cubics that each go back and forth three times reach all nine.",
+  options: ["5", "6", "9"],
+  answer: 1,
+  because: "The degrees are 2 and 3, and 2 · 3 = 6. For two cubics it is 3 · 3 = 9.",
 };
 
 /** @param {unknown} _figure @param {{ found: { kind: string }[] }} element the site's figure of two cubics */

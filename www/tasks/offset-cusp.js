@@ -15,10 +15,10 @@ export const POINTS = [
 ];
 
 export const predict = {
-  options: ["the height of the curve", "the smallest radius of curvature", "half the distance between the ends"],
+  options: ["about 45 px", "about 115 px", "about 255 px"],
   answer: 1,
   because:
-    "At this distance a point of the offset curve reaches the centre of the circle of curvature, stops, and turns back.",
+    "The curve bends most sharply at the top. The curvature there is 510 · 2280 / 510³ ≈ 0.00877, so the radius of curvature is 114 px. At this distance a point of the offset curve reaches the centre of the circle of curvature, stops, and turns back.",
 };
 
 /** The curvature where it is greatest, with its sign. @param {{ curvature(t: number): number }} curve */

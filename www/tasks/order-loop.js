@@ -3,10 +3,10 @@ import { verdict } from "./utils/curves.js";
 export const live = true;
 
 export const predict = {
-  options: ["none", "two", "six"],
+  options: ["two", "four", "eight"],
   answer: 1,
   because:
-    "The legs of the polygon cross more often, but a curve does not have to cross itself where its polygon does.",
+    "Only the diagonals AC and BD cross. The first leg is one of them, the last leg is the other: 8 of the 24 orders, so 4 of the 12 shapes. Only two of these four curves cross themselves.",
 };
 
 /** @param {unknown} _figure @param {{ chosen: number, curve(order: number): any }} element the site's figure of all orders */
