@@ -265,6 +265,7 @@ test("task enough-pieces", async () => {
 });
 
 test("the predicted answers hold: shapes whose first and last leg cross, equal weights, the radius at the top", async () => {
+  /** @type {(a: number[], b: number[], p: number[]) => number} */
   const side = ([ax, ay], [bx, by], [x, y]) => Math.sign((bx - ax) * (y - ay) - (by - ay) * (x - ax));
   const cross = (/** @type {number[][]} */ [a, b, c, d]) =>
     side(a, b, c) !== side(a, b, d) && side(c, d, a) !== side(c, d, b);
