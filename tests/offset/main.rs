@@ -36,10 +36,14 @@ fn error(curve: &Curve<DVec2>, distance: f64, tolerance: f64) -> f64 {
             let back = reference::farthest(&ours, &reference.vertices, enough);
             there.max(back) / tolerance
         };
-        DenseReference::all(curve.control_points(), distance, sag * tolerance)
-            .iter()
-            .map(apart)
-            .fold(f64::INFINITY, f64::min)
+        let mut nearest = f64::INFINITY;
+        for reference in DenseReference::all(curve.control_points(), distance, sag * tolerance) {
+            nearest = nearest.min(apart(&reference));
+            if nearest <= 1.0 {
+                break;
+            }
+        }
+        nearest
     };
     let mut found = f64::INFINITY;
     for sag in SAGS {

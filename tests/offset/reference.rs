@@ -37,6 +37,9 @@ fn differences(points: &[DVec2]) -> Vec<DVec2> {
 /// zero speed).
 const STOP: f64 = 1e-13;
 
+/// The largest number of stops of a curve: each doubles the number of curves that rounding cannot distinguish.
+const MAX_STOPS: usize = 12;
+
 /// Half the length of the parameter interval around a stop that is omitted: beside it the tangent is known to 10⁻⁷.
 const BESIDE: f64 = 1e-9;
 
@@ -65,16 +68,7 @@ impl Walker<'_> {
 
     /// The tangents at both ends: toward the first control point that differs from the end.
     fn end_tangents(&self) -> (DVec2, DVec2) {
-        let longest = self
-            .hodograph
-            .iter()
-            .map(|v| v.length())
-            .fold(0.0, f64::max);
-        let min = NO_HANDLE * real(self.hodograph.len()) * longest;
-        let toward = |p: DVec2, q: &DVec2| {
-            let direction = *q - p;
-            (direction.length() > min).then(|| direction.normalize())
-        };
+        let toward = |p: DVec2, q: &DVec2| (*q != p).then(|| (*q - p).normalize());
         let (p, q) = (self.points[0], self.points[self.points.len() - 1]);
         let first = self.points.iter().find_map(|r| toward(p, r));
         let last = self.points.iter().rev().find_map(|r| toward(q, r));
@@ -112,6 +106,29 @@ impl Walker<'_> {
         self.walk((t0, n0), (t, n), out);
         self.walk((t, n), (t1, n1), out);
     }
+}
+
+/// The control points, where those that an end's handle of rounding size leads to are moved to that end.
+fn without_tiny_handles(points: &[DVec2]) -> Vec<DVec2> {
+    let longest = differences(points)
+        .iter()
+        .map(|v| v.length())
+        .fold(0.0, f64::max);
+    let min = NO_HANDLE * real(points.len() - 1) * longest;
+    let mut moved = points.to_vec();
+    let (first, last) = (points[0], points[points.len() - 1]);
+    let at_first = |p: &&mut DVec2| (**p - first).length() <= min;
+    moved
+        .iter_mut()
+        .take_while(at_first)
+        .for_each(|p| *p = first);
+    let at_last = |p: &&mut DVec2| (**p - last).length() <= min;
+    moved
+        .iter_mut()
+        .rev()
+        .take_while(at_last)
+        .for_each(|p| *p = last);
+    moved
 }
 
 /// The parameters inside (0, 1) with a minimum of the speed, and these speeds as fractions of the maximum.
@@ -192,16 +209,17 @@ impl DenseReference {
         Self { vertices }
     }
 
-    /// All offset curves that rounding cannot distinguish from the true one.
-    pub(crate) fn all(points: &[DVec2], distance: f64, step: f64) -> Vec<Self> {
+    /// All offset curves that rounding cannot distinguish from the true one, each computed when it is asked for.
+    pub(crate) fn all(points: &[DVec2], distance: f64, step: f64) -> impl Iterator<Item = Self> {
+        let points = without_tiny_handles(points);
         let inside = |t: &f64| *t > 2.0 * BESIDE && *t < 1.0 - 2.0 * BESIDE;
-        let slow = slowest(points)
+        let slow = slowest(&points)
             .into_iter()
             .filter(|&(_, speed)| speed < STOP);
         let stops: Vec<f64> = slow.map(|(t, _)| t).filter(inside).collect();
-        (0..1_u32 << stops.len().min(4))
-            .map(|around| Self::new(points, &stops, distance, step, around))
-            .collect()
+        assert!(stops.len() <= MAX_STOPS, "too many stops: {stops:?}");
+        (0..1_u32 << stops.len())
+            .map(move |around| Self::new(&points, &stops, distance, step, around))
     }
 
     /// The maximum distance from the polyline of points that follow it.
