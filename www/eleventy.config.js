@@ -1,6 +1,6 @@
 // The pages of the site: Markdown and Nunjucks below www/. Vite takes the HTML from memory (build/pages.js).
 import { includeFiles } from "./build/include.js";
-import { contentsOf, nextChapter, pathToRoot, readingMinutes } from "./build/layout.js";
+import { contentsOf, nextChapter, pathToRoot, readingTime } from "./build/layout.js";
 import { addAppletPosters } from "./build/posters.js";
 import { sampleCode } from "./build/samples.js";
 import { addSurfacePosters } from "./build/surface-posters.js";
@@ -40,7 +40,7 @@ export default async function configure(eleventy) {
   );
   eleventy.addPreprocessor("include", "md", includeFiles);
   eleventy.addFilter("pathToRoot", pathToRoot);
-  eleventy.addFilter("readingMinutes", readingMinutes);
+  eleventy.addFilter("readingTime", readingTime);
   eleventy.addFilter("nextChapter", nextChapter);
   eleventy.addFilter("contentsOf", contentsOf);
   eleventy.addTransform("posters", (/** @type {string} */ html) => addSurfacePosters(addAppletPosters(html)));

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { codeHighlighter } from "../../www/build/highlight.js";
 import { fileURLToPath } from "node:url";
 import { includeFiles } from "../../www/build/include.js";
-import { contentsOf, nextChapter, pathToRoot, readingMinutes } from "../../www/build/layout.js";
+import { contentsOf, nextChapter, pathToRoot, readingTime } from "../../www/build/layout.js";
 import { charactersOf } from "../../www/build/math-font.js";
 import { markdown } from "../../www/build/markdown.js";
 
@@ -41,6 +41,15 @@ test("a figure has an id, a number and its last paragraph as caption; an element
   );
   assert.match(html, /href="#figure-hull" aria-label="Link to this figure">#<\/a><\/figcaption>\s*<\/figure>/);
   assert.equal(html.match(/figcaption>/g)?.length, 2, "a figure may have no caption");
+});
+
+test("a link to a figure without text says its number", () => {
+  const html = render(
+    "See [](#figure-a), [this](#figure-a).\n\n::: figure b\n<p>x</p>\n:::\n\n::: figure a\n<p>x</p>\n:::",
+    2,
+  );
+  assert.match(html, /See <a href="#figure-a">Figure\u00a02\.2<\/a>, <a href="#figure-a">this<\/a>/);
+  assert.throws(() => render("[](#figure-c)", 2), /expected a figure of the page .* got #figure-c/);
 });
 
 test("tasks and samples; what is missing is named", () => {
@@ -89,10 +98,14 @@ test("a line with an include is replaced by the file, relative to the page", () 
 
 test("reading time counts words and tasks, not code and formulas; chapters follow each other", () => {
   const words = "word ".repeat(1800);
-  assert.equal(readingMinutes(words), 10);
-  assert.equal(readingMinutes(`<p>${words}</p><pre>${words}</pre><math>${words}</math><svg>${words}</svg>`), 10);
-  assert.equal(readingMinutes(`${words}${'<lesson-task name="a"></lesson-task>'.repeat(10)}`), 20);
-  assert.equal(readingMinutes(""), 5);
+  const tasks = (/** @type {number} */ count) => '<lesson-task name="a"></lesson-task>'.repeat(count);
+  assert.equal(readingTime(words), "15 minutes");
+  assert.equal(readingTime(`<p>${words}</p><pre>${words}</pre><math>${words}</math><svg>${words}</svg>`), "15 minutes");
+  assert.equal(readingTime(words + tasks(10)), "45 minutes");
+  assert.equal(readingTime(words + tasks(15)), "1 hour");
+  assert.equal(readingTime(words + tasks(25)), "1½ hours");
+  assert.equal(readingTime(words + tasks(36)), "2 hours");
+  assert.equal(readingTime(""), "5 minutes");
   const chapters = [{ data: { chapter: 1 } }, { data: { chapter: 2 } }];
   assert.equal(nextChapter(chapters, 1), chapters[1]);
   assert.equal(nextChapter(chapters, 2), undefined);

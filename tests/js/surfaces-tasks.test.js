@@ -8,7 +8,7 @@ import { figureOf } from "../../js/elements/surface/figure.js";
 import { Geometry } from "../../js/elements/surface/geometry.js";
 import { surfaceNamed } from "../../js/elements/surface/models.js";
 import { settingsOf } from "../../js/elements/surface/settings.js";
-import { SURFACES } from "../../www/figures/lib/surfaces.js";
+import { JOINT_POINT, jointAngle, SURFACES } from "../../www/figures/lib/surfaces.js";
 
 const load = (name) => import(new URL(`../../www/tasks/${name}.js`, import.meta.url).href);
 
@@ -54,15 +54,6 @@ function figure(properties) {
   return element;
 }
 
-/** What it sees of the strip: two chains of chords. */
-const strip = () => ({
-  left: 4,
-  right: 3,
-  get figure() {
-    return { left: this.left, right: this.right, gap: this.left === this.right ? 0 : 7 };
-  },
-});
-
 /** What it sees of <reyes-dicing>. */
 const diced = (zoom) => ({
   zoom,
@@ -87,14 +78,17 @@ const saddle = (z) => Surface.parse(`1\n1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 ${z}\n`);
 
 /** Each task: its start as the page has it, what one may try in vain, and what does it. */
 const TASKS = {
-  "flat-nine": {
+  "centre-height": {
     start: () => figure({ given: SURFACES.nine() }),
     vain: [
-      (e) => (e.surface = e.surface.movePoint(4, [0, 0, 2])),
-      (e) => (e.surface = SURFACES.nine().movePoint(4, [0, 0, 0.13])),
-      (e) => (e.surface = e.surface.movePoint(0, [-3, -3, -1]).movePoint(4, [0, 0, 0])),
+      (e) => (e.surface = SURFACES.nine().movePoint(4, [0, 0, 2.13])),
+      (e) => (e.surface = SURFACES.nine().movePoint(4, [0, 0, 0.5])),
+      (e) =>
+        (e.surface = SURFACES.nine()
+          .movePoint(0, [-3, -3, -1])
+          .movePoint(4, [0, 0, 2 + 1 / 4])),
     ],
-    right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 0.12])),
+    right: (e) => (e.surface = SURFACES.nine().movePoint(4, [1, -1, 1.9])),
   },
   "corner-10": {
     start: () => figure({ model: "patch", u: 0.3, v: 0.7 }),
@@ -116,10 +110,14 @@ const TASKS = {
     vain: [(e) => (e.v = 1), (e) => Object.assign(e, { patch: null, v: 0 })],
     right: (e) => Object.assign(e, { patch: 2, u: 0.1, v: 0 }),
   },
-  "close-crack": {
-    start: strip,
-    vain: [(e) => (e.right = 8), (e) => Object.assign(e, { left: 3, right: 3 })],
-    right: (e) => Object.assign(e, { left: 4, right: 4 }),
+  "smooth-joint": {
+    start: () => figure({ given: SURFACES.joint(), patch: 1 }),
+    vain: [
+      (e) => (e.surface = SURFACES.joint().movePoint(8, [1.5, 0, 1.7])),
+      (e) => (e.surface = SURFACES.joint().movePoint(7, [0, 0, 0.3])),
+      (e) => (e.surface = SURFACES.joint().movePoint(3, [1.5, -2.5, 0])),
+    ],
+    right: (e) => (e.surface = SURFACES.joint().movePoint(8, [2, 0.4, 2.15])),
   },
   "few-triangles": {
     start: () => figure({ segments: 8 }),
@@ -263,8 +261,55 @@ test("what the text says of the predictions and of the data is so", async () => 
   assert.deepEqual([x, y, z], [...patch.controlPoints().slice(9, 12)], "S(1, 0) is P30, the last point of row 0");
   assert.equal(teapot.isocurves({ lines: 1 }).length, 68, "the wires on the sides of the patches");
   assert.equal(teapot.patches.filter((net) => new Set(Array.from(net)).size < 16).length, 8);
-  assert.equal((1 + 1 + 1 - 1) / Math.hypot(1, 1, 1), 2 / Math.sqrt(3));
+  assert.equal((-9 * 2 + 12 * 4) / Math.hypot(9, 12), 2, "the distance from the plane");
   assert.deepEqual(byAdditions([1, 3, 4, 6], 3), [4, 11, 28]);
   const weight = (t) => 3 * t * (1 - t) ** 2;
   assert.ok(Math.abs(weight(1 / 3) - 4 / 9) < 1e-15);
+});
+
+/** The legs across a side of a teapot patch, from the side inwards, in the order of the side. */
+function legsAcross(patch, { edge, reversed }) {
+  const points = patch.controlPoints();
+  const at = (i, j) => [...points.slice(3 * (4 * j + i), 3 * (4 * j + i) + 3)];
+  const pairs = [0, 1, 2, 3].map((k) => {
+    const [onSide, inside] = {
+      u0: [at(0, k), at(1, k)],
+      u1: [at(3, k), at(2, k)],
+      v0: [at(k, 0), at(k, 1)],
+      v1: [at(k, 3), at(k, 2)],
+    }[edge];
+    return inside.map((x, axis) => x - onSide[axis]);
+  });
+  return reversed ? pairs.reverse() : pairs;
+}
+
+test("the joints of the teapot are smooth: the ratio is 1, and 4 or 1/4 at rim and spout", () => {
+  const teapot = Surface.teapot();
+  const ratios = teapot.topology().shared.map(([a, b]) => {
+    const [before, after] = [legsAcross(teapot.patch(a.patch), a), legsAcross(teapot.patch(b.patch), b)];
+    const rows = before.map((p, k) => ({ p, q: after[k] })).filter(({ p }) => Math.hypot(...p) > 0);
+    const found = rows.map(({ p, q }) => {
+      const ratio = Math.hypot(...q) / Math.hypot(...p);
+      q.forEach((x, axis) => assert.ok(Math.abs(x + ratio * p[axis]) < 1e-6, `${a.patch} and ${b.patch}`));
+      return Number(ratio.toFixed(6));
+    });
+    assert.equal(new Set(found).size, 1, `one ratio: ${found}`);
+    return `${found[0]} ${[a.patch, b.patch].sort((x, y) => x - y)}`;
+  });
+  const unequal = ratios.filter((each) => !each.startsWith("1 "));
+  assert.deepEqual(unequal, ["4 0,4", "4 1,5", "4 2,6", "4 3,7", "0.25 16,18", "0.25 17,19"]);
+});
+
+test("what the text says of splitting, of the second derivatives and of the tip of the knob", () => {
+  const hill = SURFACES.hill().patch(0);
+  const parts = hill.split(0.5, 0.5).map((part) => part.controlPoints());
+  const points = parts.flatMap((net) => Array.from({ length: 16 }, (_, k) => `${net.slice(3 * k, 3 * k + 3)}`));
+  assert.equal(new Set(points).size, 49);
+  const lid = Surface.teapot().patch(20);
+  for (const u of [0.1, 0.5, 0.9]) {
+    const { z = 0 } = lid.normal(u, 0);
+    assert.ok(Math.abs(Math.abs(z) - 1) < 1e-12, "one normal at the tip");
+  }
+  assert.ok(jointAngle(SURFACES.joint()) > 30);
+  assert.ok(jointAngle(SURFACES.joint().movePoint(JOINT_POINT.vertex, JOINT_POINT.at)) < 1e-5);
 });

@@ -63,7 +63,7 @@ test("a smaller picture and larger micropolygons are fewer micropolygons, and th
   const page = await open(t);
   const figure = page.locator("reyes-dicing");
   await figure.scrollIntoViewIfNeeded();
-  await task(page, "micropolygons", 0);
+  await task(page, "micropolygons", 1);
   const count = async () => Number(await figure.locator("[data-micropolygons]").getAttribute("data-micropolygons"));
   await page.waitForFunction(() => document.querySelector("reyes-dicing").figure.micropolygons > 0);
   const first = await count();

@@ -104,7 +104,7 @@ export const difference = (page, a, b, threshold = 24) =>
 /** What the read-out says. */
 export const facts = async (page) => {
   const text = await page.locator("bezier-surface .facts").innerText();
-  const number = (word) => Number(text.replaceAll("\u2009", "").match(new RegExp(`(\\d+)\\s+${word}`))?.[1]);
+  const number = (word) => Number(text.replaceAll(/(?<=\d),(?=\d)/g, "").match(new RegExp(`(\\d+)\\s+${word}`))?.[1]);
   return { text, triangles: number("triangles"), vertices: number("vertices") };
 };
 

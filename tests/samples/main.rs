@@ -56,6 +56,8 @@ mod no_cracks;
 mod offsets;
 #[path = "../../www/samples/patch.rs"]
 mod patch;
+#[path = "../../www/samples/patch-joint.rs"]
+mod patch_joint;
 #[path = "../../www/samples/patch-normals.rs"]
 mod patch_normals;
 #[path = "../../www/samples/polyline.rs"]
@@ -76,6 +78,8 @@ mod rows_then_curve;
 mod splines;
 #[path = "../../www/samples/split.rs"]
 mod split;
+#[path = "../../www/samples/split-patch.rs"]
+mod split_patch;
 #[path = "../../www/samples/teapot.rs"]
 mod teapot;
 #[path = "../../www/samples/text-rays.rs"]
@@ -114,6 +118,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("no-cracks", no_cracks::sample),
     ("offsets", offsets::sample),
     ("patch", patch::sample),
+    ("patch-joint", patch_joint::sample),
     ("patch-normals", patch_normals::sample),
     ("polyline", polyline::sample),
     ("properties", properties::sample),
@@ -124,6 +129,7 @@ const SAMPLES: &[(&str, Sample)] = &[
     ("rows-then-curve", rows_then_curve::sample),
     ("splines", splines::sample),
     ("split", split::sample),
+    ("split-patch", split_patch::sample),
     ("teapot", teapot::sample),
     ("text-rays", text_rays::sample),
     ("tolerance", tolerance::sample),

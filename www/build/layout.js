@@ -15,20 +15,25 @@ export const contentsOf = (html) =>
     title: title.replace(/ <a class="permalink".*<\/a>/, ""),
   }));
 
-/** Words that a reader of English as a second language reads in a minute, and minutes for a task. */
-const WORDS_PER_MINUTE = 180;
-const MINUTES_PER_TASK = 1;
+/** Words that a reader of English as a second language reads in a minute of a mathematical text, and minutes for a task. */
+const WORDS_PER_MINUTE = 120;
+const MINUTES_PER_TASK = 3;
 
 /**
- * How long a page takes to read, with its tasks: in minutes, a multiple of five. Code and formulas are not counted.
+ * How long a page takes to read, with its tasks: "25 minutes", a multiple of five, or from an hour on "2½ hours". Code and
+ * formulas are not counted.
  *
  * @param {string} html
  */
-export function readingMinutes(html) {
+export function readingTime(html) {
   const text = html.replace(/<(pre|svg|math|script)\b.*?<\/\1>/gs, " ").replace(/<[^>]*>/g, " ");
   const words = text.match(/\p{L}[\p{L}\p{N}’'-]*/gu)?.length ?? 0;
   const tasks = html.match(/<lesson-task\b/g)?.length ?? 0;
-  return 5 * Math.max(1, Math.round((words / WORDS_PER_MINUTE + tasks * MINUTES_PER_TASK) / 5));
+  const minutes = words / WORDS_PER_MINUTE + tasks * MINUTES_PER_TASK;
+  if (minutes < 57.5) return `${5 * Math.max(1, Math.round(minutes / 5))} minutes`;
+  const halves = Math.round(minutes / 30);
+  if (halves === 2) return "1 hour";
+  return `${Math.floor(halves / 2)}${halves % 2 ? "½" : ""} hours`;
 }
 
 /**

@@ -3,6 +3,7 @@
 
 /** @typedef {import("markdown-it").default} MarkdownIt */
 /** @typedef {import("markdown-it").StateCore} StateCore */
+/** @typedef {import("markdown-it").Token} Token */
 
 /** Every heading of the second level begins a `<section>`, which takes its id. @param {MarkdownIt} md */
 export function sections(md) {
@@ -45,7 +46,12 @@ export function standaloneElements(md) {
   });
 }
 
-/** Numbers of sections, figures and tasks, in pages with `chapter` in their front matter. @param {MarkdownIt} md */
+/**
+ * Numbers of sections, figures and tasks, in pages with `chapter` in their front matter. A link without text, `[](#figure-net)`,
+ * gets the text “Figure 2.3”.
+ *
+ * @param {MarkdownIt} md
+ */
 export function numbers(md) {
   md.core.ruler.before("captions", "numbers", ({ tokens, env, Token }) => {
     const { chapter } = env;
@@ -60,5 +66,21 @@ export function numbers(md) {
       if (token.type === "container_figure_open") token.meta.number = `${chapter}.${++counts.figure}`;
       if (token.type === "container_task_open") token.meta.number = `${chapter}.${++counts.task}`;
     });
+    const figures = tokens.filter(({ type }) => type === "container_figure_open");
+    const byId = new Map(figures.map(({ meta }) => [`#figure-${meta.name}`, meta.number]));
+    for (const { children } of tokens) if (children) nameReferences(children, byId, Token);
   });
+}
+
+/** @param {Token[]} children @param {Map<string, string>} figures numbers by address @param {StateCore["Token"]} Token */
+function nameReferences(children, figures, Token) {
+  for (let i = children.length - 2; i >= 0; i--) {
+    const address = children[i].type === "link_open" ? children[i].attrGet("href") : null;
+    if (!address || children[i + 1].type !== "link_close") continue;
+    const text = new Token("text", "", 0);
+    if (!figures.has(address))
+      throw new Error(`expected a figure of the page in the link without text, got ${address}`);
+    text.content = `Figure\u00a0${figures.get(address)}`;
+    children.splice(i + 1, 0, text);
+  }
 }

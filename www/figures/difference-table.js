@@ -50,14 +50,14 @@ class DifferenceTable extends LinkedFigure {
     const head = element(
       "tr",
       {},
-      ...["i", "value", "first", "second", "third", "exact"].map((word) =>
+      ...["k", "value", "first", "second", "third", "exact"].map((word) =>
         Object.assign(element("th", { textContent: word }), { scope: "col" }),
       ),
     );
     const caption = element(
       "p",
       { className: "note" },
-      "Each number is the sum of the number above it and the one to the right of that.",
+      "From k = 1 on, each value, first and second difference is the sum of the number above it and the one to the right of that. The column “exact” has the values of the cubic itself.",
     );
     const control = slider("Steps", { min: 2, max: 16, step: 1, value: this.#steps, name: "steps" }, (n, type) => {
       this.#steps = n;
@@ -118,7 +118,10 @@ function plot() {
     ),
     svg("text", { x: x(OCTAVES), y: y(drift(steps(OCTAVES))) + 18, "text-anchor": "end", class: "double" }, "64 bits"),
   ];
-  const label = svg("text", { x: (MARGIN + WIDTH) / 2, y: HEIGHT - 3, "text-anchor": "middle" }, "steps");
+  const labels = [
+    svg("text", { x: (MARGIN + WIDTH) / 2, y: HEIGHT - 3, "text-anchor": "middle" }, "steps"),
+    svg("text", { x: MARGIN + 6, y: 12 }, "largest error"),
+  ];
   return svg(
     "svg",
     {
@@ -130,7 +133,7 @@ function plot() {
     },
     ...ticks,
     ...below,
-    label,
+    ...labels,
     line("single", Math.fround),
     line("double", (v) => v),
     ...names,

@@ -45,7 +45,7 @@ export function teapotBytes(segments) {
   return [
     { name: "control points", bytes: teapot().vertices.length * BYTES_PER_NUMBER + indices * BYTES_PER_INDEX },
     { name: "mesh", bytes: mesh.positions.byteLength + mesh.indices.byteLength },
-    { name: "with normals", bytes: mesh.positions.byteLength + mesh.indices.byteLength + mesh.normals.byteLength },
+    { name: "mesh with normals", bytes: mesh.positions.byteLength + mesh.indices.byteLength + mesh.normals.byteLength },
   ];
 }
 
@@ -64,7 +64,7 @@ export class FigBytes extends Figure {
 
   /** @param {Weight[]} weights */
   picture(weights) {
-    const [left, right, line] = [112, 84, 40];
+    const [left, right, line] = [140, 84, 40];
     const length = this.wide - left - right;
     const most = Math.max(...weights.map(({ bytes }) => bytes));
     const height = weights.length * line + 16;

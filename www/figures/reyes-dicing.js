@@ -42,7 +42,7 @@ export class ReyesDicing extends Figure {
 
   constructor() {
     super();
-    this.step = /** @type {Step} */ ("split");
+    this.step = /** @type {Step} */ ("dice");
     this.size = 16;
     this.zoom = 1;
     this.isNear = false;

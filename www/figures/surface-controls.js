@@ -1,6 +1,7 @@
 // <surface-controls for="id" controls="segments shading">: the few controls of a figure that its text speaks of.
 import { element, uniqueId } from "../parts/dom.js";
 import { LinkedFigure } from "./lib/linked-figure.js";
+import { jointAngle } from "./lib/surfaces.js";
 
 const decimals = (/** @type {number} */ x) => x.toFixed(2);
 const figures = (/** @type {number} */ x) => (x < 1e-4 ? x.toExponential(1) : String(Number(x.toPrecision(2))));
@@ -78,6 +79,10 @@ const TEAPOT_PARTS = [
 
 /** Lines that say what a figure shows. */
 const READINGS = {
+  joint: (/** @type {any} */ figure) =>
+    figure
+      ? `The largest angle between normals along the common side is ${jointAngle(figure.surface).toFixed(1)}°.`
+      : "",
   point: (/** @type {any} */ figure) =>
     figure?.place
       ? `S(${decimals(figure.u)}, ${decimals(figure.v)}) = (${figure.place.point.map((/** @type {number} */ x) => x.toFixed(3).replace("-", "−")).join(", ")})`

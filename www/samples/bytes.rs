@@ -1,3 +1,4 @@
+use casteljau::mesh::{TessellationOptions, Weld};
 use casteljau::{Grid, Indices, Surface, TeapotOptions};
 
 pub(crate) fn sample(out: &mut String) {
@@ -6,7 +7,8 @@ pub(crate) fn sample(out: &mut String) {
     let indices = 32 * 16 * 2;
     writeln!(out, "patches: {} bytes", points + indices);
     for segments in [4, 16, 32] {
-        let mesh = teapot.grid(Grid::from(segments), false).unwrap();
+        let cells = TessellationOptions::segments(Grid::from(segments));
+        let mesh = teapot.tessellate(&cells.weld(Weld::Position)).unwrap();
         let indices = match &mesh.indices {
             Indices::U16(indices) => size_of_val(&indices[..]),
             Indices::U32(indices) => size_of_val(&indices[..]),

@@ -3,6 +3,13 @@ import { formatCount, formatNumber, verdict } from "./utils/surfaces.js";
 /** The limits that the task states. */
 const [MAX_ERROR, MAX_TRIANGLES] = [0.01, 10000];
 
+export const predict = {
+  options: ["uniformly", "by tolerance", "by pixels", "until flat"],
+  answer: 1,
+  because:
+    "A uniform mesh uses small triangles everywhere, a limit in pixels depends on the view, and “until flat” bounds no distance.",
+};
+
 /** @param {{ mesh: { error: number | null, unit: string, triangles: number } }} figure */
 export function check({ mesh: { error, unit, triangles } }) {
   if (error === null)

@@ -2,6 +2,12 @@ import { formatNumber, verdict } from "./utils/surfaces.js";
 
 const WANTED = 0.1;
 
+export const predict = {
+  options: ["about 8", "about 16", "about 60"],
+  answer: 1,
+  because: "1.5 must become 15 times smaller. The bound falls with the square, and √15 is about 3.9: 4 · 3.9 ≈ 15.5.",
+};
+
 /** The error is proportional to the square of the step. @param {number} error @param {number} n */
 const oneFewer = (error, n) => (error * n * n) / (n - 1) ** 2;
 

@@ -27,6 +27,12 @@ function top(patch) {
 
 export const live = true;
 
+export const predict = {
+  options: ["in u, v < ½", "in u > ½, v < ½", "in u < ½, v > ½", "in u, v > ½"],
+  answer: 0,
+  because: "P11 has its largest weight at u = v = 1/3, so it pulls the patch up most near there.",
+};
+
 /** @param {{ surface: any, place: { point: number[] } | null }} figure */
 export function check({ surface, place }) {
   const highest = surface.bounds().max.z;

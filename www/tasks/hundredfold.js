@@ -1,6 +1,13 @@
 import { Surface } from "casteljau";
 import { verdict } from "./utils/surfaces.js";
 
+export const predict = {
+  options: ["about 10", "about 20", "about 40"],
+  answer: 1,
+  because:
+    "For large s the mesh has nearly 32s² vertices and 64s² triangles: 32 · 24 + 64 · 6 = 1152 bytes for each s². 450,400 / 1152 = 391, and √391 is about 20.",
+};
+
 const MIN_RATIO = 100;
 const [NUMBER_BYTES, INDEX_BYTES] = [4, 2];
 

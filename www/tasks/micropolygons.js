@@ -4,10 +4,10 @@ import { formatCount, verdict } from "./utils/surfaces.js";
 const [ZOOM, TOLERANCE] = [0.5, 1e-9];
 
 export const predict = {
-  options: ["It falls", "It stays the same", "It rises"],
-  answer: 0,
+  options: ["to about a half", "to between a quarter and a half", "to less than a quarter"],
+  answer: 1,
   because:
-    "Their size is measured in pixels. A pot that looks smaller covers fewer pixels and needs fewer micropolygons.",
+    "Their size is measured in pixels. At half the zoom each part is half as long and half as wide, which would give a quarter. It is more, because the number of segments of each part is rounded up.",
 };
 
 /** @param {{ zoom: number, micropolygons: number }} figure */

@@ -4,7 +4,7 @@ import { verdict } from "./utils/surfaces.js";
 const MAX_SEGMENTS = 4;
 
 export const predict = {
-  options: ["Inside, as facets", "At the outline", "Nowhere"],
+  options: ["Inside, as facets", "At the outline", "Only in the shadows"],
   answer: 1,
   because:
     "Smooth shading uses the normals of the surface at the vertices, so the inside looks smooth. The outline of the mesh still consists of straight edges.",

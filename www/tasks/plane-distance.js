@@ -1,5 +1,5 @@
 export const predict = {
-  options: ["2", "2/√3 ≈ 1.155", "√3 ≈ 1.732"],
-  answer: 1,
-  because: "The left side of the equation is 1 + 1 + 1 − 1 = 2, and (a, b, c) = (1, 1, 1) has the length √3.",
+  options: ["2", "2.5", "30"],
+  answer: 0,
+  because: "(B − A) × (C − A) = (0, −9, 12) and d = 0. The left side is −18 + 48 = 30, and √(81 + 144) = 15.",
 };

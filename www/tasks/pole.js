@@ -1,9 +1,9 @@
 import { lengthOf, formatNumber, verdict } from "./utils/surfaces.js";
 
 export const predict = {
-  options: ["No: the cross product is zero", "Yes: the limit from inside the patch"],
-  answer: 1,
-  because: "The surface is smooth there. Only the parametrization is degenerate: every u gives the same point.",
+  options: ["For every u, at v = 0", "For every v, at u = 0", "Only at u = v = 0"],
+  answer: 0,
+  because: "Sᵤ is zero where a step in u does not move the point: on the side along which u runs. There v is constant.",
 };
 
 /** The limit that the task states, relative to the length of S_v. */

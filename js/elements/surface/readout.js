@@ -5,10 +5,8 @@ import { figures, upperBound } from "./words.js";
  * @import { Facts, Recursion } from "./geometry.js"
  */
 
-const THIN_SPACE = "\u2009";
-
 /** @param {number} count */
-const many = (count) => count.toLocaleString("en").replaceAll(",", THIN_SPACE);
+const many = (count) => count.toLocaleString("en");
 
 /**
  * What the picture is made of.

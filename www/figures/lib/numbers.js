@@ -27,11 +27,11 @@ export function decimal(value, digits = 2) {
 export const short = (value, digits = 2) => withMinus(String(Number(value.toFixed(digits)) + 0));
 
 /**
- * 1 234 567 with narrow spaces.
+ * 1,234,567.
  *
  * @param {number} value
  */
-export const grouped = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+export const grouped = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ",");
 
 /**
  * 1.2 × 10⁻⁷.

@@ -68,12 +68,49 @@ function neighbours() {
 /** Rising gently along the common side, which is curved; steep behind it. @param {number} i @param {number} j */
 const heightOf = (i, j) => (i > 3 ? [0, 2.6, -1.8, 1.2][j] * (i === 5 ? 1.6 : 0.9) : [0, 0.45, 0.45, 0][j]);
 
+/** Heights of two biquadratic patches with a common side at x = 0, row by row. The point beyond the side in the middle row is too low. */
+const JOINT_HEIGHTS = [
+  [0, 0.8, 1.3, 1.8, 1],
+  [0, 1, 1.5, 0.3, 0.5],
+  [0.2, 0.6, 1.1, 1.6, 1.2],
+];
+
+/** Two biquadratic patches that meet in an edge, and would be smooth if {@link JOINT_POINT} were higher. */
+function joint() {
+  const vertices = JOINT_HEIGHTS.flatMap((row, j) => row.map((z, i) => [1.5 * i - 3, 2.5 * j - 2.5, z]));
+  const net = (/** @type {number} */ from) =>
+    Array.from({ length: 9 }, (_, k) => 5 * Math.floor(k / 3) + (k % 3) + from);
+  return new Surface({ vertices, patches: [net(0), net(2)] }, { degreeU: 2, degreeV: 2 });
+}
+
+/** The vertex of {@link joint} that is moved, and the height that makes the joint smooth. */
+export const JOINT_POINT = { vertex: 8, at: /** @type {[number, number, number]} */ ([1.5, 0, 2]) };
+
+/** Places on the common side where normals are compared. */
+const COMPARED = 32;
+
+/** The largest angle between the normals of the first two patches along u = 1 and u = 0, in degrees. @param {Surface} surface */
+export function jointAngle(surface) {
+  const [left, right] = [surface.patch(0), surface.patch(1)];
+  const angles = Array.from({ length: COMPARED + 1 }, (_, k) => {
+    const [n, m] = [left.normal(1, k / COMPARED), right.normal(0, k / COMPARED)];
+    const cosine = n.x * m.x + n.y * m.y + (n.z ?? 0) * (m.z ?? 0);
+    return (Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI;
+  });
+  return Math.max(...angles);
+}
+
+/** The hill in two parts, before and after u. @param {number} u */
+export const halves = (u) => Surface.fromPatches(SURFACES.hill().patch(0).splitU(u));
+
 /** By the word in `data-surface`. @type {Record<string, () => Surface>} */
 export const SURFACES = {
   hill: () => raised(HILL_HEIGHTS, 3),
   nine: () => raised(NINE_HEIGHTS, 2),
   disc,
   neighbours,
+  joint,
+  halves: () => halves(0.5),
 };
 
 /** Gives every <bezier-surface> with `data-surface` its surface, and with `data-view` its first view. */
@@ -82,6 +119,8 @@ export function showSurfaces() {
     element.view = JSON.parse(element.dataset.view);
   }
   for (const element of /** @type {NodeListOf<any>} */ (document.querySelectorAll("bezier-surface[data-surface]"))) {
+    const { patch } = element; // a new surface has no chosen patch
     element.surface = SURFACES[element.dataset.surface]();
+    element.patch = patch;
   }
 }

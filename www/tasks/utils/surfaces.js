@@ -8,8 +8,8 @@ export const verdict = (done, words) => ({ done, words });
 /** A number for reading. @param {number} x @param {number} [digits] */
 export const formatNumber = (x, digits = 2) => x.toFixed(digits).replace("-", "−");
 
-/** A count with thin spaces. @param {number} count */
-export const formatCount = (count) => count.toLocaleString("en").replaceAll(",", "\u2009");
+/** A count with commas. @param {number} count */
+export const formatCount = (count) => count.toLocaleString("en");
 
 /** The length of a point as the package gives it. @param {{ x: number, y: number, z?: number }} vector */
 export const lengthOf = ({ x, y, z = 0 }) => Math.hypot(x, y, z);
