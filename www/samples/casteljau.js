@@ -10,10 +10,10 @@ function casteljau(points, t) {
 
 export function sample(print) {
   const points = [
-    [0, 4],
-    [2, 0],
-    [6, 0],
-    [8, 4],
+    [0, 0],
+    [0, 8],
+    [8, 8],
+    [8, 0],
   ];
   print(`by hand: (${casteljau(points, 0.25).join(", ")})`);
 

@@ -13,7 +13,7 @@ fn casteljau(points: &[DVec2], t: f64) -> DVec2 {
 }
 
 pub(crate) fn sample(out: &mut String) {
-    let points = [(0.0, 4.0), (2.0, 0.0), (6.0, 0.0), (8.0, 4.0)].map(DVec2::from);
+    let points = [(0.0, 0.0), (0.0, 8.0), (8.0, 8.0), (8.0, 0.0)].map(DVec2::from);
     let p = casteljau(&points, 0.25);
     writeln!(out, "by hand: ({}, {})", p.x, p.y);
 

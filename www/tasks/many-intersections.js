@@ -4,12 +4,6 @@ export const live = true;
 
 const WANTED = 5;
 
-export const predict = {
-  options: ["5", "6", "9"],
-  answer: 1,
-  because: "The degrees are 2 and 3, and 2 · 3 = 6. For two cubics it is 3 · 3 = 9.",
-};
-
 /** @param {unknown} _figure @param {{ found: { kind: string }[] }} element the site's figure of two cubics */
 export function check(_figure, { found }) {
   if (found.some(({ kind }) => kind === "overlap"))
