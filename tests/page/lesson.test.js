@@ -134,7 +134,7 @@ test("a solved task is solved on the next visit, too, until it is reset; progres
   const [task, progress] = [page.locator('lesson-task[name="safe-powers"]'), page.locator("lesson-progress")];
   const solved = (count) => progress.getByText(`${count} of`, { exact: false }).waitFor();
   await solved(0);
-  assert.match(await progress.innerText(), /^About \d+ minutes/);
+  assert.match(await progress.innerText(), /^About \d[\d½]* (minutes|hours?) with the tasks/);
   await task.scrollIntoViewIfNeeded();
   await task.getByRole("radio").nth(1).check();
   await task.getByRole("button", { name: "guess" }).click();
