@@ -48,6 +48,11 @@ const STEEP_PART: f64 = 1.0 / 256.0;
 /// Cosine of the largest allowed change of direction (25°) before the first node.
 const SHARP_COSINE: f64 = 0.9;
 
+/// The rounding error of an integral over an interval of length 1 on which the derivative has these control vectors.
+fn rounding_error(slopes: &[DVec3]) -> f64 {
+    (slopes.len() as f64 + 4.0) * f64::EPSILON * max_abs(slopes)
+}
+
 /// An interval that one rule integrates: its end, and the arc length up to that end.
 #[derive(Clone, Copy)]
 struct Interval {
@@ -82,7 +87,7 @@ impl ArcLengthTable {
             intervals: Vec::new(),
             work: WorkLimit::new(MAX_INTERVALS),
             tolerance: 0.0,
-            noise: (degree + 4.0) * f64::EPSILON * max_abs(&slopes),
+            noise: rounding_error(&slopes),
             slopes,
         };
         let whole = arc.between(0.0, 1.0);
@@ -148,8 +153,8 @@ impl ArcLengthTable {
         let (left, right) = (self.between(lo, cut), self.between(cut, hi));
         let off = (left + right - whole).abs();
         let good = depth >= self.min_depth()
-            && off <= self.allowed_difference([lo, cut, hi])
-            && !self.turns_back(lo, hi)
+            && off <= self.allowed_difference([lo, cut, hi], self.noise)
+            && self.is_accurate([lo, cut, hi], off)
             && [(lo, cut), (cut, lo), (cut, hi), (hi, cut)]
                 .into_iter()
                 .all(|(end, other)| self.ends_smoothly(end, other));
@@ -162,15 +167,25 @@ impl ArcLengthTable {
         }
     }
 
-    /// The largest difference between both levels at which an interval is accepted.
+    /// Whether the difference between both levels is allowed for the rounding of this interval alone, and the curve does
+    /// not reverse between the nodes of a rule, which would not detect it.
+    fn is_accurate(&self, at @ [lo, _, hi]: [f64; 3], off: f64) -> bool {
+        let slopes = self.slopes_between(lo, hi);
+        let noise = rounding_error(&slopes);
+        let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
+        off <= self.allowed_difference(at, noise) && !self.deviates(&slopes, chord, 0.0, hi - lo)
+    }
+
+    /// The largest difference between both levels at which an interval is accepted; `noise` is the rounding error of an
+    /// integral over [0, 1].
     ///
     /// Where the speed varies much, the error of a rule does not shrink steadily from level to level, and two levels may
     /// agree by chance.
-    fn allowed_difference(&self, at: [f64; 3]) -> f64 {
+    fn allowed_difference(&self, at: [f64; 3], noise: f64) -> f64 {
         let [a, b, c] = at.map(|t| self.speed(t));
         let steep = a.min(b).min(c) < STEEP_RATIO * a.max(b).max(c);
         let part = if steep { STEEP_PART } else { 1.0 };
-        (part * self.tolerance).max(self.noise * (at[2] - at[0]))
+        (part * self.tolerance).max(noise * (at[2] - at[0]))
     }
 
     /// Whether nothing is hidden between an end of an interval and the first node of its rule.
@@ -181,13 +196,6 @@ impl ArcLengthTable {
     /// High degrees may oscillate between the nodes of the first rules.
     fn min_depth(&self) -> usize {
         (self.slopes.len() / 4).min(MAX_MIN_DEPTH)
-    }
-
-    /// Whether the curve may reverse between the nodes of a rule, which would not detect it.
-    fn turns_back(&self, lo: f64, hi: f64) -> bool {
-        let slopes = self.slopes_between(lo, hi);
-        let chord = slopes.iter().fold(DVec3::ZERO, |sum, &slope| sum + slope);
-        self.deviates(&slopes, chord, 0.0, hi - lo)
     }
 
     /// Whether the curve turns sharply between an end and the first node, where no rule samples it. At the end itself
