@@ -26,9 +26,9 @@ const element = document.createElement("bezier-surface");
 element.surface = Surface.teapot({ lid: false });
 document.body.append(element);
 const facts = () => element.shadowRoot.querySelector(".facts").textContent;
-element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d\\u2009]+/)[0]));
+element.addEventListener("update", () => /triangles/.test(facts()) && console.log(facts().match(/[\\d,]+/)[0]));
 `;
-const PRINTED = "6\u2009912"; // 24 patches of 2 · 12² triangles
+const PRINTED = "6,912"; // 24 patches of 2 · 12² triangles
 const page = (script) => `<!doctype html><html lang="en"><title>A page</title><body>${script}</body></html>`;
 const entry = await fixture.write("src/main.js", PROGRAM);
 
@@ -121,7 +121,7 @@ test("no bundler: one script tag, and tags of HTML", async (t) => {
     `const element = document.querySelector("bezier-surface");
 element.addEventListener("update", () => {
   const facts = element.shadowRoot.querySelector(".facts").textContent;
-  if (/triangles/.test(facts)) console.log(facts.match(/[\\d\\u2009]+/)[0]);
+  if (/triangles/.test(facts)) console.log(facts.match(/[\\d,]+/)[0]);
 });\n`,
   );
   const lines =
