@@ -3,7 +3,7 @@
 use crate::common::{Rng, real};
 use crate::reference::{dense, farthest};
 use casteljau::glam::DVec2;
-use casteljau::{Error, Spline};
+use casteljau::{Curve, Error, Spline};
 use std::f64::consts::{PI, TAU};
 
 /// Points along a closed polygon, `count` on each edge.
@@ -202,4 +202,16 @@ fn the_corner_angle_selects_corners() {
         assert!(matches!(refused, Err(Error::Range { what: got, .. }) if got == what));
     }
     assert_eq!(count(Some(PI)), 0);
+}
+
+/// The derivative of this straight curve is zero at ½ and has the same sign on both sides.
+#[test]
+fn a_straight_curve_that_stops_goes_on() {
+    let points = [0.0, -3.0, -2.0, -1.0, -4.0].map(|x| DVec2::new(x, 0.0));
+    let offset = Curve::new(&points)
+        .expect("finite")
+        .offset(1.0, None)
+        .expect("an offset");
+    let expected = [DVec2::new(0.0, -1.0), DVec2::new(-4.0, -1.0)];
+    assert_eq!(offset.control_points(), expected);
 }

@@ -143,13 +143,16 @@ impl SplineBuilder {
             } else {
                 curve.end()
             };
-            let sign = curve.sign_along(direction, 0.5 * (t + next));
+            let sign = sign_between(curve, direction, t, next);
             match runs.last_mut() {
                 _ if sign == 0.0 => {}
                 Some((_, end, last)) if *last == sign => *end = to,
                 _ => runs.push((from, to, sign)),
             }
             (t, from) = (next, to);
+        }
+        if runs.is_empty() {
+            runs.push((curve.start(), curve.end(), 1.0)); // it stands still but for rounding
         }
         for (k, &(from, to, sign)) in runs.iter().enumerate() {
             let normal = direction.perp() * sign;
@@ -196,6 +199,16 @@ impl SplineBuilder {
         let pieces = (self.points.len() - before) / 3;
         self.degrees.extend(std::iter::repeat_n(3, pieces));
     }
+}
+
+/// Where the sign of a derivative is evaluated between two of its zeros, as parts of the interval: at the first ones the
+/// derivative may be zero without a change of its sign.
+const INSIDE: [f64; 4] = [0.5, 0.382, 0.7, 0.1];
+
+/// The sign of the derivative of a straight curve between two reversals; 0 if it stands still.
+fn sign_between(curve: &Curve<DVec2>, direction: DVec2, t0: f64, t1: f64) -> f64 {
+    let signs = INSIDE.map(|part| curve.sign_along(direction, t0 + part * (t1 - t0)));
+    signs.into_iter().find(|&sign| sign != 0.0).unwrap_or(0.0)
 }
 
 /// Tangents whose angle differs from 180° by at most this sine count as opposite; this is the rounding of unit vectors.
